@@ -1,0 +1,184 @@
+/* Affine maps: see affine.h. */
+#include "base/affine.h"
+
+affine affine_identity(void)
+{
+    return (affine){ { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
+}
+
+affine affine_translation(vec3 t)
+{
+    return (affine){ { { 1, 0, 0, t.x }, { 0, 1, 0, t.y }, { 0, 0, 1, t.z } } };
+}
+
+affine affine_scaling(vec3 s)
+{
+    return (affine){ { { s.x, 0, 0, 0 }, { 0, s.y, 0, 0 }, { 0, 0, s.z, 0 } } };
+}
+
+affine affine_axis_rotation(vec3 axis, double degrees)
+{
+    vec3 u = vec3_normalise(axis);
+    double angle = degrees * (M_PI / 180);
+    double c = cos(angle), s = sin(angle), k = 1 - c;
+    return (affine){ {
+        { c + u.x * u.x * k, u.x * u.y * k - u.z * s, u.x * u.z * k + u.y * s,
+          0 },
+        { u.y * u.x * k + u.z * s, c + u.y * u.y * k, u.y * u.z * k - u.x * s,
+          0 },
+        { u.z * u.x * k - u.y * s, u.z * u.y * k + u.x * s, c + u.z * u.z * k,
+          0 },
+    } };
+}
+
+affine affine_rotation(vec3 degrees)
+{
+    affine x = affine_axis_rotation(vec3_make(1, 0, 0), degrees.x);
+    affine y = affine_axis_rotation(vec3_make(0, 1, 0), degrees.y);
+    affine z = affine_axis_rotation(vec3_make(0, 0, 1), degrees.z);
+    return affine_compose(z, affine_compose(y, x));
+}
+
+affine affine_compose(affine outer, affine inner)
+{
+    affine out;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 4; j++) {
+            double sum = j == 3 ? outer.m[i][3] : 0;
+            for (int k = 0; k < 3; k++)
+                sum += outer.m[i][k] * inner.m[k][j];
+            out.m[i][j] = sum;
+        }
+    }
+    return out;
+}
+
+double affine_determinant(affine a)
+{
+    vec3 x = { a.m[0][0], a.m[1][0], a.m[2][0] };
+    vec3 y = { a.m[0][1], a.m[1][1], a.m[2][1] };
+    vec3 z = { a.m[0][2], a.m[1][2], a.m[2][2] };
+    return vec3_dot(x, vec3_cross(y, z));
+}
+
+bool affine_inverse(affine a, affine *inverse)
+{
+    double determinant = affine_determinant(a);
+    if (determinant == 0 || !isfinite(determinant))
+        return false;
+    affine out;
+    for (int i = 0; i < 3; i++) {
+        int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+        for (int j = 0; j < 3; j++) {
+            int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            out.m[i][j] =
+                (a.m[j1][i1] * a.m[j2][i2] - a.m[j1][i2] * a.m[j2][i1]) /
+                determinant;
+        }
+    }
+    for (int i = 0; i < 3; i++)
+        out.m[i][3] = -(out.m[i][0] * a.m[0][3] + out.m[i][1] * a.m[1][3] +
+                        out.m[i][2] * a.m[2][3]);
+    *inverse = out;
+    return true;
+}
+
+bool affine_is_identity(affine a)
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            if (a.m[i][j] != (i == j ? 1 : 0))
+                return false;
+    return true;
+}
+
+vec3 affine_point(const affine *a, vec3 p)
+{
+    vec3 d = affine_direction(a, p);
+    return (vec3){ d.x + a->m[0][3], d.y + a->m[1][3], d.z + a->m[2][3] };
+}
+
+vec3 affine_direction(const affine *a, vec3 d)
+{
+    return (vec3){
+        a->m[0][0] * d.x + a->m[0][1] * d.y + a->m[0][2] * d.z,
+        a->m[1][0] * d.x + a->m[1][1] * d.y + a->m[1][2] * d.z,
+        a->m[2][0] * d.x + a->m[2][1] * d.y + a->m[2][2] * d.z,
+    };
+}
+
+vec3 affine_normal(const affine *inverse, vec3 n)
+{
+    const affine *a = inverse;
+    return (vec3){
+        a->m[0][0] * n.x + a->m[1][0] * n.y + a->m[2][0] * n.z,
+        a->m[0][1] * n.x + a->m[1][1] * n.y + a->m[2][1] * n.z,
+        a->m[0][2] * n.x + a->m[1][2] * n.y + a->m[2][2] * n.z,
+    };
+}
+
+/* Arvo 1990: per output axis, each input interval adds its smaller and larger
+ * product. Zero coefficients are skipped so that 0 * infinity can't arise. */
+struct box3 affine_box(const affine *a, struct box3 box)
+{
+    double low[3], high[3];
+    if (box3_is_empty(box))
+        return box;
+    for (int i = 0; i < 3; i++) {
+        low[i] = high[i] = a->m[i][3];
+        for (int j = 0; j < 3; j++) {
+            double k = a->m[i][j];
+            if (k == 0)
+                continue;
+            double u = k * vec3_component(box.low, j);
+            double v = k * vec3_component(box.high, j);
+            low[i] += fmin(u, v);
+            high[i] += fmax(u, v);
+        }
+    }
+    return (struct box3){ { low[0], low[1], low[2] },
+                          { high[0], high[1], high[2] } };
+}
+
+struct box3 box3_empty(void)
+{
+    return (struct box3){ { INFINITY, INFINITY, INFINITY },
+                          { -INFINITY, -INFINITY, -INFINITY } };
+}
+
+struct box3 box3_infinite(void)
+{
+    return (struct box3){ { -INFINITY, -INFINITY, -INFINITY },
+                          { INFINITY, INFINITY, INFINITY } };
+}
+
+struct box3 box3_union(struct box3 a, struct box3 b)
+{
+    return (struct box3){ vec3_min(a.low, b.low), vec3_max(a.high, b.high) };
+}
+
+struct box3 box3_intersection(struct box3 a, struct box3 b)
+{
+    return (struct box3){ vec3_max(a.low, b.low), vec3_min(a.high, b.high) };
+}
+
+struct box3 box3_add(struct box3 a, vec3 p)
+{
+    return (struct box3){ vec3_min(a.low, p), vec3_max(a.high, p) };
+}
+
+bool box3_is_empty(struct box3 a)
+{
+    return a.low.x > a.high.x || a.low.y > a.high.y || a.low.z > a.high.z;
+}
+
+bool box3_is_finite(struct box3 a)
+{
+    return vec3_finite(a.low) && vec3_finite(a.high);
+}
+
+bool box3_contains(struct box3 a, vec3 p)
+{
+    return p.x >= a.low.x && p.x <= a.high.x && p.y >= a.low.y &&
+           p.y <= a.high.y && p.z >= a.low.z && p.z <= a.high.z;
+}

@@ -1,0 +1,13 @@
+/* Growing arrays in an arena: see array.h. */
+#include "base/array.h"
+
+void *array_grow(struct arena *arena, void *items, size_t count,
+                 size_t *capacity, size_t item_size)
+{
+    size_t wanted = *capacity ? *capacity * 2 : 8;
+    void *grown = arena_alloc(arena, wanted * item_size);
+    if (count)
+        memcpy(grown, items, count * item_size);
+    *capacity = wanted;
+    return grown;
+}

@@ -1,0 +1,25 @@
+/* Growing arrays of any type in an arena: a struct with `items`, `count` and
+ * `capacity`, declared where it is used:
+ *     struct { struct light *items; size_t count, capacity; } lights;
+ *     *ARRAY_PUSH(arena, &lights) = light;
+ * Old storage is left to the arena, which at most doubles its size. */
+#ifndef BASE_ARRAY_H
+#define BASE_ARRAY_H
+
+#include "base/arena.h"
+
+/* The pointer to a new last item (not zeroed beyond what the arena gives). */
+#define ARRAY_PUSH(arena, array)                                               \
+    (((array)->count == (array)->capacity                                      \
+          ? (void)((array)->items = array_grow((arena), (array)->items,        \
+                                               (array)->count,                 \
+                                               &(array)->capacity,             \
+                                               sizeof *(array)->items))        \
+          : (void)0),                                                          \
+     &(array)->items[(array)->count++])
+
+/* Room for at least one more item: the items, moved. */
+void *array_grow(struct arena *arena, void *items, size_t count,
+                 size_t *capacity, size_t item_size);
+
+#endif

@@ -1,0 +1,41 @@
+/* One table row describes one setting of a thing: its name, where it lives in
+ * the struct, its range. The same row reads it, checks it, words its errors
+ * and lists it in --list and the man pages. */
+#ifndef BASE_FIELD_H
+#define BASE_FIELD_H
+
+#include <stddef.h>
+
+enum field_kind {
+    FIELD_FLOAT,    /* double */
+    FIELD_INTEGER,  /* int, from a float rounded to nearest */
+    FIELD_BOOL,     /* bool: on/off/yes/no/true/false/number; none means on */
+    FIELD_FLAG,     /* bool: the word alone sets it */
+    FIELD_VECTOR2,  /* double[2] */
+    FIELD_VECTOR,   /* vec3; a lone float is promoted to all components */
+    FIELD_VECTOR5,  /* double[5], missing components 0 */
+    FIELD_COLOUR,   /* colour */
+    FIELD_RGB,      /* rgb */
+    FIELD_TERMS,    /* struct terms: a vector of any length, < a, b, ... > */
+};
+
+/* The value of a FIELD_TERMS. */
+struct terms {
+    double *values;
+    size_t count;
+};
+
+/* A table ends with a row whose name is NULL. `minimum` == `maximum` == 0
+ * means any finite value. */
+struct field {
+    const char *name;
+    enum field_kind kind;
+    size_t offset;
+    double minimum, maximum;
+    const char *help; /* for lists: what it is, units, default */
+};
+
+/* The row called `name`, or NULL. A NULL table has no rows. */
+const struct field *field_find(const struct field *table, const char *name);
+
+#endif

@@ -1,0 +1,15 @@
+/* The only callers of malloc: allocation that can't return NULL. Out of memory
+ * ends the program with a message and exit status 1. */
+#ifndef BASE_MEMORY_H
+#define BASE_MEMORY_H
+
+#include <stddef.h>
+
+/* Zeroed memory; freed with memory_free. */
+void *memory_new(size_t size);
+
+/* As realloc: new bytes are not zeroed; `old` may be NULL. */
+void *memory_resize(void *old, size_t size);
+void memory_free(void *memory);
+
+#endif

@@ -1,0 +1,70 @@
+/* Threads and the item counter: see parallel.h. The only user of pthreads. */
+#define _GNU_SOURCE
+#include "base/parallel.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include "base/memory.h"
+
+struct parallel_job {
+    atomic_size_t next, done;
+    size_t count;
+    const atomic_int *stop;
+    parallel_task *task;
+    void *context;
+};
+
+struct parallel_thread {
+    struct parallel_job *job;
+    pthread_t handle;
+    unsigned number;
+    bool started;
+};
+
+static void *parallel_work(void *argument)
+{
+    struct parallel_thread *thread = argument;
+    struct parallel_job *job = thread->job;
+    for (;;) {
+        if (job->stop && atomic_load(job->stop))
+            return NULL;
+        size_t item = atomic_fetch_add(&job->next, 1);
+        if (item >= job->count)
+            return NULL;
+        job->task(job->context, item, thread->number);
+        atomic_fetch_add(&job->done, 1);
+    }
+}
+
+/* A thread that can't be started is no error: the others do its share. */
+bool parallel_run(unsigned threads, size_t count, const atomic_int *stop,
+                  parallel_task *task, void *context)
+{
+    struct parallel_job job = { .count = count,
+                                .stop = stop,
+                                .task = task,
+                                .context = context };
+    if (threads < 1)
+        threads = 1;
+    struct parallel_thread *pool = memory_new(threads * sizeof *pool);
+    for (unsigned i = 0; i < threads; i++)
+        pool[i] = (struct parallel_thread){ .job = &job, .number = i };
+    for (unsigned i = 1; i < threads; i++)
+        pool[i].started = pthread_create(&pool[i].handle, NULL, parallel_work,
+                                         &pool[i]) == 0;
+    parallel_work(&pool[0]);
+    for (unsigned i = 1; i < threads; i++)
+        if (pool[i].started)
+            pthread_join(pool[i].handle, NULL);
+    memory_free(pool);
+    return atomic_load(&job.done) == count;
+}
+
+unsigned parallel_cores(void)
+{
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 0)
+        return (unsigned)CPU_COUNT(&set);
+    return 1;
+}

@@ -1,0 +1,22 @@
+/* Work on all cores: one atomic counter hands out items 0..count-1. Results
+ * must depend on the item alone, never on the thread that did it. */
+#ifndef BASE_PARALLEL_H
+#define BASE_PARALLEL_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Called with the item and the number of the thread, 0..threads-1. */
+typedef void parallel_task(void *context, size_t item, unsigned thread);
+
+/* Runs task for every item on `threads` threads (at least 1; the calling
+ * thread is number 0) and returns when all are done. Once *stop is non-zero
+ * (may be NULL) no new item is begun. Returns true if every item was done. */
+bool parallel_run(unsigned threads, size_t count, const atomic_int *stop,
+                  parallel_task *task, void *context);
+
+/* Cores this process may use (affinity respected), at least 1. */
+unsigned parallel_cores(void);
+
+#endif

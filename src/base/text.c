@@ -1,0 +1,76 @@
+/* String helpers: see text.h. */
+#include "base/text.h"
+
+#include <string.h>
+
+enum { LONGEST = 64 };
+
+static int lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : (unsigned char)c;
+}
+
+static unsigned least(unsigned a, unsigned b)
+{
+    return a < b ? a : b;
+}
+
+unsigned text_distance(const char *a, const char *b)
+{
+    size_t m = strlen(a), n = strlen(b);
+    if (m > LONGEST || n > LONGEST)
+        return m > n ? (unsigned)m : (unsigned)n;
+    unsigned rows[3][LONGEST + 1];
+    unsigned *before = rows[0], *previous = rows[1], *current = rows[2];
+    for (size_t j = 0; j <= n; j++)
+        previous[j] = (unsigned)j;
+    for (size_t i = 1; i <= m; i++) {
+        current[0] = (unsigned)i;
+        for (size_t j = 1; j <= n; j++) {
+            bool same = lower(a[i - 1]) == lower(b[j - 1]);
+            unsigned best = least(previous[j], current[j - 1]) + 1;
+            best = least(best, previous[j - 1] + !same);
+            if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+                lower(a[i - 2]) == lower(b[j - 1]))
+                best = least(best, before[j - 2] + 1);
+            current[j] = best;
+        }
+        unsigned *free_row = before;
+        before = previous;
+        previous = current;
+        current = free_row;
+    }
+    return previous[n];
+}
+
+struct text_nearest text_nearest_start(const char *word)
+{
+    size_t length = strlen(word);
+    unsigned limit = length <= 2 ? 1 : length <= 5 ? 2 : 3;
+    return (struct text_nearest){ word, NULL, limit + 1 };
+}
+
+void text_nearest_try(struct text_nearest *nearest, const char *candidate)
+{
+    unsigned distance = text_distance(nearest->word, candidate);
+    if (distance < nearest->best_distance &&
+        distance < strlen(nearest->word)) {
+        nearest->best = candidate;
+        nearest->best_distance = distance;
+    }
+}
+
+bool text_equal_nocase(const char *a, const char *b)
+{
+    while (*a && lower(*a) == lower(*b))
+        a++, b++;
+    return lower(*a) == lower(*b);
+}
+
+unsigned long long text_hash(const char *text, size_t length)
+{
+    unsigned long long hash = 14695981039346656037ull;
+    for (size_t i = 0; i < length; i++)
+        hash = (hash ^ (unsigned char)text[i]) * 1099511628211ull;
+    return hash;
+}

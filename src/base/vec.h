@@ -1,0 +1,98 @@
+/* Three-component vectors in double precision, by value. POV-Ray's frame is
+ * left-handed: x right, y up, z into the picture. */
+#ifndef BASE_VEC_H
+#define BASE_VEC_H
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef struct {
+    double x, y, z;
+} vec3;
+
+static inline vec3 vec3_make(double x, double y, double z)
+{
+    return (vec3){ x, y, z };
+}
+
+static inline vec3 vec3_add(vec3 a, vec3 b)
+{
+    return (vec3){ a.x + b.x, a.y + b.y, a.z + b.z };
+}
+
+static inline vec3 vec3_sub(vec3 a, vec3 b)
+{
+    return (vec3){ a.x - b.x, a.y - b.y, a.z - b.z };
+}
+
+static inline vec3 vec3_mul(vec3 a, vec3 b)
+{
+    return (vec3){ a.x * b.x, a.y * b.y, a.z * b.z };
+}
+
+static inline vec3 vec3_scale(vec3 a, double s)
+{
+    return (vec3){ a.x * s, a.y * s, a.z * s };
+}
+
+static inline vec3 vec3_negate(vec3 a)
+{
+    return (vec3){ -a.x, -a.y, -a.z };
+}
+
+/* a + s b: the point at parameter s of the ray (a, b). */
+static inline vec3 vec3_along(vec3 a, vec3 b, double s)
+{
+    return (vec3){ a.x + s * b.x, a.y + s * b.y, a.z + s * b.z };
+}
+
+static inline vec3 vec3_mix(vec3 a, vec3 b, double t)
+{
+    return vec3_along(a, vec3_sub(b, a), t);
+}
+
+static inline double vec3_dot(vec3 a, vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline vec3 vec3_cross(vec3 a, vec3 b)
+{
+    return (vec3){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                   a.x * b.y - a.y * b.x };
+}
+
+static inline double vec3_length(vec3 a)
+{
+    return sqrt(vec3_dot(a, a));
+}
+
+/* The unit vector along a; a zero vector stays zero. */
+static inline vec3 vec3_normalise(vec3 a)
+{
+    double length = vec3_length(a);
+    return length > 0 ? vec3_scale(a, 1 / length) : a;
+}
+
+static inline vec3 vec3_min(vec3 a, vec3 b)
+{
+    return (vec3){ fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z) };
+}
+
+static inline vec3 vec3_max(vec3 a, vec3 b)
+{
+    return (vec3){ fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z) };
+}
+
+static inline bool vec3_finite(vec3 a)
+{
+    return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
+}
+
+/* Component 0, 1 or 2. */
+static inline double vec3_component(vec3 a, int axis)
+{
+    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
+#endif

@@ -1,0 +1,38 @@
+/* Scene text to scene: the one function the rest of the program sees. */
+#ifndef PARSE_PARSE_H
+#define PARSE_PARSE_H
+
+#include "scene/scene.h"
+#include "text/diag.h"
+
+/* What the scene's text may ask about its surroundings. */
+struct parse_options {
+    const char *const *include_paths; /* searched after the current directory */
+    size_t include_path_count;
+    const char *const *include_headers; /* +HI files, read before the scene */
+    size_t include_header_count;
+    /* Declare=NAME=VALUE, in order; the value is an expression or string. */
+    const struct parse_declare {
+        const char *name, *value;
+        struct span span; /* where it was said: INI file or nowhere */
+    } *declares;
+    size_t declare_count;
+    double clock, clock_delta;
+    bool clock_on;
+    double initial_clock, final_clock;
+    int initial_frame, final_frame, frame_number;
+    int image_width, image_height;
+    double version; /* +MV; 0: not said */
+    size_t memory_limit; /* bytes for parsing and for the scene; 0: 8 GiB */
+    double time_limit;   /* seconds of parsing, 0: none (fuzzing) */
+    const volatile int *stop; /* set by a signal: give up quietly; may be NULL */
+};
+
+/* Reads `main` into a new scene. Errors are printed to `diag`; on any error
+ * returns NULL. Sources live in `sources`, which must outlive the scene.
+ * Re-entrant: no state is kept between calls. */
+struct scene *parse_scene(const struct source *main,
+                          const struct parse_options *options,
+                          struct arena *sources, struct diag *diag);
+
+#endif

@@ -1,0 +1,160 @@
+/* The parser's own state and the calls its files share. Outside parse/ only
+ * parse.h is seen.
+ *
+ * Rules return false after they have reported an error; the caller passes it
+ * on or skips to the end of its block. Nothing here exits or jumps. */
+#ifndef PARSE_PARSER_H
+#define PARSE_PARSER_H
+
+#include "base/array.h"
+#include "base/field.h"
+#include "parse/parse.h"
+#include "parse/value.h"
+#include "token/lexer.h"
+
+struct cursor;
+struct scope;
+
+/* Limits, each with its reason. */
+enum {
+    PARSE_CURSOR_LIMIT = 200,   /* includes and macro calls inside each other */
+    PARSE_NESTING_LIMIT = 200,  /* braces, parentheses: the C stack */
+};
+
+struct parser {
+    const struct parse_options *options;
+    struct diag *diag;
+    struct arena *sources;     /* texts, until exit */
+    struct arena *arena;       /* this parse */
+    struct arena *scene_arena; /* what the scene keeps */
+    struct scene *scene;
+    struct word_table *words;
+    struct cursor *cursor; /* top of the include/macro stack; stream.c */
+    struct scope *scope;   /* innermost symbols; symbol.c */
+    struct token token;    /* the one looked at, if `peeked` */
+    struct span token_span, last_span; /* of it; of the last one taken */
+    bool peeked;
+    unsigned nesting;
+    bool failed;     /* gave up: the stream only gives TOKEN_END from now on */
+    double version;  /* #version in force */
+    bool version_said;
+    struct { /* #default: what new things start from */
+        const struct pigment *pigment;
+        const struct normal *normal;
+        const struct finish *finish;
+    } defaults;
+    struct random_streams *randoms; /* seed(), rand() */
+    struct {
+        const struct token_list **items;
+        size_t count, capacity;
+    } files; /* lexed includes, by source name: lexed once */
+};
+
+/* ---- stream.c: tokens after directives and macros have had their say ---- */
+
+/* The next token without taking it; TOKEN_END at the end of all text. */
+const struct token *stream_peek(struct parser *p);
+struct token stream_next(struct parser *p);
+struct span stream_span(struct parser *p); /* of the next token */
+
+/* The keyword of the next token if it is a word, else KEYWORD_NONE. */
+enum keyword stream_keyword(struct parser *p);
+
+/* Takes the next token if it is this one. */
+bool accept(struct parser *p, enum token_kind kind);
+bool accept_keyword(struct parser *p, enum keyword keyword);
+
+/* Takes the next token or reports "expected '}' to close 'sphere', found ...".
+ * `open` is the span of the matching bracket for a note, or span_none(). */
+bool expect(struct parser *p, enum token_kind kind, struct span open);
+
+/* '{' after a keyword, one level deeper; its span into *open. block_end takes
+ * the '}'. When `ok` is false the rest of the block is skipped instead and
+ * false returned. */
+bool block_begin(struct parser *p, struct span *open);
+bool block_end(struct parser *p, struct span open, bool ok);
+
+/* ---- error.c ---- */
+
+/* Reports at the span with notes for the macro and include stack; returns
+ * false. `hint` as in diag_print. */
+__attribute__((format(printf, 4, 5))) bool
+error_at(struct parser *p, struct span span, const char *hint,
+         const char *format, ...);
+__attribute__((format(printf, 4, 5))) void
+warning_at(struct parser *p, struct span span, const char *hint,
+           const char *format, ...);
+__attribute__((format(printf, 3, 4))) void
+note_at(struct parser *p, struct span span, const char *format, ...);
+
+/* "expected WANTED, found 'x'" at the next token, with "did you mean" from
+ * what `where` accepts when the token is a word. */
+bool error_expected(struct parser *p, const char *wanted);
+
+/* A POV-Ray feature glim does not have: "'photons' is not supported". Inside
+ * a #declare the error is kept and reported where the identifier is used. */
+bool error_unsupported(struct parser *p, struct span span,
+                       const char *feature);
+
+/* An unknown word in a block: "unknown item 'pigmnt' in 'sphere'", the hint
+ * being the nearest of the reserved words or of `fields`. */
+bool error_unknown_item(struct parser *p, const char *block,
+                        const struct field *fields);
+
+/* ---- expression.c: values are evaluated as they are read ---- */
+
+bool parse_expression(struct parser *p, struct value *value);
+bool parse_float(struct parser *p, double *out);
+bool parse_integer(struct parser *p, int *out);
+bool parse_bool(struct parser *p, bool *out); /* on, off, number; no value: on */
+bool parse_vector(struct parser *p, vec3 *out);
+/* 2 to 5 components as they are; a float is promoted to `size`. */
+bool parse_components(struct parser *p, double *out, int size);
+/* `rgb <..>`, `color red 1 green .5`, an identifier, or a vector. With
+ * `bare_vector` false a vector needs rgb, rgbf, color ... before it. */
+bool parse_colour(struct parser *p, colour *out);
+bool parse_string(struct parser *p, const char **out);
+/* Whether the next token can begin an expression / a colour. */
+bool at_expression(struct parser *p);
+bool at_colour(struct parser *p);
+
+/* ---- args.c: values by field table ---- */
+
+bool parse_arguments(struct parser *p, const struct field *table, void *base);
+/* Reads the value of one field (its name has been taken). */
+bool parse_field(struct parser *p, const struct field *field, void *base);
+
+/* ---- symbol.c ---- */
+
+/* The value of an identifier, or NULL; unsupported ones are reported by
+ * symbol_take. */
+const struct value *symbol_find(struct parser *p, const struct word *word);
+void symbol_set(struct parser *p, const struct word *word, struct value value,
+                bool local);
+
+/* If the next token is an identifier that holds a value of this kind, takes
+ * it and returns the value (array elements too: Name[3]). Otherwise NULL. */
+const struct value *accept_value(struct parser *p, enum value_kind kind);
+
+/* ---- scene rules: each file has the productions it reads ---- */
+
+/* Anything #declare can name that is not an expression; sets *found. */
+bool parse_thing(struct parser *p, struct value *value, bool *found);
+
+bool parse_scene_item(struct parser *p);             /* scene.c */
+bool at_object(struct parser *p);                    /* object.c */
+bool parse_object(struct parser *p, struct object **out);
+bool parse_light(struct parser *p, struct light *out);
+bool parse_camera(struct parser *p, struct camera *out);
+bool parse_texture(struct parser *p, const struct texture **out);
+bool parse_pigment(struct parser *p, const struct pigment **out);
+bool parse_normal(struct parser *p, const struct normal **out);
+bool parse_finish(struct parser *p, const struct finish **out);
+bool parse_interior(struct parser *p, const struct interior **out);
+bool parse_material(struct parser *p, struct material *out);
+/* translate, rotate, scale, matrix, transform{}: *found tells whether the
+ * next tokens were one; it is composed after *transform. */
+bool parse_transformation(struct parser *p, affine *transform, bool *found);
+bool parse_global_settings(struct parser *p);
+
+#endif

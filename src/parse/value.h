@@ -1,0 +1,69 @@
+/* What an identifier can hold and an expression can give. */
+#ifndef PARSE_VALUE_H
+#define PARSE_VALUE_H
+
+#include "scene/scene.h"
+
+enum value_kind {
+    VALUE_NONE,
+    VALUE_FLOAT,  /* number[0] */
+    VALUE_VECTOR, /* number[0..size-1], size 2 to 5 */
+    VALUE_COLOUR, /* number: r g b filter transmit */
+    VALUE_STRING,
+    VALUE_ARRAY,
+    VALUE_MACRO,
+    VALUE_FUNCTION,
+    VALUE_REFERENCE, /* a macro argument passed by reference */
+    VALUE_OBJECT,
+    VALUE_LIGHT_GROUP,
+    VALUE_TEXTURE,
+    VALUE_PIGMENT,
+    VALUE_NORMAL,
+    VALUE_FINISH,
+    VALUE_INTERIOR,
+    VALUE_MATERIAL,
+    VALUE_TRANSFORM,
+    VALUE_CAMERA,
+    VALUE_COLOUR_MAP,
+    VALUE_PIGMENT_MAP,
+    VALUE_FOG,
+    VALUE_SKY_SPHERE,
+    VALUE_UNSUPPORTED, /* using it is the error kept in `unsupported` */
+};
+
+struct array;
+struct macro;
+struct function;
+struct symbol;
+struct unsupported;
+
+struct value {
+    enum value_kind kind;
+    int size; /* of a vector */
+    union {
+        double number[5];
+        const char *text;
+        struct array *array;
+        const struct macro *macro;
+        const struct function *function;
+        struct symbol *symbol;
+        const struct object *object;
+        const struct texture *texture;
+        const struct pigment *pigment;
+        const struct normal *normal;
+        const struct finish *finish;
+        const struct interior *interior;
+        const struct material *material;
+        const affine *transform;
+        const struct camera *camera;
+        const struct blend_map *map;
+        const struct fog *fog;
+        const struct sky_sphere *sky;
+        const struct unsupported *unsupported;
+    };
+};
+
+/* "a float", "a texture": for messages. */
+const char *value_kind_name(enum value_kind kind);
+
+#endif

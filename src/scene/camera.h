@@ -1,0 +1,33 @@
+/* The camera: vectors final, all of angle, look_at and sky worked in
+ * (section 5.8 of notes/povray.md). */
+#ifndef SCENE_CAMERA_H
+#define SCENE_CAMERA_H
+
+#include "base/affine.h"
+#include "scene/ray.h"
+
+enum camera_kind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
+
+struct camera {
+    enum camera_kind kind;
+    vec3 location, direction, right, up, sky;
+    double angle; /* degrees, 0: not given */
+    vec3 look_at;
+    bool has_look_at;
+};
+
+/* POV-Ray's: at the origin, looking along z, right 1.33 x. */
+struct camera camera_default(void);
+
+/* Works `look_at` and `angle` into direction, right and up. Returns NULL or
+ * what is wrong ("direction and sky are parallel"). */
+const char *camera_finish(struct camera *camera);
+
+/* The camera moved by `transform`: all its vectors. */
+void camera_move(struct camera *camera, const affine *transform);
+
+/* The ray through the picture at (x, y), both in [0,1] from the top left.
+ * The direction is unit. */
+struct ray camera_ray(const struct camera *camera, double x, double y);
+
+#endif

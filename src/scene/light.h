@@ -1,0 +1,41 @@
+/* Light sources: formulas of sections 5.5 to 5.7 of notes/povray.md are in
+ * lighting/; here is the data. */
+#ifndef SCENE_LIGHT_H
+#define SCENE_LIGHT_H
+
+#include "base/affine.h"
+#include "base/rgb.h"
+#include "text/source.h"
+
+struct object;
+
+enum light_kind { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER };
+
+struct light {
+    enum light_kind kind;
+    bool parallel; /* any kind: direction location -> point_at */
+    vec3 location;
+    vec3 point_at;   /* default <0,0,1> */
+    rgb colour;      /* default white */
+    double radius;   /* spot: degrees from the axis, 30; cylinder: 0.75 */
+    double falloff;  /* 45; cylinder: 1 */
+    double tightness;
+    double fade_distance, fade_power; /* both > 0, else no fading */
+    bool shadowless;
+
+    bool area;
+    vec3 axis1, axis2;
+    int size1, size2;
+    int adaptive; /* -1: all points, else subdivisions always done */
+    bool circular, orient, jitter, area_illumination;
+
+    const struct object *looks_like; /* in the light's own space, or NULL */
+    struct span span;
+};
+
+struct light light_default(void);
+
+/* The light moved: location, point_at, axes. Distances stay. */
+struct light light_moved(const struct light *light, const affine *transform);
+
+#endif

@@ -1,0 +1,151 @@
+/* What surfaces are made of: pigments, normals, finishes, textures, interiors.
+ * Plain data, const once the scene is read. The light-mesh paper's kd, ks and
+ * Emiss are finish.diffuse, finish.reflection and finish.emission.
+ *
+ * Sharing: a scene may use one declared texture for a million objects, each
+ * moved its own way. So these structs are shared and never moved: moving makes
+ * a shallow copy with another transformation (pigment_moved ...), and an object
+ * carries one more transformation for its texture (scene/object.h). */
+#ifndef SCENE_MATERIAL_H
+#define SCENE_MATERIAL_H
+
+#include "base/rgb.h"
+#include "scene/pattern.h"
+#include "text/source.h"
+
+struct image;
+struct pigment;
+
+/* Entries of a colour_map or pigment_map in increasing order of `value`; of a
+ * block pattern's list, where value is the block's number. `pigment` non-NULL
+ * replaces `colour`. Two entries may share a value: a step. */
+struct blend_entry {
+    double value;
+    colour colour;
+    const struct pigment *pigment;
+};
+
+struct blend_map {
+    struct blend_entry *entries;
+    size_t count;
+};
+
+enum image_projection {
+    IMAGE_PLANAR = 0,
+    IMAGE_SPHERICAL = 1,
+    IMAGE_CYLINDRICAL = 2,
+    IMAGE_TORUS = 5,
+};
+
+enum image_interpolation {
+    IMAGE_NEAREST = 0,
+    IMAGE_BILINEAR = 2,
+    IMAGE_NORMALISED_DISTANCE = 4,
+};
+
+struct image_map {
+    const struct image *image; /* linear light in the working space */
+    enum image_projection projection;
+    enum image_interpolation interpolation;
+    bool once;
+    double filter_all, transmit_all;
+};
+
+enum pigment_kind { PIGMENT_COLOUR, PIGMENT_PATTERN, PIGMENT_IMAGE };
+
+struct pigment {
+    enum pigment_kind kind;
+    colour colour;                /* PIGMENT_COLOUR; default opaque black */
+    struct pattern pattern;       /* for every kind: the placing */
+    const struct blend_map *map;  /* PIGMENT_PATTERN; NULL: black to white */
+    const struct image_map *image;
+    bool has_quick_colour;
+    colour quick_colour; /* used at quality 5 and below */
+};
+
+/* Perturbs the shading normal. */
+struct normal {
+    struct pattern pattern;
+    double amount;    /* bump size; 0.5 by default */
+    double accuracy;  /* step of the numerical gradient, 0.02 by default */
+    const struct blend_map *map; /* always NULL today */
+};
+
+struct reflection {
+    rgb minimum, maximum; /* at normal and at grazing incidence */
+    double falloff;       /* 1 */
+    double exponent;      /* 1 */
+    double metallic;      /* 0 */
+    bool fresnel;
+};
+
+/* POV-Ray 3.7's defaults are in finish_default. */
+struct finish {
+    rgb ambient, emission;
+    double diffuse, diffuse_back; /* light on the viewer's / the other side */
+    bool diffuse_albedo;
+    double brilliance;
+    double phong, phong_size;
+    bool phong_albedo;
+    double specular, roughness;
+    bool specular_albedo;
+    double metallic; /* of phong and specular */
+    double crand;    /* grain */
+    struct reflection reflection;
+    bool conserve_energy;
+};
+
+/* One layer of paint. No member is NULL but `normal`. */
+struct layer {
+    const struct pigment *pigment;
+    const struct normal *normal;
+    const struct finish *finish;
+};
+
+/* Layers from the bottom up; at least one. */
+struct texture {
+    struct layer *layers;
+    size_t count;
+};
+
+struct interior {
+    double ior;           /* 1 */
+    double fade_distance; /* 0: none */
+    double fade_power;    /* 0: none */
+    rgb fade_colour;      /* black */
+};
+
+struct material {
+    const struct texture *texture;
+    const struct interior *interior; /* may be NULL */
+};
+
+struct finish finish_default(void);
+struct interior interior_default(void);
+
+/* Opaque black, as POV-Ray's. */
+struct pigment pigment_default(struct arena *arena);
+
+/* The pigment's value at a point of the texture's space. */
+colour pigment_colour(const struct pigment *pigment, vec3 point);
+
+/* Whether no point of it lets light pass: told from the colours it names. */
+bool pigment_is_opaque(const struct pigment *pigment);
+bool texture_is_opaque(const struct texture *texture);
+
+/* The unit normal after perturbation; `normal` unit, both in texture space. */
+vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
+                      vec3 normal);
+
+/* Copies in `arena`, moved by an invertible transformation. */
+const struct pigment *pigment_moved(struct arena *arena,
+                                    const struct pigment *pigment,
+                                    const affine *transform);
+const struct normal *normal_moved(struct arena *arena,
+                                  const struct normal *normal,
+                                  const affine *transform);
+const struct texture *texture_moved(struct arena *arena,
+                                    const struct texture *texture,
+                                    const affine *transform);
+
+#endif

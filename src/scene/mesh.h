@@ -1,0 +1,52 @@
+/* Triangles that share vertices: mesh{}, mesh2{}, and single triangles. Given
+ * to Embree as they are; immutable and shared by all copies of the object. */
+#ifndef SCENE_MESH_H
+#define SCENE_MESH_H
+
+#include <stdint.h>
+
+#include "base/affine.h"
+#include "base/arena.h"
+#include "scene/ray.h"
+
+struct texture;
+
+enum { MESH_NONE = 0xffffffff };
+
+struct mesh_triangle {
+    uint32_t vertex[3];
+    uint32_t normal[3]; /* MESH_NONE in [0]: flat */
+    uint32_t texture;   /* index into textures, MESH_NONE: the object's */
+};
+
+struct mesh {
+    vec3 *vertices;
+    size_t vertex_count;
+    vec3 *normals; /* unit */
+    size_t normal_count;
+    struct mesh_triangle *triangles; /* none degenerate */
+    size_t triangle_count;
+    const struct texture **textures;
+    size_t texture_count;
+    bool solid;         /* has an inside_vector */
+    vec3 inside_vector; /* direction of the ray that counts crossings */
+    struct box3 bounds;
+};
+
+/* Whether three points span no area (also when any is not finite). */
+bool mesh_degenerate(vec3 a, vec3 b, vec3 c);
+
+/* Removes degenerate triangles, normalises normals, makes triangles flat
+ * whose three normals are equal (as POV-Ray does), fills bounds. Returns how
+ * many triangles were removed. */
+size_t mesh_prepare(struct mesh *mesh);
+
+/* The crossing of the ray with triangle `index`: t and barycentric u, v of
+ * vertices 1 and 2. `front` only decides nothing: both sides count. */
+bool mesh_intersect(const struct mesh *mesh, size_t index,
+                    const struct ray *ray, struct hit *hit);
+
+/* The interpolated or flat normal, any length. */
+vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v);
+
+#endif

@@ -1,0 +1,90 @@
+/* Nodes of the object tree: see object.h. */
+#include "scene/object.h"
+
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+
+struct object *object_new(struct arena *arena, enum object_kind kind,
+                          struct span span)
+{
+    struct object *object = ARENA_NEW(arena, struct object);
+    object->kind = kind;
+    object->span = span;
+    object->transform = affine_identity();
+    object->texture_transform = affine_identity();
+    return object;
+}
+
+struct object *object_copy(struct arena *arena, const struct object *object)
+{
+    struct object *copy = ARENA_NEW(arena, struct object);
+    *copy = *object;
+    return copy;
+}
+
+/* Clips may be shared with the node this one was copied from. */
+static void object_move_clips(struct arena *arena, struct object *object,
+                              const affine *transform)
+{
+    if (!object->clip_count)
+        return;
+    struct clip *moved = ARENA_ARRAY(arena, struct clip, object->clip_count);
+    for (size_t i = 0; i < object->clip_count; i++) {
+        moved[i] = object->clips[i];
+        moved[i].transform = affine_compose(*transform, moved[i].transform);
+    }
+    object->clips = moved;
+}
+
+void object_move(struct arena *arena, struct object *object,
+                 const affine *transform)
+{
+    object->transform = affine_compose(*transform, object->transform);
+    object->texture_transform =
+        affine_compose(*transform, object->texture_transform);
+    object_move_clips(arena, object, transform);
+}
+
+static struct box3 object_children_bounds(const struct object *object)
+{
+    bool meet = object->kind == OBJECT_INTERSECTION;
+    struct box3 box = meet ? box3_infinite() : box3_empty();
+    for (size_t i = 0; i < object->child_count; i++) {
+        struct box3 child = object_bounds(object->children[i]);
+        box = meet ? box3_intersection(box, child) : box3_union(box, child);
+    }
+    return box;
+}
+
+static struct box3 object_own_bounds(const struct object *object)
+{
+    switch (object->kind) {
+    case OBJECT_SHAPE:
+        return object->primitive->bounds(object->shape);
+    case OBJECT_MESH:
+        return object->mesh->bounds;
+    case OBJECT_LIGHT:
+        return box3_empty();
+    case OBJECT_UNION:
+    case OBJECT_MERGE:
+    case OBJECT_INTERSECTION:
+        break;
+    }
+    return object_children_bounds(object);
+}
+
+/* Inside out, only the surface is where it was: an inverse shape inside a
+ * CSG object reaches everywhere. */
+struct box3 object_bounds(const struct object *object)
+{
+    if (object->inverse)
+        return box3_infinite();
+    struct box3 box =
+        affine_box(&object->transform, object_own_bounds(object));
+    for (size_t i = 0; i < object->clip_count; i++) {
+        const struct clip *clip = &object->clips[i];
+        struct box3 limit = object_bounds(clip->object);
+        box = box3_intersection(box, affine_box(&clip->transform, limit));
+    }
+    return box;
+}

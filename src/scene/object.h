@@ -1,0 +1,76 @@
+/* The scene's objects as a tree. Nodes are shared between all uses of a
+ * declared identifier, so they are const: using one makes a new node, a
+ * shallow copy with its own transformation, texture and flags.
+ *
+ * Spaces: object.transform takes the node's own space to its parent's. A
+ * texture or a clip moves with the transformations written after it, so each
+ * has a transformation of its own. */
+#ifndef SCENE_OBJECT_H
+#define SCENE_OBJECT_H
+
+#include "base/affine.h"
+#include "base/arena.h"
+#include "text/source.h"
+
+struct primitive;
+struct mesh;
+struct light;
+struct texture;
+struct interior;
+struct object;
+
+enum object_kind {
+    OBJECT_SHAPE,        /* primitive, shape */
+    OBJECT_MESH,         /* mesh */
+    OBJECT_LIGHT,        /* light */
+    OBJECT_UNION,        /* children keep their inner surfaces */
+    OBJECT_MERGE,        /* inner surfaces removed */
+    OBJECT_INTERSECTION, /* difference: children after the first inverted */
+};
+
+struct clip {
+    const struct object *object;
+    affine transform; /* clip's parent space to the node's parent space */
+};
+
+struct object {
+    enum object_kind kind;
+    struct span span; /* the keyword, for late errors */
+    const struct primitive *primitive;
+    const void *shape;
+    const struct mesh *mesh;
+    const struct light *light;
+    const struct object **children;
+    size_t child_count;
+
+    affine transform;
+
+    const struct texture *texture; /* NULL: the parent's, or the default */
+    affine texture_transform;      /* texture's space to the parent's */
+    const struct interior *interior;
+
+    const struct clip *clips;
+    size_t clip_count;
+
+    bool inverse;
+    bool hollow, has_hollow; /* has_: said at all, else the parent's */
+    bool no_shadow, no_image, no_reflection;
+    bool double_illuminate;
+};
+
+/* A new node of this kind with identity transformations. */
+struct object *object_new(struct arena *arena, enum object_kind kind,
+                          struct span span);
+
+/* A copy of the node that shares everything below it. */
+struct object *object_copy(struct arena *arena, const struct object *object);
+
+/* Moves the node, its texture and its clips. */
+void object_move(struct arena *arena, struct object *object,
+                 const affine *transform);
+
+/* The box around everything in the node, in its parent's space; may be
+ * infinite. What min_extent and max_extent tell, and what Embree is given. */
+struct box3 object_bounds(const struct object *object);
+
+#endif

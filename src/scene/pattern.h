@@ -1,0 +1,86 @@
+/* The interface of the patterns: functions of space with values in [0,1] (or a
+ * block number) that pigments and normals are made of. One file in pattern/
+ * and one row in pattern/list.h each. */
+#ifndef SCENE_PATTERN_H
+#define SCENE_PATTERN_H
+
+#include "base/affine.h"
+#include "base/arena.h"
+#include "base/field.h"
+
+/* How the raw value of a pattern is folded into [0,1]; see pattern.c. */
+enum wave {
+    WAVE_RAMP,
+    WAVE_TRIANGLE,
+    WAVE_SINE,
+    WAVE_SCALLOP,
+    WAVE_CUBIC,
+    WAVE_POLY,
+};
+
+/* A random walk of the point looked up: `turbulence v octaves omega lambda` */
+struct turbulence {
+    vec3 amount;
+    int octaves;
+    double omega, lambda;
+};
+
+struct pattern_kind;
+
+/* A pattern in use. */
+struct pattern {
+    const struct pattern_kind *kind; /* NULL: only the placing below counts */
+    void *parameters;                /* kind->size bytes */
+    affine inverse;                  /* from the texture's space into its own */
+    enum wave wave;
+    double exponent; /* of poly_wave */
+    double frequency, phase;
+    bool turbulent;
+    struct turbulence turbulence;
+};
+
+struct pattern_kind {
+    const char *name;
+    const char *help;
+    size_t size;                   /* of the parameters */
+    const void *defaults;          /* parameters to start from, NULL zeroes */
+    const struct field *arguments; /* positional: gradient <1,0,0> */
+    const struct field *items;     /* named: brick_size, agate_turb ... */
+    enum wave wave;                /* default */
+    /* 0: a continuous pattern. n: value() is one of 0..n-1 and the pattern
+     * takes a list of n colours or pigments (checker 2, hexagon 3). */
+    int blocks;
+    /* Colours of the blocks when the scene names none; NULL: black to white.
+     * For a continuous pattern NULL means a grey ramp too. */
+    const double (*block_colours)[3];
+    /* Some patterns use their turbulence themselves, inside value(). */
+    bool own_turbulence;
+    /* The raw value at a point of the pattern's space, before frequency,
+     * phase and wave. */
+    double (*value)(const struct pattern *pattern, vec3 point);
+    /* As a normal: what to add to a unit normal for amount 1. NULL: the
+     * gradient of the value is used. */
+    vec3 (*perturbation)(const struct pattern *pattern, vec3 point,
+                         vec3 normal);
+};
+
+/* A pattern of `kind` (may be NULL) with POV-Ray's default settings. */
+struct pattern pattern_new(struct arena *arena,
+                           const struct pattern_kind *kind);
+
+/* The point of the pattern's own space for a point of the texture's:
+ * transformation, then turbulence. */
+vec3 pattern_locate(const struct pattern *pattern, vec3 point);
+
+/* The value in [0,1] at a point of the texture's space, frequency, phase and
+ * wave form applied; for block patterns the block's number. */
+double pattern_value(const struct pattern *pattern, vec3 point);
+
+/* Moves the pattern with `transform` (texture space): what `scale 2` written
+ * after it does. `transform` must be invertible. */
+void pattern_transform(struct pattern *pattern, const affine *transform);
+
+const struct pattern_kind *pattern_find(const char *name);
+const struct pattern_kind *pattern_at(size_t index);
+
+#endif

@@ -1,0 +1,46 @@
+/* The interface of the analytic shapes: sphere, box, torus, quartic ...
+ * One file in primitive/ and one row in primitive/list.h each.
+ *
+ * Everything is in the shape's own space, in double precision. A shape gives
+ * *all* crossings of the whole line, and tells whether a point is inside;
+ * CSG, clipping and shadows are made of these two (embree/solid). */
+#ifndef SCENE_PRIMITIVE_H
+#define SCENE_PRIMITIVE_H
+
+#include "base/affine.h"
+#include "base/arena.h"
+#include "base/field.h"
+#include "scene/ray.h"
+
+struct primitive {
+    const char *name; /* the keyword */
+    const char *help; /* one line for --list and the man page */
+    size_t size;      /* of the shape's own struct, zeroed before reading */
+    /* Read in this order, commas optional: sphere { CENTRE, RADIUS ... */
+    const struct field *arguments;
+    /* Then anywhere among the object's modifiers (`open`); may be NULL. */
+    const struct field *items;
+    bool solid; /* has an inside: may be a part of intersections */
+
+    /* After reading: precomputes. Returns NULL, or why the shape is
+     * impossible ("its two ends are the same point"). Sets *warning instead
+     * when POV-Ray only warns; the shape is then left out of the scene. */
+    const char *(*prepare)(void *shape, struct arena *arena,
+                           const char **warning);
+    /* May be infinite in some directions. */
+    struct box3 (*bounds)(const void *shape);
+    void (*intersect)(const void *shape, const struct ray *ray,
+                      struct hits *hits);
+    /* Outward (the side POV-Ray calls outside), any length, not zero. */
+    vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
+    /* NULL when not solid. */
+    bool (*inside)(const void *shape, vec3 point);
+};
+
+/* The primitive whose keyword is `name`, or NULL. */
+const struct primitive *primitive_find(const char *name);
+
+/* Number `index` of the list, or NULL past its end. */
+const struct primitive *primitive_at(size_t index);
+
+#endif

@@ -1,0 +1,41 @@
+/* Rays and the hits of a ray with one shape. */
+#ifndef SCENE_RAY_H
+#define SCENE_RAY_H
+
+#include "base/vec.h"
+
+/* Points origin + t direction. The direction need not be unit: a ray taken
+ * into an object's own space keeps its parameter t. */
+struct ray {
+    vec3 origin, direction;
+};
+
+/* One crossing of a shape's surface. `part` and u, v mean what the shape
+ * wants (which face, barycentric coordinates): given back to its normal(). */
+struct hit {
+    double t;
+    int part;
+    double u, v;
+};
+
+/* Every crossing of one shape, in any order. Enough for the highest order
+ * of poly{} (35 components at most per degree; degree 15). */
+enum { HITS_MAX = 32 };
+
+struct hits {
+    int count;
+    struct hit at[HITS_MAX];
+};
+
+static inline void hits_add(struct hits *hits, double t, int part)
+{
+    if (hits->count < HITS_MAX)
+        hits->at[hits->count++] = (struct hit){ t, part, 0, 0 };
+}
+
+static inline vec3 ray_point(const struct ray *ray, double t)
+{
+    return vec3_along(ray->origin, ray->direction, t);
+}
+
+#endif

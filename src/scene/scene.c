@@ -1,0 +1,27 @@
+/* The scene's defaults and its lifetime: see scene.h. */
+#include "scene/scene.h"
+
+#include "base/memory.h"
+
+struct scene *scene_new(void)
+{
+    struct scene *scene = memory_new(sizeof *scene);
+    scene->arena = arena_new(0);
+    scene->camera = camera_default();
+    scene->settings = (struct settings){
+        .gamma_kind = GAMMA_NONE,
+        .assumed_gamma = 1,
+        .ambient_light = rgb_grey(1),
+        .max_trace_level = 5,
+        .adc_bailout = 1.0 / 255,
+    };
+    return scene;
+}
+
+void scene_free(struct scene *scene)
+{
+    if (!scene)
+        return;
+    arena_free(scene->arena);
+    memory_free(scene);
+}

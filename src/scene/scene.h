@@ -1,0 +1,62 @@
+/* Everything a scene file says, as plain data; const after parsing. One arena
+ * holds all of it. */
+#ifndef SCENE_SCENE_H
+#define SCENE_SCENE_H
+
+#include "base/arena.h"
+#include "base/rgb.h"
+#include "scene/camera.h"
+#include "scene/material.h"
+#include "scene/object.h"
+
+struct fog {
+    double distance; /* > 0: T = exp(-d / distance) */
+    colour colour;   /* filter and transmit keep some of what is behind */
+};
+
+/* Pigments looked up in the direction of a ray that hits nothing, from the
+ * bottom up. */
+struct sky_sphere {
+    const struct pigment **pigments;
+    size_t count;
+    rgb emission; /* multiplies */
+};
+
+enum gamma_kind {
+    GAMMA_NONE,  /* numbers go out as they are: no #version, no assumed_gamma */
+    GAMMA_POWER, /* v^assumed_gamma is linear light */
+    GAMMA_SRGB,  /* decoded by the sRGB curve */
+};
+
+/* global_settings */
+struct settings {
+    enum gamma_kind gamma_kind;
+    double assumed_gamma;
+    rgb ambient_light;   /* white */
+    int max_trace_level; /* 5 */
+    double adc_bailout;  /* 1/255 */
+};
+
+struct scene {
+    struct arena *arena;
+    struct camera camera;
+    struct settings settings;
+    colour background; /* black; transmit counts for +UA */
+    const struct sky_sphere *sky; /* or NULL */
+    struct {
+        struct fog *items;
+        size_t count, capacity;
+    } fogs;
+    /* Objects and lights at the top level, in file order. Each has a texture
+     * by now: its own or the #default in force where it was written. */
+    struct {
+        const struct object **items;
+        size_t count, capacity;
+    } objects;
+    double version; /* the language's version the scene asked for */
+};
+
+struct scene *scene_new(void);
+void scene_free(struct scene *scene);
+
+#endif
