@@ -11,10 +11,9 @@
 /* The pointer to a new last item (not zeroed beyond what the arena gives). */
 #define ARRAY_PUSH(arena, array)                                               \
     (((array)->count == (array)->capacity                                      \
-          ? (void)((array)->items = array_grow((arena), (array)->items,        \
-                                               (array)->count,                 \
-                                               &(array)->capacity,             \
-                                               sizeof *(array)->items))        \
+          ? (void)((array)->items =                                            \
+                       array_grow((arena), (array)->items, (array)->count,     \
+                                  &(array)->capacity, sizeof *(array)->items)) \
           : (void)0),                                                          \
      &(array)->items[(array)->count++])
 

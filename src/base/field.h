@@ -7,16 +7,16 @@
 #include <stddef.h>
 
 enum field_kind {
-    FIELD_FLOAT,    /* double */
-    FIELD_INTEGER,  /* int, from a float rounded to nearest */
-    FIELD_BOOL,     /* bool: on/off/yes/no/true/false/number; none means on */
-    FIELD_FLAG,     /* bool: the word alone sets it */
-    FIELD_VECTOR2,  /* double[2] */
-    FIELD_VECTOR,   /* vec3; a lone float is promoted to all components */
-    FIELD_VECTOR5,  /* double[5], missing components 0 */
-    FIELD_COLOUR,   /* colour */
-    FIELD_RGB,      /* rgb */
-    FIELD_TERMS,    /* struct terms: a vector of any length, < a, b, ... > */
+    FIELD_FLOAT,   /* double */
+    FIELD_INTEGER, /* int, from a float rounded to nearest */
+    FIELD_BOOL,    /* bool: on/off/yes/no/true/false/number; none means on */
+    FIELD_FLAG,    /* bool: the word alone sets it */
+    FIELD_VECTOR2, /* double[2] */
+    FIELD_VECTOR,  /* vec3; a lone float is promoted to all components */
+    FIELD_VECTOR5, /* double[5], missing components 0 */
+    FIELD_COLOUR,  /* colour */
+    FIELD_RGB,     /* rgb */
+    FIELD_TERMS,   /* struct terms: a vector of any length, < a, b, ... > */
 };
 
 /* The value of a FIELD_TERMS. */

@@ -41,18 +41,17 @@ static void *parallel_work(void *argument)
 bool parallel_run(unsigned threads, size_t count, const atomic_int *stop,
                   parallel_task *task, void *context)
 {
-    struct parallel_job job = { .count = count,
-                                .stop = stop,
-                                .task = task,
-                                .context = context };
+    struct parallel_job job = {
+        .count = count, .stop = stop, .task = task, .context = context
+    };
     if (threads < 1)
         threads = 1;
     struct parallel_thread *pool = memory_new(threads * sizeof *pool);
     for (unsigned i = 0; i < threads; i++)
         pool[i] = (struct parallel_thread){ .job = &job, .number = i };
     for (unsigned i = 1; i < threads; i++)
-        pool[i].started = pthread_create(&pool[i].handle, NULL, parallel_work,
-                                         &pool[i]) == 0;
+        pool[i].started =
+            pthread_create(&pool[i].handle, NULL, parallel_work, &pool[i]) == 0;
     parallel_work(&pool[0]);
     for (unsigned i = 1; i < threads; i++)
         if (pool[i].started)

@@ -53,8 +53,7 @@ struct text_nearest text_nearest_start(const char *word)
 void text_nearest_try(struct text_nearest *nearest, const char *candidate)
 {
     unsigned distance = text_distance(nearest->word, candidate);
-    if (distance < nearest->best_distance &&
-        distance < strlen(nearest->word)) {
+    if (distance < nearest->best_distance && distance < strlen(nearest->word)) {
         nearest->best = candidate;
         nearest->best_distance = distance;
     }

@@ -15,17 +15,18 @@ struct parse_options {
     const struct parse_declare {
         const char *name, *value;
         struct span span; /* where it was said: INI file or nowhere */
-    } *declares;
+    } * declares;
     size_t declare_count;
     double clock, clock_delta;
     bool clock_on;
     double initial_clock, final_clock;
     int initial_frame, final_frame, frame_number;
     int image_width, image_height;
-    double version; /* +MV; 0: not said */
+    double version;      /* +MV; 0: not said */
     size_t memory_limit; /* bytes for parsing and for the scene; 0: 8 GiB */
     double time_limit;   /* seconds of parsing, 0: none (fuzzing) */
-    const volatile int *stop; /* set by a signal: give up quietly; may be NULL */
+    const volatile int
+        *stop; /* set by a signal: give up quietly; may be NULL */
 };
 
 /* Reads `main` into a new scene. Errors are printed to `diag`; on any error

@@ -17,8 +17,8 @@ struct scope;
 
 /* Limits, each with its reason. */
 enum {
-    PARSE_CURSOR_LIMIT = 200,   /* includes and macro calls inside each other */
-    PARSE_NESTING_LIMIT = 200,  /* braces, parentheses: the C stack */
+    PARSE_CURSOR_LIMIT = 200,  /* includes and macro calls inside each other */
+    PARSE_NESTING_LIMIT = 200, /* braces, parentheses: the C stack */
 };
 
 struct parser {
@@ -35,8 +35,8 @@ struct parser {
     struct span token_span, last_span; /* of it; of the last one taken */
     bool peeked;
     unsigned nesting;
-    bool failed;     /* gave up: the stream only gives TOKEN_END from now on */
-    double version;  /* #version in force */
+    bool failed;    /* gave up: the stream only gives TOKEN_END from now on */
+    double version; /* #version in force */
     bool version_said;
     struct { /* #default: what new things start from */
         const struct pigment *pigment;
@@ -78,12 +78,14 @@ bool block_end(struct parser *p, struct span open, bool ok);
 
 /* Reports at the span with notes for the macro and include stack; returns
  * false. `hint` as in diag_print. */
-__attribute__((format(printf, 4, 5))) bool
-error_at(struct parser *p, struct span span, const char *hint,
-         const char *format, ...);
-__attribute__((format(printf, 4, 5))) void
-warning_at(struct parser *p, struct span span, const char *hint,
-           const char *format, ...);
+__attribute__((format(printf, 4, 5))) bool error_at(struct parser *p,
+                                                    struct span span,
+                                                    const char *hint,
+                                                    const char *format, ...);
+__attribute__((format(printf, 4, 5))) void warning_at(struct parser *p,
+                                                      struct span span,
+                                                      const char *hint,
+                                                      const char *format, ...);
 __attribute__((format(printf, 3, 4))) void
 note_at(struct parser *p, struct span span, const char *format, ...);
 
@@ -93,8 +95,7 @@ bool error_expected(struct parser *p, const char *wanted);
 
 /* A POV-Ray feature glim does not have: "'photons' is not supported". Inside
  * a #declare the error is kept and reported where the identifier is used. */
-bool error_unsupported(struct parser *p, struct span span,
-                       const char *feature);
+bool error_unsupported(struct parser *p, struct span span, const char *feature);
 
 /* An unknown word in a block: "unknown item 'pigmnt' in 'sphere'", the hint
  * being the nearest of the reserved words or of `fields`. */
@@ -106,7 +107,8 @@ bool error_unknown_item(struct parser *p, const char *block,
 bool parse_expression(struct parser *p, struct value *value);
 bool parse_float(struct parser *p, double *out);
 bool parse_integer(struct parser *p, int *out);
-bool parse_bool(struct parser *p, bool *out); /* on, off, number; no value: on */
+bool parse_bool(struct parser *p,
+                bool *out); /* on, off, number; no value: on */
 bool parse_vector(struct parser *p, vec3 *out);
 /* 2 to 5 components as they are; a float is promoted to `size`. */
 bool parse_components(struct parser *p, double *out, int size);
@@ -141,8 +143,8 @@ const struct value *accept_value(struct parser *p, enum value_kind kind);
 /* Anything #declare can name that is not an expression; sets *found. */
 bool parse_thing(struct parser *p, struct value *value, bool *found);
 
-bool parse_scene_item(struct parser *p);             /* scene.c */
-bool at_object(struct parser *p);                    /* object.c */
+bool parse_scene_item(struct parser *p); /* scene.c */
+bool at_object(struct parser *p);        /* object.c */
 bool parse_object(struct parser *p, struct object **out);
 bool parse_light(struct parser *p, struct light *out);
 bool parse_camera(struct parser *p, struct camera *out);

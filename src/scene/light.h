@@ -15,10 +15,10 @@ struct light {
     enum light_kind kind;
     bool parallel; /* any kind: direction location -> point_at */
     vec3 location;
-    vec3 point_at;   /* default <0,0,1> */
-    rgb colour;      /* default white */
-    double radius;   /* spot: degrees from the axis, 30; cylinder: 0.75 */
-    double falloff;  /* 45; cylinder: 1 */
+    vec3 point_at;  /* default <0,0,1> */
+    rgb colour;     /* default white */
+    double radius;  /* spot: degrees from the axis, 30; cylinder: 0.75 */
+    double falloff; /* 45; cylinder: 1 */
     double tightness;
     double fade_distance, fade_power; /* both > 0, else no fading */
     bool shadowless;

@@ -55,9 +55,9 @@ enum pigment_kind { PIGMENT_COLOUR, PIGMENT_PATTERN, PIGMENT_IMAGE };
 
 struct pigment {
     enum pigment_kind kind;
-    colour colour;                /* PIGMENT_COLOUR; default opaque black */
-    struct pattern pattern;       /* for every kind: the placing */
-    const struct blend_map *map;  /* PIGMENT_PATTERN; NULL: black to white */
+    colour colour;               /* PIGMENT_COLOUR; default opaque black */
+    struct pattern pattern;      /* for every kind: the placing */
+    const struct blend_map *map; /* PIGMENT_PATTERN; NULL: black to white */
     const struct image_map *image;
     bool has_quick_colour;
     colour quick_colour; /* used at quality 5 and below */
@@ -66,8 +66,8 @@ struct pigment {
 /* Perturbs the shading normal. */
 struct normal {
     struct pattern pattern;
-    double amount;    /* bump size; 0.5 by default */
-    double accuracy;  /* step of the numerical gradient, 0.02 by default */
+    double amount;   /* bump size; 0.5 by default */
+    double accuracy; /* step of the numerical gradient, 0.02 by default */
     const struct blend_map *map; /* always NULL today */
 };
 

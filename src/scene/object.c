@@ -79,8 +79,7 @@ struct box3 object_bounds(const struct object *object)
 {
     if (object->inverse)
         return box3_infinite();
-    struct box3 box =
-        affine_box(&object->transform, object_own_bounds(object));
+    struct box3 box = affine_box(&object->transform, object_own_bounds(object));
     for (size_t i = 0; i < object->clip_count; i++) {
         const struct clip *clip = &object->clips[i];
         struct box3 limit = object_bounds(clip->object);

@@ -66,9 +66,8 @@ const struct source *source_read(struct arena *arena, const char *path,
     if (!text)
         return NULL;
     struct source *source = ARENA_NEW(arena, struct source);
-    source->name = standard_input
-                       ? "<stdin>"
-                       : arena_copy_text(arena, path, strlen(path));
+    source->name =
+        standard_input ? "<stdin>" : arena_copy_text(arena, path, strlen(path));
     source->text = source_skip_bom(text, &length);
     source->length = length;
     return source;

@@ -1,0 +1,65 @@
+/* The world: the scene made ready for rays. Embree finds what is bounded,
+ * infinite objects are tested beside it (Embree loses bounds of 1e20).
+ * Const after world_new; any number of threads may ask. */
+#ifndef EMBREE_WORLD_H
+#define EMBREE_WORLD_H
+
+#include "embree/solid.h"
+#include "scene/light.h"
+#include "scene/scene.h"
+#include "text/diag.h"
+
+struct world;
+
+/* Builds on `threads` threads. Returns NULL after an error was printed. The
+ * scene must outlive the world. */
+struct world *world_new(const struct scene *scene, unsigned threads,
+                        struct diag *diag);
+void world_free(struct world *world);
+
+/* All lights, those in unions too, moved to where they are; file order. */
+const struct light *world_lights(const struct world *world, size_t *count);
+
+enum ray_kind {
+    RAY_CAMERA,     /* sees all but no_image objects */
+    RAY_REFLECTION, /* all but no_reflection objects */
+};
+
+/* Where a ray meets the scene. */
+struct intersection {
+    double t;
+    vec3 point;
+    vec3 normal; /* unit, outward (shape's own side), interpolated on meshes */
+    const struct leaf *leaf;
+    const struct texture *texture; /* the leaf's, or the triangle's own */
+};
+
+/* The nearest crossing with t > tmin, ray.direction unit. `tmin` is a small
+ * offset; crossings beyond 1e7 units don't exist (as in POV-Ray). */
+bool world_closest(const struct world *world, const struct ray *ray,
+                   double tmin, enum ray_kind kind, struct intersection *out);
+
+/* Called for every crossing that may let light pass (leaf->opaque false), in
+ * any order; returns true when the light is all blocked and no more crossings
+ * are wanted. `out` is filled as by world_closest. */
+typedef bool world_filter(void *context, const struct intersection *out);
+
+/* Whether an opaque thing lies on the ray between tmin and tmax, or the filter
+ * said blocked. no_shadow leaves don't count, nor what looks like light number
+ * `light` (-1: none). */
+bool world_occluded(const struct world *world, const struct ray *ray,
+                    double tmin, double tmax, int light, world_filter *filter,
+                    void *context);
+
+/* Calls visit for every leaf whose inside holds the point (CSG and clips
+ * respected), in file order: the interiors a camera starts in. */
+void world_containing(const struct world *world, vec3 point,
+                      void (*visit)(void *context, const struct leaf *leaf),
+                      void *context);
+
+/* Sizes for --stats and for lighting methods. */
+size_t world_leaf_count(const struct world *world);
+size_t world_triangle_count(const struct world *world);
+struct box3 world_bounds(const struct world *world); /* of what is bounded */
+
+#endif

@@ -1,0 +1,25 @@
+/* A picture in memory: float RGBA, linear light or not as its maker says. */
+#ifndef IMAGE_IMAGE_H
+#define IMAGE_IMAGE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct image {
+    int width, height;
+    float *pixels;  /* width * height * 4, row by row from the top; alpha is
+                     * opacity, colours are premultiplied by it */
+    bool has_alpha; /* read: the file had one */
+    bool linear;    /* read: the file's numbers are linear light (EXR, HDR) */
+};
+
+/* Black, transparent. Freed by image_free. Never NULL. */
+struct image *image_new(int width, int height);
+void image_free(struct image *image);
+
+static inline float *image_pixel(const struct image *image, int x, int y)
+{
+    return image->pixels + ((size_t)y * (size_t)image->width + (size_t)x) * 4;
+}
+
+#endif

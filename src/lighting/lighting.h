@@ -1,0 +1,49 @@
+/* The one question the tracer asks: what light reaches this surface point?
+ * Each method is one file beside this one and one row of list.h; the tracer,
+ * the finishes and the tests never know which is at work.
+ *
+ * A method answers in two parts: light from known directions (lamps), one
+ * light_sample each, which diffuse reflection and highlights both use; and
+ * light without a direction (ambient, interreflection), an irradiance in
+ * POV-Ray's units: Lambert is diffuse * pigment * irradiance, no pi. */
+#ifndef LIGHTING_LIGHTING_H
+#define LIGHTING_LIGHTING_H
+
+#include "base/worker.h"
+#include "shade/surface.h"
+
+struct lighting_options {
+    unsigned threads;
+    int quality; /* +Q, 0..11 */
+    unsigned long long seed;
+};
+
+/* Takes one light_sample. */
+typedef void light_visit(void *context, const struct light_sample *sample);
+
+/* Light without a direction. */
+struct diffuse_light {
+    rgb ambient;    /* multiplies finish ambient (POV-Ray's ambient_light) */
+    rgb irradiance; /* multiplies finish diffuse */
+};
+
+struct lighting {
+    const char *name;
+    const char *help;
+    /* State for one picture, or NULL after an error was printed. */
+    void *(*start)(const struct world *world, const struct scene *scene,
+                   const struct lighting_options *options, struct diag *diag);
+    void (*finish)(void *state);
+    /* Light at a surface point. Must depend on the surface alone, not on the
+     * worker or on what was asked before. */
+    struct diffuse_light (*illuminate)(const void *state, struct worker *worker,
+                                       const struct surface *surface,
+                                       light_visit *visit, void *context);
+};
+
+/* By name, or NULL; by number, or NULL past the end. The first is the
+ * default. */
+const struct lighting *lighting_find(const char *name);
+const struct lighting *lighting_at(size_t index);
+
+#endif

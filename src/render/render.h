@@ -1,0 +1,39 @@
+/* The picture: tiles on all cores, antialiasing, progress, interruption. */
+#ifndef RENDER_RENDER_H
+#define RENDER_RENDER_H
+
+#include <stdatomic.h>
+
+#include "image/image.h"
+#include "tracer/tracer.h"
+
+struct render_options {
+    int width, height;
+    /* The part to render, 0-based, end exclusive; the rest stays black. */
+    int column_start, column_end, row_start, row_end;
+    bool antialias;
+    int method;             /* +AM: 1 or 2 */
+    double threshold;       /* +A: 0.3 */
+    int depth;              /* +R: 3 */
+    double jitter;          /* +J: 1, 0 for -J */
+    double antialias_gamma; /* +AG: 2.5 */
+    unsigned threads;
+    int tile; /* +BS: edge in pixels, 32 */
+    const atomic_int *stop;
+    /* Called now and then from any thread with the share done, 0..1; may be
+     * NULL. */
+    void (*progress)(void *context, double done);
+    void *progress_context;
+};
+
+struct render_stats {
+    unsigned long long camera_rays, secondary_rays, shadow_rays;
+};
+
+/* Renders into `image` (of width x height, black), in the working space.
+ * The same bits for any number of threads. Returns false if stopped. */
+bool render_run(const struct tracer *tracer,
+                const struct render_options *options, struct image *image,
+                struct render_stats *stats);
+
+#endif

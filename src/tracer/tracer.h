@@ -1,0 +1,25 @@
+/* The recursive ray tracer (Whitted 1980): what a camera ray sees. */
+#ifndef TRACER_TRACER_H
+#define TRACER_TRACER_H
+
+#include "lighting/lighting.h"
+
+struct tracer {
+    const struct scene *scene;
+    const struct world *world;
+    const struct lighting *lighting;
+    void *lighting_state;
+    int quality; /* +Q: see man/glim.1 */
+};
+
+/* Radiance in the working space, premultiplied by opacity. */
+struct radiance {
+    rgb colour;
+    double opacity;
+};
+
+/* What the camera sees at (x, y) of the picture, both in [0,1]. */
+struct radiance tracer_camera(const struct tracer *tracer,
+                              struct worker *worker, double x, double y);
+
+#endif
