@@ -469,7 +469,7 @@ enum keyword {
 #define X(name, spelling) KEYWORD_##name,
     KEYWORDS(X)
 #undef X
-        KEYWORD_COUNT
+        KEYWORDS_TOTAL
 };
 
 #endif
