@@ -17,8 +17,10 @@ struct scope;
 
 /* Limits, each with its reason. */
 enum {
-    PARSE_CURSOR_LIMIT = 200,  /* includes and macro calls inside each other */
-    PARSE_NESTING_LIMIT = 200, /* braces, parentheses: the C stack */
+    PARSE_CURSOR_LIMIT = 1000,   /* includes and macro calls inside each other:
+                                  * endless recursion of a macro */
+    PARSE_NESTING_LIMIT = 200,   /* braces, parentheses: the C stack */
+    PARSE_LOOP_LIMIT = 20000000, /* rounds of one #while or #for */
 };
 
 struct parser {
@@ -29,12 +31,26 @@ struct parser {
     struct arena *scene_arena; /* what the scene keeps */
     struct scene *scene;
     struct word_table *words;
-    struct cursor *cursor; /* top of the include/macro stack; stream.c */
-    struct scope *scope;   /* innermost symbols; symbol.c */
+    struct cursor *cursor;    /* top of the include/macro stack; stream.c */
+    struct cursor *directive; /* the cursor a directive's value is read in */
+    struct cursor *free_cursors;
+    unsigned depth;                             /* cursors on the stack */
+    struct scope *scope, *global, *free_scopes; /* symbol.c */
+    struct symbol *free_symbols;
+    struct {
+        struct symbol **items; /* by word id: the innermost symbol */
+        size_t count, capacity;
+    } symbols;
+    unsigned long changes; /* of symbols, arrays and random streams: a #while
+                            * whose round changes none never ends */
     struct token token;    /* the one looked at, if `peeked` */
     struct span token_span, last_span; /* of it; of the last one taken */
     bool peeked;
     unsigned nesting;
+    unsigned declaring; /* #declares being read inside each other */
+    const struct unsupported *unsupported;  /* met inside a #declare */
+    struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */
+    unsigned reported_count;
     bool failed;    /* gave up: the stream only gives TOKEN_END from now on */
     double version; /* #version in force */
     bool version_said;
@@ -106,6 +122,8 @@ bool error_unknown_item(struct parser *p, const char *block,
 
 bool parse_expression(struct parser *p, struct value *value);
 bool parse_float(struct parser *p, double *out);
+/* A float in which comparisons need no parentheses: #if, #while ... */
+bool parse_condition(struct parser *p, double *out);
 bool parse_integer(struct parser *p, int *out);
 bool parse_bool(struct parser *p,
                 bool *out); /* on, off, number; no value: on */
@@ -138,6 +156,18 @@ void symbol_set(struct parser *p, const struct word *word, struct value value,
  * it and returns the value (array elements too: Name[3]). Otherwise NULL. */
 const struct value *accept_value(struct parser *p, enum value_kind kind);
 
+/* ---- file.c ---- */
+
+/* The path of a file a scene names: as given, in the current directory, then
+ * in each library path; then all that again with `extension` (may be NULL)
+ * added if the name has none. NULL: not found. */
+const char *file_find(struct parser *p, const char *name,
+                      const char *extension);
+
+/* "looked in ., /usr/share/...; +LDIR adds others": the hint for a file that
+ * was not found. */
+const char *file_hint(struct parser *p);
+
 /* ---- scene rules: each file has the productions it reads ---- */
 
 /* Anything #declare can name that is not an expression; sets *found. */
@@ -158,5 +188,9 @@ bool parse_material(struct parser *p, struct material *out);
  * next tokens were one; it is composed after *transform. */
 bool parse_transformation(struct parser *p, affine *transform, bool *found);
 bool parse_global_settings(struct parser *p);
+/* The inside of #default { }: up to the '}', which is not taken. */
+bool parse_defaults(struct parser *p, struct span open);
+/* What #default starts from. */
+void defaults_init(struct parser *p);
 
 #endif

@@ -3,10 +3,10 @@
 
 #include "base/memory.h"
 
-struct scene *scene_new(void)
+struct scene *scene_new(size_t memory_limit)
 {
     struct scene *scene = memory_new(sizeof *scene);
-    scene->arena = arena_new(0);
+    scene->arena = arena_new(memory_limit);
     scene->camera = camera_default();
     scene->settings = (struct settings){
         .gamma_kind = GAMMA_NONE,

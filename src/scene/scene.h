@@ -56,7 +56,8 @@ struct scene {
     double version; /* the language's version the scene asked for */
 };
 
-struct scene *scene_new(void);
+/* `memory_limit` bytes for its arena, 0: none. */
+struct scene *scene_new(size_t memory_limit);
 void scene_free(struct scene *scene);
 
 #endif

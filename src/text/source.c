@@ -45,6 +45,7 @@ static char *source_slurp(struct arena *arena, FILE *file, size_t *length,
 }
 
 const struct source *source_read(struct arena *arena, const char *path,
+                                 struct span included_from,
                                  const char **problem)
 {
     bool standard_input = strcmp(path, "-") == 0;
@@ -70,6 +71,7 @@ const struct source *source_read(struct arena *arena, const char *path,
         standard_input ? "<stdin>" : arena_copy_text(arena, path, strlen(path));
     source->text = source_skip_bom(text, &length);
     source->length = length;
+    source->included_from = included_from;
     return source;
 }
 

@@ -31,8 +31,10 @@ struct source {
 
 /* Reads the file at `path` ("-" is standard input, named "<stdin>"). On
  * failure returns NULL and sets *problem to why ("No such file or directory",
- * "is larger than 1 GiB", ...), valid as long as the arena. */
+ * "is larger than 1 GiB", ...), valid as long as the arena. `included_from` is
+ * the place that asked for it, span_none() for the main file. */
 const struct source *source_read(struct arena *arena, const char *path,
+                                 struct span included_from,
                                  const char **problem);
 
 /* A source made of `text`, copied. */

@@ -49,6 +49,7 @@ struct word {
     const char *text;
     unsigned short length;
     unsigned short keyword; /* enum keyword, KEYWORD_NONE for the others */
+    unsigned id;            /* 0, 1, 2 ... in order of first appearance */
     bool reserved;          /* can't be declared: keywords, shapes, patterns */
 };
 

@@ -13,7 +13,13 @@ struct word_table *word_table_new(struct arena *arena);
 const struct word *word_intern(struct word_table *words, const char *text,
                                size_t length);
 
-/* Calls visit for each reserved word, in alphabetical order ("did you
+/* How many words there are: ids are below it. */
+unsigned word_count(const struct word_table *words);
+
+/* The main spelling of a keyword. */
+const char *keyword_spelling(enum keyword keyword);
+
+/* Calls visit for each reserved word, in order of their ids ("did you
  * mean", --list). */
 void word_table_visit(const struct word_table *words,
                       void (*visit)(void *context, const struct word *word),

@@ -1,0 +1,85 @@
+/* Running directives, and the blocks they open: see directive.h. */
+#include "parse/directive.h"
+
+#include "base/text.h"
+
+#define X(keyword, name) extern const struct directive name##_directive;
+#include "parse/directive/list.h"
+#undef X
+
+static const struct directive *const directives[KEYWORDS_TOTAL] = {
+#define X(keyword, name) [KEYWORD_##keyword] = &name##_directive,
+#include "parse/directive/list.h"
+#undef X
+};
+
+static bool directive_unknown(struct parser *p, const struct word *word,
+                              struct span at)
+{
+    struct text_nearest nearest = text_nearest_start(word->text);
+    for (int i = 1; i < KEYWORDS_TOTAL; i++)
+        if (directives[i])
+            text_nearest_try(&nearest, keyword_spelling(i));
+    const char *hint =
+        nearest.best ? arena_printf(p->arena, "#%s", nearest.best) : NULL;
+    return error_at(p, at, hint, "there is no directive '#%s'", word->text);
+}
+
+bool directive_run(struct parser *p)
+{
+    struct cursor *cursor = p->cursor;
+    struct span at = token_span(cursor->list, cursor->index);
+    const struct word *word = cursor->list->tokens[cursor->index++].word;
+    const struct directive *directive = directives[word->keyword];
+    if (!directive)
+        return directive_unknown(p, word, at);
+    p->last_span = at;
+    return directive->run(p, at);
+}
+
+struct open_block *directive_block(struct parser *p)
+{
+    struct cursor *cursor = p->cursor;
+    return cursor->blocks.count
+               ? &cursor->blocks.items[cursor->blocks.count - 1]
+               : NULL;
+}
+
+struct open_block *directive_open(struct parser *p, enum block_kind kind,
+                                  struct span at)
+{
+    struct open_block *block = ARRAY_PUSH(p->arena, &p->cursor->blocks);
+    *block = (struct open_block){ .kind = kind, .span = at };
+    return block;
+}
+
+void directive_close(struct parser *p)
+{
+    p->cursor->blocks.count--;
+}
+
+bool directive_float(struct parser *p, double *out)
+{
+    struct cursor *outer = stream_directive_begin(p);
+    bool ok = parse_condition(p, out);
+    stream_directive_end(p, outer);
+    return ok;
+}
+
+bool directive_string(struct parser *p, const char **out)
+{
+    struct cursor *outer = stream_directive_begin(p);
+    bool ok = parse_string(p, out);
+    stream_directive_end(p, outer);
+    return ok;
+}
+
+bool directive_skip_to_end(struct parser *p)
+{
+    static const enum keyword stops[] = { KEYWORD_END, KEYWORD_NONE };
+    bool found = stream_skip_block(p, stops, directive_block(p)->span);
+    if (found)
+        p->cursor->index++;
+    directive_close(p);
+    return found;
+}

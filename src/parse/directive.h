@@ -1,0 +1,31 @@
+/* The interface of the directives: what stands after '#'. One row in
+ * directive/list.h each; related ones share a file. */
+#ifndef PARSE_DIRECTIVE_H
+#define PARSE_DIRECTIVE_H
+
+#include "parse/stream.h"
+
+struct directive {
+    /* Called with the directive's own token taken; `at` is its span. False
+     * after an error was reported. */
+    bool (*run)(struct parser *p, struct span at);
+    const char *help;
+};
+
+/* Runs the directive that is the next raw token of the top cursor. */
+bool directive_run(struct parser *p);
+
+/* The innermost open block of the top cursor, or NULL. */
+struct open_block *directive_block(struct parser *p);
+struct open_block *directive_open(struct parser *p, enum block_kind kind,
+                                  struct span at);
+void directive_close(struct parser *p);
+
+/* Reads a directive's condition or number without running what follows it. */
+bool directive_float(struct parser *p, double *out);
+bool directive_string(struct parser *p, const char **out);
+
+/* Skips to the #end of the innermost block and closes it. */
+bool directive_skip_to_end(struct parser *p);
+
+#endif

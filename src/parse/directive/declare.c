@@ -1,0 +1,149 @@
+/* #declare #local #undef: names for values. */
+#include "parse/array.h"
+#include "parse/directive.h"
+#include "parse/symbol.h"
+
+/* deprecation = "deprecated" ["once"] string . */
+static bool declare_deprecation(struct parser *p, const char **message,
+                                bool *once)
+{
+    if (!accept_keyword(p, KEYWORD_DEPRECATED))
+        return true;
+    *once = accept_keyword(p, KEYWORD_ONCE);
+    return parse_string(p, message);
+}
+
+static bool declare_name(struct parser *p, const struct word **name)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD)
+        return error_expected(p, "a name to declare");
+    if (token->word->reserved)
+        return error_at(p, p->token_span, NULL,
+                        "'%s' is a reserved word; declare another name",
+                        token->word->text);
+    *name = stream_next(p).word;
+    return true;
+}
+
+/* A #declare of a number needs a ';': without it POV-Ray could not tell where
+ * the expression ends. Before version 3.5 its lack was a warning. */
+static bool declare_semicolon(struct parser *p, const struct value *value)
+{
+    if (stream_peek_infix(p)->kind == TOKEN_SEMICOLON) {
+        stream_next(p);
+        return true;
+    }
+    bool needed = value->kind == VALUE_FLOAT || value->kind == VALUE_VECTOR ||
+                  value->kind == VALUE_COLOUR;
+    if (!needed || (p->version_said && p->version < 3.5))
+        return true;
+    return error_at(p, p->last_span, ";",
+                    "a declaration of %s must end with ';'",
+                    value_kind_name(value->kind));
+}
+
+/* What is declared gets a value in any case, so that its uses are not
+ * reported too: errors leave VALUE_UNSUPPORTED behind. */
+static bool declare_value(struct parser *p, struct value *value)
+{
+    const struct unsupported *outer = p->unsupported;
+    unsigned errors = p->diag->errors;
+    bool found = false;
+    p->unsupported = NULL;
+    p->declaring++;
+    bool ok = parse_thing(p, value, &found);
+    if (ok && !found)
+        ok = parse_expression(p, value);
+    p->declaring--;
+    if (!ok || p->unsupported) {
+        *value = (struct value){ .kind = VALUE_UNSUPPORTED,
+                                 .unsupported = p->unsupported };
+        ok = p->diag->errors == errors;
+    }
+    p->unsupported = outer;
+    return ok;
+}
+
+/* Where the value goes: an element's place or, *slot NULL, the name itself. */
+static bool declare_place(struct parser *p, const struct word *name,
+                          struct value **slot)
+{
+    *slot = NULL;
+    if (stream_peek_infix(p)->kind != TOKEN_LBRACKET)
+        return true;
+    struct symbol *symbol = symbol_lookup(p, name);
+    if (!symbol || symbol->value.kind != VALUE_ARRAY)
+        return error_at(p, p->last_span, symbol_nearest(p, name->text),
+                        "'%s' is not an array", name->text);
+    p->changes++;
+    return array_element(p, symbol->value.array, slot);
+}
+
+/* declaration = [deprecation] name {"[" float "]"} "=" value [";"] . */
+static bool declare_read(struct parser *p, bool local)
+{
+    const char *message = NULL;
+    bool once = false;
+    const struct word *name = NULL;
+    struct value *slot = NULL;
+    if (!declare_deprecation(p, &message, &once) || !declare_name(p, &name) ||
+        !declare_place(p, name, &slot) || !expect(p, TOKEN_EQUAL, span_none()))
+        return false;
+    struct value value = { .kind = VALUE_NONE };
+    bool ok = declare_value(p, &value);
+    if (p->failed)
+        return false;
+    if (slot) {
+        *slot = value;
+    } else {
+        struct symbol *symbol = symbol_make(p, name, local);
+        symbol->value = value;
+        symbol->deprecated = message;
+        symbol->deprecated_once = once;
+    }
+    return declare_semicolon(p, &value) && ok;
+}
+
+static bool declare_run_in(struct parser *p, bool local)
+{
+    struct cursor *outer = stream_directive_begin(p);
+    bool ok = declare_read(p, local);
+    stream_directive_end(p, outer);
+    return ok;
+}
+
+/* declare_directive = "#declare" declaration . */
+static bool declare_run(struct parser *p, struct span at)
+{
+    (void)at;
+    return declare_run_in(p, false);
+}
+
+/* local_directive = "#local" declaration . */
+static bool local_run(struct parser *p, struct span at)
+{
+    (void)at;
+    return declare_run_in(p, true);
+}
+
+/* undef_directive = "#undef" name . */
+static bool undef_run(struct parser *p, struct span at)
+{
+    (void)at;
+    struct cursor *cursor = p->cursor;
+    const struct token *token = &cursor->list->tokens[cursor->index];
+    if (token->kind != TOKEN_WORD || token->word->reserved)
+        return error_expected(p, "a declared name");
+    cursor->index++;
+    symbol_undefine(p, token->word);
+    return true;
+}
+
+const struct directive declare_directive = {
+    declare_run, "give a name a value, for the rest of the scene"
+};
+const struct directive local_directive = {
+    local_run, "give a name a value, within this file or macro"
+};
+const struct directive undef_directive = { undef_run, "forget a name" };

@@ -1,0 +1,157 @@
+/* #while #for #break #end: text read again and again. */
+#include "parse/directive.h"
+#include "parse/symbol.h"
+
+/* Whether the loop may begin another round. A #while whose last round changed
+ * no identifier will never end. */
+static bool loop_round(struct parser *p, struct open_block *block)
+{
+    bool stuck = block->kind == BLOCK_WHILE && block->rounds > 0 &&
+                 block->changes == p->changes;
+    if (stuck)
+        error_at(p, block->span, NULL,
+                 "this '#while' never ends: nothing changes in a round of it");
+    else if (++block->rounds > PARSE_LOOP_LIMIT)
+        error_at(p, block->span, NULL,
+                 "this loop took more than %d rounds, glim's limit",
+                 PARSE_LOOP_LIMIT);
+    else
+        return true;
+    stream_abort(p);
+    return false;
+}
+
+/* Evaluates the condition of the innermost #while and enters or leaves it.
+ * The cursor is at the condition. */
+static bool while_round(struct parser *p)
+{
+    struct open_block *block = directive_block(p);
+    if (!loop_round(p, block))
+        return false;
+    block->changes = p->changes;
+    p->cursor->index = block->condition;
+    double condition;
+    if (!directive_float(p, &condition))
+        return directive_skip_to_end(p) && false;
+    return condition != 0 || directive_skip_to_end(p);
+}
+
+/* while_directive = "#while" "(" condition ")" . */
+static bool while_run(struct parser *p, struct span at)
+{
+    struct open_block *block = directive_open(p, BLOCK_WHILE, at);
+    block->condition = p->cursor->index;
+    return while_round(p);
+}
+
+static bool for_numbers(struct parser *p, struct open_block *block,
+                        struct span open)
+{
+    block->step = 1;
+    if (!expect(p, TOKEN_COMMA, span_none()) ||
+        !parse_float(p, &block->value) ||
+        !expect(p, TOKEN_COMMA, span_none()) || !parse_float(p, &block->last))
+        return false;
+    if (accept(p, TOKEN_COMMA) && !parse_float(p, &block->step))
+        return false;
+    return expect(p, TOKEN_RPAREN, open);
+}
+
+/* for_head = "(" name "," float "," float ["," float] ")" . */
+static bool for_head(struct parser *p, struct open_block *block)
+{
+    struct span open = stream_span(p);
+    if (!expect(p, TOKEN_LPAREN, span_none()))
+        return false;
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved)
+        return error_expected(p, "the name of the loop's variable");
+    block->variable = stream_next(p).word;
+    if (!for_numbers(p, block, open))
+        return false;
+    if (block->step == 0)
+        return error_at(p, block->span, NULL, "the step of '#for' is 0");
+    return true;
+}
+
+/* The last value is reached in spite of rounding: #for (i, 0, 1, 0.1) runs
+ * eleven times, as in POV-Ray. */
+static bool for_round(struct parser *p)
+{
+    struct open_block *block = directive_block(p);
+    double slack = fabs(block->step) * 1e-6;
+    bool more = block->step > 0 ? block->value <= block->last + slack
+                                : block->value >= block->last - slack;
+    if (!more)
+        return directive_skip_to_end(p);
+    if (!loop_round(p, block))
+        return false;
+    struct value value = { .kind = VALUE_FLOAT, .number = { block->value } };
+    symbol_set(p, block->variable, value, true);
+    p->cursor->index = block->condition;
+    return true;
+}
+
+/* for_directive = "#for" for_head . */
+static bool for_run(struct parser *p, struct span at)
+{
+    struct cursor *outer = stream_directive_begin(p);
+    struct open_block head = { .kind = BLOCK_FOR, .span = at };
+    bool ok = for_head(p, &head);
+    stream_directive_end(p, outer);
+    *directive_open(p, BLOCK_FOR, at) = head;
+    directive_block(p)->condition = p->cursor->index;
+    if (!ok)
+        return directive_skip_to_end(p) && false;
+    return for_round(p);
+}
+
+/* The variable may have been changed in the loop: POV-Ray goes on from its
+ * new value. */
+static bool for_next(struct parser *p)
+{
+    struct open_block *block = directive_block(p);
+    const struct value *value = symbol_find(p, block->variable);
+    if (value && value->kind == VALUE_FLOAT)
+        block->value = value->number[0];
+    block->value += block->step;
+    return for_round(p);
+}
+
+static bool end_run(struct parser *p, struct span at)
+{
+    struct open_block *block = directive_block(p);
+    if (!block)
+        return error_at(p, at, NULL, "'#end' without a directive to end");
+    if (block->kind == BLOCK_WHILE)
+        return while_round(p);
+    if (block->kind == BLOCK_FOR)
+        return for_next(p);
+    directive_close(p);
+    return true;
+}
+
+/* Leaves the innermost loop or #switch, closing the #ifs in it. */
+static bool break_run(struct parser *p, struct span at)
+{
+    struct open_block *block = directive_block(p);
+    while (block && block->kind == BLOCK_IF) {
+        if (!directive_skip_to_end(p))
+            return false;
+        block = directive_block(p);
+    }
+    if (!block)
+        return error_at(p, at, NULL, "'#break' outside a loop or '#switch'");
+    return directive_skip_to_end(p);
+}
+
+const struct directive while_directive = {
+    while_run, "read what follows again while the condition is not 0"
+};
+const struct directive for_directive = {
+    for_run, "read what follows for each value of a variable"
+};
+const struct directive end_directive = { end_run,
+                                         "ends #if, #while, #macro ..." };
+const struct directive break_directive = { break_run,
+                                           "leaves a loop or a #switch" };

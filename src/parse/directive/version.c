@@ -1,0 +1,47 @@
+/* #version and #default. */
+#include "parse/directive.h"
+
+/* version_directive = "#version" ["unofficial"] float [";"] . */
+static bool version_run(struct parser *p, struct span at)
+{
+    struct cursor *outer = stream_directive_begin(p);
+    const struct token *token = stream_peek(p);
+    if (token->kind == TOKEN_WORD &&
+        strcmp(token->word->text, "unofficial") == 0)
+        stream_next(p);
+    double version;
+    bool ok = parse_float(p, &version);
+    if (ok && stream_peek_infix(p)->kind == TOKEN_SEMICOLON)
+        stream_next(p);
+    stream_directive_end(p, outer);
+    if (!ok)
+        return false;
+    if (version > 3.75 || version < 1)
+        return error_at(p, span_join(at, p->last_span), "#version 3.7;",
+                        "the scene asks for POV-Ray %g; glim speaks the "
+                        "language of 3.7",
+                        version);
+    p->version = version;
+    p->version_said = true;
+    return true;
+}
+
+/* default_directive = "#default" "{" {default_item} "}" . */
+static bool default_run(struct parser *p, struct span at)
+{
+    (void)at;
+    struct cursor *outer = stream_directive_begin(p);
+    struct span open;
+    bool ok = block_begin(p, &open);
+    if (ok)
+        ok = block_end(p, open, parse_defaults(p, open));
+    stream_directive_end(p, outer);
+    return ok;
+}
+
+const struct directive version_directive = {
+    version_run, "which version of the language follows"
+};
+const struct directive default_directive = {
+    default_run, "what textures, pigments, normals and finishes start from"
+};

@@ -1,0 +1,153 @@
+/* Errors of a scene: with the trace of macros and includes, each place once,
+ * and with what to type. */
+#include <stdio.h>
+
+#include "base/text.h"
+#include "parse/stream.h"
+#include "parse/symbol.h"
+#include "parse/unsupported.h"
+
+enum { ERROR_TRACE_LIMIT = 8 }; /* most notes of one trace */
+
+static bool error_reported(struct parser *p, struct span span)
+{
+    for (unsigned i = 0; i < p->reported_count; i++)
+        if (p->reported[i].source == span.source &&
+            p->reported[i].offset == span.offset)
+            return true;
+    if (p->reported_count < DIAG_ERROR_LIMIT)
+        p->reported[p->reported_count++] = span;
+    return false;
+}
+
+/* "in macro M called here", "included from here", innermost first. */
+static void error_trace(struct parser *p)
+{
+    unsigned notes = 0, hidden = 0;
+    for (struct cursor *c = p->cursor; c; c = c->below) {
+        if (!c->called_at.source)
+            continue;
+        if (notes++ >= ERROR_TRACE_LIMIT) {
+            hidden++;
+            continue;
+        }
+        if (c->kind == CURSOR_FILE)
+            note_at(p, c->called_at, "included from here");
+        else
+            note_at(p, c->called_at, "in %s '%s' called here",
+                    c->kind == CURSOR_MACRO ? "macro" : "function",
+                    c->macro->text);
+    }
+    if (hidden)
+        note_at(p, span_none(), "and %u more calls and includes", hidden);
+}
+
+bool error_at(struct parser *p, struct span span, const char *hint,
+              const char *format, ...)
+{
+    if (p->failed || error_reported(p, span))
+        return false;
+    va_list arguments;
+    va_start(arguments, format);
+    diag_vprint(p->diag, DIAG_ERROR, span, hint, format, arguments);
+    va_end(arguments);
+    error_trace(p);
+    if (p->diag->errors >= DIAG_ERROR_LIMIT) {
+        note_at(p, span_none(), "%d errors are enough; the rest is not read",
+                DIAG_ERROR_LIMIT);
+        stream_abort(p);
+    }
+    return false;
+}
+
+void warning_at(struct parser *p, struct span span, const char *hint,
+                const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    diag_vprint(p->diag, DIAG_WARNING, span, hint, format, arguments);
+    va_end(arguments);
+    error_trace(p);
+}
+
+void note_at(struct parser *p, struct span span, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    diag_vprint(p->diag, DIAG_NOTE, span, NULL, format, arguments);
+    va_end(arguments);
+}
+
+/* The text of the next token as written, cut to a readable length. */
+static const char *error_found(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    struct span span = p->token_span;
+    if (token->kind == TOKEN_END)
+        return "the end of the file";
+    int length = span.length > 40 ? 40 : (int)span.length;
+    return arena_printf(p->arena, "'%.*s%s'", length,
+                        span.source->text + span.offset,
+                        span.length > 40 ? "..." : "");
+}
+
+/* An identifier that was never declared is the likeliest mistake of all. */
+static bool error_undeclared(struct parser *p, const char *wanted)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved ||
+        symbol_lookup(p, token->word))
+        return false;
+    error_at(p, p->token_span, symbol_nearest(p, token->word->text),
+             "expected %s, found '%s', which is not declared", wanted,
+             token->word->text);
+    return true;
+}
+
+static const char *error_kind(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved)
+        return NULL;
+    const struct value *value = symbol_find(p, token->word);
+    return value ? value_kind_name(value->kind) : NULL;
+}
+
+bool error_expected(struct parser *p, const char *wanted)
+{
+    if (unsupported_use(p) || error_undeclared(p, wanted))
+        return false;
+    const char *kind = error_kind(p);
+    return error_at(p, stream_span(p), NULL, "expected %s, found %s%s%s",
+                    wanted, error_found(p), kind ? ", " : "", kind ? kind : "");
+}
+
+struct error_search {
+    struct text_nearest nearest;
+};
+
+static void error_try_word(void *context, const struct word *word)
+{
+    text_nearest_try(context, word->text);
+}
+
+bool error_unknown_item(struct parser *p, const char *block,
+                        const struct field *fields)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind == TOKEN_END)
+        return error_at(p, p->token_span, NULL,
+                        "the file ends inside '%s'; a '}' is missing", block);
+    if (token->kind != TOKEN_WORD || unsupported_use(p))
+        return error_at(p, p->token_span, NULL, "unexpected %s in '%s'",
+                        error_found(p), block);
+    struct text_nearest nearest = text_nearest_start(token->word->text);
+    for (const struct field *f = fields; f && f->name; f++)
+        text_nearest_try(&nearest, f->name);
+    if (!nearest.best && !token->word->reserved)
+        word_table_visit(p->words, error_try_word, &nearest);
+    return error_at(p, p->token_span, nearest.best,
+                    token->word->reserved ? "'%s' is not allowed in '%s'"
+                                          : "unknown item '%s' in '%s'",
+                    token->word->text, block);
+}

@@ -1,0 +1,165 @@
+/* Macros: #macro keeps the range of tokens between its head and its #end; a
+ * call evaluates the arguments and reads that range again. */
+#include "parse/macro.h"
+
+#include "parse/directive.h"
+#include "parse/symbol.h"
+
+enum { MACRO_PARAMETER_LIMIT = 56 }; /* as POV-Ray 3.7 */
+
+struct macro {
+    const struct word *name;
+    const struct token_list *list;
+    size_t first, end; /* the body */
+    struct span span;
+    int parameter_count;
+    const struct word *parameters[MACRO_PARAMETER_LIMIT];
+};
+
+bool macro_is_call(struct parser *p, const struct word *word)
+{
+    if (word->reserved)
+        return false;
+    const struct value *value = symbol_find(p, word);
+    return value && value->kind == VALUE_MACRO;
+}
+
+/* macro_parameters = "(" [name {[","] name}] ")" . */
+static bool macro_parameters(struct parser *p, struct macro *macro)
+{
+    struct span open = stream_span(p);
+    if (!expect(p, TOKEN_LPAREN, span_none()))
+        return false;
+    while (stream_peek(p)->kind == TOKEN_WORD) {
+        if (p->token.word->reserved)
+            return error_at(p, p->token_span, NULL,
+                            "'%s' is a reserved word; name the parameter "
+                            "otherwise",
+                            p->token.word->text);
+        if (macro->parameter_count == MACRO_PARAMETER_LIMIT)
+            return error_at(p, p->token_span, NULL,
+                            "a macro can have %d parameters at most",
+                            MACRO_PARAMETER_LIMIT);
+        macro->parameters[macro->parameter_count++] = stream_next(p).word;
+        accept(p, TOKEN_COMMA);
+    }
+    return expect(p, TOKEN_RPAREN, open);
+}
+
+/* macro_directive = "#macro" name macro_parameters {token} "#end" . */
+static bool macro_run(struct parser *p, struct span at)
+{
+    static const enum keyword stops[] = { KEYWORD_END, KEYWORD_NONE };
+    struct cursor *cursor = p->cursor;
+    const struct token *token = &cursor->list->tokens[cursor->index];
+    if (token->kind != TOKEN_WORD || token->word->reserved) {
+        error_at(p, token_span(cursor->list, cursor->index), NULL,
+                 token->kind == TOKEN_WORD ? "'%s' is a reserved word; "
+                                             "name the macro otherwise"
+                                           : "expected the macro's name%s",
+                 token->kind == TOKEN_WORD ? token->word->text : "");
+        stream_skip_block(p, stops, at);
+        cursor->index++;
+        return false;
+    }
+    struct macro *macro = ARENA_NEW(p->arena, struct macro);
+    macro->name = token->word;
+    macro->list = cursor->list;
+    macro->span = at;
+    cursor->index++;
+    struct cursor *outer = stream_directive_begin(p);
+    bool ok = macro_parameters(p, macro);
+    stream_directive_end(p, outer);
+    macro->first = cursor->index;
+    if (stream_skip_block(p, stops, at) == KEYWORD_NONE)
+        return false;
+    macro->end = cursor->index++;
+    struct value value = { .kind = VALUE_MACRO, .macro = macro };
+    if (ok)
+        symbol_set(p, macro->name, value, false);
+    return ok;
+}
+
+/* A plain identifier, alone between commas, is passed by reference: the macro
+ * may #declare it. */
+static bool macro_reference(struct parser *p, struct value *value)
+{
+    size_t available;
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved)
+        return false;
+    const struct token *after = stream_raw(p, &available);
+    if (!available ||
+        (after->kind != TOKEN_COMMA && after->kind != TOKEN_RPAREN))
+        return false;
+    struct symbol *symbol = symbol_lookup(p, token->word);
+    if (!symbol)
+        symbol = symbol_make(p, token->word, false);
+    stream_next(p);
+    *value = (struct value){ .kind = VALUE_REFERENCE, .symbol = symbol };
+    return true;
+}
+
+static bool macro_argument(struct parser *p, struct value *value)
+{
+    bool found = false;
+    if (macro_reference(p, value))
+        return true;
+    if (!parse_thing(p, value, &found))
+        return false;
+    return found || parse_expression(p, value);
+}
+
+/* macro_arguments = "(" [value {[","] value}] ")" . */
+static bool macro_arguments(struct parser *p, const struct macro *macro,
+                            struct value *values)
+{
+    struct span open = stream_span(p);
+    if (!expect(p, TOKEN_LPAREN, span_none()))
+        return false;
+    for (int i = 0; i < macro->parameter_count; i++) {
+        if (i > 0)
+            accept(p, TOKEN_COMMA);
+        if (stream_peek(p)->kind == TOKEN_RPAREN) {
+            error_at(p, p->token_span, NULL,
+                     "macro '%s' wants %d arguments, found %d",
+                     macro->name->text, macro->parameter_count, i);
+            note_at(p, macro->span, "it is defined here");
+            return false;
+        }
+        if (!macro_argument(p, &values[i]))
+            return false;
+    }
+    if (stream_peek(p)->kind != TOKEN_RPAREN) {
+        error_at(p, p->token_span, NULL,
+                 "macro '%s' wants no more than %d argument%s",
+                 macro->name->text, macro->parameter_count,
+                 macro->parameter_count == 1 ? "" : "s");
+        note_at(p, macro->span, "it is defined here");
+        return false;
+    }
+    return expect(p, TOKEN_RPAREN, open);
+}
+
+/* The arguments are read as in parentheses, whatever is being read outside:
+ * directives and macros in them do run. */
+bool macro_call(struct parser *p, const struct word *word, struct span at)
+{
+    const struct macro *macro = symbol_find(p, word)->macro;
+    struct value values[MACRO_PARAMETER_LIMIT];
+    struct cursor *directive = p->directive;
+    p->directive = NULL;
+    bool ok = macro_arguments(p, macro, values);
+    p->directive = directive;
+    if (!ok)
+        return false;
+    if (!stream_push_macro(p, macro->list, macro->first, macro->end, word, at))
+        return false;
+    scope_push(p);
+    for (int i = 0; i < macro->parameter_count; i++)
+        symbol_make_parameter(p, macro->parameters[i])->value = values[i];
+    return true;
+}
+
+const struct directive macro_directive = { macro_run,
+                                           "define text with parameters" };

@@ -1,0 +1,343 @@
+/* The token stream: see stream.h and the calls in parser.h. */
+#include "parse/stream.h"
+
+#include "parse/directive.h"
+#include "parse/macro.h"
+#include "parse/symbol.h"
+
+static struct span cursor_span(const struct cursor *cursor, size_t index)
+{
+    return token_span(cursor->list, index);
+}
+
+static bool stream_push(struct parser *p, struct cursor cursor)
+{
+    if (p->depth >= PARSE_CURSOR_LIMIT) {
+        error_at(p, cursor.called_at, NULL,
+                 "includes and macro calls are nested more than %d deep",
+                 PARSE_CURSOR_LIMIT);
+        stream_abort(p);
+        return false;
+    }
+    struct cursor *top = p->free_cursors;
+    if (top)
+        p->free_cursors = top->below;
+    else
+        top = ARENA_NEW(p->arena, struct cursor);
+    cursor.blocks.items = top->blocks.items;
+    cursor.blocks.capacity = top->blocks.capacity;
+    cursor.below = p->cursor;
+    *top = cursor;
+    p->cursor = top;
+    p->depth++;
+    return true;
+}
+
+static void stream_pop(struct parser *p)
+{
+    struct cursor *top = p->cursor;
+    if (top->owns_scope)
+        scope_pop(p);
+    p->cursor = top->below;
+    top->below = p->free_cursors;
+    p->free_cursors = top;
+    p->depth--;
+}
+
+bool stream_push_file(struct parser *p, const struct token_list *list)
+{
+    if (!stream_push(
+            p, (struct cursor){ .kind = CURSOR_FILE,
+                                .list = list,
+                                .end = list->count - 1,
+                                .called_at = list->source->included_from }))
+        return false;
+    p->cursor->owns_scope = p->cursor->below != NULL;
+    return !p->cursor->owns_scope || scope_push(p);
+}
+
+bool stream_push_macro(struct parser *p, const struct token_list *list,
+                       size_t first, size_t end, const struct word *name,
+                       struct span called_at)
+{
+    return stream_push(p, (struct cursor){ .kind = CURSOR_MACRO,
+                                           .list = list,
+                                           .index = first,
+                                           .end = end,
+                                           .macro = name,
+                                           .owns_scope = true,
+                                           .called_at = called_at });
+}
+
+bool stream_push_range(struct parser *p, const struct token_list *list,
+                       size_t first, size_t end, const struct word *name,
+                       struct span called_at)
+{
+    return stream_push(p, (struct cursor){ .kind = CURSOR_RANGE,
+                                           .list = list,
+                                           .index = first,
+                                           .end = end,
+                                           .macro = name,
+                                           .called_at = called_at });
+}
+
+void stream_pop_range(struct parser *p)
+{
+    while (p->cursor && p->cursor->kind != CURSOR_RANGE)
+        stream_pop(p);
+    if (p->cursor)
+        stream_pop(p);
+    p->peeked = false;
+}
+
+void stream_abort(struct parser *p)
+{
+    p->failed = true;
+    p->token.kind = TOKEN_END;
+}
+
+/* The end of a cursor's text: true when the stream ends here. */
+static bool stream_leave(struct parser *p, bool infix)
+{
+    struct cursor *cursor = p->cursor;
+    if (cursor->kind == CURSOR_RANGE || (infix && cursor == p->directive))
+        return true;
+    if (cursor->blocks.count && !p->failed) {
+        struct open_block *open =
+            &cursor->blocks.items[cursor->blocks.count - 1];
+        error_at(p, open->span, NULL,
+                 "this directive has no '#end' before the end of the %s",
+                 cursor->kind == CURSOR_FILE ? "file" : "macro");
+        cursor->blocks.count = 0;
+    }
+    if (!cursor->below)
+        return true;
+    stream_pop(p);
+    return false;
+}
+
+static bool stream_interrupted(struct parser *p)
+{
+    if (p->options->stop && *p->options->stop) {
+        stream_abort(p);
+        return true;
+    }
+    struct arena *full = arena_over_limit(p->arena)         ? p->arena
+                         : arena_over_limit(p->scene_arena) ? p->scene_arena
+                                                            : NULL;
+    if (full) {
+        error_at(p, p->last_span, NULL,
+                 "the scene needs more memory than the limit of %zu MiB",
+                 arena_limit(full) >> 20);
+        stream_abort(p);
+    }
+    return full != NULL;
+}
+
+/* Finds the next token of the scene: false at an end. */
+static bool stream_fetch(struct parser *p, bool infix)
+{
+    for (;;) {
+        struct cursor *cursor = p->cursor;
+        if (p->failed || stream_interrupted(p))
+            return false;
+        if (cursor->index >= cursor->end) {
+            if (stream_leave(p, infix))
+                return false;
+            continue;
+        }
+        const struct token *token = &cursor->list->tokens[cursor->index];
+        bool stays = infix && cursor == p->directive;
+        if (token->kind == TOKEN_DIRECTIVE) {
+            if (stays)
+                return false;
+            directive_run(p);
+        } else if (token->kind == TOKEN_WORD && macro_is_call(p, token->word)) {
+            if (stays)
+                return false;
+            cursor->index++;
+            macro_call(p, token->word, cursor_span(cursor, cursor->index - 1));
+        } else if (token->kind == TOKEN_BAD) {
+            error_at(p, cursor_span(cursor, cursor->index++), NULL, "%s",
+                     token->text);
+        } else {
+            p->token_span = cursor_span(cursor, cursor->index++);
+            p->token = *token;
+            p->peeked = true;
+            return true;
+        }
+    }
+}
+
+static struct span stream_end_span(struct parser *p)
+{
+    struct cursor *cursor = p->cursor;
+    if (cursor->index < cursor->list->count)
+        return cursor_span(cursor, cursor->index);
+    return p->last_span;
+}
+
+static const struct token *stream_look(struct parser *p, bool infix)
+{
+    static const struct token end = { .kind = TOKEN_END };
+    if (p->peeked && !p->failed)
+        return &p->token;
+    if (stream_fetch(p, infix))
+        return &p->token;
+    p->peeked = false;
+    p->token_span = stream_end_span(p);
+    return &end;
+}
+
+const struct token *stream_peek(struct parser *p)
+{
+    return stream_look(p, false);
+}
+
+const struct token *stream_peek_infix(struct parser *p)
+{
+    return stream_look(p, true);
+}
+
+struct token stream_next(struct parser *p)
+{
+    struct token token = *stream_peek(p);
+    p->last_span = p->token_span;
+    p->peeked = false;
+    return token;
+}
+
+struct span stream_span(struct parser *p)
+{
+    stream_peek(p);
+    return p->token_span;
+}
+
+enum keyword stream_keyword(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    return token->kind == TOKEN_WORD ? token->word->keyword : KEYWORD_NONE;
+}
+
+bool accept(struct parser *p, enum token_kind kind)
+{
+    if (stream_peek(p)->kind != kind || kind == TOKEN_END)
+        return false;
+    stream_next(p);
+    return true;
+}
+
+bool accept_keyword(struct parser *p, enum keyword keyword)
+{
+    if (stream_keyword(p) != keyword)
+        return false;
+    stream_next(p);
+    return true;
+}
+
+bool expect(struct parser *p, enum token_kind kind, struct span open)
+{
+    if (accept(p, kind))
+        return true;
+    error_expected(p, token_kind_name(kind));
+    if (open.source && !p->failed)
+        note_at(p, open, "to match this '%.*s'", (int)open.length,
+                open.source->text + open.offset);
+    return false;
+}
+
+struct cursor *stream_directive_begin(struct parser *p)
+{
+    struct cursor *outer = p->directive;
+    p->directive = p->cursor;
+    return outer;
+}
+
+void stream_directive_end(struct parser *p, struct cursor *outer)
+{
+    if (p->peeked)
+        p->cursor->index--;
+    p->peeked = false;
+    p->directive = outer;
+}
+
+const struct token *stream_raw(struct parser *p, size_t *available)
+{
+    struct cursor *cursor = p->cursor;
+    *available = cursor->end - cursor->index;
+    return cursor->list->tokens + cursor->index;
+}
+
+void stream_skip_raw(struct parser *p, size_t n)
+{
+    p->cursor->index += n;
+    p->last_span = cursor_span(p->cursor, p->cursor->index - 1);
+    p->peeked = false;
+}
+
+bool block_begin(struct parser *p, struct span *open)
+{
+    *open = stream_span(p);
+    if (!expect(p, TOKEN_LBRACE, span_none()))
+        return false;
+    if (++p->nesting > PARSE_NESTING_LIMIT) {
+        error_at(p, *open, NULL, "blocks are nested more than %d deep",
+                 PARSE_NESTING_LIMIT);
+        stream_abort(p);
+        return false;
+    }
+    return true;
+}
+
+/* Skips to the '}' of a block whose inside had an error. */
+static void block_skip(struct parser *p)
+{
+    for (unsigned depth = 1; depth > 0;) {
+        struct token token = stream_next(p);
+        if (token.kind == TOKEN_END)
+            return;
+        if (token.kind == TOKEN_LBRACE)
+            depth++;
+        if (token.kind == TOKEN_RBRACE)
+            depth--;
+    }
+}
+
+bool block_end(struct parser *p, struct span open, bool ok)
+{
+    p->nesting--;
+    if (ok && expect(p, TOKEN_RBRACE, open))
+        return true;
+    block_skip(p);
+    return false;
+}
+
+static bool block_opens(enum keyword keyword)
+{
+    return keyword == KEYWORD_IF || keyword == KEYWORD_IFDEF ||
+           keyword == KEYWORD_IFNDEF || keyword == KEYWORD_WHILE ||
+           keyword == KEYWORD_FOR || keyword == KEYWORD_SWITCH ||
+           keyword == KEYWORD_MACRO;
+}
+
+enum keyword stream_skip_block(struct parser *p, const enum keyword *stops,
+                               struct span open)
+{
+    struct cursor *cursor = p->cursor;
+    unsigned depth = 0;
+    for (; cursor->index < cursor->end; cursor->index++) {
+        const struct token *token = &cursor->list->tokens[cursor->index];
+        if (token->kind != TOKEN_DIRECTIVE)
+            continue;
+        enum keyword keyword = token->word->keyword;
+        for (size_t i = 0; depth == 0 && stops[i]; i++)
+            if (keyword == stops[i])
+                return keyword;
+        if (block_opens(keyword))
+            depth++;
+        else if (keyword == KEYWORD_END && depth > 0)
+            depth--;
+    }
+    error_at(p, open, NULL, "this directive has no '#end'");
+    return KEYWORD_NONE;
+}

@@ -1,0 +1,192 @@
+/* Identifiers: every word has a stack of its symbols, innermost on top, so
+ * that looking one up costs one index. */
+#include "parse/symbol.h"
+
+#include "base/text.h"
+#include "parse/array.h"
+#include "parse/stream.h"
+
+struct scope {
+    struct scope *parent;
+    struct symbol *symbols;
+};
+
+/* Freed symbols are kept for reuse: macros called a million times would
+ * otherwise fill the arena. */
+static struct symbol *symbol_allocate(struct parser *p)
+{
+    struct symbol *symbol = p->free_symbols;
+    if (!symbol)
+        return ARENA_NEW(p->arena, struct symbol);
+    p->free_symbols = symbol->next;
+    *symbol = (struct symbol){ 0 };
+    return symbol;
+}
+
+static struct symbol **symbol_top(struct parser *p, const struct word *word)
+{
+    while (word->id >= p->symbols.count)
+        *ARRAY_PUSH(p->arena, &p->symbols) = NULL;
+    return &p->symbols.items[word->id];
+}
+
+bool scope_push(struct parser *p)
+{
+    struct scope *scope = p->free_scopes;
+    if (scope)
+        p->free_scopes = scope->parent;
+    else
+        scope = ARENA_NEW(p->arena, struct scope);
+    *scope = (struct scope){ .parent = p->scope };
+    p->scope = scope;
+    return true;
+}
+
+/* Takes the symbol out of its word's stack, wherever it is in it. */
+static void symbol_unlink(struct parser *p, struct symbol *symbol)
+{
+    struct symbol **link = symbol_top(p, symbol->word);
+    while (*link && *link != symbol)
+        link = &(*link)->shadowed;
+    if (*link)
+        *link = symbol->shadowed;
+}
+
+void scope_pop(struct parser *p)
+{
+    struct scope *scope = p->scope;
+    while (scope->symbols) {
+        struct symbol *symbol = scope->symbols;
+        scope->symbols = symbol->next;
+        symbol_unlink(p, symbol);
+        symbol->next = p->free_symbols;
+        p->free_symbols = symbol;
+    }
+    p->scope = scope->parent;
+    scope->parent = p->free_scopes;
+    p->free_scopes = scope;
+}
+
+struct symbol *symbol_lookup(struct parser *p, const struct word *word)
+{
+    if (word->id >= p->symbols.count)
+        return NULL;
+    struct symbol *symbol = p->symbols.items[word->id];
+    while (symbol && symbol->value.kind == VALUE_REFERENCE)
+        symbol = symbol->value.symbol;
+    return symbol;
+}
+
+const struct value *symbol_find(struct parser *p, const struct word *word)
+{
+    struct symbol *symbol = symbol_lookup(p, word);
+    return symbol && symbol->value.kind != VALUE_NONE ? &symbol->value : NULL;
+}
+
+static struct symbol *symbol_add(struct parser *p, struct scope *scope,
+                                 const struct word *word)
+{
+    struct symbol *symbol = symbol_allocate(p);
+    symbol->word = word;
+    symbol->scope = scope;
+    symbol->next = scope->symbols;
+    scope->symbols = symbol;
+    return symbol;
+}
+
+/* A global goes under the locals of the same word. */
+static void symbol_link_global(struct parser *p, struct symbol *symbol)
+{
+    struct symbol **link = symbol_top(p, symbol->word);
+    while (*link)
+        link = &(*link)->shadowed;
+    *link = symbol;
+}
+
+struct symbol *symbol_make_parameter(struct parser *p, const struct word *word)
+{
+    struct symbol **top = symbol_top(p, word);
+    struct symbol *symbol = symbol_add(p, p->scope, word);
+    symbol->shadowed = *top;
+    *top = symbol;
+    return symbol;
+}
+
+struct symbol *symbol_make(struct parser *p, const struct word *word,
+                           bool local)
+{
+    struct symbol *found = symbol_lookup(p, word);
+    p->changes++;
+    if (!local) {
+        if (found)
+            return found;
+        found = symbol_add(p, p->global, word);
+        symbol_link_global(p, found);
+        return found;
+    }
+    struct symbol *top = *symbol_top(p, word);
+    if (top && top->scope == p->scope)
+        return found;
+    return symbol_make_parameter(p, word);
+}
+
+void symbol_set(struct parser *p, const struct word *word, struct value value,
+                bool local)
+{
+    symbol_make(p, word, local)->value = value;
+}
+
+/* The symbol stays in its scope's list and is freed with it. */
+void symbol_undefine(struct parser *p, const struct word *word)
+{
+    struct symbol *symbol = symbol_lookup(p, word);
+    p->changes++;
+    if (symbol)
+        symbol->value = (struct value){ .kind = VALUE_NONE };
+}
+
+const char *symbol_nearest(struct parser *p, const char *text)
+{
+    struct text_nearest nearest = text_nearest_start(text);
+    for (struct scope *scope = p->scope; scope; scope = scope->parent)
+        for (struct symbol *s = scope->symbols; s; s = s->next)
+            if (s->value.kind != VALUE_NONE)
+                text_nearest_try(&nearest, s->word->text);
+    return nearest.best;
+}
+
+void symbol_warn(struct parser *p, struct symbol *symbol, struct span span)
+{
+    if (!symbol->deprecated)
+        return;
+    warning_at(p, span, NULL, "'%s' is deprecated: %s", symbol->word->text,
+               symbol->deprecated);
+    if (symbol->deprecated_once)
+        symbol->deprecated = NULL;
+}
+
+const struct value *accept_value(struct parser *p, enum value_kind kind)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved)
+        return NULL;
+    struct symbol *symbol = symbol_lookup(p, token->word);
+    if (!symbol)
+        return NULL;
+    struct value *value = &symbol->value;
+    bool element = value->kind == VALUE_ARRAY && kind != VALUE_ARRAY;
+    if ((element ? array_kind(value->array) : value->kind) != kind)
+        return NULL;
+    symbol_warn(p, symbol, p->token_span);
+    stream_next(p);
+    if (!element)
+        return value;
+    if (!array_element(p, value->array, &value))
+        return NULL;
+    if (value->kind == kind)
+        return value;
+    error_at(p, p->last_span, NULL, "this element of '%s' is %s, not %s",
+             symbol->word->text, value_kind_name(value->kind),
+             value_kind_name(kind));
+    return NULL;
+}

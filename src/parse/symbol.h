@@ -1,0 +1,40 @@
+/* Identifiers and their scopes: one global, one for each include and macro
+ * being read. Scopes are dynamic, as in POV-Ray: a macro sees its caller's
+ * #local identifiers. */
+#ifndef PARSE_SYMBOL_H
+#define PARSE_SYMBOL_H
+
+#include "parse/parser.h"
+
+struct symbol {
+    const struct word *word;
+    struct value value;
+    struct symbol *shadowed; /* the same word in an outer scope */
+    struct symbol *next;     /* in the scope's list */
+    struct scope *scope;
+    const char *deprecated; /* message for its use, or NULL */
+    bool deprecated_once;
+};
+
+bool scope_push(struct parser *p);
+void scope_pop(struct parser *p);
+
+/* The innermost symbol, references followed; NULL: not declared. */
+struct symbol *symbol_lookup(struct parser *p, const struct word *word);
+
+/* A symbol in the innermost scope (local) or, when the word is not visible
+ * yet, in the global one; VALUE_NONE if new. */
+struct symbol *symbol_make(struct parser *p, const struct word *word,
+                           bool local);
+/* A macro's parameter: always new, in the innermost scope. */
+struct symbol *symbol_make_parameter(struct parser *p, const struct word *word);
+
+void symbol_undefine(struct parser *p, const struct word *word);
+
+/* Says once or always that a deprecated identifier was used. */
+void symbol_warn(struct parser *p, struct symbol *symbol, struct span span);
+
+/* The declared identifier most like `text`, or NULL. */
+const char *symbol_nearest(struct parser *p, const char *text);
+
+#endif

@@ -1,0 +1,43 @@
+/* Unsupported features: reported where they are written or, when declared,
+ * where they are used. */
+#include "parse/unsupported.h"
+
+#include "parse/symbol.h"
+
+bool error_unsupported(struct parser *p, struct span span, const char *feature)
+{
+    if (!p->declaring)
+        return error_at(p, span, NULL, "glim does not support %s yet", feature);
+    if (!p->unsupported) {
+        struct unsupported *kept = ARENA_NEW(p->arena, struct unsupported);
+        kept->feature = arena_printf(p->arena, "%s", feature);
+        kept->span = span;
+        p->unsupported = kept;
+    }
+    return false;
+}
+
+bool unsupported_use(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved)
+        return false;
+    const struct value *value = symbol_find(p, token->word);
+    if (!value || value->kind != VALUE_UNSUPPORTED)
+        return false;
+    const struct unsupported *why = value->unsupported;
+    struct span span = p->token_span;
+    if (!why)
+        return true;
+    if (p->declaring) {
+        if (!p->unsupported)
+            p->unsupported = why;
+        return true;
+    }
+    unsigned errors = p->diag->errors;
+    error_at(p, span, NULL, "'%s' needs %s, which glim does not support yet",
+             token->word->text, why->feature);
+    if (p->diag->errors > errors)
+        note_at(p, why->span, "it is here");
+    return true;
+}

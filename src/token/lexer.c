@@ -1,0 +1,343 @@
+/* Text to tokens, in one pass. Grammar: grammar/lexical.ebnf. */
+#include "token/lexer.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+
+/* A longer word is an error in POV-Ray too, even in skipped text. */
+enum { LEXER_WORD_LIMIT = 200 };
+
+struct lexer {
+    struct arena *arena;
+    struct word_table *words;
+    const char *text;
+    size_t length, at; /* text[length] is NUL */
+    struct {
+        struct token *items;
+        size_t count, capacity;
+    } tokens;
+};
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+static bool is_word_start(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+static struct token *lexer_push(struct lexer *lexer, enum token_kind kind,
+                                size_t start, size_t end)
+{
+    struct token *token = ARRAY_PUSH(lexer->arena, &lexer->tokens);
+    size_t length = end - start;
+    *token =
+        (struct token){ .offset = (uint32_t)start,
+                        .kind = (uint16_t)kind,
+                        .length = (uint16_t)(length > 65535 ? 65535 : length) };
+    return token;
+}
+
+static void lexer_push_bad(struct lexer *lexer, size_t start, size_t end,
+                           const char *problem)
+{
+    lexer_push(lexer, TOKEN_BAD, start, end)->text = problem;
+}
+
+/* comment = "//" {character} end_of_line
+ *         | "/" "*" {character | comment} "*" "/" . */
+static void lexer_skip_comment(struct lexer *lexer)
+{
+    const char *text = lexer->text;
+    size_t start = lexer->at;
+    if (text[start + 1] == '/') {
+        while (lexer->at < lexer->length && text[lexer->at] != '\n' &&
+               text[lexer->at] != '\r')
+            lexer->at++;
+        return;
+    }
+    unsigned depth = 0;
+    do {
+        if (lexer->at >= lexer->length) {
+            lexer_push_bad(lexer, start, start + 2,
+                           "this comment is not closed; type '*/'");
+            return;
+        }
+        const char *here = text + lexer->at;
+        bool opens = here[0] == '/' && here[1] == '*';
+        bool closes = here[0] == '*' && here[1] == '/';
+        if (opens)
+            depth++;
+        if (closes)
+            depth--;
+        lexer->at += opens || closes ? 2 : 1;
+    } while (depth > 0);
+}
+
+/* Exact for up to 15 digits and small exponents: both operands are then exact
+ * doubles and one division rounds once (Clinger 1990). strtod for the rest. */
+static double lexer_number_value(const char *start, const char *end)
+{
+    static const double powers[] = { 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,
+                                     1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                     1e12, 1e13, 1e14, 1e15, 1e16, 1e17,
+                                     1e18, 1e19, 1e20, 1e21, 1e22 };
+    uint64_t mantissa = 0;
+    unsigned digits = 0, decimals = 0;
+    bool point = false;
+    const char *p = start;
+    for (; p < end && (is_digit(*p) || *p == '.'); p++) {
+        if (*p == '.') {
+            point = true;
+            continue;
+        }
+        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+        decimals += point;
+        if (++digits > 15)
+            break;
+    }
+    if (p == end && decimals <= 22)
+        return (double)mantissa / powers[decimals];
+    return strtod(start, NULL);
+}
+
+/* number = (digit {digit} ["." {digit}] | "." digit {digit}) [exponent] .
+ * exponent = ("e" | "E") ["+" | "-"] digit {digit} . */
+static void lexer_number(struct lexer *lexer)
+{
+    const char *start = lexer->text + lexer->at, *p = start;
+    while (is_digit(*p))
+        p++;
+    if (*p == '.') {
+        p++;
+        while (is_digit(*p))
+            p++;
+    }
+    if (*p == '.') {
+        while (is_digit(*p) || *p == '.')
+            p++;
+        lexer_push_bad(lexer, lexer->at, lexer->at + (size_t)(p - start),
+                       "this number has a second decimal point");
+        lexer->at += (size_t)(p - start);
+        return;
+    }
+    if (*p == 'e' || *p == 'E') {
+        const char *q = p + 1;
+        q += *q == '+' || *q == '-';
+        if (is_digit(*q)) {
+            while (is_digit(*q))
+                q++;
+            p = q;
+        }
+    }
+    size_t end = lexer->at + (size_t)(p - start);
+    lexer_push(lexer, TOKEN_NUMBER, lexer->at, end)->number =
+        lexer_number_value(start, p);
+    lexer->at = end;
+}
+
+static size_t lexer_word_end(const struct lexer *lexer, size_t at)
+{
+    while (is_word_start(lexer->text[at]) || is_digit(lexer->text[at]))
+        at++;
+    return at;
+}
+
+/* word = (letter | "_") {letter | digit | "_"} . */
+static void lexer_word(struct lexer *lexer, enum token_kind kind, size_t start)
+{
+    size_t end = lexer_word_end(lexer, lexer->at), begin = lexer->at;
+    lexer->at = end;
+    if (end - begin > LEXER_WORD_LIMIT) {
+        lexer_push_bad(lexer, start, end,
+                       "this word is too long (limit: 200 characters)");
+        return;
+    }
+    const struct word *word =
+        word_intern(lexer->words, lexer->text + begin, end - begin);
+    lexer_push(lexer, kind, start, end)->word = word;
+}
+
+/* directive = "#" {blank} word . */
+static void lexer_directive(struct lexer *lexer)
+{
+    size_t start = lexer->at++;
+    while (lexer->text[lexer->at] == ' ' || lexer->text[lexer->at] == '\t')
+        lexer->at++;
+    if (is_word_start(lexer->text[lexer->at]))
+        lexer_word(lexer, TOKEN_DIRECTIVE, start);
+    else
+        lexer_push_bad(lexer, start, start + 1,
+                       "'#' must be followed by the name of a directive");
+}
+
+static size_t lexer_put_utf8(char *out, unsigned code)
+{
+    if (code < 0x80) {
+        out[0] = (char)code;
+        return 1;
+    }
+    if (code < 0x800) {
+        out[0] = (char)(0xc0 | code >> 6);
+        out[1] = (char)(0x80 | (code & 63));
+        return 2;
+    }
+    out[0] = (char)(0xe0 | code >> 12);
+    out[1] = (char)(0x80 | (code >> 6 & 63));
+    out[2] = (char)(0x80 | (code & 63));
+    return 3;
+}
+
+static bool lexer_hex4(const char *text, unsigned *code)
+{
+    *code = 0;
+    for (int i = 0; i < 4; i++) {
+        char c = text[i];
+        unsigned digit = is_digit(c)            ? (unsigned)(c - '0')
+                         : c >= 'a' && c <= 'f' ? (unsigned)(c - 'a') + 10
+                         : c >= 'A' && c <= 'F' ? (unsigned)(c - 'A') + 10
+                                                : 99;
+        if (digit > 15)
+            return false;
+        *code = *code * 16 + digit;
+    }
+    return true;
+}
+
+/* escape = "\" ("n" | "t" | "r" | "a" | "b" | "f" | "v" | "\" | "'" | '"'
+ *        | "u" hex hex hex hex) .
+ * Unknown escapes keep their backslash: Windows paths. Returns how many bytes
+ * of the text were read. */
+static size_t lexer_escape(const char *text, char *out, size_t *out_length)
+{
+    static const char letters[] = "ntrabfv\\'\"";
+    static const char meanings[] = "\n\t\r\a\b\f\v\\'\"";
+    const char *found = text[1] ? strchr(letters, text[1]) : NULL;
+    unsigned code;
+    if (found) {
+        out[(*out_length)++] = meanings[found - letters];
+        return 2;
+    }
+    if (text[1] == 'u' && lexer_hex4(text + 2, &code)) {
+        *out_length += lexer_put_utf8(out + *out_length, code);
+        return 6;
+    }
+    out[(*out_length)++] = '\\';
+    return 1;
+}
+
+/* string = '"' {character | escape} '"' . */
+static void lexer_string(struct lexer *lexer)
+{
+    size_t start = lexer->at, end = start + 1;
+    const char *text = lexer->text;
+    while (end < lexer->length && text[end] != '"')
+        end += text[end] == '\\' && end + 1 < lexer->length ? 2 : 1;
+    if (end >= lexer->length) {
+        lexer_push_bad(lexer, start, start + 1,
+                       "this string is not closed; type '\"' at its end");
+        lexer->at = lexer->length;
+        return;
+    }
+    char *value = arena_alloc(lexer->arena, end - start);
+    size_t length = 0;
+    for (size_t i = start + 1; i < end;) {
+        if (text[i] == '\\')
+            i += lexer_escape(text + i, value, &length);
+        else
+            value[length++] = text[i++];
+    }
+    lexer_push(lexer, TOKEN_STRING, start, end + 1)->text = value;
+    lexer->at = end + 1;
+}
+
+static enum token_kind lexer_two_characters(const char *here)
+{
+    if (here[1] != '=')
+        return TOKEN_OTHER;
+    return *here == '<'   ? TOKEN_LESS_EQUAL
+           : *here == '>' ? TOKEN_GREATER_EQUAL
+           : *here == '!' ? TOKEN_NOT_EQUAL
+                          : TOKEN_OTHER;
+}
+
+static void lexer_punctuation(struct lexer *lexer)
+{
+    static const unsigned char single[128] = {
+        ['{'] = TOKEN_LBRACE, ['}'] = TOKEN_RBRACE,   ['('] = TOKEN_LPAREN,
+        [')'] = TOKEN_RPAREN, ['['] = TOKEN_LBRACKET, [']'] = TOKEN_RBRACKET,
+        ['<'] = TOKEN_LESS,   ['>'] = TOKEN_GREATER,  ['='] = TOKEN_EQUAL,
+        ['+'] = TOKEN_PLUS,   ['-'] = TOKEN_MINUS,    ['*'] = TOKEN_STAR,
+        ['/'] = TOKEN_SLASH,  ['&'] = TOKEN_AND,      ['|'] = TOKEN_OR,
+        ['!'] = TOKEN_NOT,    [','] = TOKEN_COMMA,    [';'] = TOKEN_SEMICOLON,
+        ['.'] = TOKEN_DOT,    [':'] = TOKEN_COLON,    ['?'] = TOKEN_QUESTION,
+    };
+    const char *here = lexer->text + lexer->at;
+    enum token_kind pair = lexer_two_characters(here);
+    enum token_kind kind = pair != TOKEN_OTHER ? pair
+                           : (unsigned char)*here < 128
+                               ? single[(unsigned char)*here]
+                               : 0;
+    if (kind) {
+        size_t length = pair != TOKEN_OTHER ? 2 : 1;
+        lexer_push(lexer, kind, lexer->at, lexer->at + length);
+        lexer->at += length;
+        return;
+    }
+    size_t start = lexer->at++;
+    while (((unsigned char)lexer->text[lexer->at] & 0xc0) == 0x80)
+        lexer->at++;
+    if ((unsigned char)*here > 126 || (unsigned char)*here < 32)
+        lexer_push_bad(lexer, start, lexer->at,
+                       "this character is only allowed in strings and "
+                       "comments");
+    else
+        lexer_push(lexer, TOKEN_OTHER, start, lexer->at);
+}
+
+static void lexer_token(struct lexer *lexer)
+{
+    const char *here = lexer->text + lexer->at;
+    if (is_word_start(*here))
+        lexer_word(lexer, TOKEN_WORD, lexer->at);
+    else if (is_digit(*here) || (*here == '.' && is_digit(here[1])))
+        lexer_number(lexer);
+    else if (*here == '"')
+        lexer_string(lexer);
+    else if (*here == '#')
+        lexer_directive(lexer);
+    else if (*here == '/' && (here[1] == '/' || here[1] == '*'))
+        lexer_skip_comment(lexer);
+    else
+        lexer_punctuation(lexer);
+}
+
+static bool is_space(char c)
+{
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+const struct token_list *lexer_run(struct arena *arena,
+                                   struct word_table *words,
+                                   const struct source *source)
+{
+    struct lexer lexer = { .arena = arena,
+                           .words = words,
+                           .text = source->text,
+                           .length = source->length };
+    while (lexer.at < lexer.length) {
+        if (is_space(lexer.text[lexer.at]))
+            lexer.at++;
+        else
+            lexer_token(&lexer);
+    }
+    lexer_push(&lexer, TOKEN_END, lexer.length, lexer.length);
+    struct token_list *list = ARENA_NEW(arena, struct token_list);
+    list->source = source;
+    list->tokens = lexer.tokens.items;
+    list->count = lexer.tokens.count;
+    return list;
+}
