@@ -6,6 +6,8 @@
 
 #include <stddef.h>
 
+#include "base/vec.h"
+
 enum field_kind {
     FIELD_FLOAT,   /* double */
     FIELD_INTEGER, /* int, from a float rounded to nearest */
@@ -17,11 +19,21 @@ enum field_kind {
     FIELD_COLOUR,  /* colour */
     FIELD_RGB,     /* rgb */
     FIELD_TERMS,   /* struct terms: a vector of any length, < a, b, ... > */
+    FIELD_POINTS,  /* struct points: how many, then so many vectors, each of 2
+                    * or 3 components (a 2-D one has z = 0), commas optional:
+                    * 4, <0,0>, <1,0>, <1,1>, <0,0> */
 };
 
 /* The value of a FIELD_TERMS. */
 struct terms {
     double *values;
+    size_t count;
+};
+
+/* The value of a FIELD_POINTS. The reader must not trust the number that
+ * is written first with an allocation: it pushes point by point. */
+struct points {
+    vec3 *items;
     size_t count;
 };
 
