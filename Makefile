@@ -7,19 +7,24 @@ PREFIX ?= /usr/local
 BUILD  ?= build$(if $(filter-out release,$(MODE)),/$(MODE))
 VERSION = 0.1
 
-PACKAGES = build-essential pkg-config libembree-dev libopenimageio-dev
+# What building needs, and what testing needs besides; Debian's names.
+PACKAGES      = gcc g++ make libembree-dev libopenimageio-dev libopenexr-dev
+TEST_PACKAGES = libcmocka-dev mandoc povray povray-includes povray-examples \
+	openimageio-tools clang-format
 
 WARNINGS = -Wall -Wextra -Wshadow -Wundef -Wwrite-strings -Wdouble-promotion \
 	-Wpointer-arith -Wcast-qual
 C_WARNINGS = $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes \
-	-Wold-style-definition -Wdeclaration-after-statement
-C_WARNINGS := $(filter-out -Wdeclaration-after-statement,$(C_WARNINGS))
+	-Wold-style-definition
 
 FLAGS_release = -O3 -DNDEBUG
 FLAGS_debug   = -O0 -g
 FLAGS_asan    = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
 	-fno-sanitize-recover=undefined
 FLAGS_tsan    = -O1 -g -fsanitize=thread
+FLAGS_fuzz    = -O1 -g -fno-omit-frame-pointer \
+	-fsanitize=address,undefined,fuzzer-no-link \
+	-fno-sanitize-recover=undefined
 FLAGS = $(FLAGS_$(MODE)) -fno-math-errno -ffp-contract=off
 
 CFLAGS   += -std=c11 $(C_WARNINGS) $(FLAGS)
@@ -33,14 +38,15 @@ CXX_SOURCES = $(shell find src -name '*.cpp')
 OBJECTS = $(C_SOURCES:%.c=$(BUILD)/%.o) $(CXX_SOURCES:%.cpp=$(BUILD)/%.o)
 LIBRARY_OBJECTS = $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 
-all: $(BUILD)/glim ## build build/glim
+all: deps ## build build/glim (installs what is missing first)
+	@$(MAKE) --no-print-directory $(BUILD)/glim
 
 $(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a
 	$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/libglim.a: $(LIBRARY_OBJECTS)
 	@rm -f $@
-	$(AR) rcs $@ $^
+	@$(AR) rcs $@ $^
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -48,11 +54,77 @@ $(BUILD)/%.o: %.c
 
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -isystem /usr/include/Imath -MMD -MP -c -o $@ $<
+	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -isystem /usr/include/Imath -MMD -MP -c \
+		-o $@ $<
+
+demo: deps ## build, render an example, say where the picture is
+	@$(MAKE) --no-print-directory $(BUILD)/glim
+	@tests/tools/demo $(BUILD)/glim
+
+deps: ## install the Debian packages that building needs
+	@tests/tools/deps $(PACKAGES)
+
+test-deps: ## install the Debian packages that testing needs
+	@tests/tools/deps $(PACKAGES) $(TEST_PACKAGES)
+
+test: test-deps ## everything: "N passed, N failed" is the last line
+	@$(MAKE) --no-print-directory -j2 $(BUILD)/glim $(UNIT_TESTS) \
+		$(TEST_TOOLS)
+	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) \
+		tests/run
+
+UNIT_TESTS = $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
+TEST_TOOLS = $(patsubst %.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) \
+	$(BUILD)/tests/fuzz/replay
+
+$(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(BUILD)/libglim.a
+	$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+
+$(BUILD)/tests/tools/%: $(BUILD)/tests/tools/%.o $(BUILD)/libglim.a
+	$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+$(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/parser.o \
+		$(BUILD)/tests/fuzz/replay.o $(BUILD)/libglim.a
+	$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+.SECONDARY:
+
+conformance: all ## every scene of povray-examples by both programs
+	@GLIM=$(abspath $(BUILD)/glim) tests/conformance/run
+
+bench: all ## speed against POV-Ray, side by side, as ratios (BENCH=quick)
+	@GLIM=$(abspath $(BUILD)/glim) tests/bench/run
+
+FUZZ_SECONDS ?= 600
+fuzz: ## the parser under libFuzzer for FUZZ_SECONDS (600)
+	@tests/tools/deps clang $(PACKAGES)
+	@$(MAKE) --no-print-directory -j2 MODE=fuzz CC=clang CXX=clang++ \
+		BUILD=build/fuzz build/fuzz/fuzz-parser
+	tests/fuzz/run build/fuzz/fuzz-parser $(FUZZ_SECONDS)
+
+$(BUILD)/fuzz-parser: $(BUILD)/tests/fuzz/parser.o $(BUILD)/libglim.a
+	$(CXX) $(FLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+lint: ## layers, grammar, format, man pages
+	@tests/tools/check-layers
+	@tests/tools/check-grammar
+	@tests/tools/check-format
+	@mandoc -Tlint -Wwarning man/glim.1 man/glim.5
 
 format: ## rewrite the sources in the project's style
 	clang-format -i --style=file:src/.clang-format $(C_SOURCES) \
-		$(CXX_SOURCES) $(shell find src tests -name '*.h' -o -name '*.c')
+		$(CXX_SOURCES) $(shell find src tests -name '*.h') \
+		$(shell find tests -name '*.c')
+
+install: all ## into DESTDIR PREFIX
+	install -D -m 755 $(BUILD)/glim $(DESTDIR)$(PREFIX)/bin/glim
+	install -D -m 644 man/glim.1 $(DESTDIR)$(PREFIX)/share/man/man1/glim.1
+	install -D -m 644 man/glim.5 $(DESTDIR)$(PREFIX)/share/man/man5/glim.5
+
+uninstall: ## remove what install put there
+	rm -f $(DESTDIR)$(PREFIX)/bin/glim \
+		$(DESTDIR)$(PREFIX)/share/man/man1/glim.1 \
+		$(DESTDIR)$(PREFIX)/share/man/man5/glim.5
 
 clean: ## remove build/
 	rm -rf build
@@ -60,5 +132,7 @@ clean: ## remove build/
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
 
-.PHONY: all format clean help
+.PHONY: all demo deps test-deps test conformance bench fuzz lint format \
+	install uninstall clean help
 -include $(OBJECTS:.o=.d)
+-include $(wildcard $(BUILD)/tests/*/*.d)

@@ -94,7 +94,7 @@ static bool macro_reference(struct parser *p, struct value *value)
         return false;
     struct symbol *symbol = symbol_lookup(p, token->word);
     if (!symbol)
-        symbol = symbol_make(p, token->word, false);
+        return false;
     stream_next(p);
     *value = (struct value){ .kind = VALUE_REFERENCE, .symbol = symbol };
     return true;

@@ -24,7 +24,7 @@ struct parse_options {
     int image_width, image_height;
     double version;      /* +MV; 0: not said */
     size_t memory_limit; /* bytes for parsing and for the scene; 0: 8 GiB */
-    double time_limit;   /* seconds of parsing, 0: none (fuzzing) */
+    unsigned round_limit; /* rounds of one loop, 0: 20 million */
     const volatile int
         *stop; /* set by a signal: give up quietly; may be NULL */
 };

@@ -6,15 +6,16 @@
  * no identifier will never end. */
 static bool loop_round(struct parser *p, struct open_block *block)
 {
+    unsigned limit = p->options->round_limit ? p->options->round_limit
+                                             : PARSE_LOOP_LIMIT;
     bool stuck = block->kind == BLOCK_WHILE && block->rounds > 0 &&
                  block->changes == p->changes;
     if (stuck)
         error_at(p, block->span, NULL,
                  "this '#while' never ends: nothing changes in a round of it");
-    else if (++block->rounds > PARSE_LOOP_LIMIT)
+    else if (++block->rounds > limit)
         error_at(p, block->span, NULL,
-                 "this loop took more than %d rounds, glim's limit",
-                 PARSE_LOOP_LIMIT);
+                 "this loop took more than %u rounds, glim's limit", limit);
     else
         return true;
     stream_abort(p);
