@@ -80,8 +80,8 @@ Check("local of the file", Here, 3)
 #declare Other = Shape
 object { Other pigment { rgb 1 } }
 #macro Deep(Level) #declare Depth = Depth + 1; #if (Level > 0) Deep(Level - 1) #end #end
-#declare Depth = 0; Deep(150)
-Check("deep recursion", Depth, 151)
+#declare Depth = 0; Deep(50)
+Check("deep recursion", Depth, 51)
 #ifdef (Glim) #declare Seen = Glim; #else #declare Seen = 1; #end
 #if (Seen <= 0) #error "Glim" #end
 #if (version < 3) #version 99; #end

@@ -1,0 +1,1 @@
+#declare A = str(2 > 1, 0, 0)

@@ -1,0 +1,1 @@
+cylinder { y, y, 1 }

@@ -1,0 +1,1 @@
+#fopen F "out.txt" write

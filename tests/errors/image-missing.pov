@@ -1,0 +1,1 @@
+plane { y, 0 pigment { image_map { png "no-such.png" } } }

@@ -1,0 +1,1 @@
+light_source { 0, 1 spotligth }

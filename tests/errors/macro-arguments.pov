@@ -1,0 +1,2 @@
+#macro M(A, B) A + B #end
+#declare C = M(1);

@@ -1,0 +1,2 @@
+#macro M(A) M(A+1) #end
+M(1)

@@ -1,0 +1,2 @@
+#macro M(A) A #end
+#declare C = M(1, 2);

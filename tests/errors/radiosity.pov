@@ -1,0 +1,1 @@
+global_settings { radiosity { count 100 } }

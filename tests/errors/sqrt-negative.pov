@@ -1,0 +1,1 @@
+#declare A = sqrt(-1);

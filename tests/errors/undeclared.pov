@@ -1,0 +1,1 @@
+sphere { <0,0,0>, Radius pigment { rgb 1 } }

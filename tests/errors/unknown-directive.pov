@@ -1,0 +1,1 @@
+#decalre A = 1;

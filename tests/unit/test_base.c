@@ -1,0 +1,161 @@
+/* base/: arenas, arrays, affine maps, text distance, the parallel loop. */
+#include "harness.h"
+
+#include "base/affine.h"
+#include "base/array.h"
+#include "base/parallel.h"
+#include "base/random.h"
+#include "base/text.h"
+
+static void arena_keeps_what_it_gave(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    int *numbers[1000];
+    for (int i = 0; i < 1000; i++) {
+        numbers[i] = ARENA_ARRAY(arena, int, (size_t)i + 1);
+        numbers[i][i] = i;
+    }
+    for (int i = 0; i < 1000; i++) {
+        assert_int_equal(numbers[i][i], i);
+        assert_true(i == 0 || numbers[i][0] == 0);
+    }
+    arena_free(arena);
+}
+
+static void arena_zeroes_after_reset(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    memset(arena_alloc(arena, 4000), 0xff, 4000);
+    arena_reset(arena);
+    const unsigned char *bytes = arena_alloc(arena, 4000);
+    for (int i = 0; i < 4000; i++)
+        assert_int_equal(bytes[i], 0);
+    arena_free(arena);
+}
+
+static void arena_tells_its_limit(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(1000);
+    arena_alloc(arena, 900);
+    assert_false(arena_over_limit(arena));
+    arena_alloc(arena, 900);
+    assert_true(arena_over_limit(arena));
+    arena_free(arena);
+}
+
+static void array_grows(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    struct {
+        int *items;
+        size_t count, capacity;
+    } array = { 0 };
+    for (int i = 0; i < 10000; i++)
+        *ARRAY_PUSH(arena, &array) = i;
+    for (int i = 0; i < 10000; i++)
+        assert_int_equal(array.items[i], i);
+    arena_free(arena);
+}
+
+static void near(vec3 a, vec3 b)
+{
+    assert_true(vec3_length(vec3_sub(a, b)) < 1e-12);
+}
+
+static void affine_rotates_as_povray(void **state)
+{
+    (void)state;
+    affine z = affine_rotation(vec3_make(0, 0, 90));
+    near(affine_point(&z, vec3_make(1, 0, 0)), vec3_make(0, 1, 0));
+    affine y = affine_rotation(vec3_make(0, 90, 0));
+    near(affine_point(&y, vec3_make(1, 0, 0)), vec3_make(0, 0, -1));
+    affine x = affine_rotation(vec3_make(90, 0, 0));
+    near(affine_point(&x, vec3_make(0, 1, 0)), vec3_make(0, 0, 1));
+}
+
+static void affine_inverts(void **state)
+{
+    (void)state;
+    affine a =
+        affine_compose(affine_translation(vec3_make(1, 2, 3)),
+                       affine_compose(affine_rotation(vec3_make(10, 20, 30)),
+                                      affine_scaling(vec3_make(1, -2, 0.5))));
+    affine inverse;
+    assert_true(affine_inverse(a, &inverse));
+    vec3 p = vec3_make(0.3, -0.7, 11), q = affine_point(&a, p);
+    near(affine_point(&inverse, q), p);
+    affine flat = affine_scaling(vec3_make(1, 0, 1));
+    assert_false(affine_inverse(flat, &inverse));
+}
+
+static void affine_box_holds_its_points(void **state)
+{
+    (void)state;
+    affine a = affine_rotation(vec3_make(30, 40, 50));
+    struct box3 box = { { -1, -2, -3 }, { 3, 2, 1 } };
+    struct box3 image = affine_box(&a, box);
+    for (uint64_t i = 0; i < 1000; i++) {
+        vec3 p = { -1 + 4 * random_unit(random_key(1, i)),
+                   -2 + 4 * random_unit(random_key(2, i)),
+                   -3 + 4 * random_unit(random_key(3, i)) };
+        assert_true(box3_contains(image, affine_point(&a, p)));
+    }
+    struct box3 half = { { -INFINITY, -INFINITY, -INFINITY },
+                         { INFINITY, 0, INFINITY } };
+    affine lift = affine_translation(vec3_make(0, 5, 0));
+    assert_true(affine_box(&lift, half).high.y == 5);
+    assert_false(box3_is_finite(affine_box(&lift, half)));
+}
+
+static void text_distance_counts_edits(void **state)
+{
+    (void)state;
+    assert_int_equal(text_distance("pigmnt", "pigment"), 1);
+    assert_int_equal(text_distance("spehre", "sphere"), 1);
+    assert_int_equal(text_distance("Sphere", "sphere"), 0);
+    assert_int_equal(text_distance("", "abc"), 3);
+    struct text_nearest nearest = text_nearest_start("tranlsate");
+    text_nearest_try(&nearest, "rotate");
+    text_nearest_try(&nearest, "translate");
+    assert_string_equal(nearest.best, "translate");
+    nearest = text_nearest_start("wombat");
+    text_nearest_try(&nearest, "sphere");
+    assert_null(nearest.best);
+}
+
+static void mark(void *context, size_t item, unsigned thread)
+{
+    (void)thread;
+    ((unsigned char *)context)[item]++;
+}
+
+static void parallel_does_each_item_once(void **state)
+{
+    (void)state;
+    unsigned char marks[5000] = { 0 };
+    assert_true(parallel_run(4, sizeof marks, NULL, mark, marks));
+    for (size_t i = 0; i < sizeof marks; i++)
+        assert_int_equal(marks[i], 1);
+    atomic_int stop = 1;
+    assert_false(parallel_run(4, 10, &stop, mark, marks));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(arena_keeps_what_it_gave),
+        cmocka_unit_test(arena_zeroes_after_reset),
+        cmocka_unit_test(arena_tells_its_limit),
+        cmocka_unit_test(array_grows),
+        cmocka_unit_test(affine_rotates_as_povray),
+        cmocka_unit_test(affine_inverts),
+        cmocka_unit_test(affine_box_holds_its_points),
+        cmocka_unit_test(text_distance_counts_edits),
+        cmocka_unit_test(parallel_does_each_item_once),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

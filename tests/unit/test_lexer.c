@@ -1,0 +1,188 @@
+/* text/ and token/: lines and columns, tokens, the printed message. */
+#include "harness.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "text/diag.h"
+#include "token/lexer.h"
+
+struct fixture {
+    struct arena *arena;
+    struct word_table *words;
+};
+
+static int begin(void **state)
+{
+    struct fixture *fixture = calloc(1, sizeof *fixture);
+    fixture->arena = arena_new(0);
+    fixture->words = word_table_new(fixture->arena);
+    *state = fixture;
+    return 0;
+}
+
+static int end(void **state)
+{
+    struct fixture *fixture = *state;
+    arena_free(fixture->arena);
+    free(fixture);
+    return 0;
+}
+
+static const struct token_list *lex(struct fixture *fixture, const char *text)
+{
+    return lexer_run(fixture->arena, fixture->words,
+                     source_from_text(fixture->arena, "test.pov", text));
+}
+
+static void expect_kinds(struct fixture *fixture, const char *text, int count,
+                         const enum token_kind *kinds)
+{
+    const struct token_list *list = lex(fixture, text);
+    assert_int_equal(list->count, count + 1);
+    for (int i = 0; i < count; i++)
+        assert_int_equal(list->tokens[i].kind, kinds[i]);
+    assert_int_equal(list->tokens[count].kind, TOKEN_END);
+}
+
+static void words_end_at_numbers_points(void **state)
+{
+    enum token_kind kinds[] = { TOKEN_WORD, TOKEN_NUMBER, TOKEN_WORD,
+                                TOKEN_NUMBER };
+    expect_kinds(*state, "ambient.5diffuse 0", 4, kinds);
+}
+
+static void operators_of_two_characters(void **state)
+{
+    enum token_kind kinds[] = { TOKEN_LESS_EQUAL, TOKEN_GREATER_EQUAL,
+                                TOKEN_NOT_EQUAL, TOKEN_NOT, TOKEN_LESS };
+    expect_kinds(*state, "<= >= != ! <", 5, kinds);
+}
+
+static void comments_nest(void **state)
+{
+    enum token_kind kinds[] = { TOKEN_NUMBER, TOKEN_NUMBER };
+    expect_kinds(*state, "1 /* a /* b */ c */ 2 // 3\r", 2, kinds);
+}
+
+static void bad_text_is_kept_for_later(void **state)
+{
+    enum token_kind kinds[] = { TOKEN_BAD, TOKEN_BAD, TOKEN_OTHER, TOKEN_BAD };
+    expect_kinds(*state, "\xc2\xa3 1.2.3 $ \"open", 4, kinds);
+}
+
+static void numbers_are_exact(void **state)
+{
+    static const char *const texts[] = {
+        "0.1",
+        ".5",
+        "1.",
+        "3.14159265358979323846",
+        "1e-3",
+        "123456789.125",
+        "0.000001",
+        "1e308",
+        "9007199254740993",
+        "2.5E+2",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        const struct token_list *list = lex(*state, texts[i]);
+        assert_int_equal(list->tokens[0].kind, TOKEN_NUMBER);
+        assert_true(list->tokens[0].number == strtod(texts[i], NULL));
+    }
+}
+
+static void strings_resolve_escapes(void **state)
+{
+    const struct token_list *list =
+        lex(*state, "\"a\\tb\\\\c\\\"d\\u00e9 C:\\Kept\"");
+    assert_int_equal(list->tokens[0].kind, TOKEN_STRING);
+    assert_string_equal(list->tokens[0].text, "a\tb\\c\"d\xc3\xa9 C:\\Kept");
+}
+
+static void spellings_share_keywords(void **state)
+{
+    const struct token_list *list = lex(*state, "color colour Color #declare");
+    assert_int_equal(list->tokens[0].word->keyword, KEYWORD_COLOUR);
+    assert_int_equal(list->tokens[1].word->keyword, KEYWORD_COLOUR);
+    assert_int_equal(list->tokens[2].word->keyword, KEYWORD_NONE);
+    assert_int_equal(list->tokens[3].kind, TOKEN_DIRECTIVE);
+    assert_int_equal(list->tokens[3].word->keyword, KEYWORD_DECLARE);
+}
+
+static void lines_end_in_all_ways(void **state)
+{
+    struct fixture *fixture = *state;
+    const struct source *source =
+        source_from_text(fixture->arena, "x", "a\nb\r\nc\rd");
+    struct source_place place = source_locate(source, 7);
+    assert_int_equal(place.line, 4);
+    assert_int_equal(place.column, 1);
+    place = source_locate(source, 5);
+    assert_int_equal(place.line, 3);
+}
+
+static void expect_message(struct fixture *fixture, const char *text,
+                           uint32_t offset, uint32_t length, const char *hint,
+                           const char *expected)
+{
+    char printed[1024] = { 0 };
+    struct diag diag = diag_new();
+    diag.out = fmemopen(printed, sizeof printed - 1, "w");
+    struct span span = { source_from_text(fixture->arena, "a.pov", text),
+                         offset, length };
+    diag_print(&diag, DIAG_ERROR, span, hint, "what");
+    fclose(diag.out);
+    assert_string_equal(printed, expected);
+}
+
+static void messages_point(void **state)
+{
+    expect_message(*state, "sphere {\n\tpigmnt\n}", 10, 6, "pigment",
+                   "a.pov:2:2: error: what\n"
+                   "    2 |         pigmnt\n"
+                   "      |         ^~~~~~\n"
+                   "      |         pigment\n");
+    expect_message(*state, "\xc3\xa9 x", 3, 1, NULL,
+                   "a.pov:1:4: error: what\n"
+                   "    1 | \xc3\xa9 x\n"
+                   "      |   ^\n");
+    expect_message(*state, "x", 1, 0, NULL,
+                   "a.pov:1:2: error: what\n"
+                   "    1 | x\n"
+                   "      |  ^\n");
+}
+
+static void errors_beyond_the_limit_are_silent(void **state)
+{
+    (void)state;
+    char printed[8192] = { 0 };
+    struct diag diag = diag_new();
+    diag.out = fmemopen(printed, sizeof printed - 1, "w");
+    for (int i = 0; i < DIAG_ERROR_LIMIT + 5; i++)
+        diag_print(&diag, DIAG_ERROR, span_none(), NULL, "no");
+    fclose(diag.out);
+    int lines = 0;
+    for (const char *p = printed; *p; p++)
+        lines += *p == '\n';
+    assert_int_equal(lines, DIAG_ERROR_LIMIT);
+    assert_int_equal(diag.errors, DIAG_ERROR_LIMIT + 5);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(words_end_at_numbers_points),
+        cmocka_unit_test(operators_of_two_characters),
+        cmocka_unit_test(comments_nest),
+        cmocka_unit_test(bad_text_is_kept_for_later),
+        cmocka_unit_test(numbers_are_exact),
+        cmocka_unit_test(strings_resolve_escapes),
+        cmocka_unit_test(spellings_share_keywords),
+        cmocka_unit_test(lines_end_in_all_ways),
+        cmocka_unit_test(messages_point),
+        cmocka_unit_test(errors_beyond_the_limit_are_silent),
+    };
+    return cmocka_run_group_tests(tests, begin, end);
+}
