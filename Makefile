@@ -31,18 +31,25 @@ CFLAGS   += -std=c11 $(C_WARNINGS) $(FLAGS)
 CXXFLAGS += -std=c++17 $(WARNINGS) -Wno-cast-qual $(FLAGS)
 CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
 	-DGLIM_VERSION='"$(VERSION)"' -DGLIM_VERSION_NUMBER=$(VERSION)
-LDLIBS   += -lembree3 -lOpenImageIO -lOpenImageIO_Util -lpthread -lm
+LDLIBS   += -lembree3 -lpthread -lm -ldl
+# Image files are a module of their own, loaded when needed: see src/image/codec.h.
+MODULE_LDLIBS = -lOpenImageIO -lOpenImageIO_Util
+MODULE = $(BUILD)/glim-image.so
 
 C_SOURCES   = $(shell find src -name '*.c')
 CXX_SOURCES = $(shell find src -name '*.cpp')
-OBJECTS = $(C_SOURCES:%.c=$(BUILD)/%.o) $(CXX_SOURCES:%.cpp=$(BUILD)/%.o)
+OBJECTS = $(C_SOURCES:%.c=$(BUILD)/%.o)
+MODULE_OBJECTS = $(CXX_SOURCES:%=$(BUILD)/%.o)
 LIBRARY_OBJECTS = $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 
 all: deps ## build build/glim (installs what is missing first)
 	@$(MAKE) --no-print-directory $(BUILD)/glim
 
-$(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a
+$(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE)
 	$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+$(MODULE): $(MODULE_OBJECTS)
+	$(CXX) $(FLAGS) -shared -o $@ $^ $(MODULE_LDLIBS)
 
 $(BUILD)/libglim.a: $(LIBRARY_OBJECTS)
 	@rm -f $@
@@ -52,10 +59,10 @@ $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
 
-$(BUILD)/%.o: %.cpp
+$(BUILD)/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -isystem /usr/include/Imath -MMD -MP -c \
-		-o $@ $<
+	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -fPIC -isystem /usr/include/Imath \
+		-MMD -MP -c -o $@ $<
 
 demo: deps ## build, render an example, say where the picture is
 	@$(MAKE) --no-print-directory $(BUILD)/glim
@@ -118,11 +125,14 @@ format: ## rewrite the sources in the project's style
 
 install: all ## into DESTDIR PREFIX
 	install -D -m 755 $(BUILD)/glim $(DESTDIR)$(PREFIX)/bin/glim
+	install -D -m 644 $(MODULE) \
+		$(DESTDIR)$(PREFIX)/lib/glim/glim-image.so
 	install -D -m 644 man/glim.1 $(DESTDIR)$(PREFIX)/share/man/man1/glim.1
 	install -D -m 644 man/glim.5 $(DESTDIR)$(PREFIX)/share/man/man5/glim.5
 
 uninstall: ## remove what install put there
 	rm -f $(DESTDIR)$(PREFIX)/bin/glim \
+		$(DESTDIR)$(PREFIX)/lib/glim/glim-image.so \
 		$(DESTDIR)$(PREFIX)/share/man/man1/glim.1 \
 		$(DESTDIR)$(PREFIX)/share/man/man5/glim.5
 
@@ -134,5 +144,5 @@ help: ## this list
 
 .PHONY: all demo deps test-deps test conformance bench fuzz lint format \
 	install uninstall clean help
--include $(OBJECTS:.o=.d)
+-include $(OBJECTS:.o=.d) $(MODULE_OBJECTS:.o=.d)
 -include $(wildcard $(BUILD)/tests/*/*.d)

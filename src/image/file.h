@@ -1,36 +1,44 @@
-/* Image files through OpenImageIO; file.cpp is the only C++ in the program. */
+/* Image files. OpenImageIO does the formats, behind codec.h; naming, atomic
+ * replacement and full disks are dealt with here, in C. */
 #ifndef IMAGE_FILE_H
 #define IMAGE_FILE_H
 
 #include "image/image.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 /* How to write; see image_write. */
 struct image_format {
     const char *type; /* OIIO format name: "png", "openexr", "hdr", "jpeg",
                        * "targa", "bmp", "pnm" */
-    int bits;         /* per channel: 8 or 16; ignored by float formats */
+    int bits;         /* per channel, 1..16; ignored by float formats */
     bool grey, alpha;
+    bool packed;  /* run-length coded, for "targa" */
     int quality;  /* JPEG, 1..100 */
     double gamma; /* written as gAMA: 0 for sRGB */
 };
 
-/* Reads any image OIIO knows; on failure returns NULL and puts OIIO's words
+/* Reads any image OIIO knows; on failure returns NULL and puts the reason
  * into error[size]. 8- and 16-bit numbers become 0..1, not decoded. */
 struct image *image_read(const char *path, char *error, size_t size);
 
+/* The size of the picture in the file at `path`, if all of it can be read. On
+ * failure (missing, cut short, no image) returns false with the reason. */
+bool image_probe(const char *path, int *width, int *height, char *error,
+                 size_t size);
+
+/* Whether image_write could put a file at `path`: the directory is there and
+ * may be written to. "-" always can. On failure false with the reason. */
+bool image_writable(const char *path, char *error, size_t size);
+
 /* Writes `image` (values as they are to stand in the file, 0..1 for integer
- * formats, clamped and rounded) under a temporary name beside `path`, then
- * renames. "-" writes to standard output. On failure returns false, leaves no
- * file and an older picture as it was. */
+ * formats, clamped and rounded; not premultiplied but for "openexr") under a
+ * temporary name beside `path`, then renames. "-" writes to standard output.
+ * On failure returns false, leaves no file and an older picture as it was. */
 bool image_write(const struct image *image, const char *path,
                  const struct image_format *format, char *error, size_t size);
 
-#ifdef __cplusplus
-}
-#endif
+/* Loads OpenImageIO, which takes 0.2 s and is otherwise put off to the first
+ * picture. May run on a thread of its own beside anything. `context` is not
+ * used. */
+void image_prepare(void *context);
 
 #endif

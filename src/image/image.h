@@ -5,6 +5,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* The largest picture: 16 bytes a pixel make 4 GiB of it. */
+enum { IMAGE_SIDE_LIMIT = 65535, IMAGE_PIXEL_LIMIT = 1 << 28 };
+
 struct image {
     int width, height;
     float *pixels;  /* width * height * 4, row by row from the top; alpha is
@@ -13,7 +16,8 @@ struct image {
     bool linear;    /* read: the file's numbers are linear light (EXR, HDR) */
 };
 
-/* Black, transparent. Freed by image_free. Never NULL. */
+/* Black, transparent. Freed by image_free. Never NULL. Both sides are at
+ * least 1 and within the limits above. */
 struct image *image_new(int width, int height);
 void image_free(struct image *image);
 

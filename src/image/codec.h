@@ -1,0 +1,47 @@
+/* What file.c asks of the C++ half, which is a module of its own, loaded when
+ * the first picture is read or written: OpenImageIO brings 250 libraries along
+ * and takes 0.2 s to load, which a run that only reports an error should not
+ * have to wait for. */
+#ifndef IMAGE_CODEC_H
+#define IMAGE_CODEC_H
+
+#include "image/file.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Filled in by codec_decode. */
+struct codec_target {
+    /* Makes room for width * height * 4 floats once the size is known, or
+     * returns NULL with the reason in error[size]. */
+    float *(*allocate)(void *context, int width, int height, char *error,
+                       size_t size);
+    void *context;
+    bool has_alpha, linear;
+};
+
+/* See image_read. Colours are premultiplied. */
+typedef bool codec_decode_function(const char *path,
+                                   struct codec_target *target, char *error,
+                                   size_t size);
+codec_decode_function codec_decode;
+
+/* The file's bytes, given to put() once, as image_write describes. put()
+ * returns false after filling in error[size]. */
+struct codec_sink {
+    bool (*put)(void *context, const void *bytes, size_t count, char *error,
+                size_t size);
+    void *context;
+};
+typedef bool codec_encode_function(const struct image *image,
+                                   const struct image_format *format,
+                                   const struct codec_sink *sink, char *error,
+                                   size_t size);
+codec_encode_function codec_encode;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

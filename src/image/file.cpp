@@ -1,0 +1,278 @@
+// Image formats through OpenImageIO 2.4: the only C++ and the only user of
+// that library. Built as a module of its own, see codec.h.
+#include "image/codec.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <vector>
+
+using namespace OIIO;
+
+static bool codec_fail(char *error, size_t size, const std::string &why)
+{
+    std::snprintf(error, size, "%s", why.c_str());
+    for (size_t end = std::strlen(error); end && error[end - 1] == '\n';)
+        error[--end] = '\0'; // OIIO ends some reasons with a newline
+    return false;
+}
+
+static void codec_start()
+{
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);
+    OIIO::attribute("plugin_searchpath", "");
+}
+
+// ---------------------------------------------------------------- writing
+
+// Rounds v in 0..1 to one of 2^bits numbers, spread over 0..top.
+static float codec_level(float value, int bits, float top)
+{
+    float levels = float((1 << bits) - 1);
+    if (!(value > 0))
+        value = 0;
+    else if (value > 1)
+        value = 1;
+    float level = std::floor(value * levels + 0.5f);
+    return std::floor(level * (top / levels) + 0.5f);
+}
+
+struct row_writer {
+    const struct image *image;
+    int channels; // 1 Y, 2 YA, 3 RGB, 4 RGBA
+    int bits;     // 0: float
+    std::vector<float> floats;
+    std::vector<unsigned short> shorts;
+    std::vector<unsigned char> bytes;
+
+    // Where channel c of the file is in an RGBA pixel.
+    int source(int c) const
+    {
+        return channels < 3 && c == 1 ? 3 : c;
+    }
+
+    float number(int x, int y, int c) const
+    {
+        return image_pixel(image, x, y)[source(c)];
+    }
+
+    // Fills `floats` with row y, as levels of the file unless it is a float
+    // file.
+    void fetch(int y)
+    {
+        floats.resize(size_t(image->width) * size_t(channels));
+        float top = bits > 8 ? 65535.0f : 255.0f;
+        for (size_t i = 0; i < floats.size(); i++) {
+            float value = number(int(i) / channels, y, int(i) % channels);
+            floats[i] = bits == 0 ? value : codec_level(value, bits, top);
+        }
+    }
+
+    bool write(ImageOutput &output, int y)
+    {
+        fetch(y);
+        if (bits == 0)
+            return output.write_scanline(y, 0, TypeFloat, floats.data());
+        if (bits > 8) {
+            shorts.assign(floats.begin(), floats.end());
+            return output.write_scanline(y, 0, TypeUInt16, shorts.data());
+        }
+        bytes.assign(floats.begin(), floats.end());
+        return output.write_scanline(y, 0, TypeUInt8, bytes.data());
+    }
+};
+
+static bool codec_is(const struct image_format *format, const char *type)
+{
+    return std::strcmp(format->type, type) == 0;
+}
+
+static bool codec_has_depth(const struct image_format *format)
+{
+    return codec_is(format, "png") || codec_is(format, "pnm");
+}
+
+static ImageSpec codec_spec(const struct image *image, int channels,
+                            const struct image_format *format)
+{
+    bool exr = codec_is(format, "openexr"), hdr = codec_is(format, "hdr");
+    TypeDesc type = exr                                           ? TypeHalf
+                    : hdr                                         ? TypeFloat
+                    : format->bits > 8 && codec_has_depth(format) ? TypeUInt16
+                                                                  : TypeUInt8;
+    ImageSpec spec(image->width, image->height, channels, type);
+    if (channels == 2) {
+        spec.channelnames = { "Y", "A" };
+        spec.alpha_channel = 1;
+    }
+    spec.attribute("Software", "glim " GLIM_VERSION);
+    if (exr) {
+        spec.attribute("compression", "zip");
+        return spec;
+    }
+    if (codec_is(format, "jpeg")) {
+        spec.attribute("Compression",
+                       "jpeg:" + std::to_string(format->quality));
+        spec.attribute("jpeg:subsampling", "4:4:4");
+    }
+    if (codec_is(format, "targa"))
+        spec.attribute("compression", format->packed ? "rle" : "none");
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (format->gamma == 0)
+        spec.attribute("oiio:ColorSpace", "sRGB");
+    else if (format->gamma == 1)
+        spec.attribute("oiio:ColorSpace", "linear");
+    else {
+        spec.attribute("oiio:ColorSpace",
+                       Strutil::sprintf("Gamma%g", format->gamma));
+        spec.attribute("oiio:Gamma", float(format->gamma));
+    }
+    return spec;
+}
+
+// A PPM or PGM of more than 8 bits: OIIO 2.4 cuts those to 8.
+static bool codec_encode_deep_pnm(row_writer &rows,
+                                  const struct codec_sink *sink, char *error,
+                                  size_t size)
+{
+    std::string file =
+        Strutil::sprintf("P%d\n%d %d\n65535\n", rows.channels == 1 ? 5 : 6,
+                         rows.image->width, rows.image->height);
+    for (int y = 0; y < rows.image->height; y++) {
+        rows.fetch(y);
+        for (float level : rows.floats) {
+            file += char(int(level) >> 8);
+            file += char(int(level) & 255);
+        }
+    }
+    return sink->put(sink->context, file.data(), file.size(), error, size);
+}
+
+static bool codec_encode_checked(const struct image *image,
+                                 const struct image_format *format,
+                                 const struct codec_sink *sink, char *error,
+                                 size_t size)
+{
+    codec_start();
+    auto output = ImageOutput::create(format->type);
+    if (!output)
+        return codec_fail(error, size, OIIO::geterror());
+    bool alpha = format->alpha && output->supports("alpha");
+    // Radiance files have three channels; so have OIIO's 8-bit BMPs but for a
+    // palette.
+    bool grey =
+        format->grey && !codec_is(format, "hdr") && !codec_is(format, "bmp");
+    row_writer rows;
+    rows.image = image;
+    rows.channels = (grey ? 1 : 3) + (alpha ? 1 : 0);
+    bool floats = codec_is(format, "openexr") || codec_is(format, "hdr");
+    rows.bits = floats ? 0 : codec_has_depth(format) ? format->bits : 8;
+    if (rows.bits > 8 && codec_is(format, "pnm"))
+        return codec_encode_deep_pnm(rows, sink, error, size);
+    Filesystem::IOVecOutput memory;
+    output->set_ioproxy(&memory);
+    // The name only tells the format; nothing of that name is opened.
+    ImageSpec spec = codec_spec(image, rows.channels, format);
+    std::string name =
+        std::string("glim.") + (grey && codec_is(format, "pnm") ? "pgm"
+                                : codec_is(format, "pnm")       ? "ppm"
+                                                                : format->type);
+    if (!output->open(name, spec))
+        return codec_fail(error, size, output->geterror());
+    for (int y = 0; y < image->height; y++)
+        if (!rows.write(*output, y))
+            return codec_fail(error, size, output->geterror());
+    if (!output->close())
+        return codec_fail(error, size, output->geterror());
+    return sink->put(sink->context, memory.buffer().data(),
+                     memory.buffer().size(), error, size);
+}
+
+// ---------------------------------------------------------------- reading
+
+// Spreads `channels` numbers a pixel over RGBA, in place from the last.
+static void codec_spread(float *pixels, size_t count, int channels, int alpha)
+{
+    for (size_t i = count; i-- > 0;) {
+        float in[4] = { 0, 0, 0, 0 };
+        std::memcpy(in, pixels + i * size_t(channels),
+                    size_t(channels) * sizeof(float));
+        float *out = pixels + i * 4;
+        bool grey = channels < 3;
+        out[0] = in[0];
+        out[1] = grey ? in[0] : in[1];
+        out[2] = grey ? in[0] : in[2];
+        out[3] = alpha >= 0 && alpha < 4 ? in[alpha] : 1;
+    }
+}
+
+static void codec_premultiply(float *pixels, size_t count)
+{
+    for (size_t i = 0; i < count; i++, pixels += 4)
+        for (int c = 0; c < 3; c++)
+            pixels[c] *= pixels[3];
+}
+
+static bool codec_decode_checked(const char *path, struct codec_target *target,
+                                 char *error, size_t size)
+{
+    codec_start();
+    ImageSpec wish;
+    wish.attribute("oiio:UnassociatedAlpha", 1);
+    wish.attribute("oiio:missingcolor", "");
+    auto input = ImageInput::open(path, &wish);
+    if (!input)
+        return codec_fail(error, size, OIIO::geterror());
+    const ImageSpec &spec = input->spec();
+    if (spec.depth > 1 || spec.deep)
+        return codec_fail(error, size, "it is not a flat picture");
+    int channels = spec.nchannels < 4 ? spec.nchannels : 4;
+    int alpha = spec.alpha_channel < channels ? spec.alpha_channel : -1;
+    if (channels == 2 && alpha < 0)
+        channels = 1;
+    // OIIO 2.4 doesn't say so of BMP files, but they are not premultiplied.
+    bool straight = spec.get_int_attribute("oiio:UnassociatedAlpha") != 0 ||
+                    std::strcmp(input->format_name(), "bmp") == 0;
+    target->linear = spec.format.is_floating_point();
+    target->has_alpha = alpha >= 0;
+    float *pixels =
+        target->allocate(target->context, spec.width, spec.height, error, size);
+    if (!pixels)
+        return false;
+    size_t count = size_t(spec.width) * size_t(spec.height);
+    if (!input->read_image(0, 0, 0, channels, TypeFloat, pixels))
+        return codec_fail(error, size, input->geterror());
+    codec_spread(pixels, count, channels, alpha);
+    if (straight && alpha >= 0)
+        codec_premultiply(pixels, count);
+    return true;
+}
+
+// ------------------------------------------- nothing is thrown at C callers
+
+extern "C" bool codec_encode(const struct image *image,
+                             const struct image_format *format,
+                             const struct codec_sink *sink, char *error,
+                             size_t size)
+{
+    try {
+        return codec_encode_checked(image, format, sink, error, size);
+    } catch (const std::exception &e) {
+        return codec_fail(error, size, e.what());
+    }
+}
+
+extern "C" bool codec_decode(const char *path, struct codec_target *target,
+                             char *error, size_t size)
+{
+    try {
+        return codec_decode_checked(path, target, error, size);
+    } catch (const std::exception &e) {
+        return codec_fail(error, size, e.what());
+    }
+}

@@ -1,0 +1,50 @@
+/* Working space to file numbers: see output.h. */
+#include "image/output.h"
+
+#include "image/tone.h"
+
+/* The largest half; floats beyond it would become infinite in an EXR. */
+static const double largest = 65504;
+
+static double output_clamp(double value, double low, double high)
+{
+    if (!(value > low)) /* NaN too */
+        return value <= low ? low : 0;
+    return value < high ? value : high;
+}
+
+/* POV-Ray's weights, taken on linear light before clipping (measured). */
+static void output_grey(double c[3])
+{
+    c[0] = c[1] = c[2] = 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2];
+}
+
+static void output_pixel(float *pixel, const struct output_space *space)
+{
+    double alpha = output_clamp((double)pixel[3], 0, 1);
+    double c[3] = { (double)pixel[0], (double)pixel[1], (double)pixel[2] };
+    double gamma = space->keep_numbers ? 0 : space->working_gamma;
+    /* POV-Ray undoes the premultiplication in the working space, yet decodes
+     * premultiplied numbers for float files. */
+    bool straight = space->alpha && !space->linear_file && alpha > 0;
+    for (int i = 0; i < 3; i++)
+        c[i] = tone_decode(straight ? c[i] / alpha : c[i], gamma);
+    if (space->grey)
+        output_grey(c);
+    for (int i = 0; i < 3; i++) {
+        if (space->linear_file)
+            c[i] = output_clamp(c[i], -largest, largest);
+        else
+            c[i] = tone_encode(output_clamp(c[i], 0, 1),
+                               space->keep_numbers ? 0 : space->file_gamma);
+        pixel[i] = (float)c[i];
+    }
+    pixel[3] = (float)alpha;
+}
+
+void output_convert(struct image *image, const struct output_space *space)
+{
+    size_t count = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < count; i++)
+        output_pixel(image->pixels + i * 4, space);
+}

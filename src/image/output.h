@@ -1,0 +1,24 @@
+/* From the working space of a scene to the numbers of a file: section 5.9 of
+ * notes/povray.md, and measured on POV-Ray 3.7. */
+#ifndef IMAGE_OUTPUT_H
+#define IMAGE_OUTPUT_H
+
+#include "image/image.h"
+
+struct output_space {
+    double working_gamma; /* v^working_gamma is linear light; 0: sRGB curve */
+    /* No assumed_gamma: the numbers go out as they are, whatever the file's
+     * gamma. Only float files are decoded, as sRGB. */
+    bool keep_numbers;
+    bool linear_file;  /* float formats: linear light, premultiplied */
+    double file_gamma; /* of the others; 0: sRGB */
+    bool alpha;        /* the file has opacity; else the picture is on black */
+    bool grey;         /* all three channels become the luminance */
+};
+
+/* Turns the picture into the file's numbers, in place. Integer files get
+ * colours not premultiplied, as PNG wants them, in 0..1; float files get
+ * finite numbers. NaN becomes 0. */
+void output_convert(struct image *image, const struct output_space *space);
+
+#endif
