@@ -3,14 +3,24 @@
 #ifndef BASE_WORKER_H
 #define BASE_WORKER_H
 
+#include <stdatomic.h>
+
 #include "base/arena.h"
 
 struct worker {
     unsigned number;
-    struct arena *scratch; /* reset after every camera ray */
+    const atomic_int *stop; /* non-zero: leave off; NULL: never */
+    struct arena *scratch;  /* reset after every camera ray */
     struct {
         unsigned long long camera_rays, secondary_rays, shadow_rays;
     } counters;
 };
+
+/* Whether to leave off; asked in every loop that may take milliseconds. */
+static inline bool worker_stopped(const struct worker *worker)
+{
+    return worker->stop &&
+           atomic_load_explicit(worker->stop, memory_order_relaxed);
+}
 
 #endif

@@ -20,10 +20,15 @@ struct leaf {
     const struct texture *texture;
     affine to_texture, from_texture; /* world <-> the texture's space */
     const struct interior *interior; /* NULL: none */
+    /* What a ray that enters is inside of: the interior, or without one the
+     * object at the top level. A ray that meets the same body once more has
+     * left it, so overlapping parts of one union cancel, as in POV-Ray. */
+    const void *body;
     bool opaque;                     /* no texture of it lets light pass */
     bool moved;                      /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
-    bool double_illuminate, hollow, inverse;
+    bool double_illuminate, inverse;
+    bool hollow; /* of the object at the top level, whatever its parts say */
     int looks_like;  /* number of the light it stands for, or -1 */
     unsigned number; /* 0..leaf_count-1 */
 };
