@@ -20,10 +20,12 @@ struct leaf {
     const struct texture *texture;
     affine to_texture, from_texture; /* world <-> the texture's space */
     const struct interior *interior; /* NULL: none */
-    /* What a ray that enters is inside of: the interior, or without one the
-     * object at the top level. A ray that meets the same body once more has
-     * left it, so overlapping parts of one union cancel, as in POV-Ray. */
-    const void *body;
+    /* What a ray that enters is inside of: the same number for all leaves
+     * below one use of an object at the top level, but a new one below every
+     * node that has an interior of its own. A ray that meets the same body
+     * once more has left it, so overlapping parts of one union cancel
+     * (measured on POV-Ray). */
+    unsigned body;
     bool opaque;                     /* no texture of it lets light pass */
     bool moved;                      /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
