@@ -142,14 +142,14 @@ struct box3 affine_box(const affine *a, struct box3 box)
 
 struct box3 box3_empty(void)
 {
-    return (struct box3){ { INFINITY, INFINITY, INFINITY },
-                          { -INFINITY, -INFINITY, -INFINITY } };
+    return (struct box3){ { HUGE_VAL, HUGE_VAL, HUGE_VAL },
+                          { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
 }
 
 struct box3 box3_infinite(void)
 {
-    return (struct box3){ { -INFINITY, -INFINITY, -INFINITY },
-                          { INFINITY, INFINITY, INFINITY } };
+    return (struct box3){ { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL },
+                          { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
 }
 
 struct box3 box3_union(struct box3 a, struct box3 b)

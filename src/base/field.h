@@ -45,6 +45,7 @@ struct field {
     size_t offset;
     double minimum, maximum;
     const char *help; /* for lists: what it is, units, default */
+    bool optional;    /* an argument that may be left out, with all after it */
 };
 
 /* The row called `name`, or NULL. A NULL table has no rows. */

@@ -11,16 +11,19 @@ enum camera_kind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
 struct camera {
     enum camera_kind kind;
     vec3 location, direction, right, up, sky;
-    double angle; /* degrees, 0: not given */
+    bool has_size; /* right or up was given: an orthographic camera's size */
+    double angle;  /* degrees, 0: not given */
     vec3 look_at;
     bool has_look_at;
 };
 
-/* POV-Ray's: at the origin, looking along z, right 1.33 x. */
+/* POV-Ray's: at the origin, looking along z, right 1.33 x, look_at z. */
 struct camera camera_default(void);
 
-/* Works `look_at` and `angle` into direction, right and up. Returns NULL or
- * what is wrong ("direction and sky are parallel"). */
+/* Works `look_at` and `angle` into direction, right and up, once everything in
+ * the block has been read; then come the block's transformations, wherever
+ * they were written. Returns NULL or what is wrong ("look_at is the same point
+ * as location"). */
 const char *camera_finish(struct camera *camera);
 
 /* The camera moved by `transform`: all its vectors. */

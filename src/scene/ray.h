@@ -18,8 +18,8 @@ struct hit {
     double u, v;
 };
 
-/* Every crossing of one shape, in any order. Enough for the highest order
- * of poly{} (35 components at most per degree; degree 15). */
+/* Every crossing of one shape, in any order. A poly{} of order 35 could have
+ * three more, were it made to. */
 enum { HITS_MAX = 32 };
 
 struct hits {

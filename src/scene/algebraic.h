@@ -1,0 +1,39 @@
+/* Algebraic surfaces F(x,y,z) = 0 of any order: what cubic, quartic and poly
+ * have in common. Inside is where F is negative.
+ *
+ * Terms are in POV-Ray's order: powers of x falling, then of y, then of z:
+ * x^3, x^2y, x^2z, x^2, xy^2, xyz, xy, xz^2, xz, x, y^3, ... , 1. */
+#ifndef SCENE_ALGEBRAIC_H
+#define SCENE_ALGEBRAIC_H
+
+#include "scene/primitive.h"
+
+enum { ALGEBRAIC_ORDER_MAX = 35 };
+
+struct algebraic {
+    int order; /* 1 to ALGEBRAIC_ORDER_MAX */
+    struct terms terms;
+    bool sturm; /* accepted: the roots are exact anyway */
+};
+
+/* (n+1)(n+2)(n+3)/6 */
+size_t algebraic_terms(int order);
+
+/* NULL, or what is wrong with the number of terms; the text is in `arena`. */
+const char *algebraic_check(const struct algebraic *surface,
+                            struct arena *arena);
+
+void algebraic_intersect(const struct algebraic *surface, const struct ray *ray,
+                         struct hits *hits);
+vec3 algebraic_normal(const struct algebraic *surface, vec3 point);
+bool algebraic_inside(const struct algebraic *surface, vec3 point);
+
+/* For shapes made of a struct algebraic. */
+struct box3 algebraic_shape_bounds(const void *shape);
+void algebraic_shape_intersect(const void *shape, const struct ray *ray,
+                               struct hits *hits);
+vec3 algebraic_shape_normal(const void *shape, vec3 point,
+                            const struct hit *hit);
+bool algebraic_shape_inside(const void *shape, vec3 point);
+
+#endif

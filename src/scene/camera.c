@@ -1,0 +1,101 @@
+/* Cameras, as POV-Ray's (section 5.8 of notes/povray.md; the size of an
+ * orthographic picture was measured with some twenty cameras). */
+#include "scene/camera.h"
+
+struct camera camera_default(void)
+{
+    return (struct camera){
+        .kind = CAMERA_PERSPECTIVE,
+        .direction = { 0, 0, 1 },
+        .right = { 1.33, 0, 0 },
+        .up = { 0, 1, 0 },
+        .sky = { 0, 1, 0 },
+        .look_at = { 0, 0, 1 },
+    };
+}
+
+static const char *camera_check(const struct camera *camera)
+{
+    if (camera->angle < 0)
+        return "its angle is negative";
+    if (camera->angle >= 180)
+        return "its angle must be less than 180 degrees";
+    if (!(vec3_length(camera->direction) > 0))
+        return "its direction has no length";
+    if (camera->has_look_at &&
+        !(vec3_length(vec3_sub(camera->look_at, camera->location)) > 0))
+        return "look_at is the same point as location";
+    return NULL;
+}
+
+/* Turns the camera to look_at, right being level with respect to the sky. If
+ * it looks straight into the sky, right stays what it was. */
+static void camera_aim(struct camera *camera)
+{
+    vec3 aim = vec3_normalise(vec3_sub(camera->look_at, camera->location));
+    vec3 right = vec3_cross(vec3_normalise(camera->sky), aim);
+    if (!(vec3_length(right) > 1e-9))
+        right = camera->right;
+    right = vec3_normalise(right);
+    vec3 up = vec3_normalise(vec3_cross(aim, right));
+    camera->direction = vec3_scale(aim, vec3_length(camera->direction));
+    camera->right = vec3_scale(right, vec3_length(camera->right));
+    camera->up = vec3_scale(up, vec3_length(camera->up));
+}
+
+/* An orthographic picture is as large as right and up if one of them was
+ * given, else as a perspective picture is at the distance of look_at. */
+static void camera_size(struct camera *camera)
+{
+    double tangent = tan(camera->angle * (M_PI / 180) / 2);
+    double width = vec3_length(camera->right);
+    double distance = vec3_length(vec3_sub(camera->look_at, camera->location));
+    double factor = 1;
+    if (camera->angle > 0 && width > 0)
+        factor = 2 * distance * tangent / width;
+    else if (!camera->has_size)
+        factor = distance / vec3_length(camera->direction);
+    camera->right = vec3_scale(camera->right, factor);
+    camera->up = vec3_scale(camera->up, factor);
+}
+
+const char *camera_finish(struct camera *camera)
+{
+    const char *problem = camera_check(camera);
+    if (problem)
+        return problem;
+    if (camera->kind == CAMERA_ORTHOGRAPHIC) {
+        camera_size(camera);
+    } else if (camera->angle > 0) {
+        double tangent = tan(camera->angle * (M_PI / 180) / 2);
+        double length = vec3_length(camera->right) / (2 * tangent);
+        vec3 unit = vec3_normalise(camera->direction);
+        camera->direction = vec3_scale(unit, length);
+    }
+    if (camera->has_look_at)
+        camera_aim(camera);
+    return NULL;
+}
+
+void camera_move(struct camera *camera, const affine *transform)
+{
+    camera->location = affine_point(transform, camera->location);
+    camera->look_at = affine_point(transform, camera->look_at);
+    camera->direction = affine_direction(transform, camera->direction);
+    camera->right = affine_direction(transform, camera->right);
+    camera->up = affine_direction(transform, camera->up);
+    camera->sky = affine_direction(transform, camera->sky);
+}
+
+struct ray camera_ray(const struct camera *camera, double x, double y)
+{
+    vec3 offset = vec3_scale(camera->right, x - 0.5);
+    offset = vec3_along(offset, camera->up, 0.5 - y);
+    struct ray ray = { camera->location, camera->direction };
+    if (camera->kind == CAMERA_ORTHOGRAPHIC)
+        ray.origin = vec3_add(ray.origin, offset);
+    else
+        ray.direction = vec3_add(ray.direction, offset);
+    ray.direction = vec3_normalise(ray.direction);
+    return ray;
+}

@@ -1,0 +1,27 @@
+/* A cone or cylinder between two ends, open or closed: what the primitives
+ * cylinder and cone have in common. */
+#ifndef SCENE_CONIC_H
+#define SCENE_CONIC_H
+
+#include "scene/primitive.h"
+
+struct conic {
+    vec3 base, apex;
+    double base_radius, apex_radius;
+    bool open; /* no caps */
+    vec3 axis; /* unit, base to apex */
+    double height;
+    double slope; /* of the radius along the axis */
+};
+
+/* Fills axis, height and slope. False if the ends are the same point. */
+bool conic_prepare(struct conic *conic);
+
+/* For shapes made of a struct conic. */
+struct box3 conic_bounds(const void *shape);
+void conic_intersect(const void *shape, const struct ray *ray,
+                     struct hits *hits);
+vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit);
+bool conic_inside(const void *shape, vec3 point);
+
+#endif

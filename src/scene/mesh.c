@@ -1,0 +1,121 @@
+/* Triangle meshes: see mesh.h. */
+#include "scene/mesh.h"
+
+bool mesh_degenerate(vec3 a, vec3 b, vec3 c)
+{
+    double area = vec3_length(vec3_cross(vec3_sub(b, a), vec3_sub(c, a)));
+    return !(area > 0) || !isfinite(area);
+}
+
+static bool triangle_valid(const struct mesh *mesh,
+                           const struct mesh_triangle *triangle)
+{
+    const uint32_t *v = triangle->vertex;
+    for (int i = 0; i < 3; i++)
+        if (v[i] >= mesh->vertex_count)
+            return false;
+    return !mesh_degenerate(mesh->vertices[v[0]], mesh->vertices[v[1]],
+                            mesh->vertices[v[2]]);
+}
+
+/* Three equal normals don't smooth anything: POV-Ray then takes the face's
+ * own. Nor does a normal of no length. */
+static void triangle_flatten(const struct mesh *mesh,
+                             struct mesh_triangle *triangle)
+{
+    const uint32_t *n = triangle->normal;
+    vec3 normal[3];
+    bool usable = true;
+    for (int i = 0; i < 3 && usable; i++) {
+        usable = n[i] < mesh->normal_count;
+        if (usable)
+            normal[i] = mesh->normals[n[i]];
+        usable = usable && vec3_dot(normal[i], normal[i]) > 0;
+    }
+    if (usable)
+        for (int i = 1; i < 3; i++)
+            if (vec3_length(vec3_sub(normal[i], normal[0])) > 1e-9)
+                return;
+    triangle->normal[0] = MESH_NONE;
+}
+
+static struct box3 mesh_find_bounds(const struct mesh *mesh)
+{
+    struct box3 box = box3_empty();
+    for (size_t i = 0; i < mesh->triangle_count; i++)
+        for (int k = 0; k < 3; k++)
+            box = box3_add(box, mesh->vertices[mesh->triangles[i].vertex[k]]);
+    return box;
+}
+
+size_t mesh_prepare(struct mesh *mesh)
+{
+    size_t kept = 0, given = mesh->triangle_count;
+    for (size_t i = 0; i < mesh->normal_count; i++)
+        mesh->normals[i] = vec3_normalise(mesh->normals[i]);
+    for (size_t i = 0; i < given; i++) {
+        struct mesh_triangle triangle = mesh->triangles[i];
+        if (!triangle_valid(mesh, &triangle))
+            continue;
+        if (triangle.normal[0] != MESH_NONE)
+            triangle_flatten(mesh, &triangle);
+        mesh->triangles[kept++] = triangle;
+    }
+    mesh->triangle_count = kept;
+    mesh->bounds = mesh_find_bounds(mesh);
+    return given - kept;
+}
+
+static bool vertex_before(vec3 a, vec3 b)
+{
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+/* On which side of the edge a-b (seen from the ray's origin) the ray passes.
+ * Swapping a and b changes the sign and not a bit else, and a ray exactly
+ * through the edge is on one side of it, so that of two triangles that share an
+ * edge one is hit. */
+static double edge_side(vec3 a, vec3 b, vec3 direction, bool *positive)
+{
+    double side = vec3_dot(direction, vec3_cross(a, b));
+    *positive = side > 0 || (side == 0 && vertex_before(a, b));
+    return side;
+}
+
+bool mesh_intersect(const struct mesh *mesh, size_t index,
+                    const struct ray *ray, struct hit *hit)
+{
+    const uint32_t *vertex = mesh->triangles[index].vertex;
+    vec3 a = vec3_sub(mesh->vertices[vertex[0]], ray->origin);
+    vec3 b = vec3_sub(mesh->vertices[vertex[1]], ray->origin);
+    vec3 c = vec3_sub(mesh->vertices[vertex[2]], ray->origin);
+    bool positive[3];
+    double side[3] = { edge_side(b, c, ray->direction, &positive[0]),
+                       edge_side(c, a, ray->direction, &positive[1]),
+                       edge_side(a, b, ray->direction, &positive[2]) };
+    if (positive[0] != positive[1] || positive[1] != positive[2])
+        return false;
+    vec3 normal = vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
+    double slope = vec3_dot(normal, ray->direction);
+    double sum = side[0] + side[1] + side[2];
+    if (slope == 0 || sum == 0)
+        return false;
+    *hit = (struct hit){ vec3_dot(normal, a) / slope, (int)index, side[1] / sum,
+                         side[2] / sum };
+    return true;
+}
+
+vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v)
+{
+    const struct mesh_triangle *triangle = &mesh->triangles[index];
+    const uint32_t *n = triangle->normal, *p = triangle->vertex;
+    if (n[0] == MESH_NONE) {
+        vec3 a = mesh->vertices[p[0]];
+        return vec3_cross(vec3_sub(mesh->vertices[p[1]], a),
+                          vec3_sub(mesh->vertices[p[2]], a));
+    }
+    vec3 normal = vec3_scale(mesh->normals[n[0]], 1 - u - v);
+    normal = vec3_along(normal, mesh->normals[n[1]], u);
+    normal = vec3_along(normal, mesh->normals[n[2]], v);
+    return normal;
+}

@@ -1,0 +1,26 @@
+/* Real roots of polynomials in one variable, for rays that meet algebraic
+ * surfaces. */
+#ifndef SCENE_POLYNOMIAL_H
+#define SCENE_POLYNOMIAL_H
+
+enum { POLYNOMIAL_DEGREE_MAX = 35 };
+
+/* Both roots of a t^2 + 2 b t + c, increasing, without cancellation; note the
+ * 2. Returns how many: 0, 1 (a is 0) or 2; a double root counts as none. */
+int quadratic_roots(double a, double b, double c, double roots[2]);
+
+/* The roots in [low, high] at which the polynomial c[0] + c[1] t + ...
+ * + c[degree] t^degree changes sign, increasing, at most `limit`. Touching
+ * zero without crossing it is no root. `degree` 0 to POLYNOMIAL_DEGREE_MAX.
+ *
+ * Between neighbouring roots of its derivative a polynomial is monotonic, so
+ * each interval holds at most one root, which a bracketed Newton finds; the
+ * derivative's roots are found in the same way. */
+int polynomial_roots(const double *c, int degree, double low, double high,
+                     double *roots, int limit);
+
+/* A bound on the magnitude of every root (Fujiwara 1916, rounded up to a
+ * power of two); HUGE_VAL when c[degree] is 0. */
+double polynomial_bound(const double *c, int degree);
+
+#endif

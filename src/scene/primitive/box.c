@@ -1,0 +1,103 @@
+/* box { CORNER, OPPOSITE_CORNER }, its sides along the axes. */
+#include "scene/primitive.h"
+
+struct box {
+    vec3 low, high;
+};
+
+static const struct field box_arguments[] = {
+    { "corner", FIELD_VECTOR, offsetof(struct box, low), 0, 0, "a corner",
+      false },
+    { "opposite corner", FIELD_VECTOR, offsetof(struct box, high), 0, 0,
+      "the corner opposite to it", false },
+    { .name = NULL },
+};
+
+static const char *box_prepare(void *shape, struct arena *arena,
+                               const char **warning)
+{
+    struct box *box = shape;
+    vec3 a = box->low, b = box->high;
+    (void)arena;
+    (void)warning;
+    box->low = vec3_min(a, b);
+    box->high = vec3_max(a, b);
+    return NULL;
+}
+
+static struct box3 box_bounds(const void *shape)
+{
+    const struct box *box = shape;
+    return (struct box3){ box->low, box->high };
+}
+
+/* The interval of the ray between two parallel sides (Kay and Kajiya 1986).
+ * `part` of a hit is axis * 2, + 1 for the high side. */
+struct interval {
+    double enter, leave;
+    int enter_part, leave_part;
+};
+
+static bool clip_to_slab(struct interval *interval, double origin,
+                         double direction, double low, double high, int part)
+{
+    if (direction == 0)
+        return origin >= low && origin <= high;
+    double to_low = (low - origin) / direction;
+    double to_high = (high - origin) / direction;
+    bool swap = to_low > to_high;
+    double enter = swap ? to_high : to_low, leave = swap ? to_low : to_high;
+    if (enter > interval->enter) {
+        interval->enter = enter;
+        interval->enter_part = part + swap;
+    }
+    if (leave < interval->leave) {
+        interval->leave = leave;
+        interval->leave_part = part + !swap;
+    }
+    return interval->enter <= interval->leave;
+}
+
+static void box_intersect(const void *shape, const struct ray *ray,
+                          struct hits *hits)
+{
+    const struct box *box = shape;
+    struct interval in = { -HUGE_VAL, HUGE_VAL, 0, 0 };
+    if (!clip_to_slab(&in, ray->origin.x, ray->direction.x, box->low.x,
+                      box->high.x, 0) ||
+        !clip_to_slab(&in, ray->origin.y, ray->direction.y, box->low.y,
+                      box->high.y, 2) ||
+        !clip_to_slab(&in, ray->origin.z, ray->direction.z, box->low.z,
+                      box->high.z, 4))
+        return;
+    hits_add(hits, in.enter, in.enter_part);
+    hits_add(hits, in.leave, in.leave_part);
+}
+
+static vec3 box_normal(const void *shape, vec3 point, const struct hit *hit)
+{
+    static const vec3 sides[6] = { { -1, 0, 0 }, { 1, 0, 0 },  { 0, -1, 0 },
+                                   { 0, 1, 0 },  { 0, 0, -1 }, { 0, 0, 1 } };
+    (void)shape;
+    (void)point;
+    return sides[hit->part];
+}
+
+static bool box_inside(const void *shape, vec3 point)
+{
+    const struct box *box = shape;
+    return box3_contains((struct box3){ box->low, box->high }, point);
+}
+
+const struct primitive box_primitive = {
+    .name = "box",
+    .help = "a box with its sides along the axes",
+    .size = sizeof(struct box),
+    .arguments = box_arguments,
+    .solid = true,
+    .prepare = box_prepare,
+    .bounds = box_bounds,
+    .intersect = box_intersect,
+    .normal = box_normal,
+    .inside = box_inside,
+};

@@ -1,0 +1,42 @@
+/* cone { BASE, BASE_RADIUS, APEX, APEX_RADIUS [open] } */
+#include "scene/conic.h"
+
+static const struct field cone_arguments[] = {
+    { "base", FIELD_VECTOR, offsetof(struct conic, base), 0, 0,
+      "the middle of one end", false },
+    { "base radius", FIELD_FLOAT, offsetof(struct conic, base_radius), 0, 0,
+      "the radius there", false },
+    { "apex", FIELD_VECTOR, offsetof(struct conic, apex), 0, 0,
+      "the middle of the other end", false },
+    { "apex radius", FIELD_FLOAT, offsetof(struct conic, apex_radius), 0, 0,
+      "the radius there", false },
+    { .name = NULL },
+};
+
+static const struct field cone_items[] = {
+    { "open", FIELD_FLAG, offsetof(struct conic, open), 0, 0,
+      "leave out the caps", false },
+    { .name = NULL },
+};
+
+static const char *cone_prepare(void *shape, struct arena *arena,
+                                const char **warning)
+{
+    (void)arena;
+    (void)warning;
+    return conic_prepare(shape) ? NULL : "its two ends are the same point";
+}
+
+const struct primitive cone_primitive = {
+    .name = "cone",
+    .help = "a cone between two points, pointed if a radius is 0",
+    .size = sizeof(struct conic),
+    .arguments = cone_arguments,
+    .items = cone_items,
+    .solid = true,
+    .prepare = cone_prepare,
+    .bounds = conic_bounds,
+    .intersect = conic_intersect,
+    .normal = conic_normal,
+    .inside = conic_inside,
+};

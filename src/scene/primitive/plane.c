@@ -1,0 +1,82 @@
+/* plane { NORMAL, DISTANCE }: the half space dot(NORMAL, p) <= DISTANCE. */
+#include "scene/primitive.h"
+
+struct plane {
+    vec3 normal;     /* unit */
+    double distance; /* from the origin, along the normal */
+};
+
+static const struct field plane_arguments[] = {
+    { "normal", FIELD_VECTOR, offsetof(struct plane, normal), 0, 0,
+      "the direction that is outside; any length", false },
+    { "distance", FIELD_FLOAT, offsetof(struct plane, distance), 0, 0,
+      "how far from the origin along the normal", false },
+    { .name = NULL },
+};
+
+static const char *plane_prepare(void *shape, struct arena *arena,
+                                 const char **warning)
+{
+    struct plane *plane = shape;
+    double length = vec3_length(plane->normal);
+    (void)arena;
+    (void)warning;
+    if (!(length > 0) || !isfinite(length))
+        return "its normal has no direction";
+    plane->normal = vec3_scale(plane->normal, 1 / length);
+    return NULL;
+}
+
+/* A half space is bounded on one side if its normal is along an axis. */
+static struct box3 plane_bounds(const void *shape)
+{
+    const struct plane *plane = shape;
+    struct box3 box = box3_infinite();
+    vec3 n = plane->normal;
+    double d = plane->distance;
+    if (n.y == 0 && n.z == 0)
+        *(n.x > 0 ? &box.high.x : &box.low.x) = n.x > 0 ? d : -d;
+    if (n.x == 0 && n.z == 0)
+        *(n.y > 0 ? &box.high.y : &box.low.y) = n.y > 0 ? d : -d;
+    if (n.x == 0 && n.y == 0)
+        *(n.z > 0 ? &box.high.z : &box.low.z) = n.z > 0 ? d : -d;
+    return box;
+}
+
+static void plane_intersect(const void *shape, const struct ray *ray,
+                            struct hits *hits)
+{
+    const struct plane *plane = shape;
+    double slope = vec3_dot(plane->normal, ray->direction);
+    if (slope == 0)
+        return;
+    double height = vec3_dot(plane->normal, ray->origin) - plane->distance;
+    hits_add(hits, -height / slope, 0);
+}
+
+static vec3 plane_normal(const void *shape, vec3 point, const struct hit *hit)
+{
+    const struct plane *plane = shape;
+    (void)point;
+    (void)hit;
+    return plane->normal;
+}
+
+static bool plane_inside(const void *shape, vec3 point)
+{
+    const struct plane *plane = shape;
+    return vec3_dot(plane->normal, point) - plane->distance <= 0;
+}
+
+const struct primitive plane_primitive = {
+    .name = "plane",
+    .help = "an infinite plane; inside is the side its normal points from",
+    .size = sizeof(struct plane),
+    .arguments = plane_arguments,
+    .solid = true,
+    .prepare = plane_prepare,
+    .bounds = plane_bounds,
+    .intersect = plane_intersect,
+    .normal = plane_normal,
+    .inside = plane_inside,
+};

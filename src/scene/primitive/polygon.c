@@ -1,0 +1,176 @@
+/* polygon { COUNT, POINT, POINT ... }: flat, with any number of outlines, each
+ * closed by repeating its first point. What an odd number of outlines surround
+ * is filled. */
+#include "base/array.h"
+#include "scene/primitive.h"
+
+struct edge {
+    double u0, v0, u1, v1;
+};
+
+struct polygon {
+    struct points points;
+    vec3 normal; /* unit */
+    double distance;
+    int u_axis, v_axis; /* the plane is seen along the third axis */
+    struct edge *edges;
+    size_t edge_count;
+    struct box3 bounds;
+};
+
+static const struct field polygon_arguments[] = {
+    { "points", FIELD_POINTS, offsetof(struct polygon, points), 0, 0,
+      "how many points, then the points", false },
+    { .name = NULL },
+};
+
+static bool same_point(vec3 a, vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* The normal from the point farthest from the first one and the point
+ * farthest from the line through both: false if there is no area. */
+static bool polygon_find_plane(struct polygon *polygon)
+{
+    vec3 first = polygon->points.items[0], along = { 0, 0, 0 };
+    vec3 normal = { 0, 0, 0 };
+    for (size_t i = 1; i < polygon->points.count; i++) {
+        vec3 d = vec3_sub(polygon->points.items[i], first);
+        if (vec3_dot(d, d) > vec3_dot(along, along))
+            along = d;
+    }
+    for (size_t i = 1; i < polygon->points.count; i++) {
+        vec3 d = vec3_sub(polygon->points.items[i], first);
+        vec3 n = vec3_cross(along, d);
+        if (vec3_dot(n, n) > vec3_dot(normal, normal))
+            normal = n;
+    }
+    if (!(vec3_dot(normal, normal) > 0))
+        return false;
+    polygon->normal = vec3_normalise(normal);
+    polygon->distance = vec3_dot(polygon->normal, first);
+    return true;
+}
+
+static bool polygon_is_flat(const struct polygon *polygon)
+{
+    double size =
+        vec3_length(vec3_sub(polygon->bounds.high, polygon->bounds.low));
+    for (size_t i = 0; i < polygon->points.count; i++) {
+        double height = vec3_dot(polygon->normal, polygon->points.items[i]);
+        if (!(fabs(height - polygon->distance) <= 1e-9 * size + 1e-10))
+            return false;
+    }
+    return true;
+}
+
+/* Onto the coordinate plane in which the polygon looks largest. */
+static void polygon_project(struct polygon *polygon)
+{
+    vec3 n = { fabs(polygon->normal.x), fabs(polygon->normal.y),
+               fabs(polygon->normal.z) };
+    int drop = n.x > n.y && n.x > n.z ? 0 : n.y > n.z ? 1 : 2;
+    polygon->u_axis = (drop + 1) % 3;
+    polygon->v_axis = (drop + 2) % 3;
+}
+
+static void polygon_add_edge(struct polygon *polygon, vec3 a, vec3 b)
+{
+    int u = polygon->u_axis, v = polygon->v_axis;
+    polygon->edges[polygon->edge_count++] =
+        (struct edge){ vec3_component(a, u), vec3_component(a, v),
+                       vec3_component(b, u), vec3_component(b, v) };
+}
+
+/* An outline that the scene leaves open is closed, as POV-Ray does. */
+static void polygon_make_edges(struct polygon *polygon, struct arena *arena)
+{
+    const vec3 *p = polygon->points.items;
+    size_t count = polygon->points.count, start = 0;
+    polygon->edges = ARENA_ARRAY(arena, struct edge, count + 1);
+    for (size_t i = 1; i < count; i++) {
+        polygon_add_edge(polygon, p[i - 1], p[i]);
+        if (!same_point(p[i], p[start]))
+            continue;
+        start = ++i; /* the next outline begins after the closing point */
+    }
+    if (start < count)
+        polygon_add_edge(polygon, p[count - 1], p[start]);
+}
+
+static const char *polygon_prepare(void *shape, struct arena *arena,
+                                   const char **warning)
+{
+    struct polygon *polygon = shape;
+    if (polygon->points.count < 3)
+        return "it needs at least three points";
+    polygon->bounds = box3_empty();
+    for (size_t i = 0; i < polygon->points.count; i++)
+        polygon->bounds = box3_add(polygon->bounds, polygon->points.items[i]);
+    if (!polygon_find_plane(polygon)) {
+        *warning = "its points are on one line";
+        return NULL;
+    }
+    if (!polygon_is_flat(polygon)) {
+        *warning = "its points are not in one plane";
+        return NULL;
+    }
+    polygon_project(polygon);
+    polygon_make_edges(polygon, arena);
+    return NULL;
+}
+
+static struct box3 polygon_bounds(const void *shape)
+{
+    const struct polygon *polygon = shape;
+    return polygon->bounds;
+}
+
+/* Edges crossed by the line from (u, v) to the right, ends counted once. */
+static bool polygon_covers(const struct polygon *polygon, double u, double v)
+{
+    bool odd = false;
+    for (size_t i = 0; i < polygon->edge_count; i++) {
+        const struct edge *e = &polygon->edges[i];
+        if ((e->v0 > v) == (e->v1 > v))
+            continue;
+        if (u < e->u0 + (v - e->v0) * (e->u1 - e->u0) / (e->v1 - e->v0))
+            odd = !odd;
+    }
+    return odd;
+}
+
+static void polygon_intersect(const void *shape, const struct ray *ray,
+                              struct hits *hits)
+{
+    const struct polygon *polygon = shape;
+    double slope = vec3_dot(polygon->normal, ray->direction);
+    if (slope == 0)
+        return;
+    double height = vec3_dot(polygon->normal, ray->origin);
+    double t = (polygon->distance - height) / slope;
+    vec3 p = ray_point(ray, t);
+    if (polygon_covers(polygon, vec3_component(p, polygon->u_axis),
+                       vec3_component(p, polygon->v_axis)))
+        hits_add(hits, t, 0);
+}
+
+static vec3 polygon_normal(const void *shape, vec3 point, const struct hit *hit)
+{
+    const struct polygon *polygon = shape;
+    (void)point;
+    (void)hit;
+    return polygon->normal;
+}
+
+const struct primitive polygon_primitive = {
+    .name = "polygon",
+    .help = "a flat shape with straight edges",
+    .size = sizeof(struct polygon),
+    .arguments = polygon_arguments,
+    .prepare = polygon_prepare,
+    .bounds = polygon_bounds,
+    .intersect = polygon_intersect,
+    .normal = polygon_normal,
+};

@@ -1,0 +1,81 @@
+/* sphere { CENTRE, RADIUS } */
+#include "scene/primitive.h"
+
+struct sphere {
+    vec3 centre;
+    double radius;
+};
+
+static const struct field sphere_arguments[] = {
+    { "centre", FIELD_VECTOR, offsetof(struct sphere, centre), 0, 0,
+      "the middle", false },
+    { "radius", FIELD_FLOAT, offsetof(struct sphere, radius), 0, 0,
+      "the radius", false },
+    { .name = NULL },
+};
+
+static const char *sphere_prepare(void *shape, struct arena *arena,
+                                  const char **warning)
+{
+    struct sphere *sphere = shape;
+    (void)arena;
+    (void)warning;
+    sphere->radius = fabs(sphere->radius);
+    return NULL;
+}
+
+static struct box3 sphere_bounds(const void *shape)
+{
+    const struct sphere *sphere = shape;
+    double r = sphere->radius;
+    vec3 half = { r, r, r };
+    return (struct box3){ vec3_sub(sphere->centre, half),
+                          vec3_add(sphere->centre, half) };
+}
+
+/* With the vector from the centre to the point where the ray passes nearest
+ * nothing cancels, however far the ray comes from (Haines, Gunther and
+ * Akenine-Moller, Ray Tracing Gems, 2019, chapter 7). */
+static void sphere_intersect(const void *shape, const struct ray *ray,
+                             struct hits *hits)
+{
+    const struct sphere *sphere = shape;
+    vec3 o = vec3_sub(ray->origin, sphere->centre);
+    double dd = vec3_dot(ray->direction, ray->direction);
+    double b = -vec3_dot(o, ray->direction);
+    vec3 nearest = vec3_along(o, ray->direction, b / dd);
+    double r2 = sphere->radius * sphere->radius;
+    double rest = r2 - vec3_dot(nearest, nearest);
+    if (!(rest > 0) || !(dd > 0))
+        return;
+    double q = b + copysign(sqrt(dd * rest), b);
+    hits_add(hits, q / dd, 0);
+    hits_add(hits, (vec3_dot(o, o) - r2) / q, 0);
+}
+
+static vec3 sphere_normal(const void *shape, vec3 point, const struct hit *hit)
+{
+    const struct sphere *sphere = shape;
+    (void)hit;
+    return vec3_sub(point, sphere->centre);
+}
+
+static bool sphere_inside(const void *shape, vec3 point)
+{
+    const struct sphere *sphere = shape;
+    vec3 p = vec3_sub(point, sphere->centre);
+    return vec3_dot(p, p) < sphere->radius * sphere->radius;
+}
+
+const struct primitive sphere_primitive = {
+    .name = "sphere",
+    .help = "a ball",
+    .size = sizeof(struct sphere),
+    .arguments = sphere_arguments,
+    .solid = true,
+    .prepare = sphere_prepare,
+    .bounds = sphere_bounds,
+    .intersect = sphere_intersect,
+    .normal = sphere_normal,
+    .inside = sphere_inside,
+};

@@ -1,0 +1,125 @@
+/* torus { MAJOR, MINOR }, around the y axis. */
+#include "scene/polynomial.h"
+#include "scene/primitive.h"
+
+struct torus {
+    double major, minor;
+    bool sturm;
+};
+
+static const struct field torus_arguments[] = {
+    { "major radius", FIELD_FLOAT, offsetof(struct torus, major), 0, 0,
+      "from the middle of the hole to the middle of the tube", false },
+    { "minor radius", FIELD_FLOAT, offsetof(struct torus, minor), 0, 0,
+      "of the tube", false },
+    { .name = NULL },
+};
+
+static const struct field torus_items[] = {
+    { "sturm", FIELD_BOOL, offsetof(struct torus, sturm), 0, 0,
+      "accepted: the roots are exact anyway", false },
+    { .name = NULL },
+};
+
+static const char *torus_prepare(void *shape, struct arena *arena,
+                                 const char **warning)
+{
+    struct torus *torus = shape;
+    (void)arena;
+    (void)warning;
+    torus->minor = fabs(torus->minor);
+    return NULL;
+}
+
+static struct box3 torus_bounds(const void *shape)
+{
+    const struct torus *torus = shape;
+    double reach = torus->major + torus->minor, r = torus->minor;
+    if (reach < 0)
+        return box3_empty();
+    return (struct box3){ { -reach, -r, -reach }, { reach, r, reach } };
+}
+
+/* (t^2 + k)^2 = 4 R^2 (distance from the axis)^2, where k = |o|^2 + R^2 - r^2
+ * and the ray starts where it passes nearest the middle (then o.d = 0 and there
+ * is no t^3). The constant term is a product so that it doesn't cancel. */
+static void torus_quartic(const struct torus *torus, vec3 o, vec3 d, double *c)
+{
+    double R = torus->major, r = torus->minor;
+    double rho = sqrt(o.x * o.x + o.z * o.z), out = rho - R, far = rho + R;
+    double k = vec3_dot(o, o) + R * R - r * r;
+    double y2 = o.y * o.y - r * r;
+    c[0] = (out * out + y2) * (far * far + y2);
+    c[1] = -8 * R * R * (o.x * d.x + o.z * d.z);
+    c[2] = 2 * k - 4 * R * R * (d.x * d.x + d.z * d.z);
+    c[3] = 0;
+    c[4] = 1;
+}
+
+/* Without a major radius all roots are double: it is a ball. */
+static int torus_ball(const struct torus *torus, double nearest, double *roots)
+{
+    double half = sqrt(torus->minor * torus->minor - nearest);
+    roots[0] = -half;
+    roots[1] = half;
+    return 2;
+}
+
+static void torus_intersect(const void *shape, const struct ray *ray,
+                            struct hits *hits)
+{
+    const struct torus *torus = shape;
+    double length = vec3_length(ray->direction);
+    double reach = torus->major + torus->minor;
+    if (!(length > 0) || !(reach > 0))
+        return;
+    vec3 d = vec3_scale(ray->direction, 1 / length);
+    double shift = -vec3_dot(ray->origin, d);
+    vec3 o = vec3_along(ray->origin, d, shift);
+    double nearest = vec3_dot(o, o);
+    if (nearest >= reach * reach)
+        return;
+    double c[5], roots[4], limit = sqrt(reach * reach - nearest) * (1 + 1e-12);
+    int count;
+    if (torus->major == 0) {
+        count = torus_ball(torus, nearest, roots);
+    } else {
+        torus_quartic(torus, o, d, c);
+        count = polynomial_roots(c, 4, -limit, limit, roots, 4);
+    }
+    for (int i = 0; i < count; i++)
+        hits_add(hits, (roots[i] + shift) / length, 0);
+}
+
+static vec3 torus_normal(const void *shape, vec3 point, const struct hit *hit)
+{
+    const struct torus *torus = shape;
+    double rho = sqrt(point.x * point.x + point.z * point.z);
+    (void)hit;
+    if (!(rho > 0))
+        return vec3_make(0, point.y < 0 ? -1 : 1, 0);
+    double k = 1 - torus->major / rho;
+    return vec3_make(point.x * k, point.y, point.z * k);
+}
+
+static bool torus_inside(const void *shape, vec3 point)
+{
+    const struct torus *torus = shape;
+    double rho = sqrt(point.x * point.x + point.z * point.z);
+    double out = rho - torus->major;
+    return out * out + point.y * point.y <= torus->minor * torus->minor;
+}
+
+const struct primitive torus_primitive = {
+    .name = "torus",
+    .help = "a ring around the y axis",
+    .size = sizeof(struct torus),
+    .arguments = torus_arguments,
+    .items = torus_items,
+    .solid = true,
+    .prepare = torus_prepare,
+    .bounds = torus_bounds,
+    .intersect = torus_intersect,
+    .normal = torus_normal,
+    .inside = torus_inside,
+};
