@@ -2,6 +2,8 @@
  * orthographic picture was measured with some twenty cameras). */
 #include "scene/camera.h"
 
+#include <stddef.h>
+
 struct camera camera_default(void)
 {
     return (struct camera){
