@@ -126,6 +126,10 @@ struct interior interior_default(void);
 /* Opaque black, as POV-Ray's. */
 struct pigment pigment_default(struct arena *arena);
 
+/* Pigments nested in pigments more deeply than this are black; the parser
+ * should refuse them. */
+enum { PIGMENT_DEPTH = 32 };
+
 /* The pigment's value at a point of the texture's space. */
 colour pigment_colour(const struct pigment *pigment, vec3 point);
 

@@ -1,0 +1,152 @@
+/* Image maps: where on a picture a point of space falls, and the colour there.
+ * All conventions were measured with POV-Ray 3.7 on pictures of 4 x 4 pixels:
+ * u runs right and v up, both from 0 to 1 over the picture; pixel i has its
+ * centre at i + 1/2. */
+#include "scene/image_map.h"
+
+#include "image/image.h"
+
+/* A place on the picture; `valid` is false outside a map used once. */
+struct place {
+    double u, v;
+    bool valid;
+};
+
+static double fraction(double x)
+{
+    double t = x - floor(x);
+    return t < 1 ? t : 0; /* also for a tiny negative x, and NaN */
+}
+
+/* Longitude, 0 at +x and growing towards +z. */
+static double longitude(vec3 point)
+{
+    return fraction(atan2(point.z, point.x) / (2 * M_PI));
+}
+
+static struct place place_planar(const struct image_map *map, vec3 p)
+{
+    bool inside = p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1;
+    return (struct place){ fraction(p.x), fraction(p.y), inside || !map->once };
+}
+
+/* A sphere's latitude from pole to pole. */
+static struct place place_spherical(const struct image_map *map, vec3 p)
+{
+    double radius = sqrt(p.x * p.x + p.z * p.z);
+    double v = 0.5 + atan2(p.y, radius) / M_PI;
+    bool inside = radius > 0 || p.y < 0;
+    return (struct place){ longitude(p), fmin(v, 0x1.fffffffffffffp-1),
+                           inside || !map->once };
+}
+
+static struct place place_cylindrical(const struct image_map *map, vec3 p)
+{
+    bool inside = p.y >= 0 && p.y <= 1;
+    return (struct place){ longitude(p), fraction(p.y), inside || !map->once };
+}
+
+/* Around a torus of major radius 1; the seam is inside. */
+static struct place place_torus(vec3 p)
+{
+    double radius = sqrt(p.x * p.x + p.z * p.z);
+    double v = 0.5 + atan2(p.y, radius - 1) / (2 * M_PI);
+    return (struct place){ longitude(p), fraction(v), true };
+}
+
+static struct place image_place(const struct image_map *map, vec3 point)
+{
+    if (!vec3_finite(point))
+        return (struct place){ 0, 0, false };
+    switch (map->projection) {
+    case IMAGE_PLANAR:
+        break;
+    case IMAGE_SPHERICAL:
+        return place_spherical(map, point);
+    case IMAGE_CYLINDRICAL:
+        return place_cylindrical(map, point);
+    case IMAGE_TORUS:
+        return place_torus(point);
+    }
+    return place_planar(map, point);
+}
+
+/* -1 to count, the edges' neighbours included: another period, or, used once,
+ * the edge itself. */
+static int image_wrap(const struct image_map *map, int i, int count)
+{
+    if (map->once)
+        return i < 0 ? 0 : i >= count ? count - 1 : i;
+    return i < 0 ? count - 1 : i >= count ? 0 : i;
+}
+
+/* The pixel in column x, row y from the bottom, as a pigment. */
+static colour image_texel(const struct image_map *map, int x, int y)
+{
+    const struct image *image = map->image;
+    x = image_wrap(map, x, image->width);
+    y = image_wrap(map, y, image->height);
+    const float *p = image_pixel(image, x, image->height - 1 - y);
+    double alpha = (double)p[3];
+    double scale = alpha > 0 && alpha < 1 ? 1 / alpha : 1;
+    return (colour){ (double)p[0] * scale, (double)p[1] * scale,
+                     (double)p[2] * scale, map->filter_all,
+                     map->transmit_all + (1 - alpha) };
+}
+
+static colour colour_add_scaled(colour sum, colour c, double weight)
+{
+    return (colour){ sum.r + weight * c.r, sum.g + weight * c.g,
+                     sum.b + weight * c.b, sum.filter + weight * c.filter,
+                     sum.transmit + weight * c.transmit };
+}
+
+/* A mean of the four pixels around (x, y), in pixels: by area, or by the
+ * square of the distance to their centres. */
+static colour image_blend(const struct image_map *map, double x, double y)
+{
+    int left = (int)floor(x - 0.5), low = (int)floor(y - 0.5);
+    double s = x - 0.5 - left, t = y - 0.5 - low;
+    colour sum = { 0 };
+    double total = 0;
+    for (int j = 0; j < 2; j++) {
+        for (int i = 0; i < 2; i++) {
+            double dx = i ? 1 - s : s, dy = j ? 1 - t : t;
+            double weight = (1 - dx) * (1 - dy);
+            colour c = image_texel(map, left + i, low + j);
+            if (map->interpolation == IMAGE_NORMALISED_DISTANCE) {
+                double square = dx * dx + dy * dy;
+                if (square == 0)
+                    return c;
+                weight = 1 / square;
+            }
+            sum = colour_add_scaled(sum, c, weight);
+            total += weight;
+        }
+    }
+    return colour_add_scaled((colour){ 0 }, sum, 1 / total);
+}
+
+colour image_map_colour(const struct image_map *map, vec3 point)
+{
+    const struct image *image = map->image;
+    struct place place = image_place(map, point);
+    if (!place.valid || !image || image->width < 1 || image->height < 1)
+        return (colour){ 1, 1, 1, 0, 1 };
+    double x = place.u * image->width, y = place.v * image->height;
+    if (map->interpolation == IMAGE_NEAREST)
+        return image_texel(map, (int)x, (int)y);
+    return image_blend(map, x, y);
+}
+
+bool image_map_is_opaque(const struct image_map *map)
+{
+    const struct image *image = map->image;
+    if (map->once || map->filter_all != 0 || map->transmit_all != 0 || !image)
+        return false;
+    size_t count = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < count; i++)
+        if (image->pixels[4 * i + 3] < 1)
+            return false;
+    return true;
+}

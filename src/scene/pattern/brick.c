@@ -1,0 +1,57 @@
+/* brick: courses of bricks (block 1) in mortar (block 0). */
+#include "scene/pattern.h"
+
+struct brick {
+    vec3 size; /* of a brick and its share of mortar */
+    double mortar;
+};
+
+static const struct brick brick_defaults = { { 8, 3, 4.5 }, 0.5 };
+
+static const double brick_colours[][3] = { { 0.5, 0.5, 0.5 },
+                                           { 0.6, 0.15, 0.15 } };
+
+static const struct field brick_items[] = {
+    { "brick_size", FIELD_VECTOR, offsetof(struct brick, size), 0, 0,
+      "brick with mortar, default <8, 3, 4.5>" },
+    { "mortar", FIELD_FLOAT, offsetof(struct brick, mortar), 0, 0,
+      "thickness of the mortar, default 0.5" },
+    { 0 },
+};
+
+/* Whether a coordinate in brick lengths is in the mortar, which comes first.
+ * A brick of size 0 makes NaN here and is all mortar, as in POV-Ray. */
+static bool brick_in_mortar(double coordinate, double mortar)
+{
+    return !(coordinate - floor(coordinate) > mortar);
+}
+
+/* Measured: mortar is below, left and in front of brick and mortar counted
+ * from 0; even courses are shifted by half a brick in z, odd ones in x. */
+static double brick_value(const struct pattern *pattern, vec3 point)
+{
+    const struct brick *brick = pattern->parameters;
+    const double offset = brick->mortar + 1e-10;
+    double x = (point.x + offset) / brick->size.x;
+    double y = (point.y + offset) / brick->size.y;
+    double z = (point.z + offset) / brick->size.z;
+    bool odd = fmod(floor(y), 2) != 0;
+    x += odd ? 0.5 : 0;
+    z += odd ? 0 : 0.5;
+    return brick_in_mortar(x, brick->mortar / brick->size.x) ||
+                   brick_in_mortar(y, brick->mortar / brick->size.y) ||
+                   brick_in_mortar(z, brick->mortar / brick->size.z)
+               ? 0
+               : 1;
+}
+
+const struct pattern_kind brick_pattern = {
+    .name = "brick",
+    .help = "a brick wall: colour of the mortar, colour of the bricks",
+    .size = sizeof(struct brick),
+    .defaults = &brick_defaults,
+    .items = brick_items,
+    .blocks = 2,
+    .block_colours = brick_colours,
+    .value = brick_value,
+};

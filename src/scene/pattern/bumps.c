@@ -1,0 +1,14 @@
+/* bumps: noise as a pigment; as a normal the noise vector is added. */
+#include "scene/noise.h"
+
+static double bumps_value(const struct pattern *pattern, vec3 point)
+{
+    (void)pattern;
+    return noise_value(point);
+}
+
+const struct pattern_kind bumps_pattern = {
+    .name = "bumps",
+    .help = "smooth noise; as a normal, smooth bumps",
+    .value = bumps_value,
+};

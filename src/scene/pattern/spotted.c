@@ -1,0 +1,14 @@
+/* spotted: in 3.7 another word for bozo. */
+#include "scene/noise.h"
+
+static double spotted_value(const struct pattern *pattern, vec3 point)
+{
+    (void)pattern;
+    return noise_value(point);
+}
+
+const struct pattern_kind spotted_pattern = {
+    .name = "spotted",
+    .help = "smooth noise, as bozo",
+    .value = spotted_value,
+};

@@ -1,0 +1,140 @@
+/* Pigments: a colour for each point of space. */
+#include "scene/image_map.h"
+#include "scene/material.h"
+
+/* Pigments inside pigments deeper than this are black; where both sides of a
+ * blend are pigments, the work doubles at every level, so below half of it
+ * only the nearer one counts. The parser refuses what is deeper. */
+enum { DEPTH_BLEND = PIGMENT_DEPTH / 2 };
+
+struct pigment pigment_default(struct arena *arena)
+{
+    return (struct pigment){ .kind = PIGMENT_COLOUR,
+                             .pattern = pattern_new(arena, NULL) };
+}
+
+static colour pigment_at(const struct pigment *pigment, vec3 point, int depth);
+
+static colour entry_colour(const struct blend_entry *entry, vec3 point,
+                           int depth)
+{
+    return entry->pigment ? pigment_at(entry->pigment, point, depth + 1)
+                          : entry->colour;
+}
+
+/* Measured: the entry sought is the first whose value is not below `value`;
+ * before the first and after the last their colours go on. */
+static colour map_colour(const struct blend_map *map, double value, vec3 point,
+                         int depth)
+{
+    const struct blend_entry *entries = map->entries;
+    size_t low = 0, high = map->count; /* first entry with value >= `value` */
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (entries[middle].value < value)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (low == 0)
+        return entry_colour(&entries[0], point, depth);
+    if (low == map->count)
+        return entry_colour(&entries[low - 1], point, depth);
+    const struct blend_entry *before = &entries[low - 1];
+    const struct blend_entry *after = &entries[low];
+    double t = (value - before->value) / (after->value - before->value);
+    if (depth >= DEPTH_BLEND)
+        return entry_colour(t < 0.5 ? before : after, point, depth);
+    if (t >= 1)
+        return entry_colour(after, point, depth);
+    return colour_mix(entry_colour(before, point, depth),
+                      entry_colour(after, point, depth), t);
+}
+
+static colour block_colour(const struct pigment *pigment, double value,
+                           vec3 point, int depth)
+{
+    const struct pattern_kind *kind = pigment->pattern.kind;
+    size_t block = (size_t)value;
+    if (pigment->map && block < pigment->map->count)
+        return entry_colour(&pigment->map->entries[block], point, depth);
+    if (kind->block_colours && block < (size_t)kind->blocks) {
+        const double *c = kind->block_colours[block];
+        return colour_opaque(rgb_make(c[0], c[1], c[2]));
+    }
+    return colour_opaque(rgb_grey(value));
+}
+
+/* Measured: inner pigments see the outer's transformation; its turbulence too
+ * in a pigment_map, but not in a list of blocks nor in wood and marble. */
+static colour pattern_colour(const struct pigment *pigment, vec3 point,
+                             int depth)
+{
+    const struct pattern *pattern = &pigment->pattern;
+    vec3 placed = affine_point(&pattern->inverse, point);
+    vec3 located = pattern_displace(pattern, placed);
+    double value = pattern_value_at(pattern, located);
+    if (pattern->kind && pattern->kind->blocks > 0)
+        return block_colour(pigment, value, placed, depth);
+    if (!pigment->map || pigment->map->count == 0)
+        return colour_opaque(rgb_grey(value));
+    return map_colour(pigment->map, value, located, depth);
+}
+
+static colour pigment_at(const struct pigment *pigment, vec3 point, int depth)
+{
+    if (depth > PIGMENT_DEPTH)
+        return (colour){ 0 };
+    switch (pigment->kind) {
+    case PIGMENT_COLOUR:
+        return pigment->colour;
+    case PIGMENT_PATTERN:
+        return pattern_colour(pigment, point, depth);
+    case PIGMENT_IMAGE:
+        return image_map_colour(pigment->image,
+                                pattern_locate(&pigment->pattern, point));
+    }
+    return pigment->colour;
+}
+
+colour pigment_colour(const struct pigment *pigment, vec3 point)
+{
+    return pigment_at(pigment, point, 0);
+}
+
+/* Looks at no more than *budget pigments, since shared ones could be met
+ * any number of times; beyond that the answer is the safe one, false. */
+static bool pigment_opaque(const struct pigment *pigment, int *budget)
+{
+    if (--*budget < 0)
+        return false;
+    if (pigment->kind == PIGMENT_COLOUR)
+        return pigment->colour.filter == 0 && pigment->colour.transmit == 0;
+    if (pigment->kind == PIGMENT_IMAGE)
+        return image_map_is_opaque(pigment->image);
+    const struct blend_map *map = pigment->map;
+    for (size_t i = 0; map && i < map->count; i++) {
+        const struct blend_entry *entry = &map->entries[i];
+        if (entry->pigment
+                ? !pigment_opaque(entry->pigment, budget)
+                : entry->colour.filter != 0 || entry->colour.transmit != 0)
+            return false;
+    }
+    return true;
+}
+
+bool pigment_is_opaque(const struct pigment *pigment)
+{
+    int budget = 1000;
+    return pigment_opaque(pigment, &budget);
+}
+
+const struct pigment *pigment_moved(struct arena *arena,
+                                    const struct pigment *pigment,
+                                    const affine *transform)
+{
+    struct pigment *moved = ARENA_NEW(arena, struct pigment);
+    *moved = *pigment;
+    pattern_transform(&moved->pattern, transform);
+    return moved;
+}
