@@ -13,7 +13,7 @@ TEST_PACKAGES = libcmocka-dev mandoc povray povray-includes povray-examples \
 	openimageio-tools clang-format
 
 WARNINGS = -Wall -Wextra -Wshadow -Wundef -Wwrite-strings -Wdouble-promotion \
-	-Wpointer-arith -Wcast-qual
+	-Wpointer-arith -Wcast-qual -Wno-missing-field-initializers
 C_WARNINGS = $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes \
 	-Wold-style-definition
 
