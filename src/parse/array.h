@@ -12,7 +12,16 @@ enum value_kind array_kind(const struct array *array);
  * parse; its kind is VALUE_NONE if it was never set. */
 bool array_element(struct parser *p, struct array *array, struct value **slot);
 
-/* array = "array" {"[" float "]"} [array_values], the keyword being next. */
+/* Reads `array[3][2] { ... }`, the keyword being next. */
 bool parse_array(struct parser *p, struct value *value);
+
+int array_dimensions(const struct array *array);
+/* Of dimension 1, 2 ...; 0 if there is none. */
+int array_dimension_size(const struct array *array, int dimension);
+
+/* A copy that shares no element; false after reporting at `span` that it is
+ * too big. */
+bool array_copy(struct parser *p, struct span span, struct array *array,
+                struct array **copy);
 
 #endif

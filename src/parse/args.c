@@ -1,0 +1,197 @@
+/* Values by field table: reading, promotion, ranges and the words of errors
+ * all come from one row (base/field.h). */
+#include <limits.h>
+
+#include "parse/parser.h"
+#include "parse/stream.h"
+
+enum { TERMS_LIMIT = 100000, POINTS_LIMIT = 10000000 };
+
+static bool field_has_range(const struct field *field)
+{
+    return field->minimum != 0 || field->maximum != 0;
+}
+
+static const char *field_range(struct parser *p, const struct field *field)
+{
+    if (field->maximum >= HUGE_VAL)
+        return arena_printf(p->arena, "at least %g", field->minimum);
+    if (field->minimum <= -HUGE_VAL)
+        return arena_printf(p->arena, "at most %g", field->maximum);
+    return arena_printf(p->arena, "from %g to %g", field->minimum,
+                        field->maximum);
+}
+
+static bool field_check(struct parser *p, const struct field *field,
+                        struct span start, double number)
+{
+    struct span span = span_join(start, p->last_span);
+    if (!isfinite(number))
+        return error_at(p, span, NULL, "'%s' is not a finite number",
+                        field->name);
+    if (!field_has_range(field) ||
+        (number >= field->minimum && number <= field->maximum))
+        return true;
+    return error_at(p, span, NULL, "'%s' must be %s, found %g", field->name,
+                    field_range(p, field), number);
+}
+
+static bool field_check_all(struct parser *p, const struct field *field,
+                            struct span start, const double *numbers,
+                            size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!field_check(p, field, start, numbers[i]))
+            return false;
+    return true;
+}
+
+static bool field_float(struct parser *p, const struct field *field,
+                        double *out)
+{
+    struct span start = stream_span(p);
+    return parse_float(p, out) && field_check(p, field, start, *out);
+}
+
+static bool field_integer(struct parser *p, const struct field *field,
+                          int *out)
+{
+    struct span start = stream_span(p);
+    return parse_integer(p, out) && field_check(p, field, start, *out);
+}
+
+static bool field_components(struct parser *p, const struct field *field,
+                             double *out, int size)
+{
+    struct span start = stream_span(p);
+    return parse_components(p, out, size) &&
+           field_check_all(p, field, start, out, (size_t)size);
+}
+
+static bool field_vector(struct parser *p, const struct field *field,
+                         vec3 *out)
+{
+    struct span start = stream_span(p);
+    vec3 v;
+    if (!parse_vector(p, &v))
+        return false;
+    *out = v;
+    return field_check_all(p, field, start, (double[]){ v.x, v.y, v.z }, 3);
+}
+
+static bool field_colour(struct parser *p, const struct field *field,
+                         colour *out)
+{
+    struct span start = stream_span(p);
+    if (!parse_colour(p, out))
+        return false;
+    double numbers[] = { out->r, out->g, out->b, out->filter, out->transmit };
+    return field_check_all(p, field, start, numbers, 5);
+}
+
+/* terms = "<" operation {[","] operation} ">" . */
+static bool parse_terms(struct parser *p, const struct field *field,
+                        struct terms *terms)
+{
+    struct {
+        double *items;
+        size_t count, capacity;
+    } values = { 0 };
+    struct span open = stream_span(p), start;
+    if (!expect(p, TOKEN_LESS, span_none()))
+        return false;
+    do {
+        double number;
+        start = stream_span(p);
+        if (!parse_float(p, &number) ||
+            !field_check(p, field, start, number))
+            return false;
+        if (values.count == TERMS_LIMIT)
+            return error_at(p, start, NULL,
+                            "'%s' has more than %d numbers, glim's limit",
+                            field->name, TERMS_LIMIT);
+        *ARRAY_PUSH(p->scene_arena, &values) = number;
+        accept(p, TOKEN_COMMA);
+    } while (stream_peek(p)->kind != TOKEN_GREATER &&
+             stream_peek(p)->kind != TOKEN_END &&
+             stream_peek(p)->kind != TOKEN_RBRACE);
+    *terms = (struct terms){ values.items, values.count };
+    return expect(p, TOKEN_GREATER, open);
+}
+
+/* points = operation {[","] operation} . */
+static bool parse_points(struct parser *p, const struct field *field,
+                         struct points *points)
+{
+    struct {
+        vec3 *items;
+        size_t count, capacity;
+    } values = { 0 };
+    struct span start = stream_span(p);
+    double count;
+    if (!parse_float(p, &count) || !field_check(p, field, start, count))
+        return false;
+    if (!(count >= 0 && count <= POINTS_LIMIT))
+        return error_at(p, start, NULL,
+                        "the number of points must be from 0 to %d, found %g",
+                        POINTS_LIMIT, count);
+    while (values.count < (size_t)count) {
+        vec3 point;
+        accept(p, TOKEN_COMMA);
+        if (stream_peek(p)->kind == TOKEN_RBRACE)
+            return error_at(p, start, NULL,
+                            "%g points are announced here, but only %zu follow",
+                            count, values.count);
+        if (!field_vector(p, field, &point))
+            return false;
+        *ARRAY_PUSH(p->scene_arena, &values) = point;
+    }
+    *points = (struct points){ values.items, values.count };
+    return true;
+}
+
+bool parse_field(struct parser *p, const struct field *field, void *base)
+{
+    void *at = (char *)base + field->offset;
+    colour c;
+    switch (field->kind) {
+    case FIELD_FLOAT:
+        return field_float(p, field, at);
+    case FIELD_INTEGER:
+        return field_integer(p, field, at);
+    case FIELD_BOOL:
+        return parse_bool(p, at);
+    case FIELD_FLAG:
+        *(bool *)at = true;
+        return true;
+    case FIELD_VECTOR2:
+        return field_components(p, field, at, 2);
+    case FIELD_VECTOR:
+        return field_vector(p, field, at);
+    case FIELD_VECTOR5:
+        return field_components(p, field, at, 5);
+    case FIELD_COLOUR:
+        return field_colour(p, field, at);
+    case FIELD_RGB:
+        if (!field_colour(p, field, &c))
+            return false;
+        *(rgb *)at = colour_rgb(c);
+        return true;
+    case FIELD_TERMS:
+        return parse_terms(p, field, at);
+    case FIELD_POINTS:
+        return parse_points(p, field, at);
+    }
+    return false;
+}
+
+bool parse_arguments(struct parser *p, const struct field *table, void *base)
+{
+    for (const struct field *field = table; field && field->name; field++) {
+        if (field != table)
+            accept(p, TOKEN_COMMA);
+        if (!parse_field(p, field, base))
+            return false;
+    }
+    return true;
+}

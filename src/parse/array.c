@@ -1,0 +1,225 @@
+/* Arrays: see array.h. */
+#include "parse/array.h"
+
+#include "parse/expression.h"
+#include "parse/stream.h"
+
+enum {
+    ARRAY_DIMENSIONS = 5, /* as POV-Ray */
+    ARRAY_LIMIT = 10000000,
+    ARRAY_DEPTH_LIMIT = 100, /* arrays in elements of arrays */
+};
+
+struct array {
+    int dimensions;
+    int size[ARRAY_DIMENSIONS];
+    size_t count;
+    struct value *elements; /* the last subscript runs fastest */
+};
+
+int array_dimensions(const struct array *array)
+{
+    return array->dimensions;
+}
+
+int array_dimension_size(const struct array *array, int dimension)
+{
+    return dimension >= 1 && dimension <= array->dimensions
+               ? array->size[dimension - 1]
+               : 0;
+}
+
+enum value_kind array_kind(const struct array *array)
+{
+    for (size_t i = 0; i < array->count; i++)
+        if (array->elements[i].kind != VALUE_NONE)
+            return array->elements[i].kind;
+    return VALUE_NONE;
+}
+
+/* ---- subscripts ---- */
+
+static bool array_index(struct parser *p, int size, size_t *index)
+{
+    double number;
+    struct span open = stream_span(p);
+    if (!expect(p, TOKEN_LBRACKET, span_none()))
+        return false;
+    struct span start = stream_span(p);
+    if (!parse_float(p, &number) || !expect(p, TOKEN_RBRACKET, open))
+        return false;
+    if (!(number >= 0 && number < size))
+        return error_at(p, start, NULL,
+                        size == 1 ? "this subscript is %g, but the only "
+                                    "element has number %d"
+                                  : "this subscript is %g, but elements are "
+                                    "numbered from 0 to %d",
+                        number, size - 1);
+    *index = (size_t)number;
+    return true;
+}
+
+/* Arrays that are elements of arrays take the subscripts that are left.
+ * subscripts = "[" operation "]" {"[" operation "]"} . */
+static bool parse_subscripts(struct parser *p, struct array *array,
+                             struct value **slot)
+{
+    for (;;) {
+        size_t place = 0;
+        for (int i = 0; i < array->dimensions; i++) {
+            size_t index = 0;
+            if (i > 0 && stream_peek_infix(p)->kind != TOKEN_LBRACKET)
+                return error_at(p, p->last_span, NULL,
+                                "this array has %d dimensions, but only %d "
+                                "subscript%s given",
+                                array->dimensions, i, i == 1 ? " is" : "s are");
+            if (!array_index(p, array->size[i], &index))
+                return false;
+            place = place * (size_t)array->size[i] + index;
+        }
+        *slot = &array->elements[place];
+        if ((*slot)->kind != VALUE_ARRAY ||
+            stream_peek_infix(p)->kind != TOKEN_LBRACKET)
+            return true;
+        array = (*slot)->array;
+    }
+}
+
+bool array_element(struct parser *p, struct array *array, struct value **slot)
+{
+    if (!expression_enter(p))
+        return false;
+    bool ok = parse_subscripts(p, array, slot);
+    p->nesting--;
+    return ok;
+}
+
+/* ---- copies ---- */
+
+/* Counts the elements of an array and of all arrays in it; false if they are
+ * too many or too deep. */
+static bool array_measure(const struct array *array, unsigned depth,
+                          size_t *total)
+{
+    *total += array->count;
+    if (depth > ARRAY_DEPTH_LIMIT || *total > ARRAY_LIMIT)
+        return false;
+    for (size_t i = 0; i < array->count; i++)
+        if (array->elements[i].kind == VALUE_ARRAY &&
+            !array_measure(array->elements[i].array, depth + 1, total))
+            return false;
+    return true;
+}
+
+static struct array *array_duplicate(struct parser *p,
+                                     const struct array *array)
+{
+    struct array *copy = ARENA_NEW(p->arena, struct array);
+    *copy = *array;
+    copy->elements = ARENA_ARRAY(p->arena, struct value, array->count);
+    memcpy(copy->elements, array->elements,
+           array->count * sizeof *array->elements);
+    for (size_t i = 0; i < copy->count; i++)
+        if (copy->elements[i].kind == VALUE_ARRAY)
+            copy->elements[i].array =
+                array_duplicate(p, copy->elements[i].array);
+    return copy;
+}
+
+bool array_copy(struct parser *p, struct span span, struct array *array,
+                struct array **copy)
+{
+    size_t total = 0;
+    if (!array_measure(array, 0, &total))
+        return error_at(p, span, NULL,
+                        "this array has more than %d elements, or arrays in "
+                        "it are nested more than %d deep",
+                        ARRAY_LIMIT, ARRAY_DEPTH_LIMIT);
+    *copy = array_duplicate(p, array);
+    return true;
+}
+
+/* ---- declaration ---- */
+
+/* All values must be there; a comma between two is optional.
+ * array_values = "{" array_item {[","] array_item} [","] "}" .
+ * array_item is array_values in all but the last dimension, else value. */
+static bool parse_array_values(struct parser *p, struct array *array,
+                               int dimension, struct value **next)
+{
+    struct span open;
+    if (!block_begin(p, &open))
+        return false;
+    bool ok = true;
+    for (int i = 0; ok && i < array->size[dimension]; i++) {
+        if (i > 0)
+            accept(p, TOKEN_COMMA);
+        if (stream_peek(p)->kind == TOKEN_RBRACE)
+            ok = error_at(p, p->token_span, NULL,
+                          "expected %d values in these braces, found %d",
+                          array->size[dimension], i);
+        else if (dimension + 1 < array->dimensions)
+            ok = parse_array_values(p, array, dimension + 1, next);
+        else
+            ok = parse_value(p, (*next)++);
+    }
+    if (ok) {
+        accept(p, TOKEN_COMMA);
+        if (stream_peek(p)->kind != TOKEN_RBRACE)
+            ok = error_at(p, p->token_span, NULL,
+                          "these braces have more values than the %d the "
+                          "array has room for",
+                          array->size[dimension]);
+    }
+    return block_end(p, open, ok);
+}
+
+static bool array_add_dimension(struct parser *p, struct array *array)
+{
+    double number;
+    struct span open = stream_span(p);
+    stream_next(p);
+    struct span start = stream_span(p);
+    if (!parse_float(p, &number) || !expect(p, TOKEN_RBRACKET, open))
+        return false;
+    if (array->dimensions == ARRAY_DIMENSIONS)
+        return error_at(p, open, NULL, "an array has %d dimensions at most",
+                        ARRAY_DIMENSIONS);
+    if (!(number >= 1))
+        return error_at(p, start, NULL,
+                        "the size of an array must be at least 1, found %g",
+                        number);
+    if (number * (double)array->count >= ARRAY_LIMIT + 1.0)
+        return error_at(p, start, NULL,
+                        "an array has %d elements at most, glim's limit",
+                        ARRAY_LIMIT);
+    array->size[array->dimensions++] = (int)number;
+    array->count *= (size_t)number;
+    return true;
+}
+
+/* array = "array" "[" operation "]" {"[" operation "]"} [array_values] . */
+bool parse_array(struct parser *p, struct value *value)
+{
+    struct array *array = ARENA_NEW(p->arena, struct array);
+    stream_next(p);
+    array->count = 1;
+    if (stream_peek(p)->kind != TOKEN_LBRACKET)
+        return error_expected(p, "'[' and the size of the array");
+    while (stream_peek_infix(p)->kind == TOKEN_LBRACKET)
+        if (!array_add_dimension(p, array))
+            return false;
+    array->elements = ARENA_ARRAY(p->arena, struct value, array->count);
+    struct value *next = array->elements;
+    *value = (struct value){ .kind = VALUE_ARRAY, .array = array };
+    return stream_peek_infix(p)->kind != TOKEN_LBRACE ||
+           parse_array_values(p, array, 0, &next);
+}
+
+bool parse_value(struct parser *p, struct value *value)
+{
+    bool found = false;
+    if (!parse_thing(p, value, &found))
+        return false;
+    return found || parse_expression(p, value);
+}

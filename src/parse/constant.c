@@ -1,0 +1,100 @@
+/* Words that are values: pi, x, clock, on ... */
+#include "parse/expression.h"
+
+static bool constant_vector(enum keyword keyword, struct value *value)
+{
+    static const struct {
+        enum keyword keyword;
+        int size, axis;
+    } rows[] = { { KEYWORD_X, 3, 0 }, { KEYWORD_Y, 3, 1 }, { KEYWORD_Z, 3, 2 },
+                 { KEYWORD_U, 2, 0 }, { KEYWORD_V, 2, 1 }, { KEYWORD_T, 4, 3 } };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        if (rows[i].keyword != keyword)
+            continue;
+        *value = (struct value){ .kind = VALUE_VECTOR, .size = rows[i].size };
+        value->number[rows[i].axis] = 1;
+        return true;
+    }
+    return false;
+}
+
+static bool constant_number(const struct parser *p, enum keyword keyword,
+                            double *out)
+{
+    const struct parse_options *o = p->options;
+    switch (keyword) {
+    case KEYWORD_PI:
+        *out = M_PI;
+        return true;
+    case KEYWORD_TRUE:
+    case KEYWORD_YES:
+    case KEYWORD_ON:
+        *out = 1;
+        return true;
+    case KEYWORD_FALSE:
+    case KEYWORD_NO:
+    case KEYWORD_OFF:
+        *out = 0;
+        return true;
+    case KEYWORD_CLOCK:
+        *out = o->clock;
+        return true;
+    case KEYWORD_CLOCK_DELTA:
+        *out = o->clock_delta;
+        return true;
+    case KEYWORD_CLOCK_ON:
+        *out = o->clock_on;
+        return true;
+    case KEYWORD_INITIAL_CLOCK:
+        *out = o->initial_clock;
+        return true;
+    case KEYWORD_FINAL_CLOCK:
+        *out = o->final_clock;
+        return true;
+    case KEYWORD_INITIAL_FRAME:
+        *out = o->initial_frame;
+        return true;
+    case KEYWORD_FINAL_FRAME:
+        *out = o->final_frame;
+        return true;
+    case KEYWORD_FRAME_NUMBER:
+        *out = o->frame_number;
+        return true;
+    case KEYWORD_IMAGE_WIDTH:
+        *out = o->image_width;
+        return true;
+    case KEYWORD_IMAGE_HEIGHT:
+        *out = o->image_height;
+        return true;
+    case KEYWORD_VERSION:
+        *out = p->version;
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* constant = "pi" | "true" | "yes" | "on" | "false" | "no" | "off" | "x" | "y"
+ *          | "z" | "t" | "u" | "v" | "clock" | "clock_delta" | "clock_on"
+ *          | "initial_clock" | "final_clock" | "initial_frame" | "final_frame"
+ *          | "frame_number" | "image_width" | "image_height" | "version" . */
+bool parse_constant(struct parser *p, enum keyword keyword,
+                    struct value *value)
+{
+    if (constant_vector(keyword, value))
+        return true;
+    value->kind = VALUE_FLOAT;
+    return constant_number(p, keyword, &value->number[0]);
+}
+
+bool constant_is_number(struct parser *p, enum keyword keyword)
+{
+    double ignored;
+    return constant_number(p, keyword, &ignored);
+}
+
+bool constant_is(struct parser *p, enum keyword keyword)
+{
+    struct value ignored;
+    return parse_constant(p, keyword, &ignored);
+}

@@ -1,0 +1,417 @@
+/* Expressions: one loop over a precedence table that evaluates as it reads,
+ * and what the rest of the parser calls. Grammar: grammar/expressions.ebnf. */
+#include "parse/expression.h"
+
+#include <limits.h>
+
+#include "parse/array.h"
+#include "parse/function.h"
+#include "parse/stream.h"
+#include "parse/symbol.h"
+#include "parse/user_function.h"
+
+enum { VECTOR_LIMIT = 5 }; /* components */
+
+bool expression_enter(struct parser *p)
+{
+    if (p->nesting < PARSE_NESTING_LIMIT) {
+        p->nesting++;
+        return true;
+    }
+    error_at(p, stream_span(p), NULL,
+             "brackets and blocks are nested more than %d deep",
+             PARSE_NESTING_LIMIT);
+    stream_abort(p);
+    return false;
+}
+
+/* Operators that are legal in parentheses only: `2 = 2` outside them is not
+ * read as the end of the value but explained. */
+static bool operator_misplaced(struct parser *p)
+{
+    enum token_kind kind = stream_peek_infix(p)->kind;
+    if (kind == TOKEN_LESS || kind == TOKEN_GREATER ||
+        operator_precedence(kind) >= PRECEDENCE_SUM)
+        return false;
+    error_at(p, p->token_span, NULL,
+             "'%.*s' must be inside parentheses: (a %.*s b)",
+             (int)p->token_span.length,
+             p->token_span.source->text + p->token_span.offset,
+             (int)p->token_span.length,
+             p->token_span.source->text + p->token_span.offset);
+    return true;
+}
+
+/* What C programmers type: == && || ^ %. */
+static bool operator_foreign(struct parser *p, enum token_kind taken)
+{
+    const struct token *token = stream_peek_infix(p);
+    char c = token->kind == TOKEN_OTHER
+                 ? p->token_span.source->text[p->token_span.offset]
+                 : 0;
+    if (c == '^' || c == '%')
+        return !error_at(p, p->token_span, c == '^' ? "pow(A, B)" : "mod(A, B)",
+                         "'%c' is not an operator", c);
+    if (token->kind != taken || (taken != TOKEN_EQUAL && taken != TOKEN_AND &&
+                                 taken != TOKEN_OR))
+        return false;
+    struct span both = span_join(p->last_span, p->token_span);
+    const char *one = taken == TOKEN_EQUAL ? "="
+                      : taken == TOKEN_AND ? "&"
+                                           : "|";
+    return !error_at(p, both, one, "this operator is written '%s'", one);
+}
+
+/* The value of (condition ? first : second); both are read.
+ * choice = "?" operation ":" operation . */
+static bool parse_choice(struct parser *p, struct span start,
+                         const char *wanted, struct value *value)
+{
+    struct value first, second;
+    double condition = 0;
+    bool poison = value_is_poison(value);
+    if (!poison && !value_to_float(p, start, value, &condition))
+        poison = true;
+    struct span question = stream_span(p);
+    stream_next(p);
+    if (!parse_operation(p, PRECEDENCE_CONDITION, wanted, &first) ||
+        !expect(p, TOKEN_COLON, question) ||
+        !parse_operation(p, PRECEDENCE_CONDITION, wanted, &second))
+        return false;
+    *value = poison                      ? value_poison()
+             : operator_truth(condition) ? first
+                                         : second;
+    return true;
+}
+
+/* Signs bind tightest: !1+1 is 1, -x.x is -(x.x).
+ * signed = {"+" | "-" | "!"} operand . */
+static bool parse_signed(struct parser *p, const char *wanted,
+                         struct value *value)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_MINUS && token->kind != TOKEN_PLUS &&
+        token->kind != TOKEN_NOT)
+        return parse_operand(p, wanted, value);
+    struct span start = p->token_span;
+    bool negative = false, truth = false, inverted = false;
+    for (;; token = stream_peek(p)) {
+        if (token->kind == TOKEN_NOT) {
+            /* The signs before a ! apply to 0 or 1; those after it don't
+             * change what is zero. */
+            truth = true;
+            inverted = !inverted;
+        } else if (token->kind == TOKEN_MINUS) {
+            negative ^= !truth;
+        } else if (token->kind != TOKEN_PLUS) {
+            break;
+        }
+        stream_next(p);
+    }
+    if (!parse_operand(p, wanted, value))
+        return false;
+    if (truth)
+        operator_apply_sign(p, TOKEN_NOT, start, value);
+    if (truth && !inverted)
+        operator_apply_sign(p, TOKEN_NOT, start, value);
+    if (negative)
+        operator_apply_sign(p, TOKEN_MINUS, start, value);
+    return true;
+}
+
+/* The operators and how they bind: operator_precedence.
+ * operation = signed {operator signed} [choice] . */
+static bool operation_climb(struct parser *p, enum precedence lowest,
+                            const char *wanted, struct value *left)
+{
+    struct span start = stream_span(p);
+    if (!parse_signed(p, wanted, left))
+        return false;
+    for (;;) {
+        enum token_kind kind = stream_peek_infix(p)->kind;
+        enum precedence precedence = operator_precedence(kind);
+        if (kind == TOKEN_OTHER && operator_foreign(p, kind))
+            return false;
+        if (precedence == PRECEDENCE_NONE || precedence < lowest)
+            return true;
+        if (left->kind == VALUE_STRING && lowest >= PRECEDENCE_SUM)
+            return true;
+        if (precedence == PRECEDENCE_CONDITION) {
+            if (!parse_choice(p, start, wanted, left))
+                return false;
+            continue;
+        }
+        struct span at = p->token_span;
+        struct value right;
+        stream_next(p);
+        if (operator_foreign(p, kind) ||
+            !operation_climb(p, precedence + 1, wanted, &right))
+            return false;
+        operator_apply(p, kind, at, left, &right);
+    }
+}
+
+bool parse_operation(struct parser *p, enum precedence lowest,
+                     const char *wanted, struct value *value)
+{
+    if (!expression_enter(p))
+        return false;
+    bool ok = operation_climb(p, lowest, wanted, value);
+    p->nesting--;
+    if (ok && lowest == PRECEDENCE_SUM && operator_misplaced(p))
+        return false;
+    return ok;
+}
+
+/* ---- what the rest of the parser calls ---- */
+
+/* A number followed by punctuation is a whole expression. */
+static bool float_at_once(struct parser *p, double *out)
+{
+    if (stream_peek(p)->kind != TOKEN_NUMBER)
+        return false;
+    size_t available;
+    const struct token *after = stream_raw(p, &available);
+    if (!available || (after->kind != TOKEN_COMMA &&
+                       after->kind != TOKEN_RPAREN &&
+                       after->kind != TOKEN_RBRACE &&
+                       after->kind != TOKEN_RBRACKET &&
+                       after->kind != TOKEN_SEMICOLON))
+        return false;
+    *out = stream_next(p).number;
+    return true;
+}
+
+bool parse_float(struct parser *p, double *out)
+{
+    struct value value;
+    if (float_at_once(p, out))
+        return true;
+    struct span start = stream_span(p);
+    return parse_operation(p, PRECEDENCE_SUM, "a number", &value) &&
+           value_to_float(p, start, &value, out);
+}
+
+/* condition = "(" operation ")" . */
+bool parse_condition(struct parser *p, double *out)
+{
+    struct value value;
+    struct span open = stream_span(p);
+    if (!expect(p, TOKEN_LPAREN, span_none()))
+        return false;
+    struct span start = stream_span(p);
+    bool ok = parse_operation(p, PRECEDENCE_CONDITION, "a condition", &value) &&
+              expect(p, TOKEN_RPAREN, open);
+    if (!ok || !value_to_float(p, start, &value, out))
+        return false;
+    if (!operator_truth(*out))
+        *out = 0;
+    return true;
+}
+
+bool parse_integer(struct parser *p, int *out)
+{
+    double number;
+    struct span start = stream_span(p);
+    if (!parse_float(p, &number))
+        return false;
+    if (!(fabs(number) < INT_MAX))
+        return error_at(p, span_join(start, p->last_span), NULL,
+                        "expected a whole number, found %g", number);
+    *out = (int)lround(number);
+    return true;
+}
+
+/* Whether a number follows, rather than the next item of a block. */
+static bool at_number(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    switch (token->kind) {
+    case TOKEN_NUMBER:
+    case TOKEN_LPAREN:
+    case TOKEN_PLUS:
+    case TOKEN_MINUS:
+    case TOKEN_NOT:
+        return true;
+    case TOKEN_WORD:
+        break;
+    default:
+        return false;
+    }
+    if (token->word->reserved)
+        return constant_is_number(p, token->word->keyword);
+    const struct value *value = symbol_find(p, token->word);
+    return value && value->kind == VALUE_FLOAT;
+}
+
+bool parse_bool(struct parser *p, bool *out)
+{
+    double number = 1;
+    if (at_number(p) && !parse_float(p, &number))
+        return false;
+    *out = operator_truth(number);
+    return true;
+}
+
+/* [sign] number, as written, from raw token *i on. */
+static bool raw_number(const struct token *tokens, size_t available, size_t *i,
+                       double *out)
+{
+    bool minus = *i < available && tokens[*i].kind == TOKEN_MINUS;
+    *i += minus;
+    if (*i >= available || tokens[*i].kind != TOKEN_NUMBER)
+        return false;
+    *out = minus ? -tokens[*i].number : tokens[*i].number;
+    ++*i;
+    return true;
+}
+
+/* The fast path of meshes: `<1, -2, 3>` written with plain numbers and commas,
+ * and nothing after it that could be an operator or become one. Returns the
+ * number of components, 0 if the slow path has to look. */
+static int vector_at_once(struct parser *p, double numbers[VECTOR_LIMIT])
+{
+    if (stream_peek(p)->kind != TOKEN_LESS)
+        return 0;
+    size_t available, i = 0;
+    int size = 0;
+    const struct token *tokens = stream_raw(p, &available);
+    while (size < VECTOR_LIMIT) {
+        if (!raw_number(tokens, available, &i, &numbers[size++]) ||
+            i + 1 >= available)
+            return 0;
+        if (tokens[i++].kind != TOKEN_COMMA)
+            break;
+    }
+    if (size < 2 || tokens[i - 1].kind != TOKEN_GREATER)
+        return 0;
+    enum token_kind after = tokens[i].kind;
+    if (after != TOKEN_COMMA && after != TOKEN_RBRACE && after != TOKEN_LESS &&
+        after != TOKEN_NUMBER && after != TOKEN_SEMICOLON)
+        return 0;
+    stream_skip_raw(p, i);
+    return size;
+}
+
+bool parse_vector(struct parser *p, vec3 *out)
+{
+    struct value value = { .kind = VALUE_VECTOR };
+    struct span start = stream_span(p);
+    value.size = vector_at_once(p, value.number);
+    if (!value.size &&
+        !parse_operation(p, PRECEDENCE_SUM, "a vector", &value))
+        return false;
+    return value_to_vector(p, start, &value, out);
+}
+
+bool parse_components(struct parser *p, double *out, int size)
+{
+    struct value value = { .kind = VALUE_VECTOR };
+    struct span start = stream_span(p);
+    value.size = vector_at_once(p, value.number);
+    if (!value.size &&
+        !parse_operation(p, PRECEDENCE_SUM, "a vector", &value))
+        return false;
+    if (value_is_poison(&value))
+        return false;
+    if (value_size(&value) == 0 || value_size(&value) > size)
+        return error_at(p, span_join(start, p->last_span), NULL,
+                        "expected a vector with %d components, found %s", size,
+                        value_describe(&value));
+    value_promote(&value, size);
+    memcpy(out, value.number, sizeof *out * (size_t)size);
+    return true;
+}
+
+bool parse_string(struct parser *p, const char **out)
+{
+    struct value value;
+    struct span start = stream_span(p);
+    return parse_operand(p, "a string", &value) &&
+           value_to_text(p, start, &value, out);
+}
+
+static bool expression_colour(struct parser *p, struct value *value)
+{
+    colour c;
+    if (!parse_colour(p, &c))
+        return false;
+    *value = (struct value){ .kind = VALUE_COLOUR,
+                             .number = { c.r, c.g, c.b, c.filter,
+                                         c.transmit } };
+    return true;
+}
+
+/* The name of a whole array or function: sets *found. */
+static bool expression_copy(struct parser *p, struct value *value, bool *found)
+{
+    const struct token *token = stream_peek(p);
+    struct span at = p->token_span;
+    size_t available;
+    const struct token *after = stream_raw(p, &available);
+    const struct value *whole =
+        token->kind == TOKEN_WORD && !token->word->reserved
+            ? symbol_find(p, token->word)
+            : NULL;
+    enum token_kind kind = available ? after->kind : TOKEN_END;
+    *found = whole && ((whole->kind == VALUE_ARRAY && kind != TOKEN_LBRACKET) ||
+                       (whole->kind == VALUE_FUNCTION && kind != TOKEN_LPAREN));
+    if (!*found)
+        return true;
+    stream_next(p);
+    *value = *whole;
+    return whole->kind == VALUE_FUNCTION ||
+           array_copy(p, at, whole->array, &value->array);
+}
+
+static bool expression_spline(struct parser *p)
+{
+    struct span at = stream_span(p);
+    stream_next(p);
+    if (stream_peek(p)->kind != TOKEN_LBRACE)
+        return error_expected(p, "'{'");
+    return skip_brackets(p) && error_unsupported(p, at, "spline { }");
+}
+
+/* expression = colour | array | function | name | operation [channels] . */
+bool parse_expression(struct parser *p, struct value *value)
+{
+    bool found;
+    enum keyword keyword = stream_keyword(p);
+    if (colour_begins(keyword))
+        return expression_colour(p, value);
+    if (keyword == KEYWORD_ARRAY)
+        return parse_array(p, value);
+    if (keyword == KEYWORD_FUNCTION)
+        return parse_function(p, value);
+    if (keyword == KEYWORD_SPLINE)
+        return expression_spline(p);
+    if (!expression_copy(p, value, &found) || found)
+        return found;
+    if (!parse_operation(p, PRECEDENCE_SUM, "a value", value) ||
+        value_is_poison(value))
+        return false;
+    return value->kind != VALUE_COLOUR || parse_channels(p, value);
+}
+
+bool at_expression(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind == TOKEN_LESS || token->kind == TOKEN_STRING ||
+        at_number(p))
+        return true;
+    if (token->kind != TOKEN_WORD)
+        return false;
+    if (token->word->reserved)
+        return constant_is(p, token->word->keyword) ||
+               colour_begins(token->word->keyword) ||
+               function_is(token->word->keyword);
+    const struct value *value = symbol_find(p, token->word);
+    if (!value)
+        return false;
+    enum value_kind kind =
+        value->kind == VALUE_ARRAY ? array_kind(value->array) : value->kind;
+    return kind == VALUE_VECTOR || kind == VALUE_COLOUR ||
+           kind == VALUE_FLOAT || kind == VALUE_STRING ||
+           kind == VALUE_FUNCTION;
+}

@@ -1,0 +1,95 @@
+/* The stack machine of user functions: see function_code.h. */
+#include "parse/function_code.h"
+
+static double *machine_run(const struct function *f, double *locals,
+                           size_t first, size_t end, double *top,
+                           unsigned long *left);
+
+static double machine_loop(const struct function *f, const struct step *step,
+                           double *locals, double *top, unsigned long *left)
+{
+    double last = top[1], total = step->kind == STEP_SUM ? 0 : 1;
+    size_t body = (size_t)(step - f->steps.items) + 1;
+    for (double i = top[0]; i <= last && *left > 0; i++) {
+        locals[step->slot] = i;
+        machine_run(f, locals, body, body + step->length, top, left);
+        total = step->kind == STEP_SUM ? total + top[0] : total * top[0];
+    }
+    return total;
+}
+
+static double machine_operator(enum token_kind kind, double a, double b)
+{
+    return kind == TOKEN_SLASH ? a / b : operator_float(kind, a, b);
+}
+
+static double *machine_select(double *arguments, int count)
+{
+    double x = arguments[0];
+    *arguments = arguments[x < 0 ? 1 : x > 0 && count == 4 ? 3 : 2];
+    return arguments + 1;
+}
+
+/* One step; `top` is the first free place. Returns the new top. */
+static double *machine_step(const struct function *f, const struct step *step,
+                            double *locals, double *top, unsigned long *left)
+{
+    const struct function *callee;
+    switch (step->kind) {
+    case STEP_NUMBER:
+        *top = step->number;
+        return top + 1;
+    case STEP_LOCAL:
+        *top = locals[step->slot];
+        return top + 1;
+    case STEP_NEGATE:
+        top[-1] = -top[-1];
+        return top;
+    case STEP_OPERATOR:
+        top[-2] = machine_operator(step->operator, top[-2], top[-1]);
+        return top - 1;
+    case STEP_ONE:
+        top[-1] = step->one(top[-1]);
+        return top;
+    case STEP_TWO:
+        top[-2] = step->two(top[-2], top[-1]);
+        return top - 1;
+    case STEP_SELECT:
+        return machine_select(top - step->slot, step->slot);
+    case STEP_CALL:
+        callee = step->function;
+        top -= callee->parameter_count;
+        machine_run(callee, top, 0, callee->steps.count, top + callee->slots,
+                    left);
+        *top = top[callee->slots];
+        return top + 1;
+    default:
+        top -= 2;
+        *top = machine_loop(f, step, locals, top, left);
+        return top + 1;
+    }
+}
+
+static double *machine_run(const struct function *f, double *locals,
+                           size_t first, size_t end, double *top,
+                           unsigned long *left)
+{
+    for (size_t i = first; i < end && *left > 0; i++) {
+        const struct step *step = &f->steps.items[i];
+        --*left;
+        top = machine_step(f, step, locals, top, left);
+        i += step->length;
+    }
+    return top;
+}
+
+double function_evaluate(const struct function *function,
+                         const double *arguments, unsigned long *steps_left)
+{
+    double stack[FUNCTION_STACK];
+    for (int i = 0; i < function->parameter_count; i++)
+        stack[i] = arguments[i];
+    machine_run(function, stack, 0, function->steps.count,
+                stack + function->slots, steps_left);
+    return stack[function->slots];
+}

@@ -1,0 +1,332 @@
+/* Operands of expressions: numbers, strings, vectors, parentheses, constants,
+ * identifiers, and their components. */
+#include <limits.h>
+
+#include "parse/array.h"
+#include "parse/expression.h"
+#include "parse/function.h"
+#include "parse/stream.h"
+#include "parse/symbol.h"
+#include "parse/unsupported.h"
+#include "parse/user_function.h"
+
+enum { VECTOR_LIMIT = 5 }; /* components */
+
+/* ---- values as the types wanted ---- */
+
+const char *value_describe(const struct value *value)
+{
+    static const char *const vectors[] = { "a vector with 2 components",
+                                           "a vector with 3 components",
+                                           "a vector with 4 components",
+                                           "a vector with 5 components" };
+    if (value->kind == VALUE_VECTOR)
+        return vectors[value->size - 2];
+    return value_kind_name(value->kind);
+}
+
+void value_promote(struct value *value, int size)
+{
+    bool scalar = value->kind == VALUE_FLOAT;
+    for (int i = value_size(value); i < size; i++)
+        value->number[i] = scalar ? value->number[0] : 0;
+    if (size > 1 && value->kind != VALUE_COLOUR) {
+        value->kind = VALUE_VECTOR;
+        value->size = size;
+    }
+}
+
+static bool value_mismatch(struct parser *p, struct span start,
+                           const struct value *value, const char *wanted)
+{
+    if (value_is_poison(value))
+        return false;
+    return error_at(p, span_join(start, p->last_span), NULL,
+                    "expected %s, found %s", wanted, value_describe(value));
+}
+
+bool value_to_float(struct parser *p, struct span start,
+                    const struct value *value, double *out)
+{
+    if (value->kind != VALUE_FLOAT)
+        return value_mismatch(p, start, value, "a number");
+    *out = value->number[0];
+    return true;
+}
+
+bool value_to_vector(struct parser *p, struct span start,
+                     const struct value *value, vec3 *out)
+{
+    struct value vector = *value;
+    int size = value_size(value);
+    if (size < 1 || size > 3)
+        return value_mismatch(p, start, value, "a vector");
+    if (size < 3)
+        value_promote(&vector, 3);
+    *out = vec3_make(vector.number[0], vector.number[1], vector.number[2]);
+    return true;
+}
+
+bool value_to_text(struct parser *p, struct span start,
+                   const struct value *value, const char **out)
+{
+    if (value->kind != VALUE_STRING)
+        return value_mismatch(p, start, value, "a string");
+    *out = value->text;
+    return true;
+}
+
+int float_to_int(double x)
+{
+    return x > -2147483649.0 && x < 2147483648.0 ? (int)x : INT_MIN;
+}
+
+/* ---- brackets ---- */
+
+bool skip_brackets(struct parser *p)
+{
+    struct span open = stream_span(p);
+    unsigned depth = 0;
+    do {
+        enum token_kind kind = stream_next(p).kind;
+        if (kind == TOKEN_LPAREN || kind == TOKEN_LBRACE ||
+            kind == TOKEN_LBRACKET)
+            depth++;
+        else if (kind == TOKEN_RPAREN || kind == TOKEN_RBRACE ||
+                 kind == TOKEN_RBRACKET)
+            depth--;
+        else if (kind == TOKEN_END)
+            return error_at(p, open, NULL, "this bracket is never closed");
+    } while (depth > 0);
+    return true;
+}
+
+/* A comma between components is optional, one after the last allowed.
+ * vector = "<" operation {[","] operation} [","] ">" . */
+static bool parse_vector_value(struct parser *p, struct value *value)
+{
+    double numbers[VECTOR_LIMIT] = { 0 };
+    int size = 0;
+    struct span open = stream_span(p);
+    stream_next(p);
+    while (size < VECTOR_LIMIT &&
+           (size < 2 || stream_peek(p)->kind != TOKEN_GREATER)) {
+        if (!parse_float(p, &numbers[size++]))
+            return false;
+        accept(p, TOKEN_COMMA);
+    }
+    if (stream_peek(p)->kind == TOKEN_GREATER_EQUAL)
+        return error_at(p, p->token_span, "> =",
+                        "'>=' is one operator; put a space between the '>' "
+                        "that closes the vector and '='");
+    if (size == VECTOR_LIMIT && stream_peek(p)->kind != TOKEN_GREATER)
+        return error_at(p, stream_span(p), NULL,
+                        "a vector has %d components at most", VECTOR_LIMIT);
+    if (!expect(p, TOKEN_GREATER, open))
+        return false;
+    *value = (struct value){ .kind = VALUE_VECTOR, .size = size };
+    memcpy(value->number, numbers, sizeof numbers);
+    return true;
+}
+
+/* parentheses = "(" operation ")" . */
+static bool parse_parentheses(struct parser *p, const char *wanted,
+                              struct value *value)
+{
+    struct span open = stream_span(p);
+    stream_next(p);
+    return parse_operation(p, PRECEDENCE_CONDITION, wanted, value) &&
+           expect(p, TOKEN_RPAREN, open);
+}
+
+/* ---- identifiers ---- */
+
+/* An identifier whose declaration failed: it and what belongs to it. */
+static bool operand_skip_unsupported(struct parser *p, struct value *value)
+{
+    unsupported_use(p);
+    stream_next(p);
+    *value = value_poison();
+    for (;;) {
+        enum token_kind kind = stream_peek_infix(p)->kind;
+        if (kind != TOKEN_LPAREN && kind != TOKEN_LBRACKET)
+            return true;
+        if (!skip_brackets(p))
+            return false;
+    }
+}
+
+static bool operand_element(struct parser *p, const char *wanted,
+                            const struct word *word, struct value *value)
+{
+    struct span start = p->last_span;
+    struct value *slot;
+    if (stream_peek_infix(p)->kind != TOKEN_LBRACKET)
+        return error_at(p, p->last_span,
+                        arena_printf(p->arena, "%s[0]", word->text),
+                        "expected %s, found '%s', which is an array", wanted,
+                        word->text);
+    if (!array_element(p, value->array, &slot))
+        return false;
+    start = span_join(start, p->last_span);
+    *value = *slot;
+    if (slot->kind == VALUE_NONE) {
+        error_at(p, start, NULL, "this element of '%s' was never set",
+                 word->text);
+        *value = value_poison();
+    }
+    if (slot->kind == VALUE_NONE || slot->kind == VALUE_UNSUPPORTED ||
+        value_size(value) || slot->kind == VALUE_STRING)
+        return true;
+    return error_at(p, start, NULL, "expected %s, found %s", wanted,
+                    value_kind_name(slot->kind));
+}
+
+/* identifier = name [subscripts | arguments] . */
+static bool parse_identifier(struct parser *p, const char *wanted,
+                             struct value *value)
+{
+    const struct word *word = stream_peek(p)->word;
+    struct symbol *symbol = symbol_lookup(p, word);
+    if (!symbol)
+        return error_expected(p, wanted);
+    *value = symbol->value;
+    switch (value->kind) {
+    case VALUE_UNSUPPORTED:
+        return operand_skip_unsupported(p, value);
+    case VALUE_FLOAT:
+    case VALUE_VECTOR:
+    case VALUE_COLOUR:
+    case VALUE_STRING:
+    case VALUE_ARRAY:
+    case VALUE_FUNCTION:
+        break;
+    default:
+        return error_expected(p, wanted);
+    }
+    symbol_warn(p, symbol, p->token_span);
+    stream_next(p);
+    if (value->kind == VALUE_ARRAY)
+        return operand_element(p, wanted, word, value);
+    if (value->kind == VALUE_FUNCTION)
+        return function_call(p, value->function, word, value);
+    return true;
+}
+
+/* ---- operands ---- */
+
+/* Number of components there must be, by the component's name; -1: gray. */
+static int component_index(const struct word *word)
+{
+    switch (word->keyword) {
+    case KEYWORD_X:
+    case KEYWORD_U:
+    case KEYWORD_RED:
+        return 0;
+    case KEYWORD_Y:
+    case KEYWORD_V:
+    case KEYWORD_GREEN:
+        return 1;
+    case KEYWORD_Z:
+    case KEYWORD_BLUE:
+        return 2;
+    case KEYWORD_T:
+    case KEYWORD_FILTER:
+        return 3;
+    case KEYWORD_TRANSMIT:
+        return 4;
+    case KEYWORD_GRAY:
+        return -1;
+    default:
+        return -2;
+    }
+}
+
+/* The grey of a colour has POV-Ray's weights (measured). A float counts as a
+ * vector of equal components.
+ * component = "x" | "y" | "z" | "t" | "u" | "v" | "red" | "green" | "blue"
+ *           | "filter" | "transmit" | "gray" . */
+static bool parse_component(struct parser *p, struct value *value)
+{
+    const struct token *token = stream_peek(p);
+    int index = token->kind == TOKEN_WORD ? component_index(token->word) : -2;
+    if (index == -2)
+        return error_expected(p, "x, y, z, t, u, v, red, green, blue, filter, "
+                                 "transmit or gray after '.'");
+    struct span span = p->token_span;
+    stream_next(p);
+    if (value_is_poison(value))
+        return true;
+    int size = value->kind == VALUE_FLOAT ? VECTOR_LIMIT : value_size(value);
+    if (index >= size) {
+        error_at(p, span, NULL, "%s has no component '%.*s'",
+                 value_describe(value), (int)span.length,
+                 span.source->text + span.offset);
+        *value = value_poison();
+        return true;
+    }
+    value_promote(value, VECTOR_LIMIT);
+    const double *n = value->number;
+    *value = value_float(index >= 0 ? n[index]
+                                    : 0.297 * n[0] + 0.589 * n[1] +
+                                          0.114 * n[2]);
+    return true;
+}
+
+static bool parse_word_operand(struct parser *p, const char *wanted,
+                               struct value *value)
+{
+    const struct word *word = stream_peek(p)->word;
+    if (!word->reserved)
+        return parse_identifier(p, wanted, value);
+    if (parse_constant(p, word->keyword, value)) {
+        stream_next(p);
+        return true;
+    }
+    if (function_is(word->keyword))
+        return parse_call(p, value);
+    if (colour_begins(word->keyword))
+        return error_at(p, p->token_span, NULL,
+                        "'%s' is only allowed at the beginning of a colour, "
+                        "as in: rgb 0.5 * <1, 0.8, 0>",
+                        word->text);
+    return error_expected(p, wanted);
+}
+
+/* primary = number | string | vector | parentheses | constant | call
+ *         | identifier . */
+static bool parse_primary(struct parser *p, const char *wanted,
+                          struct value *value)
+{
+    const struct token *token = stream_peek(p);
+    switch (token->kind) {
+    case TOKEN_NUMBER:
+        *value = value_float(stream_next(p).number);
+        return true;
+    case TOKEN_STRING:
+        *value = value_text(stream_next(p).text);
+        return true;
+    case TOKEN_LESS:
+        return parse_vector_value(p, value);
+    case TOKEN_LPAREN:
+        return parse_parentheses(p, wanted, value);
+    case TOKEN_WORD:
+        return parse_word_operand(p, wanted, value);
+    default:
+        return error_expected(p, wanted);
+    }
+}
+
+/* operand = primary ["." component] . */
+bool parse_operand(struct parser *p, const char *wanted, struct value *value)
+{
+    if (!parse_primary(p, wanted, value))
+        return false;
+    if (stream_peek_infix(p)->kind != TOKEN_DOT)
+        return true;
+    struct span dot = p->token_span;
+    if (value->kind == VALUE_STRING)
+        return error_at(p, dot, NULL, "a string has no components");
+    stream_next(p);
+    return parse_component(p, value);
+}

@@ -1,0 +1,441 @@
+/* Compiling user functions: see user_function.h. Their grammar is its own: no
+ * vectors, no "!" and "?:", but comparisons everywhere, "&" before "|", sum()
+ * and prod() (measured). */
+#include "parse/user_function.h"
+
+#include "parse/expression.h"
+#include "parse/function.h"
+#include "parse/function_code.h"
+#include "parse/stream.h"
+#include "parse/symbol.h"
+#include "parse/unsupported.h"
+
+enum {
+    FUNCTION_DEPTH_LIMIT = 100,
+    FUNCTION_STEP_LIMIT = 50000000, /* of one call: functions that call two
+                                     * functions that call two ... */
+    FUNCTION_NAMES = FUNCTION_PARAMETERS + PARSE_NESTING_LIMIT,
+};
+
+struct compiler {
+    struct parser *p;
+    struct function *function;
+    const struct word *names[FUNCTION_NAMES]; /* by slot */
+    int name_count;
+    unsigned height;  /* of the stack at this point of the body */
+    bool standard;    /* no parameters named: x, y, z, and u = x, v = y */
+    bool unsupported; /* it uses something glim does not have */
+};
+
+static void compile_height(struct compiler *c, unsigned height)
+{
+    if (c->function->height < height)
+        c->function->height = height;
+}
+
+/* A step that makes the stack `change` higher. */
+static struct step *compile_step(struct compiler *c, enum step_kind kind,
+                                 int change)
+{
+    struct step *step = ARRAY_PUSH(c->p->arena, &c->function->steps);
+    *step = (struct step){ .kind = kind };
+    c->height = (unsigned)((int)c->height + change);
+    compile_height(c, c->height);
+    return step;
+}
+
+static bool parse_body_operation(struct compiler *c, int lowest);
+
+/* ---- functions in functions ---- */
+
+/* body_arguments = "(" body_operation {"," body_operation} ")" . */
+static bool parse_body_arguments(struct compiler *c, const char *name,
+                                 int least, int most, int *count)
+{
+    struct parser *p = c->p;
+    struct span open = stream_span(p);
+    if (stream_peek(p)->kind != TOKEN_LPAREN)
+        return error_expected(p,
+                              arena_printf(p->arena, "'(' after '%s'", name));
+    stream_next(p);
+    for (*count = 0; *count < most; ++*count) {
+        if (*count > 0 && !accept(p, TOKEN_COMMA))
+            break;
+        if (!parse_body_operation(c, 0))
+            return false;
+    }
+    if (*count < least)
+        return error_at(p, span_join(open, stream_span(p)), NULL,
+                        "%s() wants %d argument%s, found %d", name, least,
+                        least == 1 ? "" : "s", *count);
+    return expect(p, TOKEN_RPAREN, open);
+}
+
+static bool compile_builtin(struct compiler *c, const struct word *word,
+                            const struct function_row *row)
+{
+    bool fold = row->signature[1] == '+';
+    int count, arity = row->two && !fold ? 2 : 1;
+    stream_next(c->p);
+    if (!parse_body_arguments(c, word->text, arity, fold ? 1000 : arity,
+                              &count))
+        return false;
+    if (row->one)
+        compile_step(c, STEP_ONE, 0)->one = row->one;
+    for (int i = 1; row->two && i < count; i++)
+        compile_step(c, STEP_TWO, -1)->two = row->two;
+    return true;
+}
+
+static bool compile_select(struct compiler *c)
+{
+    int count;
+    stream_next(c->p);
+    if (!parse_body_arguments(c, "select", 3, 4, &count))
+        return false;
+    compile_step(c, STEP_SELECT, 1 - count)->slot = count;
+    return true;
+}
+
+/* The loop variable is known in the last argument only.
+ * loop = ("sum" | "prod") "(" name "," body_operation "," body_operation ","
+ *        body_operation ")" . */
+static bool parse_loop(struct compiler *c, enum step_kind kind)
+{
+    struct parser *p = c->p;
+    stream_next(p);
+    struct span open = stream_span(p);
+    if (!expect(p, TOKEN_LPAREN, span_none()))
+        return false;
+    if (stream_peek(p)->kind != TOKEN_WORD || p->token.word->reserved)
+        return error_expected(p, "a name for the loop variable");
+    const struct word *name = stream_next(p).word;
+    if (!expect(p, TOKEN_COMMA, span_none()) || !parse_body_operation(c, 0) ||
+        !expect(p, TOKEN_COMMA, span_none()) || !parse_body_operation(c, 0) ||
+        !expect(p, TOKEN_COMMA, span_none()))
+        return false;
+    if (c->name_count == FUNCTION_NAMES)
+        return error_at(p, open, NULL, "too many loops inside each other");
+    int slot = c->name_count++;
+    if (c->function->slots < c->name_count)
+        c->function->slots = c->name_count;
+    c->names[slot] = name;
+    compile_step(c, kind, -2)->slot = slot;
+    size_t body = c->function->steps.count;
+    bool ok = parse_body_operation(c, 0) && expect(p, TOKEN_RPAREN, open);
+    c->name_count--;
+    c->function->steps.items[body - 1].length =
+        c->function->steps.count - body;
+    return ok;
+}
+
+static bool compile_call(struct compiler *c, const struct word *word,
+                         const struct function *callee)
+{
+    struct parser *p = c->p;
+    int n = callee->parameter_count, count;
+    struct span at = stream_span(p);
+    stream_next(p);
+    if (!parse_body_arguments(c, word->text, n, n, &count))
+        return false;
+    compile_height(c, c->height - (unsigned)n + (unsigned)callee->slots +
+                          callee->height);
+    if (c->function->depth <= callee->depth)
+        c->function->depth = callee->depth + 1;
+    if (c->function->depth > FUNCTION_DEPTH_LIMIT)
+        return error_at(p, at, NULL, "functions call functions more than %d "
+                        "deep", FUNCTION_DEPTH_LIMIT);
+    compile_step(c, STEP_CALL, 1 - n)->function = callee;
+    return true;
+}
+
+/* ---- operands ---- */
+
+static int compile_slot(const struct compiler *c, const struct word *word)
+{
+    for (int i = c->name_count; i > 0; i--)
+        if (c->names[i - 1] == word)
+            return i - 1;
+    if (c->standard && word->keyword == KEYWORD_U)
+        return 0;
+    if (c->standard && word->keyword == KEYWORD_V)
+        return 1;
+    return -1;
+}
+
+/* Anything else with a value now: numbers, pi, identifiers, V.x, A[1] ... */
+static bool compile_constant(struct compiler *c)
+{
+    struct parser *p = c->p;
+    struct value value;
+    struct span start = stream_span(p);
+    double number = 0;
+    if (!parse_operand(p, "a number or a parameter of the function", &value))
+        return false;
+    if (value_is_poison(&value))
+        c->unsupported = true;
+    else if (!value_to_float(p, start, &value, &number))
+        return false;
+    compile_step(c, STEP_NUMBER, 1)->number = number;
+    return true;
+}
+
+static bool compile_word(struct compiler *c, const struct word *word)
+{
+    int slot = compile_slot(c, word);
+    if (slot >= 0) {
+        stream_next(c->p);
+        compile_step(c, STEP_LOCAL, 1)->slot = slot;
+        return true;
+    }
+    if (word->keyword == KEYWORD_SUM)
+        return parse_loop(c, STEP_SUM);
+    if (word->keyword == KEYWORD_PROD)
+        return parse_loop(c, STEP_PRODUCT);
+    if (word->keyword == KEYWORD_SELECT)
+        return compile_select(c);
+    const struct function_row *row = function_find(word->keyword);
+    if (row && (row->one || row->two))
+        return compile_builtin(c, word, row);
+    const struct value *value =
+        word->reserved ? NULL : symbol_find(c->p, word);
+    if (value && value->kind == VALUE_FUNCTION)
+        return compile_call(c, word, value->function);
+    return compile_constant(c);
+}
+
+/* body_operand = {"+" | "-"} (number | name | "(" body_operation ")" | loop
+ *              | name body_arguments | operand) . */
+static bool parse_body_operand(struct compiler *c)
+{
+    struct parser *p = c->p;
+    bool negative = false, ok;
+    for (;;) {
+        if (accept(p, TOKEN_MINUS))
+            negative = !negative;
+        else if (!accept(p, TOKEN_PLUS))
+            break;
+    }
+    const struct token *token = stream_peek(p);
+    struct span open = p->token_span;
+    if (token->kind == TOKEN_LPAREN) {
+        stream_next(p);
+        ok = parse_body_operation(c, 0) && expect(p, TOKEN_RPAREN, open);
+    } else if (token->kind == TOKEN_WORD) {
+        ok = compile_word(c, token->word);
+    } else if (token->kind == TOKEN_NUMBER) {
+        ok = compile_constant(c);
+    } else {
+        ok = error_expected(p, "a number or a parameter of the function");
+    }
+    if (ok && negative)
+        compile_step(c, STEP_NEGATE, 0);
+    return ok;
+}
+
+/* ---- operators ---- */
+
+/* As in expressions, but "&" binds tighter than "|". */
+static int body_precedence(enum token_kind kind)
+{
+    return 2 * (int)operator_precedence(kind) + (kind == TOKEN_AND);
+}
+
+static bool compile_climb(struct compiler *c, int lowest)
+{
+    if (!parse_body_operand(c))
+        return false;
+    for (;;) {
+        enum token_kind kind = stream_peek(c->p)->kind;
+        int precedence = body_precedence(kind);
+        if (kind == TOKEN_QUESTION ||
+            operator_precedence(kind) == PRECEDENCE_NONE ||
+            precedence < lowest)
+            return true;
+        stream_next(c->p);
+        if (!compile_climb(c, precedence + 1))
+            return false;
+        compile_step(c, STEP_OPERATOR, -1)->operator = kind;
+    }
+}
+
+/* body_operation = body_operand {operator body_operand} . */
+static bool parse_body_operation(struct compiler *c, int lowest)
+{
+    if (!expression_enter(c->p))
+        return false;
+    bool ok = compile_climb(c, lowest);
+    c->p->nesting--;
+    return ok;
+}
+
+/* ---- the function ---- */
+
+static bool parameter_is_legal(const struct word *word)
+{
+    enum keyword k = word->keyword;
+    return !word->reserved || k == KEYWORD_X || k == KEYWORD_Y ||
+           k == KEYWORD_Z || k == KEYWORD_U || k == KEYWORD_V ||
+           k == KEYWORD_T;
+}
+
+/* Without parameters they are x, y, z, and u and v mean x and y.
+ * parameters = "(" name {"," name} ")" . */
+static bool parse_parameters(struct compiler *c)
+{
+    struct parser *p = c->p;
+    struct span open = stream_span(p);
+    if (!accept(p, TOKEN_LPAREN)) {
+        c->standard = true;
+        c->names[c->name_count++] = word_intern(p->words, "x", 1);
+        c->names[c->name_count++] = word_intern(p->words, "y", 1);
+        c->names[c->name_count++] = word_intern(p->words, "z", 1);
+        return true;
+    }
+    do {
+        const struct token *token = stream_peek(p);
+        if (token->kind != TOKEN_WORD)
+            return error_expected(p, "the name of a parameter");
+        if (!parameter_is_legal(token->word))
+            return error_at(p, p->token_span, NULL,
+                            "'%s' is a reserved word; name the parameter "
+                            "otherwise",
+                            token->word->text);
+        if (c->name_count == FUNCTION_PARAMETERS)
+            return error_at(p, p->token_span, NULL,
+                            "a function can have %d parameters at most",
+                            FUNCTION_PARAMETERS);
+        c->names[c->name_count++] = stream_next(p).word;
+    } while (accept(p, TOKEN_COMMA));
+    return expect(p, TOKEN_RPAREN, open);
+}
+
+/* Functions made of a pattern, a pigment ...: read over, for the standard
+ * includes declare many. */
+static const char *function_feature(enum keyword keyword)
+{
+    switch (keyword) {
+    case KEYWORD_INTERNAL:
+        return "functions made with internal()";
+    case KEYWORD_PATTERN:
+        return "functions made of a pattern";
+    case KEYWORD_PIGMENT:
+        return "functions made of a pigment";
+    case KEYWORD_SPLINE:
+        return "functions made of a spline";
+    case KEYWORD_TRANSFORM:
+        return "functions made of a transform";
+    case KEYWORD_PNG:
+    case KEYWORD_GIF:
+    case KEYWORD_TGA:
+    case KEYWORD_PPM:
+    case KEYWORD_PGM:
+    case KEYWORD_JPEG:
+    case KEYWORD_TIFF:
+    case KEYWORD_SYS:
+        return "functions made of an image";
+    default:
+        return NULL;
+    }
+}
+
+static bool function_skip(struct parser *p, const char *feature)
+{
+    struct span at = stream_span(p);
+    for (unsigned depth = 1; depth > 0;) {
+        enum token_kind kind = stream_peek(p)->kind;
+        depth += kind == TOKEN_LBRACE;
+        depth -= kind == TOKEN_RBRACE;
+        if (kind == TOKEN_END)
+            return error_expected(p, "'}'");
+        if (depth > 0)
+            stream_next(p);
+    }
+    error_unsupported(p, at, feature);
+    return true;
+}
+
+static bool compile_body(struct compiler *c)
+{
+    struct parser *p = c->p;
+    c->function->parameter_count = c->function->slots = c->name_count;
+    const char *feature = function_feature(stream_keyword(p));
+    if (feature) {
+        c->unsupported = true;
+        return function_skip(p, feature);
+    }
+    if (!parse_body_operation(c, 0))
+        return false;
+    if (c->function->slots + (int)c->function->height > FUNCTION_STACK)
+        return error_at(p, stream_span(p), NULL,
+                        "this function needs more than %d numbers of stack, "
+                        "glim's limit",
+                        FUNCTION_STACK);
+    return true;
+}
+
+/* function = "function" [parameters] "{" body_operation "}" . */
+bool parse_function(struct parser *p, struct value *value)
+{
+    struct compiler c = { .p = p,
+                          .function = ARENA_NEW(p->arena, struct function) };
+    struct span open;
+    stream_next(p);
+    if (!parse_parameters(&c) || !block_begin(p, &open) ||
+        !block_end(p, open, compile_body(&c)))
+        return false;
+    *value = (struct value){ .kind = VALUE_FUNCTION, .function = c.function };
+    return !c.unsupported;
+}
+
+/* argument_list = "(" operation {"," operation} ")" . */
+static bool parse_argument_list(struct parser *p, const struct word *name,
+                               int count, double *arguments, bool *poison)
+{
+    struct span open = stream_span(p);
+    stream_next(p);
+    for (int i = 0; i < count; i++) {
+        struct value value;
+        if (i > 0)
+            accept(p, TOKEN_COMMA);
+        struct span start = stream_span(p);
+        if (stream_peek(p)->kind == TOKEN_RPAREN)
+            return error_at(p, p->token_span, NULL,
+                            "%s() wants %d argument%s, found %d", name->text,
+                            count, count == 1 ? "" : "s", i);
+        if (!parse_operation(p, PRECEDENCE_SUM, "a number", &value))
+            return false;
+        if (!value_to_float(p, start, &value, &arguments[i]))
+            *poison = true;
+    }
+    if (stream_peek(p)->kind == TOKEN_COMMA)
+        return error_at(p, p->token_span, NULL,
+                        "%s() wants no more than %d argument%s", name->text,
+                        count, count == 1 ? "" : "s");
+    return expect(p, TOKEN_RPAREN, open);
+}
+
+bool function_call(struct parser *p, const struct function *function,
+                   const struct word *name, struct value *value)
+{
+    double arguments[FUNCTION_PARAMETERS];
+    bool poison = false;
+    struct span at = p->last_span;
+    unsigned long steps = FUNCTION_STEP_LIMIT;
+    if (stream_peek_infix(p)->kind != TOKEN_LPAREN)
+        return error_expected(
+            p, arena_printf(p->arena, "'(' after '%s'", name->text));
+    if (!parse_argument_list(p, name, function->parameter_count, arguments,
+                            &poison))
+        return false;
+    *value = value_poison();
+    if (!poison)
+        *value = value_float(function_evaluate(function, arguments, &steps));
+    if (steps == 0) {
+        error_at(p, at, NULL,
+                 "this call of '%s' takes more than %d steps, glim's limit",
+                 name->text, FUNCTION_STEP_LIMIT);
+        *value = value_poison();
+    }
+    return true;
+}

@@ -1,0 +1,18 @@
+/* User functions: `#declare f = function(x, r) { x * x - r }`. The body is
+ * compiled when it is declared, so identifiers in it have the values they had
+ * then, as in POV-Ray. */
+#ifndef PARSE_USER_FUNCTION_H
+#define PARSE_USER_FUNCTION_H
+
+#include "parse/parser.h"
+
+/* Reads `function [(names)] { body }`, the keyword being next. One that glim
+ * can't compute is read whole and reported as unsupported. */
+bool parse_function(struct parser *p, struct value *value);
+
+/* Reads the arguments of a call, whose name was taken, and computes it; may
+ * give poison. */
+bool function_call(struct parser *p, const struct function *function,
+                   const struct word *name, struct value *value);
+
+#endif

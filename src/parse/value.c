@@ -1,0 +1,33 @@
+/* What values are called. */
+#include "parse/value.h"
+
+const char *value_kind_name(enum value_kind kind)
+{
+    static const char *const names[] = {
+        [VALUE_NONE] = "nothing",
+        [VALUE_FLOAT] = "a number",
+        [VALUE_VECTOR] = "a vector",
+        [VALUE_COLOUR] = "a colour",
+        [VALUE_STRING] = "a string",
+        [VALUE_ARRAY] = "an array",
+        [VALUE_MACRO] = "a macro",
+        [VALUE_FUNCTION] = "a function",
+        [VALUE_REFERENCE] = "a reference",
+        [VALUE_OBJECT] = "an object",
+        [VALUE_LIGHT_GROUP] = "a light group",
+        [VALUE_TEXTURE] = "a texture",
+        [VALUE_PIGMENT] = "a pigment",
+        [VALUE_NORMAL] = "a normal",
+        [VALUE_FINISH] = "a finish",
+        [VALUE_INTERIOR] = "an interior",
+        [VALUE_MATERIAL] = "a material",
+        [VALUE_TRANSFORM] = "a transform",
+        [VALUE_CAMERA] = "a camera",
+        [VALUE_COLOUR_MAP] = "a colour_map",
+        [VALUE_PIGMENT_MAP] = "a pigment_map",
+        [VALUE_FOG] = "a fog",
+        [VALUE_SKY_SPHERE] = "a sky_sphere",
+        [VALUE_UNSUPPORTED] = "something unsupported",
+    };
+    return names[kind];
+}
