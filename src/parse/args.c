@@ -53,8 +53,7 @@ static bool field_float(struct parser *p, const struct field *field,
     return parse_float(p, out) && field_check(p, field, start, *out);
 }
 
-static bool field_integer(struct parser *p, const struct field *field,
-                          int *out)
+static bool field_integer(struct parser *p, const struct field *field, int *out)
 {
     struct span start = stream_span(p);
     return parse_integer(p, out) && field_check(p, field, start, *out);
@@ -68,8 +67,7 @@ static bool field_components(struct parser *p, const struct field *field,
            field_check_all(p, field, start, out, (size_t)size);
 }
 
-static bool field_vector(struct parser *p, const struct field *field,
-                         vec3 *out)
+static bool field_vector(struct parser *p, const struct field *field, vec3 *out)
 {
     struct span start = stream_span(p);
     vec3 v;
@@ -103,8 +101,7 @@ static bool parse_terms(struct parser *p, const struct field *field,
     do {
         double number;
         start = stream_span(p);
-        if (!parse_float(p, &number) ||
-            !field_check(p, field, start, number))
+        if (!parse_float(p, &number) || !field_check(p, field, start, number))
             return false;
         if (values.count == TERMS_LIMIT)
             return error_at(p, start, NULL,
@@ -188,8 +185,9 @@ bool parse_field(struct parser *p, const struct field *field, void *base)
 bool parse_arguments(struct parser *p, const struct field *table, void *base)
 {
     for (const struct field *field = table; field && field->name; field++) {
-        if (field != table)
-            accept(p, TOKEN_COMMA);
+        bool comma = field != table && accept(p, TOKEN_COMMA);
+        if (field->optional && !comma && !at_expression(p))
+            return true;
         if (!parse_field(p, field, base))
             return false;
     }

@@ -12,10 +12,10 @@ struct colour_model {
 };
 
 static const struct colour_model colour_models[] = {
-    { KEYWORD_RGB, 3, false, false },  { KEYWORD_RGBF, 4, false, false },
-    { KEYWORD_RGBT, 4, true, false },  { KEYWORD_RGBFT, 5, false, false },
-    { KEYWORD_SRGB, 3, false, true },  { KEYWORD_SRGBF, 4, false, true },
-    { KEYWORD_SRGBT, 4, true, true },  { KEYWORD_SRGBFT, 5, false, true },
+    { KEYWORD_RGB, 3, false, false }, { KEYWORD_RGBF, 4, false, false },
+    { KEYWORD_RGBT, 4, true, false }, { KEYWORD_RGBFT, 5, false, false },
+    { KEYWORD_SRGB, 3, false, true }, { KEYWORD_SRGBF, 4, false, true },
+    { KEYWORD_SRGBT, 4, true, true }, { KEYWORD_SRGBFT, 5, false, true },
 };
 
 static const struct colour_model *colour_model(enum keyword keyword)

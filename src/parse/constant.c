@@ -6,8 +6,10 @@ static bool constant_vector(enum keyword keyword, struct value *value)
     static const struct {
         enum keyword keyword;
         int size, axis;
-    } rows[] = { { KEYWORD_X, 3, 0 }, { KEYWORD_Y, 3, 1 }, { KEYWORD_Z, 3, 2 },
-                 { KEYWORD_U, 2, 0 }, { KEYWORD_V, 2, 1 }, { KEYWORD_T, 4, 3 } };
+    } rows[] = {
+        { KEYWORD_X, 3, 0 }, { KEYWORD_Y, 3, 1 }, { KEYWORD_Z, 3, 2 },
+        { KEYWORD_U, 2, 0 }, { KEYWORD_V, 2, 1 }, { KEYWORD_T, 4, 3 }
+    };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         if (rows[i].keyword != keyword)
             continue;
@@ -78,8 +80,7 @@ static bool constant_number(const struct parser *p, enum keyword keyword,
  *          | "z" | "t" | "u" | "v" | "clock" | "clock_delta" | "clock_on"
  *          | "initial_clock" | "final_clock" | "initial_frame" | "final_frame"
  *          | "frame_number" | "image_width" | "image_height" | "version" . */
-bool parse_constant(struct parser *p, enum keyword keyword,
-                    struct value *value)
+bool parse_constant(struct parser *p, enum keyword keyword, struct value *value)
 {
     if (constant_vector(keyword, value))
         return true;

@@ -52,8 +52,8 @@ static bool operator_foreign(struct parser *p, enum token_kind taken)
     if (c == '^' || c == '%')
         return !error_at(p, p->token_span, c == '^' ? "pow(A, B)" : "mod(A, B)",
                          "'%c' is not an operator", c);
-    if (token->kind != taken || (taken != TOKEN_EQUAL && taken != TOKEN_AND &&
-                                 taken != TOKEN_OR))
+    if (token->kind != taken ||
+        (taken != TOKEN_EQUAL && taken != TOKEN_AND && taken != TOKEN_OR))
         return false;
     struct span both = span_join(p->last_span, p->token_span);
     const char *one = taken == TOKEN_EQUAL ? "="
@@ -172,11 +172,10 @@ static bool float_at_once(struct parser *p, double *out)
         return false;
     size_t available;
     const struct token *after = stream_raw(p, &available);
-    if (!available || (after->kind != TOKEN_COMMA &&
-                       after->kind != TOKEN_RPAREN &&
-                       after->kind != TOKEN_RBRACE &&
-                       after->kind != TOKEN_RBRACKET &&
-                       after->kind != TOKEN_SEMICOLON))
+    if (!available ||
+        (after->kind != TOKEN_COMMA && after->kind != TOKEN_RPAREN &&
+         after->kind != TOKEN_RBRACE && after->kind != TOKEN_RBRACKET &&
+         after->kind != TOKEN_SEMICOLON))
         return false;
     *out = stream_next(p).number;
     return true;
@@ -298,8 +297,7 @@ bool parse_vector(struct parser *p, vec3 *out)
     struct value value = { .kind = VALUE_VECTOR };
     struct span start = stream_span(p);
     value.size = vector_at_once(p, value.number);
-    if (!value.size &&
-        !parse_operation(p, PRECEDENCE_SUM, "a vector", &value))
+    if (!value.size && !parse_operation(p, PRECEDENCE_SUM, "a vector", &value))
         return false;
     return value_to_vector(p, start, &value, out);
 }
@@ -309,8 +307,7 @@ bool parse_components(struct parser *p, double *out, int size)
     struct value value = { .kind = VALUE_VECTOR };
     struct span start = stream_span(p);
     value.size = vector_at_once(p, value.number);
-    if (!value.size &&
-        !parse_operation(p, PRECEDENCE_SUM, "a vector", &value))
+    if (!value.size && !parse_operation(p, PRECEDENCE_SUM, "a vector", &value))
         return false;
     if (value_is_poison(&value))
         return false;
@@ -336,9 +333,9 @@ static bool expression_colour(struct parser *p, struct value *value)
     colour c;
     if (!parse_colour(p, &c))
         return false;
-    *value = (struct value){ .kind = VALUE_COLOUR,
-                             .number = { c.r, c.g, c.b, c.filter,
-                                         c.transmit } };
+    *value =
+        (struct value){ .kind = VALUE_COLOUR,
+                        .number = { c.r, c.g, c.b, c.filter, c.transmit } };
     return true;
 }
 
@@ -386,8 +383,9 @@ bool parse_expression(struct parser *p, struct value *value)
         return parse_function(p, value);
     if (keyword == KEYWORD_SPLINE)
         return expression_spline(p);
-    if (!expression_copy(p, value, &found) || found)
-        return found;
+    bool ok = expression_copy(p, value, &found);
+    if (!ok || found)
+        return ok;
     if (!parse_operation(p, PRECEDENCE_SUM, "a value", value) ||
         value_is_poison(value))
         return false;

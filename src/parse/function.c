@@ -83,9 +83,8 @@ bool function_is(enum keyword keyword)
            keyword == KEYWORD_SUM || keyword == KEYWORD_PROD;
 }
 
-void call_error(struct parser *p, const struct call *call,
-                struct value *result, const char *hint, const char *format,
-                ...)
+void call_error(struct parser *p, const struct call *call, struct value *result,
+                const char *hint, const char *format, ...)
 {
     char text[200];
     va_list arguments;
@@ -108,9 +107,8 @@ static bool call_refuse(struct parser *p, const struct word *word,
         return false;
     *value = value_poison();
     if (function_is_unsupported(word->keyword))
-        error_unsupported(p, name,
-                          arena_printf(p->arena, "the function %s()",
-                                       word->text));
+        error_unsupported(
+            p, name, arena_printf(p->arena, "the function %s()", word->text));
     else
         error_at(p, name, NULL,
                  "%s() can be used inside function { } only; use a #for loop",
@@ -163,10 +161,10 @@ static bool argument_object(struct parser *p, const struct object **object)
 
 static bool argument_value(struct parser *p, char kind, struct value *value)
 {
-    static const char *const wanted[128] = {
-        ['f'] = "a number", ['v'] = "a vector", ['n'] = "a vector",
-        ['s'] = "a string"
-    };
+    static const char *const wanted[128] = { ['f'] = "a number",
+                                             ['v'] = "a vector",
+                                             ['n'] = "a vector",
+                                             ['s'] = "a string" };
     struct span start = stream_span(p);
     vec3 v;
     double number;
@@ -177,9 +175,9 @@ static bool argument_value(struct parser *p, char kind, struct value *value)
         return true;
     bool ok = kind == 'f'   ? value_to_float(p, start, value, &number)
               : kind == 's' ? value_to_text(p, start, value, &text)
-              : kind == 'v' ? value_to_vector(p, start, value, &v)
-                            : value_size(value) ||
-                                  value_to_vector(p, start, value, &v);
+              : kind == 'v'
+                  ? value_to_vector(p, start, value, &v)
+                  : value_size(value) || value_to_vector(p, start, value, &v);
     if (!ok)
         *value = value_poison();
     else if (kind == 'v')

@@ -74,7 +74,7 @@ static double *machine_run(const struct function *f, double *locals,
                            size_t first, size_t end, double *top,
                            unsigned long *left)
 {
-    for (size_t i = first; i < end && *left > 0; i++) {
+    for (size_t i = first; i<end && * left> 0; i++) {
         const struct step *step = &f->steps.items[i];
         --*left;
         top = machine_step(f, step, locals, top, left);

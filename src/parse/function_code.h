@@ -7,8 +7,8 @@
 enum { FUNCTION_PARAMETERS = 56 }; /* as POV-Ray's macros */
 
 enum step_kind {
-    STEP_NUMBER,   /* push number */
-    STEP_LOCAL,    /* push a parameter or loop variable */
+    STEP_NUMBER, /* push number */
+    STEP_LOCAL,  /* push a parameter or loop variable */
     STEP_NEGATE,
     STEP_OPERATOR, /* a b -> a OPERATOR b */
     STEP_ONE,      /* a -> one(a) */

@@ -54,8 +54,7 @@ void number_ln(struct parser *p, const struct call *call, struct value *result)
         call_error(p, call, result, NULL, "the logarithm of %g", x);
 }
 
-void number_log(struct parser *p, const struct call *call,
-                struct value *result)
+void number_log(struct parser *p, const struct call *call, struct value *result)
 {
     double x = argument(call, 0);
     *result = value_float(log10(x));
@@ -94,8 +93,7 @@ void number_atan2(struct parser *p, const struct call *call,
         call_error(p, call, result, NULL, "atan2(0, 0) has no value");
 }
 
-void number_pow(struct parser *p, const struct call *call,
-                struct value *result)
+void number_pow(struct parser *p, const struct call *call, struct value *result)
 {
     double x = argument(call, 0), y = argument(call, 1);
     *result = value_float(pow(x, y));

@@ -124,9 +124,9 @@ static const char *text_format(struct parser *p, const struct call *call,
 /* str(number, length, precision) */
 void text_str(struct parser *p, const struct call *call, struct value *result)
 {
-    const char *text = text_format(p, call, call->arguments[0].number[0],
-                                   argument_integer(call, 1),
-                                   argument_integer(call, 2));
+    const char *text =
+        text_format(p, call, call->arguments[0].number[0],
+                    argument_integer(call, 1), argument_integer(call, 2));
     *result = text ? value_text(text) : value_poison();
 }
 
@@ -149,8 +149,8 @@ void text_strlen(struct parser *p, const struct call *call,
 }
 
 /* Letters of ASCII between `first` and `last` moved by `shift`. */
-static struct value text_shifted(struct parser *p, const char *text,
-                                 char first, char last, int shift)
+static struct value text_shifted(struct parser *p, const char *text, char first,
+                                 char last, int shift)
 {
     char *copy = arena_copy_text(p->arena, text, strlen(text));
     for (char *c = copy; *c; c++)
@@ -189,8 +189,8 @@ void text_substr(struct parser *p, const struct call *call,
     }
     const char *start = text_skip(text, first - 1);
     const char *end = text_skip(start, first == 0 ? 0 : count);
-    *result = value_text(
-        arena_copy_text(p->arena, start, (size_t)(end - start)));
+    *result =
+        value_text(arena_copy_text(p->arena, start, (size_t)(end - start)));
 }
 
 /* The number at the start of a string; 0 if there is none. */
@@ -202,8 +202,7 @@ void text_val(struct parser *p, const struct call *call, struct value *result)
 
 /* vstr(components, vector, separator, length, precision): 2 to 5 components,
  * those that the vector does not have are 0. */
-void text_vstr(struct parser *p, const struct call *call,
-               struct value *result)
+void text_vstr(struct parser *p, const struct call *call, struct value *result)
 {
     struct value vector = call->arguments[1];
     int count = argument_integer(call, 0);

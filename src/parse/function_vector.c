@@ -11,8 +11,7 @@ static vec3 argument(const struct call *call, int i)
     return vec3_make(n[0], n[1], n[2]);
 }
 
-void vector_dot(struct parser *p, const struct call *call,
-                struct value *result)
+void vector_dot(struct parser *p, const struct call *call, struct value *result)
 {
     (void)p;
     *result = value_float(vec3_dot(argument(call, 0), argument(call, 1)));
@@ -54,8 +53,8 @@ void vector_axis_rotate(struct parser *p, const struct call *call,
                         struct value *result)
 {
     (void)p;
-    affine rotation = affine_axis_rotation(argument(call, 1),
-                                           call->arguments[2].number[0]);
+    affine rotation =
+        affine_axis_rotation(argument(call, 1), call->arguments[2].number[0]);
     *result = value_vector(affine_direction(&rotation, argument(call, 0)));
 }
 
@@ -68,12 +67,14 @@ void vector_turbulence(struct parser *p, const struct call *call,
     int octaves = float_to_int(a[2].number[0]);
     struct turbulence turbulence = {
         .amount = { 1, 1, 1 },
-        .octaves = octaves < 1 ? 1 : octaves > 10 ? 10 : octaves,
+        .octaves = octaves < 1    ? 1
+                   : octaves > 10 ? 10
+                                  : octaves,
         .omega = a[1].number[0],
         .lambda = a[0].number[0],
     };
-    *result = value_vector(
-        noise_vector_turbulence(argument(call, 3), &turbulence));
+    *result =
+        value_vector(noise_vector_turbulence(argument(call, 3), &turbulence));
 }
 
 /* Objects without end have corners at 1e10, as in POV-Ray (measured). */
@@ -84,8 +85,8 @@ static double extent_finite(double x)
 
 static struct value extent_corner(vec3 v)
 {
-    return value_vector(vec3_make(extent_finite(v.x), extent_finite(v.y),
-                                  extent_finite(v.z)));
+    return value_vector(
+        vec3_make(extent_finite(v.x), extent_finite(v.y), extent_finite(v.z)));
 }
 
 void vector_min_extent(struct parser *p, const struct call *call,

@@ -162,10 +162,9 @@ static bool operand_element(struct parser *p, const char *wanted,
     struct span start = p->last_span;
     struct value *slot;
     if (stream_peek_infix(p)->kind != TOKEN_LBRACKET)
-        return error_at(p, p->last_span,
-                        arena_printf(p->arena, "%s[0]", word->text),
-                        "expected %s, found '%s', which is an array", wanted,
-                        word->text);
+        return error_at(
+            p, p->last_span, arena_printf(p->arena, "%s[0]", word->text),
+            "expected %s, found '%s', which is an array", wanted, word->text);
     if (!array_element(p, value->array, &slot))
         return false;
     start = span_join(start, p->last_span);
@@ -267,9 +266,8 @@ static bool parse_component(struct parser *p, struct value *value)
     }
     value_promote(value, VECTOR_LIMIT);
     const double *n = value->number;
-    *value = value_float(index >= 0 ? n[index]
-                                    : 0.297 * n[0] + 0.589 * n[1] +
-                                          0.114 * n[2]);
+    *value = value_float(
+        index >= 0 ? n[index] : 0.297 * n[0] + 0.589 * n[1] + 0.114 * n[2]);
     return true;
 }
 

@@ -103,9 +103,10 @@ void operator_apply(struct parser *p, enum token_kind kind, struct span span,
         return;
     }
     if (left->kind == VALUE_STRING || right->kind == VALUE_STRING) {
-        error_at(p, span, NULL, "this operator has %s on its left and %s on "
-                 "its right", value_kind_name(left->kind),
-                 value_kind_name(right->kind));
+        error_at(p, span, NULL,
+                 "this operator has %s on its left and %s on "
+                 "its right",
+                 value_kind_name(left->kind), value_kind_name(right->kind));
         *left = value_poison();
         return;
     }

@@ -124,8 +124,7 @@ static bool parse_loop(struct compiler *c, enum step_kind kind)
     size_t body = c->function->steps.count;
     bool ok = parse_body_operation(c, 0) && expect(p, TOKEN_RPAREN, open);
     c->name_count--;
-    c->function->steps.items[body - 1].length =
-        c->function->steps.count - body;
+    c->function->steps.items[body - 1].length = c->function->steps.count - body;
     return ok;
 }
 
@@ -143,8 +142,10 @@ static bool compile_call(struct compiler *c, const struct word *word,
     if (c->function->depth <= callee->depth)
         c->function->depth = callee->depth + 1;
     if (c->function->depth > FUNCTION_DEPTH_LIMIT)
-        return error_at(p, at, NULL, "functions call functions more than %d "
-                        "deep", FUNCTION_DEPTH_LIMIT);
+        return error_at(p, at, NULL,
+                        "functions call functions more than %d "
+                        "deep",
+                        FUNCTION_DEPTH_LIMIT);
     compile_step(c, STEP_CALL, 1 - n)->function = callee;
     return true;
 }
@@ -197,8 +198,7 @@ static bool compile_word(struct compiler *c, const struct word *word)
     const struct function_row *row = function_find(word->keyword);
     if (row && (row->one || row->two))
         return compile_builtin(c, word, row);
-    const struct value *value =
-        word->reserved ? NULL : symbol_find(c->p, word);
+    const struct value *value = word->reserved ? NULL : symbol_find(c->p, word);
     if (value && value->kind == VALUE_FUNCTION)
         return compile_call(c, word, value->function);
     return compile_constant(c);
@@ -249,13 +249,12 @@ static bool compile_climb(struct compiler *c, int lowest)
         enum token_kind kind = stream_peek(c->p)->kind;
         int precedence = body_precedence(kind);
         if (kind == TOKEN_QUESTION ||
-            operator_precedence(kind) == PRECEDENCE_NONE ||
-            precedence < lowest)
+            operator_precedence(kind) == PRECEDENCE_NONE || precedence < lowest)
             return true;
         stream_next(c->p);
         if (!compile_climb(c, precedence + 1))
             return false;
-        compile_step(c, STEP_OPERATOR, -1)->operator = kind;
+        compile_step(c, STEP_OPERATOR, -1)->operator= kind;
     }
 }
 
@@ -275,8 +274,7 @@ static bool parameter_is_legal(const struct word *word)
 {
     enum keyword k = word->keyword;
     return !word->reserved || k == KEYWORD_X || k == KEYWORD_Y ||
-           k == KEYWORD_Z || k == KEYWORD_U || k == KEYWORD_V ||
-           k == KEYWORD_T;
+           k == KEYWORD_Z || k == KEYWORD_U || k == KEYWORD_V || k == KEYWORD_T;
 }
 
 /* Without parameters they are x, y, z, and u and v mean x and y.
@@ -390,7 +388,7 @@ bool parse_function(struct parser *p, struct value *value)
 
 /* argument_list = "(" operation {"," operation} ")" . */
 static bool parse_argument_list(struct parser *p, const struct word *name,
-                               int count, double *arguments, bool *poison)
+                                int count, double *arguments, bool *poison)
 {
     struct span open = stream_span(p);
     stream_next(p);
@@ -426,7 +424,7 @@ bool function_call(struct parser *p, const struct function *function,
         return error_expected(
             p, arena_printf(p->arena, "'(' after '%s'", name->text));
     if (!parse_argument_list(p, name, function->parameter_count, arguments,
-                            &poison))
+                             &poison))
         return false;
     *value = value_poison();
     if (!poison)
