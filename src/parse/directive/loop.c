@@ -83,13 +83,13 @@ static bool for_round(struct parser *p)
     double slack = fabs(block->step) * 1e-6;
     bool more = block->step > 0 ? block->value <= block->last + slack
                                 : block->value >= block->last - slack;
+    p->cursor->index = block->condition;
     if (!more)
         return directive_skip_to_end(p);
     if (!loop_round(p, block))
         return false;
     struct value value = { .kind = VALUE_FLOAT, .number = { block->value } };
     symbol_set(p, block->variable, value, true);
-    p->cursor->index = block->condition;
     return true;
 }
 
