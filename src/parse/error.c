@@ -20,14 +20,25 @@ static bool error_reported(struct parser *p, struct span span)
     return false;
 }
 
+/* Whether the rule that was reported last has not read on since: what is
+ * missing now is missing because of that. */
+static bool error_follows(struct parser *p)
+{
+    return p->reported_count > 0 && p->taken_at_error == p->taken;
+}
+
 /* "in macro M called here", "included from here", innermost first. */
 static void error_trace(struct parser *p)
 {
     unsigned notes = 0, hidden = 0;
+    struct span last = span_none();
     for (struct cursor *c = p->cursor; c; c = c->below) {
         if (!c->called_at.source)
             continue;
-        if (notes++ >= ERROR_TRACE_LIMIT) {
+        bool again = c->called_at.source == last.source &&
+                     c->called_at.offset == last.offset;
+        last = c->called_at;
+        if (again || notes++ >= ERROR_TRACE_LIMIT) {
             hidden++;
             continue;
         }
@@ -52,6 +63,7 @@ bool error_at(struct parser *p, struct span span, const char *hint,
     diag_vprint(p->diag, DIAG_ERROR, span, hint, format, arguments);
     va_end(arguments);
     error_trace(p);
+    p->taken_at_error = p->taken;
     if (p->diag->errors >= DIAG_ERROR_LIMIT) {
         note_at(p, span_none(), "%d errors are enough; the rest is not read",
                 DIAG_ERROR_LIMIT);
@@ -115,16 +127,13 @@ static const char *error_kind(struct parser *p)
 
 bool error_expected(struct parser *p, const char *wanted)
 {
-    if (unsupported_use(p) || error_undeclared(p, wanted))
+    stream_peek(p);
+    if (error_follows(p) || unsupported_use(p) || error_undeclared(p, wanted))
         return false;
     const char *kind = error_kind(p);
     return error_at(p, stream_span(p), NULL, "expected %s, found %s%s%s",
                     wanted, error_found(p), kind ? ", " : "", kind ? kind : "");
 }
-
-struct error_search {
-    struct text_nearest nearest;
-};
 
 static void error_try_word(void *context, const struct word *word)
 {

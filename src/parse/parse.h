@@ -22,8 +22,8 @@ struct parse_options {
     double initial_clock, final_clock;
     int initial_frame, final_frame, frame_number;
     int image_width, image_height;
-    double version;      /* +MV; 0: not said */
-    size_t memory_limit; /* bytes for parsing and for the scene; 0: 8 GiB */
+    double version;       /* +MV; 0: not said */
+    size_t memory_limit;  /* bytes for parsing and for the scene; 0: 8 GiB */
     unsigned round_limit; /* rounds of one loop, 0: 20 million */
     const volatile int
         *stop; /* set by a signal: give up quietly; may be NULL */

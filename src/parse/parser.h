@@ -51,6 +51,7 @@ struct parser {
     const struct unsupported *unsupported;  /* met inside a #declare */
     struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */
     unsigned reported_count;
+    unsigned long taken, taken_at_error; /* tokens; see error_follows */
     bool failed;    /* gave up: the stream only gives TOKEN_END from now on */
     double version; /* #version in force */
     bool version_said;

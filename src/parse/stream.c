@@ -204,6 +204,7 @@ struct token stream_next(struct parser *p)
     struct token token = *stream_peek(p);
     p->last_span = p->token_span;
     p->peeked = false;
+    p->taken++;
     return token;
 }
 

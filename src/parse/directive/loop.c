@@ -6,8 +6,8 @@
  * no identifier will never end. */
 static bool loop_round(struct parser *p, struct open_block *block)
 {
-    unsigned limit = p->options->round_limit ? p->options->round_limit
-                                             : PARSE_LOOP_LIMIT;
+    unsigned limit =
+        p->options->round_limit ? p->options->round_limit : PARSE_LOOP_LIMIT;
     bool stuck = block->kind == BLOCK_WHILE && block->rounds > 0 &&
                  block->changes == p->changes;
     if (stuck)
