@@ -1,4 +1,5 @@
-/* A point of a surface as the illumination model needs it. */
+/* A point of a surface as the illumination model needs it: which layers of
+ * paint can be seen, their pigments, normals and mirrors, and what passes. */
 #ifndef SHADE_SURFACE_H
 #define SHADE_SURFACE_H
 
@@ -7,11 +8,24 @@
 
 enum { SURFACE_LAYERS = 16 }; /* most layers of one texture */
 
+/* The quality levels of +Q at which something begins. */
+enum {
+    QUALITY_LIT = 2,          /* lights, ambient; below: plain quick_colour */
+    QUALITY_SHADOWS = 4,      /* area lights still as points */
+    QUALITY_AREA_LIGHTS = 5,  /* the true shadow of area lights */
+    QUALITY_TRANSPARENCY = 6, /* transmitted rays; no more quick_colour */
+    QUALITY_REFLECTION = 8,   /* reflected rays */
+    QUALITY_FOG = 9,
+};
+
 /* One layer of the texture, evaluated at the point. */
 struct surface_layer {
     const struct finish *finish;
     colour pigment;
-    vec3 normal; /* unit, perturbed, towards the viewer's side */
+    vec3 normal;    /* unit, perturbed, towards the viewer's side */
+    rgb weight;     /* what the layers above let through, 1 for the top one */
+    rgb reflection; /* share of mirrored light, in [0,1] if the finish is */
+    double reflection_weight; /* its largest component before tinting */
 };
 
 struct surface {
@@ -20,9 +34,38 @@ struct surface {
     vec3 view;   /* unit, to the viewer */
     vec3 normal; /* unit, unperturbed, turned towards the viewer */
     bool inside; /* the viewer is on the inner side */
-    int count;
-    struct surface_layer layer[SURFACE_LAYERS]; /* bottom first */
+    int count;   /* layers that can be seen: those below are hidden */
+    struct surface_layer layer[SURFACE_LAYERS]; /* top first */
+    rgb through; /* what all layers let pass; black when the last is hidden */
 };
+
+/* How a surface is looked at. */
+struct surface_view {
+    vec3 direction; /* of the ray, unit */
+    double ior;     /* of the medium behind over that before the surface */
+    int quality;    /* +Q */
+    double weight;  /* of the ray in the pixel, 1 for camera rays */
+    double bailout; /* layers that weigh less are left out (adc_bailout) */
+};
+
+/* Evaluates all that can be seen of the texture at `at`, which must stay
+ * valid as long as the surface. */
+void surface_fill(struct surface *surface, const struct intersection *at,
+                  const struct surface_view *view);
+
+/* What all layers let pass straight through: a shadow ray's view. */
+rgb surface_transmittance(const struct intersection *at);
+
+/* Whether light from this unit direction can change the picture: some layer
+ * that reflects faces it. Ask before tracing a shadow ray. */
+bool surface_faces(const struct surface *surface, vec3 direction);
+
+/* Brightness that decides how much a coloured ray weighs and how opaque a
+ * filter is (measured: .297, .589, .114). */
+static inline double rgb_brightness(rgb c)
+{
+    return 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
+}
 
 /* Light from one direction. */
 struct light_sample {

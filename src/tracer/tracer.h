@@ -10,6 +10,7 @@ struct tracer {
     const struct lighting *lighting;
     void *lighting_state;
     int quality; /* +Q: see man/glim.1 */
+    bool alpha;  /* +UA: the background's transparency shows as opacity */
 };
 
 /* Radiance in the working space, premultiplied by opacity. */
@@ -18,7 +19,8 @@ struct radiance {
     double opacity;
 };
 
-/* What the camera sees at (x, y) of the picture, both in [0,1]. */
+/* What the camera sees at (x, y) of the picture, both in [0,1]. Black once the
+ * worker is told to stop. Its value depends on x and y alone. */
 struct radiance tracer_camera(const struct tracer *tracer,
                               struct worker *worker, double x, double y);
 

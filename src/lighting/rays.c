@@ -1,0 +1,164 @@
+/* POV-Ray's own illumination: one shadow ray for each lamp (a grid of them for
+ * area lights) and a constant ambient light. What the other methods are
+ * compared with. */
+#include "base/memory.h"
+#include "lighting/lighting.h"
+#include "shade/area.h"
+#include "shade/shadow.h"
+
+struct rays {
+    const struct world *world;
+    struct lamp *lamps;
+    size_t count;
+    rgb ambient;
+    int quality;
+    uint64_t seed;
+};
+
+static void *rays_start(const struct world *world, const struct scene *scene,
+                        const struct lighting_options *options,
+                        struct diag *diag)
+{
+    struct rays *rays = memory_new(sizeof *rays);
+    const struct light *lights = world_lights(world, &rays->count);
+    (void)diag;
+    rays->world = world;
+    rays->ambient = scene->settings.ambient_light;
+    rays->quality = options->quality;
+    rays->seed = options->seed;
+    rays->lamps = memory_new(rays->count * sizeof *rays->lamps);
+    for (size_t i = 0; i < rays->count; i++)
+        rays->lamps[i] = lamp_new(&lights[i], (int)i);
+    return rays;
+}
+
+static void rays_finish(void *state)
+{
+    struct rays *rays = state;
+    if (!rays)
+        return;
+    memory_free(rays->lamps);
+    memory_free(rays);
+}
+
+/* One surface point looking at one lamp. */
+struct rays_question {
+    const struct rays *rays;
+    const struct lamp *lamp;
+    struct worker *worker;
+    const struct surface *surface;
+    light_visit *visit;
+    void *context;
+};
+
+static rgb rays_see(void *context, vec3 location)
+{
+    const struct rays_question *q = context;
+    vec3 point = q->surface->point;
+    struct lamp_view view;
+    if (worker_stopped(q->worker))
+        return rgb_grey(0);
+    if (q->lamp->light->parallel) {
+        lamp_look(q->lamp, location, point, &view);
+    } else {
+        vec3 offset = vec3_sub(location, point);
+        view.distance = vec3_length(offset);
+        view.direction = vec3_normalise(offset);
+    }
+    return shadow_visibility(q->rays->world, q->worker, point, view.direction,
+                             view.distance, q->lamp->number);
+}
+
+static bool rays_area(const struct rays_question *q)
+{
+    return q->lamp->light->area && q->rays->quality >= QUALITY_AREA_LIGHTS;
+}
+
+/* The share of the lamp that is not in shadow. */
+static rgb rays_visibility(struct rays_question *q,
+                           const struct lamp_view *view)
+{
+    vec3 point = q->surface->point;
+    if (q->lamp->light->shadowless || q->rays->quality < QUALITY_SHADOWS)
+        return rgb_grey(1);
+    if (!rays_area(q))
+        return shadow_visibility(q->rays->world, q->worker, point,
+                                 view->direction, view->distance,
+                                 q->lamp->number);
+    struct area_grid grid = area_grid_new(q->lamp, point, q->rays->seed);
+    return area_visibility(&grid, rays_see, q);
+}
+
+static void rays_give(const struct rays_question *q,
+                      const struct lamp_view *view, rgb share)
+{
+    const struct light *light = q->lamp->light;
+    struct light_sample sample = {
+        .direction = view->direction,
+        .colour = rgb_mul(rgb_scale(light->colour, view->attenuation), share),
+        .highlights = !light->shadowless,
+    };
+    q->visit(q->context, &sample);
+}
+
+/* area_illumination: the plain mean over the grid, unshadowed, times the
+ * weighted mean of the shadows (POV-Ray's formula, measured). */
+static void rays_give_area(struct rays_question *q)
+{
+    const struct light *light = q->lamp->light;
+    vec3 point = q->surface->point;
+    struct area_grid grid = area_grid_new(q->lamp, point, q->rays->seed);
+    struct lamp_view view = { .distance = 0 };
+    rgb share = rays_visibility(q, &view);
+    if (rgb_peak(share) == 0)
+        return;
+    share = rgb_scale(share, 1.0 / ((double)light->size1 * light->size2));
+    for (int i = 0; i < light->size1; i++)
+        for (int j = 0; j < light->size2 && !worker_stopped(q->worker); j++)
+            if (lamp_look(q->lamp, area_grid_point(&grid, i, j), point, &view))
+                rays_give(q, &view, share);
+}
+
+static void rays_answer(struct rays_question *q)
+{
+    const struct light *light = q->lamp->light;
+    struct lamp_view view;
+    if (light->area_illumination && rays_area(q)) {
+        rays_give_area(q);
+        return;
+    }
+    if (!lamp_look(q->lamp, light->location, q->surface->point, &view) ||
+        !surface_faces(q->surface, view.direction))
+        return;
+    rgb share = rays_visibility(q, &view);
+    if (rgb_peak(share) > 0)
+        rays_give(q, &view, share);
+}
+
+static struct diffuse_light rays_illuminate(const void *state,
+                                            struct worker *worker,
+                                            const struct surface *surface,
+                                            light_visit *visit, void *context)
+{
+    const struct rays *rays = state;
+    struct rays_question question = {
+        .rays = rays,
+        .worker = worker,
+        .surface = surface,
+        .visit = visit,
+        .context = context,
+    };
+    for (size_t i = 0; i < rays->count; i++) {
+        question.lamp = &rays->lamps[i];
+        rays_answer(&question);
+    }
+    return (struct diffuse_light){ .ambient = rays->ambient };
+}
+
+const struct lighting rays_lighting = {
+    .name = "rays",
+    .help = "POV-Ray's own: shadow rays to every light and an ambient term",
+    .start = rays_start,
+    .finish = rays_finish,
+    .illuminate = rays_illuminate,
+};

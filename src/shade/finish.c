@@ -1,0 +1,159 @@
+/* Diffuse reflection, highlights and mirrors: see finish.h. */
+#include "shade/finish.h"
+
+/* Diffuse reflection of light at `cosine` to the normal (negative: from
+ * behind). `diffuse albedo` makes the whole reflected share `diffuse`. */
+static double finish_diffuse(const struct finish *finish, double cosine,
+                             bool twice)
+{
+    double share = cosine > 0 || twice ? finish->diffuse : finish->diffuse_back;
+    if (share == 0 || cosine == 0)
+        return 0;
+    cosine = fabs(cosine);
+    if (finish->diffuse_albedo)
+        share *= (finish->brilliance + 1) / 2;
+    if (finish->brilliance != 1)
+        cosine = pow(cosine, finish->brilliance);
+    return share * cosine;
+}
+
+/* phong * (R.L)^size, R the mirrored view direction. */
+static double finish_phong(const struct finish *finish,
+                           const struct surface *surface,
+                           const struct surface_layer *layer, vec3 light)
+{
+    double along = 2 * vec3_dot(surface->view, layer->normal);
+    vec3 mirrored = vec3_sub(vec3_scale(layer->normal, along), surface->view);
+    double cosine = vec3_dot(mirrored, light);
+    if (cosine <= 0)
+        return 0;
+    double albedo = finish->phong_albedo ? (finish->phong_size + 1) / 2 : 1;
+    return finish->phong * albedo * pow(cosine, finish->phong_size);
+}
+
+/* specular * (N.H)^(1/roughness), H halfway between light and viewer. */
+static double finish_specular(const struct finish *finish,
+                              const struct surface *surface,
+                              const struct surface_layer *layer, vec3 light)
+{
+    vec3 half = vec3_normalise(vec3_add(light, surface->view));
+    double cosine = vec3_dot(half, layer->normal);
+    if (cosine <= 0 || finish->roughness <= 0)
+        return 0;
+    double m = 1 / finish->roughness;
+    double albedo =
+        finish->specular_albedo ? (m + 2) / (4 * (2 - exp2(-m / 2))) : 1;
+    return finish->specular * albedo * pow(cosine, m);
+}
+
+static bool finish_has_highlights(const struct finish *finish)
+{
+    return finish->phong != 0 || finish->specular != 0;
+}
+
+static rgb finish_highlights(const struct surface *surface,
+                             const struct surface_layer *layer, vec3 light,
+                             double cosine)
+{
+    const struct finish *finish = layer->finish;
+    double share = 0;
+    if (finish->phong != 0)
+        share += finish_phong(finish, surface, layer, light);
+    if (finish->specular != 0)
+        share += finish_specular(finish, surface, layer, light);
+    rgb tint =
+        finish_metallic(finish->metallic, cosine, colour_rgb(layer->pigment));
+    return rgb_scale(tint, share);
+}
+
+static double layer_opacity(const struct surface_layer *layer)
+{
+    return 1 - layer->pigment.filter - layer->pigment.transmit;
+}
+
+rgb finish_light(const struct surface *surface,
+                 const struct surface_layer *layer,
+                 const struct light_sample *sample)
+{
+    const struct finish *finish = layer->finish;
+    double cosine = vec3_dot(layer->normal, sample->direction);
+    bool twice = surface->at->leaf->double_illuminate;
+    double diffuse = finish_diffuse(finish, cosine, twice);
+    rgb share =
+        rgb_scale(colour_rgb(layer->pigment), diffuse * layer_opacity(layer));
+    if (cosine > 0 && sample->highlights && finish_has_highlights(finish))
+        share = rgb_add(share, finish_highlights(surface, layer,
+                                                 sample->direction, cosine));
+    return rgb_mul(share, sample->colour);
+}
+
+rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance)
+{
+    const struct finish *finish = layer->finish;
+    rgb light = rgb_mul(finish->ambient, ambient);
+    light = rgb_add(light, finish->emission);
+    light = rgb_add_scaled(light, irradiance, finish->diffuse);
+    light = rgb_mul(light, colour_rgb(layer->pigment));
+    return rgb_scale(light, layer_opacity(layer));
+}
+
+bool finish_lit_by(const struct finish *finish, double cosine, bool twice)
+{
+    if (cosine > 0)
+        return finish->diffuse != 0 || finish_has_highlights(finish);
+    return cosine < 0 && (twice ? finish->diffuse : finish->diffuse_back) != 0;
+}
+
+double finish_fresnel(double cosine, double ior)
+{
+    double sine2 = (1 - cosine * cosine) / (ior * ior);
+    if (!(sine2 < 1))
+        return 1;
+    double t = sqrt(1 - sine2);
+    double s = (cosine - ior * t) / (cosine + ior * t);
+    double p = (ior * cosine - t) / (ior * cosine + t);
+    return (s * s + p * p) / 2;
+}
+
+/* An empirical Fresnel curve of the angle x in [0,1] (right angles):
+ * F = 0.014567225 / (x - 1.12)^2 - 0.011612903, from the manual's metallic. */
+rgb finish_metallic(double metallic, double cosine, rgb pigment)
+{
+    if (metallic == 0)
+        return rgb_grey(1);
+    double x = acos(fmin(fmax(cosine, 0), 1)) / (3.14159265358979323846 / 2);
+    double f = 0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903;
+    f = fmin(fmax(f, 0), 1);
+    rgb tint = rgb_sub(pigment, rgb_grey(1));
+    return rgb_add_scaled(rgb_grey(1), tint, metallic * (1 - f));
+}
+
+struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
+                                   double cosine, double ior)
+{
+    const struct reflection *mirror = &finish->reflection;
+    rgb range = rgb_sub(mirror->maximum, mirror->minimum);
+    rgb share = mirror->minimum;
+    if (mirror->fresnel)
+        share = rgb_add_scaled(share, range, finish_fresnel(cosine, ior));
+    else if (rgb_peak(range) != 0)
+        share = rgb_add_scaled(share, range,
+                               pow(1 - fmin(cosine, 1), mirror->falloff));
+    double weight = fmax(share.r, fmax(share.g, share.b));
+    rgb tint = finish_metallic(mirror->metallic, cosine, pigment);
+    return (struct finish_mirror){ rgb_mul(share, tint), weight };
+}
+
+static double power_of_light(double light, double exponent)
+{
+    return light > 0 ? pow(light, exponent) : 0;
+}
+
+rgb finish_exponent(rgb light, double exponent)
+{
+    if (exponent == 1 || exponent <= 0)
+        return light;
+    return (rgb){ power_of_light(light.r, 1 / exponent),
+                  power_of_light(light.g, 1 / exponent),
+                  power_of_light(light.b, 1 / exponent) };
+}

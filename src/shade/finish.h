@@ -1,0 +1,43 @@
+/* The finish: how much of the light that reaches a layer of paint goes to the
+ * viewer. Formulas of section 5 of notes/povray.md, measured on POV-Ray 3.7. */
+#ifndef SHADE_FINISH_H
+#define SHADE_FINISH_H
+
+#include "shade/surface.h"
+
+/* Light of one direction that one layer of the surface sends to the viewer:
+ * diffuse, phong and specular; the layer's weight is not applied. */
+rgb finish_light(const struct surface *surface,
+                 const struct surface_layer *layer,
+                 const struct light_sample *sample);
+
+/* Light without a direction: ambient, emission, and irradiance (Lambert is
+ * diffuse * pigment * irradiance). The layer's weight is not applied. */
+rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance);
+
+/* Whether light that meets the layer at this cosine (negative: from behind)
+ * does anything. `twice`: the object says double_illuminate. */
+bool finish_lit_by(const struct finish *finish, double cosine, bool twice);
+
+struct finish_mirror {
+    rgb colour;    /* multiplies the mirrored light */
+    double weight; /* largest component before the metallic tint */
+};
+
+/* The mirror for a viewer at `cosine` in [0,1] from the normal. `ior` is that
+ * of the medium behind the surface over that in front. */
+struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
+                                   double cosine, double ior);
+
+/* Reflectance of a dielectric for unpolarised light (Fresnel); 1 in total
+ * internal reflection. */
+double finish_fresnel(double cosine, double ior);
+
+/* The tint of metallic highlights and mirrors: white at grazing angles, the
+ * pigment at normal incidence, `metallic` of the way there. */
+rgb finish_metallic(double metallic, double cosine, rgb pigment);
+
+/* What mirrored light becomes under reflection exponent E: light^(1/E). */
+rgb finish_exponent(rgb light, double exponent);
+
+#endif

@@ -1,0 +1,43 @@
+/* What a ray is inside of, and what the matter there does to it. */
+#ifndef SHADE_INTERIOR_H
+#define SHADE_INTERIOR_H
+
+#include "base/rgb.h"
+#include "embree/solid.h"
+
+enum { INTERIORS_MAX = 64 }; /* deeper nesting is not noticed */
+
+struct interior_entry {
+    const struct interior *interior; /* may be NULL */
+    unsigned body;
+    bool hollow;
+};
+
+/* The bodies a ray is inside of, the last entered last. */
+struct interiors {
+    int count;
+    struct interior_entry at[INTERIORS_MAX];
+};
+
+/* The body's place in the list, or -1 when the ray is not inside it. */
+int interiors_find(const struct interiors *list, unsigned body);
+
+/* Crossing a surface of the body: in when it was out, out when it was in. */
+void interiors_cross(struct interiors *list, const struct leaf *leaf);
+
+/* Copies the part in use only. */
+void interiors_copy(struct interiors *to, const struct interiors *from);
+
+/* Refractive index of the body entered last, 1 in the open. */
+double interiors_ior(const struct interiors *list);
+
+/* Fog reaches the ray: all it is inside of is hollow. */
+bool interiors_open(const struct interiors *list);
+
+/* The share of light left after `distance` inside; white without fading. */
+rgb interior_fade(const struct interior *interior, double distance);
+
+/* Whether interior_fade is anything but white. */
+bool interior_fades(const struct interior *interior);
+
+#endif

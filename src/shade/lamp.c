@@ -1,0 +1,99 @@
+/* Point, spot, cylinder and parallel lights: see lamp.h. */
+#include "shade/lamp.h"
+
+static double radians(double degrees)
+{
+    return degrees * (3.14159265358979323846 / 180);
+}
+
+struct lamp lamp_new(const struct light *light, int number)
+{
+    return (struct lamp){
+        .light = light,
+        .number = number,
+        .axis = vec3_normalise(vec3_sub(light->point_at, light->location)),
+        .cosine_radius = cos(radians(light->radius)),
+        .cosine_falloff = cos(radians(light->falloff)),
+        .fades = light->fade_distance > 0 && light->fade_power > 0,
+    };
+}
+
+/* 0 at `zero`, 1 at `one` and beyond, s^2 (3 - 2 s) between. */
+static double smoothstep(double zero, double one, double x)
+{
+    double s = (x - zero) / (one - zero);
+    return s * s * (3 - 2 * s);
+}
+
+/* Smooth in the cosine of the angle to the axis, not in the angle. */
+static double spot_attenuation(const struct lamp *lamp, double cosine)
+{
+    double share = 1;
+    if (cosine < lamp->cosine_radius) {
+        if (cosine <= lamp->cosine_falloff)
+            return 0;
+        share = smoothstep(lamp->cosine_falloff, lamp->cosine_radius, cosine);
+    }
+    if (lamp->light->tightness > 0)
+        share *= cosine > 0 ? pow(cosine, lamp->light->tightness) : 0;
+    return share;
+}
+
+/* By the distance from the axis; nothing behind the lamp. */
+static double cylinder_attenuation(const struct lamp *lamp, vec3 offset)
+{
+    const struct light *light = lamp->light;
+    double along = vec3_dot(offset, lamp->axis);
+    double square = vec3_dot(offset, offset) - along * along;
+    double r = square > 0 ? sqrt(square) : 0;
+    if (along <= 0 || r >= light->falloff)
+        return 0;
+    double share = 1;
+    if (r > light->radius && light->radius > 0)
+        share = smoothstep(light->falloff, light->radius, r);
+    if (light->tightness > 0)
+        share *= pow(1 - r / light->falloff, light->tightness);
+    return share;
+}
+
+/* 2 / (1 + (d/D)^P): 1 at the distance D. */
+static double lamp_fading(const struct lamp *lamp, double distance)
+{
+    double ratio = fabs(distance) / lamp->light->fade_distance;
+    return 2 / (1 + pow(ratio, lamp->light->fade_power));
+}
+
+/* Parallel lights and cylinders shine along their axis; their distance is
+ * that of the plane through the location. */
+static void lamp_look_along(const struct lamp *lamp, vec3 offset,
+                            struct lamp_view *view)
+{
+    view->direction = vec3_negate(lamp->axis);
+    view->distance = vec3_dot(offset, lamp->axis);
+}
+
+bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
+               struct lamp_view *view)
+{
+    const struct light *light = lamp->light;
+    vec3 offset = vec3_sub(point, location);
+    if (light->parallel || light->kind == LIGHT_CYLINDER) {
+        lamp_look_along(lamp, offset, view);
+    } else {
+        view->distance = vec3_length(offset);
+        if (!(view->distance > 0))
+            return false;
+        view->direction = vec3_scale(offset, -1 / view->distance);
+    }
+    view->attenuation = 1;
+    if (light->kind == LIGHT_SPOT)
+        view->attenuation =
+            spot_attenuation(lamp, -vec3_dot(view->direction, lamp->axis));
+    else if (light->kind == LIGHT_CYLINDER)
+        view->attenuation = cylinder_attenuation(lamp, offset);
+    if (view->attenuation == 0)
+        return false;
+    if (lamp->fades)
+        view->attenuation *= lamp_fading(lamp, view->distance);
+    return view->attenuation != 0 && isfinite(view->attenuation);
+}

@@ -1,0 +1,35 @@
+/* Light sources made ready for shading: direction, distance and attenuation at
+ * a point. Used by every lighting method. Formulas of sections 5.5 and 5.6 of
+ * notes/povray.md, measured on POV-Ray 3.7. */
+#ifndef SHADE_LAMP_H
+#define SHADE_LAMP_H
+
+#include "scene/light.h"
+
+/* A light with what doesn't change from point to point. */
+struct lamp {
+    const struct light *light;
+    int number;                           /* as in world_lights() */
+    vec3 axis;                            /* unit, location to point_at */
+    double cosine_radius, cosine_falloff; /* of spots */
+    bool fades;
+};
+
+/* The lamp as a point sees it. */
+struct lamp_view {
+    vec3 direction; /* unit, from the point to the lamp */
+    /* How far anything can stand between: a shadow ray's length. Not positive
+     * for points behind the plane of a parallel light, which nothing can
+     * shadow. */
+    double distance;
+    double attenuation; /* cone and fading; times light->colour */
+};
+
+struct lamp lamp_new(const struct light *light, int number);
+
+/* Sees the lamp as if it stood at `location` (light->location, or a point of
+ * an area light's grid) from `point`. Returns false if no light gets there. */
+bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
+               struct lamp_view *view);
+
+#endif

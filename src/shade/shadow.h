@@ -1,0 +1,19 @@
+/* Shadow rays: what part of a lamp's light gets from there to here. */
+#ifndef SHADE_SHADOW_H
+#define SHADE_SHADOW_H
+
+#include "base/worker.h"
+#include "embree/world.h"
+
+/* The share of light number `light` (-1: of nothing that looks like a light)
+ * that gets to `point` from `distance` away in the unit `direction`, tinted by
+ * transparent objects and faded by their interiors; black in full shadow. A
+ * distance that isn't positive leaves room for nothing: white. */
+rgb shadow_visibility(const struct world *world, struct worker *worker,
+                      vec3 point, vec3 direction, double distance, int light);
+
+/* How far from a surface point rays begin, so that they don't meet the surface
+ * they start from. */
+double surface_offset(vec3 point);
+
+#endif

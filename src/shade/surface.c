@@ -1,0 +1,127 @@
+/* From an intersection to a surface: layers of paint from the top down, each
+ * weighted with what those above let through. Composition as measured on
+ * POV-Ray 3.7: a layer weighs the product of (filter * colour + transmit), and
+ * with conserve_energy of (1 - reflection), over the layers above it. */
+#include "shade/surface.h"
+
+#include "shade/finish.h"
+
+static colour layer_pigment(const struct layer *layer, vec3 point, int quality)
+{
+    const struct pigment *pigment = layer->pigment;
+    if (quality < QUALITY_TRANSPARENCY && pigment->has_quick_colour)
+        return pigment->quick_colour;
+    return pigment_colour(pigment, point);
+}
+
+/* Bumps live in the texture's space: the normal goes there and back. */
+static vec3 layer_normal(const struct layer *layer, const struct leaf *leaf,
+                         vec3 point, vec3 normal)
+{
+    vec3 there, bumped, back;
+    if (!layer->normal)
+        return normal;
+    there = vec3_normalise(affine_normal(&leaf->from_texture, normal));
+    bumped = normal_perturbed(layer->normal, point, there);
+    back = vec3_normalise(affine_normal(&leaf->to_texture, bumped));
+    return vec3_finite(back) ? back : normal;
+}
+
+/* What light passes a layer down to the next. */
+static rgb layer_through(const struct surface_layer *layer)
+{
+    rgb through = colour_transmittance(layer->pigment);
+    if (layer->finish->conserve_energy)
+        through = rgb_mul(through, rgb_sub(rgb_grey(1), layer->reflection));
+    return through;
+}
+
+static void layer_reflect(struct surface *surface, struct surface_layer *layer,
+                          const struct surface_view *view)
+{
+    double cosine = fabs(vec3_dot(surface->view, layer->normal));
+    struct finish_mirror mirror = finish_mirror(
+        layer->finish, colour_rgb(layer->pigment), cosine, view->ior);
+    layer->reflection = mirror.colour;
+    layer->reflection_weight = mirror.weight;
+}
+
+static void surface_fill_layers(struct surface *surface,
+                                const struct surface_view *view)
+{
+    const struct intersection *at = surface->at;
+    const struct texture *texture = at->texture;
+    vec3 point = affine_point(&at->leaf->to_texture, at->point);
+    rgb weight = rgb_grey(1);
+    for (size_t i = texture->count; i-- > 0;) {
+        const struct layer *source = &texture->layers[i];
+        struct surface_layer *layer = &surface->layer[surface->count++];
+        layer->finish = source->finish;
+        layer->weight = weight;
+        layer->pigment = layer_pigment(source, point, view->quality);
+        layer->normal = layer_normal(source, at->leaf, point, surface->normal);
+        layer_reflect(surface, layer, view);
+        weight = rgb_mul(weight, layer_through(layer));
+        if (rgb_brightness(weight) * view->weight < view->bailout ||
+            surface->count == SURFACE_LAYERS)
+            break;
+    }
+    surface->through = weight;
+}
+
+/* At the lowest qualities a surface is the bottom layer's plain colour. */
+static void surface_fill_plain(struct surface *surface, int quality)
+{
+    const struct intersection *at = surface->at;
+    const struct layer *source = &at->texture->layers[0];
+    vec3 point = affine_point(&at->leaf->to_texture, at->point);
+    surface->count = 1;
+    surface->layer[0] = (struct surface_layer){
+        .finish = source->finish,
+        .pigment = layer_pigment(source, point, quality),
+        .normal = surface->normal,
+        .weight = rgb_grey(1),
+    };
+}
+
+void surface_fill(struct surface *surface, const struct intersection *at,
+                  const struct surface_view *view)
+{
+    surface->at = at;
+    surface->point = at->point;
+    surface->view = vec3_negate(view->direction);
+    surface->inside = vec3_dot(at->normal, view->direction) > 0;
+    surface->normal = surface->inside ? vec3_negate(at->normal) : at->normal;
+    surface->count = 0;
+    surface->through = rgb_grey(0);
+    if (view->quality < QUALITY_LIT)
+        surface_fill_plain(surface, view->quality);
+    else
+        surface_fill_layers(surface, view);
+}
+
+rgb surface_transmittance(const struct intersection *at)
+{
+    const struct texture *texture = at->texture;
+    vec3 point = affine_point(&at->leaf->to_texture, at->point);
+    rgb through = rgb_grey(1);
+    for (size_t i = texture->count; i-- > 0;) {
+        colour pigment = pigment_colour(texture->layers[i].pigment, point);
+        through = rgb_mul(through, colour_transmittance(pigment));
+        if (rgb_peak(through) == 0)
+            break;
+    }
+    return through;
+}
+
+bool surface_faces(const struct surface *surface, vec3 direction)
+{
+    bool twice = surface->at->leaf->double_illuminate;
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        double cosine = vec3_dot(layer->normal, direction);
+        if (finish_lit_by(layer->finish, cosine, twice))
+            return true;
+    }
+    return false;
+}

@@ -1,0 +1,19 @@
+/* What lies between and behind the objects: fog, sky, background. */
+#ifndef TRACER_BACKGROUND_H
+#define TRACER_BACKGROUND_H
+
+#include "scene/scene.h"
+
+/* Light seen along a ray and what it lets pass of the light behind it. */
+struct veil {
+    rgb light;
+    rgb through;
+};
+
+/* All fogs over `distance`, INFINITY where the ray hits nothing. */
+struct veil fog_veil(const struct scene *scene, double distance);
+
+/* The sky sphere in this unit direction; clear without one. */
+struct veil sky_veil(const struct scene *scene, vec3 direction);
+
+#endif

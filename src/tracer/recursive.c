@@ -1,0 +1,304 @@
+/* Whitted's recursion with POV-Ray's rules, measured on POV-Ray 3.7:
+ * - A surface sends rays on only while its level is below max_trace_level.
+ *   Mirrored and refracted rays are one level up; what passes straight through
+ *   stays on the level, so panes of glass are never too many. It is followed
+ *   in a loop, not by recursion: the stack is bounded by the level.
+ * - A ray that weighs less than adc_bailout is not traced. A mirror weighs its
+ *   largest component, a filter its brightness.
+ * - Total reflection takes the place of all that is transmitted and mirrored,
+ *   at full weight.
+ * - Fading in an interior weakens what passes where the ray leaves it. */
+#include "shade/finish.h"
+#include "shade/interior.h"
+#include "shade/shadow.h"
+#include "tracer/background.h"
+#include "tracer/tracer.h"
+
+enum {
+    LEVELS_MAX = 256,          /* of max_trace_level, as in POV-Ray */
+    SURFACES_MAX = 1000 * 1000 /* a ray passes straight through */
+};
+
+/* A ray on its way, and what it has gathered. */
+struct path {
+    const struct tracer *tracer;
+    struct worker *worker;
+    struct ray ray;
+    enum ray_kind kind;
+    int level;     /* 1 for camera rays */
+    double weight; /* in the pixel, for adc_bailout */
+    bool straight; /* the camera's line of sight: its opacity counts */
+    struct interiors inside;
+
+    rgb share;    /* of what the ray meets next, in its radiance */
+    double clear; /* 1 - opacity so far */
+    rgb light;    /* gathered */
+};
+
+/* Where the path stands: one surface, and the list after crossing it. */
+struct crossing {
+    struct intersection at;
+    struct surface surface;
+    struct interiors beyond;
+    bool leaving;
+    double ior; /* behind the surface over before it */
+};
+
+static struct radiance path_follow(struct path *path);
+
+static void path_gather(struct path *path, rgb light)
+{
+    path->light = rgb_add(path->light, rgb_mul(path->share, light));
+}
+
+/* Something half transparent on the way. */
+static void path_veil(struct path *path, const struct veil *veil)
+{
+    path_gather(path, veil->light);
+    path->share = rgb_mul(path->share, veil->through);
+    path->clear *= rgb_brightness(veil->through);
+}
+
+static void path_fog(struct path *path, double distance)
+{
+    const struct tracer *tracer = path->tracer;
+    if (tracer->scene->fogs.count == 0 || tracer->quality < QUALITY_FOG ||
+        !interiors_open(&path->inside))
+        return;
+    struct veil veil = fog_veil(tracer->scene, distance);
+    path_veil(path, &veil);
+}
+
+/* Without +UA the background's transmit darkens it and its filter does
+ * nothing. With +UA both make it transparent where the camera sees it, and
+ * neither matters in a mirror. */
+static void path_background(struct path *path)
+{
+    const struct tracer *tracer = path->tracer;
+    colour c = tracer->scene->background;
+    struct veil sky = sky_veil(tracer->scene, path->ray.direction);
+    path_veil(path, &sky);
+    double share = 1 - c.transmit;
+    if (tracer->alpha)
+        share = path->straight ? 1 - c.filter - c.transmit : 1;
+    path_gather(path, rgb_scale(colour_rgb(c), share));
+    if (tracer->alpha && path->straight)
+        path->clear *= rgb_brightness(colour_transmittance(c));
+    else
+        path->clear = 0;
+}
+
+/* Sums the light of all lamps over the layers. */
+struct gathering {
+    const struct surface *surface;
+    rgb light;
+};
+
+static void gather_sample(void *context, const struct light_sample *sample)
+{
+    struct gathering *gathering = context;
+    const struct surface *surface = gathering->surface;
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb light = finish_light(surface, layer, sample);
+        gathering->light =
+            rgb_add(gathering->light, rgb_mul(layer->weight, light));
+    }
+}
+
+/* The light that the surface itself sends to the viewer. */
+static rgb path_shade(const struct path *path, const struct surface *surface)
+{
+    const struct tracer *tracer = path->tracer;
+    struct gathering gathering = { surface, rgb_grey(0) };
+    struct diffuse_light diffuse =
+        tracer->lighting->illuminate(tracer->lighting_state, path->worker,
+                                     surface, gather_sample, &gathering);
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb glow = finish_glow(layer, diffuse.ambient, diffuse.irradiance);
+        gathering.light =
+            rgb_add(gathering.light, rgb_mul(layer->weight, glow));
+    }
+    return gathering.light;
+}
+
+static vec3 mirrored(vec3 direction, vec3 normal)
+{
+    return vec3_normalise(
+        vec3_along(direction, normal, -2 * vec3_dot(direction, normal)));
+}
+
+/* One layer's mirror. */
+static rgb path_mirror(const struct path *path, const struct crossing *crossing,
+                       const struct surface_layer *layer, double weight)
+{
+    struct path branch;
+    branch.tracer = path->tracer;
+    branch.worker = path->worker;
+    branch.ray.origin = crossing->at.point;
+    branch.ray.direction = mirrored(path->ray.direction, layer->normal);
+    branch.kind = RAY_REFLECTION;
+    branch.level = path->level + 1;
+    branch.weight = weight;
+    branch.straight = false;
+    interiors_copy(&branch.inside, &path->inside);
+    path->worker->counters.secondary_rays++;
+    rgb light = path_follow(&branch).colour;
+    light = finish_exponent(light, layer->finish->reflection.exponent);
+    return rgb_mul(light, layer->reflection);
+}
+
+static void path_mirrors(struct path *path, const struct crossing *crossing)
+{
+    const struct tracer *tracer = path->tracer;
+    const struct surface *surface = &crossing->surface;
+    if (tracer->quality < QUALITY_REFLECTION)
+        return;
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        double weight = path->weight * rgb_brightness(layer->weight) *
+                        layer->reflection_weight;
+        if (weight > 0 && weight >= tracer->scene->settings.adc_bailout)
+            path_gather(path, path_mirror(path, crossing, layer, weight));
+    }
+}
+
+/* Snell: the direction behind the surface. Returns false in total
+ * reflection. */
+static bool refracted(vec3 direction, vec3 normal, double ior, vec3 *out)
+{
+    double n = 1 / ior, cosine = -vec3_dot(direction, normal);
+    double left = 1 - n * n * (1 - cosine * cosine);
+    if (!(left >= 0))
+        return false;
+    vec3 bent =
+        vec3_along(vec3_scale(direction, n), normal, n * cosine - sqrt(left));
+    *out = vec3_normalise(bent);
+    return true;
+}
+
+static void path_fade(struct path *path, const struct crossing *crossing)
+{
+    if (crossing->leaving)
+        path->share =
+            rgb_mul(path->share,
+                    interior_fade(crossing->at.leaf->interior, crossing->at.t));
+}
+
+/* Goes on behind the surface, or inside it after total reflection. Returns
+ * false if the ray ends here. */
+static bool path_pass(struct path *path, const struct crossing *crossing)
+{
+    const struct tracer *tracer = path->tracer;
+    const struct surface *surface = &crossing->surface;
+    rgb through = surface->through;
+    double weight = path->weight * rgb_brightness(through);
+    vec3 normal = surface->layer[0].normal;
+    vec3 direction = path->ray.direction;
+    bool bends = crossing->ior != 1, inward = false;
+    if (tracer->quality < QUALITY_TRANSPARENCY || rgb_peak(through) == 0 ||
+        weight < tracer->scene->settings.adc_bailout) {
+        path_mirrors(path, crossing);
+        return false;
+    }
+    if (bends)
+        inward =
+            !refracted(path->ray.direction, normal, crossing->ior, &direction);
+    if (inward) {
+        direction = mirrored(path->ray.direction, normal);
+        path->straight = false;
+        path->clear = 0;
+    } else {
+        path_mirrors(path, crossing);
+        path->share = rgb_mul(path->share, through);
+        path->clear *= rgb_brightness(through);
+        path->weight = weight;
+        interiors_copy(&path->inside, &crossing->beyond);
+    }
+    path_fade(path, crossing);
+    path->ray = (struct ray){ crossing->at.point, direction };
+    path->level += bends;
+    path->worker->counters.secondary_rays++;
+    return true;
+}
+
+/* At the surface: returns false if the ray ends here. */
+static bool path_cross(struct path *path, struct crossing *crossing)
+{
+    const struct tracer *tracer = path->tracer;
+    const struct settings *settings = &tracer->scene->settings;
+    const struct leaf *leaf = crossing->at.leaf;
+    int levels = settings->max_trace_level < LEVELS_MAX
+                     ? settings->max_trace_level
+                     : LEVELS_MAX;
+    interiors_copy(&crossing->beyond, &path->inside);
+    interiors_cross(&crossing->beyond, leaf);
+    crossing->leaving = crossing->beyond.count < path->inside.count;
+    crossing->ior =
+        interiors_ior(&crossing->beyond) / interiors_ior(&path->inside);
+    struct surface_view view = {
+        .direction = path->ray.direction,
+        .ior = crossing->ior,
+        .quality = tracer->quality,
+        .weight = path->weight,
+        .bailout = settings->adc_bailout,
+    };
+    surface_fill(&crossing->surface, &crossing->at, &view);
+    if (tracer->quality < QUALITY_LIT) {
+        path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));
+        return false;
+    }
+    path_gather(path, path_shade(path, &crossing->surface));
+    return path->level < levels && path_pass(path, crossing);
+}
+
+/* Follows the ray to its end. */
+static struct radiance path_follow(struct path *path)
+{
+    const struct tracer *tracer = path->tracer;
+    struct crossing crossing;
+    path->share = rgb_grey(1);
+    path->clear = 1;
+    path->light = rgb_grey(0);
+    for (int i = 0; i < SURFACES_MAX; i++) {
+        if (worker_stopped(path->worker))
+            break;
+        double offset = surface_offset(path->ray.origin);
+        bool met = world_closest(tracer->world, &path->ray, offset, path->kind,
+                                 &crossing.at);
+        path_fog(path, met ? crossing.at.t : (double)INFINITY);
+        if (!met) {
+            path_background(path);
+            return (struct radiance){ path->light, 1 - path->clear };
+        }
+        if (!path_cross(path, &crossing))
+            break;
+    }
+    return (struct radiance){ path->light, 1 };
+}
+
+static void interiors_enter(void *context, const struct leaf *leaf)
+{
+    struct interiors *inside = context;
+    if (interiors_find(inside, leaf->body) < 0)
+        interiors_cross(inside, leaf);
+}
+
+struct radiance tracer_camera(const struct tracer *tracer,
+                              struct worker *worker, double x, double y)
+{
+    struct path path;
+    path.tracer = tracer;
+    path.worker = worker;
+    path.ray = camera_ray(&tracer->scene->camera, x, y);
+    path.kind = RAY_CAMERA;
+    path.level = 1;
+    path.weight = 1;
+    path.straight = true;
+    path.inside.count = 0;
+    worker->counters.camera_rays++;
+    world_containing(tracer->world, path.ray.origin, interiors_enter,
+                     &path.inside);
+    return path_follow(&path);
+}
