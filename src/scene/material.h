@@ -137,7 +137,8 @@ colour pigment_colour(const struct pigment *pigment, vec3 point);
 bool pigment_is_opaque(const struct pigment *pigment);
 bool texture_is_opaque(const struct texture *texture);
 
-/* The unit normal after perturbation; `normal` unit, both in texture space. */
+/* The unit normal after perturbation; `normal` unit, both in texture space and
+ * turned towards the viewer (measured: bumps rise to whoever looks). */
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
                       vec3 normal);
 

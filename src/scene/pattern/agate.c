@@ -9,8 +9,8 @@ static const struct agate agate_defaults = { 1 };
 
 static const struct field agate_items[] = {
     { "agate_turb", FIELD_FLOAT, offsetof(struct agate, turbulence), 0, 0,
-      "strength of the bending, default 1" },
-    { 0 },
+      "strength of the bending, default 1", false },
+    { .name = NULL },
 };
 
 /* Measured: exponent 0.77, 1.1 bands per unit, 1.3 bands per turbulence. */

@@ -13,10 +13,10 @@ static const double brick_colours[][3] = { { 0.5, 0.5, 0.5 },
 
 static const struct field brick_items[] = {
     { "brick_size", FIELD_VECTOR, offsetof(struct brick, size), 0, 0,
-      "brick with mortar, default <8, 3, 4.5>" },
+      "brick with mortar, default <8, 3, 4.5>", false },
     { "mortar", FIELD_FLOAT, offsetof(struct brick, mortar), 0, 0,
-      "thickness of the mortar, default 0.5" },
-    { 0 },
+      "thickness of the mortar, default 0.5", false },
+    { .name = NULL },
 };
 
 /* Whether a coordinate in brick lengths is in the mortar, which comes first.

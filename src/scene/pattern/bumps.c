@@ -7,8 +7,17 @@ static double bumps_value(const struct pattern *pattern, vec3 point)
     return noise_value(point);
 }
 
+static vec3 bumps_perturbation(const struct pattern *pattern, vec3 point,
+                               vec3 normal)
+{
+    (void)pattern;
+    (void)normal;
+    return noise_vector(point);
+}
+
 const struct pattern_kind bumps_pattern = {
     .name = "bumps",
     .help = "smooth noise; as a normal, smooth bumps",
     .value = bumps_value,
+    .perturbation = bumps_perturbation,
 };

@@ -15,14 +15,15 @@ static const struct crackle crackle_defaults = { { -1, 1, 0 }, 2, 0, false };
 
 static const struct field crackle_items[] = {
     { "form", FIELD_VECTOR, offsetof(struct crackle, form), 0, 0,
-      "weights of the distances to the nearest three points, <-1, 1, 0>" },
+      "weights of the distances to the nearest three points, <-1, 1, 0>",
+      false },
     { "metric", FIELD_FLOAT, offsetof(struct crackle, metric), 0, 0,
-      "exponent of the distance: 2 round, 1 city blocks, default 2" },
+      "exponent of the distance: 2 round, 1 city blocks, default 2", false },
     { "offset", FIELD_FLOAT, offsetof(struct crackle, offset), 0, 0,
-      "distance from the points in a fourth dimension, default 0" },
+      "distance from the points in a fourth dimension, default 0", false },
     { "solid", FIELD_FLAG, offsetof(struct crackle, solid), 0, 0,
-      "one random value for each cell" },
-    { 0 },
+      "one random value for each cell", false },
+    { .name = NULL },
 };
 
 /* The three smallest sums of powers so far, and whose is the first. */

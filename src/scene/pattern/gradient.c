@@ -9,8 +9,8 @@ static const struct gradient gradient_defaults = { { 1, 0, 0 } };
 
 static const struct field gradient_arguments[] = {
     { "direction", FIELD_VECTOR, offsetof(struct gradient, direction), 0, 0,
-      "across the bands; its length does not matter" },
-    { 0 },
+      "across the bands; its length does not matter", false },
+    { .name = NULL },
 };
 
 /* Measured: only positive values are reduced here; negative ones are left to

@@ -14,8 +14,22 @@ static double ripples_value(const struct pattern *pattern, vec3 point)
     return 0.5 + 0.5 * sum / NOISE_WAVES;
 }
 
+static vec3 ripples_perturbation(const struct pattern *pattern, vec3 point,
+                                 vec3 normal)
+{
+    vec3 sum = { 0, 0, 0 };
+    (void)normal;
+    for (int i = 0; i < NOISE_WAVES; i++) {
+        vec3 away = vec3_sub(point, noise_wave_source(i));
+        double cycles = vec3_length(away) * pattern->frequency + pattern->phase;
+        sum = vec3_along(sum, vec3_normalise(away), sin(2 * M_PI * cycles));
+    }
+    return vec3_scale(sum, 1.0 / NOISE_WAVES);
+}
+
 const struct pattern_kind ripples_pattern = {
     .name = "ripples",
     .help = "circular waves of one length",
     .value = ripples_value,
+    .perturbation = ripples_perturbation,
 };
