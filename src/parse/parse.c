@@ -94,6 +94,7 @@ static void parse_run(struct parser *p, const struct source *main)
         return;
     if (parse_headers(p))
         parse_items(p);
+    settings_finish(p);
 }
 
 struct scene *parse_scene(const struct source *main,

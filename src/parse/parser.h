@@ -13,6 +13,7 @@
 #include "token/lexer.h"
 
 struct cursor;
+struct image_cache;
 struct scope;
 
 /* Limits, each with its reason. */
@@ -55,11 +56,13 @@ struct parser {
     bool failed;    /* gave up: the stream only gives TOKEN_END from now on */
     double version; /* #version in force */
     bool version_said;
-    struct { /* #default: what new things start from */
+    bool has_camera; /* one was said: the next takes its place */
+    struct {         /* #default: what new things start from */
         const struct pigment *pigment;
         const struct normal *normal;
         const struct finish *finish;
     } defaults;
+    struct image_cache *images;     /* read for image_map; image_map.c */
     struct random_streams *randoms; /* seed(), rand() */
     struct {
         const struct token_list **items;
@@ -177,7 +180,6 @@ bool parse_thing(struct parser *p, struct value *value, bool *found);
 bool parse_scene_item(struct parser *p); /* scene.c */
 bool at_object(struct parser *p);        /* object.c */
 bool parse_object(struct parser *p, struct object **out);
-bool parse_light(struct parser *p, struct light *out);
 bool parse_camera(struct parser *p, struct camera *out);
 bool parse_texture(struct parser *p, const struct texture **out);
 bool parse_pigment(struct parser *p, const struct pigment **out);
@@ -193,5 +195,7 @@ bool parse_global_settings(struct parser *p);
 bool parse_defaults(struct parser *p, struct span open);
 /* What #default starts from. */
 void defaults_init(struct parser *p);
+/* After the last line: what is left to decide. */
+void settings_finish(struct parser *p);
 
 #endif

@@ -59,6 +59,8 @@ struct pigment {
     struct pattern pattern;      /* for every kind: the placing */
     const struct blend_map *map; /* PIGMENT_PATTERN; NULL: black to white */
     const struct image_map *image;
+    unsigned depth, parts; /* of pigment_maps in each other: levels, and
+                            * entries in all; the parser limits both */
     bool has_quick_colour;
     colour quick_colour; /* used at quality 5 and below */
 };
@@ -93,6 +95,8 @@ struct finish {
     double crand;    /* grain */
     struct reflection reflection;
     bool conserve_energy;
+    double ior; /* of scenes older than 3.1: the parser gives it to the
+                 * object's interior; 0: not said */
 };
 
 /* One layer of paint. No member is NULL but `normal`. */

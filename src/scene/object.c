@@ -10,6 +10,8 @@ struct object *object_new(struct arena *arena, enum object_kind kind,
     struct object *object = ARENA_NEW(arena, struct object);
     object->kind = kind;
     object->span = span;
+    object->depth = 1;
+    object->parts = 1;
     object->transform = affine_identity();
     object->texture_transform = affine_identity();
     return object;

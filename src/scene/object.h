@@ -43,6 +43,12 @@ struct object {
     const struct object **children;
     size_t child_count;
 
+    /* Of the tree below, clips included: a declared object may be used by one
+     * that is used by another, and so on. The parser limits both. */
+    unsigned depth; /* levels, 1 for a shape */
+    size_t parts;   /* shapes, each counted as often as it is used */
+    bool patch;     /* some part has no inside */
+
     affine transform;
 
     const struct texture *texture; /* NULL: the parent's, or the default */

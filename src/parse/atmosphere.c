@@ -1,0 +1,173 @@
+/* What rays meet where there is no object: background, sky_sphere, fog. */
+#include "parse/rules.h"
+
+/* background = "background" "{" [colour] "}" . */
+bool parse_background(struct parser *p, colour *out)
+{
+    struct span open;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    *out = (colour){ .r = 0 };
+    bool ok = !at_any_colour(p) || parse_colour(p, out);
+    if (ok && stream_peek(p)->kind != TOKEN_RBRACE)
+        ok = error_unknown_item(p, "background", NULL);
+    return block_end(p, open, ok);
+}
+
+/* ---- fog ---- */
+
+static const struct field fog_fields[] = {
+    { "distance", FIELD_FLOAT, offsetof(struct fog, distance), 0, 0,
+      "after which 1/e of what is behind is left" },
+    { NULL },
+};
+
+static const struct unsupported_word fog_unsupported[] = {
+    { KEYWORD_TURBULENCE, "'turbulence' in fog" },
+    { KEYWORD_NONE, NULL },
+};
+
+/* fog_shape = "fog_type" float | "fog_offset" float | "fog_alt" float
+ *           | "turb_depth" float | "octaves" float | "omega" float
+ *           | "lambda" float | "up" vector | transformation .
+ * Of the kinds, only 1, the same everywhere, is supported: it has no shape. */
+static bool parse_fog_shape(struct parser *p, bool *found)
+{
+    affine ignored = affine_identity();
+    struct span span = stream_span(p);
+    vec3 up;
+    int type;
+    *found = true;
+    switch (stream_keyword(p)) {
+    case KEYWORD_FOG_TYPE:
+        stream_next(p);
+        if (!parse_integer(p, &type))
+            return false;
+        return type == 1 || error_unsupported(p, span, "fog_type 2");
+    case KEYWORD_FOG_OFFSET:
+    case KEYWORD_FOG_ALT:
+    case KEYWORD_TURB_DEPTH:
+    case KEYWORD_OCTAVES:
+    case KEYWORD_OMEGA:
+    case KEYWORD_LAMBDA:
+        return skip_item(p);
+    case KEYWORD_UP:
+        stream_next(p);
+        return parse_vector(p, &up);
+    default:
+        return parse_transformation(p, &ignored, found);
+    }
+}
+
+/* fog_item = "distance" float | colour | fog_shape . */
+static bool parse_fog_item(struct parser *p, struct fog *fog)
+{
+    bool found;
+    const struct field *field = accept_field(p, fog_fields);
+    if (field)
+        return parse_field(p, field, fog);
+    if (at_colour(p))
+        return parse_colour(p, &fog->colour);
+    bool ok = parse_fog_shape(p, &found);
+    if (!ok || found)
+        return ok;
+    return check_supported(p, fog_unsupported) &&
+           error_unknown_item(p, "fog", fog_fields);
+}
+
+static bool fog_items(struct parser *p, struct fog *fog)
+{
+    const struct value *value = accept_value(p, VALUE_FOG);
+    *fog = value ? *value->fog : (struct fog){ .distance = 0 };
+    while (stream_peek(p)->kind != TOKEN_RBRACE) {
+        if (!parse_fog_item(p, fog))
+            return false;
+        accept(p, TOKEN_COMMA);
+    }
+    return true;
+}
+
+/* fog = "fog" "{" [FOG] {fog_item [","]} "}" . */
+bool parse_fog(struct parser *p, struct fog *out)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, fog_items(p, out));
+}
+
+/* ---- sky_sphere ---- */
+
+static const struct field sky_fields[] = {
+    { "emission", FIELD_RGB, offsetof(struct sky_sphere, emission), 0, 0,
+      "multiplies, 1" },
+    { NULL },
+};
+
+static const struct field sky_names[] = {
+    { .name = "pigment" },
+    { .name = "emission" },
+    { .name = NULL },
+};
+
+static void sky_move(struct parser *p, struct sky_sphere *sky,
+                     const affine *step)
+{
+    for (size_t i = 0; i < sky->count; i++)
+        sky->pigments[i] =
+            pigment_moved(p->scene_arena, sky->pigments[i], step);
+}
+
+static bool sky_add(struct parser *p, struct sky_sphere *sky)
+{
+    const struct pigment **pigments =
+        ARENA_ARRAY(p->scene_arena, const struct pigment *, sky->count + 1);
+    if (sky->count)
+        memcpy(pigments, sky->pigments, sky->count * sizeof *pigments);
+    sky->pigments = pigments;
+    return parse_pigment(p, &pigments[sky->count++]);
+}
+
+/* sky_sphere_item = pigment | "emission" colour | transformation . */
+static bool parse_sky_sphere_item(struct parser *p, struct sky_sphere *sky)
+{
+    affine step = affine_identity();
+    bool found;
+    const struct field *field = accept_field(p, sky_fields);
+    if (field)
+        return parse_field(p, field, sky);
+    if (stream_keyword(p) == KEYWORD_PIGMENT)
+        return sky_add(p, sky);
+    if (!parse_transformation(p, &step, &found))
+        return false;
+    if (found)
+        sky_move(p, sky, &step);
+    return found || error_unknown_item(p, "sky_sphere", sky_names);
+}
+
+static bool sky_items(struct parser *p, struct sky_sphere *sky)
+{
+    const struct value *value = accept_value(p, VALUE_SKY_SPHERE);
+    *sky = value ? *value->sky : (struct sky_sphere){ .emission = rgb_grey(1) };
+    if (sky->count) {
+        const struct pigment **own =
+            ARENA_ARRAY(p->scene_arena, const struct pigment *, sky->count);
+        memcpy(own, sky->pigments, sky->count * sizeof *own);
+        sky->pigments = own;
+    }
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_sky_sphere_item(p, sky))
+            return false;
+    return sky->count || error_at(p, stream_span(p), "pigment { rgb 1 }",
+                                  "a sky_sphere needs a pigment");
+}
+
+/* sky_sphere = "sky_sphere" "{" [SKY_SPHERE] {sky_sphere_item} "}" . */
+bool parse_sky_sphere(struct parser *p, const struct sky_sphere **out)
+{
+    struct sky_sphere *sky = ARENA_NEW(p->scene_arena, struct sky_sphere);
+    struct span open;
+    *out = sky;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, sky_items(p, sky));
+}

@@ -1,0 +1,185 @@
+/* The camera. Its vectors may come in any order: all is worked out at the
+ * end, transformations last (measured; povray.md, section 5.8). */
+#include "parse/rules.h"
+
+#define CAMERA(name, kind, member, low, high, help)                            \
+    {                                                                          \
+        name, kind, offsetof(struct camera_draft, camera.member), low, high,   \
+            help                                                               \
+    }
+
+struct camera_draft {
+    struct camera camera;
+    affine moved; /* applied at the end, wherever it stands */
+};
+
+/* camera_value = "location" vector | "direction" vector | "right" vector
+ *              | "up" vector | "sky" vector | "look_at" vector
+ *              | "angle" float . */
+static const struct field camera_fields[] = {
+    CAMERA("location", FIELD_VECTOR, location, 0, 0, "where it is, 0"),
+    CAMERA("direction", FIELD_VECTOR, direction, 0, 0,
+           "to the picture's middle, z"),
+    CAMERA("right", FIELD_VECTOR, right, 0, 0, "across the picture, 1.33 x"),
+    CAMERA("up", FIELD_VECTOR, up, 0, 0, "up the picture, y"),
+    CAMERA("sky", FIELD_VECTOR, sky, 0, 0, "what look_at keeps up, y"),
+    CAMERA("look_at", FIELD_VECTOR, look_at, 0, 0, "the point in the middle"),
+    CAMERA("angle", FIELD_FLOAT, angle, 0, 0, "degrees across the picture"),
+    { NULL },
+};
+
+static const struct unsupported_word camera_unsupported[] = {
+    { KEYWORD_FISHEYE, "a 'fisheye' camera" },
+    { KEYWORD_MESH_CAMERA, "a 'mesh_camera'" },
+    { KEYWORD_NORMAL, "a camera's 'normal'" },
+    { KEYWORD_OMNIMAX, "an 'omnimax' camera" },
+    { KEYWORD_PANORAMIC, "a 'panoramic' camera" },
+    { KEYWORD_SPHERICAL, "a 'spherical' camera" },
+    { KEYWORD_ULTRA_WIDE_ANGLE, "an 'ultra_wide_angle' camera" },
+    { KEYWORD_NONE, NULL },
+};
+
+/* camera_kind = "perspective" | "orthographic" . */
+static bool parse_camera_kind(struct parser *p, struct camera *camera)
+{
+    if (accept_keyword(p, KEYWORD_ORTHOGRAPHIC))
+        camera->kind = CAMERA_ORTHOGRAPHIC;
+    else if (accept_keyword(p, KEYWORD_PERSPECTIVE))
+        camera->kind = CAMERA_PERSPECTIVE;
+    if (at_word(p, "cylinder"))
+        return error_unsupported(p, stream_span(p), "a 'cylinder' camera");
+    return check_supported(p, camera_unsupported);
+}
+
+/* focal_blur = "aperture" float | "blur_samples" float [[","] float]
+ *            | "focal_point" vector | "confidence" float | "variance" float .
+ * Without effect as long as the aperture is 0. */
+static bool parse_focal_blur(struct parser *p, bool *found)
+{
+    double number;
+    vec3 point;
+    enum keyword keyword = stream_keyword(p);
+    struct span span = stream_span(p);
+    *found = true;
+    switch (keyword) {
+    case KEYWORD_APERTURE:
+    case KEYWORD_CONFIDENCE:
+    case KEYWORD_VARIANCE:
+    case KEYWORD_BLUR_SAMPLES:
+        stream_next(p);
+        if (!parse_float(p, &number))
+            return false;
+        accept(p, TOKEN_COMMA);
+        if (keyword == KEYWORD_APERTURE && number != 0)
+            return error_unsupported(p, span, "focal blur ('aperture')");
+        return !at_expression(p) || parse_float(p, &number);
+    case KEYWORD_FOCAL_POINT:
+        stream_next(p);
+        return parse_vector(p, &point);
+    default:
+        *found = false;
+        return true;
+    }
+}
+
+static bool camera_check_angle(struct parser *p, const struct camera *camera,
+                               struct span span)
+{
+    if (camera->angle < 0)
+        return error_at(p, span, NULL, "a viewing angle can't be negative");
+    if (camera->kind == CAMERA_PERSPECTIVE && camera->angle >= 180)
+        return error_at(p, span, NULL,
+                        "a viewing angle must be smaller than 180 degrees");
+    return true;
+}
+
+static bool camera_field(struct parser *p, const struct field *field,
+                         struct camera_draft *draft)
+{
+    struct span span = p->last_span;
+    if (!parse_field(p, field, draft))
+        return false;
+    bool is_look_at = strcmp(field->name, "look_at") == 0;
+    draft->camera.has_look_at = draft->camera.has_look_at || is_look_at;
+    draft->camera.has_size = draft->camera.has_size ||
+                             strcmp(field->name, "right") == 0 ||
+                             strcmp(field->name, "up") == 0;
+    return camera_check_angle(p, &draft->camera, span_join(span, p->last_span));
+}
+
+/* camera_item = camera_value | camera_kind | focal_blur | transformation . */
+static bool parse_camera_item(struct parser *p, struct camera_draft *draft)
+{
+    bool found;
+    const struct field *field = accept_field(p, camera_fields);
+    if (field)
+        return camera_field(p, field, draft);
+    if (stream_keyword(p) == KEYWORD_ORTHOGRAPHIC ||
+        stream_keyword(p) == KEYWORD_PERSPECTIVE)
+        return parse_camera_kind(p, &draft->camera);
+    bool ok = parse_focal_blur(p, &found);
+    if (ok && !found)
+        ok = parse_transformation(p, &draft->moved, &found);
+    if (!ok || found)
+        return ok;
+    return check_supported(p, camera_unsupported) &&
+           error_unknown_item(p, "camera", camera_fields);
+}
+
+static bool camera_end(struct parser *p, struct span span,
+                       struct camera_draft *draft)
+{
+    const char *problem = camera_finish(&draft->camera);
+    if (problem)
+        return error_at(p, span, NULL, "impossible camera: %s", problem);
+    camera_move(&draft->camera, &draft->moved);
+    return true;
+}
+
+/* camera_use = CAMERA {transformation} . */
+static bool parse_camera_use(struct parser *p, struct camera *camera)
+{
+    affine moved = affine_identity();
+    bool found;
+    while (stream_peek(p)->kind != TOKEN_RBRACE) {
+        if (!parse_transformation(p, &moved, &found))
+            return false;
+        if (!found)
+            return error_at(p, stream_span(p), NULL,
+                            "a declared camera can only be moved: translate, "
+                            "rotate, scale ...");
+    }
+    camera_move(camera, &moved);
+    return true;
+}
+
+static bool camera_body(struct parser *p, struct span span,
+                        struct camera *camera)
+{
+    const struct value *value = accept_value(p, VALUE_CAMERA);
+    if (value) {
+        *camera = *value->camera;
+        return parse_camera_use(p, camera);
+    }
+    struct camera_draft draft = { .camera = camera_default(),
+                                  .moved = affine_identity() };
+    if (!parse_camera_kind(p, &draft.camera))
+        return false;
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_camera_item(p, &draft))
+            return false;
+    if (!camera_end(p, span, &draft))
+        return false;
+    *camera = draft.camera;
+    return true;
+}
+
+/* camera = "camera" "{" ( camera_use | [camera_kind] {camera_item} ) "}" . */
+bool parse_camera(struct parser *p, struct camera *out)
+{
+    struct span open;
+    stream_next(p);
+    struct span span = p->last_span;
+    return block_begin(p, &open) &&
+           block_end(p, open, camera_body(p, span, out));
+}

@@ -1,0 +1,154 @@
+/* The lists of colours and pigments that a pattern's value picks from. */
+#include "parse/rules.h"
+
+/* POV-Ray's limit for the entries of a map. */
+enum { MAP_ENTRY_LIMIT = 256 };
+
+struct map_builder {
+    struct blend_entry *items;
+    size_t count, capacity;
+};
+
+static struct blend_map *map_finish(struct parser *p,
+                                    const struct map_builder *builder)
+{
+    struct blend_map *map = ARENA_NEW(p->scene_arena, struct blend_map);
+    map->entries = builder->items;
+    map->count = builder->count;
+    return map;
+}
+
+static bool map_push(struct parser *p, struct map_builder *builder,
+                     struct blend_entry entry)
+{
+    if (builder->count >= MAP_ENTRY_LIMIT)
+        return error_at(p, p->last_span, NULL, "a map has at most %d entries",
+                        MAP_ENTRY_LIMIT);
+    *ARRAY_PUSH(p->scene_arena, builder) = entry;
+    return true;
+}
+
+/* colour_map_entry = "[" float [","] ( colour | float [","] colour [","] colour
+ * )
+ *                    "]" .
+ * The second form is that of old scenes: from one value to another. */
+static bool parse_colour_map_entry(struct parser *p,
+                                   struct map_builder *builder)
+{
+    struct blend_entry entry = { .pigment = NULL };
+    struct span open;
+    double end;
+    if (!bracket_begin(p, &open) || !parse_float(p, &entry.value))
+        return false;
+    accept(p, TOKEN_COMMA);
+    bool old = at_number(p);
+    if (old && !parse_float(p, &end))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (!parse_colour(p, &entry.colour) || !map_push(p, builder, entry))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (old) {
+        entry.value = end;
+        if (!parse_colour(p, &entry.colour) || !map_push(p, builder, entry))
+            return false;
+    }
+    return expect(p, TOKEN_RBRACKET, open);
+}
+
+/* pigment_map_entry = "[" float [","] pigment_body "]" . */
+static bool parse_pigment_map_entry(struct parser *p,
+                                    struct map_builder *builder)
+{
+    struct blend_entry entry = { .pigment = p->defaults.pigment };
+    struct span open;
+    if (!bracket_begin(p, &open) || !parse_float(p, &entry.value))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return parse_pigment_body(p, &entry.pigment) &&
+           map_push(p, builder, entry) && expect(p, TOKEN_RBRACKET, open);
+}
+
+typedef bool map_entry_rule(struct parser *p, struct map_builder *builder);
+
+static bool map_entries(struct parser *p, enum value_kind kind,
+                        map_entry_rule *rule, const struct blend_map **out)
+{
+    const struct value *value = accept_value(p, kind);
+    if (value) {
+        *out = value->map;
+        return true;
+    }
+    struct map_builder builder = { .count = 0 };
+    while (stream_peek(p)->kind != TOKEN_RBRACE) {
+        if (!rule(p, &builder))
+            return false;
+        accept(p, TOKEN_COMMA);
+    }
+    *out = map_finish(p, &builder);
+    return builder.count || error_at(p, stream_span(p), "[0 rgb 0] [1 rgb 1]",
+                                     "a map needs at least one entry");
+}
+
+/* colour_map = "colour_map" "{" ( COLOUR_MAP | colour_map_entry
+ * {colour_map_entry} )
+ *              "}" . */
+bool parse_colour_map(struct parser *p, const struct blend_map **out)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(
+               p, open,
+               map_entries(p, VALUE_COLOUR_MAP, parse_colour_map_entry, out));
+}
+
+/* pigment_map = "pigment_map" "{" ( PIGMENT_MAP
+ *             | pigment_map_entry {pigment_map_entry} ) "}" . */
+bool parse_pigment_map(struct parser *p, const struct blend_map **out)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(
+               p, open,
+               map_entries(p, VALUE_PIGMENT_MAP, parse_pigment_map_entry, out));
+}
+
+static struct blend_entry block_default(const struct pattern_kind *kind, int i)
+{
+    struct blend_entry entry = { .value = i };
+    const double *c = kind->block_colours ? kind->block_colours[i] : NULL;
+    double grey = kind->blocks > 1 ? (double)i / (kind->blocks - 1) : 0;
+    entry.colour = c ? (colour){ .r = c[0], .g = c[1], .b = c[2] }
+                     : colour_opaque(rgb_grey(grey));
+    return entry;
+}
+
+/* block_list = [colour {[","] colour} | pigment {[","] pigment}] .
+ * One for each kind of block; those left out have the pattern's own. */
+bool parse_block_list(struct parser *p, const struct pattern *pattern,
+                      const struct blend_map **out)
+{
+    const struct pattern_kind *kind = pattern->kind;
+    struct map_builder builder = { .count = 0 };
+    bool pigments = stream_keyword(p) == KEYWORD_PIGMENT;
+    bool more = pigments || at_any_colour(p);
+    for (int i = 0; i < kind->blocks; i++) {
+        struct blend_entry entry = block_default(kind, i);
+        if (more && pigments) {
+            entry.pigment = p->defaults.pigment;
+            if (!parse_pigment_block(p, &entry.pigment))
+                return false;
+        } else if (more && !parse_colour(p, &entry.colour)) {
+            return false;
+        }
+        if (!map_push(p, &builder, entry))
+            return false;
+        accept(p, TOKEN_COMMA);
+        more = more && (pigments ? stream_keyword(p) == KEYWORD_PIGMENT
+                                 : at_any_colour(p));
+    }
+    *out = map_finish(p, &builder);
+    return true;
+}

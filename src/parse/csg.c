@@ -1,0 +1,83 @@
+/* union, merge, intersection, difference. */
+#include "parse/rules.h"
+
+struct csg {
+    const char *name;
+    struct object *object;
+    struct {
+        const struct object **items;
+        size_t count, capacity;
+    } children;
+};
+
+static enum object_kind csg_kind(enum keyword keyword)
+{
+    switch (keyword) {
+    case KEYWORD_MERGE:
+        return OBJECT_MERGE;
+    case KEYWORD_INTERSECTION:
+    case KEYWORD_DIFFERENCE:
+        return OBJECT_INTERSECTION;
+    default:
+        return OBJECT_UNION;
+    }
+}
+
+/* Whether a point is in an intersection asks each part for its inside. */
+static void csg_check_solid(struct parser *p, const struct csg *csg,
+                            const struct object *child)
+{
+    if (csg->object->kind == OBJECT_INTERSECTION && child->patch)
+        warning_at(p, child->span, NULL,
+                   "this has no inside: it can't be a part of '%s'", csg->name);
+}
+
+static bool csg_add(struct parser *p, struct csg *csg, bool difference)
+{
+    struct object *child;
+    if (!parse_object(p, &child))
+        return false;
+    csg_check_solid(p, csg, child);
+    if (difference && csg->children.count > 0)
+        child->inverse = !child->inverse;
+    *ARRAY_PUSH(p->scene_arena, &csg->children) = child;
+    return object_adopt(p, csg->object, child);
+}
+
+static bool csg_items(struct parser *p, struct csg *csg, bool difference)
+{
+    while (at_object(p))
+        if (!csg_add(p, csg, difference))
+            return false;
+    if (!csg->children.count) {
+        if (stream_peek(p)->kind != TOKEN_RBRACE)
+            return error_expected(p, "an object");
+        warning_at(p, csg->object->span, NULL, "this '%s' is empty", csg->name);
+    }
+    struct object *object = csg->object;
+    object->children = csg->children.items;
+    object->child_count = csg->children.count;
+    struct modifiers m = { .object = object, .block = csg->name };
+    return parse_modifiers(p, &m);
+}
+
+/* csg = ( "union" | "merge" | "intersection" | "difference" )
+ *       "{" {object} {modifier} "}" .
+ * A difference is the intersection with the insides out of all but the first.
+ */
+bool parse_csg(struct parser *p, struct object **out)
+{
+    struct token word = stream_next(p);
+    struct span open;
+    struct csg csg = {
+        .name = word.word->text,
+        .object = object_new(p->scene_arena, csg_kind(word.word->keyword),
+                             p->last_span),
+    };
+    csg.object->parts = 0;
+    *out = csg.object;
+    return block_begin(p, &open) &&
+           block_end(
+               p, open,
+               csg_items(p, &csg, word.word->keyword == KEYWORD_DIFFERENCE));
+}

@@ -1,0 +1,256 @@
+/* Images as pigments: the file is read at once and brought into the scene's
+ * working space, so that a missing one is reported where it is named. */
+#include "parse/rules.h"
+
+#include "image/file.h"
+#include "image/tone.h"
+
+/* Images already read in this parse: a loop may name one a thousand times. */
+struct image_cache {
+    struct image_cache *next;
+    const char *path;
+    enum gamma_kind space;
+    double assumed_gamma, file_gamma;
+    struct image *image;
+};
+
+/* What is said in an image_map about the file. */
+struct image_request {
+    const char *name;
+    struct span span;
+    double gamma; /* of the file's numbers; 0: sRGB, or linear for EXR, HDR */
+    struct image_map *map;
+};
+
+static const struct field image_fields[] = {
+    { .name = "map_type" },      { .name = "once" },
+    { .name = "interpolate" },   { .name = "filter" },
+    { .name = "transmit" },      { .name = "gamma" },
+    { .name = "premultiplied" }, { .name = NULL },
+};
+
+static const struct unsupported_word image_unsupported[] = {
+    { KEYWORD_FUNCTION, "an image made by a function" },
+    { KEYWORD_USE_INDEX, "'use_index'" },
+    { KEYWORD_NONE, NULL },
+};
+
+/* One number of a file as the scene counts light (povray.md, section 5.9). */
+static double image_decode(const struct parser *p, bool linear, double gamma,
+                           double value)
+{
+    enum gamma_kind space = settings_gamma(p);
+    if (space == GAMMA_NONE)
+        return value;
+    double light = linear      ? value
+                   : gamma > 0 ? pow(fmax(value, 0), gamma)
+                               : tone_srgb_decode(value);
+    return space == GAMMA_SRGB ? tone_srgb_encode(light)
+           : p->scene->settings.assumed_gamma == 1
+               ? light
+               : pow(fmax(light, 0), 1 / p->scene->settings.assumed_gamma);
+}
+
+/* 8-bit files have few values: each is decoded once. */
+static void image_convert(const struct parser *p, struct image *image,
+                          double gamma)
+{
+    float last = 0, decoded = (float)image_decode(p, image->linear, gamma, 0);
+    size_t count = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < count; i++) {
+        float *pixel = image->pixels + 4 * i;
+        float alpha = pixel[3] > 0 ? pixel[3] : 1;
+        for (int k = 0; k < 3; k++) {
+            float value = pixel[k] / alpha;
+            if (value != last)
+                decoded =
+                    (float)image_decode(p, image->linear, gamma, (double)value);
+            last = value;
+            pixel[k] = decoded * alpha;
+        }
+    }
+}
+
+/* The image with its pixels in the scene's arena. */
+static struct image *image_keep(struct parser *p, const struct image *image)
+{
+    struct image *kept = ARENA_NEW(p->scene_arena, struct image);
+    size_t count = (size_t)image->width * (size_t)image->height * 4;
+    *kept = *image;
+    kept->pixels = ARENA_ARRAY(p->scene_arena, float, count);
+    memcpy(kept->pixels, image->pixels, count * sizeof(float));
+    return kept;
+}
+
+static struct image *image_load(struct parser *p, const char *path,
+                                const struct image_request *request)
+{
+    char problem[256] = "";
+    struct image *image = image_read(path, problem, sizeof problem);
+    if (!image) {
+        error_at(p, request->span, NULL, "can't read the image '%s': %s", path,
+                 problem);
+        return NULL;
+    }
+    struct image *kept = image_keep(p, image);
+    image_free(image);
+    image_convert(p, kept, request->gamma);
+    return kept;
+}
+
+static struct image *image_find(struct parser *p, const char *path,
+                                const struct image_request *request)
+{
+    enum gamma_kind space = settings_gamma(p);
+    double assumed = p->scene->settings.assumed_gamma;
+    for (struct image_cache *c = p->images; c; c = c->next)
+        if (strcmp(c->path, path) == 0 && c->space == space &&
+            c->assumed_gamma == assumed && c->file_gamma == request->gamma)
+            return c->image;
+    struct image *image = image_load(p, path, request);
+    if (!image)
+        return NULL;
+    struct image_cache *cache = ARENA_NEW(p->arena, struct image_cache);
+    *cache = (struct image_cache){ p->images, path,           space,
+                                   assumed,   request->gamma, image };
+    p->images = cache;
+    return image;
+}
+
+static bool image_open(struct parser *p, const struct image_request *request)
+{
+    const char *path = file_find(p, request->name, NULL);
+    if (!path)
+        return error_at(p, request->span, file_hint(p),
+                        "can't find the image '%s'", request->name);
+    request->map->image = image_find(p, path, request);
+    return request->map->image != NULL;
+}
+
+/* image_type = "gif" | "tga" | "iff" | "ppm" | "pgm" | "png" | "jpeg" | "tiff"
+ *            | "sys" | "exr" | "hdr" | "bmp" .
+ * The file itself tells its type better. */
+static void parse_image_type(struct parser *p)
+{
+    static const char *const types[] = { "gif", "tga", "iff",  "ppm",
+                                         "pgm", "png", "jpeg", "tiff",
+                                         "sys", "exr", "hdr",  "bmp" };
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
+        if (accept_word(p, types[i]))
+            return;
+}
+
+/* map_type = "map_type" float . */
+static bool parse_map_type(struct parser *p, struct image_map *map)
+{
+    int type;
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &type))
+        return false;
+    if (type != IMAGE_PLANAR && type != IMAGE_SPHERICAL &&
+        type != IMAGE_CYLINDRICAL && type != IMAGE_TORUS)
+        return error_at(p, span, NULL,
+                        "map_type is 0 (flat), 1 (sphere), 2 (cylinder) or "
+                        "5 (torus)");
+    map->projection = (enum image_projection)type;
+    return true;
+}
+
+/* interpolation = "interpolate" float . */
+static bool parse_interpolation(struct parser *p, struct image_map *map)
+{
+    int kind;
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &kind))
+        return false;
+    if (kind != IMAGE_NEAREST && kind != IMAGE_BILINEAR &&
+        kind != IMAGE_NORMALISED_DISTANCE)
+        return error_at(p, span, "2",
+                        "interpolate is 0 (none), 2 (bilinear) or 4 "
+                        "(normalised distance)");
+    map->interpolation = (enum image_interpolation)kind;
+    return true;
+}
+
+/* image_filter = ( "filter" | "transmit" ) "all" float . */
+static bool parse_image_filter(struct parser *p, struct image_map *map)
+{
+    bool filter = stream_next(p).word->keyword == KEYWORD_FILTER;
+    if (!accept_keyword(p, KEYWORD_ALL))
+        return error_unsupported(p, stream_span(p),
+                                 "transparency of one palette colour");
+    return parse_float(p, filter ? &map->filter_all : &map->transmit_all);
+}
+
+/* image_gamma = "gamma" ( "srgb" | float ) . */
+static bool parse_image_gamma(struct parser *p, struct image_request *request)
+{
+    stream_next(p);
+    request->gamma = 0;
+    if (accept_keyword(p, KEYWORD_SRGB))
+        return true;
+    struct span span = stream_span(p);
+    if (!parse_float(p, &request->gamma))
+        return false;
+    return request->gamma > 0 ||
+           error_at(p, span, "2.2", "gamma must be above 0");
+}
+
+/* image_item = map_type | "once" | interpolation | image_filter
+ *            | image_gamma | "premultiplied" [bool] . */
+static bool parse_image_item(struct parser *p, struct image_request *request)
+{
+    bool ignored;
+    switch (stream_keyword(p)) {
+    case KEYWORD_MAP_TYPE:
+        return parse_map_type(p, request->map);
+    case KEYWORD_ONCE:
+        stream_next(p);
+        request->map->once = true;
+        return true;
+    case KEYWORD_INTERPOLATE:
+        return parse_interpolation(p, request->map);
+    case KEYWORD_FILTER:
+    case KEYWORD_TRANSMIT:
+        return parse_image_filter(p, request->map);
+    case KEYWORD_GAMMA:
+        return parse_image_gamma(p, request);
+    case KEYWORD_PREMULTIPLIED:
+        stream_next(p);
+        return parse_bool(p, &ignored);
+    default:
+        return check_supported(p, image_unsupported) &&
+               error_unknown_item(p, "image_map", image_fields);
+    }
+}
+
+static bool image_items(struct parser *p, struct image_request *request)
+{
+    if (!check_supported(p, image_unsupported))
+        return false;
+    parse_image_type(p);
+    request->span = stream_span(p);
+    if (!parse_string(p, &request->name))
+        return false;
+    request->span = span_join(request->span, p->last_span);
+    while (stream_peek(p)->kind != TOKEN_RBRACE) {
+        accept(p, TOKEN_COMMA);
+        if (!parse_image_item(p, request))
+            return false;
+    }
+    return image_open(p, request);
+}
+
+/* image_map = "image_map" "{" [image_type] string {[","] image_item} "}" . */
+bool parse_image_map(struct parser *p, const struct image_map **out)
+{
+    struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);
+    struct image_request request = { .map = map };
+    struct span open;
+    *out = map;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, image_items(p, &request));
+}

@@ -1,0 +1,85 @@
+/* Interiors: how light is bent and dimmed inside a solid. */
+#include "parse/rules.h"
+
+#define INTERIOR(name, kind, member, low, high, help)                          \
+    {                                                                          \
+        name, kind, offsetof(struct interior, member), low, high, help         \
+    }
+
+/* interior_value = "ior" float | "fade_distance" float | "fade_power" float
+ *                | "fade_colour" colour . */
+static const struct field interior_fields[] = {
+    INTERIOR("ior", FIELD_FLOAT, ior, 0, 0, "index of refraction, 1"),
+    INTERIOR("fade_distance", FIELD_FLOAT, fade_distance, 0, 0,
+             "the way after which half the light is left, 0: never"),
+    INTERIOR("fade_power", FIELD_FLOAT, fade_power, 0, 0,
+             "how fast it dims, 0: not at all"),
+    INTERIOR("fade_colour", FIELD_RGB, fade_colour, 0, 0,
+             "what is left after a long way, black"),
+    { NULL },
+};
+
+static const struct unsupported_word interior_unsupported[] = {
+    { KEYWORD_MEDIA, "'media'" },
+    { KEYWORD_NONE, NULL },
+};
+
+/* old_interior_value = "caustics" float | "dispersion" float
+ *                    | "dispersion_samples" float | "refraction" float .
+ * Fine as long as they change nothing. */
+static bool parse_old_interior_value(struct parser *p, bool *found)
+{
+    enum keyword keyword = stream_keyword(p);
+    struct span span = stream_span(p);
+    double value;
+    *found = keyword == KEYWORD_CAUSTICS || keyword == KEYWORD_DISPERSION ||
+             keyword == KEYWORD_DISPERSION_SAMPLES ||
+             keyword == KEYWORD_REFRACTION;
+    if (!*found)
+        return true;
+    stream_next(p);
+    if (!parse_float(p, &value))
+        return false;
+    if (keyword == KEYWORD_CAUSTICS && value != 0)
+        return error_unsupported(p, span, "'caustics'");
+    if (keyword == KEYWORD_DISPERSION && value != 1)
+        return error_unsupported(p, span, "'dispersion'");
+    return true;
+}
+
+/* interior_item = interior_value | old_interior_value . */
+static bool parse_interior_item(struct parser *p, struct interior *interior)
+{
+    bool found;
+    const struct field *field = accept_field(p, interior_fields);
+    if (field)
+        return parse_field(p, field, interior);
+    if (!parse_old_interior_value(p, &found))
+        return false;
+    return found || (check_supported(p, interior_unsupported) &&
+                     error_unknown_item(p, "interior", interior_fields));
+}
+
+static bool interior_items(struct parser *p, const struct interior **out)
+{
+    const struct value *value = accept_value(p, VALUE_INTERIOR);
+    if (value)
+        *out = value->interior;
+    if (value && stream_peek(p)->kind == TOKEN_RBRACE)
+        return true;
+    struct interior *interior = ARENA_NEW(p->scene_arena, struct interior);
+    *interior = value ? *value->interior : interior_default();
+    *out = interior;
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_interior_item(p, interior))
+            return false;
+    return true;
+}
+
+/* interior = "interior" "{" [INTERIOR] {interior_item} "}" . */
+bool parse_interior(struct parser *p, const struct interior **out)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, interior_items(p, out));
+}

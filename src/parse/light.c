@@ -1,0 +1,260 @@
+/* Light sources. */
+#include "parse/rules.h"
+
+/* The samples of an area light are all asked for every point of a surface. */
+enum { AREA_SIZE_LIMIT = 1000 };
+
+#define LIGHT(name, kind, member, low, high, help)                             \
+    {                                                                          \
+        name, kind, offsetof(struct light, member), low, high, help            \
+    }
+
+/* light_value = "shadowless" | "fade_distance" float | "fade_power" float
+ *             | "adaptive" float | "circular" | "orient" | "jitter"
+ *             | "area_illumination" [bool] | "parallel" . */
+static const struct field light_fields[] = {
+    LIGHT("shadowless", FIELD_FLAG, shadowless, 0, 0,
+          "no shadows and no highlights"),
+    LIGHT("fade_distance", FIELD_FLOAT, fade_distance, 0, 0,
+          "where the light is as bright as written, 0: no fading"),
+    LIGHT("fade_power", FIELD_FLOAT, fade_power, 0, 0,
+          "how fast it fades, 0: not"),
+    LIGHT("adaptive", FIELD_INTEGER, adaptive, 0, 20,
+          "subdivisions of an area light always done"),
+    LIGHT("circular", FIELD_FLAG, circular, 0, 0, "a round area light"),
+    LIGHT("orient", FIELD_FLAG, orient, 0, 0,
+          "an area light that turns to what it lights"),
+    LIGHT("jitter", FIELD_FLAG, jitter, 0, 0,
+          "samples of an area light moved at random"),
+    LIGHT("area_illumination", FIELD_BOOL, area_illumination, 0, 0,
+          "light, not only shadows, from the whole area"),
+    LIGHT("parallel", FIELD_FLAG, parallel, 0, 0,
+          "rays parallel to location - point_at"),
+    { NULL },
+};
+
+/* directed_value = "point_at" vector | "radius" float | "falloff" float
+ *                | "tightness" float . */
+static const struct field directed_fields[] = {
+    LIGHT("point_at", FIELD_VECTOR, point_at, 0, 0, "where it shines, z"),
+    LIGHT("radius", FIELD_FLOAT, radius, 0, 0,
+          "full brightness inside: 30 degrees, or a cylinder's 0.75"),
+    LIGHT("falloff", FIELD_FLOAT, falloff, 0, 0,
+          "dark outside: 45 degrees, or a cylinder's 1"),
+    LIGHT("tightness", FIELD_FLOAT, tightness, 0, 0,
+          "how it gets darker from the axis, 0"),
+    { NULL },
+};
+
+static const struct field light_names[] = {
+    { .name = "spotlight" },  { .name = "cylinder" },
+    { .name = "parallel" },   { .name = "point_at" },
+    { .name = "radius" },     { .name = "falloff" },
+    { .name = "tightness" },  { .name = "area_light" },
+    { .name = "adaptive" },   { .name = "jitter" },
+    { .name = "circular" },   { .name = "orient" },
+    { .name = "shadowless" }, { .name = "fade_distance" },
+    { .name = "fade_power" }, { .name = "looks_like" },
+    { .name = "translate" },  { .name = "rotate" },
+    { .name = "scale" },      { .name = "colour" },
+    { .name = NULL },
+};
+
+static const struct unsupported_word light_unsupported[] = {
+    { KEYWORD_PROJECTED_THROUGH, "'projected_through'" },
+    { KEYWORD_NONE, NULL },
+};
+
+/* light_kind = "spotlight" | "cylinder" . */
+static bool parse_light_kind(struct parser *p, struct light *light, bool *found)
+{
+    *found = true;
+    if (accept_keyword(p, KEYWORD_SPOTLIGHT)) {
+        light->kind = LIGHT_SPOT;
+    } else if (accept_word(p, "cylinder")) {
+        light->kind = LIGHT_CYLINDER;
+        light->radius = 0.75;
+        light->falloff = 1;
+    } else {
+        *found = false;
+    }
+    return true;
+}
+
+static bool area_size(struct parser *p, int *out)
+{
+    struct span span = stream_span(p);
+    if (!parse_integer(p, out))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return (*out >= 1 && *out <= AREA_SIZE_LIMIT) ||
+           error_at(p, span, NULL,
+                    "an area_light has 1 to %d lights in a row, not %d",
+                    AREA_SIZE_LIMIT, *out);
+}
+
+/* area_light = "area_light" vector [","] vector [","] float [","] float . */
+static bool parse_area_light(struct parser *p, struct light *light)
+{
+    stream_next(p);
+    light->area = true;
+    if (!parse_vector(p, &light->axis1))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (!parse_vector(p, &light->axis2))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return area_size(p, &light->size1) && area_size(p, &light->size2);
+}
+
+static bool looks_like_body(struct parser *p, struct object **out)
+{
+    if (!parse_object(p, out))
+        return false;
+    struct modifiers m = { .object = *out, .block = "looks_like" };
+    return parse_modifiers(p, &m);
+}
+
+/* looks_like = "looks_like" "{" object {modifier} "}" .
+ * The object is written around the origin and goes where the light is. */
+static bool parse_looks_like(struct parser *p, struct object *owner,
+                             struct light *light, struct object **looks)
+{
+    struct span open, span = stream_span(p);
+    affine place = affine_translation(light->location);
+    if (*looks)
+        return error_at(p, span, NULL, "a light has only one looks_like");
+    stream_next(p);
+    if (!block_begin(p, &open) ||
+        !block_end(p, open, looks_like_body(p, looks)))
+        return false;
+    object_link(p, *looks);
+    object_move(p->scene_arena, *looks, &place);
+    light->looks_like = *looks;
+    return object_adopt(p, owner, *looks);
+}
+
+/* light_without_effect = "media_interaction" [bool] | "media_attenuation"
+ * [bool] | "photons" "{" {name [float]} "}" . */
+static bool parse_light_without_effect(struct parser *p, bool *found)
+{
+    bool ignored;
+    struct span open;
+    *found = true;
+    switch (stream_keyword(p)) {
+    case KEYWORD_MEDIA_INTERACTION:
+    case KEYWORD_MEDIA_ATTENUATION:
+        stream_next(p);
+        return parse_bool(p, &ignored);
+    case KEYWORD_PHOTONS:
+        stream_next(p);
+        return block_begin(p, &open) && block_end(p, open, skip_block(p));
+    default:
+        *found = false;
+        return true;
+    }
+}
+
+static bool light_move(struct parser *p, struct light *light,
+                       struct object *looks, bool *found)
+{
+    affine step = affine_identity();
+    if (!parse_transformation(p, &step, found))
+        return false;
+    if (!*found)
+        return true;
+    *light = light_moved(light, &step);
+    if (looks)
+        object_move(p->scene_arena, looks, &step);
+    light->looks_like = looks;
+    return true;
+}
+
+/* A plain light shines everywhere alike: pointing it is a mistake. */
+static bool light_check_directed(struct parser *p, const struct light *light)
+{
+    const struct token *token = stream_peek(p);
+    if (light->kind != LIGHT_POINT || light->parallel ||
+        token->kind != TOKEN_WORD ||
+        !field_find(directed_fields, token->word->text))
+        return true;
+    return error_at(p, stream_span(p), NULL,
+                    "'%s' needs 'spotlight', 'cylinder' or 'parallel' before "
+                    "it",
+                    token->word->text);
+}
+
+/* light_item = light_value | directed_value | light_kind | area_light
+ *            | looks_like | light_without_effect | transformation . */
+static bool parse_light_item(struct parser *p, struct object *object,
+                             struct light *light, struct object **looks)
+{
+    bool found;
+    const struct field *field = accept_field(p, light_fields);
+    if (field)
+        return parse_field(p, field, light);
+    if (!light_check_directed(p, light))
+        return false;
+    field = accept_field(p, directed_fields);
+    if (field)
+        return parse_field(p, field, light);
+    if (stream_keyword(p) == KEYWORD_AREA_LIGHT)
+        return parse_area_light(p, light);
+    if (stream_keyword(p) == KEYWORD_LOOKS_LIKE)
+        return parse_looks_like(p, object, light, looks);
+    bool ok = parse_light_kind(p, light, &found);
+    if (ok && !found)
+        ok = light_move(p, light, *looks, &found);
+    if (ok && !found)
+        ok = parse_light_without_effect(p, &found);
+    if (!ok || found)
+        return ok;
+    return check_supported(p, light_unsupported) &&
+           error_unknown_item(p, "light_source", light_names);
+}
+
+static bool light_body(struct parser *p, struct object *object)
+{
+    struct light *light = ARENA_NEW(p->scene_arena, struct light);
+    struct object *looks = NULL;
+    *light = light_default();
+    light->span = object->span;
+    object->light = light;
+    colour value = { .r = 0 };
+    if (!parse_vector(p, &light->location))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (at_any_colour(p)) {
+        if (!parse_colour(p, &value))
+            return false;
+    } else {
+        warning_at(p, object->span, "colour rgb 1",
+                   "a light without a colour is black");
+    }
+    light->colour = colour_rgb(value);
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_light_item(p, object, light, &looks))
+            return false;
+    return true;
+}
+
+static bool light_source_items(struct parser *p, struct object **out)
+{
+    const struct value *value = accept_value(p, VALUE_OBJECT);
+    if (!value)
+        return light_body(p, *out);
+    *out = object_copy(p->scene_arena, value->object);
+    struct modifiers m = { .object = *out, .block = "light_source" };
+    return parse_modifiers(p, &m);
+}
+
+/* light_source = "light_source" "{" ( OBJECT {modifier}
+ *              | vector [","] [colour] {light_item} ) "}" . */
+bool parse_light_source(struct parser *p, struct object **out)
+{
+    struct span open;
+    stream_next(p);
+    *out = object_new(p->scene_arena, OBJECT_LIGHT, p->last_span);
+    return block_begin(p, &open) &&
+           block_end(p, open, light_source_items(p, out));
+}

@@ -1,0 +1,57 @@
+/* Materials: a texture and an interior under one name. */
+#include "parse/rules.h"
+
+static const struct unsupported_word material_unsupported[] = {
+    { KEYWORD_INTERIOR_TEXTURE, "'interior_texture'" },
+    { KEYWORD_NONE, NULL },
+};
+
+static const struct field material_names[] = {
+    { .name = "texture" },
+    { .name = "interior" },
+    { .name = NULL },
+};
+
+/* material_item = texture | interior | transformation .
+ * One texture after the other makes layers. */
+static bool parse_material_item(struct parser *p, struct material *material)
+{
+    const struct texture *texture;
+    affine step = affine_identity();
+    bool found;
+    if (stream_keyword(p) == KEYWORD_INTERIOR)
+        return parse_interior(p, &material->interior);
+    if (stream_keyword(p) == KEYWORD_TEXTURE) {
+        if (!parse_texture(p, &texture))
+            return false;
+        material->texture = material->texture
+                                ? texture_stack(p, material->texture, texture)
+                                : texture;
+        return true;
+    }
+    if (!parse_transformation(p, &step, &found))
+        return false;
+    if (found && material->texture)
+        material->texture =
+            texture_moved(p->scene_arena, material->texture, &step);
+    return found || (check_supported(p, material_unsupported) &&
+                     error_unknown_item(p, "material", material_names));
+}
+
+static bool material_items(struct parser *p, struct material *material)
+{
+    const struct value *value = accept_value(p, VALUE_MATERIAL);
+    *material = value ? *value->material : (struct material){ NULL, NULL };
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_material_item(p, material))
+            return false;
+    return true;
+}
+
+/* material = "material" "{" [MATERIAL] {material_item} "}" . */
+bool parse_material(struct parser *p, struct material *out)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, material_items(p, out));
+}

@@ -1,0 +1,227 @@
+/* mesh{}, triangle{} and smooth_triangle{}: triangles written one by one.
+ * A lone triangle is a mesh of one. */
+#include "parse/rules.h"
+
+/* How many of the last textures a triangle's is compared with, so that a
+ * texture used by many triangles is kept once. */
+enum { MESH_TEXTURE_SEARCH = 16 };
+
+struct mesh_builder {
+    struct {
+        vec3 *items;
+        size_t count, capacity;
+    } vertices, normals;
+    struct {
+        struct mesh_triangle *items;
+        size_t count, capacity;
+    } triangles;
+    struct {
+        const struct texture **items;
+        size_t count, capacity;
+    } textures;
+};
+
+static const struct field mesh_fields[] = {
+    { "inside_vector", FIELD_VECTOR, offsetof(struct mesh, inside_vector), 0, 0,
+      "makes the mesh solid: counts crossings in this direction" },
+    { NULL },
+};
+
+static bool mesh_check_room(struct parser *p, size_t count)
+{
+    return count < MESH_NONE - 3 ||
+           error_at(p, p->last_span, NULL, "a mesh has too many triangles");
+}
+
+/* triangle_points = vector [","] vector [","] vector
+ *                 | vector [","] vector [","] vector [","]
+ *                   vector [","] vector [","] vector .
+ * The second form is the smooth triangle's: point, normal, point, normal ... */
+static bool parse_triangle_points(struct parser *p, struct mesh_builder *b,
+                                  bool smooth)
+{
+    struct mesh_triangle triangle = {
+        .normal = { MESH_NONE, MESH_NONE, MESH_NONE }, .texture = MESH_NONE
+    };
+    for (int i = 0; i < 3; i++) {
+        vec3 v;
+        if (i > 0)
+            accept(p, TOKEN_COMMA);
+        if (!parse_vector(p, &v))
+            return false;
+        triangle.vertex[i] = (uint32_t)b->vertices.count;
+        *ARRAY_PUSH(p->scene_arena, &b->vertices) = v;
+        if (!smooth)
+            continue;
+        accept(p, TOKEN_COMMA);
+        if (!parse_vector(p, &v))
+            return false;
+        triangle.normal[i] = (uint32_t)b->normals.count;
+        *ARRAY_PUSH(p->scene_arena, &b->normals) = v;
+    }
+    *ARRAY_PUSH(p->scene_arena, &b->triangles) = triangle;
+    return mesh_check_room(p, b->vertices.count);
+}
+
+static uint32_t mesh_texture_index(struct parser *p, struct mesh_builder *b,
+                                   const struct texture *texture)
+{
+    size_t count = b->textures.count;
+    size_t first =
+        count > MESH_TEXTURE_SEARCH ? count - MESH_TEXTURE_SEARCH : 0;
+    for (size_t i = first; i < count; i++)
+        if (b->textures.items[i] == texture)
+            return (uint32_t)i;
+    *ARRAY_PUSH(p->scene_arena, &b->textures) = texture;
+    return (uint32_t)count;
+}
+
+/* Coordinates that only uv_mapping, which glim does not have, would use. */
+static bool mesh_skip_uv(struct parser *p)
+{
+    double uv[3];
+    stream_next(p);
+    for (int i = 0; i < 3; i++) {
+        if (i > 0)
+            accept(p, TOKEN_COMMA);
+        if (!parse_components(p, uv, 2))
+            return false;
+    }
+    return true;
+}
+
+/* mesh_triangle_item = texture
+ *                    | "uv_vectors" vector [","] vector [","] vector . */
+static bool parse_mesh_triangle_item(struct parser *p, struct mesh_builder *b)
+{
+    const struct texture *texture;
+    if (stream_keyword(p) == KEYWORD_UV_VECTORS)
+        return mesh_skip_uv(p);
+    if (stream_keyword(p) != KEYWORD_TEXTURE)
+        return error_unknown_item(p, "triangle", NULL);
+    if (!parse_texture(p, &texture))
+        return false;
+    b->triangles.items[b->triangles.count - 1].texture =
+        mesh_texture_index(p, b, texture);
+    return true;
+}
+
+static bool mesh_triangle_body(struct parser *p, struct mesh_builder *b,
+                               bool smooth)
+{
+    if (!parse_triangle_points(p, b, smooth))
+        return false;
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_mesh_triangle_item(p, b))
+            return false;
+    return true;
+}
+
+/* mesh_triangle = ( "triangle" | "smooth_triangle" )
+ *                 "{" triangle_points {mesh_triangle_item} "}" . */
+static bool parse_mesh_triangle(struct parser *p, struct mesh_builder *b)
+{
+    struct span open;
+    bool smooth = stream_next(p).word->keyword == KEYWORD_SMOOTH_TRIANGLE;
+    return block_begin(p, &open) &&
+           block_end(p, open, mesh_triangle_body(p, b, smooth));
+}
+
+static struct object *mesh_object(struct parser *p, struct span span,
+                                  struct mesh **mesh)
+{
+    struct object *object = object_new(p->scene_arena, OBJECT_MESH, span);
+    *mesh = ARENA_NEW(p->scene_arena, struct mesh);
+    object->mesh = *mesh;
+    object->patch = true;
+    return object;
+}
+
+void mesh_end(struct parser *p, struct object *object, struct mesh *mesh)
+{
+    mesh->solid = vec3_length(mesh->inside_vector) > 0;
+    object->patch = !mesh->solid;
+    size_t removed = mesh_prepare(mesh);
+    if (removed)
+        warning_at(p, object->span, NULL, "%zu degenerate triangle%s left out",
+                   removed, removed > 1 ? "s" : "");
+}
+
+static void mesh_build(struct parser *p, struct object *object,
+                       struct mesh *mesh, const struct mesh_builder *b)
+{
+    mesh->vertices = b->vertices.items;
+    mesh->vertex_count = b->vertices.count;
+    mesh->normals = b->normals.items;
+    mesh->normal_count = b->normals.count;
+    mesh->triangles = b->triangles.items;
+    mesh->triangle_count = b->triangles.count;
+    mesh->textures = b->textures.items;
+    mesh->texture_count = b->textures.count;
+    mesh_end(p, object, mesh);
+}
+
+/* A triangle with a texture in its own block is a mesh's; a lone triangle's
+ * textures are the object's. */
+static bool triangle_read(struct parser *p, struct object **out,
+                          const char *block, bool smooth)
+{
+    struct mesh_builder builder = { .vertices = { .count = 0 } };
+    struct mesh *mesh;
+    struct span open;
+    stream_next(p);
+    *out = mesh_object(p, p->last_span, &mesh);
+    struct modifiers m = { .object = *out, .block = block };
+    if (!block_begin(p, &open))
+        return false;
+    bool ok = parse_triangle_points(p, &builder, smooth);
+    while (ok && stream_keyword(p) == KEYWORD_UV_VECTORS)
+        ok = mesh_skip_uv(p);
+    ok = ok && parse_modifiers(p, &m);
+    if (!block_end(p, open, ok))
+        return false;
+    mesh_build(p, *out, mesh, &builder);
+    return true;
+}
+
+/* triangle = "triangle" "{" triangle_points {modifier} "}" . */
+bool parse_triangle(struct parser *p, struct object **out)
+{
+    return triangle_read(p, out, "triangle", false);
+}
+
+/* smooth_triangle = "smooth_triangle" "{" triangle_points {modifier} "}" . */
+bool parse_smooth_triangle(struct parser *p, struct object **out)
+{
+    return triangle_read(p, out, "smooth_triangle", true);
+}
+
+static bool at_mesh_triangle(struct parser *p)
+{
+    enum keyword keyword = stream_keyword(p);
+    return keyword == KEYWORD_TRIANGLE || keyword == KEYWORD_SMOOTH_TRIANGLE;
+}
+
+/* mesh = "mesh" "{" {mesh_triangle} {"inside_vector" vector | modifier} "}" .
+ */
+bool parse_mesh(struct parser *p, struct object **out)
+{
+    struct mesh_builder builder = { .vertices = { .count = 0 } };
+    struct mesh *mesh;
+    struct span open;
+    bool ok = true;
+    stream_next(p);
+    *out = mesh_object(p, p->last_span, &mesh);
+    struct modifiers m = {
+        .object = *out, .block = "mesh", .items = mesh_fields, .shape = mesh
+    };
+    if (!block_begin(p, &open))
+        return false;
+    while (ok && at_mesh_triangle(p))
+        ok = parse_mesh_triangle(p, &builder);
+    ok = ok && parse_modifiers(p, &m);
+    if (!block_end(p, open, ok))
+        return false;
+    mesh_build(p, *out, mesh, &builder);
+    return true;
+}

@@ -1,0 +1,357 @@
+/* mesh2{}: triangles as lists of points and of indices. Programs write them
+ * by the million, so lists of plain numbers are read straight from the tokens.
+ */
+#include "parse/rules.h"
+
+struct mesh2 {
+    struct mesh *mesh;
+    struct span faces_span, normals_span;
+    struct {
+        vec3 *items;
+        size_t count, capacity;
+    } vertices, normals;
+    struct {
+        struct mesh_triangle *items;
+        size_t count, capacity;
+    } triangles;
+    struct {
+        const struct texture **items;
+        size_t count, capacity;
+    } textures;
+    size_t normal_faces; /* normal_indices read */
+};
+
+static const struct field mesh2_fields[] = {
+    { "inside_vector", FIELD_VECTOR, offsetof(struct mesh, inside_vector), 0, 0,
+      "makes the mesh solid: counts crossings in this direction" },
+    { NULL },
+};
+
+/* "< number, number, number >" as it is in the text, the '<' being next. */
+static bool list_plain_vector(struct parser *p, double *v)
+{
+    size_t left, at = 0;
+    if (stream_peek(p)->kind != TOKEN_LESS)
+        return false;
+    const struct token *raw = stream_raw(p, &left);
+    for (int i = 0; i < 3; i++) {
+        bool minus = at < left && raw[at].kind == TOKEN_MINUS;
+        at += minus;
+        if (at + 1 >= left || raw[at].kind != TOKEN_NUMBER)
+            return false;
+        v[i] = minus ? -raw[at].number : raw[at].number;
+        if (raw[at + 1].kind != (i < 2 ? TOKEN_COMMA : TOKEN_GREATER))
+            return false;
+        at += 2;
+    }
+    stream_skip_raw(p, at);
+    return true;
+}
+
+/* list_count = float [","] .
+ * How many items follow. Nothing is allocated on its word. */
+static bool parse_list_count(struct parser *p, size_t *count)
+{
+    double number;
+    struct span span = stream_span(p);
+    if (!parse_float(p, &number))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (!(number >= 0 && number < MESH_NONE - 1))
+        return error_at(p, span, NULL, "this can't be the length of a list");
+    *count = (size_t)number;
+    return true;
+}
+
+static bool list_too_short(struct parser *p, size_t want, size_t have)
+{
+    if (stream_peek(p)->kind != TOKEN_RBRACE)
+        return false;
+    error_at(p, stream_span(p), NULL,
+             "the list should have %zu items, here are %zu", want, have);
+    return true;
+}
+
+static bool list_vector(struct parser *p, double *v, int size)
+{
+    if (!(size == 3 && list_plain_vector(p, v)) &&
+        !parse_components(p, v, size))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return true;
+}
+
+/* vertex_vectors = "vertex_vectors" "{" list_count {vector [","]} "}" . */
+static bool parse_vertex_vectors(struct parser *p, struct mesh2 *m)
+{
+    size_t count = 0;
+    double v[5];
+    if (!parse_list_count(p, &count))
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        if (list_too_short(p, count, i) || !list_vector(p, v, 3))
+            return false;
+        *ARRAY_PUSH(p->scene_arena, &m->vertices) = vec3_make(v[0], v[1], v[2]);
+    }
+    return true;
+}
+
+/* normal_vectors = "normal_vectors" "{" list_count {vector [","]} "}" . */
+static bool parse_normal_vectors(struct parser *p, struct mesh2 *m)
+{
+    size_t count = 0;
+    double v[5];
+    if (!parse_list_count(p, &count))
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        if (list_too_short(p, count, i) || !list_vector(p, v, 3))
+            return false;
+        *ARRAY_PUSH(p->scene_arena, &m->normals) = vec3_make(v[0], v[1], v[2]);
+    }
+    return true;
+}
+
+/* uv_vectors = "uv_vectors" "{" list_count {vector [","]} "}" .
+ * Only uv_mapping, which glim does not have, would use them. */
+static bool parse_uv_vectors(struct parser *p, struct mesh2 *m)
+{
+    size_t count = 0;
+    double v[5];
+    (void)m;
+    if (!parse_list_count(p, &count))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        if (list_too_short(p, count, i) || !list_vector(p, v, 2))
+            return false;
+    return true;
+}
+
+/* texture_list = "texture_list" "{" list_count {texture [","]} "}" . */
+static bool parse_texture_list(struct parser *p, struct mesh2 *m)
+{
+    size_t count = 0;
+    if (!parse_list_count(p, &count))
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        if (list_too_short(p, count, i))
+            return false;
+        if (stream_keyword(p) != KEYWORD_TEXTURE)
+            return error_expected(p, "'texture'");
+        const struct texture **texture =
+            ARRAY_PUSH(p->scene_arena, &m->textures);
+        if (!parse_texture(p, texture))
+            return false;
+        accept(p, TOKEN_COMMA);
+    }
+    return true;
+}
+
+static bool list_indices(struct parser *p, uint32_t *out)
+{
+    double v[5];
+    struct span span = stream_span(p);
+    if (!list_vector(p, v, 3))
+        return false;
+    for (int i = 0; i < 3; i++) {
+        if (!(v[i] >= 0 && v[i] < MESH_NONE))
+            return error_at(p, span_join(span, p->last_span), NULL,
+                            "%g can't be an index", v[i]);
+        out[i] = (uint32_t)v[i];
+    }
+    return true;
+}
+
+/* face_textures = float [[","] float [","] float] .
+ * One texture for the face, or one for each corner. */
+static bool parse_face_textures(struct parser *p, uint32_t *out)
+{
+    double first = 0;
+    struct span span = stream_span(p);
+    for (int i = 0; i < 3 && (i == 0 || at_number(p)); i++) {
+        double index;
+        if (!parse_float(p, &index))
+            return false;
+        accept(p, TOKEN_COMMA);
+        if (i > 0 && index != first)
+            return error_unsupported(p, span,
+                                     "a different texture for each corner");
+        first = index;
+    }
+    if (!(first >= 0 && first < MESH_NONE))
+        return error_at(p, span, NULL, "%g can't be an index", first);
+    *out = (uint32_t)first;
+    return true;
+}
+
+/* face_indices = "face_indices"
+ *                "{" list_count {vector [","] [face_textures]} "}" . */
+static bool parse_face_indices(struct parser *p, struct mesh2 *m)
+{
+    size_t count = 0;
+    if (!parse_list_count(p, &count))
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        struct mesh_triangle t = {
+            .normal = { MESH_NONE, MESH_NONE, MESH_NONE }, .texture = MESH_NONE
+        };
+        if (list_too_short(p, count, i) || !list_indices(p, t.vertex))
+            return false;
+        if (at_number(p) && !parse_face_textures(p, &t.texture))
+            return false;
+        *ARRAY_PUSH(p->scene_arena, &m->triangles) = t;
+    }
+    return true;
+}
+
+/* normal_indices = "normal_indices" "{" list_count {vector [","]} "}" . */
+static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
+{
+    size_t count = 0;
+    struct span span = stream_span(p);
+    if (!parse_list_count(p, &count))
+        return false;
+    if (count > m->triangles.count)
+        return error_at(p, span, NULL,
+                        "%zu normal_indices for %zu faces (face_indices "
+                        "come first)",
+                        count, m->triangles.count);
+    for (size_t i = 0; i < count; i++)
+        if (list_too_short(p, count, i) ||
+            !list_indices(p, m->triangles.items[i].normal))
+            return false;
+    m->normal_faces = count;
+    return true;
+}
+
+/* uv_indices = "uv_indices" "{" list_count {vector [","]} "}" . */
+static bool parse_uv_indices(struct parser *p, struct mesh2 *m)
+{
+    size_t count = 0;
+    uint32_t ignored[3];
+    (void)m;
+    if (!parse_list_count(p, &count))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        if (list_too_short(p, count, i) || !list_indices(p, ignored))
+            return false;
+    return true;
+}
+
+typedef bool mesh2_rule(struct parser *p, struct mesh2 *m);
+
+static mesh2_rule *mesh2_keyword_rule(enum keyword keyword)
+{
+    switch (keyword) {
+    case KEYWORD_VERTEX_VECTORS:
+        return parse_vertex_vectors;
+    case KEYWORD_NORMAL_VECTORS:
+        return parse_normal_vectors;
+    case KEYWORD_UV_VECTORS:
+        return parse_uv_vectors;
+    case KEYWORD_TEXTURE_LIST:
+        return parse_texture_list;
+    case KEYWORD_FACE_INDICES:
+        return parse_face_indices;
+    case KEYWORD_NORMAL_INDICES:
+        return parse_normal_indices;
+    case KEYWORD_UV_INDICES:
+        return parse_uv_indices;
+    default:
+        return NULL;
+    }
+}
+
+/* mesh2_list = vertex_vectors | normal_vectors | uv_vectors | texture_list
+ *            | face_indices | normal_indices | uv_indices . */
+static bool parse_mesh2_list(struct parser *p, struct mesh2 *m, bool *found)
+{
+    mesh2_rule *rule = mesh2_keyword_rule(stream_keyword(p));
+    struct span open;
+    *found = rule != NULL;
+    if (!rule)
+        return true;
+    stream_next(p);
+    if (rule == parse_face_indices)
+        m->faces_span = p->last_span;
+    if (rule == parse_normal_indices)
+        m->normals_span = p->last_span;
+    return block_begin(p, &open) && block_end(p, open, rule(p, m));
+}
+
+static bool mesh2_check_index(struct parser *p, struct span span, size_t face,
+                              const char *thing, uint32_t index, size_t count)
+{
+    return index < count ||
+           error_at(p, span, NULL, "face %zu names %s %u, there are %zu", face,
+                    thing, (unsigned)index, count);
+}
+
+/* Faces without normal_indices use their vertices' numbers if there are as
+ * many normals as vertices. */
+static bool mesh2_check_face(struct parser *p, const struct mesh2 *m, size_t i)
+{
+    struct mesh_triangle *t = &m->triangles.items[i];
+    bool same = !m->normal_faces && m->normals.count &&
+                m->normals.count == m->vertices.count;
+    for (int k = 0; k < 3; k++) {
+        if (!mesh2_check_index(p, m->faces_span, i, "vertex", t->vertex[k],
+                               m->vertices.count))
+            return false;
+        if (same)
+            t->normal[k] = t->vertex[k];
+        if (t->normal[k] != MESH_NONE &&
+            !mesh2_check_index(p, m->normals_span, i, "normal", t->normal[k],
+                               m->normals.count))
+            return false;
+    }
+    return t->texture == MESH_NONE ||
+           mesh2_check_index(p, m->faces_span, i, "texture", t->texture,
+                             m->textures.count);
+}
+
+static bool mesh2_finish(struct parser *p, struct mesh2 *m)
+{
+    struct mesh *mesh = m->mesh;
+    for (size_t i = 0; i < m->triangles.count; i++)
+        if (!mesh2_check_face(p, m, i))
+            return false;
+    mesh->vertices = m->vertices.items;
+    mesh->vertex_count = m->vertices.count;
+    mesh->normals = m->normals.items;
+    mesh->normal_count = m->normals.count;
+    mesh->triangles = m->triangles.items;
+    mesh->triangle_count = m->triangles.count;
+    mesh->textures = m->textures.items;
+    mesh->texture_count = m->textures.count;
+    return true;
+}
+
+static bool mesh2_body(struct parser *p, struct mesh2 *m,
+                       struct modifiers *modifiers)
+{
+    bool found = true;
+    while (found)
+        if (!parse_mesh2_list(p, m, &found))
+            return false;
+    return parse_modifiers(p, modifiers) && mesh2_finish(p, m);
+}
+
+/* mesh2 = "mesh2" "{" {mesh2_list} {"inside_vector" vector | modifier} "}" . */
+bool parse_mesh2(struct parser *p, struct object **out)
+{
+    struct mesh2 mesh2 = { .mesh = ARENA_NEW(p->scene_arena, struct mesh) };
+    struct span open;
+    stream_next(p);
+    *out = object_new(p->scene_arena, OBJECT_MESH, p->last_span);
+    (*out)->mesh = mesh2.mesh;
+    (*out)->patch = true;
+    struct modifiers m = { .object = *out,
+                           .block = "mesh2",
+                           .items = mesh2_fields,
+                           .shape = mesh2.mesh };
+    if (!block_begin(p, &open) ||
+        !block_end(p, open, mesh2_body(p, &mesh2, &m)))
+        return false;
+    mesh_end(p, *out, mesh2.mesh);
+    return true;
+}

@@ -1,0 +1,315 @@
+/* What may follow in an object's block: where it is, what it is made of, how
+ * it is cut and seen. */
+#include "parse/rules.h"
+
+static const struct unsupported_word modifier_unsupported[] = {
+    { KEYWORD_CUTAWAY_TEXTURES, "'cutaway_textures'" },
+    { KEYWORD_INTERIOR_TEXTURE, "'interior_texture'" },
+    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
+    { KEYWORD_NONE, NULL },
+};
+
+static const struct field modifier_names[] = {
+    { .name = "translate" },  { .name = "rotate" },
+    { .name = "scale" },      { .name = "matrix" },
+    { .name = "transform" },  { .name = "texture" },
+    { .name = "pigment" },    { .name = "normal" },
+    { .name = "finish" },     { .name = "interior" },
+    { .name = "material" },   { .name = "clipped_by" },
+    { .name = "bounded_by" }, { .name = "inverse" },
+    { .name = "hollow" },     { .name = "no_shadow" },
+    { .name = "no_image" },   { .name = "no_reflection" },
+    { .name = "open" },       { .name = "double_illuminate" },
+    { .name = NULL },
+};
+
+/* The object's texture in the space the block's next words are written in. */
+static const struct texture *object_texture_here(struct parser *p,
+                                                 struct object *object)
+{
+    if (!object->texture)
+        return texture_from_defaults(p);
+    if (!affine_is_identity(object->texture_transform))
+        object->texture = texture_moved(p->scene_arena, object->texture,
+                                        &object->texture_transform);
+    object->texture_transform = affine_identity();
+    return object->texture;
+}
+
+/* A second texture is painted over the first. */
+static void object_set_texture(struct parser *p, struct object *object,
+                               const struct texture *texture)
+{
+    if (object->texture)
+        texture = texture_stack(p, object_texture_here(p, object), texture);
+    object->texture = texture;
+    object->texture_transform = affine_identity();
+}
+
+static bool modifier_material(struct parser *p, struct object *object)
+{
+    struct material material = { NULL, NULL };
+    if (!parse_material(p, &material))
+        return false;
+    if (material.texture)
+        object_set_texture(p, object, material.texture);
+    if (material.interior)
+        object->interior = material.interior;
+    return true;
+}
+
+/* covering = texture | texture_part | interior | material . */
+static bool parse_covering(struct parser *p, struct object *object, bool *found)
+{
+    const struct texture *texture;
+    *found = true;
+    switch (stream_keyword(p)) {
+    case KEYWORD_TEXTURE:
+        if (!parse_texture(p, &texture))
+            return false;
+        object_set_texture(p, object, texture);
+        return true;
+    case KEYWORD_PIGMENT:
+    case KEYWORD_NORMAL:
+    case KEYWORD_FINISH:
+        texture = object_texture_here(p, object);
+        if (!parse_texture_part(p, &texture, found))
+            return false;
+        object->texture = texture;
+        return true;
+    case KEYWORD_INTERIOR:
+        return parse_interior(p, &object->interior);
+    case KEYWORD_MATERIAL:
+        return modifier_material(p, object);
+    default:
+        *found = false;
+        return true;
+    }
+}
+
+static void clip_list_move(struct clip_list *list, const affine *transform)
+{
+    for (size_t i = 0; i < list->count; i++)
+        list->items[i].transform =
+            affine_compose(*transform, list->items[i].transform);
+}
+
+static bool clip_add(struct parser *p, struct clip_list *list)
+{
+    struct object *object;
+    if (!parse_object(p, &object))
+        return false;
+    if (object->patch)
+        return error_at(p, object->span, NULL,
+                        "this has no inside: it can't clip or bound");
+    *ARRAY_PUSH(p->scene_arena, list) =
+        (struct clip){ .object = object, .transform = affine_identity() };
+    return true;
+}
+
+/* clip_body = object {object} {transformation} . */
+static bool parse_clip_body(struct parser *p, struct clip_list *list,
+                            const char *block)
+{
+    bool found = true;
+    do
+        if (!clip_add(p, list))
+            return false;
+    while (at_object(p));
+    while (stream_peek(p)->kind != TOKEN_RBRACE) {
+        affine step = affine_identity();
+        if (!parse_transformation(p, &step, &found))
+            return false;
+        if (!found)
+            return error_unknown_item(p, block, NULL);
+        clip_list_move(list, &step);
+    }
+    return true;
+}
+
+/* The clips of the object may be shared with a declared one. */
+static bool object_add_clips(struct parser *p, struct object *object,
+                             const struct clip_list *list)
+{
+    size_t count = object->clip_count + list->count;
+    struct clip *clips = ARENA_ARRAY(p->scene_arena, struct clip, count);
+    if (object->clip_count)
+        memcpy(clips, object->clips, object->clip_count * sizeof *clips);
+    for (size_t i = 0; i < list->count; i++) {
+        clips[object->clip_count + i] = list->items[i];
+        if (!object_adopt(p, object, list->items[i].object))
+            return false;
+    }
+    object->clips = clips;
+    object->clip_count = count;
+    return true;
+}
+
+/* clipped_by = "clipped_by" "{" ( "bounded_by" | clip_body ) "}" . */
+static bool parse_clipped_by(struct parser *p, struct modifiers *m)
+{
+    struct clip_list list = { .count = 0 };
+    struct span open;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    bool bounds = accept_keyword(p, KEYWORD_BOUNDED_BY);
+    bool ok = bounds || parse_clip_body(p, &list, "clipped_by");
+    return block_end(p, open, ok) &&
+           object_add_clips(p, m->object, bounds ? &m->bounds : &list);
+}
+
+/* bounded_by = "bounded_by" "{" ( "clipped_by" | clip_body ) "}" .
+ * A hint for POV-Ray's speed; it is only kept for clipped_by. */
+static bool parse_bounded_by(struct parser *p, struct modifiers *m)
+{
+    struct span open;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    bool ok = accept_keyword(p, KEYWORD_CLIPPED_BY) ||
+              parse_clip_body(p, &m->bounds, "bounded_by");
+    return block_end(p, open, ok);
+}
+
+/* flag = "inverse" | "hollow" [bool] | "double_illuminate" [bool]
+ *      | "no_shadow" | "no_image" | "no_reflection" . */
+static bool parse_flag(struct parser *p, struct object *object, bool *found)
+{
+    *found = true;
+    if (accept_keyword(p, KEYWORD_INVERSE)) {
+        object->inverse = !object->inverse;
+    } else if (accept_keyword(p, KEYWORD_HOLLOW)) {
+        object->has_hollow = true;
+        return parse_bool(p, &object->hollow);
+    } else if (accept_keyword(p, KEYWORD_DOUBLE_ILLUMINATE)) {
+        return parse_bool(p, &object->double_illuminate);
+    } else if (accept_keyword(p, KEYWORD_NO_SHADOW)) {
+        object->no_shadow = true;
+    } else if (accept_keyword(p, KEYWORD_NO_IMAGE)) {
+        object->no_image = true;
+    } else if (accept_keyword(p, KEYWORD_NO_REFLECTION)) {
+        object->no_reflection = true;
+    } else {
+        *found = false;
+    }
+    return true;
+}
+
+static bool modifier_skip_block(struct parser *p)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, skip_block(p));
+}
+
+/* modifier_without_effect = "sturm" [bool] | "hierarchy" [bool]
+ *                         | "split_union" [bool] | "no_radiosity"
+ *                         | "photons" "{" {name [float]} "}"
+ *                         | "radiosity" "{" {name [float]} "}"
+ *                         | colour .
+ * The picture is the same without them. */
+static bool parse_modifier_without_effect(struct parser *p, bool *found)
+{
+    bool ignored;
+    colour no_colour;
+    *found = true;
+    switch (stream_keyword(p)) {
+    case KEYWORD_STURM:
+    case KEYWORD_HIERARCHY:
+    case KEYWORD_SPLIT_UNION:
+        stream_next(p);
+        return parse_bool(p, &ignored);
+    case KEYWORD_NO_RADIOSITY:
+        stream_next(p);
+        return true;
+    case KEYWORD_PHOTONS:
+    case KEYWORD_RADIOSITY:
+        return modifier_skip_block(p);
+    case KEYWORD_COLOUR:
+        warning_at(p, stream_span(p), "pigment { color ... }",
+                   "a colour belongs into a pigment; this one is ignored");
+        return parse_colour(p, &no_colour);
+    default:
+        *found = false;
+        return true;
+    }
+}
+
+static bool modifier_transformation(struct parser *p, struct modifiers *m,
+                                    bool *found)
+{
+    affine step = affine_identity(), inverse;
+    struct span span = stream_span(p);
+    if (!parse_transformation(p, &step, found))
+        return false;
+    if (!*found)
+        return true;
+    object_move(p->scene_arena, m->object, &step);
+    clip_list_move(&m->bounds, &step);
+    return affine_inverse(m->object->transform, &inverse) ||
+           error_at(p, span_join(span, p->last_span), NULL,
+                    "all transformations together leave nothing of this "
+                    "object: their numbers are too large or too small");
+}
+
+/* modifier = transformation | covering | clipped_by | bounded_by | flag
+ *          | PRIMITIVE_ITEM | modifier_without_effect .
+ * PRIMITIVE_ITEM is what the primitive's table has, like "open". */
+static bool parse_modifier(struct parser *p, struct modifiers *m)
+{
+    bool found;
+    bool ok = modifier_transformation(p, m, &found);
+    if (!ok || found)
+        return ok;
+    ok = parse_covering(p, m->object, &found);
+    if (!ok || found)
+        return ok;
+    const struct field *field = accept_field(p, m->items);
+    if (field)
+        return parse_field(p, field, m->shape);
+    ok = parse_flag(p, m->object, &found);
+    if (!ok || found)
+        return ok;
+    if (stream_keyword(p) == KEYWORD_CLIPPED_BY)
+        return parse_clipped_by(p, m);
+    if (stream_keyword(p) == KEYWORD_BOUNDED_BY)
+        return parse_bounded_by(p, m);
+    ok = parse_modifier_without_effect(p, &found);
+    if (!ok || found)
+        return ok;
+    return check_supported(p, modifier_unsupported) &&
+           error_unknown_item(p, m->block, modifier_names);
+}
+
+/* Old scenes say the interior's ior in the finish. */
+static void object_old_ior(struct parser *p, struct object *object)
+{
+    double ior = 0;
+    for (size_t i = 0; object->texture && i < object->texture->count; i++)
+        if (object->texture->layers[i].finish->ior > 0)
+            ior = object->texture->layers[i].finish->ior;
+    if (ior == 0 || object->interior)
+        return;
+    struct interior *interior = ARENA_NEW(p->scene_arena, struct interior);
+    *interior = interior_default();
+    interior->ior = ior;
+    object->interior = interior;
+}
+
+bool parse_modifiers(struct parser *p, struct modifiers *m)
+{
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_modifier(p, m))
+            return false;
+    object_old_ior(p, m->object);
+    return true;
+}
+
+void object_link(struct parser *p, struct object *object)
+{
+    if (!object->texture) {
+        object->texture = texture_from_defaults(p);
+        object->texture_transform = affine_identity();
+    }
+}

@@ -1,0 +1,199 @@
+/* Objects: everything that can be seen or shines. */
+#include "parse/rules.h"
+
+#include "parse/array.h"
+
+static const struct unsupported_word object_unsupported[] = {
+    { KEYWORD_BICUBIC_PATCH, "'bicubic_patch'" },
+    { KEYWORD_BLOB, "'blob'" },
+    { KEYWORD_HEIGHT_FIELD, "'height_field'" },
+    { KEYWORD_ISOSURFACE, "'isosurface'" },
+    { KEYWORD_JULIA_FRACTAL, "'julia_fractal'" },
+    { KEYWORD_LATHE, "'lathe'" },
+    { KEYWORD_LIGHT_GROUP, "'light_group'" },
+    { KEYWORD_OVUS, "'ovus'" },
+    { KEYWORD_PARAMETRIC, "'parametric'" },
+    { KEYWORD_POLYNOMIAL, "'polynomial'" },
+    { KEYWORD_PRISM, "'prism'" },
+    { KEYWORD_SOR, "'sor'" },
+    { KEYWORD_SPHERE_SWEEP, "'sphere_sweep'" },
+    { KEYWORD_SUPERELLIPSOID, "'superellipsoid'" },
+    { KEYWORD_TEXT, "'text'" },
+    { KEYWORD_NONE, NULL },
+};
+
+/* Trees are walked by recursion, and every use of a declared object is a
+ * thing of its own to the ray tracer. */
+enum {
+    OBJECT_DEPTH_LIMIT = 200,
+    OBJECT_PARTS_LIMIT = 1 << 24,
+};
+
+typedef bool object_rule(struct parser *p, struct object **out);
+static object_rule parse_object_use;
+
+static object_rule *object_keyword_rule(enum keyword keyword)
+{
+    switch (keyword) {
+    case KEYWORD_OBJECT:
+        return parse_object_use;
+    case KEYWORD_UNION:
+    case KEYWORD_MERGE:
+    case KEYWORD_INTERSECTION:
+    case KEYWORD_DIFFERENCE:
+    case KEYWORD_COMPOSITE:
+        return parse_csg;
+    case KEYWORD_LIGHT_SOURCE:
+        return parse_light_source;
+    case KEYWORD_MESH:
+        return parse_mesh;
+    case KEYWORD_MESH2:
+        return parse_mesh2;
+    case KEYWORD_TRIANGLE:
+        return parse_triangle;
+    case KEYWORD_SMOOTH_TRIANGLE:
+        return parse_smooth_triangle;
+    default:
+        return NULL;
+    }
+}
+
+static const char *object_unsupported_name(enum keyword keyword)
+{
+    const struct unsupported_word *word = object_unsupported;
+    while (word->keyword && word->keyword != keyword)
+        word++;
+    return word->feature;
+}
+
+/* The primitive the next word names, or NULL. */
+static const struct primitive *object_primitive(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || !token->word->reserved)
+        return NULL;
+    return primitive_find(token->word->text);
+}
+
+static bool at_object_identifier(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved)
+        return false;
+    const struct value *value = symbol_find(p, token->word);
+    return value && (value->kind == VALUE_OBJECT ||
+                     (value->kind == VALUE_ARRAY &&
+                      array_kind(value->array) == VALUE_OBJECT));
+}
+
+bool at_object(struct parser *p)
+{
+    enum keyword keyword = stream_keyword(p);
+    return object_keyword_rule(keyword) ||
+           (keyword && object_unsupported_name(keyword)) ||
+           object_primitive(p) || at_object_identifier(p);
+}
+
+struct object *object_empty(struct parser *p, struct span span)
+{
+    struct object *object = object_new(p->scene_arena, OBJECT_UNION, span);
+    object->parts = 0;
+    return object;
+}
+
+bool object_adopt(struct parser *p, struct object *object,
+                  const struct object *child)
+{
+    if (child->depth >= object->depth)
+        object->depth = child->depth + 1;
+    object->parts += child->parts;
+    object->patch = object->patch || child->patch;
+    if (object->depth > OBJECT_DEPTH_LIMIT)
+        return error_at(p, child->span, NULL,
+                        "objects are nested more than %d deep",
+                        OBJECT_DEPTH_LIMIT);
+    return object->parts <= OBJECT_PARTS_LIMIT ||
+           error_at(p, child->span, NULL,
+                    "an object is made of more than %d others",
+                    OBJECT_PARTS_LIMIT);
+}
+
+/* A shape that POV-Ray only warns about is left out of the picture. */
+static bool object_prepare(struct parser *p, struct object **out,
+                           const struct primitive *primitive, void *shape)
+{
+    struct span span = (*out)->span;
+    const char *warning = NULL;
+    const char *problem =
+        primitive->prepare ? primitive->prepare(shape, p->scene_arena, &warning)
+                           : NULL;
+    if (problem)
+        return error_at(p, span, NULL, "impossible '%s': %s", primitive->name,
+                        problem);
+    if (warning) {
+        warning_at(p, span, NULL, "'%s' left out: %s", primitive->name,
+                   warning);
+        *out = object_empty(p, span);
+    }
+    return true;
+}
+
+/* primitive = PRIMITIVE "{" arguments {modifier} "}" .
+ * Names and arguments are in the tables of scene/primitive/. */
+static bool parse_primitive(struct parser *p, struct object **out,
+                            const struct primitive *primitive)
+{
+    struct span open;
+    stream_next(p);
+    struct object *object =
+        object_new(p->scene_arena, OBJECT_SHAPE, p->last_span);
+    void *shape = arena_alloc(p->scene_arena, primitive->size);
+    struct modifiers m = { .object = object,
+                           .block = primitive->name,
+                           .items = primitive->items,
+                           .shape = shape };
+    object->primitive = primitive;
+    object->shape = shape;
+    object->patch = !primitive->solid;
+    *out = object;
+    if (!block_begin(p, &open))
+        return false;
+    bool ok = parse_arguments(p, primitive->arguments, shape) &&
+              parse_modifiers(p, &m);
+    return block_end(p, open, ok) && object_prepare(p, out, primitive, shape);
+}
+
+/* object_use = "object" "{" object {modifier} "}" . */
+static bool parse_object_use(struct parser *p, struct object **out)
+{
+    struct span open;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    bool ok = parse_object(p, out);
+    if (ok) {
+        struct modifiers m = { .object = *out, .block = "object" };
+        ok = parse_modifiers(p, &m);
+    }
+    return block_end(p, open, ok);
+}
+
+/* object = primitive | csg | object_use | mesh | mesh2 | triangle
+ *        | smooth_triangle | light_source | OBJECT . */
+bool parse_object(struct parser *p, struct object **out)
+{
+    enum keyword keyword = stream_keyword(p);
+    object_rule *rule = object_keyword_rule(keyword);
+    if (rule)
+        return rule(p, out);
+    const struct primitive *primitive = object_primitive(p);
+    if (primitive)
+        return parse_primitive(p, out, primitive);
+    if (keyword && object_unsupported_name(keyword))
+        return skip_unsupported(p, object_unsupported_name(keyword));
+    const struct value *value = accept_value(p, VALUE_OBJECT);
+    if (!value)
+        return error_expected(p, "an object");
+    *out = object_copy(p->scene_arena, value->object);
+    return true;
+}

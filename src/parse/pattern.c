@@ -1,0 +1,212 @@
+/* Patterns of pigments and normals: which one, its arguments, and the
+ * modifiers that place and fold it. The patterns themselves are tables in
+ * scene/pattern/. */
+#include "parse/rules.h"
+
+/* Patterns of POV-Ray that glim does not have. */
+static const struct unsupported_word pattern_unsupported[] = {
+    { KEYWORD_AVERAGE, "the 'average' pattern" },
+    { KEYWORD_BOXED, "the 'boxed' pattern" },
+    { KEYWORD_BUMP_MAP, "'bump_map'" },
+    { KEYWORD_CELLS, "the 'cells' pattern" },
+    { KEYWORD_CYLINDRICAL, "the 'cylindrical' pattern" },
+    { KEYWORD_DENSITY_FILE, "the 'density_file' pattern" },
+    { KEYWORD_FACETS, "the 'facets' pattern" },
+    { KEYWORD_FUNCTION, "the 'function' pattern" },
+    { KEYWORD_IMAGE_PATTERN, "the 'image_pattern' pattern" },
+    { KEYWORD_JULIA, "the 'julia' pattern" },
+    { KEYWORD_MAGNET, "the 'magnet' pattern" },
+    { KEYWORD_MANDEL, "the 'mandel' pattern" },
+    { KEYWORD_OBJECT, "the 'object' pattern" },
+    { KEYWORD_PIGMENT_PATTERN, "the 'pigment_pattern' pattern" },
+    { KEYWORD_PLANAR, "the 'planar' pattern" },
+    { KEYWORD_QUILTED, "the 'quilted' pattern" },
+    { KEYWORD_SLOPE, "the 'slope' pattern" },
+    { KEYWORD_SPHERICAL, "the 'spherical' pattern" },
+    { KEYWORD_SPIRAL1, "the 'spiral1' pattern" },
+    { KEYWORD_SPIRAL2, "the 'spiral2' pattern" },
+    { KEYWORD_TILING, "the 'tiling' pattern" },
+    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
+    { KEYWORD_NONE, NULL },
+};
+
+#define TURBULENCE(name, kind, member, low, high, help)                        \
+    {                                                                          \
+        name, kind, offsetof(struct pattern, turbulence.member), low, high,    \
+            help                                                               \
+    }
+#define PATTERN(name, kind, member, low, high, help)                           \
+    {                                                                          \
+        name, kind, offsetof(struct pattern, member), low, high, help          \
+    }
+
+static const struct field pattern_fields[] = {
+    TURBULENCE("turbulence", FIELD_VECTOR, amount, 0, 0,
+               "how far the point looked up walks at random"),
+    TURBULENCE("octaves", FIELD_INTEGER, octaves, 0, 0,
+               "steps of the walk, 1 to 10, 6"),
+    TURBULENCE("omega", FIELD_FLOAT, omega, 0, 0,
+               "each step is so much shorter, 0.5"),
+    TURBULENCE("lambda", FIELD_FLOAT, lambda, 0, 0,
+               "and turns so much faster, 2"),
+    PATTERN("frequency", FIELD_FLOAT, frequency, 0, 0, "repetitions, 1"),
+    PATTERN("phase", FIELD_FLOAT, phase, 0, 0, "shift of the map, 0"),
+    { NULL },
+};
+
+const char *pattern_name(const struct pattern *pattern)
+{
+    return pattern->kind ? pattern->kind->name : "pigment";
+}
+
+/* Another pattern in the place of the one there was: its settings are new,
+ * but it stays where the old one was. */
+static void pattern_become(struct parser *p, struct pattern *pattern,
+                           const struct pattern_kind *kind)
+{
+    struct pattern fresh = pattern_new(p->scene_arena, kind);
+    fresh.inverse = pattern->inverse;
+    fresh.frequency = pattern->frequency;
+    fresh.phase = pattern->phase;
+    fresh.turbulent = pattern->turbulent;
+    fresh.turbulence = pattern->turbulence;
+    *pattern = fresh;
+}
+
+/* pattern = PATTERN arguments .
+ * The name of a pattern and what its table in scene/pattern/ says. */
+bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
+{
+    const struct token *token = stream_peek(p);
+    *found = false;
+    if (token->kind != TOKEN_WORD)
+        return true;
+    const struct pattern_kind *kind = pattern_find(token->word->text);
+    if (!kind)
+        return check_supported(p, pattern_unsupported);
+    *found = true;
+    stream_next(p);
+    pattern_become(p, pattern, kind);
+    return !kind->arguments ||
+           parse_arguments(p, kind->arguments, pattern->parameters);
+}
+
+static bool pattern_turbulence_fields(struct parser *p, struct pattern *pattern)
+{
+    const struct field *field;
+    while ((field = accept_field(p, pattern_fields)) != NULL)
+        if (!parse_field(p, field, pattern))
+            return false;
+    return stream_peek(p)->kind == TOKEN_RBRACE ||
+           error_unknown_item(p, "warp", pattern_fields);
+}
+
+/* warp = "warp" "{" "turbulence" vector {"octaves" float | "omega" float
+ *      | "lambda" float} "}" .
+ * Where nothing moved the pattern yet, this is its own turbulence; other
+ * warps are not supported. */
+static bool parse_warp(struct parser *p, struct pattern *pattern)
+{
+    struct span span = stream_span(p), open;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    bool simple = stream_keyword(p) == KEYWORD_TURBULENCE &&
+                  !pattern->turbulent && affine_is_identity(pattern->inverse) &&
+                  !(pattern->kind && pattern->kind->own_turbulence);
+    if (!simple)
+        return block_end(p, open, error_unsupported(p, span, "'warp'"));
+    pattern->turbulent = true;
+    return block_end(p, open, pattern_turbulence_fields(p, pattern));
+}
+
+/* noise_generator = "noise_generator" float . */
+bool parse_noise_generator(struct parser *p)
+{
+    int generator;
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &generator))
+        return false;
+    if (generator < 1 || generator > 3)
+        return error_at(p, span, "2", "noise_generator is 1, 2 or 3");
+    if (generator != 2)
+        warning_at(p, span, "2", "glim draws every noise as noise_generator 2");
+    return true;
+}
+
+/* wave = "ramp_wave" | "triangle_wave" | "sine_wave" | "scallop_wave"
+ *      | "cubic_wave" | "poly_wave" [float] . */
+static bool parse_wave(struct parser *p, struct pattern *pattern, bool *found)
+{
+    static const struct {
+        enum keyword keyword;
+        enum wave wave;
+    } waves[] = {
+        { KEYWORD_RAMP_WAVE, WAVE_RAMP },
+        { KEYWORD_TRIANGLE_WAVE, WAVE_TRIANGLE },
+        { KEYWORD_SINE_WAVE, WAVE_SINE },
+        { KEYWORD_SCALLOP_WAVE, WAVE_SCALLOP },
+        { KEYWORD_CUBIC_WAVE, WAVE_CUBIC },
+        { KEYWORD_POLY_WAVE, WAVE_POLY },
+    };
+    *found = false;
+    for (size_t i = 0; i < sizeof waves / sizeof *waves; i++) {
+        if (!accept_keyword(p, waves[i].keyword))
+            continue;
+        *found = true;
+        pattern->wave = waves[i].wave;
+        if (pattern->wave == WAVE_POLY && at_expression(p))
+            return parse_float(p, &pattern->exponent);
+        return true;
+    }
+    return true;
+}
+
+/* A pattern's own settings live in memory that other pigments may share. */
+static bool pattern_own_item(struct parser *p, struct pattern *pattern,
+                             const struct field *field)
+{
+    size_t size = pattern->kind->size;
+    void *parameters = arena_alloc(p->scene_arena, size);
+    memcpy(parameters, pattern->parameters, size);
+    pattern->parameters = parameters;
+    return parse_field(p, field, parameters);
+}
+
+/* pattern_item = transformation | wave | warp | noise_generator
+ *              | "turbulence" vector | "octaves" float | "omega" float
+ *              | "lambda" float | "frequency" float | "phase" float
+ *              | PATTERN_ITEM .
+ * The last are the pattern's own: brick_size, agate_turb ... */
+bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found)
+{
+    affine step = affine_identity();
+    if (!parse_transformation(p, &step, found))
+        return false;
+    if (*found) {
+        pattern_transform(pattern, &step);
+        return true;
+    }
+    *found = true;
+    if (stream_keyword(p) == KEYWORD_WARP)
+        return parse_warp(p, pattern);
+    if (stream_keyword(p) == KEYWORD_NOISE_GENERATOR)
+        return parse_noise_generator(p);
+    const struct field *field = accept_field(p, pattern_fields);
+    if (field) {
+        pattern->turbulent |= strcmp(field->name, "turbulence") == 0;
+        if (!parse_field(p, field, pattern))
+            return false;
+        int octaves = pattern->turbulence.octaves;
+        pattern->turbulence.octaves = octaves < 1    ? 1
+                                      : octaves > 10 ? 10
+                                                     : octaves;
+        return true;
+    }
+    if (pattern->kind)
+        field = accept_field(p, pattern->kind->items);
+    if (field)
+        return pattern_own_item(p, pattern, field);
+    return parse_wave(p, pattern, found);
+}

@@ -1,0 +1,146 @@
+/* Pigments: the colour of a surface, plain, by pattern or from an image. */
+#include "parse/rules.h"
+
+enum {
+    PIGMENT_DEPTH_LIMIT = 10,    /* 2^10 look-ups for a point of a surface */
+    PIGMENT_PARTS_LIMIT = 10000, /* all are asked whether they are opaque */
+};
+
+static const struct unsupported_word pigment_unsupported[] = {
+    { KEYWORD_DENSITY_MAP, "'density_map'" },
+    { KEYWORD_NORMAL_MAP, "'normal_map'" },
+    { KEYWORD_SLOPE_MAP, "'slope_map'" },
+    { KEYWORD_TEXTURE_MAP, "'texture_map'" },
+    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
+    { KEYWORD_NONE, NULL },
+};
+
+static const struct field pigment_names[] = {
+    { .name = "colour_map" }, { .name = "pigment_map" },
+    { .name = "turbulence" }, { .name = "octaves" },
+    { .name = "omega" },      { .name = "lambda" },
+    { .name = "frequency" },  { .name = "phase" },
+    { .name = "image_map" },  { .name = "quick_colour" },
+    { .name = NULL },
+};
+
+/* pigment_start = colour | image_map | pattern [block_list] . */
+static bool parse_pigment_start(struct parser *p, struct pigment *pigment,
+                                bool *found)
+{
+    *found = true;
+    if (stream_keyword(p) == KEYWORD_IMAGE_MAP) {
+        pigment->kind = PIGMENT_IMAGE;
+        pigment->pattern.kind = NULL;
+        return parse_image_map(p, &pigment->image);
+    }
+    if (at_colour(p)) {
+        pigment->kind = PIGMENT_COLOUR;
+        return parse_colour(p, &pigment->colour);
+    }
+    if (!parse_pattern(p, &pigment->pattern, found))
+        return false;
+    if (!*found)
+        return true;
+    pigment->kind = PIGMENT_PATTERN;
+    pigment->map = NULL;
+    return pigment->pattern.kind->blocks == 0 ||
+           parse_block_list(p, &pigment->pattern, &pigment->map);
+}
+
+/* A pigment_map in a pigment_map ... costs twice as much at each level. */
+static bool pigment_count(struct parser *p, struct pigment *pigment)
+{
+    pigment->depth = 0;
+    pigment->parts = 1;
+    for (size_t i = 0; pigment->map && i < pigment->map->count; i++) {
+        const struct pigment *part = pigment->map->entries[i].pigment;
+        if (part && part->depth >= pigment->depth)
+            pigment->depth = part->depth + 1;
+        pigment->parts += part ? part->parts : 0;
+    }
+    if (pigment->depth > PIGMENT_DEPTH_LIMIT)
+        return error_at(p, p->last_span, NULL,
+                        "pigments are nested more than %d deep",
+                        PIGMENT_DEPTH_LIMIT);
+    return pigment->parts <= PIGMENT_PARTS_LIMIT ||
+           error_at(p, p->last_span, NULL,
+                    "a pigment is made of more than %d others",
+                    PIGMENT_PARTS_LIMIT);
+}
+
+static bool pigment_can_map(struct parser *p, const struct pigment *pigment)
+{
+    if (pigment->kind == PIGMENT_PATTERN && pigment->pattern.kind->blocks)
+        return error_at(p, stream_span(p), NULL,
+                        "'%s' takes a list of colours, not a map",
+                        pattern_name(&pigment->pattern));
+    return true;
+}
+
+/* pigment_item = colour_map | pigment_map | "quick_colour" colour
+ *              | pattern_item . */
+static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
+                               bool *found)
+{
+    *found = true;
+    switch (stream_keyword(p)) {
+    case KEYWORD_COLOUR_MAP:
+        return pigment_can_map(p, pigment) &&
+               parse_colour_map(p, &pigment->map);
+    case KEYWORD_PIGMENT_MAP:
+        return pigment_can_map(p, pigment) &&
+               parse_pigment_map(p, &pigment->map);
+    case KEYWORD_QUICK_COLOUR:
+        stream_next(p);
+        pigment->has_quick_colour = true;
+        return parse_colour(p, &pigment->quick_colour);
+    default:
+        return check_supported(p, pigment_unsupported) &&
+               parse_pattern_item(p, &pigment->pattern, found);
+    }
+}
+
+static bool at_pigment_end(struct parser *p)
+{
+    enum token_kind kind = stream_peek(p)->kind;
+    return kind == TOKEN_RBRACE || kind == TOKEN_RBRACKET;
+}
+
+/* pigment_body = [PIGMENT] [pigment_start] {pigment_item} . */
+bool parse_pigment_body(struct parser *p, const struct pigment **in)
+{
+    const struct value *value = accept_value(p, VALUE_PIGMENT);
+    if (value)
+        *in = value->pigment;
+    if (value && at_pigment_end(p))
+        return true;
+    struct pigment *pigment = ARENA_NEW(p->scene_arena, struct pigment);
+    *pigment = **in;
+    *in = pigment;
+    bool found;
+    if (!check_supported(p, pigment_unsupported) ||
+        !parse_pigment_start(p, pigment, &found))
+        return false;
+    while (!at_pigment_end(p))
+        if (!parse_pigment_item(p, pigment, &found))
+            return false;
+        else if (!found)
+            return error_unknown_item(p, "pigment", pigment_names);
+    return pigment_count(p, pigment);
+}
+
+/* pigment = "pigment" "{" pigment_body "}" . */
+bool parse_pigment_block(struct parser *p, const struct pigment **in)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, parse_pigment_body(p, in));
+}
+
+bool parse_pigment(struct parser *p, const struct pigment **out)
+{
+    *out = p->defaults.pigment;
+    return parse_pigment_block(p, out);
+}

@@ -1,0 +1,89 @@
+/* Small helps for reading the inside of blocks. */
+#include "parse/rules.h"
+
+bool at_word(struct parser *p, const char *word)
+{
+    const struct token *token = stream_peek(p);
+    return token->kind == TOKEN_WORD && strcmp(token->word->text, word) == 0;
+}
+
+bool accept_word(struct parser *p, const char *word)
+{
+    if (!at_word(p, word))
+        return false;
+    stream_next(p);
+    return true;
+}
+
+const struct field *accept_field(struct parser *p, const struct field *table)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD)
+        return NULL;
+    enum keyword keyword = token->word->keyword;
+    const struct field *field = field_find(
+        table, keyword ? keyword_spelling(keyword) : token->word->text);
+    if (field)
+        stream_next(p);
+    return field;
+}
+
+bool at_any_colour(struct parser *p)
+{
+    return at_colour(p) || at_expression(p);
+}
+
+bool at_number(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    const struct value *value = NULL;
+    if (token->kind == TOKEN_WORD && !token->word->reserved)
+        value = symbol_find(p, token->word);
+    return token->kind == TOKEN_NUMBER || token->kind == TOKEN_MINUS ||
+           token->kind == TOKEN_PLUS || token->kind == TOKEN_LPAREN ||
+           (value && value->kind == VALUE_FLOAT);
+}
+
+bool bracket_begin(struct parser *p, struct span *open)
+{
+    *open = stream_span(p);
+    return expect(p, TOKEN_LBRACKET, span_none());
+}
+
+bool skip_item(struct parser *p)
+{
+    double ignored;
+    stream_next(p);
+    return !at_expression(p) || parse_float(p, &ignored);
+}
+
+bool skip_block(struct parser *p)
+{
+    struct value ignored;
+    while (stream_peek(p)->kind == TOKEN_WORD) {
+        stream_next(p);
+        accept(p, TOKEN_COMMA);
+        if (at_expression(p) && !parse_expression(p, &ignored))
+            return false;
+    }
+    return true;
+}
+
+bool skip_unsupported(struct parser *p, const char *feature)
+{
+    struct span span = stream_span(p), open;
+    stream_next(p);
+    error_unsupported(p, span, feature);
+    if (stream_peek(p)->kind == TOKEN_LBRACE && block_begin(p, &open))
+        block_end(p, open, false);
+    return false;
+}
+
+bool check_supported(struct parser *p, const struct unsupported_word *list)
+{
+    enum keyword keyword = stream_keyword(p);
+    for (; keyword && list->keyword; list++)
+        if (list->keyword == keyword)
+            return error_unsupported(p, stream_span(p), list->feature);
+    return true;
+}

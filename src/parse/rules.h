@@ -1,0 +1,138 @@
+/* What the files that read the inside of `{ }` share: objects, textures,
+ * lights, camera, atmosphere, settings. Each production of grammar/scene.ebnf
+ * and grammar/textures.ebnf heads the function that reads it.
+ *
+ * The small readers (`found`) look at the next token and do nothing when it is
+ * not theirs: a block tries one after the other and reports what is left. */
+#ifndef PARSE_RULES_H
+#define PARSE_RULES_H
+
+#include "parse/parser.h"
+#include "parse/stream.h"
+#include "scene/light.h"
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+#include "token/word.h"
+
+/* ---- rules.c: small helps ---- */
+
+/* Whether the next token is this word, reserved or not. */
+bool at_word(struct parser *p, const char *word);
+bool accept_word(struct parser *p, const char *word);
+
+/* The row of the table named by the next token, which is taken if there is
+ * one; else NULL. The other spelling (color) counts too. */
+const struct field *accept_field(struct parser *p, const struct field *table);
+
+/* Whether the next token begins a colour, keyword or bare vector or number. */
+bool at_any_colour(struct parser *p);
+/* Whether it begins a number and not a colour. */
+bool at_number(struct parser *p);
+
+/* '[' around an entry of a map. */
+bool bracket_begin(struct parser *p, struct span *open);
+
+/* An item without any effect on the picture that glim draws: its name and,
+ * if one follows, its number are taken. */
+bool skip_item(struct parser *p);
+
+/* The inside of a block whose settings change nothing, up to its '}'. */
+bool skip_block(struct parser *p);
+
+/* One word of a list, and what is said about it. */
+struct unsupported_word {
+    enum keyword keyword;
+    const char *feature; /* "media": as in "glim does not support media yet" */
+};
+
+/* Reports the next word as unsupported and takes it with its block. */
+bool skip_unsupported(struct parser *p, const char *feature);
+
+/* Reports the next token if it is in the list, which ends with KEYWORD_NONE;
+ * false when it was. */
+bool check_supported(struct parser *p, const struct unsupported_word *list);
+
+/* ---- texture.c and the files of its parts ----
+ *
+ * A declared thing starts as a copy of the declaration, another as #default
+ * says; `texture { T pigment { scale 2 } }` changes T's pigment. So `*in` is
+ * what a block starts from and, after it, what it has become. */
+
+bool parse_pigment_block(struct parser *p, const struct pigment **in);
+bool parse_pigment_body(struct parser *p, const struct pigment **in);
+bool parse_normal_block(struct parser *p, const struct normal **in);
+bool parse_finish_block(struct parser *p, const struct finish **in);
+/* pigment, normal or finish: goes into the topmost layer of a copy. */
+bool parse_texture_part(struct parser *p, const struct texture **in,
+                        bool *found);
+const struct texture *texture_from_defaults(struct parser *p);
+/* A copy of the texture whose layers may be written. */
+struct texture *texture_copy(struct parser *p, const struct texture *texture);
+/* The layers of `bottom` with those of `top` painted over. */
+const struct texture *texture_stack(struct parser *p,
+                                    const struct texture *bottom,
+                                    const struct texture *top);
+
+/* pattern.c: a pattern's name and its arguments; the placing stays. */
+bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found);
+bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found);
+const char *pattern_name(const struct pattern *pattern);
+
+/* colour_map.c: the map after its keyword, of colours or of pigments. */
+bool parse_colour_map(struct parser *p, const struct blend_map **out);
+bool parse_pigment_map(struct parser *p, const struct blend_map **out);
+bool parse_block_list(struct parser *p, const struct pattern *pattern,
+                      const struct blend_map **out);
+
+bool parse_image_map(struct parser *p, const struct image_map **out);
+
+/* ---- objects ---- */
+
+/* What gathers while the modifiers of an object are read. */
+struct modifiers {
+    struct object *object;
+    const char *block;         /* "sphere": for messages */
+    const struct field *items; /* of the primitive, or NULL */
+    void *shape;               /* what `items` describe */
+    struct clip_list {
+        struct clip *items;
+        size_t count, capacity;
+    } bounds; /* bounded_by, for clipped_by { bounded_by } */
+};
+
+/* Modifiers up to the '}' of the object's block. */
+bool parse_modifiers(struct parser *p, struct modifiers *m);
+
+/* Before it goes into the scene: one without texture gets what #default says
+ * now. Only there: in POV-Ray that texture is not moved with the object. */
+void object_link(struct parser *p, struct object *object);
+/* Counts what hangs on the object in its depth, parts and patch. */
+bool object_adopt(struct parser *p, struct object *object,
+                  const struct object *child);
+/* A node without any part: what is left out of the picture. */
+struct object *object_empty(struct parser *p, struct span span);
+
+/* The keyword is next. */
+bool parse_triangle(struct parser *p, struct object **out);
+bool parse_smooth_triangle(struct parser *p, struct object **out);
+bool parse_mesh(struct parser *p, struct object **out);
+bool parse_mesh2(struct parser *p, struct object **out);
+/* After the last triangle: what mesh_prepare does, with a warning. */
+void mesh_end(struct parser *p, struct object *object, struct mesh *mesh);
+bool parse_csg(struct parser *p, struct object **out);
+bool parse_light_source(struct parser *p, struct object **out);
+
+/* ---- atmosphere.c; the keyword is next ---- */
+
+bool parse_background(struct parser *p, colour *out);
+bool parse_fog(struct parser *p, struct fog *out);
+bool parse_sky_sphere(struct parser *p, const struct sky_sphere **out);
+
+/* ---- settings.c ---- */
+
+bool parse_noise_generator(struct parser *p);
+
+/* The working space as far as it is known now. */
+enum gamma_kind settings_gamma(const struct parser *p);
+
+#endif

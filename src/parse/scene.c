@@ -1,0 +1,268 @@
+/* The scene file as a sequence of items, and what #declare can name besides
+ * numbers and strings. */
+#include "parse/rules.h"
+
+static const struct unsupported_word scene_unsupported[] = {
+    { KEYWORD_LIGHT_GROUP, "'light_group'" },
+    { KEYWORD_MEDIA, "'media'" },
+    { KEYWORD_PHOTONS, "'photons'" },
+    { KEYWORD_RADIOSITY, "'radiosity'" },
+    { KEYWORD_RAINBOW, "'rainbow'" },
+    { KEYWORD_NONE, NULL },
+};
+
+static const struct unsupported_word thing_unsupported[] = {
+    { KEYWORD_DENSITY, "'density'" },
+    { KEYWORD_DENSITY_MAP, "'density_map'" },
+    { KEYWORD_LIGHT_GROUP, "'light_group'" },
+    { KEYWORD_MEDIA, "'media'" },
+    { KEYWORD_NORMAL_MAP, "'normal_map'" },
+    { KEYWORD_RAINBOW, "'rainbow'" },
+    { KEYWORD_SLOPE_MAP, "'slope_map'" },
+    { KEYWORD_TEXTURE_MAP, "'texture_map'" },
+    { KEYWORD_WARP, "'warp'" },
+    { KEYWORD_NONE, NULL },
+};
+
+static const char *unsupported_name(const struct unsupported_word *list,
+                                    enum keyword keyword)
+{
+    while (list->keyword && list->keyword != keyword)
+        list++;
+    return keyword ? list->feature : NULL;
+}
+
+/* ---- what can be declared ---- */
+
+/* Where one thing follows another in a declaration, as layers of a texture,
+ * directives must not run before the name has its value. */
+static bool thing_texture(struct parser *p, struct value *value)
+{
+    const struct texture *texture;
+    if (!parse_texture(p, &texture))
+        return false;
+    for (;;) {
+        const struct token *token = stream_peek_infix(p);
+        const struct texture *top;
+        if (token->kind != TOKEN_WORD ||
+            token->word->keyword != KEYWORD_TEXTURE)
+            break;
+        if (!parse_texture(p, &top))
+            return false;
+        texture = texture_stack(p, texture, top);
+    }
+    value->kind = VALUE_TEXTURE;
+    value->texture = texture;
+    return true;
+}
+
+static bool thing_object(struct parser *p, struct value *value)
+{
+    struct object *object;
+    if (!parse_object(p, &object))
+        return false;
+    value->kind = VALUE_OBJECT;
+    value->object = object;
+    return true;
+}
+
+static bool thing_transform(struct parser *p, struct value *value)
+{
+    affine *transform = ARENA_NEW(p->arena, affine);
+    bool found;
+    *transform = affine_identity();
+    value->kind = VALUE_TRANSFORM;
+    value->transform = transform;
+    return parse_transformation(p, transform, &found);
+}
+
+static bool thing_camera(struct parser *p, struct value *value)
+{
+    struct camera *camera = ARENA_NEW(p->arena, struct camera);
+    value->kind = VALUE_CAMERA;
+    value->camera = camera;
+    return parse_camera(p, camera);
+}
+
+static bool thing_material(struct parser *p, struct value *value)
+{
+    struct material *material = ARENA_NEW(p->arena, struct material);
+    value->kind = VALUE_MATERIAL;
+    value->material = material;
+    return parse_material(p, material);
+}
+
+static bool thing_fog(struct parser *p, struct value *value)
+{
+    struct fog *fog = ARENA_NEW(p->arena, struct fog);
+    value->kind = VALUE_FOG;
+    value->fog = fog;
+    return parse_fog(p, fog);
+}
+
+/* thing = texture {texture} | pigment | normal | finish | interior | material
+ *       | transform | camera | fog | sky_sphere | colour_map | pigment_map
+ *       | object . */
+bool parse_thing(struct parser *p, struct value *value, bool *found)
+{
+    enum keyword keyword = stream_keyword(p);
+    const char *unsupported = unsupported_name(thing_unsupported, keyword);
+    *found = true;
+    if (unsupported)
+        return skip_unsupported(p, unsupported);
+    switch (keyword) {
+    case KEYWORD_TEXTURE:
+        return thing_texture(p, value);
+    case KEYWORD_PIGMENT:
+        value->kind = VALUE_PIGMENT;
+        return parse_pigment(p, &value->pigment);
+    case KEYWORD_NORMAL:
+        value->kind = VALUE_NORMAL;
+        return parse_normal(p, &value->normal);
+    case KEYWORD_FINISH:
+        value->kind = VALUE_FINISH;
+        return parse_finish(p, &value->finish);
+    case KEYWORD_INTERIOR:
+        value->kind = VALUE_INTERIOR;
+        return parse_interior(p, &value->interior);
+    case KEYWORD_MATERIAL:
+        return thing_material(p, value);
+    case KEYWORD_TRANSFORM:
+        return thing_transform(p, value);
+    case KEYWORD_CAMERA:
+        return thing_camera(p, value);
+    case KEYWORD_FOG:
+        return thing_fog(p, value);
+    case KEYWORD_SKY_SPHERE:
+        value->kind = VALUE_SKY_SPHERE;
+        return parse_sky_sphere(p, &value->sky);
+    case KEYWORD_COLOUR_MAP:
+        value->kind = VALUE_COLOUR_MAP;
+        return parse_colour_map(p, &value->map);
+    case KEYWORD_PIGMENT_MAP:
+        value->kind = VALUE_PIGMENT_MAP;
+        return parse_pigment_map(p, &value->map);
+    default:
+        *found = at_object(p) && stream_peek(p)->word->reserved;
+        return !*found || thing_object(p, value);
+    }
+}
+
+/* ---- the scene ---- */
+
+static bool scene_camera(struct parser *p)
+{
+    struct camera camera;
+    struct span span = stream_span(p);
+    if (!parse_camera(p, &camera))
+        return false;
+    if (p->has_camera)
+        warning_at(p, span, NULL,
+                   "a second camera: the one before it is not used");
+    p->has_camera = true;
+    p->scene->camera = camera;
+    return true;
+}
+
+static bool scene_sky_sphere(struct parser *p)
+{
+    struct span span = stream_span(p);
+    bool second = p->scene->sky != NULL;
+    const struct sky_sphere *sky;
+    if (!parse_sky_sphere(p, &sky))
+        return false;
+    if (second)
+        warning_at(p, span, NULL,
+                   "a second sky_sphere: the one before it is not used");
+    p->scene->sky = sky;
+    return true;
+}
+
+/* Fog that is nowhere dense is none. */
+static bool scene_fog(struct parser *p)
+{
+    struct fog fog;
+    if (!parse_fog(p, &fog))
+        return false;
+    if (fog.distance > 0)
+        *ARRAY_PUSH(p->scene_arena, &p->scene->fogs) = fog;
+    return true;
+}
+
+static bool scene_object(struct parser *p)
+{
+    struct object *object;
+    if (!parse_object(p, &object))
+        return false;
+    object_link(p, object);
+    *ARRAY_PUSH(p->scene_arena, &p->scene->objects) = object;
+    return true;
+}
+
+static bool at_scene_item(struct parser *p)
+{
+    switch (stream_keyword(p)) {
+    case KEYWORD_CAMERA:
+    case KEYWORD_BACKGROUND:
+    case KEYWORD_SKY_SPHERE:
+    case KEYWORD_FOG:
+    case KEYWORD_GLOBAL_SETTINGS:
+        return true;
+    default:
+        return at_object(p);
+    }
+}
+
+/* After an error: to where something known begins. */
+static void scene_recover(struct parser *p)
+{
+    struct span open;
+    while (stream_peek(p)->kind != TOKEN_END && !at_scene_item(p))
+        if (stream_peek(p)->kind != TOKEN_LBRACE)
+            stream_next(p);
+        else if (block_begin(p, &open))
+            block_end(p, open, false);
+}
+
+static bool scene_unknown(struct parser *p)
+{
+    const char *unsupported =
+        unsupported_name(scene_unsupported, stream_keyword(p));
+    if (unsupported)
+        return skip_unsupported(p, unsupported);
+    if (stream_peek(p)->kind == TOKEN_WORD)
+        error_unknown_item(p, "the scene", NULL);
+    else
+        error_expected(p, "an object or another item of the scene");
+    stream_next(p);
+    return false;
+}
+
+/* scene_item = camera | background | sky_sphere | fog | global_settings
+ *            | object . */
+bool parse_scene_item(struct parser *p)
+{
+    bool ok;
+    switch (stream_keyword(p)) {
+    case KEYWORD_CAMERA:
+        ok = scene_camera(p);
+        break;
+    case KEYWORD_BACKGROUND:
+        ok = parse_background(p, &p->scene->background);
+        break;
+    case KEYWORD_SKY_SPHERE:
+        ok = scene_sky_sphere(p);
+        break;
+    case KEYWORD_FOG:
+        ok = scene_fog(p);
+        break;
+    case KEYWORD_GLOBAL_SETTINGS:
+        ok = parse_global_settings(p);
+        break;
+    default:
+        ok = at_object(p) ? scene_object(p) : scene_unknown(p);
+    }
+    if (!ok)
+        scene_recover(p);
+    return ok;
+}

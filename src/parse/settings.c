@@ -1,0 +1,217 @@
+/* global_settings, #default, and the working space of colours. */
+#include "parse/rules.h"
+
+enum { TRACE_LEVEL_LIMIT = 256 }; /* POV-Ray's */
+
+#define SETTING(name, kind, member, low, high, help)                           \
+    {                                                                          \
+        name, kind, offsetof(struct settings, member), low, high, help         \
+    }
+
+/* setting_value = "ambient_light" colour | "max_trace_level" float
+ *               | "adc_bailout" float . */
+static const struct field setting_fields[] = {
+    SETTING("ambient_light", FIELD_RGB, ambient_light, 0, 0,
+            "multiplies every ambient, white"),
+    SETTING("max_trace_level", FIELD_INTEGER, max_trace_level, 0, 0,
+            "surfaces a ray may meet one after the other, 5"),
+    SETTING("adc_bailout", FIELD_FLOAT, adc_bailout, 0, 0,
+            "rays that count for less are not followed, 1/255"),
+    { NULL },
+};
+
+static const struct field setting_names[] = {
+    { .name = "assumed_gamma" },   { .name = "ambient_light" },
+    { .name = "max_trace_level" }, { .name = "adc_bailout" },
+    { .name = "noise_generator" }, { .name = NULL },
+};
+
+static const struct unsupported_word setting_unsupported[] = {
+    { KEYWORD_PHOTONS, "'photons'" },
+    { KEYWORD_RADIOSITY, "'radiosity'" },
+    { KEYWORD_SUBSURFACE, "'subsurface'" },
+    { KEYWORD_NONE, NULL },
+};
+
+/* assumed_gamma = "assumed_gamma" ( "srgb" | float ) .
+ * Only the first counts. */
+static bool parse_assumed_gamma(struct parser *p)
+{
+    struct settings *settings = &p->scene->settings;
+    enum gamma_kind kind = GAMMA_SRGB;
+    double gamma = 1;
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (!accept_keyword(p, KEYWORD_SRGB)) {
+        kind = GAMMA_POWER;
+        if (!parse_float(p, &gamma))
+            return false;
+        if (!(gamma > 0))
+            return error_at(p, span, "1.0", "assumed_gamma must be above 0");
+    }
+    if (settings->gamma_kind != GAMMA_NONE) {
+        if (kind != settings->gamma_kind || gamma != settings->assumed_gamma)
+            warning_at(p, span, NULL,
+                       "assumed_gamma was said before; this one is ignored");
+        return true;
+    }
+    settings->gamma_kind = kind;
+    settings->assumed_gamma = gamma;
+    return true;
+}
+
+/* The patterns 'waves' and 'ripples' are made of ten. */
+static bool setting_waves(struct parser *p)
+{
+    int count;
+    struct span span = stream_span(p);
+    stream_next(p);
+    if (!parse_integer(p, &count))
+        return false;
+    return count == 10 ||
+           error_unsupported(p, span, "a 'number_of_waves' other than 10");
+}
+
+/* setting_without_effect = "noise_generator" float | "number_of_waves" float
+ *                        | "charset" name | "max_intersections" float
+ *                        | "mm_per_unit" float | "irid_wavelength" colour
+ *                        | "hf_gray_16" [bool] . */
+static bool parse_setting_without_effect(struct parser *p, bool *found)
+{
+    colour ignored;
+    bool flag;
+    *found = true;
+    switch (stream_keyword(p)) {
+    case KEYWORD_NOISE_GENERATOR:
+        return parse_noise_generator(p);
+    case KEYWORD_NUMBER_OF_WAVES:
+        return setting_waves(p);
+    case KEYWORD_CHARSET:
+        stream_next(p);
+        if (stream_peek(p)->kind != TOKEN_WORD)
+            return error_expected(p, "'ascii', 'utf8' or 'sys'");
+        stream_next(p);
+        return true;
+    case KEYWORD_MAX_INTERSECTIONS:
+    case KEYWORD_MM_PER_UNIT:
+        return skip_item(p);
+    case KEYWORD_IRID_WAVELENGTH:
+        stream_next(p);
+        return parse_colour(p, &ignored);
+    case KEYWORD_HF_GRAY_16:
+        stream_next(p);
+        return parse_bool(p, &flag);
+    default:
+        *found = false;
+        return true;
+    }
+}
+
+static bool setting_field(struct parser *p, const struct field *field)
+{
+    struct settings *settings = &p->scene->settings;
+    struct span span = stream_span(p);
+    if (!parse_field(p, field, settings))
+        return false;
+    if (settings->max_trace_level > TRACE_LEVEL_LIMIT) {
+        warning_at(p, span, NULL, "max_trace_level is at most %d",
+                   TRACE_LEVEL_LIMIT);
+        settings->max_trace_level = TRACE_LEVEL_LIMIT;
+    }
+    if (settings->max_trace_level < 1)
+        settings->max_trace_level = 1;
+    return true;
+}
+
+/* global_setting = setting_value | assumed_gamma | setting_without_effect . */
+static bool parse_global_setting(struct parser *p)
+{
+    bool found;
+    const struct field *field = accept_field(p, setting_fields);
+    if (field)
+        return setting_field(p, field);
+    if (stream_keyword(p) == KEYWORD_ASSUMED_GAMMA)
+        return parse_assumed_gamma(p);
+    bool ok = parse_setting_without_effect(p, &found);
+    if (!ok || found)
+        return ok;
+    return check_supported(p, setting_unsupported) &&
+           error_unknown_item(p, "global_settings", setting_names);
+}
+
+/* global_settings = "global_settings" "{" {global_setting} "}" . */
+bool parse_global_settings(struct parser *p)
+{
+    struct span open;
+    bool ok = true;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    while (ok && stream_peek(p)->kind != TOKEN_RBRACE)
+        ok = parse_global_setting(p);
+    return block_end(p, open, ok);
+}
+
+enum gamma_kind settings_gamma(const struct parser *p)
+{
+    enum gamma_kind kind = p->scene->settings.gamma_kind;
+    if (kind != GAMMA_NONE)
+        return kind;
+    return p->version_said && p->version >= 3.7 ? GAMMA_POWER : GAMMA_NONE;
+}
+
+void settings_finish(struct parser *p)
+{
+    if (p->scene->settings.gamma_kind != GAMMA_NONE || p->failed)
+        return;
+    p->scene->settings.gamma_kind = settings_gamma(p);
+    p->scene->settings.assumed_gamma = 1;
+    warning_at(p, span_none(), "global_settings { assumed_gamma 1.0 }",
+               p->scene->settings.gamma_kind == GAMMA_NONE
+                   ? "no assumed_gamma: numbers go into the picture as they "
+                     "are, as in POV-Ray before version 3.7"
+                   : "no assumed_gamma: 1.0 is taken");
+}
+
+void defaults_init(struct parser *p)
+{
+    struct pigment *pigment = ARENA_NEW(p->scene_arena, struct pigment);
+    struct finish *finish = ARENA_NEW(p->scene_arena, struct finish);
+    *pigment = pigment_default(p->scene_arena);
+    *finish = finish_default();
+    p->defaults.pigment = pigment;
+    p->defaults.normal = NULL;
+    p->defaults.finish = finish;
+}
+
+/* default_item = texture | pigment | normal | finish . */
+static bool parse_default_item(struct parser *p)
+{
+    const struct texture *texture;
+    switch (stream_keyword(p)) {
+    case KEYWORD_TEXTURE:
+        if (!parse_texture(p, &texture))
+            return false;
+        p->defaults.pigment = texture->layers[texture->count - 1].pigment;
+        p->defaults.normal = texture->layers[texture->count - 1].normal;
+        p->defaults.finish = texture->layers[texture->count - 1].finish;
+        return true;
+    case KEYWORD_PIGMENT:
+        return parse_pigment_block(p, &p->defaults.pigment);
+    case KEYWORD_NORMAL:
+        return parse_normal_block(p, &p->defaults.normal);
+    case KEYWORD_FINISH:
+        return parse_finish_block(p, &p->defaults.finish);
+    default:
+        return error_unknown_item(p, "#default", NULL);
+    }
+}
+
+bool parse_defaults(struct parser *p, struct span open)
+{
+    (void)open;
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_default_item(p))
+            return false;
+    return true;
+}

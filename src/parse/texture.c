@@ -1,0 +1,146 @@
+/* Textures: a pigment, a normal and a finish; layers of them. */
+#include "parse/rules.h"
+
+enum { TEXTURE_LAYER_LIMIT = 100 }; /* all are looked at for each point */
+
+static const struct unsupported_word texture_unsupported[] = {
+    { KEYWORD_MATERIAL_MAP, "'material_map'" },
+    { KEYWORD_TEXTURE, "a pattern of textures" },
+    { KEYWORD_TEXTURE_MAP, "'texture_map'" },
+    { KEYWORD_TILES, "'tiles'" },
+    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
+    { KEYWORD_NONE, NULL },
+};
+
+static const struct field texture_names[] = {
+    { .name = "pigment" },
+    { .name = "normal" },
+    { .name = "finish" },
+    { .name = NULL },
+};
+
+const struct texture *texture_from_defaults(struct parser *p)
+{
+    struct texture *texture = ARENA_NEW(p->scene_arena, struct texture);
+    texture->layers = ARENA_NEW(p->scene_arena, struct layer);
+    texture->layers[0] = (struct layer){
+        .pigment = p->defaults.pigment,
+        .normal = p->defaults.normal,
+        .finish = p->defaults.finish,
+    };
+    texture->count = 1;
+    return texture;
+}
+
+struct texture *texture_copy(struct parser *p, const struct texture *texture)
+{
+    struct texture *copy = ARENA_NEW(p->scene_arena, struct texture);
+    copy->count = texture->count;
+    copy->layers = ARENA_ARRAY(p->scene_arena, struct layer, texture->count);
+    memcpy(copy->layers, texture->layers,
+           texture->count * sizeof *texture->layers);
+    return copy;
+}
+
+const struct texture *texture_stack(struct parser *p,
+                                    const struct texture *bottom,
+                                    const struct texture *top)
+{
+    struct texture *both = ARENA_NEW(p->scene_arena, struct texture);
+    both->count = bottom->count + top->count;
+    if (both->count > TEXTURE_LAYER_LIMIT) {
+        error_at(p, p->last_span, NULL, "a texture has at most %d layers",
+                 TEXTURE_LAYER_LIMIT);
+        return bottom;
+    }
+    both->layers = ARENA_ARRAY(p->scene_arena, struct layer, both->count);
+    memcpy(both->layers, bottom->layers,
+           bottom->count * sizeof *bottom->layers);
+    memcpy(both->layers + bottom->count, top->layers,
+           top->count * sizeof *top->layers);
+    return both;
+}
+
+/* texture_start = TEXTURE | PIGMENT | NORMAL | FINISH . */
+static bool parse_texture_start(struct parser *p, const struct texture **out)
+{
+    const struct value *value = accept_value(p, VALUE_TEXTURE);
+    if (value) {
+        *out = value->texture;
+        return true;
+    }
+    *out = texture_from_defaults(p);
+    struct layer *layer = (*out)->layers;
+    if ((value = accept_value(p, VALUE_PIGMENT)) != NULL)
+        layer->pigment = value->pigment;
+    else if ((value = accept_value(p, VALUE_NORMAL)) != NULL)
+        layer->normal = value->normal;
+    else if ((value = accept_value(p, VALUE_FINISH)) != NULL)
+        layer->finish = value->finish;
+    return true;
+}
+
+/* texture_part = pigment | normal | finish .
+ * Of layers, only the topmost is changed. */
+bool parse_texture_part(struct parser *p, const struct texture **in,
+                        bool *found)
+{
+    enum keyword keyword = stream_keyword(p);
+    *found = keyword == KEYWORD_PIGMENT || keyword == KEYWORD_NORMAL ||
+             keyword == KEYWORD_FINISH;
+    if (!*found)
+        return true;
+    struct texture *texture = texture_copy(p, *in);
+    struct layer *top = &texture->layers[texture->count - 1];
+    *in = texture;
+    return keyword == KEYWORD_PIGMENT  ? parse_pigment_block(p, &top->pigment)
+           : keyword == KEYWORD_NORMAL ? parse_normal_block(p, &top->normal)
+                                       : parse_finish_block(p, &top->finish);
+}
+
+/* Patterns in textures pick whole textures. */
+static bool texture_check_pattern(struct parser *p)
+{
+    struct span span = stream_span(p);
+    struct pattern pattern = pattern_new(p->arena, NULL);
+    bool found;
+    if (!check_supported(p, texture_unsupported) ||
+        !parse_pattern(p, &pattern, &found))
+        return false;
+    return !found || error_unsupported(p, span, "a pattern of textures");
+}
+
+/* texture_item = texture_part | transformation . */
+static bool parse_texture_item(struct parser *p, const struct texture **in)
+{
+    affine step = affine_identity();
+    bool found;
+    if (!parse_texture_part(p, in, &found))
+        return false;
+    if (found)
+        return true;
+    if (!parse_transformation(p, &step, &found))
+        return false;
+    if (found)
+        *in = texture_moved(p->scene_arena, *in, &step);
+    return found || (texture_check_pattern(p) &&
+                     error_unknown_item(p, "texture", texture_names));
+}
+
+static bool texture_items(struct parser *p, const struct texture **in)
+{
+    if (!parse_texture_start(p, in))
+        return false;
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_texture_item(p, in))
+            return false;
+    return true;
+}
+
+/* texture = "texture" "{" [texture_start] {texture_item} "}" . */
+bool parse_texture(struct parser *p, const struct texture **out)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, texture_items(p, out));
+}
