@@ -39,15 +39,26 @@ enum value_kind array_kind(const struct array *array)
 
 /* ---- subscripts ---- */
 
-static bool array_index(struct parser *p, int size, size_t *index)
+/* "[" number "]"; the place of the number into *start. */
+static bool array_number(struct parser *p, double *number, struct span *start)
 {
-    double number;
     struct span open = stream_span(p);
     if (!expect(p, TOKEN_LBRACKET, span_none()))
         return false;
-    struct span start = stream_span(p);
-    if (!parse_float(p, &number) || !expect(p, TOKEN_RBRACKET, open))
+    struct cursor *outer = brackets_begin(p);
+    *start = stream_span(p);
+    bool ok = parse_float(p, number) && expect(p, TOKEN_RBRACKET, open);
+    return brackets_end(p, outer, ok);
+}
+
+/* Rounding errors of 0.1 * 30 are forgiven as POV-Ray does (measured). */
+static bool array_index(struct parser *p, int size, size_t *index)
+{
+    double number;
+    struct span start;
+    if (!array_number(p, &number, &start))
         return false;
+    number = floor(number + OPERATOR_EPSILON);
     if (!(number >= 0 && number < size))
         return error_at(p, start, NULL,
                         size == 1 ? "this subscript is %g, but the only "
@@ -177,13 +188,11 @@ static bool parse_array_values(struct parser *p, struct array *array,
 static bool array_add_dimension(struct parser *p, struct array *array)
 {
     double number;
-    struct span open = stream_span(p);
-    stream_next(p);
-    struct span start = stream_span(p);
-    if (!parse_float(p, &number) || !expect(p, TOKEN_RBRACKET, open))
+    struct span start;
+    if (!array_number(p, &number, &start))
         return false;
     if (array->dimensions == ARRAY_DIMENSIONS)
-        return error_at(p, open, NULL, "an array has %d dimensions at most",
+        return error_at(p, start, NULL, "an array has %d dimensions at most",
                         ARRAY_DIMENSIONS);
     if (!(number >= 1))
         return error_at(p, start, NULL,
@@ -212,8 +221,10 @@ bool parse_array(struct parser *p, struct value *value)
     array->elements = ARENA_ARRAY(p->arena, struct value, array->count);
     struct value *next = array->elements;
     *value = (struct value){ .kind = VALUE_ARRAY, .array = array };
-    return stream_peek_infix(p)->kind != TOKEN_LBRACE ||
-           parse_array_values(p, array, 0, &next);
+    if (stream_peek_infix(p)->kind != TOKEN_LBRACE)
+        return true;
+    struct cursor *outer = brackets_begin(p);
+    return brackets_end(p, outer, parse_array_values(p, array, 0, &next));
 }
 
 bool parse_value(struct parser *p, struct value *value)

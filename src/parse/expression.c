@@ -26,40 +26,49 @@ bool expression_enter(struct parser *p)
 }
 
 /* Operators that are legal in parentheses only: `2 = 2` outside them is not
- * read as the end of the value but explained. */
+ * read as the end of the value but explained. '<' may begin a vector and '>'
+ * end one, but not in a directive outside brackets. */
 static bool operator_misplaced(struct parser *p)
 {
     enum token_kind kind = stream_peek_infix(p)->kind;
-    if (kind == TOKEN_LESS || kind == TOKEN_GREATER ||
+    bool in_directive = p->directive && p->directive == p->cursor;
+    if (kind == TOKEN_LESS || (kind == TOKEN_GREATER && !in_directive) ||
         operator_precedence(kind) >= PRECEDENCE_SUM)
         return false;
+    const char *text = p->token_span.source->text + p->token_span.offset;
+    int length = (int)p->token_span.length;
     error_at(p, p->token_span, NULL,
-             "'%.*s' must be inside parentheses: (a %.*s b)",
-             (int)p->token_span.length,
-             p->token_span.source->text + p->token_span.offset,
-             (int)p->token_span.length,
-             p->token_span.source->text + p->token_span.offset);
+             "'%.*s' must be inside parentheses: (a %.*s b)", length, text,
+             length, text);
     return true;
 }
 
-/* What C programmers type: == && || ^ %. */
-static bool operator_foreign(struct parser *p, enum token_kind taken)
+/* The operators ^ and % of other languages. */
+static bool operator_unknown(struct parser *p)
 {
     const struct token *token = stream_peek_infix(p);
-    char c = token->kind == TOKEN_OTHER
-                 ? p->token_span.source->text[p->token_span.offset]
-                 : 0;
-    if (c == '^' || c == '%')
-        return !error_at(p, p->token_span, c == '^' ? "pow(A, B)" : "mod(A, B)",
-                         "'%c' is not an operator", c);
-    if (token->kind != taken ||
-        (taken != TOKEN_EQUAL && taken != TOKEN_AND && taken != TOKEN_OR))
+    if (token->kind != TOKEN_OTHER)
         return false;
-    struct span both = span_join(p->last_span, p->token_span);
+    char c = p->token_span.source->text[p->token_span.offset];
+    if (c != '^' && c != '%')
+        return false;
+    error_at(p, p->token_span, c == '^' ? "pow(A, B)" : "mod(A, B)",
+             "'%c' is not an operator", c);
+    return true;
+}
+
+/* == && || of other languages; the first half was taken. */
+static void operator_doubled(struct parser *p, enum token_kind taken)
+{
+    if (stream_peek(p)->kind != taken ||
+        (taken != TOKEN_EQUAL && taken != TOKEN_AND && taken != TOKEN_OR))
+        return;
     const char *one = taken == TOKEN_EQUAL ? "="
                       : taken == TOKEN_AND ? "&"
                                            : "|";
-    return !error_at(p, both, one, "this operator is written '%s'", one);
+    error_at(p, span_join(p->last_span, p->token_span), one,
+             "this operator is written '%s'", one);
+    stream_next(p);
 }
 
 /* The value of (condition ? first : second); both are read.
@@ -119,47 +128,72 @@ static bool parse_signed(struct parser *p, const char *wanted,
     return true;
 }
 
+static bool operation_climb(struct parser *p, enum precedence lowest,
+                            const char *wanted, struct value *left);
+
+/* The binary operator that is next, and what is right of it. */
+static bool operation_apply(struct parser *p, enum precedence precedence,
+                            const char *wanted, struct value *left)
+{
+    struct value right;
+    struct token operator= stream_next(p);
+    struct span at = p->last_span;
+    operator_doubled(p, operator.kind);
+    if (!operation_climb(p, precedence + 1, wanted, &right))
+        return false;
+    if (operator.kind == TOKEN_OTHER)
+        *left = value_poison();
+    else
+        operator_apply(p, operator.kind, at, left, &right);
+    return true;
+}
+
+/* Goes on after the value `left`, which began at `start`, with operators that
+ * bind at least as tightly as `lowest`. */
+static bool operation_continue(struct parser *p, enum precedence lowest,
+                               struct span start, const char *wanted,
+                               struct value *left)
+{
+    for (;;) {
+        enum token_kind kind = stream_peek_infix(p)->kind;
+        enum precedence precedence = operator_precedence(kind);
+        if (kind == TOKEN_OTHER && operator_unknown(p))
+            precedence = PRECEDENCE_PRODUCT;
+        if (precedence == PRECEDENCE_NONE || precedence < lowest)
+            return true;
+        if (left->kind == VALUE_STRING && lowest >= PRECEDENCE_SUM &&
+            kind != TOKEN_PLUS)
+            return true;
+        bool ok = precedence == PRECEDENCE_CONDITION
+                      ? parse_choice(p, start, wanted, left)
+                      : operation_apply(p, precedence, wanted, left);
+        if (!ok)
+            return false;
+    }
+}
+
 /* The operators and how they bind: operator_precedence.
  * operation = signed {operator signed} [choice] . */
 static bool operation_climb(struct parser *p, enum precedence lowest,
                             const char *wanted, struct value *left)
 {
     struct span start = stream_span(p);
-    if (!parse_signed(p, wanted, left))
-        return false;
-    for (;;) {
-        enum token_kind kind = stream_peek_infix(p)->kind;
-        enum precedence precedence = operator_precedence(kind);
-        if (kind == TOKEN_OTHER && operator_foreign(p, kind))
-            return false;
-        if (precedence == PRECEDENCE_NONE || precedence < lowest)
-            return true;
-        if (left->kind == VALUE_STRING && lowest >= PRECEDENCE_SUM)
-            return true;
-        if (precedence == PRECEDENCE_CONDITION) {
-            if (!parse_choice(p, start, wanted, left))
-                return false;
-            continue;
-        }
-        struct span at = p->token_span;
-        struct value right;
-        stream_next(p);
-        if (operator_foreign(p, kind) ||
-            !operation_climb(p, precedence + 1, wanted, &right))
-            return false;
-        operator_apply(p, kind, at, left, &right);
-    }
+    return parse_signed(p, wanted, left) &&
+           operation_continue(p, lowest, start, wanted, left);
 }
 
 bool parse_operation(struct parser *p, enum precedence lowest,
                      const char *wanted, struct value *value)
 {
+    struct span start = stream_span(p);
     if (!expression_enter(p))
         return false;
     bool ok = operation_climb(p, lowest, wanted, value);
+    if (ok && lowest == PRECEDENCE_SUM && operator_misplaced(p)) {
+        *value = value_poison();
+        ok = operation_continue(p, PRECEDENCE_CONDITION, start, wanted, value);
+    }
     p->nesting--;
-    if (ok && lowest == PRECEDENCE_SUM && operator_misplaced(p))
-        return false;
     return ok;
 }
 
@@ -198,10 +232,11 @@ bool parse_condition(struct parser *p, double *out)
     struct span open = stream_span(p);
     if (!expect(p, TOKEN_LPAREN, span_none()))
         return false;
+    struct cursor *outer = brackets_begin(p);
     struct span start = stream_span(p);
     bool ok = parse_operation(p, PRECEDENCE_CONDITION, "a condition", &value) &&
               expect(p, TOKEN_RPAREN, open);
-    if (!ok || !value_to_float(p, start, &value, out))
+    if (!brackets_end(p, outer, ok) || !value_to_float(p, start, &value, out))
         return false;
     if (!operator_truth(*out))
         *out = 0;
@@ -351,8 +386,11 @@ static bool expression_copy(struct parser *p, struct value *value, bool *found)
             ? symbol_find(p, token->word)
             : NULL;
     enum token_kind kind = available ? after->kind : TOKEN_END;
-    *found = whole && ((whole->kind == VALUE_ARRAY && kind != TOKEN_LBRACKET) ||
-                       (whole->kind == VALUE_FUNCTION && kind != TOKEN_LPAREN));
+    bool whole_value =
+        operator_precedence(kind) == PRECEDENCE_NONE && kind != TOKEN_DOT;
+    *found = whole && whole_value &&
+             ((whole->kind == VALUE_ARRAY && kind != TOKEN_LBRACKET) ||
+              (whole->kind == VALUE_FUNCTION && kind != TOKEN_LPAREN));
     if (!*found)
         return true;
     stream_next(p);

@@ -70,6 +70,21 @@ int float_to_int(double x);
  * it leaves. False after reporting that the limit is reached. */
 bool expression_enter(struct parser *p);
 
+/* Inside brackets the directives run, even in a directive's own value: between
+ * these two stream_peek_infix is stream_peek. */
+static inline struct cursor *brackets_begin(struct parser *p)
+{
+    struct cursor *outer = p->directive;
+    p->directive = NULL;
+    return outer;
+}
+
+static inline bool brackets_end(struct parser *p, struct cursor *outer, bool ok)
+{
+    p->directive = outer;
+    return ok;
+}
+
 /* Reads a value whose operators bind at least as tightly as `lowest`; may be
  * poison. `wanted` is for "expected WANTED, found ...". */
 bool parse_operation(struct parser *p, enum precedence lowest,

@@ -43,7 +43,7 @@ void number_sqrt(struct parser *p, const struct call *call,
     double x = argument(call, 0);
     *result = value_float(sqrt(x));
     if (x < 0)
-        call_error(p, call, result, NULL, "the square root of %g", x);
+        call_error(p, call, result, NULL, "%g has no square root", x);
 }
 
 void number_ln(struct parser *p, const struct call *call, struct value *result)
@@ -51,7 +51,7 @@ void number_ln(struct parser *p, const struct call *call, struct value *result)
     double x = argument(call, 0);
     *result = value_float(log(x));
     if (x <= 0)
-        call_error(p, call, result, NULL, "the logarithm of %g", x);
+        call_error(p, call, result, NULL, "%g has no logarithm", x);
 }
 
 void number_log(struct parser *p, const struct call *call, struct value *result)
@@ -59,7 +59,7 @@ void number_log(struct parser *p, const struct call *call, struct value *result)
     double x = argument(call, 0);
     *result = value_float(log10(x));
     if (x <= 0)
-        call_error(p, call, result, NULL, "the logarithm of %g", x);
+        call_error(p, call, result, NULL, "%g has no logarithm", x);
 }
 
 static double number_clamp(struct parser *p, const struct call *call)

@@ -101,6 +101,29 @@ bool skip_brackets(struct parser *p)
     return true;
 }
 
+/* After an error in brackets: to the one that closes them, so that the rest of
+ * the text makes sense again. Poison is then the value. */
+static bool operand_recover(struct parser *p, enum token_kind close, bool ok,
+                            struct value *value)
+{
+    if (ok)
+        return true;
+    *value = value_poison();
+    for (unsigned depth = 0;; stream_next(p)) {
+        enum token_kind kind = stream_peek(p)->kind;
+        if (kind == close && depth == 0)
+            break;
+        if (kind == TOKEN_END || kind == TOKEN_SEMICOLON ||
+            kind == TOKEN_LBRACE || kind == TOKEN_RBRACE ||
+            (depth == 0 && (kind == TOKEN_RPAREN || kind == TOKEN_RBRACKET)))
+            return false;
+        depth += kind == TOKEN_LPAREN || kind == TOKEN_LBRACKET;
+        depth -= kind == TOKEN_RPAREN || kind == TOKEN_RBRACKET;
+    }
+    stream_next(p);
+    return true;
+}
+
 /* A comma between components is optional, one after the last allowed.
  * vector = "<" operation {[","] operation} [","] ">" . */
 static bool parse_vector_value(struct parser *p, struct value *value)
@@ -141,10 +164,10 @@ static bool parse_parentheses(struct parser *p, const char *wanted,
 
 /* ---- identifiers ---- */
 
-/* An identifier whose declaration failed: it and what belongs to it. */
-static bool operand_skip_unsupported(struct parser *p, struct value *value)
+/* An identifier without a value, reported by now: it and what belongs to it
+ * is read over. */
+static bool operand_skip_identifier(struct parser *p, struct value *value)
 {
-    unsupported_use(p);
     stream_next(p);
     *value = value_poison();
     for (;;) {
@@ -187,12 +210,15 @@ static bool parse_identifier(struct parser *p, const char *wanted,
 {
     const struct word *word = stream_peek(p)->word;
     struct symbol *symbol = symbol_lookup(p, word);
-    if (!symbol)
-        return error_expected(p, wanted);
+    if (!symbol || symbol->value.kind == VALUE_NONE) {
+        error_expected(p, wanted);
+        return operand_skip_identifier(p, value);
+    }
     *value = symbol->value;
     switch (value->kind) {
     case VALUE_UNSUPPORTED:
-        return operand_skip_unsupported(p, value);
+        unsupported_use(p);
+        return operand_skip_identifier(p, value);
     case VALUE_FLOAT:
     case VALUE_VECTOR:
     case VALUE_COLOUR:
@@ -241,23 +267,28 @@ static int component_index(const struct word *word)
     }
 }
 
-/* The grey of a colour has POV-Ray's weights (measured). A float counts as a
- * vector of equal components.
+/* The grey of a colour has POV-Ray's weights (measured). A float has the
+ * component x, as in POV-Ray.
  * component = "x" | "y" | "z" | "t" | "u" | "v" | "red" | "green" | "blue"
  *           | "filter" | "transmit" | "gray" . */
 static bool parse_component(struct parser *p, struct value *value)
 {
     const struct token *token = stream_peek(p);
     int index = token->kind == TOKEN_WORD ? component_index(token->word) : -2;
-    if (index == -2)
-        return error_expected(p, "x, y, z, t, u, v, red, green, blue, filter, "
-                                 "transmit or gray after '.'");
+    if (token->kind != TOKEN_WORD)
+        return error_expected(p, "a component, as in V.x");
     struct span span = p->token_span;
     stream_next(p);
+    if (index == -2) {
+        error_at(p, span, NULL,
+                 "'%.*s' is not a component; there are x, y, z, t, u, v, red, "
+                 "green, blue, filter, transmit and gray",
+                 (int)span.length, span.source->text + span.offset);
+        *value = value_poison();
+    }
     if (value_is_poison(value))
         return true;
-    int size = value->kind == VALUE_FLOAT ? VECTOR_LIMIT : value_size(value);
-    if (index >= size) {
+    if (index >= value_size(value) || (index < 0 && value_size(value) < 3)) {
         error_at(p, span, NULL, "%s has no component '%.*s'",
                  value_describe(value), (int)span.length,
                  span.source->text + span.offset);
@@ -281,8 +312,11 @@ static bool parse_word_operand(struct parser *p, const char *wanted,
         stream_next(p);
         return true;
     }
-    if (function_is(word->keyword))
-        return parse_call(p, value);
+    if (function_is(word->keyword)) {
+        struct cursor *outer = brackets_begin(p);
+        bool ok = operand_recover(p, TOKEN_RPAREN, parse_call(p, value), value);
+        return brackets_end(p, outer, ok);
+    }
     if (colour_begins(word->keyword))
         return error_at(p, p->token_span, NULL,
                         "'%s' is only allowed at the beginning of a colour, "
@@ -297,6 +331,8 @@ static bool parse_primary(struct parser *p, const char *wanted,
                           struct value *value)
 {
     const struct token *token = stream_peek(p);
+    struct cursor *outer;
+    bool ok;
     switch (token->kind) {
     case TOKEN_NUMBER:
         *value = value_float(stream_next(p).number);
@@ -305,9 +341,15 @@ static bool parse_primary(struct parser *p, const char *wanted,
         *value = value_text(stream_next(p).text);
         return true;
     case TOKEN_LESS:
-        return parse_vector_value(p, value);
+        outer = brackets_begin(p);
+        ok = operand_recover(p, TOKEN_GREATER, parse_vector_value(p, value),
+                             value);
+        return brackets_end(p, outer, ok);
     case TOKEN_LPAREN:
-        return parse_parentheses(p, wanted, value);
+        outer = brackets_begin(p);
+        ok = operand_recover(p, TOKEN_RPAREN,
+                             parse_parentheses(p, wanted, value), value);
+        return brackets_end(p, outer, ok);
     case TOKEN_WORD:
         return parse_word_operand(p, wanted, value);
     default:

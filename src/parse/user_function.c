@@ -423,8 +423,10 @@ bool function_call(struct parser *p, const struct function *function,
     if (stream_peek_infix(p)->kind != TOKEN_LPAREN)
         return error_expected(
             p, arena_printf(p->arena, "'(' after '%s'", name->text));
-    if (!parse_argument_list(p, name, function->parameter_count, arguments,
-                             &poison))
+    struct cursor *outer = brackets_begin(p);
+    bool ok = parse_argument_list(p, name, function->parameter_count, arguments,
+                                  &poison);
+    if (!brackets_end(p, outer, ok))
         return false;
     *value = value_poison();
     if (!poison)

@@ -76,21 +76,19 @@ static bool for_head(struct parser *p, struct open_block *block)
 }
 
 /* The last value is reached in spite of rounding: #for (i, 0, 1, 0.1) runs
- * eleven times, as in POV-Ray. */
+ * eleven times, as in POV-Ray. Afterwards the variable is past the end. */
 static bool for_round(struct parser *p)
 {
     struct open_block *block = directive_block(p);
     double slack = fabs(block->step) * 1e-6;
     bool more = block->step > 0 ? block->value <= block->last + slack
                                 : block->value >= block->last - slack;
+    struct value value = { .kind = VALUE_FLOAT, .number = { block->value } };
+    symbol_set(p, block->variable, value, true);
     p->cursor->index = block->condition;
     if (!more)
         return directive_skip_to_end(p);
-    if (!loop_round(p, block))
-        return false;
-    struct value value = { .kind = VALUE_FLOAT, .number = { block->value } };
-    symbol_set(p, block->variable, value, true);
-    return true;
+    return loop_round(p, block);
 }
 
 /* for_directive = "#for" for_head . */
