@@ -147,13 +147,18 @@ bool error_unknown_item(struct parser *p, const char *block,
     if (token->kind == TOKEN_END)
         return error_at(p, p->token_span, NULL,
                         "the file ends inside '%s'; a '}' is missing", block);
-    if (token->kind != TOKEN_WORD || unsupported_use(p))
+    if (unsupported_use(p))
+        return false;
+    if (token->kind != TOKEN_WORD)
         return error_at(p, p->token_span, NULL, "unexpected %s in '%s'",
                         error_found(p), block);
     struct text_nearest nearest = text_nearest_start(token->word->text);
     for (const struct field *f = fields; f && f->name; f++)
         text_nearest_try(&nearest, f->name);
-    if (!nearest.best && !token->word->reserved)
+    const char *symbol = symbol_nearest(p, token->word->text);
+    if (symbol)
+        text_nearest_try(&nearest, symbol);
+    if (!token->word->reserved)
         word_table_visit(p->words, error_try_word, &nearest);
     return error_at(p, p->token_span, nearest.best,
                     token->word->reserved ? "'%s' is not allowed in '%s'"

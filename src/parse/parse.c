@@ -94,7 +94,8 @@ static void parse_run(struct parser *p, const struct source *main)
         return;
     if (parse_headers(p))
         parse_items(p);
-    settings_finish(p);
+    if (p->diag->errors == 0)
+        settings_finish(p);
 }
 
 struct scene *parse_scene(const struct source *main,

@@ -37,9 +37,12 @@ static bool include_run(struct parser *p, struct span at)
         return false;
     struct span where = span_join(at, p->last_span);
     const char *path = file_find(p, name, ".inc");
-    if (!path)
-        return error_at(p, where, file_hint(p),
-                        "can't find the include file '%s'", name);
+    if (!path) {
+        error_at(p, where, file_hint(p), "can't find the include file '%s'",
+                 name);
+        stream_abort(p);
+        return false;
+    }
     const struct token_list *list = include_load(p, path, where);
     if (!list)
         return false;
