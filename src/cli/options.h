@@ -1,7 +1,9 @@
-/* Command line and INI files, resolved. */
+/* Command line and INI files, resolved: what is to be done. */
 #ifndef CLI_OPTIONS_H
 #define CLI_OPTIONS_H
 
+#include "cli/frames.h"
+#include "image/file.h"
 #include "parse/parse.h"
 #include "render/render.h"
 
@@ -14,37 +16,49 @@ enum options_action {
     ACTION_MAN,  /* --man-options: the option table as mdoc, for glim.1 */
 };
 
+enum { OPTIONS_THREAD_LIMIT = 512 };
+
 struct options {
     enum options_action action;
     const char *list_what;
-    const char *input;  /* scene; "-" is standard input */
-    const char *output; /* final file name; "-" standard output; NULL: none */
+    const char *input;  /* as typed; "-" is standard input; NULL: none */
+    const char *path;   /* the same, found along the library path */
+    const char *output; /* the picture's name, without a frame's number; "-"
+                         * standard output; NULL: none */
     char file_type;     /* +F letter, 'N' by default */
-    int bits;           /* per channel, 8 */
+    int bits;           /* per channel; 0: not said */
     bool grey, alpha;
-    int compression; /* JPEG quality */
-    bool file_gamma_said;
-    double file_gamma;   /* 0: sRGB */
-    bool continue_trace; /* +C */
-    bool verbose, stats;
-    bool messages, warnings, fatal; /* +GD, +GW, +GF consoles */
+    int compression;   /* JPEG quality */
+    double file_gamma; /* 0: sRGB */
+    bool to_file, continue_trace;
+    enum { PROGRESS_TERMINAL, PROGRESS_NEVER, PROGRESS_ALWAYS } progress;
+    bool stats;
+    bool messages, warnings; /* +GD and +GW: #debug, #warning and ours */
     int warning_level;
-    const char *lighting;
-    int quality;
-    unsigned threads;
+    const struct lighting *lighting;
+    int quality, threads;
+    double clock; /* +K; NAN: not said */
+    struct frames frames;
+    bool jitter;
+    double columns[2], rows[2]; /* start and end as said; NAN: not */
     struct parse_options parse;
     struct render_options render;
-    /* Animation (+KFF): frames first..last by step, clock from .. to. */
-    bool animation;
-    int first_frame, last_frame, frame_step;
-    double initial_clock, final_clock;
-    bool cyclic;
-    int subset_start, subset_end;
 };
 
-/* Reads the start-up INI, then the arguments from left to right. Returns false
- * after an error was printed. Strings live in `arena`. */
+/* Reads the start-up INI files, then the arguments from left to right, and
+ * works out names, sizes and frames. Returns false after an error was printed.
+ * Strings live in `arena`. */
 bool options_parse(struct options *options, int argc, char **argv,
                    struct arena *arena, struct diag *diag);
+
+/* How image files of the chosen type are written. */
+struct image_format options_format(const struct options *options);
+
+/* Whether there is nothing to read or render, but a list to print. */
+bool options_answers(const struct options *options);
+
+/* Prints to standard output what ACTION_HELP, _VERSION, _LIST or _MAN ask
+ * for. Returns false after an error was printed. */
+bool options_answer(const struct options *options, struct diag *diag);
 
 #endif

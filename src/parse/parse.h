@@ -2,6 +2,8 @@
 #ifndef PARSE_PARSE_H
 #define PARSE_PARSE_H
 
+#include <stdatomic.h>
+
 #include "scene/scene.h"
 #include "text/diag.h"
 
@@ -22,11 +24,10 @@ struct parse_options {
     double initial_clock, final_clock;
     int initial_frame, final_frame, frame_number;
     int image_width, image_height;
-    double version;       /* +MV; 0: not said */
-    size_t memory_limit;  /* bytes for parsing and for the scene; 0: 8 GiB */
-    unsigned round_limit; /* rounds of one loop, 0: 20 million */
-    const volatile int
-        *stop; /* set by a signal: give up quietly; may be NULL */
+    double version;         /* +MV; 0: not said */
+    size_t memory_limit;    /* bytes for parsing and for the scene; 0: 8 GiB */
+    unsigned round_limit;   /* rounds of one loop, 0: 20 million */
+    const atomic_int *stop; /* set by a signal: give up quietly; or NULL */
 };
 
 /* Reads `main` into a new scene. Errors are printed to `diag`; on any error

@@ -1,0 +1,323 @@
+/* INI files, as POV-Ray reads them (measured): one Key=value a line, or any
+ * number of +switches, scenes and INI files; ';' and '#' begin comments; what
+ * stands before the first [section] always counts. */
+#include "cli/option.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "base/text.h"
+
+enum { INI_NESTING_LIMIT = 8 };
+
+/* Where a reader of one file is. */
+struct ini {
+    struct option_reader *reader;
+    const struct source *source;
+    size_t next;         /* to read; offset into the source */
+    const char *section; /* asked for, or NULL */
+    bool found;          /* that section was there */
+    bool active;         /* what is read now counts */
+    bool good;
+};
+
+static struct span ini_span(const struct ini *ini, size_t start, size_t end)
+{
+    return (struct span){ ini->source, (uint32_t)start,
+                          (uint32_t)(end - start) };
+}
+
+static char ini_char(const struct ini *ini)
+{
+    return ini->next < ini->source->length ? ini->source->text[ini->next]
+                                           : '\n';
+}
+
+static bool ini_is_end(char c)
+{
+    return c == '\n' || c == '\r';
+}
+
+static void ini_skip_blanks(struct ini *ini)
+{
+    while (ini_char(ini) == ' ' || ini_char(ini) == '\t')
+        ini->next++;
+}
+
+static void ini_skip_line(struct ini *ini)
+{
+    while (!ini_is_end(ini_char(ini)))
+        ini->next++;
+}
+
+static const char *ini_text(const struct ini *ini, size_t start, size_t end)
+{
+    return arena_copy_text(ini->reader->arena, ini->source->text + start,
+                           end - start);
+}
+
+static void ini_fail(struct ini *ini, size_t start, size_t end,
+                     const char *message)
+{
+    diag_print(ini->reader->diag, DIAG_ERROR, ini_span(ini, start, end), NULL,
+               "%s", message);
+    ini->good = false;
+    ini_skip_line(ini);
+}
+
+static size_t ini_trim(const struct ini *ini, size_t start, size_t end)
+{
+    while (end > start && strchr(" \t", ini->source->text[end - 1]))
+        end--;
+    return end;
+}
+
+/* [name] */
+static void ini_read_section(struct ini *ini)
+{
+    size_t open = ini->next++;
+    ini_skip_blanks(ini);
+    size_t start = ini->next;
+    while (!ini_is_end(ini_char(ini)) && ini_char(ini) != ']')
+        ini->next++;
+    if (ini_char(ini) != ']') {
+        ini_fail(ini, open, ini->next,
+                 "this '[' needs a ']' after the "
+                 "section's name");
+        return;
+    }
+    const char *name = ini_text(ini, start, ini_trim(ini, start, ini->next));
+    bool wanted = ini->section && text_equal_nocase(name, ini->section);
+    ini->found = ini->found || wanted;
+    ini->active = wanted || text_equal_nocase(name, "Glim");
+    ini->next++;
+}
+
+static void ini_apply(struct ini *ini, const struct setting *setting)
+{
+    if (ini->active && !option_read(ini->reader, setting))
+        ini->good = false;
+}
+
+/* +switch or a file: up to a blank; quotes keep blanks and go away. */
+static void ini_read_word(struct ini *ini)
+{
+    size_t start = ini->next, length = 0;
+    char quote = '\0';
+    char *word = NULL;
+    for (; !ini_is_end(ini_char(ini)); ini->next++) {
+        char c = ini_char(ini);
+        if (!quote && strchr(" \t;", c))
+            break;
+        if (c == quote)
+            quote = '\0';
+        else if (!quote && (c == '"' || c == '\''))
+            quote = c;
+        else
+            length++;
+    }
+    if (quote) {
+        ini_fail(ini, start, ini->next, "this quote is not closed");
+        return;
+    }
+    word = arena_alloc(ini->reader->arena, length + 1);
+    length = 0;
+    for (size_t i = start; i < ini->next; i++) {
+        char c = ini->source->text[i];
+        if (c == quote)
+            quote = '\0';
+        else if (!quote && (c == '"' || c == '\''))
+            quote = c;
+        else
+            word[length++] = c;
+    }
+    struct span span = ini_span(ini, start, ini->next);
+    ini_apply(ini, &(struct setting){ .shown = word, .span = span });
+}
+
+/* The end of a value that is not in quotes: a comment or the line's end. */
+static size_t ini_value_end(struct ini *ini)
+{
+    size_t start = ini->next;
+    bool quoted = false;
+    for (; !ini_is_end(ini_char(ini)); ini->next++) {
+        if (ini_char(ini) == '"')
+            quoted = !quoted;
+        if (!quoted && (ini_char(ini) == ';' || ini_char(ini) == '#'))
+            break;
+    }
+    return ini_trim(ini, start, ini->next);
+}
+
+/* Key = value; ini->next is past the '='. */
+static void ini_read_value(struct ini *ini, size_t key)
+{
+    ini_skip_blanks(ini);
+    size_t start = ini->next, end;
+    char quote = ini_char(ini);
+    if (quote == '"' || quote == '\'') {
+        ini->next = ++start;
+        while (!ini_is_end(ini_char(ini)) && ini_char(ini) != quote)
+            ini->next++;
+        end = ini->next;
+        if (ini_char(ini) != quote) {
+            ini_fail(ini, start - 1, end, "this quote is not closed");
+            return;
+        }
+        ini->next++;
+        ini_skip_blanks(ini);
+        if (!ini_is_end(ini_char(ini)) && !strchr(";#", ini_char(ini))) {
+            size_t rest = ini->next;
+            ini_skip_line(ini);
+            ini_fail(ini, rest, ini->next,
+                     "one Key=value on each line: begin a new line here");
+            return;
+        }
+    } else
+        end = ini_value_end(ini);
+    struct setting setting = {
+        .shown = ini_text(ini, key, end),
+        .value = ini_text(ini, start, end),
+        .span = ini_span(ini, key, ini_trim(ini, key, start)),
+        .value_span = ini_span(ini, start, end),
+    };
+    ini_apply(ini, &setting);
+    ini_skip_line(ini);
+}
+
+static void ini_read_item(struct ini *ini)
+{
+    size_t start = ini->next;
+    if (strchr("+-", ini_char(ini))) {
+        ini_read_word(ini);
+        return;
+    }
+    while (!ini_is_end(ini_char(ini)) && !strchr("=;", ini_char(ini)))
+        ini->next++;
+    if (ini_char(ini) == '=') {
+        ini->next++;
+        ini_read_value(ini, start);
+        return;
+    }
+    ini->next = start;
+    ini_read_word(ini);
+}
+
+static void ini_read_all(struct ini *ini)
+{
+    while (ini->next < ini->source->length) {
+        ini_skip_blanks(ini);
+        char c = ini_char(ini);
+        if (c == ';' || c == '#')
+            ini_skip_line(ini);
+        else if (ini_is_end(c) || c == '\0')
+            ini->next++;
+        else if (c == '[')
+            ini_read_section(ini);
+        else
+            ini_read_item(ini);
+    }
+}
+
+static bool ini_read_file(struct option_reader *reader, const char *path,
+                          const char *section, const struct setting *setting)
+{
+    const char *problem = NULL;
+    struct ini ini = {
+        .reader = reader, .section = section, .active = true, .good = true
+    };
+    ini.source = source_read(reader->arena, path, setting->span, &problem);
+    if (!ini.source)
+        return option_fail(reader, setting, "can't read %s: %s", path, problem);
+    if (reader->depth >= INI_NESTING_LIMIT)
+        return option_fail(reader, setting,
+                           "INI files %d deep within each other are too many",
+                           INI_NESTING_LIMIT);
+    reader->depth++;
+    ini_read_all(&ini);
+    reader->depth--;
+    if (section && !ini.found)
+        return option_fail(reader, setting, "%s has no section [%s]", path,
+                           section);
+    return ini.good;
+}
+
+/* Says what to type instead when there is no such INI file. */
+static bool ini_missing(struct option_reader *reader, const char *name,
+                        const struct setting *setting)
+{
+    static const char *const scenes[] = { ".pov", ".POV", NULL };
+    static const char *const exact[] = { "", NULL };
+    const char *scene = option_search(reader, name, scenes);
+    const char *file = option_search(reader, name, exact);
+    struct setting plain = { .span = setting->span };
+    if (file)
+        return option_fail(reader, &plain,
+                           "'%s' is not a scene by its name and not an INI "
+                           "file: type +I%s to render it",
+                           name, name);
+    if (scene)
+        return option_fail(reader, &plain,
+                           "there is no INI file '%s.ini': to render the "
+                           "scene type %s",
+                           name, scene);
+    return option_fail(reader, &plain,
+                       "there is no INI file '%s' or '%s.ini', and a scene's "
+                       "name ends in .pov",
+                       name, name);
+}
+
+bool ini_read(struct option_reader *reader, const char *name,
+              const struct setting *setting)
+{
+    static const char *const extensions[] = { ".ini", ".INI", NULL };
+    static const char *const exact[] = { "", NULL };
+    const char *section = NULL;
+    size_t length = strlen(name), open = strcspn(name, "[");
+    if (open && open < length && name[length - 1] == ']') {
+        section =
+            arena_copy_text(reader->arena, name + open + 1, length - open - 2);
+        name = arena_copy_text(reader->arena, name, open);
+    }
+    const char *path = NULL;
+    length = strlen(name);
+    if (length > 4 && text_equal_nocase(name + length - 4, ".ini"))
+        path = option_search(reader, name, exact);
+    if (!path)
+        path = option_search(reader, name, extensions);
+    if (!path)
+        return ini_missing(reader, name, setting);
+    return ini_read_file(reader, path, section, setting);
+}
+
+/* The first of the files that there is, read. */
+static bool ini_read_first(struct option_reader *reader,
+                           const char *const *names, size_t count)
+{
+    struct setting setting = { 0 };
+    for (size_t i = 0; i < count; i++)
+        if (names[i] && access(names[i], R_OK) == 0)
+            return ini_read_file(reader, names[i], NULL, &setting);
+    return true;
+}
+
+/* Two files at most: POV-Ray's own settings, from the first there is of
+ * $POVINI, ./povray.ini, ~/.povray/3.7/povray.ini and
+ * /etc/povray/3.7/povray.ini; then glim's, from the first of ./glim.ini and
+ * ~/.glim.ini. */
+bool ini_startup(struct option_reader *reader)
+{
+    const char *home = getenv("HOME");
+    const char *mine = NULL, *povray = NULL;
+    if (home) {
+        mine = arena_printf(reader->arena, "%s/.glim.ini", home);
+        povray = arena_printf(reader->arena, "%s/.povray/3.7/povray.ini", home);
+    }
+    const char *const povrays[] = { getenv("POVINI"), "povray.ini", povray,
+                                    "/etc/povray/3.7/povray.ini" };
+    const char *const mines[] = { "glim.ini", mine };
+    reader->startup = true;
+    bool good = ini_read_first(reader, povrays, 4);
+    reader->startup = false;
+    return ini_read_first(reader, mines, 2) && good;
+}

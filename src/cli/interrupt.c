@@ -1,0 +1,29 @@
+/* Signals to flags: see interrupt.h. A handler has no argument, so this is
+ * the program's only mutable file-scope variable. */
+#include "cli/interrupt.h"
+
+#include <signal.h>
+#include <stddef.h>
+
+static atomic_int flag;
+
+static void interrupt_handle(int number)
+{
+    (void)number;
+    atomic_store(&flag, 1);
+}
+
+const atomic_int *interrupt_catch(void)
+{
+    static const int numbers[] = { SIGINT, SIGTERM, SIGHUP };
+    struct sigaction action = { .sa_handler = interrupt_handle,
+                                .sa_flags = (int)SA_RESETHAND | SA_RESTART };
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        struct sigaction before;
+        sigaction(numbers[i], NULL, &before);
+        if (before.sa_handler != SIG_IGN) /* nohup */
+            sigaction(numbers[i], &action, NULL);
+    }
+    return &flag;
+}

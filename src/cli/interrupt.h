@@ -1,0 +1,12 @@
+/* Signals that ask the program to end: a flag that the reader of the scene and
+ * the renderer look at. */
+#ifndef CLI_INTERRUPT_H
+#define CLI_INTERRUPT_H
+
+#include <stdatomic.h>
+
+/* From now on SIGINT, SIGTERM and SIGHUP set the flag, which is returned. A
+ * second one ends the program at once. */
+const atomic_int *interrupt_catch(void);
+
+#endif

@@ -1,0 +1,109 @@
+/* The one table of options, and how a setting reaches its row; shared by the
+ * files that read, explain and check options. */
+#ifndef CLI_OPTION_H
+#define CLI_OPTION_H
+
+#include "base/array.h"
+#include "cli/options.h"
+
+/* What is known while options are read. */
+struct option_reader {
+    struct options *options;
+    struct arena *arena;
+    struct diag *diag;
+    /* In a start-up povray.ini: what would make glim chatty doesn't count. */
+    bool startup;
+    unsigned depth; /* of INI files within each other */
+    struct {
+        const char **items;
+        size_t count, capacity;
+    } library, headers;
+    struct {
+        struct parse_declare *items;
+        size_t count, capacity;
+    } declares;
+    const char *output; /* as +O says */
+};
+
+/* One `+Xvalue`, `Key=value` or `--word=value`. */
+struct setting {
+    const char *shown; /* as typed; for messages of the command line */
+    const char *value; /* NULL: none */
+    bool on;           /* by +, not by - */
+    bool by_key;
+    struct span span;       /* all of it; nowhere on the command line */
+    struct span value_span; /* the value alone */
+};
+
+struct option;
+typedef bool option_set(struct option_reader *reader,
+                        const struct option *option,
+                        const struct setting *setting);
+
+/* A row. One without `set` is the title of a group. */
+struct option {
+    const char *letters; /* +W */
+    const char *key;     /* Width= */
+    const char *word;    /* --width */
+    option_set *set;
+    size_t offset; /* into struct options; set_action: the action */
+    double minimum, maximum;
+    const char *also;     /* a switch's value belongs to this key */
+    const char *argument; /* what the value is called in lists; in brackets
+                           * when it may be left out; NULL: takes none */
+    const char *help;     /* with the default in parentheses */
+};
+
+/* Number `index` of the table, or NULL past its end. */
+const struct option *option_at(size_t index);
+
+/* The row of a key, of a long word, or of the longest letters that `text`
+ * (without its sign) begins with; case ignored. NULL: none. */
+const struct option *option_find_key(const char *key);
+const struct option *option_find_word(const char *word);
+const struct option *option_find_letters(const char *text);
+
+/* How the option is best typed: "Width=n", "--stats"; in the arena. */
+const char *option_spelling(const struct option *option, struct arena *arena);
+
+/* Reports a setting that is wrong; always returns false. The message should
+ * make sense after "'+W0': ". */
+__attribute__((format(printf, 3, 4))) bool
+option_fail(struct option_reader *reader, const struct setting *setting,
+            const char *format, ...);
+__attribute__((format(printf, 3, 4))) void
+option_warn(struct option_reader *reader, const struct setting *setting,
+            const char *format, ...);
+
+/* Reports that there is no option `name`, with the nearest one there is;
+ * returns false. */
+bool option_unknown(struct option_reader *reader, const struct setting *setting,
+                    const char *name);
+
+/* Applies one token of the command line or of an INI file: +X, -X, --word,
+ * Key=value, a scene or an INI file. */
+bool option_read(struct option_reader *reader, const struct setting *token);
+
+/* The setters: option_set.c. */
+option_set set_switch, set_integer, set_whole, set_number, set_library,
+    set_header, set_input, set_output, set_file_type, set_gamma, set_declare,
+    set_verbose, set_all_consoles, set_lighting, set_action, set_list, set_flag,
+    set_quiet, set_ignored, set_no_command, set_message_file;
+
+/* A whole text as a number; false when it is anything else. */
+bool option_number(const char *text, double *number);
+
+/* Reads the INI file `name`, "file[section]" for one of its sections. Sections
+ * called [Glim] are always read. */
+bool ini_read(struct option_reader *reader, const char *name,
+              const struct setting *setting);
+
+/* Reads the start-up files; see ini_startup in ini.c for which. */
+bool ini_startup(struct option_reader *reader);
+
+/* `name` in the current directory or along the library path, with one of the
+ * extensions (NULL-terminated, the first may be "") added; NULL: nowhere. */
+const char *option_search(const struct option_reader *reader, const char *name,
+                          const char *const *extensions);
+
+#endif

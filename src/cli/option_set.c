@@ -1,0 +1,407 @@
+/* Setters: each checks one kind of value and puts it in its place. They
+ * return false after an error was reported. See option.h. */
+#include "cli/option.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/text.h"
+#include "cli/output_name.h"
+#include "lighting/lighting.h"
+
+static void *option_place(struct option_reader *reader,
+                          const struct option *option)
+{
+    return (char *)reader->options + option->offset;
+}
+
+bool option_number(const char *text, double *number)
+{
+    size_t length = strspn(text, "0123456789+-.eE");
+    char *end;
+    *number = strtod(text, &end);
+    return length > 0 && text[length] == '\0' && *end == '\0' &&
+           isfinite(*number);
+}
+
+/* Is there a value? Says what to type if not. */
+static bool option_wants(struct option_reader *reader,
+                         const struct option *option,
+                         const struct setting *setting, const char *example)
+{
+    if (setting->value && *setting->value)
+        return true;
+    return option_fail(reader, setting, "%s needs a value: type %s%s%s",
+                       option->key ? option->key : option->word,
+                       option->letters && !setting->by_key ? "+"
+                       : option->key                       ? option->key
+                                                           : "--",
+                       option->letters && !setting->by_key ? option->letters
+                       : option->key                       ? "="
+                                                           : option->word,
+                       example);
+}
+
+static bool option_read_number(struct option_reader *reader,
+                               const struct option *option,
+                               const struct setting *setting, double *number)
+{
+    if (!option_wants(reader, option, setting, "5"))
+        return false;
+    if (option_number(setting->value, number))
+        return true;
+    if (!setting->by_key && !isdigit((unsigned char)*setting->value) &&
+        !strchr("+-.", *setting->value))
+        return option_unknown(reader, setting, setting->shown);
+    return option_fail(reader, setting, "%s wants a number, not '%s'",
+                       option->key, setting->value);
+}
+
+static bool option_in_range(struct option_reader *reader,
+                            const struct option *option,
+                            const struct setting *setting, double number)
+{
+    if (number >= option->minimum && number <= option->maximum)
+        return true;
+    if (option->minimum <= -1e300)
+        return option_fail(reader, setting, "%s is too large", option->key);
+    return option_fail(reader, setting, "%s must be from %.10g to %.10g",
+                       option->key, option->minimum, option->maximum);
+}
+
+bool set_number(struct option_reader *reader, const struct option *option,
+                const struct setting *setting)
+{
+    double number;
+    if (!option_read_number(reader, option, setting, &number) ||
+        !option_in_range(reader, option, setting, number))
+        return false;
+    *(double *)option_place(reader, option) = number;
+    return true;
+}
+
+bool set_whole(struct option_reader *reader, const struct option *option,
+               const struct setting *setting)
+{
+    double number;
+    if (!option_read_number(reader, option, setting, &number) ||
+        !option_in_range(reader, option, setting, number))
+        return false;
+    *(double *)option_place(reader, option) = trunc(number);
+    return true;
+}
+
+/* Where POV-Ray takes any number and uses the nearest it can, so does this. */
+static bool option_is_lenient(const struct option *option)
+{
+    static const char *const keys[] = {
+        "Antialias_Depth", "Sampling_Method", "Quality",
+        "Bits_Per_Color",  "Warning_Level",   "Render_Block_Size"
+    };
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (strcmp(option->key, keys[i]) == 0)
+            return true;
+    return false;
+}
+
+bool set_integer(struct option_reader *reader, const struct option *option,
+                 const struct setting *setting)
+{
+    double number;
+    if (!option_read_number(reader, option, setting, &number))
+        return false;
+    number = trunc(number);
+    if (option_is_lenient(option)) {
+        double nearest = fmin(fmax(number, option->minimum), option->maximum);
+        if (nearest != number)
+            option_warn(reader, setting,
+                        "%s goes from %.0f to %.0f; %.0f is used", option->key,
+                        option->minimum, option->maximum, nearest);
+        number = nearest;
+    }
+    if (!option_in_range(reader, option, setting, number))
+        return false;
+    *(int *)option_place(reader, option) = (int)number;
+    return true;
+}
+
+/* POV-Ray's: everything else is off. */
+static bool option_is_true(const char *value)
+{
+    static const char *const words[] = { "true", "yes", "on", "1" };
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (text_equal_nocase(value, words[i]))
+            return true;
+    return false;
+}
+
+static bool option_is_false(const char *value)
+{
+    static const char *const words[] = { "false", "no", "off", "0", "" };
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (text_equal_nocase(value, words[i]))
+            return true;
+    return false;
+}
+
+/* The state a switch or key asks for. */
+static bool option_state(struct option_reader *reader,
+                         const struct option *option,
+                         const struct setting *setting)
+{
+    if (!setting->by_key)
+        return setting->on;
+    const char *value = setting->value ? setting->value : "";
+    bool state = option_is_true(value);
+    if (!state && !option_is_false(value))
+        option_warn(reader, setting,
+                    "%s is on or off; '%s' counts as off, as in POV-Ray",
+                    option->key, value);
+    return state;
+}
+
+bool set_switch(struct option_reader *reader, const struct option *option,
+                const struct setting *setting)
+{
+    bool has_value = !setting->by_key && setting->value && *setting->value;
+    if (has_value && !option->also)
+        return option_unknown(reader, setting, setting->shown);
+    *(bool *)option_place(reader, option) =
+        option_state(reader, option, setting);
+    if (!has_value)
+        return true;
+    const struct option *also = option_find_key(option->also);
+    return also->set(reader, also, setting);
+}
+
+bool set_flag(struct option_reader *reader, const struct option *option,
+              const struct setting *setting)
+{
+    (void)setting;
+    *(bool *)option_place(reader, option) = true;
+    return true;
+}
+
+bool set_verbose(struct option_reader *reader, const struct option *option,
+                 const struct setting *setting)
+{
+    /* Debian's povray.ini says Verbose=On. */
+    if (!reader->startup)
+        reader->options->progress = option_state(reader, option, setting)
+                                        ? PROGRESS_ALWAYS
+                                        : PROGRESS_NEVER;
+    return true;
+}
+
+bool set_all_consoles(struct option_reader *reader, const struct option *option,
+                      const struct setting *setting)
+{
+    reader->options->messages = reader->options->warnings =
+        option_state(reader, option, setting);
+    if (setting->by_key || !setting->value || !*setting->value)
+        return true;
+    return set_message_file(reader, option, setting);
+}
+
+bool set_quiet(struct option_reader *reader, const struct option *option,
+               const struct setting *setting)
+{
+    (void)option;
+    (void)setting;
+    reader->options->messages = reader->options->warnings = false;
+    reader->options->progress = PROGRESS_NEVER;
+    return true;
+}
+
+bool set_library(struct option_reader *reader, const struct option *option,
+                 const struct setting *setting)
+{
+    if (!option_wants(reader, option, setting, "dir"))
+        return false;
+    *ARRAY_PUSH(reader->arena, &reader->library) = setting->value;
+    return true;
+}
+
+bool set_header(struct option_reader *reader, const struct option *option,
+                const struct setting *setting)
+{
+    if (!option_wants(reader, option, setting, "file.inc"))
+        return false;
+    *ARRAY_PUSH(reader->arena, &reader->headers) = setting->value;
+    return true;
+}
+
+bool set_input(struct option_reader *reader, const struct option *option,
+               const struct setting *setting)
+{
+    if (!option_wants(reader, option, setting, "scene.pov"))
+        return false;
+    reader->options->input = setting->value;
+    return true;
+}
+
+bool set_output(struct option_reader *reader, const struct option *option,
+                const struct setting *setting)
+{
+    if (!option_wants(reader, option, setting, "picture"))
+        return false;
+    reader->output = setting->value;
+    return true;
+}
+
+bool set_file_type(struct option_reader *reader, const struct option *option,
+                   const struct setting *setting)
+{
+    if (!option_wants(reader, option, setting, "N"))
+        return false;
+    const char *value = setting->value;
+    const struct output_type *type = output_type_find(value[0]);
+    if (!type)
+        return option_fail(reader, setting,
+                           "there is no file type '%s': type +FN for PNG, "
+                           "+FE for OpenEXR, +FJ for JPEG; --list formats "
+                           "shows all",
+                           value);
+    bool grey = false;
+    double bits = 0;
+    size_t digits = 0;
+    for (const char *c = value + 1; *c; c++) {
+        if (*c == 'g' || *c == 'G')
+            grey = true;
+        else if (isdigit((unsigned char)*c) && digits++ < 3)
+            bits = bits * 10 + (*c - '0');
+        else
+            return option_fail(reader, setting,
+                               "'%s' is no file type: a letter, a number of "
+                               "bits and g for grey, as in N16g",
+                               value);
+    }
+    reader->options->file_type = type->letter;
+    reader->options->grey = grey;
+    reader->options->bits = 0;
+    if (!digits || type->letter == 'J') /* POV-Ray ignores +FJ90's number */
+        return true;
+    const struct option *also = option_find_key("Bits_Per_Color");
+    struct setting depth = *setting;
+    depth.value = arena_printf(reader->arena, "%.0f", bits);
+    return also->set(reader, also, &depth);
+}
+
+bool set_gamma(struct option_reader *reader, const struct option *option,
+               const struct setting *setting)
+{
+    if (!option_wants(reader, option, setting, "sRGB"))
+        return false;
+    double gamma = 0;
+    if (!text_equal_nocase(setting->value, "srgb") &&
+        (!option_number(setting->value, &gamma) || gamma < 0.01 || gamma > 100))
+        return option_fail(reader, setting,
+                           "%s is sRGB or a number from 0.01 to 100, not '%s'",
+                           option->key, setting->value);
+    *(double *)option_place(reader, option) = gamma;
+    return true;
+}
+
+static size_t option_name_length(const char *text)
+{
+    size_t length = 0;
+    while (isalnum((unsigned char)text[length]) || text[length] == '_')
+        length++;
+    return isdigit((unsigned char)text[0]) ? 0 : length;
+}
+
+bool set_declare(struct option_reader *reader, const struct option *option,
+                 const struct setting *setting)
+{
+    if (!option_wants(reader, option, setting, "Name=1"))
+        return false;
+    size_t length = option_name_length(setting->value);
+    const char *rest = setting->value + length;
+    rest += strspn(rest, " \t");
+    const char *value = rest + 1;
+    if (length == 0 || *rest != '=' || value[strspn(value, " \t")] == '\0')
+        return option_fail(reader, setting,
+                           "Declare wants a name and a value, not '%s': type "
+                           "Declare=Name=1",
+                           setting->value);
+    const char *name = arena_copy_text(reader->arena, setting->value, length);
+    for (size_t i = 0; i < reader->declares.count; i++)
+        if (strcmp(reader->declares.items[i].name, name) == 0)
+            return true; /* as in POV-Ray, the first counts */
+    *ARRAY_PUSH(reader->arena, &reader->declares) =
+        (struct parse_declare){ name, value, setting->span };
+    return true;
+}
+
+bool set_lighting(struct option_reader *reader, const struct option *option,
+                  const struct setting *setting)
+{
+    if (!option_wants(reader, option, setting, " rays"))
+        return false;
+    struct options *options = reader->options;
+    if (strcmp(setting->value, "help") == 0) {
+        options->action = ACTION_LIST;
+        options->list_what = "lightings";
+        return true;
+    }
+    options->lighting = lighting_find(setting->value);
+    if (options->lighting)
+        return true;
+    struct text_nearest nearest = text_nearest_start(setting->value);
+    for (size_t i = 0; lighting_at(i); i++)
+        text_nearest_try(&nearest, lighting_at(i)->name);
+    return option_fail(reader, setting, "there is no lighting '%s': type %s",
+                       setting->value,
+                       nearest.best ? nearest.best : lighting_at(0)->name);
+}
+
+bool set_action(struct option_reader *reader, const struct option *option,
+                const struct setting *setting)
+{
+    (void)setting;
+    reader->options->action = (enum options_action)option->offset;
+    return true;
+}
+
+bool set_list(struct option_reader *reader, const struct option *option,
+              const struct setting *setting)
+{
+    (void)option;
+    reader->options->action = ACTION_LIST;
+    reader->options->list_what = setting->value;
+    return true;
+}
+
+bool set_ignored(struct option_reader *reader, const struct option *option,
+                 const struct setting *setting)
+{
+    (void)reader;
+    (void)option;
+    (void)setting;
+    return true;
+}
+
+bool set_no_command(struct option_reader *reader, const struct option *option,
+                    const struct setting *setting)
+{
+    if (setting->value && *setting->value)
+        option_warn(reader, setting,
+                    "%s is not run: glim starts no other programs; call them "
+                    "from your script or Makefile",
+                    option->key);
+    return true;
+}
+
+bool set_message_file(struct option_reader *reader, const struct option *option,
+                      const struct setting *setting)
+{
+    (void)option;
+    if (!setting->value || !*setting->value)
+        return true;
+    option_warn(reader, setting,
+                "messages go to standard error only; to keep them type "
+                "2> %s",
+                setting->value);
+    return true;
+}

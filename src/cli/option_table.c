@@ -1,0 +1,299 @@
+/* The table of options: one row is the switch, the INI key, the long word, the
+ * range, and the text of --help and of man/glim.1. See option.h. */
+#include "cli/option.h"
+
+#include <string.h>
+
+#include "base/text.h"
+
+#define AT(field)   offsetof(struct options, field)
+#define NAMES(l, k) .letters = l, .key = k
+#define GROUP(title)                                                           \
+    {                                                                          \
+        .help = title                                                          \
+    }
+/* What a value of each kind is called is in `argument`. */
+#define INTEGER(l, k, field, low, high, text)                                  \
+    {                                                                          \
+        NAMES(l, k), .set = set_integer, .offset = AT(field), .minimum = low,  \
+                     .maximum = high, .argument = "n", .help = text            \
+    }
+#define WHOLE(l, k, field, low, high, text)                                    \
+    {                                                                          \
+        NAMES(l, k), .set = set_whole, .offset = AT(field), .minimum = low,    \
+                     .maximum = high, .argument = "n", .help = text            \
+    }
+#define NUMBER(l, k, field, low, high, text)                                   \
+    {                                                                          \
+        NAMES(l, k), .set = set_number, .offset = AT(field), .minimum = low,   \
+                     .maximum = high, .argument = "n", .help = text            \
+    }
+#define SWITCH(l, k, field, text)                                              \
+    {                                                                          \
+        NAMES(l, k), .set = set_switch, .offset = AT(field),                   \
+                     .argument = "bool", .help = text                          \
+    }
+/* A switch whose value, if it has one, is that of another key. */
+#define SWITCH_AND(l, k, field, other, value, text)                            \
+    {                                                                          \
+        NAMES(l, k), .set = set_switch, .offset = AT(field), .also = other,    \
+                     .argument = value, .help = text                           \
+    }
+#define VALUE(l, k, setter, value, text)                                       \
+    {                                                                          \
+        NAMES(l, k), .set = setter, .argument = value, .help = text            \
+    }
+#define WORD(w, setter, number, value, text)                                   \
+    {                                                                          \
+        .word = w, .set = setter, .offset = number, .argument = value,         \
+        .help = text                                                           \
+    }
+#define NOTHING(l, k) VALUE(l, k, set_ignored, "", "")
+#define CONSOLE(l, k, setter, field, file, text)                               \
+    {                                                                          \
+        NAMES(l, k), .set = setter, .offset = field, .also = file,             \
+                     .argument = "bool", .help = text                          \
+    }
+
+enum { FRAME_LIMIT = 1000000000 };
+
+/* clang-format off */
+static const struct option table[] = {
+    GROUP("Files"),
+    VALUE("I", "Input_File_Name", set_input, "file",
+          "the scene; .pov may be left out; - is standard input"),
+    VALUE("O", "Output_File_Name", set_output, "file",
+          "the picture (the scene's name with the type's extension); dir/ "
+          "puts it there; - is standard output"),
+    SWITCH_AND("F", "Output_to_File", to_file, "Output_File_Type", "[type]",
+               "write a picture (on); for the types see --list formats; a "
+               "number gives the bits, g makes it grey: +FN16g"),
+    VALUE(NULL, "Output_File_Type", set_file_type, "type", "as in +F (N)"),
+    INTEGER(NULL, "Bits_Per_Color", bits, 1, 16,
+            "of PNG and PPM files (8; grey PNG 16)"),
+    SWITCH(NULL, "Grayscale_Output", grey,
+           "one channel, 0.297 red + 0.589 green + 0.114 blue (off)"),
+    INTEGER(NULL, "Compression", compression, 0, 100,
+            "quality of JPEG files, 1 to 100 (85)"),
+    SWITCH("UA", "Output_Alpha", alpha,
+           "write opacity to PNG, Targa, BMP and OpenEXR (off)"),
+    SWITCH("C", "Continue_Trace", continue_trace,
+           "keep pictures that are there, whole and of the right size (off)"),
+    VALUE("L", "Library_Path", set_library, "dir",
+          "search for includes, images and INI files here too; adds up"),
+    VALUE("HI", "Include_Header", set_header, "file",
+          "read this file before the scene; adds up"),
+
+    GROUP("Picture"),
+    INTEGER("W", "Width", render.width, 1, IMAGE_SIDE_LIMIT, "pixels (800)"),
+    INTEGER("H", "Height", render.height, 1, IMAGE_SIDE_LIMIT,
+            "pixels (600)"),
+    NUMBER("SC", "Start_Column", columns[0], 0, IMAGE_SIDE_LIMIT,
+           "leave out what is left of column n, counted from 1; below 1 a "
+           "share of the width"),
+    NUMBER("EC", "End_Column", columns[1], 0, IMAGE_SIDE_LIMIT,
+           "leave out what is right of column n; up to 1 a share of the "
+           "width"),
+    NUMBER("SR", "Start_Row", rows[0], 0, IMAGE_SIDE_LIMIT,
+           "leave out what is above row n, as +SC"),
+    NUMBER("ER", "End_Row", rows[1], 0, IMAGE_SIDE_LIMIT,
+           "leave out what is below row n, as +EC"),
+    VALUE(NULL, "File_Gamma", set_gamma, "gamma",
+          "of files that are not linear: a number or sRGB (sRGB)"),
+
+    GROUP("Quality"),
+    SWITCH_AND("A", "Antialias", render.antialias, "Antialias_Threshold",
+               "[n]", "smooth where colours differ by more than n (off)"),
+    NUMBER(NULL, "Antialias_Threshold", render.threshold, 0, 1000,
+           "as in +An (0.3)"),
+    INTEGER("AM", "Sampling_Method", render.method, 1, 2,
+            "1: a grid of samples, 2: recursive (1)"),
+    INTEGER("R", "Antialias_Depth", render.depth, 1, 9,
+            "n x n samples, or n levels with +AM2 (3)"),
+    SWITCH_AND("J", "Jitter", jitter, "Jitter_Amount", "[n]",
+               "shift the samples a little (on)"),
+    NUMBER(NULL, "Jitter_Amount", render.jitter, 0, 10,
+           "how far, in samples (1)"),
+    NUMBER("AG", "Antialias_Gamma", render.antialias_gamma, 0.01, 100,
+           "of colours when they are compared (2.5)"),
+    INTEGER("Q", "Quality", quality, 0, 11,
+            "0: plain colours, 4: shadows, 5: area lights, 6: textures, 8: "
+            "reflection and refraction, 9: all (9)"),
+    WORD("lighting", set_lighting, 0, "name",
+         "how light is worked out (rays); see --list lightings"),
+
+    GROUP("Scene"),
+    VALUE(NULL, "Declare", set_declare, "name=value",
+          "as #declare before the scene; the first of a name counts"),
+    NUMBER("MV", "Version", parse.version, 1, 100,
+           "the language's version at the scene's start"),
+    NUMBER("K", "Clock", clock, -1e300, 1e300,
+           "clock of a single picture (0)"),
+
+    GROUP("Animation"),
+    WHOLE("KFF", "Final_Frame", frames.final, 0, FRAME_LIMIT,
+          "render frames up to n"),
+    WHOLE("KFI", "Initial_Frame", frames.initial, 0, FRAME_LIMIT,
+          "number of the first frame (1)"),
+    NUMBER("KI", "Initial_Clock", frames.initial_clock, -1e300, 1e300,
+           "clock of the first frame (0)"),
+    NUMBER("KF", "Final_Clock", frames.final_clock, -1e300, 1e300,
+           "clock of the last frame (1)"),
+    SWITCH("KC", "Cyclic_Animation", frames.cyclic,
+           "the frame after the last would be the first again (off)"),
+    NUMBER("SF", "Subset_Start_Frame", frames.subset_start, 0, FRAME_LIMIT,
+           "leave out the frames before n; below 1 a share of all"),
+    NUMBER("EF", "Subset_End_Frame", frames.subset_end, 0, FRAME_LIMIT,
+           "leave out the frames after n"),
+    WHOLE("STP", "Frame_Step", frames.step, -FRAME_LIMIT, FRAME_LIMIT,
+          "every n-th frame (1); below 0 from the end backwards"),
+
+    GROUP("Work"),
+    { NAMES("WT", "Work_Threads"), .word = "threads", .set = set_integer,
+      .offset = AT(threads), .minimum = 1, .maximum = OPTIONS_THREAD_LIMIT,
+      .argument = "n", .help = "threads (one for each core)" },
+    INTEGER("BS", "Render_Block_Size", render.tile, 4, 4096,
+            "side of the squares that threads work on, in pixels (32)"),
+
+    GROUP("Messages"),
+    VALUE("V", "Verbose", set_verbose, "bool",
+          "tell progress even where standard error is no terminal; -V never"),
+    INTEGER("WL", "Warning_Level", warning_level, 0, 10,
+            "0: no warnings (10)"),
+    CONSOLE("GD", "Debug_Console", set_switch, AT(messages), "Debug_File",
+            "show what #debug says (on)"),
+    CONSOLE("GW", "Warning_Console", set_switch, AT(warnings),
+            "Warning_File", "show warnings (on)"),
+    CONSOLE("GA", "All_Console", set_all_consoles, 0, "All_File",
+            "both; errors are always shown"),
+    WORD("quiet", set_quiet, 0, NULL, "nothing but errors: as -V -GA"),
+    WORD("stats", set_flag, AT(stats), NULL,
+         "objects, rays and times, on standard error"),
+
+    GROUP("Other things to do"),
+    WORD("check", set_action, ACTION_CHECK, NULL,
+         "read the scene and report what is wrong; render nothing"),
+    WORD("list", set_list, 0, "[what]",
+         "primitives, patterns, keywords, lightings, formats or options"),
+    WORD("help", set_action, ACTION_HELP, NULL, "this list"),
+    WORD("version", set_action, ACTION_VERSION, NULL, "the version"),
+    WORD("man-options", set_action, ACTION_MAN, NULL,
+         "this list for the manual page"),
+
+    GROUP("Accepted for POV-Ray's sake"),
+    CONSOLE("D", "Display", set_ignored, 0, "Video_Mode",
+            "there is no preview window"),
+    NOTHING(NULL, "Video_Mode"),
+    NOTHING(NULL, "Palette"),
+    NOTHING(NULL, "Display_Gamma"),
+    NOTHING("P", "Pause_When_Done"),
+    NOTHING("SP", "Preview_Start_Size"),
+    NOTHING("EP", "Preview_End_Size"),
+    NOTHING("RP", "Render_Pattern"),
+    NOTHING("RS", "Render_Block_Step"),
+    NOTHING("X", "Test_Abort"),
+    NOTHING(NULL, "Test_Abort_Count"),
+    NOTHING("HR", "High_Reproducibility"),
+    NOTHING(NULL, "Stochastic_Seed"),
+    NOTHING(NULL, "Antialias_Confidence"),
+    NOTHING("TH", "Dither"),
+    NOTHING(NULL, "Dither_Method"),
+    NOTHING("MB", "Bounding"),
+    NOTHING(NULL, "Bounding_Threshold"),
+    NOTHING("BM", "Bounding_Method"),
+    NOTHING(NULL, "BSP_MaxDepth"),
+    NOTHING(NULL, "BSP_BaseAccessCost"),
+    NOTHING(NULL, "BSP_ChildAccessCost"),
+    NOTHING(NULL, "BSP_IsectCost"),
+    NOTHING(NULL, "BSP_MissChance"),
+    NOTHING("UR", "Remove_Bounds"),
+    NOTHING("SU", "Split_Unions"),
+    NOTHING("UL", "Light_Buffer"),
+    NOTHING("UV", "Vista_Buffer"),
+    NOTHING("UD", "Draw_Vistas"),
+    NOTHING("UF", "Field_Render"),
+    NOTHING("UO", "Odd_Field"),
+    NOTHING("MI", "Max_Image_Buffer_Memory"),
+    NOTHING("RF", "Radiosity_File_Name"),
+    NOTHING("RFI", "Radiosity_From_File"),
+    NOTHING("RFO", "Radiosity_To_File"),
+    NOTHING("RVP", "Radiosity_Vain_Pretrace"),
+    NOTHING("GI", "Create_Ini"),
+    CONSOLE("GR", "Render_Console", set_ignored, 0, "Render_File", ""),
+    CONSOLE("GS", "Statistic_Console", set_ignored, 0, "Statistic_File",
+            "see --stats"),
+    CONSOLE("GF", "Fatal_Console", set_ignored, 0, "Fatal_File",
+            "errors are always shown"),
+    NOTHING("GP", "Append_File"),
+    VALUE(NULL, "All_File", set_message_file, "file", ""),
+    VALUE(NULL, "Debug_File", set_message_file, "file", ""),
+    VALUE(NULL, "Fatal_File", set_message_file, "file", ""),
+    VALUE(NULL, "Render_File", set_message_file, "file", ""),
+    VALUE(NULL, "Statistic_File", set_message_file, "file", ""),
+    VALUE(NULL, "Warning_File", set_message_file, "file", ""),
+    VALUE(NULL, "Pre_Scene_Command", set_no_command, "command", ""),
+    VALUE(NULL, "Post_Scene_Command", set_no_command, "command", ""),
+    VALUE(NULL, "Pre_Frame_Command", set_no_command, "command", ""),
+    VALUE(NULL, "Post_Frame_Command", set_no_command, "command", ""),
+    VALUE(NULL, "User_Abort_Command", set_no_command, "command", ""),
+    VALUE(NULL, "Fatal_Error_Command", set_no_command, "command", ""),
+    NOTHING(NULL, "Pre_Scene_Return"),
+    NOTHING(NULL, "Post_Scene_Return"),
+    NOTHING(NULL, "Pre_Frame_Return"),
+    NOTHING(NULL, "Post_Frame_Return"),
+    NOTHING(NULL, "User_Abort_Return"),
+    NOTHING(NULL, "Fatal_Error_Return"),
+};
+/* clang-format on */
+
+const struct option *option_at(size_t index)
+{
+    return index < sizeof table / sizeof *table ? &table[index] : NULL;
+}
+
+const struct option *option_find_key(const char *key)
+{
+    for (size_t i = 0; option_at(i); i++)
+        if (table[i].key && text_equal_nocase(table[i].key, key))
+            return &table[i];
+    return NULL;
+}
+
+const struct option *option_find_word(const char *word)
+{
+    for (size_t i = 0; option_at(i); i++)
+        if (table[i].word && strcmp(table[i].word, word) == 0)
+            return &table[i];
+    return NULL;
+}
+
+static bool option_begins(const char *text, const char *letters)
+{
+    for (; *letters; text++, letters++)
+        if ((*text | 32) != (*letters | 32)) /* letters are A to Z */
+            return false;
+    return true;
+}
+
+const struct option *option_find_letters(const char *text)
+{
+    const struct option *best = NULL;
+    for (size_t i = 0; option_at(i); i++) {
+        const char *letters = table[i].letters;
+        if (letters && option_begins(text, letters) &&
+            (!best || strlen(letters) > strlen(best->letters)))
+            best = &table[i];
+    }
+    return best;
+}
+
+const char *option_spelling(const struct option *option, struct arena *arena)
+{
+    if (option->word)
+        return arena_printf(arena, "--%s%s%s", option->word,
+                            option->argument ? " " : "",
+                            option->argument ? option->argument : "");
+    if (option->key)
+        return arena_printf(arena, "%s=%s", option->key, option->argument);
+    return arena_printf(arena, "+%s", option->letters);
+}

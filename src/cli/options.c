@@ -1,0 +1,402 @@
+/* Arguments to options: see options.h. The token level is here, the meaning
+ * of each option in option_set.c. */
+#include "cli/option.h"
+
+#include <stdarg.h>
+#include <unistd.h>
+
+#include "base/parallel.h"
+#include "base/text.h"
+#include "cli/output_name.h"
+#include "lighting/lighting.h"
+
+static void option_report(struct option_reader *reader,
+                          const struct setting *setting, enum diag_level level,
+                          const char *hint, const char *format,
+                          va_list arguments)
+{
+    char message[512];
+    vsnprintf(message, sizeof message, format, arguments);
+    struct span span =
+        setting->value_span.source ? setting->value_span : setting->span;
+    if (span.source || !setting->shown)
+        diag_print(reader->diag, level, span, hint, "%s", message);
+    else
+        diag_print(reader->diag, level, span, hint, "'%s': %s", setting->shown,
+                   message);
+}
+
+bool option_fail(struct option_reader *reader, const struct setting *setting,
+                 const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    option_report(reader, setting, DIAG_ERROR, NULL, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+void option_warn(struct option_reader *reader, const struct setting *setting,
+                 const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    option_report(reader, setting, DIAG_WARNING, NULL, format, arguments);
+    va_end(arguments);
+}
+
+/* Compares with keys, and with words for "--wrod". */
+bool option_unknown(struct option_reader *reader, const struct setting *setting,
+                    const char *name)
+{
+    size_t start = strspn(name, "+-");
+    size_t length = strcspn(name + start, "= \t");
+    const char *rest = name + start + length;
+    struct text_nearest nearest = text_nearest_start(
+        arena_copy_text(reader->arena, name + start, length));
+    bool word = strncmp(name, "--", 2) == 0;
+    for (size_t i = 0; option_at(i); i++) {
+        const char *known = word ? option_at(i)->word : option_at(i)->key;
+        if (known)
+            text_nearest_try(&nearest, known);
+    }
+    const char *hint = NULL;
+    if (nearest.best && setting->span.source)
+        hint = nearest.best;
+    else if (nearest.best)
+        hint = arena_printf(reader->arena, "did you mean '%s%s%s'?",
+                            word ? "--" : "", nearest.best, rest);
+    else if (!setting->span.source)
+        hint = "glim --help lists the options";
+    diag_print(reader->diag, DIAG_ERROR, setting->span, hint,
+               "unknown option '%s'", name);
+    return false;
+}
+
+static bool option_read_word(struct option_reader *reader,
+                             struct setting setting)
+{
+    const char *word = setting.shown + 2;
+    size_t length = strcspn(word, "=");
+    const struct option *option =
+        option_find_word(arena_copy_text(reader->arena, word, length));
+    if (!option)
+        return option_unknown(reader, &setting, setting.shown);
+    if (word[length] == '=')
+        setting.value = word + length + 1;
+    if (!option->argument && setting.value)
+        return option_fail(reader, &setting, "--%s takes no value",
+                           option->word);
+    setting.by_key = true;
+    return option->set(reader, option, &setting);
+}
+
+static bool option_read_letters(struct option_reader *reader,
+                                struct setting setting)
+{
+    static const char *const help[] = { "h", "?", "help" };
+    const char *letters = setting.shown + 1;
+    for (size_t i = 0; i < sizeof help / sizeof *help; i++)
+        if (text_equal_nocase(letters, help[i]))
+            return set_action(reader, option_find_word("help"), &setting);
+    const struct option *option = option_find_letters(letters);
+    if (!option)
+        return option_unknown(reader, &setting, setting.shown);
+    setting.value = letters + strlen(option->letters);
+    setting.on = setting.shown[0] == '+';
+    return option->set(reader, option, &setting);
+}
+
+static bool option_read_key(struct option_reader *reader,
+                            struct setting setting, size_t equals)
+{
+    size_t length = equals;
+    while (length && strchr(" \t", setting.shown[length - 1]))
+        length--;
+    const char *key = arena_copy_text(reader->arena, setting.shown, length);
+    const struct option *option = option_find_key(key);
+    if (!option)
+        return option_unknown(reader, &setting,
+                              setting.span.source ? key : setting.shown);
+    setting.by_key = true;
+    return option->set(reader, option, &setting);
+}
+
+static bool option_is_scene(const char *name)
+{
+    size_t length = strlen(name);
+    return strcmp(name, "-") == 0 ||
+           (length > 4 && text_equal_nocase(name + length - 4, ".pov"));
+}
+
+bool option_read(struct option_reader *reader, const struct setting *token)
+{
+    const char *text = token->shown;
+    if (option_is_scene(text) && !strchr(text, '=')) {
+        reader->options->input = text;
+        return true;
+    }
+    if (strncmp(text, "--", 2) == 0)
+        return option_read_word(reader, *token);
+    if (text[0] == '+' || text[0] == '-')
+        return option_read_letters(reader, *token);
+    size_t equals = strcspn(text, "=");
+    if (text[equals] == '=') {
+        struct setting setting = *token;
+        if (!setting.value)
+            setting.value = text + equals + 1;
+        return option_read_key(reader, setting, equals);
+    }
+    return ini_read(reader, text, token);
+}
+
+/* --threads 4 is --threads=4: the value of a word may be the next argument. */
+static bool option_takes_next(const char *argument, const char *next)
+{
+    if (strncmp(argument, "--", 2) != 0 || !next || strchr(argument, '='))
+        return false;
+    const struct option *option = option_find_word(argument + 2);
+    if (!option || !option->argument)
+        return false;
+    return option->argument[0] != '[' || !strchr("+-", next[0]);
+}
+
+static bool options_read_arguments(struct option_reader *reader, int argc,
+                                   char **argv)
+{
+    bool good = true, ended = false;
+    for (int i = 1; i < argc; i++) {
+        struct setting token = { .shown = argv[i] };
+        const char *next = i + 1 < argc ? argv[i + 1] : NULL;
+        if (ended) { /* after --: a scene, whatever its name */
+            reader->options->input = argv[i];
+            continue;
+        }
+        if (strcmp(argv[i], "--") == 0) {
+            ended = true;
+            continue;
+        }
+        if (option_takes_next(argv[i], next)) {
+            token.shown = arena_printf(reader->arena, "%s=%s", argv[i], next);
+            i++;
+        }
+        good = option_read(reader, &token) && good;
+    }
+    return good;
+}
+
+const char *option_search(const struct option_reader *reader, const char *name,
+                          const char *const *extensions)
+{
+    for (size_t i = 0; i <= reader->library.count; i++) {
+        const char *directory = i ? reader->library.items[i - 1] : NULL;
+        if (directory && name[0] == '/')
+            break;
+        for (const char *const *e = extensions; *e; e++) {
+            const char *path = arena_printf(reader->arena, "%s%s%s%s",
+                                            directory ? directory : "",
+                                            directory ? "/" : "", name, *e);
+            if (access(path, F_OK) == 0)
+                return path;
+        }
+    }
+    return NULL;
+}
+
+static bool options_find_input(struct option_reader *reader)
+{
+    static const char *const extensions[] = { "", ".pov", ".POV", NULL };
+    struct options *options = reader->options;
+    if (!options->input) {
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "no scene given: type glim scene.pov, or glim --help");
+        return false;
+    }
+    options->path = options->input;
+    if (strcmp(options->input, "-") == 0)
+        return true;
+    options->path = option_search(reader, options->input, extensions);
+    if (options->path)
+        return true;
+    diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+               "there is no scene '%s'%s", options->input,
+               reader->library.count
+                   ? ", neither here nor along the library path"
+                   : "");
+    return false;
+}
+
+static bool options_name_output(struct option_reader *reader)
+{
+    struct options *options = reader->options;
+    const struct output_type *type = output_type_find(options->file_type);
+    if (!options->to_file || options->action != ACTION_RENDER)
+        return true;
+    bool stdin_named = strcmp(options->input, "-") == 0;
+    const char *said = reader->output;
+    if (stdin_named && (!said || said[strlen(said) - 1] == '/')) {
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "a scene from standard input has no name: type +Oname for "
+                   "the picture, or +O- for standard output");
+        return false;
+    }
+    options->output = output_name(said, options->input, type, reader->arena);
+    const struct output_type *meant =
+        said ? output_type_meant(said, type) : NULL;
+    if (meant)
+        diag_print(reader->diag, DIAG_WARNING, span_none(), NULL,
+                   "the picture is called '%s', as POV-Ray would; for '%s' "
+                   "add +F%c",
+                   options->output, said, meant->letter);
+    return true;
+}
+
+/* `said` counted from 1, below 1 a share; see section 2.2 of
+ * notes/povray.md. Returns the 0-based, end exclusive bounds. */
+static bool options_range(struct option_reader *reader, const char *what,
+                          const double said[2], int size, int *start, int *end)
+{
+    *start = 0;
+    *end = size;
+    if (said[0] > 0)
+        *start = said[0] < 1 ? (int)(said[0] * size) : (int)said[0] - 1;
+    if (!isnan(said[1]))
+        *end = said[1] <= 1 ? (int)(said[1] * size) : (int)said[1];
+    if (*start < *end && *end <= size)
+        return true;
+    if (*end > size || *start >= size)
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "%s_%s must not be beyond %d, the picture's last",
+                   *end > size ? "End" : "Start", what, size);
+    else
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "End_%s %d is before Start_%s %d", what, *end, what,
+                   *start + 1);
+    return false;
+}
+
+static bool options_resolve_picture(struct option_reader *reader)
+{
+    struct options *options = reader->options;
+    struct render_options *render = &options->render;
+    if ((long long)render->width * render->height > IMAGE_PIXEL_LIMIT) {
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "%d x %d pixels are too many: glim's limit is %d in all, "
+                   "16384 x 16384",
+                   render->width, render->height, IMAGE_PIXEL_LIMIT);
+        return false;
+    }
+    if (!options_range(reader, "Column", options->columns, render->width,
+                       &render->column_start, &render->column_end) ||
+        !options_range(reader, "Row", options->rows, render->height,
+                       &render->row_start, &render->row_end))
+        return false;
+    if (!options->jitter)
+        render->jitter = 0;
+    render->threads = (unsigned)options->threads;
+    return true;
+}
+
+/* What is always searched last: Debian's include files. */
+static void options_add_standard_library(struct option_reader *reader)
+{
+    static const char *const standard[] = {
+        "/usr/share/povray-3.7/include",
+        "/usr/share/povray-3.7",
+        "/usr/share/povray-3.7/ini",
+    };
+    for (size_t i = 0; i < sizeof standard / sizeof *standard; i++)
+        *ARRAY_PUSH(reader->arena, &reader->library) = standard[i];
+}
+
+static void options_resolve_scene(struct option_reader *reader)
+{
+    struct options *options = reader->options;
+    struct parse_options *parse = &options->parse;
+    parse->include_paths = reader->library.items;
+    parse->include_path_count = reader->library.count;
+    parse->include_headers = reader->headers.items;
+    parse->include_header_count = reader->headers.count;
+    parse->declares = reader->declares.items;
+    parse->declare_count = reader->declares.count;
+    parse->image_width = options->render.width;
+    parse->image_height = options->render.height;
+    parse->clock_on = !isnan(options->clock);
+    parse->clock = parse->clock_on ? options->clock : 0;
+}
+
+static bool options_resolve(struct option_reader *reader)
+{
+    struct options *options = reader->options;
+    options_add_standard_library(reader);
+    reader->diag->quiet_messages = !options->messages;
+    reader->diag->quiet_warnings =
+        !options->warnings || options->warning_level == 0;
+    if (options_answers(options))
+        return true;
+    if (!options_find_input(reader) || !options_resolve_picture(reader) ||
+        !options_name_output(reader))
+        return false;
+    options_resolve_scene(reader);
+    const char *problem = frames_resolve(&options->frames, reader->arena);
+    if (problem)
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL, "%s", problem);
+    return !problem;
+}
+
+static struct options options_default(void)
+{
+    return (struct options){
+        .file_type = 'N',
+        .compression = 85,
+        .to_file = true,
+        .messages = true,
+        .warnings = true,
+        .warning_level = 10,
+        .lighting = lighting_at(0),
+        .quality = 9,
+        .threads = (int)parallel_cores(),
+        .clock = FRAMES_UNSAID,
+        .frames = frames_new(),
+        .jitter = true,
+        .columns = { FRAMES_UNSAID, FRAMES_UNSAID },
+        .rows = { FRAMES_UNSAID, FRAMES_UNSAID },
+        .render = { .width = 800,
+                    .height = 600,
+                    .method = 1,
+                    .threshold = 0.3,
+                    .depth = 3,
+                    .jitter = 1,
+                    .antialias_gamma = 2.5,
+                    .tile = 32 },
+    };
+}
+
+bool options_parse(struct options *options, int argc, char **argv,
+                   struct arena *arena, struct diag *diag)
+{
+    *options = options_default();
+    struct option_reader reader = { .options = options,
+                                    .arena = arena,
+                                    .diag = diag };
+    bool started = ini_startup(&reader);
+    bool read = options_read_arguments(&reader, argc, argv);
+    return started && read && options_resolve(&reader);
+}
+
+struct image_format options_format(const struct options *options)
+{
+    const struct output_type *type = output_type_find(options->file_type);
+    bool grey_png = options->grey && options->file_type == 'N';
+    return (struct image_format){
+        .type = type->format,
+        .bits = options->bits ? options->bits
+                : grey_png    ? 16
+                              : 8,
+        .grey = options->grey,
+        .alpha = options->alpha,
+        .packed = options->file_type == 'C',
+        .quality = options->compression ? options->compression : 85,
+        .gamma = options->file_gamma,
+    };
+}

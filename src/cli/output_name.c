@@ -1,0 +1,74 @@
+/* Names of picture files: see output_name.h. */
+#include "cli/output_name.h"
+
+#include "base/text.h"
+
+static const struct output_type types[] = {
+    { 'N', ".png", "png", "PNG, 1 to 16 bits" },
+    { 'E', ".exr", "openexr", "OpenEXR, half floats, linear light" },
+    { 'H', ".hdr", "hdr", "Radiance HDR, linear light" },
+    { 'J', ".jpg", "jpeg", "JPEG; Compression is its quality" },
+    { 'P', ".ppm", "pnm", "PPM, 1 to 16 bits; PGM when grey" },
+    { 'T', ".tga", "targa", "Targa" },
+    { 'C', ".tga", "targa", "Targa, run-length coded" },
+    { 'B', ".bmp", "bmp", "Windows bitmap" },
+};
+
+enum { TYPE_COUNT = sizeof types / sizeof *types };
+
+const struct output_type *output_type_at(size_t index)
+{
+    return index < TYPE_COUNT ? &types[index] : NULL;
+}
+
+const struct output_type *output_type_find(char letter)
+{
+    const char name[] = { letter, '\0' };
+    for (size_t i = 0; i < TYPE_COUNT; i++)
+        if (text_equal_nocase((char[]){ types[i].letter, '\0' }, name))
+            return &types[i];
+    return NULL;
+}
+
+const struct output_type *output_type_meant(const char *name,
+                                            const struct output_type *type)
+{
+    const char *extension = name + output_stem(name);
+    for (size_t i = 0; i < TYPE_COUNT; i++)
+        if (text_equal_nocase(extension, types[i].extension) &&
+            strcmp(types[i].extension, type->extension) != 0)
+            return &types[i];
+    return NULL;
+}
+
+static const char *output_last_part(const char *name)
+{
+    const char *slash = strrchr(name, '/');
+    return slash ? slash + 1 : name;
+}
+
+size_t output_stem(const char *name)
+{
+    const char *part = output_last_part(name);
+    const char *dot = strrchr(part, '.');
+    if (!dot || dot == part)
+        return strlen(name);
+    return (size_t)(dot - name);
+}
+
+const char *output_name(const char *output, const char *input,
+                        const struct output_type *type, struct arena *arena)
+{
+    if (output && strcmp(output, "-") == 0)
+        return output;
+    size_t length = output ? strlen(output) : 0;
+    if (!output || (length && output[length - 1] == '/')) {
+        const char *scene = output ? output_last_part(input) : input;
+        return arena_printf(arena, "%s%.*s%s", output ? output : "",
+                            (int)output_stem(scene), scene, type->extension);
+    }
+    size_t stem = output_stem(output);
+    if (strcmp(output + stem, type->extension) == 0)
+        return output;
+    return arena_printf(arena, "%s%s", output, type->extension);
+}

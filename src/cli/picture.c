@@ -1,0 +1,71 @@
+/* One frame's file: see picture.h. */
+#include "cli/picture.h"
+
+#include <unistd.h>
+
+#include "image/output.h"
+
+bool picture_is_there(const struct options *options, const char *name,
+                      struct diag *diag)
+{
+    if (!options->continue_trace || !name || strcmp(name, "-") == 0 ||
+        access(name, F_OK) != 0)
+        return false;
+    char why[256];
+    int width, height;
+    if (image_probe(name, &width, &height, why, sizeof why)) {
+        if (width == options->render.width && height == options->render.height)
+            return true;
+        snprintf(why, sizeof why, "it has %d x %d pixels", width, height);
+    }
+    diag_print(diag, DIAG_WARNING, span_none(), NULL,
+               "'%s' is rendered again: %s", name, why);
+    return false;
+}
+
+bool picture_can_be(const char *name, struct diag *diag)
+{
+    char why[256];
+    if (!name || image_writable(name, why, sizeof why))
+        return true;
+    diag_print(diag, DIAG_ERROR, span_none(), NULL, "can't write '%s': %s",
+               name, why);
+    return false;
+}
+
+static struct output_space picture_space(const struct options *options,
+                                         const struct settings *settings)
+{
+    bool linear = options->file_type == 'E' || options->file_type == 'H';
+    bool keeps_alpha = strchr("NETCB", options->file_type) != NULL;
+    return (struct output_space){
+        .working_gamma =
+            settings->gamma_kind == GAMMA_POWER ? settings->assumed_gamma : 0,
+        .keep_numbers = settings->gamma_kind == GAMMA_NONE,
+        .linear_file = linear,
+        .file_gamma = options->file_gamma,
+        .alpha = options->alpha && keeps_alpha,
+        .grey = options->grey,
+    };
+}
+
+bool picture_write(struct image *image, const struct options *options,
+                   const struct settings *settings, const char *name,
+                   struct diag *diag)
+{
+    if (!name)
+        return true;
+    struct output_space space = picture_space(options, settings);
+    struct image_format format = options_format(options);
+    if (space.keep_numbers) /* POV-Ray then heeds no File_Gamma (measured) */
+        format.gamma = 0;
+    output_convert(image, &space);
+    char why[256];
+    if (image_write(image, name, &format, why, sizeof why))
+        return true;
+    diag_print(diag, DIAG_ERROR, span_none(), NULL, "can't write %s%s%s: %s",
+               strcmp(name, "-") ? "'" : "standard output",
+               strcmp(name, "-") ? name : "", strcmp(name, "-") ? "'" : "",
+               why);
+    return false;
+}

@@ -1,0 +1,23 @@
+/* The picture of one frame as a file: is it there already, can it be written,
+ * and writing it. */
+#ifndef CLI_PICTURE_H
+#define CLI_PICTURE_H
+
+#include "cli/options.h"
+
+/* +C: whether the file called `name` is a whole picture of the right size. If
+ * there is one that isn't, says why it is rendered again. */
+bool picture_is_there(const struct options *options, const char *name,
+                      struct diag *diag);
+
+/* Whether `name` (NULL: none) can be written, found out before the work.
+ * Returns false after an error was printed. */
+bool picture_can_be(const char *name, struct diag *diag);
+
+/* Turns the picture into the file's numbers, in place, and writes it. Returns
+ * false after an error was printed. */
+bool picture_write(struct image *image, const struct options *options,
+                   const struct settings *settings, const char *name,
+                   struct diag *diag);
+
+#endif

@@ -1,0 +1,37 @@
+/* How far a picture is, on standard error. */
+#ifndef CLI_PROGRESS_H
+#define CLI_PROGRESS_H
+
+#include <stdatomic.h>
+
+#include "cli/options.h"
+
+struct progress {
+    bool live;        /* on a terminal: one line, rewritten */
+    bool lines;       /* +V elsewhere: a line for each tenth */
+    const char *name; /* of the picture */
+    double start;     /* seconds */
+    atomic_int next;  /* milliseconds after start, or tenths, not yet told */
+};
+
+/* Seconds on a clock that only goes forward. */
+double progress_clock(void);
+
+/* Ready for the picture `name`. */
+void progress_start(struct progress *progress, const struct options *options,
+                    const char *name);
+
+/* For render_options.progress; any thread, `done` is 0..1. */
+void progress_tell(void *progress, double done);
+
+/* Takes the line away. */
+void progress_clear(const struct progress *progress);
+
+/* "scene.png: 800 x 600 pixels in 1.2 s", where progress was to be told. */
+void progress_finish(const struct progress *progress,
+                     const struct options *options);
+
+/* Says that a signal ended the work in the index-th frame. */
+void progress_interrupted(const struct frames *frames, int index);
+
+#endif

@@ -1,0 +1,50 @@
+/* --stats: see stats.h. */
+#include "cli/stats.h"
+
+#include <stdio.h>
+
+#include "cli/progress.h"
+
+struct stats stats_start(void)
+{
+    return (struct stats){ .lap = progress_clock() };
+}
+
+void stats_lap(struct stats *stats, double *lap)
+{
+    double now = progress_clock();
+    *lap = now - stats->lap;
+    stats->lap = now;
+}
+
+void stats_world(struct stats *stats, const struct world *world)
+{
+    stats->leaves = world_leaf_count(world);
+    stats->triangles = world_triangle_count(world);
+    world_lights(world, &stats->lights);
+    stats_lap(stats, &stats->building);
+}
+
+static void stats_count(const char *what, unsigned long long count)
+{
+    fprintf(stderr, "%-16s %12llu\n", what, count);
+}
+
+static void stats_time(const char *what, double seconds)
+{
+    fprintf(stderr, "%-16s %12.3f s\n", what, seconds);
+}
+
+void stats_print(const struct stats *stats)
+{
+    stats_count("shapes", stats->leaves);
+    stats_count("triangles", stats->triangles);
+    stats_count("lights", stats->lights);
+    stats_count("camera rays", stats->rays.camera_rays);
+    stats_count("secondary rays", stats->rays.secondary_rays);
+    stats_count("shadow rays", stats->rays.shadow_rays);
+    stats_time("parsing", stats->parsing);
+    stats_time("building", stats->building);
+    stats_time("rendering", stats->rendering);
+    stats_time("writing", stats->writing);
+}

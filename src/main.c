@@ -1,0 +1,141 @@
+/* glim: scene text -> scene -> world -> picture -> file, for every frame. */
+#include "cli/interrupt.h"
+#include "cli/picture.h"
+#include "cli/progress.h"
+#include "cli/stats.h"
+
+enum status { DONE = 0, FAILED = 1, INTERRUPTED = 2 };
+
+/* What all frames share. */
+struct work {
+    struct options options;
+    const struct source *source;
+    const atomic_int *stop;
+    struct diag diag;
+};
+
+/* World to picture. */
+static bool frame_draw(struct work *work, const struct tracer *tracer,
+                       const char *name, struct image *image,
+                       struct stats *stats)
+{
+    struct progress progress;
+    struct render_options render = work->options.render;
+    render.stop = work->stop;
+    render.progress = progress_tell;
+    render.progress_context = &progress;
+    progress_start(&progress, &work->options, name);
+    bool done = render_run(tracer, &render, image, &stats->rays);
+    progress_clear(&progress);
+    if (done)
+        progress_finish(&progress, &work->options);
+    return done;
+}
+
+/* Scene to picture. */
+static bool frame_render(struct work *work, const struct scene *scene,
+                         const char *name, struct image *image,
+                         struct stats *stats)
+{
+    const struct options *options = &work->options;
+    const struct lighting *lighting = options->lighting;
+    struct world *world =
+        world_new(scene, options->render.threads, &work->diag);
+    if (!world)
+        return false;
+    struct lighting_options light = { .threads = options->render.threads,
+                                      .quality = options->quality };
+    void *state = lighting->start(world, scene, &light, &work->diag);
+    struct tracer tracer = {
+        scene, world, lighting, state, options->quality, options->alpha
+    };
+    stats_world(stats, world);
+    bool done = state && frame_draw(work, &tracer, name, image, stats);
+    if (state)
+        lighting->finish(state);
+    world_free(world);
+    return done;
+}
+
+/* Text to file. */
+static bool frame_make(struct work *work, const struct parse_options *parse,
+                       const char *name, struct arena *sources)
+{
+    const struct options *options = &work->options;
+    struct stats stats = stats_start();
+    struct scene *scene =
+        parse_scene(work->source, parse, sources, &work->diag);
+    if (!scene || options->action == ACTION_CHECK) {
+        scene_free(scene);
+        return scene;
+    }
+    stats_lap(&stats, &stats.parsing);
+    struct image *image =
+        image_new(options->render.width, options->render.height);
+    bool done = frame_render(work, scene, name, image, &stats);
+    stats_lap(&stats, &stats.rendering);
+    done = done &&
+           picture_write(image, options, &scene->settings, name, &work->diag);
+    stats_lap(&stats, &stats.writing);
+    if (done && options->stats)
+        stats_print(&stats);
+    image_free(image);
+    scene_free(scene);
+    return done;
+}
+
+/* One frame of an animation, or the only picture. */
+static enum status frame_run(struct work *work, int number)
+{
+    struct arena *arena = arena_new(0);
+    const struct options *options = &work->options;
+    struct parse_options parse = options->parse;
+    frames_tell(&options->frames, number, &parse);
+    parse.stop = work->stop;
+    const char *name =
+        frames_name(&options->frames, number, options->output, arena);
+    bool done = picture_is_there(options, name, &work->diag) ||
+                (picture_can_be(name, &work->diag) &&
+                 frame_make(work, &parse, name, arena));
+    arena_free(arena);
+    if (atomic_load(work->stop))
+        return INTERRUPTED;
+    return done ? DONE : FAILED;
+}
+
+static enum status work_run(struct work *work, struct arena *arena)
+{
+    const char *problem = NULL;
+    const struct frames *frames = &work->options.frames;
+    work->source =
+        source_read(arena, work->options.path, span_none(), &problem);
+    if (!work->source) {
+        diag_print(&work->diag, DIAG_ERROR, span_none(), NULL,
+                   "can't read the scene '%s': %s", work->options.path,
+                   problem);
+        return FAILED;
+    }
+    for (int i = 0; i < frames_count(frames); i++) {
+        enum status status = frame_run(work, frames_number(frames, i));
+        if (status == INTERRUPTED)
+            progress_interrupted(frames, i);
+        if (status != DONE)
+            return status;
+    }
+    return DONE;
+}
+
+int main(int argc, char **argv)
+{
+    struct work work = { .diag = diag_new(), .stop = interrupt_catch() };
+    struct arena *arena = arena_new(0);
+    enum status status = FAILED;
+    if (options_parse(&work.options, argc, argv, arena, &work.diag)) {
+        if (options_answers(&work.options))
+            status = options_answer(&work.options, &work.diag) ? DONE : FAILED;
+        else
+            status = work_run(&work, arena);
+    }
+    arena_free(arena);
+    return status;
+}
