@@ -40,9 +40,9 @@ SWITCHES="+FN8 -D -V -P -A -J +WT1 +L$INCLUDES"
 export SWITCHES
 
 need() { # need PROGRAM...: say at once what is missing, not scene by scene
-    for program; do
-        command -v "$program" > /dev/null && continue
-        echo "${0#"$PWD"/}: $program is missing" >&2
+    for needed; do
+        command -v "$needed" > /dev/null && continue
+        echo "${0#"$PWD"/}: $needed is missing" >&2
         exit 2
     done
 }

@@ -1,15 +1,4 @@
 // +Q5: what is left out at this quality.
 // compare: exact
 // options: +Q5
-#version 3.7;
-global_settings { assumed_gamma 1 }
-camera { location <0, 3, -8> right 4/3*x look_at <0, .8, 0> angle 42 }
-light_source { <-5, 9, -6>, rgb 1 area_light 2*x, 2*z, 3, 3 }
-background { rgb <.3, .4, .6> }
-sphere { <-1.8, .9, 0>, .9 pigment { rgb <.9, .4, .2> quick_color rgb <.2, .9, .4> }
-    finish { phong .7 } }
-box { <-.6, 0, 0>, <.6, 1.2, 1> pigment { checker rgb <.9, .9, .3>, rgb <.3, .4, .8>
-    scale .31 translate .1 } }
-sphere { <1.9, .9, 0>, .9 pigment { rgbf <.9, .9, .9, .7> }
-    finish { reflection .3 } interior { ior 1.3 } }
-plane { y, -.01 pigment { checker rgb .6, rgb .8 translate .3 } }
+#include "parts/still_life.inc"
