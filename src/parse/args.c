@@ -2,7 +2,7 @@
  * all come from one row (base/field.h). */
 #include <limits.h>
 
-#include "parse/parser.h"
+#include "parse/expression.h"
 #include "parse/stream.h"
 
 enum { TERMS_LIMIT = 100000, POINTS_LIMIT = 10000000 };
@@ -150,6 +150,7 @@ static bool parse_points(struct parser *p, const struct field *field,
 bool parse_field(struct parser *p, const struct field *field, void *base)
 {
     void *at = (char *)base + field->offset;
+    struct cursor *outer;
     colour c;
     switch (field->kind) {
     case FIELD_FLOAT:
@@ -175,7 +176,8 @@ bool parse_field(struct parser *p, const struct field *field, void *base)
         *(rgb *)at = colour_rgb(c);
         return true;
     case FIELD_TERMS:
-        return parse_terms(p, field, at);
+        outer = brackets_begin(p);
+        return brackets_end(p, outer, parse_terms(p, field, at));
     case FIELD_POINTS:
         return parse_points(p, field, at);
     }

@@ -1,5 +1,5 @@
-/* Expressions: one loop over a precedence table that evaluates as it reads,
- * and what the rest of the parser calls. Grammar: grammar/expressions.ebnf. */
+/* Expressions as the rest of the parser reads them: a number, a vector, a
+ * string ... with fast paths for what meshes are full of. */
 #include "parse/expression.h"
 
 #include <limits.h>
@@ -11,193 +11,6 @@
 #include "parse/user_function.h"
 
 enum { VECTOR_LIMIT = 5 }; /* components */
-
-bool expression_enter(struct parser *p)
-{
-    if (p->nesting < PARSE_NESTING_LIMIT) {
-        p->nesting++;
-        return true;
-    }
-    error_at(p, stream_span(p), NULL,
-             "brackets and blocks are nested more than %d deep",
-             PARSE_NESTING_LIMIT);
-    stream_abort(p);
-    return false;
-}
-
-/* Operators that are legal in parentheses only: `2 = 2` outside them is not
- * read as the end of the value but explained. '<' may begin a vector and '>'
- * end one, but not in a directive outside brackets. */
-static bool operator_misplaced(struct parser *p)
-{
-    enum token_kind kind = stream_peek_infix(p)->kind;
-    bool in_directive = p->directive && p->directive == p->cursor;
-    if (kind == TOKEN_LESS || (kind == TOKEN_GREATER && !in_directive) ||
-        operator_precedence(kind) >= PRECEDENCE_SUM)
-        return false;
-    const char *text = p->token_span.source->text + p->token_span.offset;
-    int length = (int)p->token_span.length;
-    error_at(p, p->token_span, NULL,
-             "'%.*s' must be inside parentheses: (a %.*s b)", length, text,
-             length, text);
-    return true;
-}
-
-/* The operators ^ and % of other languages. */
-static bool operator_unknown(struct parser *p)
-{
-    const struct token *token = stream_peek_infix(p);
-    if (token->kind != TOKEN_OTHER)
-        return false;
-    char c = p->token_span.source->text[p->token_span.offset];
-    if (c != '^' && c != '%')
-        return false;
-    error_at(p, p->token_span, c == '^' ? "pow(A, B)" : "mod(A, B)",
-             "'%c' is not an operator", c);
-    return true;
-}
-
-/* == && || of other languages; the first half was taken. */
-static void operator_doubled(struct parser *p, enum token_kind taken)
-{
-    if (stream_peek(p)->kind != taken ||
-        (taken != TOKEN_EQUAL && taken != TOKEN_AND && taken != TOKEN_OR))
-        return;
-    const char *one = taken == TOKEN_EQUAL ? "="
-                      : taken == TOKEN_AND ? "&"
-                                           : "|";
-    error_at(p, span_join(p->last_span, p->token_span), one,
-             "this operator is written '%s'", one);
-    stream_next(p);
-}
-
-/* The value of (condition ? first : second); both are read.
- * choice = "?" operation ":" operation . */
-static bool parse_choice(struct parser *p, struct span start,
-                         const char *wanted, struct value *value)
-{
-    struct value first, second;
-    double condition = 0;
-    bool poison = value_is_poison(value);
-    if (!poison && !value_to_float(p, start, value, &condition))
-        poison = true;
-    struct span question = stream_span(p);
-    stream_next(p);
-    if (!parse_operation(p, PRECEDENCE_CONDITION, wanted, &first) ||
-        !expect(p, TOKEN_COLON, question) ||
-        !parse_operation(p, PRECEDENCE_CONDITION, wanted, &second))
-        return false;
-    *value = poison                      ? value_poison()
-             : operator_truth(condition) ? first
-                                         : second;
-    return true;
-}
-
-/* Signs bind tightest: !1+1 is 1, -x.x is -(x.x).
- * signed = {"+" | "-" | "!"} operand . */
-static bool parse_signed(struct parser *p, const char *wanted,
-                         struct value *value)
-{
-    const struct token *token = stream_peek(p);
-    if (token->kind != TOKEN_MINUS && token->kind != TOKEN_PLUS &&
-        token->kind != TOKEN_NOT)
-        return parse_operand(p, wanted, value);
-    struct span start = p->token_span;
-    bool negative = false, truth = false, inverted = false;
-    for (;; token = stream_peek(p)) {
-        if (token->kind == TOKEN_NOT) {
-            /* The signs before a ! apply to 0 or 1; those after it don't
-             * change what is zero. */
-            truth = true;
-            inverted = !inverted;
-        } else if (token->kind == TOKEN_MINUS) {
-            negative ^= !truth;
-        } else if (token->kind != TOKEN_PLUS) {
-            break;
-        }
-        stream_next(p);
-    }
-    if (!parse_operand(p, wanted, value))
-        return false;
-    if (truth)
-        operator_apply_sign(p, TOKEN_NOT, start, value);
-    if (truth && !inverted)
-        operator_apply_sign(p, TOKEN_NOT, start, value);
-    if (negative)
-        operator_apply_sign(p, TOKEN_MINUS, start, value);
-    return true;
-}
-
-static bool operation_climb(struct parser *p, enum precedence lowest,
-                            const char *wanted, struct value *left);
-
-/* The binary operator that is next, and what is right of it. */
-static bool operation_apply(struct parser *p, enum precedence precedence,
-                            const char *wanted, struct value *left)
-{
-    struct value right;
-    struct token operator= stream_next(p);
-    struct span at = p->last_span;
-    operator_doubled(p, operator.kind);
-    if (!operation_climb(p, precedence + 1, wanted, &right))
-        return false;
-    if (operator.kind == TOKEN_OTHER)
-        *left = value_poison();
-    else
-        operator_apply(p, operator.kind, at, left, &right);
-    return true;
-}
-
-/* Goes on after the value `left`, which began at `start`, with operators that
- * bind at least as tightly as `lowest`. */
-static bool operation_continue(struct parser *p, enum precedence lowest,
-                               struct span start, const char *wanted,
-                               struct value *left)
-{
-    for (;;) {
-        enum token_kind kind = stream_peek_infix(p)->kind;
-        enum precedence precedence = operator_precedence(kind);
-        if (kind == TOKEN_OTHER && operator_unknown(p))
-            precedence = PRECEDENCE_PRODUCT;
-        if (precedence == PRECEDENCE_NONE || precedence < lowest)
-            return true;
-        if (left->kind == VALUE_STRING && lowest >= PRECEDENCE_SUM &&
-            kind != TOKEN_PLUS)
-            return true;
-        bool ok = precedence == PRECEDENCE_CONDITION
-                      ? parse_choice(p, start, wanted, left)
-                      : operation_apply(p, precedence, wanted, left);
-        if (!ok)
-            return false;
-    }
-}
-
-/* The operators and how they bind: operator_precedence.
- * operation = signed {operator signed} [choice] . */
-static bool operation_climb(struct parser *p, enum precedence lowest,
-                            const char *wanted, struct value *left)
-{
-    struct span start = stream_span(p);
-    return parse_signed(p, wanted, left) &&
-           operation_continue(p, lowest, start, wanted, left);
-}
-
-bool parse_operation(struct parser *p, enum precedence lowest,
-                     const char *wanted, struct value *value)
-{
-    struct span start = stream_span(p);
-    if (!expression_enter(p))
-        return false;
-    bool ok = operation_climb(p, lowest, wanted, value);
-    if (ok && lowest == PRECEDENCE_SUM && operator_misplaced(p)) {
-        *value = value_poison();
-        ok = operation_continue(p, PRECEDENCE_CONDITION, start, wanted, value);
-    }
-    p->nesting--;
-    return ok;
-}
-
-/* ---- what the rest of the parser calls ---- */
 
 /* A number followed by punctuation is a whole expression. */
 static bool float_at_once(struct parser *p, double *out)
@@ -424,7 +237,9 @@ bool parse_expression(struct parser *p, struct value *value)
     bool ok = expression_copy(p, value, &found);
     if (!ok || found)
         return ok;
-    if (!parse_operation(p, PRECEDENCE_SUM, "a value", value) ||
+    bool whole = p->directive && p->directive == p->cursor;
+    if (!parse_operation(p, whole ? PRECEDENCE_WHOLE : PRECEDENCE_SUM,
+                         "a value", value) ||
         value_is_poison(value))
         return false;
     return value->kind != VALUE_COLOUR || parse_channels(p, value);

@@ -184,10 +184,13 @@ static bool operand_element(struct parser *p, const char *wanted,
 {
     struct span start = p->last_span;
     struct value *slot;
-    if (stream_peek_infix(p)->kind != TOKEN_LBRACKET)
-        return error_at(
-            p, p->last_span, arena_printf(p->arena, "%s[0]", word->text),
-            "expected %s, found '%s', which is an array", wanted, word->text);
+    if (stream_peek_infix(p)->kind != TOKEN_LBRACKET) {
+        error_at(p, start, arena_printf(p->arena, "%s[0]", word->text),
+                 "expected %s, found '%s', which is an array", wanted,
+                 word->text);
+        *value = value_poison();
+        return true;
+    }
     if (!array_element(p, value->array, &slot))
         return false;
     start = span_join(start, p->last_span);

@@ -11,7 +11,9 @@ enum precedence {
     PRECEDENCE_CONDITION, /* ?: */
     PRECEDENCE_LOGIC,
     PRECEDENCE_COMPARISON,
-    PRECEDENCE_SUM, /* where no comparison may stand: outside parentheses */
+    PRECEDENCE_WHOLE, /* no operator; the value of a #declare is read from here:
+                       * not even a '>' may follow it */
+    PRECEDENCE_SUM,   /* outside parentheses: no comparison may stand here */
     PRECEDENCE_PRODUCT,
     PRECEDENCE_NONE, /* not an operator */
 };
