@@ -24,24 +24,29 @@ bool macro_is_call(struct parser *p, const struct word *word)
     return value && value->kind == VALUE_MACRO;
 }
 
-/* macro_parameters = "(" [name {[","] name}] ")" . */
+/* Read as written: a parameter may have the name of another macro.
+ * macro_parameters = "(" [name {[","] name}] ")" . */
 static bool macro_parameters(struct parser *p, struct macro *macro)
 {
     struct span open = stream_span(p);
     if (!expect(p, TOKEN_LPAREN, span_none()))
         return false;
-    while (stream_peek(p)->kind == TOKEN_WORD) {
-        if (p->token.word->reserved)
-            return error_at(p, p->token_span, NULL,
+    struct cursor *cursor = p->cursor;
+    const struct token *tokens = cursor->list->tokens;
+    while (tokens[cursor->index].kind == TOKEN_WORD) {
+        const struct word *name = tokens[cursor->index].word;
+        struct span span = token_span(cursor->list, cursor->index);
+        if (name->reserved)
+            return error_at(p, span, NULL,
                             "'%s' is a reserved word; name the parameter "
                             "otherwise",
-                            p->token.word->text);
+                            name->text);
         if (macro->parameter_count == MACRO_PARAMETER_LIMIT)
-            return error_at(p, p->token_span, NULL,
+            return error_at(p, span, NULL,
                             "a macro can have %d parameters at most",
                             MACRO_PARAMETER_LIMIT);
-        macro->parameters[macro->parameter_count++] = stream_next(p).word;
-        accept(p, TOKEN_COMMA);
+        macro->parameters[macro->parameter_count++] = name;
+        cursor->index += tokens[cursor->index + 1].kind == TOKEN_COMMA ? 2 : 1;
     }
     return expect(p, TOKEN_RPAREN, open);
 }
