@@ -46,7 +46,7 @@ all: deps ## build build/glim (installs what is missing first)
 	@$(MAKE) --no-print-directory $(BUILD)/glim
 
 $(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE)
-	$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(MODULE): $(MODULE_OBJECTS)
 	$(CXX) $(FLAGS) -shared -o $@ $^ $(MODULE_LDLIBS)
@@ -57,7 +57,8 @@ $(BUILD)/libglim.a: $(LIBRARY_OBJECTS)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
+	@echo "  $(CC) $<"
+	@$(CC) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
 
 $(BUILD)/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
@@ -85,14 +86,14 @@ TEST_TOOLS = $(patsubst %.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) \
 	$(BUILD)/tests/fuzz/replay
 
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(BUILD)/libglim.a
-	$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
 
 $(BUILD)/tests/tools/%: $(BUILD)/tests/tools/%.o $(BUILD)/libglim.a
-	$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/parser.o \
 		$(BUILD)/tests/fuzz/replay.o $(BUILD)/libglim.a
-	$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 .SECONDARY:
 
@@ -110,7 +111,7 @@ fuzz: ## the parser under libFuzzer for FUZZ_SECONDS (600)
 	tests/fuzz/run build/fuzz/fuzz-parser $(FUZZ_SECONDS)
 
 $(BUILD)/fuzz-parser: $(BUILD)/tests/fuzz/parser.o $(BUILD)/libglim.a
-	$(CXX) $(FLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@$(CXX) $(FLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 lint: ## layers, grammar, format, man pages
 	@tests/tools/check-layers
