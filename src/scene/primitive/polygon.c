@@ -30,7 +30,8 @@ static bool same_point(vec3 a, vec3 b)
 }
 
 /* The normal from the point farthest from the first one and the point
- * farthest from the line through both: false if there is no area. */
+ * farthest from the line through both, towards the side from which the outline
+ * runs as POV-Ray's does: false if there is no area. */
 static bool polygon_find_plane(struct polygon *polygon)
 {
     vec3 first = polygon->points.items[0], along = { 0, 0, 0 };
@@ -48,6 +49,13 @@ static bool polygon_find_plane(struct polygon *polygon)
     }
     if (!(vec3_dot(normal, normal) > 0))
         return false;
+    vec3 area = { 0, 0, 0 };
+    for (size_t i = 2; i < polygon->points.count; i++)
+        area = vec3_add(
+            area, vec3_cross(vec3_sub(polygon->points.items[i - 1], first),
+                             vec3_sub(polygon->points.items[i], first)));
+    if (vec3_dot(area, normal) < 0)
+        normal = vec3_negate(normal);
     polygon->normal = vec3_normalise(normal);
     polygon->distance = vec3_dot(polygon->normal, first);
     return true;

@@ -14,20 +14,10 @@ static const struct field sphere_arguments[] = {
     { .name = NULL },
 };
 
-static const char *sphere_prepare(void *shape, struct arena *arena,
-                                  const char **warning)
-{
-    struct sphere *sphere = shape;
-    (void)arena;
-    (void)warning;
-    sphere->radius = fabs(sphere->radius);
-    return NULL;
-}
-
 static struct box3 sphere_bounds(const void *shape)
 {
     const struct sphere *sphere = shape;
-    double r = sphere->radius;
+    double r = fabs(sphere->radius);
     vec3 half = { r, r, r };
     return (struct box3){ vec3_sub(sphere->centre, half),
                           vec3_add(sphere->centre, half) };
@@ -53,11 +43,13 @@ static void sphere_intersect(const void *shape, const struct ray *ray,
     hits_add(hits, (vec3_dot(o, o) - r2) / q, 0);
 }
 
+/* A negative radius turns the normal, as in POV-Ray. */
 static vec3 sphere_normal(const void *shape, vec3 point, const struct hit *hit)
 {
     const struct sphere *sphere = shape;
     (void)hit;
-    return vec3_sub(point, sphere->centre);
+    vec3 normal = vec3_sub(point, sphere->centre);
+    return sphere->radius < 0 ? vec3_negate(normal) : normal;
 }
 
 static bool sphere_inside(const void *shape, vec3 point)
@@ -73,7 +65,6 @@ const struct primitive sphere_primitive = {
     .size = sizeof(struct sphere),
     .arguments = sphere_arguments,
     .solid = true,
-    .prepare = sphere_prepare,
     .bounds = sphere_bounds,
     .intersect = sphere_intersect,
     .normal = sphere_normal,

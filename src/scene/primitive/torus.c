@@ -65,13 +65,20 @@ static int torus_ball(const struct torus *torus, double nearest, double *roots)
     return 2;
 }
 
+/* A negative major radius leaves the part where the tube overlaps itself. */
+static bool torus_in_lens(const struct torus *torus, vec3 o, vec3 d, double t)
+{
+    vec3 p = vec3_along(o, d, t);
+    return sqrt(p.x * p.x + p.z * p.z) <= torus->major + torus->minor;
+}
+
 static void torus_intersect(const void *shape, const struct ray *ray,
                             struct hits *hits)
 {
     const struct torus *torus = shape;
     double length = vec3_length(ray->direction);
-    double reach = torus->major + torus->minor;
-    if (!(length > 0) || !(reach > 0))
+    double reach = fabs(torus->major) + torus->minor;
+    if (!(length > 0) || !(torus->major + torus->minor > 0))
         return;
     vec3 d = vec3_scale(ray->direction, 1 / length);
     double shift = -vec3_dot(ray->origin, d);
@@ -88,7 +95,8 @@ static void torus_intersect(const void *shape, const struct ray *ray,
         count = polynomial_roots(c, 4, -limit, limit, roots, 4);
     }
     for (int i = 0; i < count; i++)
-        hits_add(hits, (roots[i] + shift) / length, 0);
+        if (torus->major >= 0 || torus_in_lens(torus, o, d, roots[i]))
+            hits_add(hits, (roots[i] + shift) / length, 0);
 }
 
 static vec3 torus_normal(const void *shape, vec3 point, const struct hit *hit)
