@@ -5,7 +5,12 @@
  * be inside all siblings of an intersection, outside all siblings of a merge,
  * and inside every clip. This needs nothing from a shape but all crossings
  * and an inside test, so discs, triangles, half spaces and open cylinders
- * take part in CSG as they do in POV-Ray (spans would need closed solids). */
+ * take part in CSG as they do in POV-Ray (spans would need closed solids).
+ *
+ * `inverse` is pushed down to the leaves (De Morgan), as POV-Ray does
+ * (measured): an inverse union is an intersection of inverses, an inverse
+ * intersection a merge of inverses. What has no inside (a triangle, a
+ * polygon) contains no point, inverse or not; clips are never inverted. */
 #ifndef EMBREE_SOLID_H
 #define EMBREE_SOLID_H
 
@@ -14,25 +19,59 @@
 
 /* A shape or a mesh in the world. */
 struct leaf {
-    const struct object *object; /* OBJECT_SHAPE or OBJECT_MESH */
-    const struct solid *solid;   /* its node in the tree, for CSG tests */
-    affine to_object, to_world;  /* points */
-    const struct texture *texture;
+    const struct object *object;   /* OBJECT_SHAPE or OBJECT_MESH */
+    const struct solid *solid;     /* its node in the tree; NULL: a mesh that is
+                                    * no part of a CSG object */
+    affine to_object, to_world;    /* points */
+    const struct texture *texture; /* never NULL */
     affine to_texture, from_texture; /* world <-> the texture's space */
     const struct interior *interior; /* NULL: none */
-    /* What a ray that enters is inside of: the same number for all leaves
-     * below one use of an object at the top level, but a new one below every
-     * node that has an interior of its own. A ray that meets the same body
-     * once more has left it, so overlapping parts of one union cancel
-     * (measured on POV-Ray). */
-    unsigned body;
     bool opaque;                     /* no texture of it lets light pass */
     bool moved;                      /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
-    bool double_illuminate, inverse;
-    bool hollow; /* of the object at the top level, whatever its parts say */
+    bool double_illuminate, hollow;
+    bool inverse;    /* turned inside out, all its ancestors considered */
     int looks_like;  /* number of the light it stands for, or -1 */
     unsigned number; /* 0..leaf_count-1 */
 };
+
+/* A node of the tree; everything in world space. */
+struct solid {
+    enum object_kind kind; /* shape, mesh, union, merge or intersection */
+    bool simple;           /* a leaf without parent and clips */
+    const struct solid *parent;
+    struct solid **children;
+    size_t child_count;
+    const struct solid **clips;
+    size_t clip_count;
+    const struct leaf *leaf;      /* shape, mesh */
+    const struct mesh_tree *tree; /* mesh */
+    struct box3 surface;          /* holds every crossing that counts */
+    struct box3 region;           /* outside it nothing is inside */
+    struct box3 holes;            /* outside it everything is inside */
+};
+
+/* Whether the point is inside the solid and its clips. */
+bool solid_inside(const struct solid *solid, vec3 point);
+
+/* Whether a crossing of this leaf's surface at the point counts. */
+bool solid_counts(const struct solid *leaf, vec3 point);
+
+/* Fills surface, region and holes from the children and clips. For a leaf,
+ * `region` and `holes` of the shape alone must be there. */
+void solid_measure(struct solid *solid);
+
+/* Makes a tree ready: parents, boxes, groups. */
+void solid_finish(struct arena *arena, struct solid *solid);
+
+/* Cuts a node with many children into a tree of nodes of its kind with few
+ * children each, so that far ones are left out together. */
+void solid_group(struct arena *arena, struct solid *solid);
+
+/* Calls visit for the leaves that hold the point: every part of a union, the
+ * first of an intersection. */
+void solid_containing(const struct solid *solid, vec3 point,
+                      void (*visit)(void *context, const struct leaf *leaf),
+                      void *context);
 
 #endif

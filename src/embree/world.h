@@ -29,9 +29,11 @@ enum ray_kind {
 struct intersection {
     double t;
     vec3 point;
-    vec3 normal; /* unit, outward (shape's own side), interpolated on meshes */
+    vec3 normal; /* unit, interpolated on meshes; outward, which for a leaf
+                  * turned inside out is into the shape */
     const struct leaf *leaf;
     const struct texture *texture; /* the leaf's, or the triangle's own */
+    const affine *to_texture, *from_texture; /* world <-> its space */
 };
 
 /* The nearest crossing with t > tmin, ray.direction unit. `tmin` is a small

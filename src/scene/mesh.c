@@ -105,6 +105,22 @@ bool mesh_intersect(const struct mesh *mesh, size_t index,
     return true;
 }
 
+void mesh_refine(const struct mesh *mesh, size_t index, const struct ray *ray,
+                 struct hit *hit)
+{
+    const uint32_t *vertex = mesh->triangles[index].vertex;
+    vec3 a = vec3_sub(mesh->vertices[vertex[0]], ray->origin);
+    vec3 ab = vec3_sub(mesh->vertices[vertex[1]], mesh->vertices[vertex[0]]);
+    vec3 ac = vec3_sub(mesh->vertices[vertex[2]], mesh->vertices[vertex[0]]);
+    vec3 normal = vec3_cross(ab, ac);
+    double t = vec3_dot(normal, a) / vec3_dot(normal, ray->direction);
+    vec3 p = vec3_sub(vec3_scale(ray->direction, t), a);
+    double area = vec3_dot(normal, normal);
+    *hit =
+        (struct hit){ t, (int)index, vec3_dot(vec3_cross(p, ac), normal) / area,
+                      vec3_dot(vec3_cross(ab, p), normal) / area };
+}
+
 vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v)
 {
     const struct mesh_triangle *triangle = &mesh->triangles[index];

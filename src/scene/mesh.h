@@ -42,9 +42,16 @@ bool mesh_degenerate(vec3 a, vec3 b, vec3 c);
 size_t mesh_prepare(struct mesh *mesh);
 
 /* The crossing of the ray with triangle `index`: t and barycentric u, v of
- * vertices 1 and 2. `front` only decides nothing: both sides count. */
+ * vertices 1 and 2. Both sides count. Of two triangles that share an edge a ray
+ * through it hits exactly one. */
 bool mesh_intersect(const struct mesh *mesh, size_t index,
                     const struct ray *ray, struct hit *hit);
+
+/* The crossing of the ray with the triangle's plane, which the caller knows to
+ * be within the triangle or as good as: t is not finite if the ray is in the
+ * plane. */
+void mesh_refine(const struct mesh *mesh, size_t index, const struct ray *ray,
+                 struct hit *hit);
 
 /* The interpolated or flat normal, any length. */
 vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v);

@@ -80,6 +80,7 @@ const struct primitive disc_primitive = {
     .size = sizeof(struct disc),
     .arguments = disc_arguments,
     .solid = true,
+    .beyond = true,
     .prepare = disc_prepare,
     .bounds = disc_bounds,
     .intersect = disc_intersect,

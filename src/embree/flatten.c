@@ -1,0 +1,423 @@
+/* Walks the tree of objects: see flatten.h. */
+#include "embree/flatten.h"
+
+#include "embree/mesh_tree.h"
+#include "scene/material.h"
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+
+/* What a node hands down to its children. */
+struct inherited {
+    affine to_world; /* of the space the children's transform leads to */
+    const struct texture *texture;
+    affine from_texture;
+    const struct interior *interior;
+    bool hollow, no_shadow, no_image, no_reflection, double_illuminate;
+    bool flipped;  /* inverted an odd number of times */
+    bool inverted; /* inverted at all */
+    bool clip;     /* part of a clip: has no surface of its own */
+    int looks_like;
+    const struct solid **clips; /* of unions that were taken apart */
+    size_t clip_count;
+    unsigned depth;
+};
+
+static struct solid *build_solid(struct flat *flat, const struct object *object,
+                                 const struct inherited *up);
+
+/* Counts the node; false when a limit is met. */
+static bool flat_enter(struct flat *flat, const struct object *object,
+                       unsigned depth)
+{
+    if (flat->failed)
+        return false;
+    if (++flat->nodes > FLAT_NODE_LIMIT) {
+        diag_print(flat->diag, DIAG_ERROR, object->span, NULL,
+                   "the scene has too many objects (limit is %d)",
+                   FLAT_NODE_LIMIT);
+        flat->failed = true;
+    } else if (depth > FLAT_DEPTH_LIMIT) {
+        diag_print(flat->diag, DIAG_ERROR, object->span, NULL,
+                   "objects are nested too deep (limit is %d)",
+                   FLAT_DEPTH_LIMIT);
+        flat->failed = true;
+    }
+    return !flat->failed;
+}
+
+static struct inherited inherit(const struct object *object,
+                                const struct inherited *up)
+{
+    struct inherited in = *up;
+    in.depth++;
+    in.to_world = affine_compose(up->to_world, object->transform);
+    if (object->texture) {
+        in.texture = object->texture;
+        in.from_texture =
+            affine_compose(up->to_world, object->texture_transform);
+    }
+    if (object->interior)
+        in.interior = object->interior;
+    if (object->has_hollow)
+        in.hollow = object->hollow;
+    in.no_shadow |= object->no_shadow;
+    in.no_image |= object->no_image;
+    in.no_reflection |= object->no_reflection;
+    in.double_illuminate |= object->double_illuminate;
+    in.flipped ^= object->inverse;
+    in.inverted |= object->inverse;
+    return in;
+}
+
+/* The clips of the object itself, in the space of its parent. */
+static const struct solid **build_clips(struct flat *flat,
+                                        const struct object *object,
+                                        const struct inherited *up, size_t room)
+{
+    const struct solid **clips = ARENA_ARRAY(flat->arena, const struct solid *,
+                                             object->clip_count + room);
+    struct inherited in = *up;
+    in.depth++;
+    in.clip = true;
+    in.flipped = in.inverted = false;
+    for (size_t i = 0; i < object->clip_count; i++) {
+        const struct clip *clip = &object->clips[i];
+        in.to_world = affine_compose(up->to_world, clip->transform);
+        struct solid *solid = build_solid(flat, clip->object, &in);
+        if (!solid) {
+            /* Nothing left to be inside of: a merge of nothing. */
+            solid = ARENA_NEW(flat->arena, struct solid);
+            solid->kind = OBJECT_MERGE;
+        }
+        solid_finish(flat->arena, solid);
+        clips[i] = solid;
+    }
+    return clips;
+}
+
+static bool mesh_is_opaque(const struct mesh *mesh)
+{
+    for (size_t i = 0; i < mesh->texture_count; i++)
+        if (mesh->textures[i] && !texture_is_opaque(mesh->textures[i]))
+            return false;
+    return true;
+}
+
+/* NULL if its transformation squeezes it flat. */
+static struct leaf *build_leaf(struct flat *flat, const struct object *object,
+                               const struct inherited *in)
+{
+    affine to_object, to_texture;
+    if (!affine_inverse(in->to_world, &to_object))
+        return NULL;
+    struct leaf *leaf = ARENA_NEW(flat->arena, struct leaf);
+    leaf->object = object;
+    leaf->to_world = in->to_world;
+    leaf->to_object = to_object;
+    leaf->moved = !affine_is_identity(to_object);
+    leaf->texture = in->texture ? in->texture : flat->fallback;
+    leaf->from_texture = in->from_texture;
+    if (!affine_inverse(in->from_texture, &to_texture))
+        leaf->from_texture = to_texture = affine_identity();
+    leaf->to_texture = to_texture;
+    leaf->interior = in->interior;
+    leaf->no_shadow = in->no_shadow;
+    leaf->no_image = in->no_image;
+    leaf->no_reflection = in->no_reflection;
+    leaf->double_illuminate = in->double_illuminate;
+    leaf->hollow = in->hollow;
+    leaf->inverse = in->flipped;
+    leaf->looks_like = in->looks_like;
+    if (!in->clip) {
+        leaf->opaque =
+            texture_is_opaque(leaf->texture) &&
+            (object->kind == OBJECT_SHAPE || mesh_is_opaque(object->mesh));
+        leaf->number = (unsigned)flat->leaf_count++;
+    }
+    return leaf;
+}
+
+/* A little larger, so that rounding loses nothing. */
+static struct box3 padded(struct box3 box)
+{
+    if (box3_is_empty(box))
+        return box;
+    double pad[3];
+    for (int i = 0; i < 3; i++) {
+        double low = vec3_component(box.low, i);
+        double high = vec3_component(box.high, i);
+        double most = fmax(isfinite(low) ? fabs(low) : 0,
+                           isfinite(high) ? fabs(high) : 0);
+        pad[i] = 1e-9 * most + 1e-12;
+    }
+    vec3 more = { pad[0], pad[1], pad[2] };
+    return (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
+}
+
+/* The other side of a half space along an axis. */
+static struct box3 complement(struct box3 box)
+{
+    double low[3] = { box.low.x, box.low.y, box.low.z };
+    double high[3] = { box.high.x, box.high.y, box.high.z };
+    int finite = 0, axis = 0;
+    bool upper = false;
+    for (int i = 0; i < 3; i++) {
+        if (isfinite(low[i]) || isfinite(high[i])) {
+            finite += isfinite(low[i]) + isfinite(high[i]);
+            axis = i;
+            upper = isfinite(high[i]);
+        }
+    }
+    struct box3 other = box3_infinite();
+    if (finite != 1)
+        return other;
+    double *side = upper ? &other.low.x : &other.high.x;
+    side[axis] = upper ? high[axis] : low[axis];
+    return other;
+}
+
+static void measure_leaf(struct solid *solid)
+{
+    const struct leaf *leaf = solid->leaf;
+    const struct object *object = leaf->object;
+    bool shape = object->kind == OBJECT_SHAPE;
+    bool has_inside = shape ? object->primitive->solid : object->mesh->solid;
+    struct box3 box =
+        shape ? object->primitive->bounds(object->shape) : object->mesh->bounds;
+    solid->surface = padded(affine_box(&leaf->to_world, box));
+    solid->region = box3_empty();
+    solid->holes = box3_infinite();
+    if (!has_inside)
+        return;
+    /* A disc's inside is the half space behind it. */
+    struct box3 inside =
+        shape && object->primitive->beyond ? box3_infinite() : solid->surface;
+    solid->region = leaf->inverse ? box3_infinite() : inside;
+    if (leaf->inverse && shape && !object->primitive->beyond)
+        solid->region = padded(affine_box(&leaf->to_world, complement(box)));
+    solid->holes = leaf->inverse ? inside : box3_infinite();
+}
+
+static const struct mesh_tree *flat_tree(struct flat *flat,
+                                         const struct mesh *mesh)
+{
+    struct mesh_entry *entry =
+        mesh_table_entry(flat->arena, &flat->meshes_used, mesh);
+    if (!entry->tree)
+        entry->tree = mesh_tree_new(flat->arena, mesh);
+    return entry->tree;
+}
+
+static struct solid *build_leaf_solid(struct flat *flat,
+                                      const struct object *object,
+                                      const struct inherited *in)
+{
+    struct leaf *leaf = build_leaf(flat, object, in);
+    if (!leaf)
+        return NULL;
+    struct solid *solid = ARENA_NEW(flat->arena, struct solid);
+    solid->kind = object->kind;
+    solid->leaf = leaf;
+    leaf->solid = solid;
+    if (object->kind == OBJECT_MESH)
+        solid->tree = flat_tree(flat, object->mesh);
+    measure_leaf(solid);
+    return solid;
+}
+
+static void flatten(struct flat *flat, const struct object *object,
+                    const struct inherited *up);
+
+/* `in` is of the light's own space. What it looks like stands at its place. */
+static void add_light(struct flat *flat, const struct object *object,
+                      const struct inherited *in)
+{
+    const struct light *light = object->light;
+    if (in->clip)
+        return;
+    struct inherited shown = *in;
+    shown.looks_like = (int)flat->lights.count;
+    shown.to_world =
+        affine_compose(in->to_world, affine_translation(light->location));
+    shown.flipped = shown.inverted = false;
+    *ARRAY_PUSH(flat->arena, &flat->lights) = light_moved(light, &in->to_world);
+    if (light->looks_like)
+        flatten(flat, light->looks_like, &shown);
+}
+
+/* De Morgan. A union turned twice keeps the merge it became on the way. */
+static enum object_kind turned_kind(enum object_kind kind,
+                                    const struct inherited *in)
+{
+    if (in->flipped)
+        return kind == OBJECT_INTERSECTION ? OBJECT_MERGE : OBJECT_INTERSECTION;
+    return kind == OBJECT_UNION && in->inverted ? OBJECT_MERGE : kind;
+}
+
+struct children {
+    struct solid **items;
+    size_t count, capacity;
+};
+
+/* A child of the node's own kind gives it its children instead. */
+static void add_child(struct flat *flat, struct children *children,
+                      enum object_kind kind, struct solid *child)
+{
+    if (child->leaf || child->kind != kind || child->clip_count) {
+        *ARRAY_PUSH(flat->arena, children) = child;
+        return;
+    }
+    for (size_t i = 0; i < child->child_count; i++)
+        *ARRAY_PUSH(flat->arena, children) = child->children[i];
+}
+
+static struct solid *build_node(struct flat *flat, const struct object *object,
+                                const struct inherited *in)
+{
+    struct children children = { NULL, 0, 0 };
+    enum object_kind kind = turned_kind(object->kind, in);
+    for (size_t i = 0; i < object->child_count; i++) {
+        struct solid *child = build_solid(flat, object->children[i], in);
+        if (child)
+            add_child(flat, &children, kind, child);
+    }
+    if (children.count == 0)
+        return NULL;
+    if (children.count == 1 && object->clip_count == 0)
+        return children.items[0];
+    struct solid *solid = ARENA_NEW(flat->arena, struct solid);
+    solid->kind = kind;
+    solid->children = children.items;
+    solid->child_count = children.count;
+    return solid;
+}
+
+/* The object as a part of a CSG object; NULL if nothing is left of it. */
+static struct solid *build_solid(struct flat *flat, const struct object *object,
+                                 const struct inherited *up)
+{
+    struct inherited in = inherit(object, up);
+    struct solid *solid;
+    if (!flat_enter(flat, object, in.depth))
+        return NULL;
+    if (object->kind == OBJECT_LIGHT) {
+        add_light(flat, object, &in);
+        return NULL;
+    }
+    if (object->kind == OBJECT_SHAPE || object->kind == OBJECT_MESH)
+        solid = build_leaf_solid(flat, object, &in);
+    else
+        solid = build_node(flat, object, &in);
+    if (solid && object->clip_count) {
+        solid->clips = build_clips(flat, object, up, 0);
+        solid->clip_count = object->clip_count;
+    }
+    return solid;
+}
+
+/* A solid of its own, with the clips of the unions it was taken out of. */
+static void add_solid(struct flat *flat, const struct object *object,
+                      const struct inherited *up)
+{
+    struct inherited plain = *up;
+    plain.clips = NULL;
+    plain.clip_count = 0;
+    struct solid *solid = build_solid(flat, object, &plain);
+    if (!solid)
+        return;
+    if (up->clip_count) {
+        size_t count = solid->clip_count + up->clip_count;
+        const struct solid **clips =
+            ARENA_ARRAY(flat->arena, const struct solid *, count);
+        for (size_t i = 0; i < count; i++)
+            clips[i] = i < up->clip_count ? up->clips[i]
+                                          : solid->clips[i - up->clip_count];
+        solid->clips = clips;
+        solid->clip_count = count;
+    }
+    solid_finish(flat->arena, solid);
+    *ARRAY_PUSH(flat->arena, &flat->solids) = solid;
+    *ARRAY_PUSH(flat->arena, &flat->containers) = solid;
+}
+
+/* A mesh that Embree gets as it is. */
+static void add_mesh(struct flat *flat, const struct object *object,
+                     const struct inherited *up)
+{
+    struct inherited in = inherit(object, up);
+    const struct mesh *mesh = object->mesh;
+    if (!flat_enter(flat, object, in.depth) || mesh->triangle_count == 0)
+        return;
+    if (mesh->solid) {
+        struct solid *solid = build_leaf_solid(flat, object, &in);
+        if (!solid)
+            return;
+        solid_finish(flat->arena, solid);
+        *ARRAY_PUSH(flat->arena, &flat->containers) = solid;
+        *ARRAY_PUSH(flat->arena, &flat->meshes) = solid->leaf;
+    } else {
+        const struct leaf *leaf = build_leaf(flat, object, &in);
+        if (!leaf)
+            return;
+        *ARRAY_PUSH(flat->arena, &flat->meshes) = leaf;
+    }
+    mesh_table_entry(flat->arena, &flat->meshes_used, mesh)->uses++;
+    flat->triangle_count += mesh->triangle_count;
+}
+
+/* A union's clips apply to each of its children. */
+static void flatten_union(struct flat *flat, const struct object *object,
+                          const struct inherited *up)
+{
+    struct inherited in = inherit(object, up);
+    if (!flat_enter(flat, object, in.depth))
+        return;
+    if (object->clip_count) {
+        const struct solid **clips =
+            build_clips(flat, object, up, up->clip_count);
+        for (size_t i = 0; i < up->clip_count; i++)
+            clips[object->clip_count + i] = up->clips[i];
+        in.clips = clips;
+        in.clip_count = object->clip_count + up->clip_count;
+    }
+    for (size_t i = 0; i < object->child_count; i++)
+        flatten(flat, object->children[i], &in);
+}
+
+/* An object that is no part of a CSG object. */
+static void flatten(struct flat *flat, const struct object *object,
+                    const struct inherited *up)
+{
+    bool turned = up->inverted || object->inverse;
+    bool clipped = up->clip_count || object->clip_count;
+    if (object->kind == OBJECT_UNION && !turned)
+        flatten_union(flat, object, up);
+    else if (object->kind == OBJECT_MESH && !clipped)
+        add_mesh(flat, object, up);
+    else
+        add_solid(flat, object, up);
+}
+
+static const struct texture *fallback_texture(struct arena *arena)
+{
+    struct texture *texture = ARENA_NEW(arena, struct texture);
+    struct pigment *pigment = ARENA_NEW(arena, struct pigment);
+    struct finish *finish = ARENA_NEW(arena, struct finish);
+    *pigment = pigment_default(arena);
+    *finish = finish_default();
+    texture->layers = ARENA_NEW(arena, struct layer);
+    texture->count = 1;
+    texture->layers[0] = (struct layer){ pigment, NULL, finish };
+    return texture;
+}
+
+bool flatten_scene(struct flat *flat, const struct scene *scene)
+{
+    struct inherited top = { .to_world = affine_identity(),
+                             .from_texture = affine_identity(),
+                             .looks_like = -1 };
+    flat->fallback = fallback_texture(flat->arena);
+    for (size_t i = 0; i < scene->objects.count && !flat->failed; i++)
+        flatten(flat, scene->objects.items[i], &top);
+    return !flat->failed;
+}

@@ -1,0 +1,51 @@
+/* From the scene's tree of objects to leaves, CSG solids, loose meshes and
+ * lights, all in world space. */
+#ifndef EMBREE_FLATTEN_H
+#define EMBREE_FLATTEN_H
+
+#include "base/array.h"
+#include "embree/mesh_table.h"
+#include "embree/solid.h"
+#include "scene/light.h"
+#include "scene/scene.h"
+#include "text/diag.h"
+
+/* Limits: a scene of a few lines can ask for 2^60 objects. */
+enum {
+    FLAT_NODE_LIMIT = 4000000,
+    FLAT_DEPTH_LIMIT = 1000,
+};
+
+struct flat {
+    struct arena *arena;
+    struct diag *diag;
+    bool failed; /* a limit was met and reported */
+    size_t nodes;
+    size_t leaf_count, triangle_count;
+    struct light_list {
+        struct light *items;
+        size_t count, capacity;
+    } lights;
+    /* One for each shape or CSG object; unions are taken apart. */
+    struct solid_list {
+        struct solid **items;
+        size_t count, capacity;
+    } solids;
+    /* Meshes that are no part of a CSG object and not clipped. */
+    struct leaf_list {
+        const struct leaf **items;
+        size_t count, capacity;
+    } meshes;
+    /* Everything with an inside, in file order. */
+    struct container_list {
+        struct solid **items;
+        size_t count, capacity;
+    } containers;
+    struct mesh_table meshes_used;
+    const struct texture *fallback; /* of objects without a texture */
+};
+
+/* Everything in `arena`. Returns false after an error was printed. */
+bool flatten_scene(struct flat *flat, const struct scene *scene);
+
+#endif

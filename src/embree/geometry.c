@@ -1,0 +1,240 @@
+/* Building and asking Embree's scene: see geometry.h. */
+#include "embree/geometry.h"
+
+#include <float.h>
+#include <stdio.h>
+
+#include "scene/mesh.h"
+
+/* Beyond this a bound counts as infinite; crossings end at 1e7 anyway. */
+static const double bounded_limit = 1e9;
+
+static void solid_bounds(const struct RTCBoundsFunctionArguments *a)
+{
+    const struct geometry *geometry = a->geometryUserPtr;
+    struct box3 box = geometry->boxes[a->primID];
+    struct RTCBounds *out = a->bounds_o;
+    out->lower_x = nextafterf(triangles_float(box.low.x), -FLT_MAX);
+    out->lower_y = nextafterf(triangles_float(box.low.y), -FLT_MAX);
+    out->lower_z = nextafterf(triangles_float(box.low.z), -FLT_MAX);
+    out->upper_x = nextafterf(triangles_float(box.high.x), FLT_MAX);
+    out->upper_y = nextafterf(triangles_float(box.high.y), FLT_MAX);
+    out->upper_z = nextafterf(triangles_float(box.high.z), FLT_MAX);
+}
+
+/* Embree's t for ours, not smaller. */
+static float embree_far(const struct query *query, double t)
+{
+    double far = (t + query->shift) * (1 + 1e-6) + query->doubt;
+    return nextafterf(triangles_float(far), FLT_MAX);
+}
+
+static void solid_intersect(const struct RTCIntersectFunctionNArguments *a)
+{
+    const struct geometry *geometry = a->geometryUserPtr;
+    struct query *query = (struct query *)a->context;
+    struct RTCRayHit *rayhit = (struct RTCRayHit *)a->rayhit;
+    double before = query->tmax;
+    if (a->valid[0] != -1)
+        return;
+    query_solid(query, geometry->solids.items[a->primID]);
+    if (query->tmax < before) {
+        float far = embree_far(query, query->tmax);
+        if (far < rayhit->ray.tfar)
+            rayhit->ray.tfar = far;
+        rayhit->hit.geomID = a->geomID;
+        rayhit->hit.primID = a->primID;
+    }
+}
+
+static void solid_occluded(const struct RTCOccludedFunctionNArguments *a)
+{
+    const struct geometry *geometry = a->geometryUserPtr;
+    struct query *query = (struct query *)a->context;
+    if (a->valid[0] == -1 &&
+        query_solid(query, geometry->solids.items[a->primID]))
+        ((struct RTCRay *)a->ray)->tfar = -HUGE_VALF;
+}
+
+/* Rays come in floats: allow for their rounding at the box's distance. */
+static struct box3 embree_box(struct box3 box, vec3 centre)
+{
+    vec3 low = vec3_sub(box.low, centre), high = vec3_sub(box.high, centre);
+    double size = vec3_length(vec3_sub(high, low));
+    double most = fmax(vec3_length(low), vec3_length(high));
+    double pad = 1e-5 * size + 1e-6 * most;
+    vec3 more = { pad, pad, pad };
+    return (struct box3){ vec3_sub(low, more), vec3_add(high, more) };
+}
+
+static bool box_is_bounded(struct box3 box)
+{
+    vec3 low = box.low, high = box.high;
+    return low.x > -bounded_limit && low.y > -bounded_limit &&
+           low.z > -bounded_limit && high.x < bounded_limit &&
+           high.y < bounded_limit && high.z < bounded_limit;
+}
+
+/* Takes the bounded solids out of flat->solids. */
+static void take_bounded(struct geometry *geometry, struct flat *flat)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < flat->solids.count; i++) {
+        struct solid *solid = flat->solids.items[i];
+        if (box3_is_empty(solid->surface))
+            continue;
+        if (!box_is_bounded(solid->surface)) {
+            flat->solids.items[kept++] = solid;
+            continue;
+        }
+        *ARRAY_PUSH(flat->arena, &geometry->solids) = solid;
+        geometry->bounds = box3_union(geometry->bounds, solid->surface);
+    }
+    flat->solids.count = kept;
+}
+
+static struct box3 meshes_bounds(const struct flat *flat)
+{
+    struct box3 box = box3_empty();
+    for (size_t i = 0; i < flat->meshes.count; i++) {
+        const struct leaf *leaf = flat->meshes.items[i];
+        box = box3_union(
+            box, affine_box(&leaf->to_world, leaf->object->mesh->bounds));
+    }
+    return box;
+}
+
+/* Embree's origin is put in the middle of the triangles, where floats are
+ * finest; the solids' boxes only have to be large enough. */
+static void find_place(struct geometry *geometry, const struct flat *flat)
+{
+    struct box3 box = meshes_bounds(flat);
+    if (box3_is_empty(box))
+        return;
+    geometry->bounds = box3_union(geometry->bounds, box);
+    vec3 limit = { bounded_limit, bounded_limit, bounded_limit };
+    box = box3_intersection(box, (struct box3){ vec3_negate(limit), limit });
+    if (box3_is_empty(box))
+        return;
+    geometry->bounds = box3_union(geometry->bounds, box);
+    geometry->centre = vec3_scale(vec3_add(box.low, box.high), 0.5);
+    vec3 half = vec3_sub(box.high, geometry->centre);
+    geometry->scale = fmax(half.x, fmax(half.y, half.z));
+}
+
+static void add_solids(struct geometry *geometry, struct arena *arena)
+{
+    size_t count = geometry->solids.count;
+    if (count == 0)
+        return;
+    geometry->boxes = ARENA_ARRAY(arena, struct box3, count);
+    for (size_t i = 0; i < count; i++)
+        geometry->boxes[i] =
+            embree_box(geometry->solids.items[i]->surface, geometry->centre);
+    RTCGeometry user = rtcNewGeometry(geometry->device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(user, (unsigned)count);
+    rtcSetGeometryUserData(user, geometry);
+    rtcSetGeometryBoundsFunction(user, solid_bounds, NULL);
+    rtcSetGeometryIntersectFunction(user, solid_intersect);
+    rtcSetGeometryOccludedFunction(user, solid_occluded);
+    rtcCommitGeometry(user);
+    rtcAttachGeometry(geometry->scene, user);
+    rtcReleaseGeometry(user);
+}
+
+static void embree_error(void *context, enum RTCError code, const char *text)
+{
+    struct geometry *geometry = context;
+    (void)code;
+    if (!geometry->failed && geometry->diag)
+        diag_print(geometry->diag, DIAG_ERROR, span_none(), NULL, "Embree: %s",
+                   text && *text ? text : "out of memory");
+    geometry->failed = true;
+}
+
+bool geometry_build(struct geometry *geometry, struct flat *flat,
+                    unsigned threads, struct diag *diag)
+{
+    char configuration[64];
+    geometry->bounds = box3_empty();
+    geometry->diag = diag;
+    take_bounded(geometry, flat);
+    find_place(geometry, flat);
+    snprintf(configuration, sizeof configuration, "threads=%u",
+             threads ? threads : 1);
+    geometry->device = rtcNewDevice(configuration);
+    if (!geometry->device) {
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   "Embree can't be started on this machine");
+        return false;
+    }
+    rtcSetDeviceErrorFunction(geometry->device, embree_error, geometry);
+    geometry->scene = rtcNewScene(geometry->device);
+    rtcSetSceneFlags(geometry->scene, RTC_SCENE_FLAG_ROBUST);
+    add_solids(geometry, flat->arena);
+    bool good = triangles_add(&geometry->triangles, flat, geometry->device,
+                              geometry->scene, geometry->centre);
+    if (good)
+        rtcCommitScene(geometry->scene);
+    geometry->diag = NULL;
+    return good && !geometry->failed;
+}
+
+void geometry_free(struct geometry *geometry, struct flat *flat)
+{
+    if (!geometry->device)
+        return;
+    triangles_free(flat);
+    rtcReleaseScene(geometry->scene);
+    rtcReleaseDevice(geometry->device);
+}
+
+/* The ray in floats, begun where it enters the bounds, a little before: its
+ * numbers are then no larger than the scene, and what lies at tmin is not
+ * lost to rounding. */
+static bool embree_ray(const struct geometry *geometry, struct query *query,
+                       struct RTCRay *out)
+{
+    double enter = query->tmin, leave = query->tmax;
+    struct slabs *slabs = &query->slabs;
+    struct box3 box = geometry->bounds;
+    slab_clip(box.low.x, box.high.x, slabs->origin.x, slabs->inverse.x, &enter,
+              &leave);
+    slab_clip(box.low.y, box.high.y, slabs->origin.y, slabs->inverse.y, &enter,
+              &leave);
+    slab_clip(box.low.z, box.high.z, slabs->origin.z, slabs->inverse.z, &enter,
+              &leave);
+    double margin = 1e-5 * geometry->scale;
+    if (!(enter <= leave + margin) || box3_is_empty(box))
+        return false;
+    query->shift = margin - enter;
+    query->doubt = 10 * margin;
+    vec3 o = vec3_sub(ray_point(&query->ray, -query->shift), geometry->centre);
+    vec3 d = query->ray.direction;
+    *out = (struct RTCRay){
+        .org_x = triangles_float(o.x),
+        .org_y = triangles_float(o.y),
+        .org_z = triangles_float(o.z),
+        .dir_x = (float)d.x,
+        .dir_y = (float)d.y,
+        .dir_z = (float)d.z,
+        .tfar = embree_far(query, query->tmax),
+        .mask = 0xffffffff,
+    };
+    return true;
+}
+
+void geometry_trace(const struct geometry *geometry, struct query *query)
+{
+    struct RTCRayHit rayhit;
+    if (!embree_ray(geometry, query, &rayhit.ray))
+        return;
+    rtcInitIntersectContext(&query->embree);
+    if (query->occlusion) {
+        rtcOccluded1(geometry->scene, &query->embree, &rayhit.ray);
+        return;
+    }
+    rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(geometry->scene, &query->embree, &rayhit);
+}

@@ -1,0 +1,31 @@
+/* Embree's side of the world: one scene with the bounded solids as user
+ * geometry and the triangles. */
+#ifndef EMBREE_GEOMETRY_H
+#define EMBREE_GEOMETRY_H
+
+#include "embree/triangles.h"
+
+struct geometry {
+    RTCDevice device;
+    RTCScene scene;
+    struct triangles triangles;
+    struct solid_list solids; /* bounded ones, by primitive */
+    struct box3 *boxes;       /* theirs, with some margin */
+    vec3 centre;              /* Embree's origin, in the world */
+    struct box3 bounds;       /* of all there is; empty: nothing */
+    double scale; /* the largest coordinate of a triangle, from the centre */
+    struct diag *diag; /* while building */
+    bool failed;
+};
+
+/* Builds on `threads` threads: flat->meshes and the bounded ones of
+ * flat->solids; the others stay there. False after an error was printed;
+ * geometry_free must be called all the same. */
+bool geometry_build(struct geometry *geometry, struct flat *flat,
+                    unsigned threads, struct diag *diag);
+void geometry_free(struct geometry *geometry, struct flat *flat);
+
+/* Sends the query's ray through; the results are in the query. */
+void geometry_trace(const struct geometry *geometry, struct query *query);
+
+#endif

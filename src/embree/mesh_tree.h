@@ -1,0 +1,27 @@
+/* All crossings of a ray with a mesh, in double precision and each exactly
+ * once, as CSG and the inside test need them. (What is only to be seen goes to
+ * Embree as it is.) A tree of boxes over one mesh, in the mesh's space. */
+#ifndef EMBREE_MESH_TREE_H
+#define EMBREE_MESH_TREE_H
+
+#include "scene/mesh.h"
+
+struct mesh_tree;
+
+/* In `arena`; the mesh must outlive it. */
+const struct mesh_tree *mesh_tree_new(struct arena *arena,
+                                      const struct mesh *mesh);
+
+/* Takes a crossing; returns true when no more are wanted. */
+typedef bool mesh_visit(void *context, const struct hit *hit);
+
+/* Calls visit for the crossings with t in (tmin, tmax), in no order. */
+void mesh_tree_crossings(const struct mesh_tree *tree, const struct ray *ray,
+                         double tmin, double tmax, mesh_visit *visit,
+                         void *context);
+
+/* Whether a ray from the point along the mesh's inside_vector crosses it an
+ * odd number of times. False if it has none. */
+bool mesh_tree_inside(const struct mesh_tree *tree, vec3 point);
+
+#endif

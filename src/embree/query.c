@@ -1,0 +1,189 @@
+/* A ray meets leaves and solids: see query.h. */
+#include "embree/query.h"
+
+#include "embree/mesh_tree.h"
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+
+bool query_sees(const struct query *query, const struct leaf *leaf)
+{
+    if (query->occlusion)
+        return !leaf->no_shadow &&
+               (leaf->looks_like < 0 || leaf->looks_like != query->light);
+    return query->kind == RAY_CAMERA ? !leaf->no_image : !leaf->no_reflection;
+}
+
+bool query_take(struct query *query, const struct leaf *leaf,
+                const struct hit *hit)
+{
+    if (!query->occlusion) {
+        query->tmax = hit->t;
+        query->leaf = leaf;
+        query->hit = *hit;
+        return false;
+    }
+    if (leaf->opaque) {
+        query->blocked = true;
+    } else {
+        struct intersection crossing;
+        query_describe(query, leaf, hit, &crossing);
+        query->blocked = query->filter(query->context, &crossing);
+    }
+    return query->blocked;
+}
+
+/* Of two crossings at the same place the one of the earlier leaf is seen,
+ * whatever the order they are found in. */
+static bool query_wants(const struct query *query, const struct leaf *leaf,
+                        double t)
+{
+    if (!(t > query->tmin))
+        return false;
+    return t < query->tmax || (t == query->tmax && query->leaf &&
+                               leaf->number < query->leaf->number);
+}
+
+static struct ray leaf_ray(const struct leaf *leaf, const struct ray *ray)
+{
+    if (!leaf->moved)
+        return *ray;
+    return (struct ray){ affine_point(&leaf->to_object, ray->origin),
+                         affine_direction(&leaf->to_object, ray->direction) };
+}
+
+static bool take_if_counts(struct query *query, const struct solid *solid,
+                           const struct hit *hit)
+{
+    if (!query_wants(query, solid->leaf, hit->t))
+        return false;
+    if (!solid->simple && !solid_counts(solid, ray_point(&query->ray, hit->t)))
+        return false;
+    return query_take(query, solid->leaf, hit);
+}
+
+static bool query_shape(struct query *query, const struct solid *solid)
+{
+    const struct object *object = solid->leaf->object;
+    struct ray ray = leaf_ray(solid->leaf, &query->ray);
+    struct hits hits;
+    hits.count = 0;
+    object->primitive->intersect(object->shape, &ray, &hits);
+    for (int i = 0; i < hits.count; i++)
+        if (take_if_counts(query, solid, &hits.at[i]))
+            return true;
+    return false;
+}
+
+struct mesh_query {
+    struct query *query;
+    const struct solid *solid;
+};
+
+static bool mesh_crossing(void *context, const struct hit *hit)
+{
+    struct mesh_query *mesh = context;
+    return take_if_counts(mesh->query, mesh->solid, hit);
+}
+
+static bool query_mesh(struct query *query, const struct solid *solid)
+{
+    struct mesh_query context = { query, solid };
+    struct ray ray = leaf_ray(solid->leaf, &query->ray);
+    mesh_tree_crossings(solid->tree, &ray, query->tmin, query->tmax,
+                        mesh_crossing, &context);
+    return query->blocked;
+}
+
+bool query_solid(struct query *query, const struct solid *solid)
+{
+    if (solid->leaf) {
+        if (!query_sees(query, solid->leaf))
+            return false;
+        if (!solid->simple && !slabs_hit(&query->slabs, &solid->surface,
+                                         query->tmin, query->tmax))
+            return false;
+        return solid->kind == OBJECT_SHAPE ? query_shape(query, solid)
+                                           : query_mesh(query, solid);
+    }
+    if (!slabs_hit(&query->slabs, &solid->surface, query->tmin, query->tmax))
+        return false;
+    for (size_t i = 0; i < solid->child_count; i++)
+        if (query_solid(query, solid->children[i]))
+            return true;
+    return false;
+}
+
+bool query_triangle(const struct query *query, const struct leaf *leaf,
+                    uint32_t triangle, struct hit *hit)
+{
+    struct ray ray = leaf_ray(leaf, &query->ray);
+    mesh_refine(leaf->object->mesh, triangle, &ray, hit);
+    return query_wants(query, leaf, hit->t);
+}
+
+bool query_take_triangle(struct query *query, const struct leaf *leaf,
+                         const struct hit *hit)
+{
+    if (query->occlusion && !leaf->opaque) {
+        for (unsigned i = 0; i < query->recent_count && i < QUERY_RECENT; i++)
+            if (query->recent[i].leaf == leaf &&
+                fabs(query->recent[i].t - hit->t) <= 1e-9 * (1 + hit->t))
+                return false;
+        query->recent[query->recent_count % QUERY_RECENT].leaf = leaf;
+        query->recent[query->recent_count++ % QUERY_RECENT].t = hit->t;
+    }
+    return query_take(query, leaf, hit);
+}
+
+/* Scaled first, so that neither tiny nor huge vectors lose their length. */
+static vec3 unit(vec3 v)
+{
+    double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+    if (!(most > 0) || !isfinite(most))
+        return vec3_make(0, 0, 0);
+    return vec3_normalise(vec3_make(v.x / most, v.y / most, v.z / most));
+}
+
+static vec3 leaf_normal(const struct leaf *leaf, vec3 point,
+                        const struct hit *hit)
+{
+    const struct object *object = leaf->object;
+    if (object->kind == OBJECT_MESH)
+        return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v);
+    if (leaf->moved)
+        point = affine_point(&leaf->to_object, point);
+    return object->primitive->normal(object->shape, point, hit);
+}
+
+static void describe_texture(const struct leaf *leaf, const struct hit *hit,
+                             struct intersection *out)
+{
+    out->texture = leaf->texture;
+    out->to_texture = &leaf->to_texture;
+    out->from_texture = &leaf->from_texture;
+    if (leaf->object->kind != OBJECT_MESH)
+        return;
+    const struct mesh *mesh = leaf->object->mesh;
+    uint32_t number = mesh->triangles[hit->part].texture;
+    if (number >= mesh->texture_count || !mesh->textures[number])
+        return;
+    out->texture = mesh->textures[number];
+    out->to_texture = &leaf->to_object;
+    out->from_texture = &leaf->to_world;
+}
+
+void query_describe(const struct query *query, const struct leaf *leaf,
+                    const struct hit *hit, struct intersection *out)
+{
+    out->t = hit->t;
+    out->point = ray_point(&query->ray, hit->t);
+    out->leaf = leaf;
+    vec3 normal = leaf_normal(leaf, out->point, hit);
+    if (leaf->moved)
+        normal = affine_normal(&leaf->to_object, normal);
+    normal = unit(normal);
+    if (!(vec3_dot(normal, normal) > 0))
+        normal = vec3_negate(query->ray.direction);
+    out->normal = leaf->inverse ? vec3_negate(normal) : normal;
+    describe_texture(leaf, hit, out);
+}

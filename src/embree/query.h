@@ -1,0 +1,63 @@
+/* A ray on its way through the world, with the exact ray and the best crossing
+ * so far. Embree hands it to the callbacks as the extended context of a
+ * traversal, so that its own float ray decides nothing but where to look. */
+#ifndef EMBREE_QUERY_H
+#define EMBREE_QUERY_H
+
+#include <embree3/rtcore.h>
+
+#include "embree/slab.h"
+#include "embree/world.h"
+
+enum { QUERY_RECENT = 16 };
+
+struct query {
+    struct RTCIntersectContext embree; /* first: Embree gives this pointer */
+    struct ray ray;
+    struct slabs slabs;
+    double tmin, tmax; /* tmax: the best crossing so far */
+    double shift;      /* Embree's t minus ours */
+    double doubt;      /* how far Embree's t may be off */
+    bool occlusion;    /* any crossing, not the nearest */
+
+    enum ray_kind kind; /* nearest: */
+    const struct leaf *leaf;
+    struct hit hit;
+
+    int light; /* occlusion: */
+    world_filter *filter;
+    void *context;
+    bool blocked;
+    struct {
+        const struct leaf *leaf;
+        double t;
+    } recent[QUERY_RECENT]; /* triangles told, against telling them twice */
+    unsigned recent_count;
+};
+
+/* Whether the ray sees the leaf at all. */
+bool query_sees(const struct query *query, const struct leaf *leaf);
+
+/* Takes a crossing that counts, within tmin and tmax. Returns true when the
+ * search is over. */
+bool query_take(struct query *query, const struct leaf *leaf,
+                const struct hit *hit);
+
+/* Looks at everything in the solid; returns true when the search is over. */
+bool query_solid(struct query *query, const struct solid *solid);
+
+/* The exact crossing of a triangle that Embree says is hit: its plane decides
+ * t, and u, v. False if it is not within tmin and tmax. */
+bool query_triangle(const struct query *query, const struct leaf *leaf,
+                    uint32_t triangle, struct hit *hit);
+
+/* As query_take for a triangle, which Embree may offer more than once or, where
+ * two share an edge, both of them. */
+bool query_take_triangle(struct query *query, const struct leaf *leaf,
+                         const struct hit *hit);
+
+/* Everything about the crossing, for the one who asked. */
+void query_describe(const struct query *query, const struct leaf *leaf,
+                    const struct hit *hit, struct intersection *out);
+
+#endif

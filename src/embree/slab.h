@@ -1,0 +1,58 @@
+/* Whether a ray meets a box (Kay and Kajiya 1986), in double precision. A
+ * little generous, since it only tells what need not be looked at. */
+#ifndef EMBREE_SLAB_H
+#define EMBREE_SLAB_H
+
+#include "base/affine.h"
+#include "scene/ray.h"
+
+/* The ray with the inverse of its direction. */
+struct slabs {
+    vec3 origin, inverse;
+};
+
+/* No component is zero or infinite, so that no NaN can arise in slabs_hit. */
+static inline double slab_inverse(double d)
+{
+    return fabs(d) > 1e-150 ? 1 / d : copysign(1e150, d);
+}
+
+static inline struct slabs slabs_of(const struct ray *ray)
+{
+    vec3 d = ray->direction;
+    return (struct slabs){
+        ray->origin, { slab_inverse(d.x), slab_inverse(d.y), slab_inverse(d.z) }
+    };
+}
+
+/* As fmin and fmax, but one instruction each. */
+static inline double slab_min(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double slab_max(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* The part of [*enter, *leave] between two parallel sides. */
+static inline void slab_clip(double low, double high, double origin,
+                             double inverse, double *enter, double *leave)
+{
+    double a = (low - origin) * inverse, b = (high - origin) * inverse;
+    *enter = slab_max(*enter, slab_min(a, b));
+    *leave = slab_min(*leave, slab_max(a, b));
+}
+
+static inline bool slabs_hit(const struct slabs *slabs, const struct box3 *box,
+                             double tmin, double tmax)
+{
+    vec3 o = slabs->origin, k = slabs->inverse;
+    slab_clip(box->low.x, box->high.x, o.x, k.x, &tmin, &tmax);
+    slab_clip(box->low.y, box->high.y, o.y, k.y, &tmin, &tmax);
+    slab_clip(box->low.z, box->high.z, o.z, k.z, &tmin, &tmax);
+    return tmin <= tmax + 1e-12 * (fabs(tmin) + fabs(tmax));
+}
+
+#endif

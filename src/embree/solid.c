@@ -1,0 +1,172 @@
+/* Inside tests and the rule of CSG: see solid.h. */
+#include "embree/solid.h"
+
+#include "embree/mesh_tree.h"
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+
+static bool leaf_inside(const struct solid *solid, vec3 point)
+{
+    const struct leaf *leaf = solid->leaf;
+    const struct object *object = leaf->object;
+    vec3 p = leaf->moved ? affine_point(&leaf->to_object, point) : point;
+    bool inside = solid->kind == OBJECT_SHAPE
+                      ? object->primitive->inside(object->shape, p)
+                      : mesh_tree_inside(solid->tree, p);
+    return inside != leaf->inverse;
+}
+
+static bool all_inside(const struct solid *const *solids, size_t count,
+                       vec3 point)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!solid_inside(solids[i], point))
+            return false;
+    return true;
+}
+
+static bool any_inside(const struct solid *solid, vec3 point)
+{
+    for (size_t i = 0; i < solid->child_count; i++)
+        if (solid_inside(solid->children[i], point))
+            return true;
+    return false;
+}
+
+/* The content of a node, clips left aside. A shape without an inside has an
+ * empty region and never gets here. */
+static bool content_inside(const struct solid *solid, vec3 point)
+{
+    switch (solid->kind) {
+    case OBJECT_SHAPE:
+    case OBJECT_MESH:
+        return leaf_inside(solid, point);
+    case OBJECT_INTERSECTION:
+        return all_inside((const struct solid *const *)solid->children,
+                          solid->child_count, point);
+    case OBJECT_UNION:
+    case OBJECT_MERGE:
+    case OBJECT_LIGHT:
+        break;
+    }
+    return any_inside(solid, point);
+}
+
+bool solid_inside(const struct solid *solid, vec3 point)
+{
+    if (!box3_contains(solid->region, point))
+        return false;
+    if (!box3_contains(solid->holes, point))
+        return true;
+    return content_inside(solid, point) &&
+           all_inside(solid->clips, solid->clip_count, point);
+}
+
+/* Whether the siblings of `node` let a crossing of it count. */
+static bool siblings_agree(const struct solid *node, vec3 point)
+{
+    const struct solid *parent = node->parent;
+    if (parent->kind == OBJECT_UNION)
+        return true;
+    bool wanted = parent->kind == OBJECT_INTERSECTION;
+    for (size_t i = 0; i < parent->child_count; i++) {
+        const struct solid *sibling = parent->children[i];
+        if (sibling != node && solid_inside(sibling, point) != wanted)
+            return false;
+    }
+    return true;
+}
+
+bool solid_counts(const struct solid *leaf, vec3 point)
+{
+    for (const struct solid *node = leaf; node; node = node->parent) {
+        if (!all_inside(node->clips, node->clip_count, point))
+            return false;
+        if (node->parent && !siblings_agree(node, point))
+            return false;
+    }
+    return true;
+}
+
+void solid_containing(const struct solid *solid, vec3 point,
+                      void (*visit)(void *context, const struct leaf *leaf),
+                      void *context)
+{
+    if (!solid_inside(solid, point))
+        return;
+    if (solid->leaf) {
+        visit(context, solid->leaf);
+        return;
+    }
+    size_t count = solid->child_count;
+    if (solid->kind == OBJECT_INTERSECTION && count > 1)
+        count = 1;
+    for (size_t i = 0; i < count; i++)
+        solid_containing(solid->children[i], point, visit, context);
+}
+
+/* A crossing of a child must be in the region of every other child. A child's
+ * own region holds its surface, unless it has no inside. */
+static void measure_intersection(struct solid *solid)
+{
+    struct box3 surface = box3_empty(), region = box3_infinite();
+    struct box3 others = box3_infinite();
+    const struct solid *hollow = NULL;
+    size_t hollow_count = 0;
+    solid->holes = box3_empty();
+    for (size_t i = 0; i < solid->child_count; i++) {
+        const struct solid *child = solid->children[i];
+        bool without_inside = box3_is_empty(child->region);
+        region = box3_intersection(region, child->region);
+        surface = box3_union(surface, child->surface);
+        solid->holes = box3_union(solid->holes, child->holes);
+        if (without_inside)
+            hollow = child;
+        else
+            others = box3_intersection(others, child->region);
+        hollow_count += without_inside;
+    }
+    if (hollow_count == 1)
+        solid->surface = box3_intersection(hollow->surface, others);
+    else
+        solid->surface = box3_intersection(surface, region);
+    solid->region = region;
+}
+
+static void measure_union(struct solid *solid)
+{
+    solid->surface = solid->region = box3_empty();
+    solid->holes = box3_infinite();
+    for (size_t i = 0; i < solid->child_count; i++) {
+        const struct solid *child = solid->children[i];
+        solid->surface = box3_union(solid->surface, child->surface);
+        solid->region = box3_union(solid->region, child->region);
+        solid->holes = box3_intersection(solid->holes, child->holes);
+    }
+}
+
+void solid_measure(struct solid *solid)
+{
+    if (solid->kind == OBJECT_INTERSECTION)
+        measure_intersection(solid);
+    else if (!solid->leaf)
+        measure_union(solid);
+    for (size_t i = 0; i < solid->clip_count; i++) {
+        const struct solid *clip = solid->clips[i];
+        solid->surface = box3_intersection(solid->surface, clip->region);
+        solid->region = box3_intersection(solid->region, clip->region);
+        solid->holes = box3_union(solid->holes, clip->holes);
+    }
+    solid->simple = solid->leaf && !solid->parent && !solid->clip_count;
+}
+
+void solid_finish(struct arena *arena, struct solid *solid)
+{
+    for (size_t i = 0; i < solid->child_count; i++) {
+        solid->children[i]->parent = solid;
+        solid_finish(arena, solid->children[i]);
+    }
+    solid_measure(solid);
+    if (!solid->leaf)
+        solid_group(arena, solid);
+}

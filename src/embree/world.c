@@ -1,0 +1,148 @@
+/* The world: see world.h. What is bounded is found by Embree (geometry.c), the
+ * rest, planes most of all, by trying one after the other. */
+#include "embree/world.h"
+
+#include "base/memory.h"
+#include "embree/geometry.h"
+
+/* POV-Ray sees nothing farther than this. */
+static const double world_limit = 1e7;
+
+struct world {
+    struct arena *arena;
+    struct flat flat;   /* its solids: the unbounded ones, shapes first */
+    size_t shape_count; /* of flat.solids */
+    struct geometry geometry;
+};
+
+/* Single shapes are quick and shorten the ray for what comes after. */
+static void sort_unbounded(struct world *world)
+{
+    struct solid_list *list = &world->flat.solids;
+    for (size_t i = 0; i < list->count; i++) {
+        struct solid *solid = list->items[i];
+        if (!solid->simple)
+            continue;
+        list->items[i] = list->items[world->shape_count];
+        list->items[world->shape_count++] = solid;
+    }
+}
+
+struct world *world_new(const struct scene *scene, unsigned threads,
+                        struct diag *diag)
+{
+    struct world *world = memory_new(sizeof *world);
+    world->arena = arena_new(0);
+    world->flat.arena = world->arena;
+    world->flat.diag = diag;
+    if (!flatten_scene(&world->flat, scene) ||
+        !geometry_build(&world->geometry, &world->flat, threads, diag)) {
+        world_free(world);
+        return NULL;
+    }
+    sort_unbounded(world);
+    return world;
+}
+
+void world_free(struct world *world)
+{
+    if (!world)
+        return;
+    geometry_free(&world->geometry, &world->flat);
+    arena_free(world->arena);
+    memory_free(world);
+}
+
+const struct light *world_lights(const struct world *world, size_t *count)
+{
+    *count = world->flat.lights.count;
+    return world->flat.lights.items;
+}
+
+static bool trace_unbounded(const struct world *world, struct query *query,
+                            size_t first, size_t end)
+{
+    for (size_t i = first; i < end; i++)
+        if (query_solid(query, world->flat.solids.items[i]))
+            return true;
+    return false;
+}
+
+/* Into *query all that both kinds of question have in common. Rays that are
+ * not rays meet nothing: false. */
+static bool query_begin(struct query *query, const struct ray *ray, double tmin,
+                        double tmax)
+{
+    vec3 d = ray->direction;
+    if (!vec3_finite(ray->origin) || !(vec3_dot(d, d) > 0) || !vec3_finite(d))
+        return false;
+    query->ray = *ray;
+    query->slabs = slabs_of(ray);
+    query->tmin = tmin;
+    query->tmax = tmax;
+    query->leaf = NULL;
+    query->blocked = false;
+    query->recent_count = 0;
+    return tmin < tmax;
+}
+
+bool world_closest(const struct world *world, const struct ray *ray,
+                   double tmin, enum ray_kind kind, struct intersection *out)
+{
+    struct query query;
+    size_t count = world->flat.solids.count;
+    query.occlusion = false;
+    query.kind = kind;
+    if (!query_begin(&query, ray, tmin, world_limit))
+        return false;
+    trace_unbounded(world, &query, 0, world->shape_count);
+    geometry_trace(&world->geometry, &query);
+    trace_unbounded(world, &query, world->shape_count, count);
+    if (!query.leaf)
+        return false;
+    query_describe(&query, query.leaf, &query.hit, out);
+    return true;
+}
+
+bool world_occluded(const struct world *world, const struct ray *ray,
+                    double tmin, double tmax, int light, world_filter *filter,
+                    void *context)
+{
+    struct query query;
+    size_t count = world->flat.solids.count;
+    query.occlusion = true;
+    query.light = light;
+    query.filter = filter;
+    query.context = context;
+    if (!query_begin(&query, ray, tmin, fmin(tmax, world_limit)))
+        return false;
+    if (trace_unbounded(world, &query, 0, world->shape_count))
+        return true;
+    geometry_trace(&world->geometry, &query);
+    return query.blocked ||
+           trace_unbounded(world, &query, world->shape_count, count);
+}
+
+void world_containing(const struct world *world, vec3 point,
+                      void (*visit)(void *context, const struct leaf *leaf),
+                      void *context)
+{
+    const struct container_list *list = &world->flat.containers;
+    for (size_t i = 0; i < list->count; i++)
+        solid_containing(list->items[i], point, visit, context);
+}
+
+size_t world_leaf_count(const struct world *world)
+{
+    return world->flat.leaf_count;
+}
+
+size_t world_triangle_count(const struct world *world)
+{
+    return world->flat.triangle_count;
+}
+
+struct box3 world_bounds(const struct world *world)
+{
+    return world->geometry.bounds;
+}
