@@ -12,6 +12,7 @@ struct inherited {
     const struct texture *texture;
     affine from_texture;
     const struct interior *interior;
+    unsigned body;
     bool hollow, no_shadow, no_image, no_reflection, double_illuminate;
     bool flipped;  /* inverted an odd number of times */
     bool inverted; /* inverted at all */
@@ -45,7 +46,7 @@ static bool flat_enter(struct flat *flat, const struct object *object,
     return !flat->failed;
 }
 
-static struct inherited inherit(const struct object *object,
+static struct inherited inherit(struct flat *flat, const struct object *object,
                                 const struct inherited *up)
 {
     struct inherited in = *up;
@@ -58,7 +59,9 @@ static struct inherited inherit(const struct object *object,
     }
     if (object->interior)
         in.interior = object->interior;
-    if (object->has_hollow)
+    if (object->interior || up->depth == 0)
+        in.body = flat->bodies++;
+    if (up->depth == 0)
         in.hollow = object->hollow;
     in.no_shadow |= object->no_shadow;
     in.no_image |= object->no_image;
@@ -121,6 +124,7 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
         leaf->from_texture = to_texture = affine_identity();
     leaf->to_texture = to_texture;
     leaf->interior = in->interior;
+    leaf->body = in->body;
     leaf->no_shadow = in->no_shadow;
     leaf->no_image = in->no_image;
     leaf->no_reflection = in->no_reflection;
@@ -237,6 +241,7 @@ static void add_light(struct flat *flat, const struct object *object,
         return;
     struct inherited shown = *in;
     shown.looks_like = (int)flat->lights.count;
+    shown.body = flat->bodies++;
     shown.to_world =
         affine_compose(in->to_world, affine_translation(light->location));
     shown.flipped = shown.inverted = false;
@@ -296,7 +301,7 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
 static struct solid *build_solid(struct flat *flat, const struct object *object,
                                  const struct inherited *up)
 {
-    struct inherited in = inherit(object, up);
+    struct inherited in = inherit(flat, object, up);
     struct solid *solid;
     if (!flat_enter(flat, object, in.depth))
         return NULL;
@@ -344,7 +349,7 @@ static void add_solid(struct flat *flat, const struct object *object,
 static void add_mesh(struct flat *flat, const struct object *object,
                      const struct inherited *up)
 {
-    struct inherited in = inherit(object, up);
+    struct inherited in = inherit(flat, object, up);
     const struct mesh *mesh = object->mesh;
     if (!flat_enter(flat, object, in.depth) || mesh->triangle_count == 0)
         return;
@@ -369,7 +374,7 @@ static void add_mesh(struct flat *flat, const struct object *object,
 static void flatten_union(struct flat *flat, const struct object *object,
                           const struct inherited *up)
 {
-    struct inherited in = inherit(object, up);
+    struct inherited in = inherit(flat, object, up);
     if (!flat_enter(flat, object, in.depth))
         return;
     if (object->clip_count) {

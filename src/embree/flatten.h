@@ -21,6 +21,7 @@ struct flat {
     struct diag *diag;
     bool failed; /* a limit was met and reported */
     size_t nodes;
+    unsigned bodies;
     size_t leaf_count, triangle_count;
     struct light_list {
         struct light *items;
