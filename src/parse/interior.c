@@ -63,12 +63,12 @@ static bool parse_interior_item(struct parser *p, struct interior *interior)
 static bool interior_items(struct parser *p, const struct interior **out)
 {
     const struct value *value = accept_value(p, VALUE_INTERIOR);
-    if (value)
-        *out = value->interior;
-    if (value && stream_peek(p)->kind == TOKEN_RBRACE)
+    const struct interior *declared = value ? value->interior : NULL;
+    *out = declared;
+    if (declared && stream_peek(p)->kind == TOKEN_RBRACE)
         return true;
     struct interior *interior = ARENA_NEW(p->scene_arena, struct interior);
-    *interior = value ? *value->interior : interior_default();
+    *interior = declared ? *declared : interior_default();
     *out = interior;
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_interior_item(p, interior))

@@ -69,9 +69,11 @@ static bool parse_normal_body(struct parser *p, const struct normal **in)
     if (!check_supported(p, normal_unsupported) ||
         !parse_normal_start(p, normal, &found) || !normal_items(p, normal))
         return false;
-    if (!normal->pattern.kind)
-        return error_at(p, stream_span(p), "bumps 0.5",
-                        "a normal needs a pattern");
+    if (!normal->pattern.kind) {
+        warning_at(p, stream_span(p), "bumps 0.5",
+                   "a normal without a pattern changes nothing");
+        *in = NULL;
+    }
     return true;
 }
 

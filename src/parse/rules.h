@@ -131,6 +131,7 @@ bool parse_sky_sphere(struct parser *p, const struct sky_sphere **out);
 /* ---- settings.c ---- */
 
 bool parse_noise_generator(struct parser *p);
+bool parse_default_block(struct parser *p);
 
 /* The working space as far as it is known now. */
 enum gamma_kind settings_gamma(const struct parser *p);

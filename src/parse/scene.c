@@ -34,26 +34,47 @@ static const char *unsupported_name(const struct unsupported_word *list,
 
 /* ---- what can be declared ---- */
 
-/* Where one thing follows another in a declaration, as layers of a texture,
- * directives must not run before the name has its value. */
+/* The next layer of a declared texture. Directives must not run before the
+ * name has its value. */
+static bool at_next_layer(struct parser *p)
+{
+    const struct token *token = stream_peek_infix(p);
+    return token->kind == TOKEN_WORD &&
+           token->word->keyword == KEYWORD_TEXTURE;
+}
+
+/* After a wrong layer the others are read all the same: they belong to it. */
 static bool thing_texture(struct parser *p, struct value *value)
 {
-    const struct texture *texture;
-    if (!parse_texture(p, &texture))
-        return false;
-    for (;;) {
-        const struct token *token = stream_peek_infix(p);
-        const struct texture *top;
-        if (token->kind != TOKEN_WORD ||
-            token->word->keyword != KEYWORD_TEXTURE)
-            break;
-        if (!parse_texture(p, &top))
-            return false;
-        texture = texture_stack(p, texture, top);
+    const struct texture *texture = NULL, *top = NULL;
+    bool ok = parse_texture(p, &texture);
+    while (at_next_layer(p)) {
+        ok = parse_texture(p, &top) && ok;
+        if (ok)
+            texture = texture_stack(p, texture, top);
     }
     value->kind = VALUE_TEXTURE;
     value->texture = texture;
-    return true;
+    return ok;
+}
+
+/* Another name for a declared thing. */
+static bool thing_alias(struct parser *p, struct value *value)
+{
+    static const enum value_kind kinds[] = {
+        VALUE_OBJECT,     VALUE_TEXTURE,     VALUE_PIGMENT,  VALUE_NORMAL,
+        VALUE_FINISH,     VALUE_INTERIOR,    VALUE_MATERIAL, VALUE_TRANSFORM,
+        VALUE_CAMERA,     VALUE_COLOUR_MAP,  VALUE_FOG,      VALUE_SKY_SPHERE,
+        VALUE_PIGMENT_MAP,
+    };
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        const struct value *declared = accept_value(p, kinds[i]);
+        if (!declared)
+            continue;
+        *value = *declared;
+        return true;
+    }
+    return false;
 }
 
 static bool thing_object(struct parser *p, struct value *value)
@@ -143,8 +164,11 @@ bool parse_thing(struct parser *p, struct value *value, bool *found)
         value->kind = VALUE_PIGMENT_MAP;
         return parse_pigment_map(p, &value->map);
     default:
-        *found = at_object(p) && stream_peek(p)->word->reserved;
-        return !*found || thing_object(p, value);
+        *found = thing_alias(p, value);
+        if (*found || !at_object(p) || !stream_peek(p)->word->reserved)
+            return true;
+        *found = true;
+        return thing_object(p, value);
     }
 }
 
@@ -207,6 +231,7 @@ static bool at_scene_item(struct parser *p)
     case KEYWORD_SKY_SPHERE:
     case KEYWORD_FOG:
     case KEYWORD_GLOBAL_SETTINGS:
+    case KEYWORD_DEFAULT:
         return true;
     default:
         return at_object(p);
@@ -239,7 +264,7 @@ static bool scene_unknown(struct parser *p)
 }
 
 /* scene_item = camera | background | sky_sphere | fog | global_settings
- *            | object . */
+ *            | default_block | object . */
 bool parse_scene_item(struct parser *p)
 {
     bool ok;
@@ -258,6 +283,9 @@ bool parse_scene_item(struct parser *p)
         break;
     case KEYWORD_GLOBAL_SETTINGS:
         ok = parse_global_settings(p);
+        break;
+    case KEYWORD_DEFAULT:
+        ok = parse_default_block(p);
         break;
     default:
         ok = at_object(p) ? scene_object(p) : scene_unknown(p);

@@ -207,6 +207,15 @@ static bool parse_default_item(struct parser *p)
     }
 }
 
+/* default_block = "default" "{" {default_item} "}" .
+ * Without '#' as with it. */
+bool parse_default_block(struct parser *p)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, parse_defaults(p, open));
+}
+
 bool parse_defaults(struct parser *p, struct span open)
 {
     (void)open;
