@@ -19,6 +19,8 @@ struct codec_target {
                        size_t size);
     void *context;
     bool has_alpha, linear;
+    double gamma;
+    bool plain;
 };
 
 /* See image_read. Colours are premultiplied. */

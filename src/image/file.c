@@ -104,13 +104,16 @@ struct image *image_read(const char *path, char *error, size_t size)
     if (!decode)
         return NULL;
     struct image *image = NULL;
-    struct codec_target target = { file_allocate, &image, false, false };
+    struct codec_target target = { .allocate = file_allocate,
+                                   .context = &image };
     if (!decode(path, &target, error, size)) {
         image_free(image);
         return NULL;
     }
     image->has_alpha = target.has_alpha;
     image->linear = target.linear;
+    image->gamma = target.gamma;
+    image->plain = target.plain;
     return image;
 }
 

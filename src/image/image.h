@@ -14,6 +14,10 @@ struct image {
                      * opacity, colours are premultiplied by it */
     bool has_alpha; /* read: the file had one */
     bool linear;    /* read: the file's numbers are linear light (EXR, HDR) */
+    double gamma;   /* read: they are light to the power 1/gamma, says the
+                     * file (PNG); 0: it says nothing */
+    bool plain;     /* read: of a kind whose numbers POV-Ray takes for the
+                     * scene's own, whatever they are (PPM, PGM, TIFF) */
 };
 
 /* Black, transparent. Freed by image_free. Never NULL. Both sides are at

@@ -18,7 +18,7 @@ struct image_cache {
 struct image_request {
     const char *name;
     struct span span;
-    double gamma; /* of the file's numbers; 0: sRGB, or linear for EXR, HDR */
+    double gamma; /* of the file's numbers; 0: sRGB, -1: not said */
     struct image_map *map;
 };
 
@@ -35,27 +35,43 @@ static const struct unsupported_word image_unsupported[] = {
     { KEYWORD_NONE, NULL },
 };
 
-/* One number of a file as the scene counts light (povray.md, section 5.9). */
-static double image_decode(const struct parser *p, bool linear, double gamma,
-                           double value)
+/* How a file's numbers become the scene's (measured; povray.md, section
+ * 5.9). */
+struct image_decoding {
+    bool plain;     /* not at all */
+    bool linear;    /* they are light */
+    double gamma;   /* light is their power; 0: sRGB */
+    double working; /* the scene counts light^(1/working); 0: in sRGB */
+};
+
+static struct image_decoding
+image_decoding(const struct parser *p, const struct image *image, double said)
 {
     enum gamma_kind space = settings_gamma(p);
-    if (space == GAMMA_NONE)
-        return value;
-    double light = linear      ? value
-                   : gamma > 0 ? pow(fmax(value, 0), gamma)
-                               : tone_srgb_decode(value);
-    return space == GAMMA_SRGB ? tone_srgb_encode(light)
-           : p->scene->settings.assumed_gamma == 1
-               ? light
-               : pow(fmax(light, 0), 1 / p->scene->settings.assumed_gamma);
+    return (struct image_decoding){
+        .plain = space == GAMMA_NONE || (image->plain && said < 0),
+        .linear = image->linear,
+        .gamma = said >= 0 ? said : image->gamma,
+        .working = space == GAMMA_SRGB ? 0 : p->scene->settings.assumed_gamma,
+    };
 }
 
-/* 8-bit files have few values: each is decoded once. */
-static void image_convert(const struct parser *p, struct image *image,
-                          double gamma)
+static double image_decode(const struct image_decoding *how, double value)
 {
-    float last = 0, decoded = (float)image_decode(p, image->linear, gamma, 0);
+    if (how->plain)
+        return value;
+    double light = how->linear      ? value
+                   : how->gamma > 0 ? pow(fmax(value, 0), how->gamma)
+                                    : tone_srgb_decode(value);
+    return how->working == 1   ? light
+           : how->working == 0 ? tone_srgb_encode(light)
+                               : pow(fmax(light, 0), 1 / how->working);
+}
+
+/* Neighbours are often alike: a number is not decoded twice in a row. */
+static void image_convert(const struct image_decoding *how, struct image *image)
+{
+    float last = 0, decoded = (float)image_decode(how, 0);
     size_t count = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < count; i++) {
         float *pixel = image->pixels + 4 * i;
@@ -63,8 +79,7 @@ static void image_convert(const struct parser *p, struct image *image,
         for (int k = 0; k < 3; k++) {
             float value = pixel[k] / alpha;
             if (value != last)
-                decoded =
-                    (float)image_decode(p, image->linear, gamma, (double)value);
+                decoded = (float)image_decode(how, (double)value);
             last = value;
             pixel[k] = decoded * alpha;
         }
@@ -94,7 +109,8 @@ static struct image *image_load(struct parser *p, const char *path,
     }
     struct image *kept = image_keep(p, image);
     image_free(image);
-    image_convert(p, kept, request->gamma);
+    struct image_decoding how = image_decoding(p, kept, request->gamma);
+    image_convert(&how, kept);
     return kept;
 }
 
@@ -165,6 +181,8 @@ static bool parse_interpolation(struct parser *p, struct image_map *map)
     struct span span = stream_span(p);
     if (!parse_integer(p, &kind))
         return false;
+    if (kind == 3)
+        return error_unsupported(p, span, "bicubic interpolation");
     if (kind != IMAGE_NEAREST && kind != IMAGE_BILINEAR &&
         kind != IMAGE_NORMALISED_DISTANCE)
         return error_at(p, span, "2",
@@ -247,7 +265,7 @@ static bool image_items(struct parser *p, struct image_request *request)
 bool parse_image_map(struct parser *p, const struct image_map **out)
 {
     struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);
-    struct image_request request = { .map = map };
+    struct image_request request = { .gamma = -1, .map = map };
     struct span open;
     *out = map;
     stream_next(p);

@@ -39,8 +39,7 @@ static const char *unsupported_name(const struct unsupported_word *list,
 static bool at_next_layer(struct parser *p)
 {
     const struct token *token = stream_peek_infix(p);
-    return token->kind == TOKEN_WORD &&
-           token->word->keyword == KEYWORD_TEXTURE;
+    return token->kind == TOKEN_WORD && token->word->keyword == KEYWORD_TEXTURE;
 }
 
 /* After a wrong layer the others are read all the same: they belong to it. */
@@ -62,9 +61,9 @@ static bool thing_texture(struct parser *p, struct value *value)
 static bool thing_alias(struct parser *p, struct value *value)
 {
     static const enum value_kind kinds[] = {
-        VALUE_OBJECT,     VALUE_TEXTURE,     VALUE_PIGMENT,  VALUE_NORMAL,
-        VALUE_FINISH,     VALUE_INTERIOR,    VALUE_MATERIAL, VALUE_TRANSFORM,
-        VALUE_CAMERA,     VALUE_COLOUR_MAP,  VALUE_FOG,      VALUE_SKY_SPHERE,
+        VALUE_OBJECT,      VALUE_TEXTURE,    VALUE_PIGMENT,  VALUE_NORMAL,
+        VALUE_FINISH,      VALUE_INTERIOR,   VALUE_MATERIAL, VALUE_TRANSFORM,
+        VALUE_CAMERA,      VALUE_COLOUR_MAP, VALUE_FOG,      VALUE_SKY_SPHERE,
         VALUE_PIGMENT_MAP,
     };
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
