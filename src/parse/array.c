@@ -29,12 +29,18 @@ int array_dimension_size(const struct array *array, int dimension)
                : 0;
 }
 
-enum value_kind array_kind(const struct array *array)
+const struct value *array_first(const struct array *array)
 {
     for (size_t i = 0; i < array->count; i++)
         if (array->elements[i].kind != VALUE_NONE)
-            return array->elements[i].kind;
-    return VALUE_NONE;
+            return &array->elements[i];
+    return NULL;
+}
+
+enum value_kind array_kind(const struct array *array)
+{
+    const struct value *first = array_first(array);
+    return first ? first->kind : VALUE_NONE;
 }
 
 /* ---- subscripts ---- */

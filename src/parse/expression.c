@@ -8,6 +8,7 @@
 #include "parse/function.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
+#include "parse/unsupported.h"
 #include "parse/user_function.h"
 
 enum { VECTOR_LIMIT = 5 }; /* components */
@@ -187,29 +188,67 @@ static bool expression_colour(struct parser *p, struct value *value)
     return true;
 }
 
-/* The name of a whole array or function: sets *found. */
-static bool expression_copy(struct parser *p, struct value *value, bool *found)
+/* What is copied whole: no operators apply to it. */
+static bool kind_is_thing(enum value_kind kind)
 {
-    const struct token *token = stream_peek(p);
-    struct span at = p->token_span;
+    return kind >= VALUE_OBJECT && kind <= VALUE_SKY_SPHERE;
+}
+
+/* Whether the identifier that is next, whose value is `value`, and the token
+ * after it stand for a texture, a whole array ... rather than an operand. */
+static bool expression_is_thing(struct parser *p, const struct value *value)
+{
     size_t available;
     const struct token *after = stream_raw(p, &available);
-    const struct value *whole =
-        token->kind == TOKEN_WORD && !token->word->reserved
-            ? symbol_find(p, token->word)
-            : NULL;
     enum token_kind kind = available ? after->kind : TOKEN_END;
-    bool whole_value =
+    bool ends =
         operator_precedence(kind) == PRECEDENCE_NONE && kind != TOKEN_DOT;
-    *found = whole && whole_value &&
-             ((whole->kind == VALUE_ARRAY && kind != TOKEN_LBRACKET) ||
-              (whole->kind == VALUE_FUNCTION && kind != TOKEN_LPAREN));
+    if (value->kind == VALUE_ARRAY && kind == TOKEN_LBRACKET)
+        return kind_is_thing(array_kind(value->array));
+    if (value->kind == VALUE_ARRAY)
+        return ends;
+    if (value->kind == VALUE_FUNCTION)
+        return ends && kind != TOKEN_LPAREN;
+    return kind_is_thing(value->kind);
+}
+
+static bool thing_element(struct parser *p, const struct word *word,
+                          struct value *value)
+{
+    struct value *slot;
+    struct span at = p->last_span;
+    if (!array_element(p, value->array, &slot))
+        return false;
+    *value = *slot;
+    if (slot->kind == VALUE_UNSUPPORTED)
+        unsupported_report(p, at, word, slot->unsupported);
+    else if (slot->kind == VALUE_NONE)
+        error_at(p, span_join(at, p->last_span), NULL,
+                 "this element of '%s' was never set", word->text);
+    return slot->kind != VALUE_UNSUPPORTED && slot->kind != VALUE_NONE;
+}
+
+/* The name of a whole array, of a function, of a texture ...: *found.
+ * thing_name = name [subscripts] . */
+static bool parse_thing_name(struct parser *p, struct value *value, bool *found)
+{
+    const struct token *token = stream_peek(p);
+    const struct word *word = token->word;
+    struct span at = p->token_span;
+    struct symbol *symbol = token->kind == TOKEN_WORD && !word->reserved
+                                ? symbol_lookup(p, word)
+                                : NULL;
+    *found = symbol && expression_is_thing(p, &symbol->value);
     if (!*found)
         return true;
+    symbol_warn(p, symbol, at);
     stream_next(p);
-    *value = *whole;
-    return whole->kind == VALUE_FUNCTION ||
-           array_copy(p, at, whole->array, &value->array);
+    *value = symbol->value;
+    if (value->kind != VALUE_ARRAY)
+        return true;
+    if (stream_peek_infix(p)->kind == TOKEN_LBRACKET)
+        return thing_element(p, word, value);
+    return array_copy(p, at, value->array, &value->array);
 }
 
 static bool expression_spline(struct parser *p)
@@ -221,7 +260,8 @@ static bool expression_spline(struct parser *p)
     return skip_brackets(p) && error_unsupported(p, at, "spline { }");
 }
 
-/* expression = colour | array | function | name | operation [channels] . */
+/* expression = colour | array | function | thing_name
+ *            | operation [channels] . */
 bool parse_expression(struct parser *p, struct value *value)
 {
     bool found;
@@ -234,7 +274,7 @@ bool parse_expression(struct parser *p, struct value *value)
         return parse_function(p, value);
     if (keyword == KEYWORD_SPLINE)
         return expression_spline(p);
-    bool ok = expression_copy(p, value, &found);
+    bool ok = parse_thing_name(p, value, &found);
     if (!ok || found)
         return ok;
     bool whole = p->directive && p->directive == p->cursor;

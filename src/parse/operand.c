@@ -200,6 +200,8 @@ static bool operand_element(struct parser *p, const char *wanted,
                  word->text);
         *value = value_poison();
     }
+    if (slot->kind == VALUE_UNSUPPORTED)
+        unsupported_report(p, start, word, slot->unsupported);
     if (slot->kind == VALUE_NONE || slot->kind == VALUE_UNSUPPORTED ||
         value_size(value) || slot->kind == VALUE_STRING)
         return true;

@@ -2,6 +2,7 @@
  * where they are used. */
 #include "parse/unsupported.h"
 
+#include "parse/array.h"
 #include "parse/symbol.h"
 
 bool error_unsupported(struct parser *p, struct span span, const char *feature)
@@ -17,27 +18,33 @@ bool error_unsupported(struct parser *p, struct span span, const char *feature)
     return false;
 }
 
+void unsupported_report(struct parser *p, struct span span,
+                        const struct word *word, const struct unsupported *why)
+{
+    if (!why)
+        return;
+    if (p->declaring) {
+        if (!p->unsupported)
+            p->unsupported = why;
+        return;
+    }
+    unsigned errors = p->diag->errors;
+    error_at(p, span, NULL, "'%s' needs %s, which glim does not support yet",
+             word->text, why->feature);
+    if (p->diag->errors > errors)
+        note_at(p, why->span, "it is here");
+}
+
 bool unsupported_use(struct parser *p)
 {
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD || token->word->reserved)
         return false;
     const struct value *value = symbol_find(p, token->word);
+    if (value && value->kind == VALUE_ARRAY)
+        value = array_first(value->array);
     if (!value || value->kind != VALUE_UNSUPPORTED)
         return false;
-    const struct unsupported *why = value->unsupported;
-    struct span span = p->token_span;
-    if (!why)
-        return true;
-    if (p->declaring) {
-        if (!p->unsupported)
-            p->unsupported = why;
-        return true;
-    }
-    unsigned errors = p->diag->errors;
-    error_at(p, span, NULL, "'%s' needs %s, which glim does not support yet",
-             token->word->text, why->feature);
-    if (p->diag->errors > errors)
-        note_at(p, why->span, "it is here");
+    unsupported_report(p, p->token_span, token->word, value->unsupported);
     return true;
 }

@@ -87,6 +87,9 @@ static bool declare_read(struct parser *p, bool local)
     bool once = false;
     const struct word *name = NULL;
     struct value *slot = NULL;
+    /* A macro that gives the value may still be open after it, in spite of
+     * its end: `#macro M() Q; #end`. The name is not local to it. */
+    struct scope *scope = p->scope;
     if (!declare_deprecation(p, &message, &once) || !declare_name(p, &name) ||
         !declare_place(p, name, &slot) || !expect(p, TOKEN_EQUAL, span_none()))
         return false;
@@ -97,7 +100,10 @@ static bool declare_read(struct parser *p, bool local)
     if (slot) {
         *slot = value;
     } else {
+        struct scope *inner = p->scope;
+        p->scope = scope;
         struct symbol *symbol = symbol_make(p, name, local);
+        p->scope = inner;
         symbol->value = value;
         symbol->deprecated = message;
         symbol->deprecated_once = once;
