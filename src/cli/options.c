@@ -126,7 +126,8 @@ static bool option_is_scene(const char *name)
 {
     size_t length = strlen(name);
     return strcmp(name, "-") == 0 ||
-           (length > 4 && text_equal_nocase(name + length - 4, ".pov"));
+           (length > 4 && !strchr("+-", name[0]) &&
+            text_equal_nocase(name + length - 4, ".pov"));
 }
 
 bool option_read(struct option_reader *reader, const struct setting *token)
