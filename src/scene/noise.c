@@ -18,33 +18,35 @@
 #define VALUE_SCALE  0.489856
 #define VALUE_OFFSET 0.515534
 
-/* Four 16-bit random numbers of a lattice point: value and gradient. */
+/* Four numbers at once: of a lattice point its value and its gradient. */
 typedef float lanes __attribute__((vector_size(16)));
 typedef int32_t words __attribute__((vector_size(16)));
+typedef int16_t halves __attribute__((vector_size(8)));
 
 /* The unit cell a point is in and the place in it. */
 struct cell {
     uint64_t key[3][2]; /* per axis: of the lower and upper lattice plane */
-    double place[3];
-    double blend[3];
+    float place[3];
+    float blend[3];
 };
 
 /* Lattice planes are numbered by integers up to 2^40; far beyond, a
  * coordinate has no fraction left and any number does. */
-static struct cell cell_at(vec3 point)
+static inline struct cell cell_at(vec3 point)
 {
     static const uint64_t multiplier[3] = { 0x9e3779b97f4a7c15u,
                                             0xc2b2ae3d27d4eb4fu,
                                             0x165667b19e3779f9u };
-    double coordinate[3] = { point.x, point.y, point.z };
+    const double coordinate[3] = { point.x, point.y, point.z };
     struct cell cell;
     for (int i = 0; i < 3; i++) {
         double c = coordinate[i];
         if (!(fabs(c) < 0x1p40))
             c = isfinite(c) ? fmod(c, 0x1p40) : 0;
-        double low = floor(c);
-        double t = c - low;
-        uint64_t plane = (uint64_t)(int64_t)low * multiplier[i];
+        int64_t low = (int64_t)c;
+        low -= c < (double)low;
+        float t = (float)(c - (double)low);
+        uint64_t plane = (uint64_t)low * multiplier[i];
         cell.key[i][0] = plane;
         cell.key[i][1] = plane + multiplier[i];
         cell.place[i] = t;
@@ -53,8 +55,7 @@ static struct cell cell_at(vec3 point)
     return cell;
 }
 
-/* Two rounds of multiply and xor-shift: enough that neighbours show no
- * correlation in 64 bits (tests/unit/test_patterns.c). */
+/* Multiply and xor-shift, twice: neighbours then show no correlation. */
 static inline uint64_t lattice_mix(uint64_t key)
 {
     key ^= key >> 32;
@@ -64,43 +65,45 @@ static inline uint64_t lattice_mix(uint64_t key)
     return key ^ key >> 32;
 }
 
-static inline lanes lattice_lanes(uint64_t hash)
+static inline uint64_t lattice_hash(const struct cell *cell, int i, int j,
+                                    int k)
 {
-    words w = { (int32_t)(hash & 0xffff), (int32_t)(hash >> 16 & 0xffff),
-                (int32_t)(hash >> 32 & 0xffff), (int32_t)(hash >> 48) };
-    const lanes scale = { 0x1p-16f, 0x1p-15f, 0x1p-15f, 0x1p-15f };
-    const lanes offset = { 0.5f - (float)RAW_MEAN, 1, 1, 1 };
-    return __builtin_convertvector(w, lanes) * scale - offset;
+    return lattice_mix(cell->key[0][i] ^ cell->key[1][j] ^ cell->key[2][k]);
 }
 
-static inline float lanes_sum(lanes v)
+/* Four numbers in [-32768, 32767]. */
+static inline lanes lattice_lanes(uint64_t hash)
 {
-    return v[0] + v[1] + v[2] + v[3];
+    halves h;
+    memcpy(&h, &hash, sizeof h);
+    return __builtin_convertvector(__builtin_convertvector(h, words), lanes);
 }
 
 /* Blends `count` (1 or 3) independent fields of the cell into out[]. */
 static inline void cell_blend(const struct cell *cell, int count, float *out)
 {
+    const lanes scale = { 0x1p-16f, 0x1p-15f, 0x1p-15f, 0x1p-15f };
+    const lanes place = { 1, cell->place[0], cell->place[1], cell->place[2] };
+    const float *b = cell->blend;
     lanes sum[3] = { { 0, 0, 0, 0 }, { 0, 0, 0, 0 }, { 0, 0, 0, 0 } };
     for (int corner = 0; corner < 8; corner++) {
         int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-        double weight = (i ? cell->blend[0] : 1 - cell->blend[0]) *
-                        (j ? cell->blend[1] : 1 - cell->blend[1]) *
-                        (k ? cell->blend[2] : 1 - cell->blend[2]);
-        lanes basis = { 1, (float)(cell->place[0] - i),
-                        (float)(cell->place[1] - j),
-                        (float)(cell->place[2] - k) };
-        uint64_t hash =
-            lattice_mix(cell->key[0][i] ^ cell->key[1][j] ^ cell->key[2][k]);
-        basis *= (float)weight;
+        const lanes origin = { 0, (float)i, (float)j, (float)k };
+        float weight = (i ? b[0] : 1 - b[0]) * (j ? b[1] : 1 - b[1]) *
+                       (k ? b[2] : 1 - b[2]);
+        lanes basis = (place - origin) * weight;
+        uint64_t hash = lattice_hash(cell, i, j, k);
         sum[0] += basis * lattice_lanes(hash);
         for (int field = 1; field < count; field++) {
-            hash = lattice_mix(hash);
+            hash *= 0x9e6c63d0876a9a47u;
+            hash ^= hash >> 32;
             sum[field] += basis * lattice_lanes(hash);
         }
     }
-    for (int field = 0; field < count; field++)
-        out[field] = lanes_sum(sum[field]);
+    for (int field = 0; field < count; field++) {
+        lanes s = sum[field] * scale;
+        out[field] = (float)RAW_MEAN + s[0] + s[1] + s[2] + s[3];
+    }
 }
 
 static double noise_raw(vec3 point)
@@ -128,8 +131,7 @@ vec3 noise_vector(vec3 point)
 vec3 noise_cell_point(double x, double y, double z)
 {
     struct cell cell = cell_at(vec3_make(x, y, z));
-    uint64_t hash =
-        lattice_mix(cell.key[0][0] ^ cell.key[1][0] ^ cell.key[2][0]);
+    uint64_t hash = lattice_hash(&cell, 0, 0, 0);
     const double unit = 0x1p-21;
     return vec3_make((double)(hash & 0x1fffff) * unit,
                      (double)(hash >> 21 & 0x1fffff) * unit,

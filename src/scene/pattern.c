@@ -52,17 +52,13 @@ void pattern_transform(struct pattern *pattern, const affine *transform)
         pattern->inverse = affine_compose(pattern->inverse, inverse);
 }
 
-vec3 pattern_displace(const struct pattern *pattern, vec3 point)
+vec3 pattern_locate(const struct pattern *pattern, vec3 point)
 {
-    if (!pattern->turbulent || !pattern->kind || pattern->kind->own_turbulence)
+    point = affine_point(&pattern->inverse, point);
+    if (!pattern->turbulent || (pattern->kind && pattern->kind->own_turbulence))
         return point;
     vec3 step = noise_vector_turbulence(point, &pattern->turbulence);
     return vec3_add(point, vec3_mul(pattern->turbulence.amount, step));
-}
-
-vec3 pattern_locate(const struct pattern *pattern, vec3 point)
-{
-    return pattern_displace(pattern, affine_point(&pattern->inverse, point));
 }
 
 /* The period is 1.00001, not 1: with it a value of exactly 1 is the end of a
@@ -72,7 +68,9 @@ static double pattern_cycle(const struct pattern *pattern, double value)
     const double period = 1.00001;
     if (pattern->frequency == 0)
         return value < 0 ? value - floor(value) : value;
-    value = fmod(value * pattern->frequency + pattern->phase, period);
+    value = value * pattern->frequency + pattern->phase;
+    if (!(value >= 0 && value < period))
+        value = fmod(value, period);
     return value < 0 ? value + 1 : value;
 }
 

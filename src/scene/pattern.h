@@ -72,10 +72,6 @@ struct pattern pattern_new(struct arena *arena,
  * transformation, then turbulence. */
 vec3 pattern_locate(const struct pattern *pattern, vec3 point);
 
-/* The second half of pattern_locate: turbulence alone, for a point already in
- * the pattern's space. Patterns with turbulence of their own stay put. */
-vec3 pattern_displace(const struct pattern *pattern, vec3 point);
-
 /* The value in [0,1] at a point of the texture's space, frequency, phase and
  * wave form applied; for block patterns the block's number. Above 1 only with
  * frequency 0 (as in POV-Ray). Never NaN. */

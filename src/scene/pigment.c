@@ -51,13 +51,18 @@ static colour map_colour(const struct blend_map *map, double value, vec3 point,
                       entry_colour(after, point, depth), t);
 }
 
+/* Blocks that the scene gives no colour have the pattern's own; in a list of
+ * pigments they are black. */
 static colour block_colour(const struct pigment *pigment, double value,
                            vec3 point, int depth)
 {
     const struct pattern_kind *kind = pigment->pattern.kind;
+    const struct blend_map *map = pigment->map;
     size_t block = (size_t)value;
-    if (pigment->map && block < pigment->map->count)
-        return entry_colour(&pigment->map->entries[block], point, depth);
+    if (map && block < map->count)
+        return entry_colour(&map->entries[block], point, depth);
+    if (map && map->count > 0 && map->entries[0].pigment)
+        return (colour){ 0 };
     if (kind->block_colours && block < (size_t)kind->blocks) {
         const double *c = kind->block_colours[block];
         return colour_opaque(rgb_make(c[0], c[1], c[2]));
@@ -65,17 +70,16 @@ static colour block_colour(const struct pigment *pigment, double value,
     return colour_opaque(rgb_grey(value));
 }
 
-/* Measured: inner pigments see the outer's transformation; its turbulence too
- * in a pigment_map, but not in a list of blocks nor in wood and marble. */
+/* Measured: inner pigments are seen through the outer's transformation and
+ * turbulence, save for wood and marble, which keep theirs to themselves. */
 static colour pattern_colour(const struct pigment *pigment, vec3 point,
                              int depth)
 {
     const struct pattern *pattern = &pigment->pattern;
-    vec3 placed = affine_point(&pattern->inverse, point);
-    vec3 located = pattern_displace(pattern, placed);
+    vec3 located = pattern_locate(pattern, point);
     double value = pattern_value_at(pattern, located);
     if (pattern->kind && pattern->kind->blocks > 0)
-        return block_colour(pigment, value, placed, depth);
+        return block_colour(pigment, value, located, depth);
     if (!pigment->map || pigment->map->count == 0)
         return colour_opaque(rgb_grey(value));
     return map_colour(pigment->map, value, located, depth);

@@ -9,10 +9,10 @@ static double checker_value(const struct pattern *pattern, vec3 point)
 {
     const double offset = 1e-10;
     (void)pattern;
-    double sum = fmod(floor(point.x + offset), 2) +
-                 fmod(floor(point.y + offset), 2) +
-                 fmod(floor(point.z + offset), 2);
-    return fabs(fmod(sum, 2));
+    double half = (floor(point.x + offset) + floor(point.y + offset) +
+                   floor(point.z + offset)) /
+                  2;
+    return half == floor(half) ? 0 : 1;
 }
 
 const struct pattern_kind checker_pattern = {

@@ -65,32 +65,43 @@ static double crackle_gap(double place, int step)
     return step > 0 ? step - place : step < 0 ? place - step - 1 : 0;
 }
 
-/* The cubes at most two away; the outer ones only if they could matter. */
+/* Adds the point of the cube `step` away from the one at `base`, unless the
+ * whole cube is farther than what is known. */
+static void crackle_visit(const struct crackle *crackle, vec3 base, vec3 place,
+                          const int step[3], struct nearest *nearest)
+{
+    vec3 gap = { crackle_gap(place.x, step[0]), crackle_gap(place.y, step[1]),
+                 crackle_gap(place.z, step[2]) };
+    double known = nearest->sum[crackle->form.z != 0 ? 2 : 1];
+    if (crackle->metric > 0 && crackle_sum(crackle, gap) > known)
+        return;
+    vec3 cell = vec3_add(base, vec3_make(step[0], step[1], step[2]));
+    vec3 inner = noise_cell_point(cell.x, cell.y, cell.z);
+    vec3 offset =
+        vec3_sub(vec3_add(vec3_make(step[0], step[1], step[2]), inner), place);
+    nearest_add(nearest, crackle_sum(crackle, offset), vec3_add(cell, inner));
+}
+
+/* The cubes at most two away, nearer ones first. Outside of the inner 27 all
+ * is more than 1 away, and so is the sum of powers. */
 static struct nearest crackle_search(const struct crackle *crackle, vec3 point)
 {
     struct nearest nearest = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, point };
     vec3 base = { floor(point.x), floor(point.y), floor(point.z) };
     vec3 place = vec3_sub(point, base);
     int keep = crackle->form.z != 0 ? 2 : 1;
-    for (int ring = 0; ring <= 2; ring++)
-        for (int x = -ring; x <= ring; x++)
-            for (int y = -ring; y <= ring; y++) {
-                bool side = abs(x) == ring || abs(y) == ring;
-                int step = side || ring == 0 ? 1 : 2 * ring;
-                for (int z = -ring; z <= ring; z += step) {
-                    vec3 gap = { crackle_gap(place.x, x),
-                                 crackle_gap(place.y, y),
-                                 crackle_gap(place.z, z) };
-                    if (crackle_sum(crackle, gap) > nearest.sum[keep])
-                        continue;
-                    vec3 cell = vec3_add(base, vec3_make(x, y, z));
-                    vec3 centre = vec3_add(
-                        cell, noise_cell_point(cell.x, cell.y, cell.z));
-                    nearest_add(&nearest,
-                                crackle_sum(crackle, vec3_sub(centre, point)),
-                                centre);
-                }
-            }
+    for (int ring = 0; ring <= 2; ring++) {
+        if (ring == 2 && nearest.sum[keep] <= 1)
+            break;
+        int side = 2 * ring + 1;
+        for (int i = 0; i < side * side * side; i++) {
+            int step[3] = { i % side - ring, i / side % side - ring,
+                            i / side / side - ring };
+            if (abs(step[0]) == ring || abs(step[1]) == ring ||
+                abs(step[2]) == ring)
+                crackle_visit(crackle, base, place, step, &nearest);
+        }
+    }
     return nearest;
 }
 
