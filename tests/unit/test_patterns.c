@@ -502,9 +502,9 @@ static void special_normals_have_povrays_statistics(void **state)
 static void patterns_survive_anything(void **state)
 {
     (void)state;
-    static const double extremes[] = { 0,      -1e-300, 1e-9,  0.5,
-                                       -1.5,   1e10,    -1e18, 1e30,
-                                       -1e154, 1e308,   NAN,   1e300 * 1e300 };
+    static const double extremes[] = { 0,      -1e-300, 1e-9,        0.5,
+                                       -1.5,   1e10,    -1e18,       1e30,
+                                       -1e154, 1e308,   (double)NAN, HUGE_VAL };
     enum { COUNT = sizeof extremes / sizeof *extremes };
     const struct pattern_kind *kind;
     for (size_t i = 0; (kind = pattern_at(i)); i++) {
