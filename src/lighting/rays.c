@@ -47,26 +47,25 @@ struct rays_question {
     const struct lamp *lamp;
     struct worker *worker;
     const struct surface *surface;
+    struct lamp_view view; /* of the lamp's centre */
     light_visit *visit;
     void *context;
 };
 
+/* Parallel light comes from the grid moved to stand over the point. */
 static rgb rays_see(void *context, vec3 location)
 {
     const struct rays_question *q = context;
-    vec3 point = q->surface->point;
-    struct lamp_view view;
+    const struct light *light = q->lamp->light;
+    vec3 point = q->surface->point, offset = vec3_sub(location, point);
     if (worker_stopped(q->worker))
         return rgb_grey(0);
-    if (q->lamp->light->parallel) {
-        lamp_look(q->lamp, location, point, &view);
-    } else {
-        vec3 offset = vec3_sub(location, point);
-        view.distance = vec3_length(offset);
-        view.direction = vec3_normalise(offset);
-    }
-    return shadow_visibility(q->rays->world, q->worker, point, view.direction,
-                             view.distance, q->lamp->number);
+    if (lamp_is_parallel(q->lamp))
+        offset = vec3_along(vec3_sub(location, light->location),
+                            q->view.direction, q->view.distance);
+    return shadow_visibility(q->rays->world, q->worker, point,
+                             vec3_normalise(offset), vec3_length(offset),
+                             q->lamp->number);
 }
 
 static bool rays_area(const struct rays_question *q)
@@ -75,18 +74,20 @@ static bool rays_area(const struct rays_question *q)
 }
 
 /* The share of the lamp that is not in shadow. */
-static rgb rays_visibility(struct rays_question *q,
-                           const struct lamp_view *view)
+static rgb rays_visibility(struct rays_question *q)
 {
+    const struct light *light = q->lamp->light;
+    const struct rays *rays = q->rays;
     vec3 point = q->surface->point;
-    if (q->lamp->light->shadowless || q->rays->quality < QUALITY_SHADOWS)
+    if (light->shadowless || rays->quality < QUALITY_SHADOWS)
         return rgb_grey(1);
     if (!rays_area(q))
-        return shadow_visibility(q->rays->world, q->worker, point,
-                                 view->direction, view->distance,
+        return shadow_visibility(rays->world, q->worker, point,
+                                 q->view.direction, q->view.distance,
                                  q->lamp->number);
-    struct area_grid grid = area_grid_new(q->lamp, point, q->rays->seed);
-    return area_visibility(&grid, rays_see, q);
+    struct area_grid grid = area_grid_new(q->lamp, point, rays->seed);
+    rgb arriving = rgb_scale(light->colour, q->view.attenuation);
+    return area_visibility(&grid, arriving, rays_see, q);
 }
 
 static void rays_give(const struct rays_question *q,
@@ -108,8 +109,8 @@ static void rays_give_area(struct rays_question *q)
     const struct light *light = q->lamp->light;
     vec3 point = q->surface->point;
     struct area_grid grid = area_grid_new(q->lamp, point, q->rays->seed);
-    struct lamp_view view = { .distance = 0 };
-    rgb share = rays_visibility(q, &view);
+    struct lamp_view view;
+    rgb share = rays_visibility(q);
     if (rgb_peak(share) == 0)
         return;
     share = rgb_scale(share, 1.0 / ((double)light->size1 * light->size2));
@@ -122,17 +123,17 @@ static void rays_give_area(struct rays_question *q)
 static void rays_answer(struct rays_question *q)
 {
     const struct light *light = q->lamp->light;
-    struct lamp_view view;
+    bool there =
+        lamp_look(q->lamp, light->location, q->surface->point, &q->view);
     if (light->area_illumination && rays_area(q)) {
         rays_give_area(q);
         return;
     }
-    if (!lamp_look(q->lamp, light->location, q->surface->point, &view) ||
-        !surface_faces(q->surface, view.direction))
+    if (!there || !surface_faces(q->surface, q->view.direction))
         return;
-    rgb share = rays_visibility(q, &view);
+    rgb share = rays_visibility(q);
     if (rgb_peak(share) > 0)
-        rays_give(q, &view, share);
+        rays_give(q, &q->view, share);
 }
 
 static struct diffuse_light rays_illuminate(const void *state,

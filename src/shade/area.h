@@ -27,8 +27,10 @@ vec3 area_grid_point(const struct area_grid *grid, int i, int j);
 typedef rgb area_visit(void *context, vec3 location);
 
 /* The share of the whole light that is seen: not the mean of the points, but
- * POV-Ray's recursive bisection with weights, adaptive if the light says so. */
-rgb area_visibility(const struct area_grid *grid, area_visit *visit,
-                    void *context);
+ * POV-Ray's recursive bisection with weights, adaptive if the light says so:
+ * `arriving`, the unshadowed light at the point, tells what differences are
+ * small. */
+rgb area_visibility(const struct area_grid *grid, rgb arriving,
+                    area_visit *visit, void *context);
 
 #endif

@@ -1,6 +1,10 @@
 /* Diffuse reflection, highlights and mirrors: see finish.h. */
 #include "shade/finish.h"
 
+#include <string.h>
+
+#include "base/random.h"
+
 /* Diffuse reflection of light at `cosine` to the normal (negative: from
  * behind). `diffuse albedo` makes the whole reflected share `diffuse`. */
 static double finish_diffuse(const struct finish *finish, double cosine,
@@ -46,6 +50,23 @@ static double finish_specular(const struct finish *finish,
     return finish->specular * albedo * pow(cosine, m);
 }
 
+static uint64_t bits_of(double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* crand: each lamp's diffuse light loses a random part, uniform up to crand,
+ * not clipped; by the point and the lamp's direction alone. */
+static double finish_grain(const struct finish *finish, vec3 point, vec3 light)
+{
+    uint64_t key = random_key(bits_of(point.x), bits_of(point.y));
+    key = random_key(key, bits_of(point.z));
+    key = random_key(key, bits_of(light.x + 2 * light.y + 4 * light.z));
+    return finish->crand * random_unit(key);
+}
+
 static bool finish_has_highlights(const struct finish *finish)
 {
     return finish->phong != 0 || finish->specular != 0;
@@ -78,9 +99,11 @@ rgb finish_light(const struct surface *surface,
     const struct finish *finish = layer->finish;
     double cosine = vec3_dot(layer->normal, sample->direction);
     bool twice = surface->at->leaf->double_illuminate;
-    double diffuse = finish_diffuse(finish, cosine, twice);
-    rgb share =
-        rgb_scale(colour_rgb(layer->pigment), diffuse * layer_opacity(layer));
+    double diffuse =
+        finish_diffuse(finish, cosine, twice) * layer_opacity(layer);
+    if (finish->crand > 0 && diffuse != 0)
+        diffuse -= finish_grain(finish, surface->point, sample->direction);
+    rgb share = rgb_scale(colour_rgb(layer->pigment), diffuse);
     if (cosine > 0 && sample->highlights && finish_has_highlights(finish))
         share = rgb_add(share, finish_highlights(surface, layer,
                                                  sample->direction, cosine));

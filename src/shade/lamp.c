@@ -25,17 +25,20 @@ static double smoothstep(double zero, double one, double x)
     return s * s * (3 - 2 * s);
 }
 
-/* Smooth in the cosine of the angle to the axis, not in the angle. */
+/* Smooth in the cosine of the angle to the axis, not in the angle; nothing
+ * behind the lamp, however wide it opens. */
 static double spot_attenuation(const struct lamp *lamp, double cosine)
 {
     double share = 1;
+    if (cosine <= 0)
+        return 0;
     if (cosine < lamp->cosine_radius) {
         if (cosine <= lamp->cosine_falloff)
             return 0;
         share = smoothstep(lamp->cosine_falloff, lamp->cosine_radius, cosine);
     }
     if (lamp->light->tightness > 0)
-        share *= cosine > 0 ? pow(cosine, lamp->light->tightness) : 0;
+        share *= pow(cosine, lamp->light->tightness);
     return share;
 }
 
@@ -72,18 +75,24 @@ static void lamp_look_along(const struct lamp *lamp, vec3 offset,
     view->distance = vec3_dot(offset, lamp->axis);
 }
 
+bool lamp_is_parallel(const struct lamp *lamp)
+{
+    return lamp->light->parallel || lamp->light->kind == LIGHT_CYLINDER;
+}
+
 bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
                struct lamp_view *view)
 {
     const struct light *light = lamp->light;
     vec3 offset = vec3_sub(point, location);
-    if (light->parallel || light->kind == LIGHT_CYLINDER) {
+    view->attenuation = 0;
+    if (lamp_is_parallel(lamp)) {
         lamp_look_along(lamp, offset, view);
     } else {
         view->distance = vec3_length(offset);
+        view->direction = vec3_negate(vec3_normalise(offset));
         if (!(view->distance > 0))
             return false;
-        view->direction = vec3_scale(offset, -1 / view->distance);
     }
     view->attenuation = 1;
     if (light->kind == LIGHT_SPOT)

@@ -27,8 +27,12 @@ struct lamp_view {
 
 struct lamp lamp_new(const struct light *light, int number);
 
+/* Whether its rays are parallel: said so, or a cylinder. */
+bool lamp_is_parallel(const struct lamp *lamp);
+
 /* Sees the lamp as if it stood at `location` (light->location, or a point of
- * an area light's grid) from `point`. Returns false if no light gets there. */
+ * an area light's grid) from `point`. Returns false if no light gets there;
+ * direction and distance are given all the same. */
 bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
                struct lamp_view *view);
 
