@@ -15,6 +15,7 @@ struct array {
     int size[ARRAY_DIMENSIONS];
     size_t count;
     struct value *elements; /* the last subscript runs fastest */
+    struct value *touched;  /* the one last asked for, or NULL */
 };
 
 int array_dimensions(const struct array *array)
@@ -29,8 +30,10 @@ int array_dimension_size(const struct array *array, int dimension)
                : 0;
 }
 
-const struct value *array_first(const struct array *array)
+const struct value *array_sample(const struct array *array)
 {
+    if (array->touched && array->touched->kind != VALUE_NONE)
+        return array->touched;
     for (size_t i = 0; i < array->count; i++)
         if (array->elements[i].kind != VALUE_NONE)
             return &array->elements[i];
@@ -39,7 +42,7 @@ const struct value *array_first(const struct array *array)
 
 enum value_kind array_kind(const struct array *array)
 {
-    const struct value *first = array_first(array);
+    const struct value *first = array_sample(array);
     return first ? first->kind : VALUE_NONE;
 }
 
@@ -94,7 +97,7 @@ static bool parse_subscripts(struct parser *p, struct array *array,
                 return false;
             place = place * (size_t)array->size[i] + index;
         }
-        *slot = &array->elements[place];
+        *slot = array->touched = &array->elements[place];
         if ((*slot)->kind != VALUE_ARRAY ||
             stream_peek_infix(p)->kind != TOKEN_LBRACKET)
             return true;
@@ -133,6 +136,7 @@ static struct array *array_duplicate(struct parser *p,
 {
     struct array *copy = ARENA_NEW(p->arena, struct array);
     *copy = *array;
+    copy->touched = NULL;
     copy->elements = ARENA_ARRAY(p->arena, struct value, array->count);
     memcpy(copy->elements, array->elements,
            array->count * sizeof *array->elements);

@@ -127,6 +127,9 @@ static const char *error_kind(struct parser *p)
 
 bool error_expected(struct parser *p, const char *wanted)
 {
+    if (p->blamed.source && p->blamed.source == p->last_span.source &&
+        p->blamed.offset == p->last_span.offset)
+        return false;
     stream_peek(p);
     if (error_follows(p) || unsupported_use(p) || error_undeclared(p, wanted))
         return false;

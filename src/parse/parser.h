@@ -50,6 +50,8 @@ struct parser {
     unsigned nesting;
     unsigned declaring; /* #declares being read inside each other */
     const struct unsupported *unsupported;  /* met inside a #declare */
+    struct span blamed; /* the last token of a value that was reported and
+                         * taken: what follows it is not at fault */
     struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */
     unsigned reported_count;
     unsigned long taken, taken_at_error; /* tokens; see error_follows */

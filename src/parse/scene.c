@@ -57,25 +57,6 @@ static bool thing_texture(struct parser *p, struct value *value)
     return ok;
 }
 
-/* Another name for a declared thing. */
-static bool thing_alias(struct parser *p, struct value *value)
-{
-    static const enum value_kind kinds[] = {
-        VALUE_OBJECT,      VALUE_TEXTURE,    VALUE_PIGMENT,  VALUE_NORMAL,
-        VALUE_FINISH,      VALUE_INTERIOR,   VALUE_MATERIAL, VALUE_TRANSFORM,
-        VALUE_CAMERA,      VALUE_COLOUR_MAP, VALUE_FOG,      VALUE_SKY_SPHERE,
-        VALUE_PIGMENT_MAP,
-    };
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        const struct value *declared = accept_value(p, kinds[i]);
-        if (!declared)
-            continue;
-        *value = *declared;
-        return true;
-    }
-    return false;
-}
-
 static bool thing_object(struct parser *p, struct value *value)
 {
     struct object *object;
@@ -163,11 +144,9 @@ bool parse_thing(struct parser *p, struct value *value, bool *found)
         value->kind = VALUE_PIGMENT_MAP;
         return parse_pigment_map(p, &value->map);
     default:
-        *found = thing_alias(p, value);
-        if (*found || !at_object(p) || !stream_peek(p)->word->reserved)
-            return true;
-        *found = true;
-        return thing_object(p, value);
+        /* Names of declared things are parse_expression's. */
+        *found = at_object(p) && stream_peek(p)->word->reserved;
+        return !*found || thing_object(p, value);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "parse/array.h"
 #include "parse/stream.h"
+#include "parse/unsupported.h"
 
 struct scope {
     struct scope *parent;
@@ -181,12 +182,23 @@ const struct value *accept_value(struct parser *p, enum value_kind kind)
     stream_next(p);
     if (!element)
         return value;
-    if (!array_element(p, value->array, &value))
+    if (!array_element(p, value->array, &value)) {
+        p->blamed = p->last_span;
         return NULL;
+    }
     if (value->kind == kind)
         return value;
-    error_at(p, p->last_span, NULL, "this element of '%s' is %s, not %s",
-             symbol->word->text, value_kind_name(value->kind),
-             value_kind_name(kind));
+    p->blamed = p->last_span;
+    if (value->kind == VALUE_UNSUPPORTED) {
+        unsupported_report(p, p->last_span, symbol->word, value->unsupported);
+        return NULL;
+    }
+    if (value->kind == VALUE_NONE)
+        error_at(p, p->last_span, NULL, "this element of '%s' was never set",
+                 symbol->word->text);
+    else
+        error_at(p, p->last_span, NULL, "this element of '%s' is %s, not %s",
+                 symbol->word->text, value_kind_name(value->kind),
+                 value_kind_name(kind));
     return NULL;
 }

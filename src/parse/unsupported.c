@@ -42,7 +42,7 @@ bool unsupported_use(struct parser *p)
         return false;
     const struct value *value = symbol_find(p, token->word);
     if (value && value->kind == VALUE_ARRAY)
-        value = array_first(value->array);
+        value = array_sample(value->array);
     if (!value || value->kind != VALUE_UNSUPPORTED)
         return false;
     unsupported_report(p, p->token_span, token->word, value->unsupported);
