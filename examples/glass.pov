@@ -27,9 +27,10 @@ sky_sphere {
   }
 }
 
-// A table top of dark and light squares; beyond its edge is only the sky.
+// A table top of dark and light squares; beyond its edge is only the sky. It
+// lies a hair below the glasses: of two surfaces in one place either may win.
 box {
-  <-7, -0.3, -5>, <7, 0, 4>
+  <-7, -0.3, -5>, <7, -0.002, 4>
   pigment {
     checker rgb <0.03, 0.045, 0.07> rgb <0.62, 0.52, 0.42>
     scale 0.75
