@@ -26,7 +26,7 @@ struct blend_entry {
 };
 
 struct blend_map {
-    struct blend_entry *entries;
+    const struct blend_entry *entries;
     size_t count;
 };
 
@@ -57,7 +57,7 @@ struct pigment {
     enum pigment_kind kind;
     colour colour;               /* PIGMENT_COLOUR; default opaque black */
     struct pattern pattern;      /* for every kind: the placing */
-    const struct blend_map *map; /* PIGMENT_PATTERN; NULL: black to white */
+    const struct blend_map *map; /* PIGMENT_PATTERN; NULL: the kind's own */
     const struct image_map *image;
     unsigned depth, parts; /* of pigment_maps in each other: levels, and
                             * entries in all; the parser limits both */

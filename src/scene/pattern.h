@@ -26,6 +26,7 @@ struct turbulence {
 };
 
 struct pattern_kind;
+struct blend_map; /* scene/material.h */
 
 /* A pattern in use. */
 struct pattern {
@@ -50,9 +51,11 @@ struct pattern_kind {
     /* 0: a continuous pattern. n: value() is one of 0..n-1 and the pattern
      * takes a list of n colours or pigments (checker 2, hexagon 3). */
     int blocks;
-    /* Colours of the blocks when the scene names none; NULL: black to white.
-     * For a continuous pattern NULL means a grey ramp too. */
+    /* Colours of the blocks where the scene names none. */
     const double (*block_colours)[3];
+    /* Colours of a continuous pattern where the scene names none; NULL: black
+     * to white. */
+    const struct blend_map *map;
     /* Some patterns use their turbulence themselves, inside value(). */
     bool own_turbulence;
     /* The raw value at a point of the pattern's space, before frequency,

@@ -80,9 +80,12 @@ static colour pattern_colour(const struct pigment *pigment, vec3 point,
     double value = pattern_value_at(pattern, located);
     if (pattern->kind && pattern->kind->blocks > 0)
         return block_colour(pigment, value, located, depth);
-    if (!pigment->map || pigment->map->count == 0)
+    const struct blend_map *map = pigment->map;
+    if (!map && pattern->kind)
+        map = pattern->kind->map;
+    if (!map || map->count == 0)
         return colour_opaque(rgb_grey(value));
-    return map_colour(pigment->map, value, located, depth);
+    return map_colour(map, value, located, depth);
 }
 
 static colour pigment_at(const struct pigment *pigment, vec3 point, int depth)

@@ -310,6 +310,9 @@ static void colour_map_is_looked_up_as_povrays(void **state)
 static void patterns_without_map_have_defaults(void **state)
 {
     (void)state;
+    struct pigment marble = pigment_of("marble", NULL);
+    vec3 vein = { 0.225, 0, 0 };
+    assert_true(colour_is(pigment_colour(&marble, vein), 0.9, 0.44, 0.44));
     struct pigment grey = pigment_of("gradient", NULL);
     vec3 p = { 0.4, 0, 0 };
     assert_true(colour_is(pigment_colour(&grey, p), 0.4, 0.4, 0.4));

@@ -1,4 +1,5 @@
 /* agate: banded stone, a sine along z bent by much turbulence. */
+#include "scene/material.h"
 #include "scene/noise.h"
 
 struct agate {
@@ -22,11 +23,23 @@ static double agate_value(const struct pattern *pattern, vec3 point)
     return pow(0.5 * (1 + sin(2 * M_PI * bands)), 0.77);
 }
 
+static const struct blend_entry agate_colours[] = {
+    { 0, { 1, 1, 1, 0, 0 }, NULL },
+    { 0.5, { 0.95, 0.75, 0.5, 0, 0 }, NULL },
+    { 0.5, { 0.9, 0.7, 0.5, 0, 0 }, NULL },
+    { 0.6, { 0.9, 0.7, 0.4, 0, 0 }, NULL },
+    { 0.6, { 1, 0.7, 0.4, 0, 0 }, NULL },
+    { 1, { 0.6, 0.3, 0, 0, 0 }, NULL },
+};
+
+static const struct blend_map agate_map = { agate_colours, 6 };
+
 const struct pattern_kind agate_pattern = {
     .name = "agate",
     .help = "bent bands of stone",
     .size = sizeof(struct agate),
     .defaults = &agate_defaults,
     .items = agate_items,
+    .map = &agate_map,
     .value = agate_value,
 };
