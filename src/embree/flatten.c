@@ -232,7 +232,7 @@ static struct solid *build_leaf_solid(struct flat *flat,
 static void flatten(struct flat *flat, const struct object *object,
                     const struct inherited *up);
 
-/* `in` is of the light's own space. What it looks like stands at its place. */
+/* `in` leads from the light's own space, in which what it looks like stands. */
 static void add_light(struct flat *flat, const struct object *object,
                       const struct inherited *in)
 {
@@ -242,8 +242,6 @@ static void add_light(struct flat *flat, const struct object *object,
     struct inherited shown = *in;
     shown.looks_like = (int)flat->lights.count;
     shown.body = flat->bodies++;
-    shown.to_world =
-        affine_compose(in->to_world, affine_translation(light->location));
     shown.flipped = shown.inverted = false;
     *ARRAY_PUSH(flat->arena, &flat->lights) = light_moved(light, &in->to_world);
     if (light->looks_like)

@@ -30,16 +30,21 @@ static const char *camera_check(const struct camera *camera)
     return NULL;
 }
 
-/* Turns the camera to look_at, right being level with respect to the sky. If
- * it looks straight into the sky, right stays what it was. */
+/* Turns the camera to look_at, right being level with respect to the sky and
+ * as mirrored as before (as POV-Ray does also when up is along direction, which
+ * `up z` leads to). If it looks straight into the sky, right stays. */
 static void camera_aim(struct camera *camera)
 {
     vec3 aim = vec3_normalise(vec3_sub(camera->look_at, camera->location));
+    vec3 straight = vec3_cross(camera->up, camera->direction);
+    bool mirrored = !(vec3_dot(straight, camera->right) > 0);
     vec3 right = vec3_cross(vec3_normalise(camera->sky), aim);
     if (!(vec3_length(right) > 1e-9))
-        right = camera->right;
+        right = mirrored ? vec3_negate(camera->right) : camera->right;
     right = vec3_normalise(right);
     vec3 up = vec3_normalise(vec3_cross(aim, right));
+    if (mirrored)
+        right = vec3_negate(right);
     camera->direction = vec3_scale(aim, vec3_length(camera->direction));
     camera->right = vec3_scale(right, vec3_length(camera->right));
     camera->up = vec3_scale(up, vec3_length(camera->up));

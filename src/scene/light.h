@@ -29,7 +29,8 @@ struct light {
     int adaptive; /* -1: all points, else subdivisions always done */
     bool circular, orient, jitter, area_illumination;
 
-    const struct object *looks_like; /* in the light's own space, or NULL */
+    /* What is seen of it, in the space that `location` is in; or NULL. */
+    const struct object *looks_like;
     struct span span;
 };
 
