@@ -149,9 +149,10 @@ static size_t ini_value_end(struct ini *ini)
     return ini_trim(ini, start, ini->next);
 }
 
-/* Key = value; ini->next is past the '='. */
+/* Key = value; ini->next is at the '='. */
 static void ini_read_value(struct ini *ini, size_t key)
 {
+    size_t key_end = ini_trim(ini, key, ini->next++);
     ini_skip_blanks(ini);
     size_t start = ini->next, end;
     char quote = ini_char(ini);
@@ -178,7 +179,7 @@ static void ini_read_value(struct ini *ini, size_t key)
     struct setting setting = {
         .shown = ini_text(ini, key, end),
         .value = ini_text(ini, start, end),
-        .span = ini_span(ini, key, ini_trim(ini, key, start)),
+        .span = ini_span(ini, key, key_end),
         .value_span = ini_span(ini, start, end),
     };
     ini_apply(ini, &setting);
@@ -195,7 +196,6 @@ static void ini_read_item(struct ini *ini)
     while (!ini_is_end(ini_char(ini)) && !strchr("=;", ini_char(ini)))
         ini->next++;
     if (ini_char(ini) == '=') {
-        ini->next++;
         ini_read_value(ini, start);
         return;
     }

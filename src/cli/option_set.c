@@ -330,7 +330,7 @@ bool set_declare(struct option_reader *reader, const struct option *option,
         if (strcmp(reader->declares.items[i].name, name) == 0)
             return true; /* as in POV-Ray, the first counts */
     *ARRAY_PUSH(reader->arena, &reader->declares) =
-        (struct parse_declare){ name, value, setting->span };
+        (struct parse_declare){ name, value, setting->value_span };
     return true;
 }
 

@@ -125,15 +125,16 @@ static bool option_read_key(struct option_reader *reader,
 static bool option_is_scene(const char *name)
 {
     size_t length = strlen(name);
-    return strcmp(name, "-") == 0 ||
-           (length > 4 && !strchr("+-", name[0]) &&
-            text_equal_nocase(name + length - 4, ".pov"));
+    if (strcmp(name, "-") == 0)
+        return true;
+    return length > 4 && !strchr("+-", name[0]) && !strchr(name, '=') &&
+           text_equal_nocase(name + length - 4, ".pov");
 }
 
 bool option_read(struct option_reader *reader, const struct setting *token)
 {
     const char *text = token->shown;
-    if (option_is_scene(text) && !strchr(text, '=')) {
+    if (option_is_scene(text)) {
         reader->options->input = text;
         return true;
     }
