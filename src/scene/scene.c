@@ -8,6 +8,7 @@ struct scene *scene_new(size_t memory_limit)
     struct scene *scene = memory_new(sizeof *scene);
     scene->arena = arena_new(memory_limit);
     scene->camera = camera_default();
+    scene->background.transmit = 1; /* shows with +UA only (measured) */
     scene->settings = (struct settings){
         .gamma_kind = GAMMA_NONE,
         .assumed_gamma = 1,

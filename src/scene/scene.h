@@ -41,7 +41,7 @@ struct scene {
     struct arena *arena;
     struct camera camera;
     struct settings settings;
-    colour background;            /* black; transmit counts for +UA */
+    colour background;            /* clear; transmit counts for +UA */
     const struct sky_sphere *sky; /* or NULL */
     struct {
         struct fog *items;
