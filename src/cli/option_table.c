@@ -98,8 +98,9 @@ static const struct option table[] = {
            "leave out what is above row n, as +SC"),
     NUMBER("ER", "End_Row", rows[1], 0, IMAGE_SIDE_LIMIT,
            "leave out what is below row n, as +EC"),
-    VALUE(NULL, "File_Gamma", set_gamma, "gamma",
-          "of files that are not linear: a number or sRGB (sRGB)"),
+    { .key = "File_Gamma", .set = set_gamma, .offset = AT(file_gamma),
+      .argument = "gamma",
+      .help = "of files that are not linear: a number or sRGB (sRGB)" },
 
     GROUP("Quality"),
     SWITCH_AND("A", "Antialias", render.antialias, "Antialias_Threshold",

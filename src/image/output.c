@@ -33,7 +33,8 @@ static void output_pixel(float *pixel, const struct output_space *space)
         output_grey(c);
     for (int i = 0; i < 3; i++) {
         if (space->linear_file)
-            c[i] = output_clamp(c[i], -largest, largest);
+            c[i] =
+                output_clamp(c[i], space->no_negative ? 0 : -largest, largest);
         else
             c[i] = tone_encode(output_clamp(c[i], 0, 1),
                                space->keep_numbers ? 0 : space->file_gamma);

@@ -11,6 +11,7 @@ struct output_space {
      * gamma. Only float files are decoded, as sRGB. */
     bool keep_numbers;
     bool linear_file;  /* float formats: linear light, premultiplied */
+    bool no_negative;  /* of those, Radiance's */
     double file_gamma; /* of the others; 0: sRGB */
     bool alpha;        /* the file has opacity; else the picture is on black */
     bool grey;         /* all three channels become the luminance */

@@ -79,6 +79,8 @@ static void linear_scenes_are_encoded(void **state)
     expect(half, alpha, (double[]){ 0.735357, 0.537099, 1, 0.75 });
     struct output_space exr = { .working_gamma = 1, .linear_file = true };
     expect(beyond, exr, (double[]){ 1.5, -0.2, 0.9, 1 });
+    exr.no_negative = true;
+    expect(beyond, exr, (double[]){ 1.5, 0, 0.9, 1 });
     struct output_space file = { .working_gamma = 1, .file_gamma = 2.2 };
     expect(plain, file, (double[]){ 0.729740, 0.458672, 0.059323, 1 });
 }

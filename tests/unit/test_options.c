@@ -129,6 +129,8 @@ static void switches_take_either_sign_and_case(void **state)
     assert_float_equal(good("scene.pov +A -J")->render.jitter, 0, 0);
     assert_true(good("scene.pov +C +UA")->alpha);
     assert_int_equal(good("+Iscene -V")->progress, PROGRESS_NEVER);
+    assert_float_equal(good("+Iscene File_Gamma=2.2")->file_gamma, 2.2, 0);
+    assert_int_equal(result.o.action, ACTION_RENDER);
     assert_int_equal(good("+Iscene +WT3")->render.threads, 3);
     assert_int_equal(good("+Iscene --threads 5")->render.threads, 5);
     assert_int_equal(good("+Iscene --threads=6")->render.threads, 6);
