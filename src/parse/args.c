@@ -87,7 +87,7 @@ static bool field_colour(struct parser *p, const struct field *field,
     return field_check_all(p, field, start, numbers, 5);
 }
 
-/* terms = "<" operation {[","] operation} ">" . */
+/* terms = "<" float {[","] float} ">" . */
 static bool parse_terms(struct parser *p, const struct field *field,
                         struct terms *terms)
 {
@@ -116,7 +116,7 @@ static bool parse_terms(struct parser *p, const struct field *field,
     return expect(p, TOKEN_GREATER, open);
 }
 
-/* points = operation {[","] operation} . */
+/* points = float {[","] vector} . */
 static bool parse_points(struct parser *p, const struct field *field,
                          struct points *points)
 {

@@ -80,7 +80,7 @@ static bool array_index(struct parser *p, int size, size_t *index)
 }
 
 /* Arrays that are elements of arrays take the subscripts that are left.
- * subscripts = "[" operation "]" {"[" operation "]"} . */
+ * subscripts = "[" float "]" {"[" float "]"} . */
 static bool parse_subscripts(struct parser *p, struct array *array,
                              struct value **slot)
 {
@@ -163,8 +163,8 @@ bool array_copy(struct parser *p, struct span span, struct array *array,
 /* ---- declaration ---- */
 
 /* All values must be there; a comma between two is optional.
- * array_values = "{" array_item {[","] array_item} [","] "}" .
- * array_item is array_values in all but the last dimension, else value. */
+ * array_values = "{" ( array_values {[","] array_values}
+ *              | value {[","] value} ) [","] "}" . */
 static bool parse_array_values(struct parser *p, struct array *array,
                                int dimension, struct value **next)
 {
@@ -217,7 +217,7 @@ static bool array_add_dimension(struct parser *p, struct array *array)
     return true;
 }
 
-/* array = "array" "[" operation "]" {"[" operation "]"} [array_values] . */
+/* array = "array" "[" float "]" {"[" float "]"} [array_values] . */
 bool parse_array(struct parser *p, struct value *value)
 {
     struct array *array = ARENA_NEW(p->arena, struct array);
@@ -237,6 +237,7 @@ bool parse_array(struct parser *p, struct value *value)
     return brackets_end(p, outer, parse_array_values(p, array, 0, &next));
 }
 
+/* value = thing | expression . */
 bool parse_value(struct parser *p, struct value *value)
 {
     bool found = false;

@@ -101,8 +101,8 @@ static bool parse_model(struct parser *p, struct value *value)
     return !model->encoded || colour_decode_srgb(p, keyword, value->number);
 }
 
-/* channels = {("red" | "green" | "blue" | "filter" | "transmit" | "alpha")
- *             operation} . */
+/* channels = {( "red" | "green" | "blue" | "filter" | "transmit" | "alpha" )
+ *             float} . */
 bool parse_channels(struct parser *p, struct value *value)
 {
     for (;;) {

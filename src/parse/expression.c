@@ -29,6 +29,7 @@ static bool float_at_once(struct parser *p, double *out)
     return true;
 }
 
+/* float = operation . */
 bool parse_float(struct parser *p, double *out)
 {
     struct value value;
@@ -39,7 +40,8 @@ bool parse_float(struct parser *p, double *out)
            value_to_float(p, start, &value, out);
 }
 
-/* condition = "(" operation ")" . */
+/* The directive's parentheses are read here, since they allow comparisons.
+ * condition = operation . */
 bool parse_condition(struct parser *p, double *out)
 {
     struct value value;
@@ -57,6 +59,7 @@ bool parse_condition(struct parser *p, double *out)
     return true;
 }
 
+/* integer = operation . */
 bool parse_integer(struct parser *p, int *out)
 {
     double number;
@@ -92,6 +95,7 @@ static bool at_number(struct parser *p)
     return value && value->kind == VALUE_FLOAT;
 }
 
+/* bool = [operation] . */
 bool parse_bool(struct parser *p, bool *out)
 {
     double number = 1;
@@ -141,6 +145,7 @@ static int vector_at_once(struct parser *p, double numbers[VECTOR_LIMIT])
     return size;
 }
 
+/* vector = operation . */
 bool parse_vector(struct parser *p, vec3 *out)
 {
     struct value value = { .kind = VALUE_VECTOR };
@@ -151,6 +156,7 @@ bool parse_vector(struct parser *p, vec3 *out)
     return value_to_vector(p, start, &value, out);
 }
 
+/* components = operation . */
 bool parse_components(struct parser *p, double *out, int size)
 {
     struct value value = { .kind = VALUE_VECTOR };
@@ -229,7 +235,7 @@ static bool thing_element(struct parser *p, const struct word *word,
 }
 
 /* The name of a whole array, of a function, of a texture ...: *found.
- * thing_name = name [subscripts] . */
+ * thing_name = word [subscripts] . */
 static bool parse_thing_name(struct parser *p, struct value *value, bool *found)
 {
     const struct token *token = stream_peek(p);

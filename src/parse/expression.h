@@ -94,6 +94,9 @@ bool parse_operand(struct parser *p, const char *wanted, struct value *value);
 /* Any value that #declare can name, and copies of arrays and functions. */
 bool parse_value(struct parser *p, struct value *value);
 
+/* Whether the next token is ^ or %, operators of other languages; reports. */
+bool operator_unknown(struct parser *p);
+
 /* The tokens up to the bracket that closes this one, which is next; reports
  * a missing one. */
 bool skip_brackets(struct parser *p);

@@ -169,7 +169,7 @@ static bool argument_value(struct parser *p, char kind, struct value *value)
     vec3 v;
     double number;
     const char *text;
-    if (!parse_operation(p, PRECEDENCE_SUM, wanted[(int)kind], value))
+    if (!parse_operation(p, PRECEDENCE_WHOLE, wanted[(int)kind], value))
         return false;
     if (value_is_poison(value))
         return true;
@@ -185,6 +185,8 @@ static bool argument_value(struct parser *p, char kind, struct value *value)
     return true;
 }
 
+/* What it must be stands in the function's signature.
+ * argument = operation | thing_name . */
 static bool parse_argument(struct parser *p, char kind, struct call *call)
 {
     struct value *value = &call->arguments[call->count++];
@@ -264,8 +266,7 @@ static bool call_arguments(struct parser *p, const char *signature,
 }
 
 /* Commas between arguments are optional, as in POV-Ray.
- * call = function_name "(" argument {[","] argument} ")" .
- * argument = operation | name . */
+ * call = FUNCTION "(" argument {[","] argument} ")" . */
 bool parse_call(struct parser *p, struct value *value)
 {
     const struct word *word = stream_peek(p)->word;

@@ -125,7 +125,7 @@ static bool operand_recover(struct parser *p, enum token_kind close, bool ok,
 }
 
 /* A comma between components is optional, one after the last allowed.
- * vector = "<" operation {[","] operation} [","] ">" . */
+ * vector_value = "<" float [","] float {[","] float} [","] ">" . */
 static bool parse_vector_value(struct parser *p, struct value *value)
 {
     double numbers[VECTOR_LIMIT] = { 0 };
@@ -209,7 +209,7 @@ static bool operand_element(struct parser *p, const char *wanted,
                     value_kind_name(slot->kind));
 }
 
-/* identifier = name [subscripts | arguments] . */
+/* identifier = word [subscripts | argument_list] . */
 static bool parse_identifier(struct parser *p, const char *wanted,
                              struct value *value)
 {
@@ -330,7 +330,7 @@ static bool parse_word_operand(struct parser *p, const char *wanted,
     return error_expected(p, wanted);
 }
 
-/* primary = number | string | vector | parentheses | constant | call
+/* primary = number | string | vector_value | parentheses | constant | call
  *         | identifier . */
 static bool parse_primary(struct parser *p, const char *wanted,
                           struct value *value)

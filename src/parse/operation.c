@@ -34,8 +34,7 @@ static bool operator_misplaced(struct parser *p, enum precedence lowest)
     return true;
 }
 
-/* The operators ^ and % of other languages. */
-static bool operator_unknown(struct parser *p)
+bool operator_unknown(struct parser *p)
 {
     const struct token *token = stream_peek_infix(p);
     if (token->kind != TOKEN_OTHER)

@@ -3,6 +3,9 @@
 
 #include "parse/expression.h"
 
+/* From the loosest to the tightest.
+ * operator = "&" | "|" | "<" | "<=" | ">" | ">=" | "=" | "!=" | "+" | "-"
+ *          | "*" | "/" . */
 enum precedence operator_precedence(enum token_kind kind)
 {
     switch (kind) {

@@ -98,7 +98,7 @@ static bool compile_select(struct compiler *c)
 }
 
 /* The loop variable is known in the last argument only.
- * loop = ("sum" | "prod") "(" name "," body_operation "," body_operation ","
+ * loop = ( "sum" | "prod" ) "(" word "," body_operation "," body_operation ","
  *        body_operation ")" . */
 static bool parse_loop(struct compiler *c, enum step_kind kind)
 {
@@ -204,8 +204,8 @@ static bool compile_word(struct compiler *c, const struct word *word)
     return compile_constant(c);
 }
 
-/* body_operand = {"+" | "-"} (number | name | "(" body_operation ")" | loop
- *              | name body_arguments | operand) . */
+/* body_operand = {"+" | "-"} ( word | "(" body_operation ")" | loop
+ *              | word body_arguments | operand ) . */
 static bool parse_body_operand(struct compiler *c)
 {
     struct parser *p = c->p;
@@ -247,6 +247,8 @@ static bool compile_climb(struct compiler *c, int lowest)
         return false;
     for (;;) {
         enum token_kind kind = stream_peek(c->p)->kind;
+        if (kind == TOKEN_OTHER && operator_unknown(c->p))
+            return false;
         int precedence = body_precedence(kind);
         if (kind == TOKEN_QUESTION ||
             operator_precedence(kind) == PRECEDENCE_NONE || precedence < lowest)
@@ -278,7 +280,7 @@ static bool parameter_is_legal(const struct word *word)
 }
 
 /* Without parameters they are x, y, z, and u and v mean x and y.
- * parameters = "(" name {"," name} ")" . */
+ * parameters = "(" word {"," word} ")" . */
 static bool parse_parameters(struct compiler *c)
 {
     struct parser *p = c->p;
@@ -386,7 +388,7 @@ bool parse_function(struct parser *p, struct value *value)
     return !c.unsupported;
 }
 
-/* argument_list = "(" operation {"," operation} ")" . */
+/* argument_list = "(" float {[","] float} ")" . */
 static bool parse_argument_list(struct parser *p, const struct word *name,
                                 int count, double *arguments, bool *poison)
 {
@@ -401,7 +403,7 @@ static bool parse_argument_list(struct parser *p, const struct word *name,
             return error_at(p, p->token_span, NULL,
                             "%s() wants %d argument%s, found %d", name->text,
                             count, count == 1 ? "" : "s", i);
-        if (!parse_operation(p, PRECEDENCE_SUM, "a number", &value))
+        if (!parse_operation(p, PRECEDENCE_WHOLE, "a number", &value))
             return false;
         if (!value_to_float(p, start, &value, &arguments[i]))
             *poison = true;
