@@ -60,7 +60,8 @@ static bool parse_fog_shape(struct parser *p, bool *found)
     }
 }
 
-/* fog_item = "distance" float | colour | fog_shape . */
+/* fog_item = "distance" float | colour | fog_shape | float .
+ * A number alone is the distance, in old scenes. */
 static bool parse_fog_item(struct parser *p, struct fog *fog)
 {
     bool found;
@@ -69,6 +70,8 @@ static bool parse_fog_item(struct parser *p, struct fog *fog)
         return parse_field(p, field, fog);
     if (at_colour(p))
         return parse_colour(p, &fog->colour);
+    if (at_number(p))
+        return parse_float(p, &fog->distance);
     bool ok = parse_fog_shape(p, &found);
     if (!ok || found)
         return ok;

@@ -49,11 +49,8 @@ static bool csg_items(struct parser *p, struct csg *csg, bool difference)
     while (at_object(p))
         if (!csg_add(p, csg, difference))
             return false;
-    if (!csg->children.count) {
-        if (stream_peek(p)->kind != TOKEN_RBRACE)
-            return error_expected(p, "an object");
+    if (!csg->children.count && stream_peek(p)->kind == TOKEN_RBRACE)
         warning_at(p, csg->object->span, NULL, "this '%s' is empty", csg->name);
-    }
     struct object *object = csg->object;
     object->children = csg->children.items;
     object->child_count = csg->children.count;

@@ -11,6 +11,7 @@ struct image_cache {
     const char *path;
     enum gamma_kind space;
     double assumed_gamma, file_gamma;
+    bool premultiplied;
     struct image *image;
 };
 
@@ -18,7 +19,8 @@ struct image_cache {
 struct image_request {
     const char *name;
     struct span span;
-    double gamma; /* of the file's numbers; 0: sRGB, -1: not said */
+    double gamma;       /* of the file's numbers; 0: sRGB, -1: not said */
+    bool premultiplied; /* the file's colours are, whatever its kind says */
     struct image_map *map;
 };
 
@@ -39,17 +41,21 @@ static const struct unsupported_word image_unsupported[] = {
  * 5.9). */
 struct image_decoding {
     bool plain;     /* not at all */
+    bool keep;      /* read as premultiplied: they are so already */
     bool linear;    /* they are light */
     double gamma;   /* light is their power; 0: sRGB */
     double working; /* the scene counts light^(1/working); 0: in sRGB */
 };
 
-static struct image_decoding
-image_decoding(const struct parser *p, const struct image *image, double said)
+static struct image_decoding image_decoding(const struct parser *p,
+                                            const struct image *image,
+                                            const struct image_request *request)
 {
+    double said = request->gamma;
     enum gamma_kind space = settings_gamma(p);
     return (struct image_decoding){
         .plain = space == GAMMA_NONE || (image->plain && said < 0),
+        .keep = request->premultiplied,
         .linear = image->linear,
         .gamma = said >= 0 ? said : image->gamma,
         .working = space == GAMMA_SRGB ? 0 : p->scene->settings.assumed_gamma,
@@ -81,7 +87,7 @@ static void image_convert(const struct image_decoding *how, struct image *image)
             if (value != last)
                 decoded = (float)image_decode(how, (double)value);
             last = value;
-            pixel[k] = decoded * alpha;
+            pixel[k] = how->keep ? decoded : decoded * alpha;
         }
     }
 }
@@ -109,7 +115,7 @@ static struct image *image_load(struct parser *p, const char *path,
     }
     struct image *kept = image_keep(p, image);
     image_free(image);
-    struct image_decoding how = image_decoding(p, kept, request->gamma);
+    struct image_decoding how = image_decoding(p, kept, request);
     image_convert(&how, kept);
     return kept;
 }
@@ -121,14 +127,22 @@ static struct image *image_find(struct parser *p, const char *path,
     double assumed = p->scene->settings.assumed_gamma;
     for (struct image_cache *c = p->images; c; c = c->next)
         if (strcmp(c->path, path) == 0 && c->space == space &&
-            c->assumed_gamma == assumed && c->file_gamma == request->gamma)
+            c->assumed_gamma == assumed && c->file_gamma == request->gamma &&
+            c->premultiplied == request->premultiplied)
             return c->image;
     struct image *image = image_load(p, path, request);
     if (!image)
         return NULL;
     struct image_cache *cache = ARENA_NEW(p->arena, struct image_cache);
-    *cache = (struct image_cache){ p->images, path,           space,
-                                   assumed,   request->gamma, image };
+    *cache = (struct image_cache){
+        .next = p->images,
+        .path = path,
+        .space = space,
+        .assumed_gamma = assumed,
+        .file_gamma = request->gamma,
+        .premultiplied = request->premultiplied,
+        .image = image,
+    };
     p->images = cache;
     return image;
 }
@@ -220,7 +234,6 @@ static bool parse_image_gamma(struct parser *p, struct image_request *request)
  *            | image_gamma | "premultiplied" [bool] . */
 static bool parse_image_item(struct parser *p, struct image_request *request)
 {
-    bool ignored;
     switch (stream_keyword(p)) {
     case KEYWORD_MAP_TYPE:
         return parse_map_type(p, request->map);
@@ -237,7 +250,7 @@ static bool parse_image_item(struct parser *p, struct image_request *request)
         return parse_image_gamma(p, request);
     case KEYWORD_PREMULTIPLIED:
         stream_next(p);
-        return parse_bool(p, &ignored);
+        return parse_bool(p, &request->premultiplied);
     default:
         return check_supported(p, image_unsupported) &&
                error_unknown_item(p, "image_map", image_fields);
