@@ -214,12 +214,20 @@ bool set_quiet(struct option_reader *reader, const struct option *option,
     return true;
 }
 
+void option_add_library(struct option_reader *reader, const char *directory)
+{
+    for (size_t i = 0; i < reader->library.count; i++)
+        if (strcmp(reader->library.items[i], directory) == 0)
+            return;
+    *ARRAY_PUSH(reader->arena, &reader->library) = directory;
+}
+
 bool set_library(struct option_reader *reader, const struct option *option,
                  const struct setting *setting)
 {
     if (!option_wants(reader, option, setting, "dir"))
         return false;
-    *ARRAY_PUSH(reader->arena, &reader->library) = setting->value;
+    option_add_library(reader, setting->value);
     return true;
 }
 

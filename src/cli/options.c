@@ -308,7 +308,7 @@ static void options_add_standard_library(struct option_reader *reader)
         "/usr/share/povray-3.7/ini",
     };
     for (size_t i = 0; i < sizeof standard / sizeof *standard; i++)
-        *ARRAY_PUSH(reader->arena, &reader->library) = standard[i];
+        option_add_library(reader, standard[i]);
 }
 
 static void options_resolve_scene(struct option_reader *reader)

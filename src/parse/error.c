@@ -150,7 +150,7 @@ bool error_unknown_item(struct parser *p, const char *block,
     if (token->kind == TOKEN_END)
         return error_at(p, p->token_span, NULL,
                         "the file ends inside '%s'; a '}' is missing", block);
-    if (unsupported_use(p))
+    if (error_follows(p) || unsupported_use(p))
         return false;
     if (token->kind != TOKEN_WORD)
         return error_at(p, p->token_span, NULL, "unexpected %s in '%s'",

@@ -1,5 +1,6 @@
 // Directives: branches, loops, macros, scopes, skipped garbage.
 #version 3.7;
+global_settings { assumed_gamma 1 }
 #include "check.inc"
 #if (0) } ) garbage $ @ ~ #if (1) nested #end ] #else #declare A = 1; #end
 Check("else", A, 1)

@@ -1,5 +1,6 @@
 // Float, vector and string functions.
 #version 3.7;
+global_settings { assumed_gamma 1 }
 #include "check.inc"
 Check("abs", abs(-2.5), 2.5)
 Check("acos", acos(0), pi/2)

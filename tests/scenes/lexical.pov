@@ -1,5 +1,6 @@
 // Lexical rules: comments, numbers, escapes, optional commas, reserved words.
 #version 3.7;
+global_settings { assumed_gamma 1 }
 #include "check.inc"
 /* a /* nested */ comment */
 # declare A = 1; // blanks after '#'

@@ -80,35 +80,62 @@ static bool declare_place(struct parser *p, const struct word *name,
     return array_element(p, symbol->value.array, slot);
 }
 
+/* What stands before the '='. */
+struct declaration {
+    const struct word *name;
+    struct value *slot; /* of an array's element, NULL: the name itself */
+    const char *deprecated;
+    bool once;
+};
+
+static bool declare_head(struct parser *p, struct declaration *head)
+{
+    return declare_deprecation(p, &head->deprecated, &head->once) &&
+           declare_name(p, &head->name) &&
+           declare_place(p, head->name, &head->slot) &&
+           expect(p, TOKEN_EQUAL, span_none());
+}
+
+/* Behind a declaration whose head is wrong: its ';' or the next directive. */
+static void declare_skip(struct parser *p)
+{
+    for (;;) {
+        enum token_kind kind = stream_peek_infix(p)->kind;
+        if (kind == TOKEN_END)
+            return;
+        stream_next(p);
+        if (kind == TOKEN_SEMICOLON)
+            return;
+    }
+}
+
 /* declaration = [deprecation] name {"[" float "]"} "=" value [";"] . */
 static bool declare_read(struct parser *p, bool local)
 {
-    const char *message = NULL;
-    bool once = false;
-    const struct word *name = NULL;
-    struct value *slot = NULL;
     /* A macro that gives the value may still be open after it, in spite of
      * its end: `#macro M() Q; #end`. The name is not local to it. */
     struct scope *scope = p->scope;
-    if (!declare_deprecation(p, &message, &once) || !declare_name(p, &name) ||
-        !declare_place(p, name, &slot) || !expect(p, TOKEN_EQUAL, span_none()))
+    struct declaration head = { 0 };
+    if (!declare_head(p, &head)) {
+        declare_skip(p);
         return false;
+    }
     struct value value = { .kind = VALUE_NONE };
     bool ok = declare_value(p, &value);
     if (p->failed)
         return false;
-    if (slot) {
-        *slot = value;
+    if (head.slot) {
+        *head.slot = value;
     } else {
         struct scope *inner = p->scope;
         p->scope = scope;
-        struct symbol *symbol = symbol_make(p, name, local);
+        struct symbol *symbol = symbol_make(p, head.name, local);
         p->scope = inner;
         symbol->value = value;
-        symbol->deprecated = message;
-        symbol->deprecated_once = once;
+        symbol->deprecated = head.deprecated;
+        symbol->deprecated_once = head.once;
     }
-    return declare_semicolon(p, &value) && ok;
+    return ok ? declare_semicolon(p, &value) : false;
 }
 
 static bool declare_run_in(struct parser *p, bool local)

@@ -1,0 +1,1 @@
+torus { 1, "small" }
