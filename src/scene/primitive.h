@@ -20,12 +20,13 @@ struct primitive {
     const struct field *arguments;
     /* Then anywhere among the object's modifiers (`open`); may be NULL. */
     const struct field *items;
-    bool solid; /* has an inside: may be a part of intersections */
+    bool solid;  /* has an inside: may be a part of intersections */
     bool beyond; /* its inside reaches beyond its bounds (disc) */
 
-    /* After reading: precomputes (NULL: nothing to do). Returns NULL, or why the shape is
-     * impossible ("its two ends are the same point"). Sets *warning instead
-     * when POV-Ray only warns; the shape is then left out of the scene. */
+    /* After reading: precomputes (NULL: nothing to do). Returns NULL, or why
+     * the shape is impossible ("its two ends are the same point"). Sets
+     * *warning instead when POV-Ray only warns; the shape is then left out of
+     * the scene. */
     const char *(*prepare)(void *shape, struct arena *arena,
                            const char **warning);
     /* May be infinite in some directions. */

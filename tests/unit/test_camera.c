@@ -1,0 +1,138 @@
+/* scene/camera against rays measured on POV-Ray 3.7. */
+#include "harness.h"
+
+#include "scene/camera.h"
+
+/* Where the rays through the middles of the first and the last pixel of an
+ * 8 x 6 picture meet the plane z = 10. */
+static void expect(struct camera camera, double x0, double y0, double x1,
+                   double y1)
+{
+    assert_null(camera_finish(&camera));
+    const double at[2][2] = { { 0.5 / 8, 0.5 / 6 }, { 7.5 / 8, 5.5 / 6 } };
+    const double wanted[2][2] = { { x0, y0 }, { x1, y1 } };
+    for (int i = 0; i < 2; i++) {
+        struct ray ray = camera_ray(&camera, at[i][0], at[i][1]);
+        assert_true(fabs(vec3_length(ray.direction) - 1) < 1e-12);
+        vec3 p = ray_point(&ray, (10 - ray.origin.z) / ray.direction.z);
+        assert_true(fabs(p.x - wanted[i][0]) < 2e-3);
+        assert_true(fabs(p.y - wanted[i][1]) < 2e-3);
+    }
+}
+
+static void look_at(struct camera *camera, double x, double y, double z)
+{
+    camera->look_at = vec3_make(x, y, z);
+    camera->has_look_at = true;
+}
+
+static void perspective_is_povrays(void **state)
+{
+    (void)state;
+    struct camera camera = camera_default();
+    expect(camera, -5.819, 4.167, 5.819, -4.167);
+    camera.angle = 50;
+    look_at(&camera, 1, 2, 5);
+    expect(camera, -2.684, 7.172, 6.438, 0.994);
+    camera = camera_default();
+    camera.sky = vec3_make(1, 1, 0);
+    camera.angle = 50;
+    look_at(&camera, 0, 0, 5);
+    expect(camera, -0.819, 4.951, 0.819, -4.951);
+    camera = camera_default();
+    camera.direction = vec3_make(0.2, 0, 1);
+    camera.right = vec3_make(1, 0, 0);
+    camera.angle = 60;
+    expect(camera, -3.152, 4.907, 7.152, -4.907);
+}
+
+static void mirrored_cameras_stay_mirrored(void **state)
+{
+    (void)state;
+    struct camera camera = camera_default();
+    camera.right = vec3_make(-4.0 / 3, 0, 0);
+    camera.angle = 40;
+    look_at(&camera, 1, 2, 5);
+    expect(camera, 6.223, 7.503, -1.074, 1.452);
+    camera.sky = camera.up = vec3_make(0, 0, 1);
+    expect(camera, -1.94, 3.2, 6.833, 4.981);
+}
+
+static void orthographic_sizes_are_povrays(void **state)
+{
+    (void)state;
+    struct camera camera = camera_default();
+    camera.kind = CAMERA_ORTHOGRAPHIC;
+    look_at(&camera, 0, 0, 5);
+    expect(camera, -2.91, 2.084, 2.91, -2.084);
+    camera.angle = 60;
+    expect(camera, -2.526, 1.809, 2.526, -1.809);
+    camera.angle = 0;
+    camera.has_size = true;
+    camera.right = vec3_make(4, 0, 0);
+    camera.up = vec3_make(0, 3, 0);
+    expect(camera, -1.75, 1.25, 1.75, -1.25);
+    camera = camera_default();
+    camera.kind = CAMERA_ORTHOGRAPHIC;
+    camera.location = vec3_make(0, 5, -10);
+    expect(camera, -7.031, 10.035, 7.031, -0.035);
+}
+
+static void transformations_come_last(void **state)
+{
+    (void)state;
+    struct camera camera = camera_default();
+    camera.angle = 50;
+    look_at(&camera, 1, 0, 5);
+    assert_null(camera_finish(&camera));
+    affine turn = affine_rotation(vec3_make(0, 0, 10));
+    affine shift = affine_translation(vec3_make(1, 0, 0));
+    affine both = affine_compose(shift, turn);
+    camera_move(&camera, &both);
+    camera.has_look_at = false;
+    camera.angle = 0;
+    expect(camera, -1.373, 2.379, 8.084, -2.045);
+}
+
+static void impossible_cameras_are_told(void **state)
+{
+    (void)state;
+    struct camera camera = camera_default();
+    look_at(&camera, 0, 0, 0);
+    assert_string_equal(camera_finish(&camera),
+                        "look_at is the same point as location");
+    camera = camera_default();
+    camera.angle = 180;
+    assert_string_equal(camera_finish(&camera),
+                        "its angle must be less than 180 degrees");
+    camera.angle = -1;
+    assert_string_equal(camera_finish(&camera), "its angle is negative");
+    camera = camera_default();
+    camera.direction = vec3_make(0, 0, 0);
+    assert_string_equal(camera_finish(&camera), "its direction has no length");
+}
+
+/* Looking straight into the sky keeps right as it was. */
+static void looking_into_the_sky_works(void **state)
+{
+    (void)state;
+    struct camera camera = camera_default();
+    look_at(&camera, 0, 5, 0);
+    assert_null(camera_finish(&camera));
+    struct ray ray = camera_ray(&camera, 0.5, 0.5);
+    assert_true(ray.direction.y == 1);
+    assert_true(camera.right.x == 1.33 && camera.up.z == -1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(perspective_is_povrays),
+        cmocka_unit_test(mirrored_cameras_stay_mirrored),
+        cmocka_unit_test(orthographic_sizes_are_povrays),
+        cmocka_unit_test(transformations_come_last),
+        cmocka_unit_test(impossible_cameras_are_told),
+        cmocka_unit_test(looking_into_the_sky_works),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
