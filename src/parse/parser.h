@@ -49,7 +49,7 @@ struct parser {
     bool peeked;
     unsigned nesting;
     unsigned declaring; /* #declares being read inside each other */
-    const struct unsupported *unsupported;  /* met inside a #declare */
+    const struct unsupported *unsupported; /* met inside a #declare */
     struct span blamed; /* the last token of a value that was reported and
                          * taken: what follows it is not at fault */
     struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */

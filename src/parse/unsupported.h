@@ -18,7 +18,6 @@ bool unsupported_use(struct parser *p);
 /* The same for a value taken from an array or alike, called `word`. `why` may
  * be NULL: its error was reported. */
 void unsupported_report(struct parser *p, struct span span,
-                        const struct word *word,
-                        const struct unsupported *why);
+                        const struct word *word, const struct unsupported *why);
 
 #endif
