@@ -34,13 +34,24 @@ bool directive_run(struct parser *p)
     if (!directive)
         return directive_unknown(p, word, at);
     p->last_span = at;
-    return directive->run(p, at);
+    /* A directive in a block in a #declare in a block ... */
+    if (p->nesting >= PARSE_NESTING_LIMIT) {
+        error_at(p, at, NULL, "blocks are nested more than %d deep",
+                 PARSE_NESTING_LIMIT);
+        stream_abort(p);
+        return false;
+    }
+    p->nesting++;
+    bool ok = directive->run(p, at);
+    p->nesting--;
+    return ok;
 }
 
 struct open_block *directive_block(struct parser *p)
 {
     struct cursor *cursor = p->cursor;
-    return cursor->blocks.count
+    size_t closed = cursor == p->head ? p->head_blocks : 0;
+    return cursor->blocks.count > closed
                ? &cursor->blocks.items[cursor->blocks.count - 1]
                : NULL;
 }
@@ -58,19 +69,38 @@ void directive_close(struct parser *p)
     p->cursor->blocks.count--;
 }
 
+struct directive_head directive_head_begin(struct parser *p)
+{
+    struct directive_head outer = { stream_directive_begin(p), p->head,
+                                    p->head_blocks };
+    p->head = p->cursor;
+    p->head_blocks = p->cursor->blocks.count;
+    return outer;
+}
+
+/* Blocks opened in the condition and not closed in it are forgotten. */
+void directive_head_end(struct parser *p, struct directive_head outer)
+{
+    if (p->cursor == p->head)
+        p->cursor->blocks.count = p->head_blocks;
+    stream_directive_end(p, outer.directive);
+    p->head = outer.head;
+    p->head_blocks = outer.blocks;
+}
+
 bool directive_float(struct parser *p, double *out)
 {
-    struct cursor *outer = stream_directive_begin(p);
+    struct directive_head outer = directive_head_begin(p);
     bool ok = parse_condition(p, out);
-    stream_directive_end(p, outer);
+    directive_head_end(p, outer);
     return ok;
 }
 
 bool directive_string(struct parser *p, const char **out)
 {
-    struct cursor *outer = stream_directive_begin(p);
+    struct directive_head outer = directive_head_begin(p);
     bool ok = parse_string(p, out);
-    stream_directive_end(p, outer);
+    directive_head_end(p, outer);
     return ok;
 }
 

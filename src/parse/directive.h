@@ -21,6 +21,16 @@ struct open_block *directive_open(struct parser *p, enum block_kind kind,
                                   struct span at);
 void directive_close(struct parser *p);
 
+/* Around the reading of a directive's condition, whatever garbage it may be:
+ * the directives in it can't close blocks outside it, and the text can't end
+ * in the middle. */
+struct directive_head {
+    struct cursor *directive, *head;
+    size_t blocks;
+};
+struct directive_head directive_head_begin(struct parser *p);
+void directive_head_end(struct parser *p, struct directive_head outer);
+
 /* Reads a directive's condition or number without running what follows it. */
 bool directive_float(struct parser *p, double *out);
 bool directive_string(struct parser *p, const char **out);

@@ -34,6 +34,9 @@ struct parser {
     struct word_table *words;
     struct cursor *cursor;    /* top of the include/macro stack; stream.c */
     struct cursor *directive; /* the cursor a directive's value is read in */
+    struct cursor *head; /* the one whose directive's condition is being read:
+                          * it is not left, nor are its blocks, until then */
+    size_t head_blocks;  /* how many of them */
     struct cursor *free_cursors;
     unsigned depth;                             /* cursors on the stack */
     struct scope *scope, *global, *free_scopes; /* symbol.c */

@@ -100,7 +100,8 @@ void stream_abort(struct parser *p)
 static bool stream_leave(struct parser *p, bool infix)
 {
     struct cursor *cursor = p->cursor;
-    if (cursor->kind == CURSOR_RANGE || (infix && cursor == p->directive))
+    if (cursor->kind == CURSOR_RANGE || cursor == p->head ||
+        (infix && cursor == p->directive))
         return true;
     if (cursor->blocks.count && !p->failed) {
         struct open_block *open =
@@ -306,11 +307,11 @@ static void block_skip(struct parser *p)
 
 bool block_end(struct parser *p, struct span open, bool ok)
 {
+    ok = ok && expect(p, TOKEN_RBRACE, open);
+    if (!ok)
+        block_skip(p);
     p->nesting--;
-    if (ok && expect(p, TOKEN_RBRACE, open))
-        return true;
-    block_skip(p);
-    return false;
+    return ok;
 }
 
 static bool block_opens(enum keyword keyword)

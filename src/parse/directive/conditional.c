@@ -112,10 +112,10 @@ static bool switch_matches(struct parser *p, enum keyword stop, double value,
                            bool *matches)
 {
     double first, last;
-    struct cursor *outer = stream_directive_begin(p);
+    struct directive_head outer = directive_head_begin(p);
     bool ok = stop == KEYWORD_CASE ? parse_condition(p, &first)
                                    : range_ends(p, &first, &last);
-    stream_directive_end(p, outer);
+    directive_head_end(p, outer);
     if (!ok)
         return false;
     *matches = stop == KEYWORD_CASE ? fabs(first - value) < 1e-10

@@ -94,10 +94,10 @@ static bool for_round(struct parser *p)
 /* for_directive = "#for" for_head . */
 static bool for_run(struct parser *p, struct span at)
 {
-    struct cursor *outer = stream_directive_begin(p);
+    struct directive_head outer = directive_head_begin(p);
     struct open_block head = { .kind = BLOCK_FOR, .span = at };
     bool ok = for_head(p, &head);
-    stream_directive_end(p, outer);
+    directive_head_end(p, outer);
     *directive_open(p, BLOCK_FOR, at) = head;
     directive_block(p)->condition = p->cursor->index;
     if (!ok)
