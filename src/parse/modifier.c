@@ -28,8 +28,8 @@ static const struct texture *object_texture_here(struct parser *p,
                                                  struct object *object)
 {
     if (!object->texture)
-        return texture_from_defaults(p);
-    if (!affine_is_identity(object->texture_transform))
+        object->texture = texture_from_defaults(p);
+    else if (!affine_is_identity(object->texture_transform))
         object->texture = texture_moved(p->scene_arena, object->texture,
                                         &object->texture_transform);
     object->texture_transform = affine_identity();
