@@ -1,4 +1,5 @@
 /* glim: scene text -> scene -> world -> picture -> file, for every frame. */
+#include "base/parallel.h"
 #include "cli/interrupt.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
@@ -25,7 +26,10 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
     render.progress = progress_tell;
     render.progress_context = &progress;
     progress_start(&progress, &work->options, name);
+    struct background *loading =
+        name ? background_start(image_prepare, NULL) : NULL;
     bool done = render_run(tracer, &render, image, &stats->rays);
+    background_join(loading);
     progress_clear(&progress);
     if (done)
         progress_finish(&progress, &work->options);

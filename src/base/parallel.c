@@ -60,6 +60,38 @@ bool parallel_run(unsigned threads, size_t count, const atomic_int *stop,
     return atomic_load(&job.done) == count;
 }
 
+struct background {
+    pthread_t handle;
+    void (*task)(void *context);
+    void *context;
+};
+
+static void *background_work(void *argument)
+{
+    struct background *background = argument;
+    background->task(background->context);
+    return NULL;
+}
+
+struct background *background_start(void (*task)(void *context), void *context)
+{
+    struct background *background = memory_new(sizeof *background);
+    *background = (struct background){ .task = task, .context = context };
+    if (pthread_create(&background->handle, NULL, background_work,
+                       background) == 0)
+        return background;
+    memory_free(background);
+    return NULL;
+}
+
+void background_join(struct background *background)
+{
+    if (!background)
+        return;
+    pthread_join(background->handle, NULL);
+    memory_free(background);
+}
+
 unsigned parallel_cores(void)
 {
     cpu_set_t set;

@@ -16,6 +16,14 @@ typedef void parallel_task(void *context, size_t item, unsigned thread);
 bool parallel_run(unsigned threads, size_t count, const atomic_int *stop,
                   parallel_task *task, void *context);
 
+/* One thing done beside others, on a thread of its own if there can be one.
+ * NULL: it couldn't be started. */
+struct background;
+struct background *background_start(void (*task)(void *context), void *context);
+
+/* Waits for the end of it; NULL is none. */
+void background_join(struct background *background);
+
 /* Cores this process may use (affinity respected), at least 1. */
 unsigned parallel_cores(void);
 

@@ -116,7 +116,10 @@ static void help_man_option(const struct option *option)
     printf(".It ");
     if (option->letters) {
         printf("Ic +%s", option->letters);
-        if (*argument && !flag)
+        if (*argument == '[')
+            printf(" Ns Oo Ar %.*s Oc", (int)strlen(argument) - 2,
+                   argument + 1);
+        else if (*argument && !flag)
             printf(" Ns Ar %s", argument);
         separator = " , ";
     }
@@ -126,8 +129,11 @@ static void help_man_option(const struct option *option)
         separator = " , ";
     }
     if (option->word)
-        printf("%sFl \\-%s%s%s", separator, option->word,
-               *argument ? " Ar " : "", argument);
+        printf("%sFl \\-%s", separator, option->word);
+    if (option->word && *argument == '[')
+        printf(" Oo Ar %.*s Oc", (int)strlen(argument) - 2, argument + 1);
+    else if (option->word && *argument)
+        printf(" Ar %s", argument);
     printf("\n");
     help_man_text(option->help);
     printf("\n");

@@ -87,7 +87,6 @@ bool option_read(struct option_reader *reader, const struct setting *token);
 /* Adds a directory at the end of the library path unless it is there. */
 void option_add_library(struct option_reader *reader, const char *directory);
 
-
 /* The setters: option_set.c. */
 option_set set_switch, set_integer, set_whole, set_number, set_library,
     set_header, set_input, set_output, set_file_type, set_gamma, set_declare,

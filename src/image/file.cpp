@@ -240,9 +240,9 @@ static bool codec_decode_checked(const char *path, struct codec_target *target,
                     std::strcmp(input->format_name(), "bmp") == 0;
     target->linear = spec.format.is_floating_point();
     target->gamma = double(spec.get_float_attribute("oiio:Gamma", 0));
-    target->plain = !target->linear &&
-                    (std::strcmp(input->format_name(), "pnm") == 0 ||
-                     std::strcmp(input->format_name(), "tiff") == 0);
+    target->plain =
+        !target->linear && (std::strcmp(input->format_name(), "pnm") == 0 ||
+                            std::strcmp(input->format_name(), "tiff") == 0);
     target->has_alpha = alpha >= 0;
     float *pixels =
         target->allocate(target->context, spec.width, spec.height, error, size);
