@@ -15,15 +15,15 @@ static colour layer_pigment(const struct layer *layer, vec3 point, int quality)
 }
 
 /* Bumps live in the texture's space: the normal goes there and back. */
-static vec3 layer_normal(const struct layer *layer, const struct leaf *leaf,
-                         vec3 point, vec3 normal)
+static vec3 layer_normal(const struct layer *layer,
+                         const struct intersection *at, vec3 point, vec3 normal)
 {
     vec3 there, bumped, back;
     if (!layer->normal)
         return normal;
-    there = vec3_normalise(affine_normal(&leaf->from_texture, normal));
+    there = vec3_normalise(affine_normal(at->from_texture, normal));
     bumped = normal_perturbed(layer->normal, point, there);
-    back = vec3_normalise(affine_normal(&leaf->to_texture, bumped));
+    back = vec3_normalise(affine_normal(at->to_texture, bumped));
     return vec3_finite(back) ? back : normal;
 }
 
@@ -51,7 +51,7 @@ static void surface_fill_layers(struct surface *surface,
 {
     const struct intersection *at = surface->at;
     const struct texture *texture = at->texture;
-    vec3 point = affine_point(&at->leaf->to_texture, at->point);
+    vec3 point = affine_point(at->to_texture, at->point);
     rgb weight = rgb_grey(1);
     for (size_t i = texture->count; i-- > 0;) {
         const struct layer *source = &texture->layers[i];
@@ -59,7 +59,7 @@ static void surface_fill_layers(struct surface *surface,
         layer->finish = source->finish;
         layer->weight = weight;
         layer->pigment = layer_pigment(source, point, view->quality);
-        layer->normal = layer_normal(source, at->leaf, point, surface->normal);
+        layer->normal = layer_normal(source, at, point, surface->normal);
         layer_reflect(surface, layer, view);
         weight = rgb_mul(weight, layer_through(layer));
         if (rgb_brightness(weight) * view->weight < view->bailout ||
@@ -74,7 +74,7 @@ static void surface_fill_plain(struct surface *surface, int quality)
 {
     const struct intersection *at = surface->at;
     const struct layer *source = &at->texture->layers[0];
-    vec3 point = affine_point(&at->leaf->to_texture, at->point);
+    vec3 point = affine_point(at->to_texture, at->point);
     surface->count = 1;
     surface->layer[0] = (struct surface_layer){
         .finish = source->finish,
@@ -103,7 +103,7 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 rgb surface_transmittance(const struct intersection *at)
 {
     const struct texture *texture = at->texture;
-    vec3 point = affine_point(&at->leaf->to_texture, at->point);
+    vec3 point = affine_point(at->to_texture, at->point);
     rgb through = rgb_grey(1);
     for (size_t i = texture->count; i-- > 0;) {
         colour pigment = pigment_colour(texture->layers[i].pigment, point);
