@@ -92,7 +92,9 @@ void solid_containing(const struct solid *solid, vec3 point,
                       void (*visit)(void *context, const struct leaf *leaf),
                       void *context)
 {
-    if (!solid_inside(solid, point))
+    bool bounded = box3_is_finite(solid->surface);
+    if ((bounded && !box3_contains(solid->surface, point)) ||
+        !solid_inside(solid, point))
         return;
     if (solid->leaf) {
         visit(context, solid->leaf);

@@ -76,7 +76,8 @@ void solid_finish(struct arena *arena, struct solid *solid);
 void solid_group(struct arena *arena, struct solid *solid);
 
 /* Calls visit for the leaves that hold the point: every part of a union, the
- * first of an intersection. */
+ * first of an intersection. As in POV-Ray (measured) nothing holds a point
+ * outside its bounding box, be it a half space behind a disc. */
 void solid_containing(const struct solid *solid, vec3 point,
                       void (*visit)(void *context, const struct leaf *leaf),
                       void *context);

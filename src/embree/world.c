@@ -132,6 +132,24 @@ void world_containing(const struct world *world, vec3 point,
         solid_containing(list->items[i], point, visit, context);
 }
 
+static bool boxes_meet(struct box3 a, struct box3 b)
+{
+    return !box3_is_empty(box3_intersection(a, b));
+}
+
+bool world_may_contain(const struct world *world, struct box3 box)
+{
+    const struct container_list *list = &world->flat.containers;
+    for (size_t i = 0; i < list->count; i++) {
+        const struct solid *solid = list->items[i];
+        bool bounded = box3_is_finite(solid->surface);
+        if (boxes_meet(solid->region, box) &&
+            (!bounded || boxes_meet(solid->surface, box)))
+            return true;
+    }
+    return false;
+}
+
 size_t world_leaf_count(const struct world *world)
 {
     return world->flat.leaf_count;

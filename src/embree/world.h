@@ -59,6 +59,9 @@ void world_containing(const struct world *world, vec3 point,
                       void (*visit)(void *context, const struct leaf *leaf),
                       void *context);
 
+/* False if world_containing finds nothing for any point of the box. */
+bool world_may_contain(const struct world *world, struct box3 box);
+
 /* Sizes for --stats and for lighting methods. */
 size_t world_leaf_count(const struct world *world);
 size_t world_triangle_count(const struct world *world);

@@ -126,8 +126,10 @@ bool render_run(const struct tracer *tracer,
         *stats = (struct render_stats){ 0 };
     if (width <= 0 || height <= 0)
         return true;
+    struct tracer ready = *tracer;
+    tracer_ready(&ready);
     struct rendering rendering = {
-        .sampler = sampler_new(tracer, options),
+        .sampler = sampler_new(&ready, options),
         .options = options,
         .image = image,
         .tile = options->tile > 0 ? options->tile : 32,

@@ -61,10 +61,10 @@ rgb surface_transmittance(const struct intersection *at);
 bool surface_faces(const struct surface *surface, vec3 direction);
 
 /* Brightness that decides how much a coloured ray weighs and how opaque a
- * filter is (measured: .297, .589, .114). */
+ * filter is (measured: .297, .589, .114). Exact for greys. */
 static inline double rgb_brightness(rgb c)
 {
-    return 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
+    return c.g + 0.297 * (c.r - c.g) + 0.114 * (c.b - c.g);
 }
 
 /* Light from one direction. */

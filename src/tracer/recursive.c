@@ -285,6 +285,22 @@ static void interiors_enter(void *context, const struct leaf *leaf)
         interiors_cross(inside, leaf);
 }
 
+void tracer_ready(struct tracer *tracer)
+{
+    const struct camera *camera = &tracer->scene->camera;
+    struct box3 origins = box3_empty();
+    tracer->start.count = 0;
+    for (int corner = 0; corner < 4; corner++)
+        origins = box3_add(origins,
+                           camera_ray(camera, corner % 2, corner / 2).origin);
+    tracer->ready = true;
+    if (camera->kind == CAMERA_PERSPECTIVE)
+        world_containing(tracer->world, camera->location, interiors_enter,
+                         &tracer->start);
+    else
+        tracer->ready = !world_may_contain(tracer->world, origins);
+}
+
 struct radiance tracer_camera(const struct tracer *tracer,
                               struct worker *worker, double x, double y)
 {
@@ -296,9 +312,10 @@ struct radiance tracer_camera(const struct tracer *tracer,
     path.level = 1;
     path.weight = 1;
     path.straight = true;
-    path.inside.count = 0;
+    interiors_copy(&path.inside, &tracer->start);
     worker->counters.camera_rays++;
-    world_containing(tracer->world, path.ray.origin, interiors_enter,
-                     &path.inside);
+    if (!tracer->ready)
+        world_containing(tracer->world, path.ray.origin, interiors_enter,
+                         &path.inside);
     return path_follow(&path);
 }

@@ -3,6 +3,7 @@
 #define TRACER_TRACER_H
 
 #include "lighting/lighting.h"
+#include "shade/interior.h"
 
 struct tracer {
     const struct scene *scene;
@@ -11,7 +12,14 @@ struct tracer {
     void *lighting_state;
     int quality; /* +Q: see man/glim.1 */
     bool alpha;  /* +UA: the background's transparency shows as opacity */
+    /* By tracer_ready: what camera rays start in, if it is known for all. */
+    bool ready;
+    struct interiors start;
 };
+
+/* Finds once what all camera rays start in, if they agree; without it each is
+ * looked at by itself. */
+void tracer_ready(struct tracer *tracer);
 
 /* Radiance in the working space, premultiplied by opacity. */
 struct radiance {
