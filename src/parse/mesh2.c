@@ -5,7 +5,6 @@
 
 struct mesh2 {
     struct mesh *mesh;
-    struct span faces_span, normals_span;
     struct {
         vec3 *items;
         size_t count, capacity;
@@ -146,16 +145,19 @@ static bool parse_texture_list(struct parser *p, struct mesh2 *m)
     return true;
 }
 
-static bool list_indices(struct parser *p, uint32_t *out)
+/* Three numbers below `count`, which is how many `things` there are. */
+static bool list_indices(struct parser *p, uint32_t *out, size_t count,
+                         const char *things)
 {
     double v[5];
     struct span span = stream_span(p);
     if (!list_vector(p, v, 3))
         return false;
     for (int i = 0; i < 3; i++) {
-        if (!(v[i] >= 0 && v[i] < MESH_NONE))
-            return error_at(p, span_join(span, p->last_span), NULL,
-                            "%g can't be an index", v[i]);
+        if (!(v[i] >= 0 && v[i] < (double)count))
+            return error_at(p, span, NULL,
+                            "this names number %g of the %s, which are %zu",
+                            v[i], things, count);
         out[i] = (uint32_t)v[i];
     }
     return true;
@@ -163,7 +165,8 @@ static bool list_indices(struct parser *p, uint32_t *out)
 
 /* face_textures = float [[","] float [","] float] .
  * One texture for the face, or one for each corner. */
-static bool parse_face_textures(struct parser *p, uint32_t *out)
+static bool parse_face_textures(struct parser *p, const struct mesh2 *m,
+                                uint32_t *out)
 {
     double first = 0;
     struct span span = stream_span(p);
@@ -177,8 +180,11 @@ static bool parse_face_textures(struct parser *p, uint32_t *out)
                                      "a different texture for each corner");
         first = index;
     }
-    if (!(first >= 0 && first < MESH_NONE))
-        return error_at(p, span, NULL, "%g can't be an index", first);
+    if (!(first >= 0 && first < (double)m->textures.count))
+        return error_at(p, span, NULL,
+                        "this names number %g of the texture_list, which has "
+                        "%zu",
+                        first, m->textures.count);
     *out = (uint32_t)first;
     return true;
 }
@@ -194,9 +200,10 @@ static bool parse_face_indices(struct parser *p, struct mesh2 *m)
         struct mesh_triangle t = {
             .normal = { MESH_NONE, MESH_NONE, MESH_NONE }, .texture = MESH_NONE
         };
-        if (list_too_short(p, count, i) || !list_indices(p, t.vertex))
+        if (list_too_short(p, count, i) ||
+            !list_indices(p, t.vertex, m->vertices.count, "vertex_vectors"))
             return false;
-        if (at_number(p) && !parse_face_textures(p, &t.texture))
+        if (at_number(p) && !parse_face_textures(p, m, &t.texture))
             return false;
         *ARRAY_PUSH(p->scene_arena, &m->triangles) = t;
     }
@@ -217,7 +224,8 @@ static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
                         count, m->triangles.count);
     for (size_t i = 0; i < count; i++)
         if (list_too_short(p, count, i) ||
-            !list_indices(p, m->triangles.items[i].normal))
+            !list_indices(p, m->triangles.items[i].normal, m->normals.count,
+                          "normal_vectors"))
             return false;
     m->normal_faces = count;
     return true;
@@ -227,12 +235,12 @@ static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
 static bool parse_uv_indices(struct parser *p, struct mesh2 *m)
 {
     size_t count = 0;
-    uint32_t ignored[3];
+    double ignored[5];
     (void)m;
     if (!parse_list_count(p, &count))
         return false;
     for (size_t i = 0; i < count; i++)
-        if (list_too_short(p, count, i) || !list_indices(p, ignored))
+        if (list_too_short(p, count, i) || !list_vector(p, ignored, 3))
             return false;
     return true;
 }
@@ -271,50 +279,18 @@ static bool parse_mesh2_list(struct parser *p, struct mesh2 *m, bool *found)
     if (!rule)
         return true;
     stream_next(p);
-    if (rule == parse_face_indices)
-        m->faces_span = p->last_span;
-    if (rule == parse_normal_indices)
-        m->normals_span = p->last_span;
     return block_begin(p, &open) && block_end(p, open, rule(p, m));
 }
 
-static bool mesh2_check_index(struct parser *p, struct span span, size_t face,
-                              const char *thing, uint32_t index, size_t count)
-{
-    return index < count ||
-           error_at(p, span, NULL, "face %zu names %s %u, there are %zu", face,
-                    thing, (unsigned)index, count);
-}
-
-/* Faces without normal_indices use their vertices' numbers if there are as
+/* Without normal_indices, faces use their vertices' numbers if there are as
  * many normals as vertices. */
-static bool mesh2_check_face(struct parser *p, const struct mesh2 *m, size_t i)
-{
-    struct mesh_triangle *t = &m->triangles.items[i];
-    bool same = !m->normal_faces && m->normals.count &&
-                m->normals.count == m->vertices.count;
-    for (int k = 0; k < 3; k++) {
-        if (!mesh2_check_index(p, m->faces_span, i, "vertex", t->vertex[k],
-                               m->vertices.count))
-            return false;
-        if (same)
-            t->normal[k] = t->vertex[k];
-        if (t->normal[k] != MESH_NONE &&
-            !mesh2_check_index(p, m->normals_span, i, "normal", t->normal[k],
-                               m->normals.count))
-            return false;
-    }
-    return t->texture == MESH_NONE ||
-           mesh2_check_index(p, m->faces_span, i, "texture", t->texture,
-                             m->textures.count);
-}
-
-static bool mesh2_finish(struct parser *p, struct mesh2 *m)
+static void mesh2_finish(struct mesh2 *m)
 {
     struct mesh *mesh = m->mesh;
-    for (size_t i = 0; i < m->triangles.count; i++)
-        if (!mesh2_check_face(p, m, i))
-            return false;
+    bool same = !m->normal_faces && m->normals.count == m->vertices.count;
+    for (size_t i = 0; same && i < m->triangles.count; i++)
+        memcpy(m->triangles.items[i].normal, m->triangles.items[i].vertex,
+               sizeof m->triangles.items[i].normal);
     mesh->vertices = m->vertices.items;
     mesh->vertex_count = m->vertices.count;
     mesh->normals = m->normals.items;
@@ -323,7 +299,6 @@ static bool mesh2_finish(struct parser *p, struct mesh2 *m)
     mesh->triangle_count = m->triangles.count;
     mesh->textures = m->textures.items;
     mesh->texture_count = m->textures.count;
-    return true;
 }
 
 static bool mesh2_body(struct parser *p, struct mesh2 *m,
@@ -333,7 +308,7 @@ static bool mesh2_body(struct parser *p, struct mesh2 *m,
     while (found)
         if (!parse_mesh2_list(p, m, &found))
             return false;
-    return parse_modifiers(p, modifiers) && mesh2_finish(p, m);
+    return parse_modifiers(p, modifiers);
 }
 
 /* mesh2 = "mesh2" "{" {mesh2_list} {"inside_vector" vector | modifier} "}" . */
@@ -352,6 +327,7 @@ bool parse_mesh2(struct parser *p, struct object **out)
     if (!block_begin(p, &open) ||
         !block_end(p, open, mesh2_body(p, &mesh2, &m)))
         return false;
+    mesh2_finish(&mesh2);
     mesh_end(p, *out, mesh2.mesh);
     return true;
 }
