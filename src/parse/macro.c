@@ -146,6 +146,23 @@ static bool macro_arguments(struct parser *p, const struct macro *macro,
     return expect(p, TOKEN_RPAREN, open);
 }
 
+/* Drops the rest of a wrong call, to its ')' or as far as it can reach. */
+static void macro_recover(struct parser *p)
+{
+    struct cursor *cursor = p->cursor;
+    if (p->peeked)
+        cursor->index--;
+    p->peeked = false;
+    for (unsigned depth = 1; depth > 0 && cursor->index < cursor->end;) {
+        enum token_kind kind = cursor->list->tokens[cursor->index].kind;
+        if (kind == TOKEN_DIRECTIVE || kind == TOKEN_SEMICOLON)
+            return;
+        depth += kind == TOKEN_LPAREN;
+        depth -= kind == TOKEN_RPAREN;
+        cursor->index++;
+    }
+}
+
 /* The arguments are read as in parentheses, whatever is being read outside:
  * directives and macros in them do run. */
 bool macro_call(struct parser *p, const struct word *word, struct span at)
@@ -156,8 +173,10 @@ bool macro_call(struct parser *p, const struct word *word, struct span at)
     p->directive = NULL;
     bool ok = macro_arguments(p, macro, values);
     p->directive = directive;
-    if (!ok)
+    if (!ok) {
+        macro_recover(p);
         return false;
+    }
     if (!stream_push_macro(p, macro->list, macro->first, macro->end, word, at))
         return false;
     scope_push(p);
