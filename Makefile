@@ -8,7 +8,8 @@ BUILD  ?= build$(if $(filter-out release,$(MODE)),/$(MODE))
 VERSION = 0.1
 
 # What building needs, and what testing needs besides; Debian's names.
-PACKAGES      = gcc g++ make libembree-dev libopenimageio-dev libopenexr-dev
+PACKAGES      = gcc g++ make libembree-dev libopenimageio-dev libopenexr-dev \
+	libpng-dev
 TEST_PACKAGES = libcmocka-dev mandoc povray povray-includes povray-examples \
 	openimageio-tools clang-format
 
@@ -31,7 +32,7 @@ CFLAGS   += -std=c11 $(C_WARNINGS) $(FLAGS)
 CXXFLAGS += -std=c++17 $(WARNINGS) -Wno-cast-qual $(FLAGS)
 CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
 	-DGLIM_VERSION='"$(VERSION)"' -DGLIM_VERSION_NUMBER=$(VERSION)
-LDLIBS   += -lembree3 -lpthread -lm -ldl
+LDLIBS   += -lembree3 -lpng -lpthread -lm -ldl
 # Image files are a module of their own, loaded when needed: see src/image/codec.h.
 MODULE_LDLIBS = -lOpenImageIO -lOpenImageIO_Util
 MODULE = $(BUILD)/glim-image.so

@@ -26,8 +26,9 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
     render.progress = progress_tell;
     render.progress_context = &progress;
     progress_start(&progress, &work->options, name);
+    struct image_format format = options_format(&work->options);
     struct background *loading =
-        name ? background_start(image_prepare, NULL) : NULL;
+        name ? background_start(image_prepare, &format) : NULL;
     bool done = render_run(tracer, &render, image, &stats->rays);
     background_join(loading);
     progress_clear(&progress);

@@ -14,6 +14,7 @@
 
 #include "base/memory.h"
 #include "image/codec.h"
+#include "image/png.h"
 
 #define MODULE "glim-image.so"
 
@@ -54,10 +55,15 @@ static void *file_codec(const char *name, char *error, size_t size)
     return function;
 }
 
-void image_prepare(void *context)
+static bool file_is_png(const struct image_format *format)
 {
-    (void)context;
-    file_module();
+    return strcmp(format->type, "png") == 0;
+}
+
+void image_prepare(void *format)
+{
+    if (!file_is_png(format))
+        file_module();
 }
 
 static float *file_allocate(void *context, int width, int height, char *error,
@@ -245,11 +251,19 @@ static bool file_put_new(void *context, const void *bytes, size_t count,
     return done;
 }
 
+static codec_encode_function *file_encoder(const struct image_format *format,
+                                           char *error, size_t size)
+{
+    codec_encode_function *encode = png_encode;
+    if (!file_is_png(format))
+        *(void **)&encode = file_codec("codec_encode", error, size);
+    return encode;
+}
+
 bool image_write(const struct image *image, const char *path,
                  const struct image_format *format, char *error, size_t size)
 {
-    codec_encode_function *encode;
-    *(void **)&encode = file_codec("codec_encode", error, size);
+    codec_encode_function *encode = file_encoder(format, error, size);
     if (!encode)
         return false;
     char target[PATH_MAX];

@@ -36,9 +36,9 @@ bool image_writable(const char *path, char *error, size_t size);
 bool image_write(const struct image *image, const char *path,
                  const struct image_format *format, char *error, size_t size);
 
-/* Loads OpenImageIO, which takes 0.2 s and is otherwise put off to the first
- * picture. May run on a thread of its own beside anything. `context` is not
- * used. */
-void image_prepare(void *context);
+/* Makes ready for writing a picture of this format, a struct image_format:
+ * loads OpenImageIO, which takes 0.2 s, unless it is "png". May run on a
+ * thread of its own beside anything. */
+void image_prepare(void *format);
 
 #endif
