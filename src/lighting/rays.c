@@ -63,7 +63,7 @@ static rgb rays_see(void *context, vec3 location)
     if (lamp_is_parallel(q->lamp))
         offset = vec3_along(vec3_sub(location, light->location),
                             q->view.direction, q->view.distance);
-    return shadow_visibility(q->rays->world, q->worker, point,
+    return shadow_visibility(q->rays->world, q->worker, q->surface,
                              vec3_normalise(offset), vec3_length(offset),
                              q->lamp->number);
 }
@@ -82,7 +82,7 @@ static rgb rays_visibility(struct rays_question *q)
     if (light->shadowless || rays->quality < QUALITY_SHADOWS)
         return rgb_grey(1);
     if (!rays_area(q))
-        return shadow_visibility(rays->world, q->worker, point,
+        return shadow_visibility(rays->world, q->worker, q->surface,
                                  q->view.direction, q->view.distance,
                                  q->lamp->number);
     struct area_grid grid = area_grid_new(q->lamp, point, rays->seed);

@@ -1,7 +1,8 @@
 /* Shadow rays with coloured filters: see shadow.h. Measured on POV-Ray 3.7:
  * every surface on the way filters once; a segment that ends where the ray
- * leaves a body fades by that body's interior; a body the point itself is in
- * does not count; reflection and Fresnel don't weaken the light. */
+ * leaves a body fades by that body's interior; of the bodies the point itself
+ * is in, those that the ray from the eye came through count, and no others;
+ * reflection and Fresnel don't weaken the light. */
 #include "shade/shadow.h"
 
 #include "shade/interior.h"
@@ -52,10 +53,14 @@ static bool shadow_filter(void *context, const struct intersection *at)
     return rgb_peak(shadow->share) < 1e-9;
 }
 
-static void shadow_fade(struct shadow_ray *shadow)
+static void shadow_fade(struct shadow_ray *shadow,
+                        const struct interiors *around)
 {
-    struct interiors inside = { .count = 0 };
+    struct interiors inside;
     double from = 0;
+    inside.count = 0;
+    if (around)
+        interiors_copy(&inside, around);
     for (int i = 0; i < shadow->count; i++) {
         const struct leaf *leaf = shadow->at[i].leaf;
         double to = shadow->at[i].t;
@@ -68,8 +73,10 @@ static void shadow_fade(struct shadow_ray *shadow)
 }
 
 rgb shadow_visibility(const struct world *world, struct worker *worker,
-                      vec3 point, vec3 direction, double distance, int light)
+                      const struct surface *surface, vec3 direction,
+                      double distance, int light)
 {
+    vec3 point = surface->point;
     double from = fmax(shadow_margin, surface_offset(point));
     double to = distance - shadow_margin;
     struct ray ray = { point, direction };
@@ -83,6 +90,6 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
     if (world_occluded(world, &ray, from, to, light, shadow_filter, &shadow))
         return rgb_grey(0);
     if (shadow.fades)
-        shadow_fade(&shadow);
+        shadow_fade(&shadow, surface->around);
     return shadow.share;
 }

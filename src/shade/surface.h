@@ -6,6 +6,8 @@
 #include "base/rgb.h"
 #include "embree/world.h"
 
+struct interiors;
+
 enum { SURFACE_LAYERS = 16 }; /* most layers of one texture */
 
 /* The quality levels of +Q at which something begins. */
@@ -34,7 +36,10 @@ struct surface {
     vec3 view;   /* unit, to the viewer */
     vec3 normal; /* unit, unperturbed, turned towards the viewer */
     bool inside; /* the viewer is on the inner side */
-    int count;   /* layers that can be seen: those below are hidden */
+    /* What the ray that came here is inside of, for light on its way through
+     * the same matter; NULL: nothing. The tracer sets it. */
+    const struct interiors *around;
+    int count; /* layers that can be seen: those below are hidden */
     struct surface_layer layer[SURFACE_LAYERS]; /* top first */
     rgb through; /* what all layers let pass; black when the last is hidden */
 };

@@ -245,6 +245,7 @@ static bool path_cross(struct path *path, struct crossing *crossing)
         .bailout = settings->adc_bailout,
     };
     surface_fill(&crossing->surface, &crossing->at, &view);
+    crossing->surface.around = &path->inside;
     if (tracer->quality < QUALITY_LIT) {
         path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));
         return false;
