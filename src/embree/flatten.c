@@ -6,6 +6,11 @@
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
+struct limits {
+    const struct solid **items;
+    size_t count;
+};
+
 /* What a node hands down to its children. */
 struct inherited {
     affine to_world; /* of the space the children's transform leads to */
@@ -18,8 +23,7 @@ struct inherited {
     bool inverted; /* inverted at all */
     bool clip;     /* part of a clip: has no surface of its own */
     int looks_like;
-    const struct solid **clips; /* of unions that were taken apart */
-    size_t clip_count;
+    struct limits clips, gates; /* of unions that were taken apart */
     unsigned depth;
 };
 
@@ -72,30 +76,40 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
     return in;
 }
 
-/* The clips of the object itself, in the space of its parent. */
-static const struct solid **build_clips(struct flat *flat,
-                                        const struct object *object,
-                                        const struct inherited *up, size_t room)
+/* Clips or bounds of an object whose parent's space `up` leads from. */
+static struct limits build_limits(struct flat *flat, const struct clip *clips,
+                                  size_t count, const struct inherited *up)
 {
-    const struct solid **clips = ARENA_ARRAY(flat->arena, const struct solid *,
-                                             object->clip_count + room);
-    struct inherited in = *up;
-    in.depth++;
-    in.clip = true;
-    in.flipped = in.inverted = false;
-    for (size_t i = 0; i < object->clip_count; i++) {
-        const struct clip *clip = &object->clips[i];
-        in.to_world = affine_compose(up->to_world, clip->transform);
-        struct solid *solid = build_solid(flat, clip->object, &in);
+    struct limits limits = {
+        ARENA_ARRAY(flat->arena, const struct solid *, count), count
+    };
+    struct inherited in = { .from_texture = affine_identity(),
+                            .looks_like = -1,
+                            .clip = true,
+                            .depth = up->depth + 1 };
+    for (size_t i = 0; i < count; i++) {
+        in.to_world = affine_compose(up->to_world, clips[i].transform);
+        struct solid *solid = build_solid(flat, clips[i].object, &in);
         if (!solid) {
             /* Nothing left to be inside of: a merge of nothing. */
             solid = ARENA_NEW(flat->arena, struct solid);
             solid->kind = OBJECT_MERGE;
         }
         solid_finish(flat->arena, solid);
-        clips[i] = solid;
+        limits.items[i] = solid;
     }
-    return clips;
+    return limits;
+}
+
+/* `b` first; the result is new. */
+static struct limits limits_join(struct flat *flat, struct limits a,
+                                 struct limits b)
+{
+    struct limits both = { NULL, a.count + b.count };
+    both.items = ARENA_ARRAY(flat->arena, const struct solid *, both.count);
+    for (size_t i = 0; i < both.count; i++)
+        both.items[i] = i < b.count ? b.items[i] : a.items[i - b.count];
+    return both;
 }
 
 static bool mesh_is_opaque(const struct mesh *mesh)
@@ -132,6 +146,7 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     leaf->hollow = in->hollow;
     leaf->inverse = in->flipped;
     leaf->looks_like = in->looks_like;
+    leaf->opaque = true; /* of clips */
     if (!in->clip) {
         leaf->opaque =
             texture_is_opaque(leaf->texture) &&
@@ -266,7 +281,8 @@ struct children {
 static void add_child(struct flat *flat, struct children *children,
                       enum object_kind kind, struct solid *child)
 {
-    if (child->leaf || child->kind != kind || child->clip_count) {
+    if (child->leaf || child->kind != kind || child->clip_count ||
+        child->gate_count) {
         *ARRAY_PUSH(flat->arena, children) = child;
         return;
     }
@@ -286,7 +302,7 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
     }
     if (children.count == 0)
         return NULL;
-    if (children.count == 1 && object->clip_count == 0)
+    if (children.count == 1 && !object->clip_count && !object->bound_count)
         return children.items[0];
     struct solid *solid = ARENA_NEW(flat->arena, struct solid);
     solid->kind = kind;
@@ -312,32 +328,37 @@ static struct solid *build_solid(struct flat *flat, const struct object *object,
     else
         solid = build_node(flat, object, &in);
     if (solid && object->clip_count) {
-        solid->clips = build_clips(flat, object, up, 0);
-        solid->clip_count = object->clip_count;
+        struct limits limits =
+            build_limits(flat, object->clips, object->clip_count, up);
+        solid->clips = limits.items;
+        solid->clip_count = limits.count;
+    }
+    if (solid && object_is_bounded(object)) {
+        struct limits limits =
+            build_limits(flat, object->bounds, object->bound_count, up);
+        solid->gates = limits.items;
+        solid->gate_count = limits.count;
     }
     return solid;
 }
 
-/* A solid of its own, with the clips of the unions it was taken out of. */
+/* A solid of its own, with the limits of the unions it was taken out of. */
 static void add_solid(struct flat *flat, const struct object *object,
                       const struct inherited *up)
 {
     struct inherited plain = *up;
-    plain.clips = NULL;
-    plain.clip_count = 0;
+    plain.clips = plain.gates = (struct limits){ NULL, 0 };
     struct solid *solid = build_solid(flat, object, &plain);
     if (!solid)
         return;
-    if (up->clip_count) {
-        size_t count = solid->clip_count + up->clip_count;
-        const struct solid **clips =
-            ARENA_ARRAY(flat->arena, const struct solid *, count);
-        for (size_t i = 0; i < count; i++)
-            clips[i] = i < up->clip_count ? up->clips[i]
-                                          : solid->clips[i - up->clip_count];
-        solid->clips = clips;
-        solid->clip_count = count;
-    }
+    struct limits clips = { solid->clips, solid->clip_count };
+    struct limits gates = { solid->gates, solid->gate_count };
+    clips = limits_join(flat, clips, up->clips);
+    gates = limits_join(flat, gates, up->gates);
+    solid->clips = clips.items;
+    solid->clip_count = clips.count;
+    solid->gates = gates.items;
+    solid->gate_count = gates.count;
     solid_finish(flat->arena, solid);
     *ARRAY_PUSH(flat->arena, &flat->solids) = solid;
     *ARRAY_PUSH(flat->arena, &flat->containers) = solid;
@@ -368,34 +389,46 @@ static void add_mesh(struct flat *flat, const struct object *object,
     flat->triangle_count += mesh->triangle_count;
 }
 
-/* A union's clips apply to each of its children. */
+/* A union's clips and bounds apply to each of its children. */
 static void flatten_union(struct flat *flat, const struct object *object,
                           const struct inherited *up)
 {
     struct inherited in = inherit(flat, object, up);
     if (!flat_enter(flat, object, in.depth))
         return;
-    if (object->clip_count) {
-        const struct solid **clips =
-            build_clips(flat, object, up, up->clip_count);
-        for (size_t i = 0; i < up->clip_count; i++)
-            clips[object->clip_count + i] = up->clips[i];
-        in.clips = clips;
-        in.clip_count = object->clip_count + up->clip_count;
-    }
+    if (object->clip_count)
+        in.clips = limits_join(
+            flat, up->clips,
+            build_limits(flat, object->clips, object->clip_count, up));
+    if (object_is_bounded(object))
+        in.gates = limits_join(
+            flat, up->gates,
+            build_limits(flat, object->bounds, object->bound_count, up));
     for (size_t i = 0; i < object->child_count; i++)
         flatten(flat, object->children[i], &in);
+}
+
+/* Whether the limits of unions around it cut the mesh. */
+static bool mesh_is_limited(const struct object *object,
+                            const struct inherited *up)
+{
+    affine to_world = affine_compose(up->to_world, object->transform);
+    struct box3 box = affine_box(&to_world, object->mesh->bounds);
+    if (up->clips.count || object->clip_count)
+        return true;
+    for (size_t i = 0; i < up->gates.count; i++)
+        if (!solid_surrounds(up->gates.items[i], box))
+            return true;
+    return false;
 }
 
 /* An object that is no part of a CSG object. */
 static void flatten(struct flat *flat, const struct object *object,
                     const struct inherited *up)
 {
-    bool turned = up->inverted || object->inverse;
-    bool clipped = up->clip_count || object->clip_count;
-    if (object->kind == OBJECT_UNION && !turned)
+    if (object->kind == OBJECT_UNION && !up->inverted && !object->inverse)
         flatten_union(flat, object, up);
-    else if (object->kind == OBJECT_MESH && !clipped)
+    else if (object->kind == OBJECT_MESH && !mesh_is_limited(object, up))
         add_mesh(flat, object, up);
     else
         add_solid(flat, object, up);

@@ -94,8 +94,30 @@ static bool query_mesh(struct query *query, const struct solid *solid)
     return query->blocked;
 }
 
+/* Whether the ray meets every gate or starts in it. */
+static bool gates_open(const struct query *query, const struct solid *solid)
+{
+    for (size_t i = 0; i < solid->gate_count; i++) {
+        struct query probe;
+        probe.ray = query->ray;
+        probe.slabs = query->slabs;
+        probe.tmin = 0;
+        probe.tmax = HUGE_VAL;
+        probe.occlusion = true;
+        probe.light = -1;
+        probe.leaf = NULL;
+        probe.blocked = false;
+        if (!query_solid(&probe, solid->gates[i]) &&
+            !solid_inside(solid->gates[i], query->ray.origin))
+            return false;
+    }
+    return true;
+}
+
 bool query_solid(struct query *query, const struct solid *solid)
 {
+    if (solid->gate_count && !gates_open(query, solid))
+        return false;
     if (solid->leaf) {
         if (!query_sees(query, solid->leaf))
             return false;

@@ -147,6 +147,34 @@ static void measure_union(struct solid *solid)
     }
 }
 
+bool solid_surrounds(const struct solid *gate, struct box3 box)
+{
+    if (gate->kind != OBJECT_SHAPE || gate->leaf->inverse ||
+        !gate->leaf->object->primitive->convex || !box3_is_finite(box))
+        return false;
+    for (int i = 0; i < 8; i++) {
+        vec3 corner = { i & 1 ? box.high.x : box.low.x,
+                        i & 2 ? box.high.y : box.low.y,
+                        i & 4 ? box.high.z : box.low.z };
+        if (!solid_inside(gate, corner))
+            return false;
+    }
+    return true;
+}
+
+/* Most gates are well around what they bound: those are forgotten. */
+static void drop_gates(struct solid *solid)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < solid->gate_count; i++)
+        if (!solid_surrounds(solid->gates[i], solid->surface))
+            solid->gates[kept++] = solid->gates[i];
+    solid->gate_count = kept;
+    for (size_t i = 0; i < kept; i++)
+        solid->surface =
+            box3_intersection(solid->surface, solid->gates[i]->region);
+}
+
 void solid_measure(struct solid *solid)
 {
     if (solid->kind == OBJECT_INTERSECTION)
@@ -159,7 +187,9 @@ void solid_measure(struct solid *solid)
         solid->region = box3_intersection(solid->region, clip->region);
         solid->holes = box3_union(solid->holes, clip->holes);
     }
-    solid->simple = solid->leaf && !solid->parent && !solid->clip_count;
+    drop_gates(solid);
+    solid->simple = solid->leaf && !solid->parent && !solid->clip_count &&
+                    !solid->gate_count;
 }
 
 void solid_finish(struct arena *arena, struct solid *solid)

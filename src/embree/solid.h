@@ -45,12 +45,14 @@ struct leaf {
 /* A node of the tree; everything in world space. */
 struct solid {
     enum object_kind kind; /* shape, mesh, union, merge or intersection */
-    bool simple;           /* a leaf without parent and clips */
+    bool simple;           /* a leaf without parent, clips and gates */
     const struct solid *parent;
     struct solid **children;
     size_t child_count;
     const struct solid **clips;
     size_t clip_count;
+    const struct solid **gates; /* rays that miss one miss the solid */
+    size_t gate_count;
     const struct leaf *leaf;      /* shape, mesh */
     const struct mesh_tree *tree; /* mesh */
     struct box3 surface;          /* holds every crossing that counts */
@@ -60,6 +62,10 @@ struct solid {
 
 /* Whether the point is inside the solid and its clips. */
 bool solid_inside(const struct solid *solid, vec3 point);
+
+/* Whether the box is known to be inside the solid, so that no ray can meet the
+ * box and miss the solid. */
+bool solid_surrounds(const struct solid *solid, struct box3 box);
 
 /* Whether a crossing of this leaf's surface at the point counts. */
 bool solid_counts(const struct solid *leaf, vec3 point);

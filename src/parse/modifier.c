@@ -159,17 +159,37 @@ static bool parse_clipped_by(struct parser *p, struct modifiers *m)
            object_add_clips(p, m->object, bounds ? &m->bounds : &list);
 }
 
+static bool object_add_bounds(struct parser *p, struct object *object,
+                              const struct clip_list *list)
+{
+    size_t count = object->bound_count + list->count;
+    struct clip *bounds = ARENA_ARRAY(p->scene_arena, struct clip, count);
+    if (object->bound_count)
+        memcpy(bounds, object->bounds, object->bound_count * sizeof *bounds);
+    for (size_t i = 0; i < list->count; i++) {
+        bounds[object->bound_count + i] = list->items[i];
+        if (!object_adopt(p, object, list->items[i].object))
+            return false;
+    }
+    object->bounds = bounds;
+    object->bound_count = count;
+    return true;
+}
+
 /* bounded_by = "bounded_by" "{" ( "clipped_by" | clip_body ) "}" .
- * A hint for POV-Ray's speed; it is only kept for clipped_by. */
+ * Meant for POV-Ray's speed, but a bound too small cuts a picture. */
 static bool parse_bounded_by(struct parser *p, struct modifiers *m)
 {
+    struct clip_list list = { .count = 0 };
     struct span open;
     stream_next(p);
     if (!block_begin(p, &open))
         return false;
     bool ok = accept_keyword(p, KEYWORD_CLIPPED_BY) ||
-              parse_clip_body(p, &m->bounds, "bounded_by");
-    return block_end(p, open, ok);
+              parse_clip_body(p, &list, "bounded_by");
+    for (size_t i = 0; i < list.count; i++)
+        *ARRAY_PUSH(p->scene_arena, &m->bounds) = list.items[i];
+    return block_end(p, open, ok) && object_add_bounds(p, m->object, &list);
 }
 
 /* flag = "inverse" | "hollow" [bool] | "double_illuminate" [bool]

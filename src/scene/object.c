@@ -24,18 +24,19 @@ struct object *object_copy(struct arena *arena, const struct object *object)
     return copy;
 }
 
-/* Clips may be shared with the node this one was copied from. */
-static void object_move_clips(struct arena *arena, struct object *object,
-                              const affine *transform)
+/* The list may be shared with the node this one was copied from. */
+static const struct clip *clips_moved(struct arena *arena,
+                                      const struct clip *clips, size_t count,
+                                      const affine *transform)
 {
-    if (!object->clip_count)
-        return;
-    struct clip *moved = ARENA_ARRAY(arena, struct clip, object->clip_count);
-    for (size_t i = 0; i < object->clip_count; i++) {
-        moved[i] = object->clips[i];
+    if (!count)
+        return NULL;
+    struct clip *moved = ARENA_ARRAY(arena, struct clip, count);
+    for (size_t i = 0; i < count; i++) {
+        moved[i] = clips[i];
         moved[i].transform = affine_compose(*transform, moved[i].transform);
     }
-    object->clips = moved;
+    return moved;
 }
 
 void object_move(struct arena *arena, struct object *object,
@@ -44,7 +45,17 @@ void object_move(struct arena *arena, struct object *object,
     object->transform = affine_compose(*transform, object->transform);
     object->texture_transform =
         affine_compose(*transform, object->texture_transform);
-    object_move_clips(arena, object, transform);
+    object->clips =
+        clips_moved(arena, object->clips, object->clip_count, transform);
+    object->bounds =
+        clips_moved(arena, object->bounds, object->bound_count, transform);
+}
+
+bool object_is_bounded(const struct object *object)
+{
+    if (!object->bound_count || object->kind == OBJECT_MESH)
+        return false;
+    return object->kind != OBJECT_SHAPE || object->primitive->bounded;
 }
 
 static struct box3 object_children_bounds(const struct object *object)
@@ -52,6 +63,8 @@ static struct box3 object_children_bounds(const struct object *object)
     bool meet = object->kind == OBJECT_INTERSECTION;
     struct box3 box = meet ? box3_infinite() : box3_empty();
     for (size_t i = 0; i < object->child_count; i++) {
+        if (object->children[i]->kind == OBJECT_LIGHT)
+            continue;
         struct box3 child = object_bounds(object->children[i]);
         box = meet ? box3_intersection(box, child) : box3_union(box, child);
     }
@@ -75,6 +88,16 @@ static struct box3 object_own_bounds(const struct object *object)
     return object_children_bounds(object);
 }
 
+static struct box3 box_within(struct box3 box, const struct clip *clips,
+                              size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        struct box3 limit = object_bounds(clips[i].object);
+        box = box3_intersection(box, affine_box(&clips[i].transform, limit));
+    }
+    return box;
+}
+
 /* Inside out, only the surface is where it was: an inverse shape inside a
  * CSG object reaches everywhere. */
 struct box3 object_bounds(const struct object *object)
@@ -82,10 +105,8 @@ struct box3 object_bounds(const struct object *object)
     if (object->inverse)
         return box3_infinite();
     struct box3 box = affine_box(&object->transform, object_own_bounds(object));
-    for (size_t i = 0; i < object->clip_count; i++) {
-        const struct clip *clip = &object->clips[i];
-        struct box3 limit = object_bounds(clip->object);
-        box = box3_intersection(box, affine_box(&clip->transform, limit));
-    }
+    box = box_within(box, object->clips, object->clip_count);
+    if (object_is_bounded(object))
+        box = box_within(box, object->bounds, object->bound_count);
     return box;
 }

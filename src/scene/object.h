@@ -58,6 +58,11 @@ struct object {
     const struct clip *clips;
     size_t clip_count;
 
+    /* bounded_by: a ray that misses one of these misses the node, if that is
+     * CSG or a shape that POV-Ray doesn't bound by itself. */
+    const struct clip *bounds;
+    size_t bound_count;
+
     bool inverse;
     bool hollow, has_hollow; /* has_: said at all, else the parent's */
     bool no_shadow, no_image, no_reflection;
@@ -71,9 +76,12 @@ struct object *object_new(struct arena *arena, enum object_kind kind,
 /* A copy of the node that shares everything below it. */
 struct object *object_copy(struct arena *arena, const struct object *object);
 
-/* Moves the node, its texture and its clips. */
+/* Moves the node, its texture, its clips and bounds. */
 void object_move(struct arena *arena, struct object *object,
                  const affine *transform);
+
+/* Whether the node's bounds have an effect. */
+bool object_is_bounded(const struct object *object);
 
 /* The box around everything in the node, in its parent's space; may be
  * infinite. What min_extent and max_extent tell, and what Embree is given. */

@@ -20,8 +20,10 @@ struct primitive {
     const struct field *arguments;
     /* Then anywhere among the object's modifiers (`open`); may be NULL. */
     const struct field *items;
-    bool solid;  /* has an inside: may be a part of intersections */
-    bool beyond; /* its inside reaches beyond its bounds (disc) */
+    bool solid;   /* has an inside: may be a part of intersections */
+    bool beyond;  /* its inside reaches beyond its bounds (disc) */
+    bool convex;  /* a box whose corners are inside is inside */
+    bool bounded; /* a bounded_by has an effect, as in POV-Ray */
 
     /* After reading: precomputes (NULL: nothing to do). Returns NULL, or why
      * the shape is impossible ("its two ends are the same point"). Sets

@@ -95,6 +95,7 @@ const struct primitive box_primitive = {
     .size = sizeof(struct box),
     .arguments = box_arguments,
     .solid = true,
+    .convex = true,
     .prepare = box_prepare,
     .bounds = box_bounds,
     .intersect = box_intersect,

@@ -29,6 +29,7 @@ const struct primitive cubic_primitive = {
     .arguments = cubic_arguments,
     .items = cubic_items,
     .solid = true,
+    .bounded = true,
     .prepare = cubic_prepare,
     .bounds = algebraic_shape_bounds,
     .intersect = algebraic_shape_intersect,

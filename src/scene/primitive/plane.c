@@ -74,6 +74,7 @@ const struct primitive plane_primitive = {
     .size = sizeof(struct plane),
     .arguments = plane_arguments,
     .solid = true,
+    .convex = true,
     .prepare = plane_prepare,
     .bounds = plane_bounds,
     .intersect = plane_intersect,

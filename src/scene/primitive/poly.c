@@ -33,6 +33,7 @@ const struct primitive poly_primitive = {
     .arguments = poly_arguments,
     .items = poly_items,
     .solid = true,
+    .bounded = true,
     .prepare = poly_prepare,
     .bounds = algebraic_shape_bounds,
     .intersect = algebraic_shape_intersect,

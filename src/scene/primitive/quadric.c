@@ -127,6 +127,7 @@ const struct primitive quadric_primitive = {
     .size = sizeof(struct quadric),
     .arguments = quadric_arguments,
     .solid = true,
+    .bounded = true,
     .prepare = quadric_prepare,
     .bounds = quadric_bounds,
     .intersect = quadric_intersect,

@@ -29,6 +29,7 @@ const struct primitive quartic_primitive = {
     .arguments = quartic_arguments,
     .items = quartic_items,
     .solid = true,
+    .bounded = true,
     .prepare = quartic_prepare,
     .bounds = algebraic_shape_bounds,
     .intersect = algebraic_shape_intersect,

@@ -65,6 +65,7 @@ const struct primitive sphere_primitive = {
     .size = sizeof(struct sphere),
     .arguments = sphere_arguments,
     .solid = true,
+    .convex = true,
     .bounds = sphere_bounds,
     .intersect = sphere_intersect,
     .normal = sphere_normal,

@@ -125,6 +125,7 @@ const struct primitive torus_primitive = {
     .arguments = torus_arguments,
     .items = torus_items,
     .solid = true,
+    .bounded = true,
     .prepare = torus_prepare,
     .bounds = torus_bounds,
     .intersect = torus_intersect,
