@@ -134,18 +134,27 @@ static bool parse_looks_like(struct parser *p, struct object *owner,
     return object_adopt(p, owner, *looks);
 }
 
-/* light_without_effect = "media_interaction" [bool] | "media_attenuation"
- * [bool] | "photons" "{" {name [float]} "}" . */
+/* light_without_effect = "media_interaction" [bool]
+ *                      | "media_attenuation" [bool]
+ *                      | "photons" "{" {name [float]} "}" .
+ * The second has one in fog. */
 static bool parse_light_without_effect(struct parser *p, bool *found)
 {
-    bool ignored;
+    bool on = false;
     struct span open;
     *found = true;
     switch (stream_keyword(p)) {
     case KEYWORD_MEDIA_INTERACTION:
+        stream_next(p);
+        return parse_bool(p, &on);
     case KEYWORD_MEDIA_ATTENUATION:
         stream_next(p);
-        return parse_bool(p, &ignored);
+        open = p->last_span;
+        if (!parse_bool(p, &on))
+            return false;
+        if (on)
+            p->dimmed_light = open;
+        return true;
     case KEYWORD_PHOTONS:
         stream_next(p);
         return block_begin(p, &open) && block_end(p, open, skip_block(p));
