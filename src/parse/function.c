@@ -18,6 +18,9 @@ static const struct function_row function_rows[KEYWORDS_TOTAL] = {
     [KEYWORD_ATAN] = { "f", atan, NULL, NULL },
     [KEYWORD_ATAN2] = { "ff", NULL, atan2, number_atan2 },
     [KEYWORD_ATANH] = { "f", atanh, NULL, NULL },
+    [KEYWORD_BITWISE_AND] = { "f+", NULL, number_and, NULL },
+    [KEYWORD_BITWISE_OR] = { "f+", NULL, number_or, NULL },
+    [KEYWORD_BITWISE_XOR] = { "f+", NULL, number_xor, NULL },
     [KEYWORD_CEIL] = { "f", ceil, NULL, NULL },
     [KEYWORD_CHR] = { "f", NULL, NULL, text_chr },
     [KEYWORD_CONCAT] = { "s+", NULL, NULL, text_concat },
@@ -31,6 +34,7 @@ static const struct function_row function_rows[KEYWORDS_TOTAL] = {
     [KEYWORD_EXP] = { "f", exp, NULL, NULL },
     [KEYWORD_FILE_EXISTS] = { "s", NULL, NULL, text_file_exists },
     [KEYWORD_FLOOR] = { "f", floor, NULL, NULL },
+    [KEYWORD_INSIDE] = { "ov", NULL, NULL, vector_inside },
     [KEYWORD_INT] = { "f", number_int, NULL, NULL },
     [KEYWORD_LN] = { "f", log, NULL, number_ln },
     [KEYWORD_LOG] = { "f", log10, NULL, number_log },
@@ -55,6 +59,7 @@ static const struct function_row function_rows[KEYWORDS_TOTAL] = {
     [KEYWORD_SUBSTR] = { "sff", NULL, NULL, text_substr },
     [KEYWORD_TAN] = { "f", tan, NULL, NULL },
     [KEYWORD_TANH] = { "f", tanh, NULL, NULL },
+    [KEYWORD_TRACE] = { "ovv|i", NULL, NULL, vector_trace },
     [KEYWORD_VAL] = { "s", NULL, NULL, text_val },
     [KEYWORD_VAXIS_ROTATE] = { "vvf", NULL, NULL, vector_axis_rotate },
     [KEYWORD_VCROSS] = { "vv", NULL, NULL, vector_cross },
@@ -74,7 +79,7 @@ const struct function_row *function_find(enum keyword keyword)
 
 static bool function_is_unsupported(enum keyword keyword)
 {
-    return keyword == KEYWORD_INSIDE || keyword == KEYWORD_TRACE;
+    return keyword == KEYWORD_DATETIME;
 }
 
 bool function_is(enum keyword keyword)
@@ -159,6 +164,19 @@ static bool argument_object(struct parser *p, const struct object **object)
     return true;
 }
 
+static bool argument_target(struct parser *p, struct symbol **target)
+{
+    const struct token *token = stream_peek(p);
+    struct symbol *symbol = token->kind == TOKEN_WORD && !token->word->reserved
+                                ? symbol_lookup(p, token->word)
+                                : NULL;
+    if (!symbol || symbol->value.kind != VALUE_VECTOR)
+        return error_expected(p, "the name of a declared vector");
+    stream_next(p);
+    *target = symbol;
+    return true;
+}
+
 static bool argument_value(struct parser *p, char kind, struct value *value)
 {
     static const char *const wanted[128] = { ['f'] = "a number",
@@ -194,6 +212,7 @@ static bool parse_argument(struct parser *p, char kind, struct call *call)
     return kind == 'd'   ? argument_name(p, value)
            : kind == 'a' ? argument_array(p, &call->array)
            : kind == 'o' ? argument_object(p, &call->object)
+           : kind == 'i' ? argument_target(p, &call->target)
                          : argument_value(p, kind, value);
 }
 

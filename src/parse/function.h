@@ -13,12 +13,14 @@ struct call {
     int count;
     const struct object *object; /* argument "o" */
     const struct array *array;   /* argument "a" */
+    struct symbol *target;       /* argument "i" */
 };
 
 struct function_row {
     /* One letter for each argument: f float, v vector, n vector of any size,
      * s string, o object identifier, a array identifier, d any name (its
-     * value is whether it is declared). Arguments after '|' may be missing;
+     * value is whether it is declared), i vector identifier that the function
+     * gives a value. Arguments after '|' may be missing;
      * '+' repeats the one before it, and the function is applied to the first
      * two, then to the result and the third ... */
     const char *signature;
@@ -51,6 +53,9 @@ double number_div(double a, double b);
 double number_degrees(double x);
 double number_radians(double x);
 double number_mod(double a, double b);
+double number_and(double a, double b);
+double number_or(double a, double b);
+double number_xor(double a, double b);
 void number_sqrt(struct parser *, const struct call *, struct value *);
 void number_ln(struct parser *, const struct call *, struct value *);
 void number_log(struct parser *, const struct call *, struct value *);
@@ -67,6 +72,8 @@ void number_dimension_size(struct parser *, const struct call *,
                            struct value *);
 
 /* function_vector.c */
+void vector_inside(struct parser *, const struct call *, struct value *);
+void vector_trace(struct parser *, const struct call *, struct value *);
 void vector_dot(struct parser *, const struct call *, struct value *);
 void vector_length(struct parser *, const struct call *, struct value *);
 void vector_cross(struct parser *, const struct call *, struct value *);

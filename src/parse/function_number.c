@@ -31,6 +31,21 @@ double number_radians(double x)
     return x * (M_PI / 180);
 }
 
+double number_and(double a, double b)
+{
+    return float_to_int(a) & float_to_int(b);
+}
+
+double number_or(double a, double b)
+{
+    return float_to_int(a) | float_to_int(b);
+}
+
+double number_xor(double a, double b)
+{
+    return float_to_int(a) ^ float_to_int(b);
+}
+
 /* The sign is the dividend's. */
 double number_mod(double a, double b)
 {

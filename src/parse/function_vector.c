@@ -2,8 +2,9 @@
 #include "base/affine.h"
 #include "parse/expression.h"
 #include "parse/function.h"
+#include "parse/symbol.h"
 #include "scene/noise.h"
-#include "scene/object.h"
+#include "scene/object_probe.h"
 
 static vec3 argument(const struct call *call, int i)
 {
@@ -101,4 +102,31 @@ void vector_max_extent(struct parser *p, const struct call *call,
 {
     (void)p;
     *result = extent_corner(object_bounds(call->object).high);
+}
+
+void vector_inside(struct parser *p, const struct call *call,
+                   struct value *result)
+{
+    if (object_is_solid(call->object))
+        *result = value_float(object_inside(call->object, argument(call, 1)));
+    else
+        call_error(p, call, result, NULL,
+                   "inside() wants an object that has an inside");
+}
+
+/* trace(object, origin, direction, normal): the point, and the normal into the
+ * identifier; all zero if nothing is met. */
+void vector_trace(struct parser *p, const struct call *call,
+                  struct value *result)
+{
+    struct ray ray = { argument(call, 1), vec3_normalise(argument(call, 2)) };
+    double t;
+    vec3 normal, point = vec3_make(0, 0, 0);
+    if (object_trace(call->object, &ray, &t, &normal))
+        point = ray_point(&ray, t);
+    *result = value_vector(point);
+    if (call->target) {
+        call->target->value = value_vector(normal);
+        p->changes++;
+    }
 }

@@ -44,6 +44,9 @@
     X(BACKGROUND, "background")                                                \
     X(BEZIER_SPLINE, "bezier_spline")                                          \
     X(BICUBIC_PATCH, "bicubic_patch")                                          \
+    X(BITWISE_AND, "bitwise_and")                                              \
+    X(BITWISE_OR, "bitwise_or")                                                \
+    X(BITWISE_XOR, "bitwise_xor")                                              \
     X(BLACK_HOLE, "black_hole")                                                \
     X(BLOB, "blob")                                                            \
     X(BLUE, "blue")                                                            \
@@ -90,6 +93,7 @@
     X(CUBIC_WAVE, "cubic_wave")                                                \
     X(CUTAWAY_TEXTURES, "cutaway_textures")                                    \
     X(CYLINDRICAL, "cylindrical")                                              \
+    X(DATETIME, "datetime")                                                    \
     X(DEBUG, "debug")                                                          \
     X(DECLARE, "declare")                                                      \
     X(DEFAULT, "default")                                                      \

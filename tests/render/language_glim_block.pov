@@ -3,7 +3,7 @@
 // compare: exact
 #version 3.7;
 #ifdef (Glim)
-    #declare Marker = Glim > 0;
+    #declare Marker = (Glim > 0);
 #else
     #declare Marker = yes;
 #end

@@ -109,6 +109,46 @@ static void test_random(void **state)
     CHECK(checks);
 }
 
+/* The values are POV-Ray's. */
+static void test_probes(void **state)
+{
+    static const struct check checks[] = {
+        { "#declare S = sphere {0,1} #declare N = x;"
+          "#declare P = trace(S, <0.5,0,-3>, z, N);",
+          "concat(vstr(3,P,\" \",0,3), \" \", vstr(3,N,\" \",0,3))",
+          "0.500 0.000 -0.866 0.500 0.000 -0.866" },
+        { "#declare S = sphere {0,1} #declare N = x;"
+          "#declare P = trace(S, <3,0,-3>, z, N);",
+          "vstr(3,P+N,\" \",0,0)", "0 0 0" },
+        { "#declare S = sphere {0,1}",
+          "vstr(3,trace(S,<0,0,-1-5e-4>,z)+trace(S,<0,0,-1-5e-5>,3*z),\" \","
+          "0,0)",
+          "0 0 0" },
+        { "#declare U = union {sphere {0,1} sphere {x*.5,1}} ",
+          "str(trace(U,0,x).x,0,1)", "1.0" },
+        { "#declare U = union {sphere {0,1} sphere {x*.5,1} inverse}"
+          "#declare N = x; #declare P = trace(U,0,x,N);",
+          "str(P.x*10+N.x,0,0)", "14" },
+        { "#declare D = difference {box {-1,1} sphere {0,1.2}}",
+          "str(trace(D,<.9,.9,-3>,z).z,0,1)", "-1.0" },
+        { "#declare T = triangle {<-1,-1,0>,<1,-1,0>,<0,1,0>}"
+          "#declare N = x; #declare P = trace(T,-3*z,z,N);",
+          "str(N.z,0,0)", "-1" },
+        { "#declare D = difference {box {-1,1} sphere {0,1.2}}",
+          "str(inside(D,<.9,.9,.9>)*10+inside(D,0),0,0)", "10" },
+        { "#declare C = sphere {0,1 clipped_by {plane {z,0}}}",
+          "str(inside(C,-.5*z)*10+inside(C,.5*z),0,0)", "10" },
+        { "#declare S = sphere {0,1 inverse}",
+          "str(inside(S,0)*10+inside(S,2*x),0,0)", "1" },
+        { "",
+          "str(bitwise_and(7,5,4)*100+bitwise_or(5,3)*10+"
+          "bitwise_xor(5,3),0,0)",
+          "476" },
+    };
+    (void)state;
+    CHECK(checks);
+}
+
 static void test_identifiers(void **state)
 {
     static const struct check checks[] = {
@@ -216,11 +256,9 @@ static void test_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_arrays),
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_user_functions),
-        cmocka_unit_test(test_identifiers),
-        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_arrays),         cmocka_unit_test(test_random),
+        cmocka_unit_test(test_user_functions), cmocka_unit_test(test_probes),
+        cmocka_unit_test(test_identifiers),    cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

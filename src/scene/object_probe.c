@@ -1,0 +1,191 @@
+/* inside() and trace(): see object_probe.h. The rule for CSG is that of
+ * embree/solid.h: a crossing of a part counts if it is inside all siblings of
+ * an intersection, outside all siblings of a merge, and inside every clip. */
+#include "scene/object_probe.h"
+
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+
+#define PROBE_NEAREST 1e-4
+
+bool object_is_solid(const struct object *object)
+{
+    switch (object->kind) {
+    case OBJECT_SHAPE:
+        return object->primitive->inside != NULL;
+    case OBJECT_MESH:
+        return object->mesh->solid;
+    case OBJECT_LIGHT:
+        return false;
+    case OBJECT_UNION:
+    case OBJECT_MERGE:
+    case OBJECT_INTERSECTION:
+        break;
+    }
+    return object->child_count > 0;
+}
+
+/* An odd number of triangles lies in the mesh's inside direction. */
+static bool mesh_inside(const struct mesh *mesh, vec3 point)
+{
+    struct ray ray = { point, mesh->inside_vector };
+    struct hit hit;
+    bool inside = false;
+    for (size_t i = 0; mesh->solid && i < mesh->triangle_count; i++)
+        if (mesh_intersect(mesh, i, &ray, &hit) && hit.t > 0)
+            inside = !inside;
+    return inside;
+}
+
+static bool content_inside(const struct object *object, vec3 point)
+{
+    bool all = object->kind == OBJECT_INTERSECTION;
+    if (object->kind == OBJECT_SHAPE)
+        return object->primitive->inside(object->shape, point);
+    if (object->kind == OBJECT_MESH)
+        return mesh_inside(object->mesh, point);
+    for (size_t i = 0; i < object->child_count; i++)
+        if (object_inside(object->children[i], point) != all)
+            return !all;
+    return all;
+}
+
+static bool clips_inside(const struct object *object, vec3 point)
+{
+    for (size_t i = 0; i < object->clip_count; i++) {
+        affine inverse;
+        const struct clip *clip = &object->clips[i];
+        if (!affine_inverse(clip->transform, &inverse) ||
+            !object_inside(clip->object, affine_point(&inverse, point)))
+            return false;
+    }
+    return true;
+}
+
+/* What has no inside contains no point, inverse or not. */
+bool object_inside(const struct object *object, vec3 point)
+{
+    affine inverse;
+    if (!object_is_solid(object) ||
+        !affine_inverse(object->transform, &inverse))
+        return false;
+    bool inside = content_inside(object, affine_point(&inverse, point));
+    return inside != object->inverse && clips_inside(object, point);
+}
+
+/* ---- trace() ---- */
+
+struct probe {
+    struct ray ray;
+    double best;
+    vec3 normal;
+};
+
+/* A node on the way down from the root. */
+struct level {
+    const struct level *above;
+    const struct object *object;
+    affine to_own; /* from the root's parent space */
+    bool inverse;  /* all levels above considered */
+};
+
+static bool siblings_agree(const struct object *parent, bool parent_inverse,
+                           const struct object *child, vec3 point)
+{
+    bool wanted = parent->kind == OBJECT_INTERSECTION;
+    if (parent->kind == OBJECT_UNION && !parent_inverse)
+        return true;
+    for (size_t i = 0; i < parent->child_count; i++)
+        if (parent->children[i] != child &&
+            object_inside(parent->children[i], point) != wanted)
+            return false;
+    return true;
+}
+
+static bool crossing_counts(const struct level *level, vec3 point)
+{
+    for (; level; level = level->above) {
+        const struct level *above = level->above;
+        vec3 here = above ? affine_point(&above->to_own, point) : point;
+        if (!clips_inside(level->object, here) ||
+            (above && !siblings_agree(above->object, above->inverse,
+                                      level->object, here)))
+            return false;
+    }
+    return true;
+}
+
+static void probe_crossing(struct probe *probe, const struct level *level,
+                           double t, vec3 normal)
+{
+    vec3 point = ray_point(&probe->ray, t);
+    if (!(t > PROBE_NEAREST && t < probe->best) ||
+        !crossing_counts(level, point))
+        return;
+    normal = vec3_normalise(affine_normal(&level->to_own, normal));
+    probe->best = t;
+    probe->normal = level->inverse ? vec3_negate(normal) : normal;
+}
+
+static void probe_shape(struct probe *probe, const struct level *level,
+                        const struct ray *ray)
+{
+    const struct object *object = level->object;
+    struct hits hits = { .count = 0 };
+    object->primitive->intersect(object->shape, ray, &hits);
+    for (int i = 0; i < hits.count; i++)
+        if (hits.at[i].t < probe->best)
+            probe_crossing(
+                probe, level, hits.at[i].t,
+                object->primitive->normal(
+                    object->shape, ray_point(ray, hits.at[i].t), &hits.at[i]));
+}
+
+/* The normal of a flat triangle a, b, c is (c - a) x (b - a) (measured): the
+ * other side's; for rendering it does not matter. */
+static void probe_mesh(struct probe *probe, const struct level *level,
+                       const struct ray *ray)
+{
+    const struct mesh *mesh = level->object->mesh;
+    struct hit hit;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        if (!mesh_intersect(mesh, i, ray, &hit))
+            continue;
+        vec3 normal = mesh_normal(mesh, i, hit.u, hit.v);
+        if (mesh->triangles[i].normal[0] == MESH_NONE)
+            normal = vec3_negate(normal);
+        probe_crossing(probe, level, hit.t, normal);
+    }
+}
+
+static void probe_object(struct probe *probe, const struct object *object,
+                         const struct level *above)
+{
+    affine inverse;
+    if (!affine_inverse(object->transform, &inverse))
+        return;
+    struct level level = {
+        .above = above,
+        .object = object,
+        .to_own = above ? affine_compose(inverse, above->to_own) : inverse,
+        .inverse = object->inverse != (above && above->inverse),
+    };
+    struct ray ray = { affine_point(&level.to_own, probe->ray.origin),
+                       affine_direction(&level.to_own, probe->ray.direction) };
+    if (object->kind == OBJECT_SHAPE)
+        probe_shape(probe, &level, &ray);
+    else if (object->kind == OBJECT_MESH)
+        probe_mesh(probe, &level, &ray);
+    for (size_t i = 0; i < object->child_count; i++)
+        probe_object(probe, object->children[i], &level);
+}
+
+bool object_trace(const struct object *object, const struct ray *ray, double *t,
+                  vec3 *normal)
+{
+    struct probe probe = { .ray = *ray, .best = HUGE_VAL };
+    probe_object(&probe, object, NULL);
+    *t = probe.best;
+    *normal = probe.normal;
+    return isfinite(probe.best);
+}

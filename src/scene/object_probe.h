@@ -1,0 +1,22 @@
+/* What a scene's text may ask about an object while the scene is still being
+ * read: is a point inside, where does a ray meet it. Slow, straight from the
+ * tree; the renderer has its own way (embree/). */
+#ifndef SCENE_OBJECT_PROBE_H
+#define SCENE_OBJECT_PROBE_H
+
+#include "scene/object.h"
+#include "scene/ray.h"
+
+/* Whether the object has an inside at all. */
+bool object_is_solid(const struct object *object);
+
+/* Whether a point of the object's parent space is inside it. */
+bool object_inside(const struct object *object, vec3 point);
+
+/* The first point where the ray, in the object's parent space, meets it: its
+ * *t, and the unit normal, outward. False: nowhere. The ray's direction must
+ * be unit; as in POV-Ray nothing nearer than 0.0001 counts (measured). */
+bool object_trace(const struct object *object, const struct ray *ray, double *t,
+                  vec3 *normal);
+
+#endif
