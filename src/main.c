@@ -103,9 +103,9 @@ static enum status frame_run(struct work *work, int number)
                 (picture_can_be(name, &work->diag) &&
                  frame_make(work, &parse, name, arena));
     arena_free(arena);
-    if (atomic_load(work->stop))
-        return INTERRUPTED;
-    return done ? DONE : FAILED;
+    if (done)
+        return DONE;
+    return atomic_load(work->stop) ? INTERRUPTED : FAILED;
 }
 
 static enum status work_run(struct work *work, struct arena *arena)
@@ -114,6 +114,10 @@ static enum status work_run(struct work *work, struct arena *arena)
     const struct frames *frames = &work->options.frames;
     work->source =
         source_read(arena, work->options.path, span_none(), &problem);
+    if (!work->source && atomic_load(work->stop)) {
+        progress_interrupted(frames, 0);
+        return INTERRUPTED;
+    }
     if (!work->source) {
         diag_print(&work->diag, DIAG_ERROR, span_none(), NULL,
                    "can't read the scene '%s': %s", work->options.path,
@@ -121,7 +125,9 @@ static enum status work_run(struct work *work, struct arena *arena)
         return FAILED;
     }
     for (int i = 0; i < frames_count(frames); i++) {
-        enum status status = frame_run(work, frames_number(frames, i));
+        enum status status = atomic_load(work->stop)
+                                 ? INTERRUPTED
+                                 : frame_run(work, frames_number(frames, i));
         if (status == INTERRUPTED)
             progress_interrupted(frames, i);
         if (status != DONE)

@@ -242,6 +242,12 @@ static bool ini_read_file(struct option_reader *reader, const char *path,
     return ini.good;
 }
 
+static bool ini_is_named(const char *name)
+{
+    size_t length = strlen(name);
+    return length > 4 && text_equal_nocase(name + length - 4, ".ini");
+}
+
 /* Says what to type instead when there is no such INI file. */
 static bool ini_missing(struct option_reader *reader, const char *name,
                         const struct setting *setting)
@@ -261,6 +267,11 @@ static bool ini_missing(struct option_reader *reader, const char *name,
                            "there is no INI file '%s.ini': to render the "
                            "scene type %s",
                            name, scene);
+    if (ini_is_named(name))
+        return option_fail(reader, &plain,
+                           "there is no INI file '%s', neither here nor along "
+                           "the library path",
+                           name);
     return option_fail(reader, &plain,
                        "there is no INI file '%s' or '%s.ini', and a scene's "
                        "name ends in .pov",
@@ -280,8 +291,7 @@ bool ini_read(struct option_reader *reader, const char *name,
         name = arena_copy_text(reader->arena, name, open);
     }
     const char *path = NULL;
-    length = strlen(name);
-    if (length > 4 && text_equal_nocase(name + length - 4, ".ini"))
+    if (ini_is_named(name))
         path = option_search(reader, name, exact);
     if (!path)
         path = option_search(reader, name, extensions);

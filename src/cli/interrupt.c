@@ -17,7 +17,7 @@ const atomic_int *interrupt_catch(void)
 {
     static const int numbers[] = { SIGINT, SIGTERM, SIGHUP };
     struct sigaction action = { .sa_handler = interrupt_handle,
-                                .sa_flags = (int)SA_RESETHAND | SA_RESTART };
+                                .sa_flags = (int)SA_RESETHAND };
     sigemptyset(&action.sa_mask);
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         struct sigaction before;

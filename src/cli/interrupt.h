@@ -6,7 +6,8 @@
 #include <stdatomic.h>
 
 /* From now on SIGINT, SIGTERM and SIGHUP set the flag, which is returned. A
- * second one ends the program at once. */
+ * second one ends the program at once. Reading a scene from a terminal or a
+ * pipe fails when it happens. */
 const atomic_int *interrupt_catch(void);
 
 #endif

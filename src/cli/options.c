@@ -3,7 +3,7 @@
 #include "cli/option.h"
 
 #include <stdarg.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include "base/parallel.h"
 #include "base/text.h"
@@ -187,6 +187,12 @@ static bool options_read_arguments(struct option_reader *reader, int argc,
     return good;
 }
 
+static bool option_is_file(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && !S_ISDIR(status.st_mode);
+}
+
 const char *option_search(const struct option_reader *reader, const char *name,
                           const char *const *extensions)
 {
@@ -198,7 +204,7 @@ const char *option_search(const struct option_reader *reader, const char *name,
             const char *path = arena_printf(reader->arena, "%s%s%s%s",
                                             directory ? directory : "",
                                             directory ? "/" : "", name, *e);
-            if (access(path, F_OK) == 0)
+            if (option_is_file(path))
                 return path;
         }
     }

@@ -40,7 +40,9 @@ static bool progress_take(struct progress *progress, int now, int next)
 static void progress_text(char *text, size_t size, double done, double seconds)
 {
     double left = done > 0 ? seconds * (1 - done) / done : 0;
-    if (left < 100)
+    if (done < 0.02) /* too early to tell */
+        snprintf(text, size, "%3.0f %%", 100 * done);
+    else if (left < 100)
         snprintf(text, size, "%3.0f %%, %.0f s left", 100 * done, left);
     else
         snprintf(text, size, "%3.0f %%, %.0f min left", 100 * done, left / 60);

@@ -1,6 +1,7 @@
 /* Working space to file numbers: see output.h. */
 #include "image/output.h"
 
+#include "base/parallel.h"
 #include "image/tone.h"
 
 /* The largest half; floats beyond it would become infinite in an EXR. */
@@ -43,9 +44,23 @@ static void output_pixel(float *pixel, const struct output_space *space)
     pixel[3] = (float)alpha;
 }
 
-void output_convert(struct image *image, const struct output_space *space)
+struct conversion {
+    struct image *image;
+    const struct output_space *space;
+};
+
+static void output_row(void *context, size_t row, unsigned thread)
 {
-    size_t count = (size_t)image->width * (size_t)image->height;
-    for (size_t i = 0; i < count; i++)
-        output_pixel(image->pixels + i * 4, space);
+    const struct conversion *conversion = context;
+    const struct image *image = conversion->image;
+    (void)thread;
+    for (int x = 0; x < image->width; x++)
+        output_pixel(image_pixel(image, x, (int)row), conversion->space);
+}
+
+void output_convert(struct image *image, const struct output_space *space,
+                    unsigned threads)
+{
+    struct conversion conversion = { image, space };
+    parallel_run(threads, (size_t)image->height, NULL, output_row, &conversion);
 }

@@ -20,6 +20,7 @@ struct output_space {
 /* Turns the picture into the file's numbers, in place. Integer files get
  * colours not premultiplied, as PNG wants them, in 0..1; float files get
  * finite numbers. NaN becomes 0. */
-void output_convert(struct image *image, const struct output_space *space);
+void output_convert(struct image *image, const struct output_space *space,
+                    unsigned threads);
 
 #endif

@@ -52,7 +52,7 @@ static struct image *convert(const float pixel[4], struct output_space space)
 {
     struct image *image = image_new(1, 1);
     memcpy(image->pixels, pixel, 4 * sizeof(float));
-    output_convert(image, &space);
+    output_convert(image, &space, 2);
     return image;
 }
 
@@ -248,6 +248,7 @@ static void files_cut_short_are_noticed(void **state)
     assert_int_equal(stat("a.png", &status), 0);
     assert_int_equal(truncate("a.png", status.st_size / 2), 0);
     assert_false(image_probe("a.png", &width, &height, error, sizeof error));
+    assert_string_equal(error, "it is cut short");
     assert_int_equal(truncate("a.png", 0), 0);
     assert_false(image_probe("a.png", &width, &height, error, sizeof error));
     assert_string_equal(error, "it is empty");
