@@ -121,9 +121,9 @@ static void test_probes(void **state)
           "#declare P = trace(S, <3,0,-3>, z, N);",
           "vstr(3,P+N,\" \",0,0)", "0 0 0" },
         { "#declare S = sphere {0,1}",
-          "vstr(3,trace(S,<0,0,-1-5e-4>,z)+trace(S,<0,0,-1-5e-5>,3*z),\" \","
+          "str(trace(S,<0,0,-1-5e-4>,z).z*10+trace(S,<0,0,-1-5e-5>,3*z).z,"
           "0,0)",
-          "0 0 0" },
+          "-9" },
         { "#declare U = union {sphere {0,1} sphere {x*.5,1}} ",
           "str(trace(U,0,x).x,0,1)", "1.0" },
         { "#declare U = union {sphere {0,1} sphere {x*.5,1} inverse}"
