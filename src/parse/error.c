@@ -15,9 +15,15 @@ static bool error_reported(struct parser *p, struct span span)
         if (p->reported[i].source == span.source &&
             p->reported[i].offset == span.offset)
             return true;
-    if (p->reported_count < DIAG_ERROR_LIMIT)
-        p->reported[p->reported_count++] = span;
     return false;
+}
+
+/* Whether an error at the next token would not be printed: asked before its
+ * words are looked for, since that is slow and a loop can come by often. */
+static bool error_is_silent(struct parser *p)
+{
+    struct span span = stream_span(p);
+    return p->failed || error_reported(p, span);
 }
 
 /* Whether the rule that was reported last has not read on since: what is
@@ -58,6 +64,8 @@ bool error_at(struct parser *p, struct span span, const char *hint,
 {
     if (p->failed || error_reported(p, span))
         return false;
+    if (p->reported_count < DIAG_ERROR_LIMIT)
+        p->reported[p->reported_count++] = span;
     va_list arguments;
     va_start(arguments, format);
     diag_vprint(p->diag, DIAG_ERROR, span, hint, format, arguments);
@@ -131,7 +139,8 @@ bool error_expected(struct parser *p, const char *wanted)
         p->blamed.offset == p->last_span.offset)
         return false;
     stream_peek(p);
-    if (error_follows(p) || unsupported_use(p) || error_undeclared(p, wanted))
+    if (error_follows(p) || unsupported_use(p) || error_is_silent(p) ||
+        error_undeclared(p, wanted))
         return false;
     const char *kind = error_kind(p);
     return error_at(p, stream_span(p), NULL, "expected %s, found %s%s%s",
@@ -150,7 +159,7 @@ bool error_unknown_item(struct parser *p, const char *block,
     if (token->kind == TOKEN_END)
         return error_at(p, p->token_span, NULL,
                         "the file ends inside '%s'; a '}' is missing", block);
-    if (error_follows(p) || unsupported_use(p))
+    if (error_follows(p) || unsupported_use(p) || error_is_silent(p))
         return false;
     if (token->kind != TOKEN_WORD)
         return error_at(p, p->token_span, NULL, "unexpected %s in '%s'",
