@@ -177,7 +177,8 @@ bool macro_call(struct parser *p, const struct word *word, struct span at)
         macro_recover(p);
         return false;
     }
-    if (!stream_push_macro(p, macro->list, macro->first, macro->end, word, at))
+    if (!stream_round(p, at) ||
+        !stream_push_macro(p, macro->list, macro->first, macro->end, word, at))
         return false;
     scope_push(p);
     for (int i = 0; i < macro->parameter_count; i++)

@@ -26,7 +26,7 @@ struct parse_options {
     int image_width, image_height;
     double version;         /* +MV; 0: not said */
     size_t memory_limit;    /* bytes for parsing and for the scene; 0: 8 GiB */
-    unsigned round_limit;   /* rounds of one loop, 0: 20 million */
+    unsigned round_limit;   /* rounds of one loop, 0: 10 million */
     const atomic_int *stop; /* set by a signal: give up quietly; or NULL */
 };
 

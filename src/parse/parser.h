@@ -21,7 +21,11 @@ enum {
     PARSE_CURSOR_LIMIT = 1000,   /* includes and macro calls inside each other:
                                   * endless recursion of a macro */
     PARSE_NESTING_LIMIT = 200,   /* braces, parentheses: the C stack */
-    PARSE_LOOP_LIMIT = 20000000, /* rounds of one #while or #for */
+    PARSE_LOOP_LIMIT = 10000000, /* rounds of one #while or #for */
+    PARSE_ROUNDS_FACTOR = 10,    /* that many times more rounds of all loops and
+                                  * calls of macros together */
+    PARSE_ROUNDS_AFTER_ERROR = 100000, /* what a loop waits for may never come
+                                        * after an error */
 };
 
 struct parser {
@@ -47,7 +51,8 @@ struct parser {
     } symbols;
     unsigned long changes; /* of symbols, arrays and random streams: a #while
                             * whose round changes none never ends */
-    struct token token;    /* the one looked at, if `peeked` */
+    unsigned long rounds, rounds_after_error; /* see stream_round */
+    struct token token;                /* the one looked at, if `peeked` */
     struct span token_span, last_span; /* of it; of the last one taken */
     bool peeked;
     unsigned nesting;

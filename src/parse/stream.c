@@ -96,6 +96,31 @@ void stream_abort(struct parser *p)
     p->token.kind = TOKEN_END;
 }
 
+unsigned stream_round_limit(const struct parser *p)
+{
+    return p->options->round_limit ? p->options->round_limit : PARSE_LOOP_LIMIT;
+}
+
+bool stream_round(struct parser *p, struct span span)
+{
+    unsigned long limit =
+        (unsigned long)stream_round_limit(p) * PARSE_ROUNDS_FACTOR;
+    bool erroneous = p->reported_count > 0;
+    if (erroneous && ++p->rounds_after_error > PARSE_ROUNDS_AFTER_ERROR)
+        note_at(p, span,
+                "the rest is not read: after an error this may never "
+                "end");
+    else if (++p->rounds > limit)
+        error_at(p, span, NULL,
+                 "loops and macros took more than %lu rounds and calls in all, "
+                 "glim's limit",
+                 limit);
+    else
+        return true;
+    stream_abort(p);
+    return false;
+}
+
 /* The end of a cursor's text: true when the stream ends here. */
 static bool stream_leave(struct parser *p, bool infix)
 {

@@ -69,6 +69,11 @@ void stream_pop_range(struct parser *p);
 const struct token *stream_raw(struct parser *p, size_t *available);
 void stream_skip_raw(struct parser *p, size_t n);
 
+/* Counts a round of a loop or the call of a macro at `span`. False, with the
+ * parse stopped, when there were too many. */
+bool stream_round(struct parser *p, struct span span);
+unsigned stream_round_limit(const struct parser *p); /* of one loop */
+
 /* Stops the parse: from now on there is only TOKEN_END. */
 void stream_abort(struct parser *p);
 

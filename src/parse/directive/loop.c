@@ -2,17 +2,11 @@
 #include "parse/directive.h"
 #include "parse/symbol.h"
 
-/* After an error, a loop may wait for something that never comes: #while (n <
- * 50) that counts only what trace() finds, say. More rounds than these end
- * the reading; the errors have been told. */
-enum { LOOP_ROUNDS_AFTER_ERROR = 10000 };
-
 /* Whether the loop may begin another round. A #while whose last round changed
  * no identifier will never end. */
 static bool loop_round(struct parser *p, struct open_block *block)
 {
-    unsigned limit =
-        p->options->round_limit ? p->options->round_limit : PARSE_LOOP_LIMIT;
+    unsigned limit = stream_round_limit(p);
     bool stuck = block->kind == BLOCK_WHILE && block->rounds > 0 &&
                  block->changes == p->changes;
     if (stuck)
@@ -21,8 +15,8 @@ static bool loop_round(struct parser *p, struct open_block *block)
     else if (++block->rounds > limit)
         error_at(p, block->span, NULL,
                  "this loop took more than %u rounds, glim's limit", limit);
-    else if (p->reported_count == 0 || block->rounds < LOOP_ROUNDS_AFTER_ERROR)
-        return true;
+    else
+        return stream_round(p, block->span);
     stream_abort(p);
     return false;
 }
