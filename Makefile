@@ -20,12 +20,13 @@ C_WARNINGS = $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes \
 
 FLAGS_release = -O3 -DNDEBUG
 FLAGS_debug   = -O0 -g
-FLAGS_asan    = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
-	-fno-sanitize-recover=undefined
+FLAGS_asan    = -O1 -g -fno-omit-frame-pointer \
+	-fsanitize=address,undefined,float-cast-overflow \
+	-fno-sanitize-recover=all
 FLAGS_tsan    = -O1 -g -fsanitize=thread
 FLAGS_fuzz    = -O1 -g -fno-omit-frame-pointer \
-	-fsanitize=address,undefined,fuzzer-no-link \
-	-fno-sanitize-recover=undefined
+	-fsanitize=address,undefined,float-cast-overflow,fuzzer-no-link \
+	-fno-sanitize-recover=all -fno-sanitize-coverage=trace-cmp
 FLAGS = $(FLAGS_$(MODE)) -fno-math-errno -ffp-contract=off
 
 CFLAGS   += -std=c11 $(C_WARNINGS) $(FLAGS)
