@@ -52,20 +52,31 @@ struct rays_question {
     void *context;
 };
 
+static rgb rays_trace(const struct rays_question *q, vec3 direction,
+                      double distance)
+{
+    struct shadow_path path = {
+        .point = q->surface->point,
+        .direction = direction,
+        .distance = distance,
+        .light = q->lamp->number,
+        .inside = q->surface->inside,
+    };
+    return shadow_visibility(q->rays->world, q->worker, &path);
+}
+
 /* Parallel light comes from the grid moved to stand over the point. */
 static rgb rays_see(void *context, vec3 location)
 {
     const struct rays_question *q = context;
     const struct light *light = q->lamp->light;
-    vec3 point = q->surface->point, offset = vec3_sub(location, point);
+    vec3 offset = vec3_sub(location, q->surface->point);
     if (worker_stopped(q->worker))
         return rgb_grey(0);
     if (lamp_is_parallel(q->lamp))
         offset = vec3_along(vec3_sub(location, light->location),
                             q->view.direction, q->view.distance);
-    return shadow_visibility(q->rays->world, q->worker, q->surface,
-                             vec3_normalise(offset), vec3_length(offset),
-                             q->lamp->number);
+    return rays_trace(q, vec3_normalise(offset), vec3_length(offset));
 }
 
 static bool rays_area(const struct rays_question *q)
@@ -82,9 +93,7 @@ static rgb rays_visibility(struct rays_question *q)
     if (light->shadowless || rays->quality < QUALITY_SHADOWS)
         return rgb_grey(1);
     if (!rays_area(q))
-        return shadow_visibility(rays->world, q->worker, q->surface,
-                                 q->view.direction, q->view.distance,
-                                 q->lamp->number);
+        return rays_trace(q, q->view.direction, q->view.distance);
     struct area_grid grid = area_grid_new(q->lamp, point, rays->seed);
     rgb arriving = rgb_scale(light->colour, q->view.attenuation);
     return area_visibility(&grid, arriving, rays_see, q);

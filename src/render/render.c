@@ -16,27 +16,30 @@ struct rendering {
     const struct render_options *options;
     struct image *image;
     struct thread_state *threads;
-    /* Of the pass at work: the area and how it is cut. */
-    int width, height, tile, tiles_across;
-    void (*place)(struct rendering *rendering, struct thread_state *thread,
-                  int column, int row);
+    struct area area; /* of the pass at work */
+    size_t tiles_across;
+    void (*work)(struct rendering *rendering, struct thread_state *thread,
+                 struct area tile);
     atomic_size_t tiles_done;
     size_t tiles_total; /* of all passes */
 };
 
-static void place_first(struct rendering *rendering,
-                        struct thread_state *thread, int column, int row)
+static void tile_first(struct rendering *rendering, struct thread_state *thread,
+                       struct area tile)
 {
-    sampler_first(&rendering->sampler, &thread->worker, column, row);
+    for (int y = tile.top; y < tile.bottom; y++)
+        for (int x = tile.left; x < tile.right; x++) {
+            if (worker_stopped(&thread->worker))
+                return;
+            sampler_first(&rendering->sampler, &thread->worker, x, y);
+        }
 }
 
-static void place_pixel(struct rendering *rendering,
-                        struct thread_state *thread, int column, int row)
+static void tile_pixels(struct rendering *rendering,
+                        struct thread_state *thread, struct area tile)
 {
-    int x = rendering->options->column_start + column;
-    int y = rendering->options->row_start + row;
-    sampler_pixel(&rendering->sampler, &thread->worker, x, y, thread->scratch,
-                  image_pixel(rendering->image, x, y));
+    sampler_tile(&rendering->sampler, &thread->worker, tile, thread->scratch,
+                 rendering->image);
 }
 
 static int smaller(int a, int b)
@@ -48,40 +51,43 @@ static void render_tile(void *context, size_t item, unsigned number)
 {
     struct rendering *rendering = context;
     const struct render_options *options = rendering->options;
-    struct thread_state *thread = &rendering->threads[number];
-    int left = (int)(item % (size_t)rendering->tiles_across) * rendering->tile;
-    int top = (int)(item / (size_t)rendering->tiles_across) * rendering->tile;
-    int right = smaller(left + rendering->tile, rendering->width);
-    int bottom = smaller(top + rendering->tile, rendering->height);
-    for (int row = top; row < bottom; row++)
-        for (int column = left; column < right; column++) {
-            if (worker_stopped(&thread->worker))
-                return;
-            rendering->place(rendering, thread, column, row);
-        }
+    const struct area *area = &rendering->area;
+    int edge = rendering->sampler.tile;
+    struct area tile;
+    tile.left = area->left + (int)(item % rendering->tiles_across) * edge;
+    tile.top = area->top + (int)(item / rendering->tiles_across) * edge;
+    tile.right = smaller(tile.left + edge, area->right);
+    tile.bottom = smaller(tile.top + edge, area->bottom);
+    rendering->work(rendering, &rendering->threads[number], tile);
     size_t done = atomic_fetch_add(&rendering->tiles_done, 1) + 1;
     if (options->progress)
         options->progress(options->progress_context,
                           (double)done / (double)rendering->tiles_total);
 }
 
-static size_t tiles_over(int length, int tile)
+static size_t tiles_over(int from, int to, int tile)
 {
-    return ((size_t)length + (size_t)tile - 1) / (size_t)tile;
+    return ((size_t)(to - from) + (size_t)tile - 1) / (size_t)tile;
 }
 
-static bool render_pass(struct rendering *rendering, int width, int height,
-                        void (*place)(struct rendering *, struct thread_state *,
-                                      int, int))
+static size_t tiles_in(const struct rendering *rendering, struct area area)
+{
+    int tile = rendering->sampler.tile;
+    return tiles_over(area.left, area.right, tile) *
+           tiles_over(area.top, area.bottom, tile);
+}
+
+static bool render_pass(struct rendering *rendering, struct area area,
+                        void (*work)(struct rendering *, struct thread_state *,
+                                     struct area))
 {
     const struct render_options *options = rendering->options;
-    size_t across = tiles_over(width, rendering->tile);
-    size_t down = tiles_over(height, rendering->tile);
-    rendering->width = width;
-    rendering->height = height;
-    rendering->place = place;
-    rendering->tiles_across = (int)across;
-    return parallel_run(options->threads, across * down, options->stop,
+    unsigned threads = options->threads ? options->threads : 1;
+    rendering->area = area;
+    rendering->work = work;
+    rendering->tiles_across =
+        tiles_over(area.left, area.right, rendering->sampler.tile);
+    return parallel_run(threads, tiles_in(rendering, area), options->stop,
                         render_tile, rendering) &&
            !(options->stop && atomic_load(options->stop));
 }
@@ -119,12 +125,11 @@ bool render_run(const struct tracer *tracer,
                 const struct render_options *options, struct image *image,
                 struct render_stats *stats)
 {
-    int width = options->column_end - options->column_start;
-    int height = options->row_end - options->row_start;
     unsigned threads = options->threads ? options->threads : 1;
     if (stats)
         *stats = (struct render_stats){ 0 };
-    if (width <= 0 || height <= 0)
+    if (options->column_end <= options->column_start ||
+        options->row_end <= options->row_start)
         return true;
     struct tracer ready = *tracer;
     tracer_ready(&ready);
@@ -132,15 +137,12 @@ bool render_run(const struct tracer *tracer,
         .sampler = sampler_new(&ready, options),
         .options = options,
         .image = image,
-        .tile = options->tile > 0 ? options->tile : 32,
     };
-    int columns = rendering.sampler.columns, rows = rendering.sampler.rows;
-    rendering.tiles_total =
-        tiles_over(width, rendering.tile) * tiles_over(height, rendering.tile) +
-        tiles_over(columns, rendering.tile) * tiles_over(rows, rendering.tile);
+    rendering.tiles_total = tiles_in(&rendering, rendering.sampler.first) +
+                            tiles_in(&rendering, rendering.sampler.tiled);
     threads_start(&rendering, threads);
-    bool done = render_pass(&rendering, columns, rows, place_first) &&
-                render_pass(&rendering, width, height, place_pixel);
+    bool done = render_pass(&rendering, rendering.sampler.first, tile_first) &&
+                render_pass(&rendering, rendering.sampler.tiled, tile_pixels);
     threads_end(&rendering, threads, stats);
     sampler_free(&rendering.sampler);
     return done;

@@ -6,7 +6,12 @@
 #include "base/memory.h"
 #include "base/random.h"
 
-enum { DEPTH_MAX = 9 };
+enum {
+    DEPTH_MAX = 9,
+    /* Method 1 decides by what is already refined, in reading order from the
+     * beginning of a tile: POV-Ray's default tile, so that its pixels match. */
+    CENTRES_TILE = 32,
+};
 
 static int sampler_depth(const struct sampler *sampler)
 {
@@ -19,28 +24,37 @@ static bool sampler_corners(const struct sampler *sampler)
     return sampler->options->antialias && sampler->options->method == 2;
 }
 
-/* Method 1 compares with the neighbours: to the left and above also outside
- * the picture, as POV-Ray does; to the right and below only within it. */
+static bool sampler_centres(const struct sampler *sampler)
+{
+    return sampler->options->antialias && sampler->options->method != 2;
+}
+
+/* Method 1 compares with the pixels to the left and above, outside the picture
+ * too, as POV-Ray does. */
 struct sampler sampler_new(const struct tracer *tracer,
                            const struct render_options *options)
 {
     struct sampler sampler = { .tracer = tracer, .options = options };
-    int right = options->column_end, bottom = options->row_end;
-    sampler.x = options->column_start;
-    sampler.y = options->row_start;
-    if (sampler_corners(&sampler)) {
-        right++;
-        bottom++;
-    } else if (options->antialias) {
-        sampler.x--;
-        sampler.y--;
-        right += right < options->width;
-        bottom += bottom < options->height;
+    struct area wanted = { options->column_start, options->row_start,
+                           options->column_end, options->row_end };
+    sampler.wanted = sampler.tiled = wanted;
+    sampler.tile = options->tile > 0 ? options->tile : 32;
+    if (sampler_centres(&sampler)) {
+        sampler.tile = CENTRES_TILE;
+        sampler.tiled.left -= wanted.left % CENTRES_TILE;
+        sampler.tiled.top -= wanted.top % CENTRES_TILE;
     }
-    sampler.columns = right - sampler.x;
-    sampler.rows = bottom - sampler.y;
-    sampler.grid = memory_new((size_t)sampler.columns * (size_t)sampler.rows *
-                              4 * sizeof *sampler.grid);
+    sampler.first = sampler.tiled;
+    if (sampler_corners(&sampler)) {
+        sampler.first.right++;
+        sampler.first.bottom++;
+    } else if (sampler_centres(&sampler)) {
+        sampler.first.left--;
+        sampler.first.top--;
+    }
+    size_t columns = (size_t)(sampler.first.right - sampler.first.left);
+    size_t rows = (size_t)(sampler.first.bottom - sampler.first.top);
+    sampler.grid = memory_new(columns * rows * 4 * sizeof *sampler.grid);
     return sampler;
 }
 
@@ -66,14 +80,14 @@ static void sampler_see(const struct sampler *sampler, struct worker *worker,
 
 static float *sampler_place(const struct sampler *sampler, int x, int y)
 {
-    size_t row = (size_t)(y - sampler->y), column = (size_t)(x - sampler->x);
-    return sampler->grid + (row * (size_t)sampler->columns + column) * 4;
+    const struct area *first = &sampler->first;
+    size_t columns = (size_t)(first->right - first->left);
+    size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
+    return sampler->grid + (row * columns + column) * 4;
 }
 
-void sampler_first(struct sampler *sampler, struct worker *worker, int column,
-                   int row)
+void sampler_first(struct sampler *sampler, struct worker *worker, int x, int y)
 {
-    int x = sampler->x + column, y = sampler->y + row;
     double middle = sampler_corners(sampler) ? 0 : 0.5;
     sampler_see(sampler, worker, x + middle, y + middle,
                 sampler_place(sampler, x, y));
@@ -108,20 +122,6 @@ static double sampler_jitter(int x, int y, int number)
     return random_unit(random_key(key, (uint64_t)(unsigned)number)) - 0.5;
 }
 
-/* Whether a pixel differs from one of its four neighbours. */
-static bool centre_differs(const struct sampler *sampler, int x, int y)
-{
-    const float *centre = sampler_place(sampler, x, y);
-    if (sampler_differ(sampler, centre, sampler_place(sampler, x - 1, y)) ||
-        sampler_differ(sampler, centre, sampler_place(sampler, x, y - 1)))
-        return true;
-    if (x + 1 < sampler->x + sampler->columns &&
-        sampler_differ(sampler, centre, sampler_place(sampler, x + 1, y)))
-        return true;
-    return y + 1 < sampler->y + sampler->rows &&
-           sampler_differ(sampler, centre, sampler_place(sampler, x, y + 1));
-}
-
 /* Method 1: the mean of the centre and R x R samples. */
 static void centre_refine(const struct sampler *sampler, struct worker *worker,
                           int x, int y, float pixel[4])
@@ -129,7 +129,7 @@ static void centre_refine(const struct sampler *sampler, struct worker *worker,
     int n = sampler_depth(sampler);
     double sum[4], jitter = sampler->options->jitter;
     for (int k = 0; k < 4; k++)
-        sum[k] = (double)sampler_place(sampler, x, y)[k];
+        sum[k] = (double)pixel[k];
     for (int i = 0; i < n * n; i++) {
         double u = i % n + 0.5 + jitter * sampler_jitter(x, y, 2 * i);
         double v = i / n + 0.5 + jitter * sampler_jitter(x, y, 2 * i + 1);
@@ -140,6 +140,68 @@ static void centre_refine(const struct sampler *sampler, struct worker *worker,
     }
     for (int k = 0; k < 4; k++)
         pixel[k] = (float)(sum[k] / (n * n + 1));
+}
+
+/* A tile of method 1: its pixels as far as they are done, with one more column
+ * to the left and one more row above, which are only looked at. */
+struct centres {
+    const struct sampler *sampler;
+    struct worker *worker;
+    struct area tile;
+    float *pixels; /* five for each: RGBA, and 1 once it is refined */
+};
+
+static float *centres_place(const struct centres *c, int x, int y)
+{
+    int row = y - c->tile.top + 1, column = x - c->tile.left + 1;
+    return c->pixels + (row * (CENTRES_TILE + 1) + column) * 5;
+}
+
+static void centres_refine(const struct centres *c, int x, int y)
+{
+    float *pixel = centres_place(c, x, y);
+    if (x < c->tile.left || y < c->tile.top || pixel[4] != 0)
+        return;
+    pixel[4] = 1;
+    centre_refine(c->sampler, c->worker, x, y, pixel);
+}
+
+static bool centres_differ(const struct centres *c, int x, int y, int other_x,
+                           int other_y)
+{
+    return sampler_differ(c->sampler, centres_place(c, x, y),
+                          centres_place(c, other_x, other_y));
+}
+
+/* The pixel is compared with its neighbours as they are by now, refined or
+ * not; where they differ both are refined, if they aren't yet. */
+static void centres_pixel(const struct centres *c, int x, int y)
+{
+    bool left = centres_differ(c, x, y, x - 1, y);
+    bool above = centres_differ(c, x, y, x, y - 1);
+    if (left)
+        centres_refine(c, x - 1, y);
+    if (above)
+        centres_refine(c, x, y - 1);
+    if (left || above)
+        centres_refine(c, x, y);
+}
+
+static void centres_tile(const struct centres *c)
+{
+    const struct area *tile = &c->tile;
+    for (int y = tile->top - 1; y < tile->bottom; y++)
+        for (int x = tile->left - 1; x < tile->right; x++) {
+            float *pixel = centres_place(c, x, y);
+            memcpy(pixel, sampler_place(c->sampler, x, y), 4 * sizeof *pixel);
+            pixel[4] = 0;
+        }
+    for (int y = tile->top; y < tile->bottom; y++)
+        for (int x = tile->left; x < tile->right; x++) {
+            if (worker_stopped(c->worker))
+                return;
+            centres_pixel(c, x, y);
+        }
 }
 
 /* One pixel of method 2: a fine grid of (n + 1)^2 places whose corners are
@@ -214,20 +276,38 @@ static void corners_pixel(const struct sampler *sampler, struct worker *worker,
         pixel[k] = (float)mean[k];
 }
 
-void sampler_pixel(const struct sampler *sampler, struct worker *worker, int x,
-                   int y, float *scratch, float pixel[4])
+static int larger(int a, int b)
 {
-    if (sampler_corners(sampler)) {
-        corners_pixel(sampler, worker, x, y, scratch, pixel);
-        return;
-    }
-    memcpy(pixel, sampler_place(sampler, x, y), 4 * sizeof *pixel);
-    if (sampler->options->antialias && centre_differs(sampler, x, y))
-        centre_refine(sampler, worker, x, y, pixel);
+    return a > b ? a : b;
+}
+
+void sampler_tile(const struct sampler *sampler, struct worker *worker,
+                  struct area tile, float *scratch, struct image *image)
+{
+    struct centres centres = { sampler, worker, tile, scratch };
+    if (sampler_centres(sampler))
+        centres_tile(&centres);
+    for (int y = larger(tile.top, sampler->wanted.top); y < tile.bottom; y++)
+        for (int x = larger(tile.left, sampler->wanted.left); x < tile.right;
+             x++) {
+            float *pixel = image_pixel(image, x, y);
+            if (worker_stopped(worker))
+                return;
+            if (sampler_corners(sampler))
+                corners_pixel(sampler, worker, x, y, scratch, pixel);
+            else if (sampler_centres(sampler))
+                memcpy(pixel, centres_place(&centres, x, y), 4 * sizeof *pixel);
+            else
+                memcpy(pixel, sampler_place(sampler, x, y), 4 * sizeof *pixel);
+        }
 }
 
 size_t sampler_scratch(const struct sampler *sampler)
 {
     size_t n = (size_t)1 << (sampler_depth(sampler) - 1);
-    return sampler_corners(sampler) ? (n + 1) * (n + 1) * 4 : 0;
+    if (sampler_corners(sampler))
+        return (n + 1) * (n + 1) * 4;
+    return sampler_centres(sampler)
+               ? (size_t)(CENTRES_TILE + 1) * (CENTRES_TILE + 1) * 5
+               : 0;
 }

@@ -1,20 +1,27 @@
 /* Antialiasing: which pixels are sampled again, and how (section 5.10 of
- * notes/povray.md). Both methods first sample a grid over the whole picture;
- * pixels that differ from their neighbours are then refined one by one, so the
- * result depends neither on tiles nor on threads. */
+ * notes/povray.md). Both methods first sample a grid over the whole picture,
+ * then look at it tile by tile. The tiles' places are those of the picture,
+ * whatever part of it is wanted, so that every pixel is the same in every part,
+ * with any number of threads. */
 #ifndef RENDER_SAMPLER_H
 #define RENDER_SAMPLER_H
 
 #include "render/render.h"
 
+/* A part of the picture in pixels, ends exclusive. */
+struct area {
+    int left, top, right, bottom;
+};
+
 /* The first samples: float RGBA for every place of the grid. Method 1 and no
- * antialiasing: pixel centres, for method 1 one more all around, as far as
- * they are looked at; method 2: pixel corners. */
+ * antialiasing: pixel centres; method 2: pixel corners. */
 struct sampler {
     const struct tracer *tracer;
     const struct render_options *options;
-    int x, y;          /* of the grid's first sample, in pixels */
-    int columns, rows; /* of the grid */
+    struct area wanted; /* pixels to be written */
+    struct area first;  /* places of the grid */
+    struct area tiled;  /* wanted pixels, to the beginning of their tiles */
+    int tile;           /* edge of a tile */
     float *grid;
 };
 
@@ -23,16 +30,18 @@ struct sampler sampler_new(const struct tracer *tracer,
                            const struct render_options *options);
 void sampler_free(struct sampler *sampler);
 
-/* Fills place (column, row) of the grid. */
-void sampler_first(struct sampler *sampler, struct worker *worker, int column,
-                   int row);
+/* Fills place (x, y) of the grid. */
+void sampler_first(struct sampler *sampler, struct worker *worker, int x,
+                   int y);
 
-/* The pixel from the first samples and, where they differ, more of them.
- * (x, y) is the picture's pixel. `scratch` holds sampler_scratch floats. */
-void sampler_pixel(const struct sampler *sampler, struct worker *worker, int x,
-                   int y, float *scratch, float pixel[4]);
+/* Makes the wanted pixels of one tile (its left and top as sampler.tiled has
+ * them) from the first samples and, where they differ, more of them. `scratch`
+ * holds sampler_scratch floats. Returns early, with pixels missing, when the
+ * worker is stopped. */
+void sampler_tile(const struct sampler *sampler, struct worker *worker,
+                  struct area tile, float *scratch, struct image *image);
 
-/* How many floats a thread needs to refine a pixel. */
+/* How many floats a thread needs for a tile. */
 size_t sampler_scratch(const struct sampler *sampler);
 
 #endif

@@ -1,8 +1,7 @@
 /* Shadow rays with coloured filters: see shadow.h. Measured on POV-Ray 3.7:
  * every surface on the way filters once; a segment that ends where the ray
- * leaves a body fades by that body's interior; of the bodies the point itself
- * is in, those that the ray from the eye came through count, and no others;
- * reflection and Fresnel don't weaken the light. */
+ * leaves a body fades by that body's interior; reflection and Fresnel don't
+ * weaken the light. */
 #include "shade/shadow.h"
 
 #include "shade/interior.h"
@@ -73,13 +72,11 @@ static void shadow_fade(struct shadow_ray *shadow,
 }
 
 rgb shadow_visibility(const struct world *world, struct worker *worker,
-                      const struct surface *surface, vec3 direction,
-                      double distance, int light)
+                      const struct shadow_path *path)
 {
-    vec3 point = surface->point;
-    double from = fmax(shadow_margin, surface_offset(point));
-    double to = distance - shadow_margin;
-    struct ray ray = { point, direction };
+    double from = fmax(shadow_margin, surface_offset(path->point));
+    double to = path->distance - shadow_margin;
+    struct ray ray = { path->point, path->direction };
     struct shadow_ray shadow;
     if (!(to > from))
         return rgb_grey(1);
@@ -87,9 +84,10 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
     shadow.fades = false;
     shadow.count = 0;
     worker->counters.shadow_rays++;
-    if (world_occluded(world, &ray, from, to, light, shadow_filter, &shadow))
+    if (world_occluded(world, &ray, from, to, path->light, shadow_filter,
+                       &shadow))
         return rgb_grey(0);
     if (shadow.fades)
-        shadow_fade(&shadow, surface->around);
+        shadow_fade(&shadow, path->inside);
     return shadow.share;
 }

@@ -3,16 +3,23 @@
 #define SHADE_SHADOW_H
 
 #include "base/worker.h"
-#include "shade/surface.h"
+#include "embree/world.h"
+#include "shade/interior.h"
 
-/* The share of light number `light` (-1: of nothing that looks like a light)
- * that gets to the surface's point from `distance` away in the unit
- * `direction`, tinted by transparent objects and faded by their interiors;
- * black in full shadow. A distance that isn't positive leaves room for
- * nothing: white. */
+/* A way that light may go. */
+struct shadow_path {
+    vec3 point;     /* where it arrives */
+    vec3 direction; /* unit, to the lamp */
+    double distance;
+    int light; /* whose: what looks like it is no obstacle; or -1 */
+    const struct interiors *inside; /* bodies the point is in; may be NULL */
+};
+
+/* The share of light that gets there, tinted by transparent objects and faded
+ * by their interiors; black in full shadow. A distance that isn't positive
+ * leaves room for nothing: white. */
 rgb shadow_visibility(const struct world *world, struct worker *worker,
-                      const struct surface *surface, vec3 direction,
-                      double distance, int light);
+                      const struct shadow_path *path);
 
 /* How far from a surface point the next ray begins to see: POV-Ray's 1e-4
  * (measured), and what single precision needs far from the origin. */

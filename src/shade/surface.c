@@ -90,9 +90,9 @@ void surface_fill(struct surface *surface, const struct intersection *at,
     surface->at = at;
     surface->point = at->point;
     surface->view = vec3_negate(view->direction);
-    surface->inside = vec3_dot(at->normal, view->direction) > 0;
-    surface->around = NULL;
-    surface->normal = surface->inside ? vec3_negate(at->normal) : at->normal;
+    surface->inside = view->inside;
+    bool away = vec3_dot(at->normal, view->direction) > 0;
+    surface->normal = away ? vec3_negate(at->normal) : at->normal;
     surface->count = 0;
     surface->through = rgb_grey(0);
     if (view->quality < QUALITY_LIT)

@@ -5,8 +5,7 @@
 
 #include "base/rgb.h"
 #include "embree/world.h"
-
-struct interiors;
+#include "shade/interior.h"
 
 enum { SURFACE_LAYERS = 16 }; /* most layers of one texture */
 
@@ -33,20 +32,18 @@ struct surface_layer {
 struct surface {
     const struct intersection *at;
     vec3 point;
-    vec3 view;   /* unit, to the viewer */
+    vec3 view;                      /* unit, to the viewer */
+    const struct interiors *inside; /* what the viewer's ray came through */
     vec3 normal; /* unit, unperturbed, turned towards the viewer */
-    bool inside; /* the viewer is on the inner side */
-    /* What the ray that came here is inside of, for light on its way through
-     * the same matter; NULL: nothing. The tracer sets it. */
-    const struct interiors *around;
-    int count; /* layers that can be seen: those below are hidden */
+    int count;   /* layers that can be seen: those below are hidden */
     struct surface_layer layer[SURFACE_LAYERS]; /* top first */
     rgb through; /* what all layers let pass; black when the last is hidden */
 };
 
 /* How a surface is looked at. */
 struct surface_view {
-    vec3 direction; /* of the ray, unit */
+    vec3 direction;                 /* of the ray, unit */
+    const struct interiors *inside; /* the bodies the ray is in */
     double ior;     /* of the medium behind over that before the surface */
     int quality;    /* +Q */
     double weight;  /* of the ray in the pixel, 1 for camera rays */

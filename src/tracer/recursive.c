@@ -239,13 +239,13 @@ static bool path_cross(struct path *path, struct crossing *crossing)
         interiors_ior(&crossing->beyond) / interiors_ior(&path->inside);
     struct surface_view view = {
         .direction = path->ray.direction,
+        .inside = &path->inside,
         .ior = crossing->ior,
         .quality = tracer->quality,
         .weight = path->weight,
         .bailout = settings->adc_bailout,
     };
     surface_fill(&crossing->surface, &crossing->at, &view);
-    crossing->surface.around = &path->inside;
     if (tracer->quality < QUALITY_LIT) {
         path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));
         return false;
