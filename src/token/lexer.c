@@ -161,7 +161,8 @@ static void lexer_word(struct lexer *lexer, enum token_kind kind, size_t start)
     lexer_push(lexer, kind, start, end)->word = word;
 }
 
-/* directive = "#" {blank} word . */
+/* A '#' that no word follows is skipped, as POV-Ray does.
+ * directive = "#" {blank} word . */
 static void lexer_directive(struct lexer *lexer)
 {
     size_t start = lexer->at++;
@@ -169,9 +170,6 @@ static void lexer_directive(struct lexer *lexer)
         lexer->at++;
     if (is_word_start(lexer->text[lexer->at]))
         lexer_word(lexer, TOKEN_DIRECTIVE, start);
-    else
-        lexer_push_bad(lexer, start, start + 1,
-                       "'#' must be followed by the name of a directive");
 }
 
 static size_t lexer_put_utf8(char *out, unsigned code)
