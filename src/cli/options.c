@@ -354,6 +354,9 @@ static bool options_resolve(struct option_reader *reader)
 
 static struct options options_default(void)
 {
+    unsigned cores = parallel_cores();
+    if (cores > OPTIONS_THREAD_LIMIT)
+        cores = OPTIONS_THREAD_LIMIT;
     return (struct options){
         .file_type = 'N',
         .compression = 85,
@@ -363,7 +366,7 @@ static struct options options_default(void)
         .warning_level = 10,
         .lighting = lighting_at(0),
         .quality = 9,
-        .threads = (int)parallel_cores(),
+        .threads = (int)cores,
         .clock = FRAMES_UNSAID,
         .frames = frames_new(),
         .jitter = true,
