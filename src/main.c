@@ -51,9 +51,12 @@ static bool frame_render(struct work *work, const struct scene *scene,
     struct lighting_options light = { .threads = options->render.threads,
                                       .quality = options->quality };
     void *state = lighting->start(world, scene, &light, &work->diag);
-    struct tracer tracer = {
-        scene, world, lighting, state, options->quality, options->alpha
-    };
+    struct tracer tracer = { .scene = scene,
+                             .world = world,
+                             .lighting = lighting,
+                             .lighting_state = state,
+                             .quality = options->quality,
+                             .alpha = options->alpha };
     stats_world(stats, world);
     bool done = state && frame_draw(work, &tracer, name, image, stats);
     if (state)
