@@ -50,7 +50,7 @@ bool interiors_open(const struct interiors *list)
     return true;
 }
 
-bool interior_fades(const struct interior *interior)
+bool interior_dims_shadows(const struct interior *interior)
 {
     return interior && interior->fade_power > 0 && interior->fade_distance > 0;
 }
@@ -60,7 +60,7 @@ bool interior_fades(const struct interior *interior)
  * "realistic" mode). */
 rgb interior_fade(const struct interior *interior, double distance)
 {
-    if (!interior_fades(interior))
+    if (!interior || !(interior->fade_distance > 0))
         return rgb_grey(1);
     rgb c = interior->fade_colour;
     double depth = distance / interior->fade_distance;

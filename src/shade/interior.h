@@ -34,10 +34,12 @@ double interiors_ior(const struct interiors *list);
 /* Fog reaches the ray: all it is inside of is hollow. */
 bool interiors_open(const struct interiors *list);
 
-/* The share of light left after `distance` inside; white without fading. */
+/* The share of light left after `distance` inside; white without a
+ * fade_distance. */
 rgb interior_fade(const struct interior *interior, double distance);
 
-/* Whether interior_fade is anything but white. */
-bool interior_fades(const struct interior *interior);
+/* Whether light on its way from a lamp is dimmed too: that needs a fade_power
+ * above 0, while what the eye sees is dimmed by any (measured). */
+bool interior_dims_shadows(const struct interior *interior);
 
 #endif

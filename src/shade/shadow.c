@@ -47,7 +47,7 @@ static bool shadow_filter(void *context, const struct intersection *at)
 {
     struct shadow_ray *shadow = context;
     shadow->share = rgb_mul(shadow->share, surface_transmittance(at));
-    shadow->fades = shadow->fades || interior_fades(at->leaf->interior);
+    shadow->fades = shadow->fades || interior_dims_shadows(at->leaf->interior);
     shadow_note(shadow, at);
     return rgb_peak(shadow->share) < 1e-9;
 }
@@ -63,7 +63,8 @@ static void shadow_fade(struct shadow_ray *shadow,
     for (int i = 0; i < shadow->count; i++) {
         const struct leaf *leaf = shadow->at[i].leaf;
         double to = shadow->at[i].t;
-        if (interiors_find(&inside, leaf->body) >= 0)
+        if (interior_dims_shadows(leaf->interior) &&
+            interiors_find(&inside, leaf->body) >= 0)
             shadow->share = rgb_mul(shadow->share,
                                     interior_fade(leaf->interior, to - from));
         interiors_cross(&inside, leaf);
