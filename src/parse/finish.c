@@ -211,7 +211,7 @@ static bool parse_finish_item(struct parser *p, struct finish *finish)
         return parse_old_refraction(p, finish);
     default:
         return check_supported(p, finish_unsupported) &&
-               error_unknown_item(p, "finish", finish_names);
+               error_unknown_thing(p, "finish", finish_names, "a finish");
     }
 }
 

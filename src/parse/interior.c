@@ -56,8 +56,9 @@ static bool parse_interior_item(struct parser *p, struct interior *interior)
         return parse_field(p, field, interior);
     if (!parse_old_interior_value(p, &found))
         return false;
-    return found || (check_supported(p, interior_unsupported) &&
-                     error_unknown_item(p, "interior", interior_fields));
+    return found ||
+           (check_supported(p, interior_unsupported) &&
+            error_unknown_thing(p, "interior", interior_fields, "an interior"));
 }
 
 static bool interior_items(struct parser *p, const struct interior **out)

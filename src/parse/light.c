@@ -222,6 +222,24 @@ static bool parse_light_item(struct parser *p, struct object *object,
            error_unknown_item(p, "light_source", light_names);
 }
 
+/* None is black, as in POV-Ray. */
+static bool light_colour(struct parser *p, struct light *light)
+{
+    colour value = { .r = 0 };
+    const struct token *token = stream_peek(p);
+    bool said = at_any_colour(p);
+    if (said && !parse_colour(p, &value))
+        return false;
+    light->colour = colour_rgb(value);
+    if (said)
+        return true;
+    if (token->kind == TOKEN_WORD && !token->word->reserved)
+        return error_expected(p, "a colour");
+    warning_at(p, light->span, "colour rgb 1",
+               "a light without a colour is black");
+    return true;
+}
+
 static bool light_body(struct parser *p, struct object *object)
 {
     struct light *light = ARENA_NEW(p->scene_arena, struct light);
@@ -229,18 +247,11 @@ static bool light_body(struct parser *p, struct object *object)
     *light = light_default();
     light->span = object->span;
     object->light = light;
-    colour value = { .r = 0 };
     if (!parse_vector(p, &light->location))
         return false;
     accept(p, TOKEN_COMMA);
-    if (at_any_colour(p)) {
-        if (!parse_colour(p, &value))
-            return false;
-    } else {
-        warning_at(p, object->span, "colour rgb 1",
-                   "a light without a colour is black");
-    }
-    light->colour = colour_rgb(value);
+    if (!light_colour(p, light))
+        return false;
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_light_item(p, object, light, &looks))
             return false;

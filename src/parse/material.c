@@ -34,8 +34,9 @@ static bool parse_material_item(struct parser *p, struct material *material)
     if (found && material->texture)
         material->texture =
             texture_moved(p->scene_arena, material->texture, &step);
-    return found || (check_supported(p, material_unsupported) &&
-                     error_unknown_item(p, "material", material_names));
+    return found ||
+           (check_supported(p, material_unsupported) &&
+            error_unknown_thing(p, "material", material_names, "a material"));
 }
 
 static bool material_items(struct parser *p, struct material *material)

@@ -10,16 +10,25 @@ static const struct unsupported_word modifier_unsupported[] = {
 };
 
 static const struct field modifier_names[] = {
-    { .name = "translate" },  { .name = "rotate" },
-    { .name = "scale" },      { .name = "matrix" },
-    { .name = "transform" },  { .name = "texture" },
-    { .name = "pigment" },    { .name = "normal" },
-    { .name = "finish" },     { .name = "interior" },
-    { .name = "material" },   { .name = "clipped_by" },
-    { .name = "bounded_by" }, { .name = "inverse" },
-    { .name = "hollow" },     { .name = "no_shadow" },
-    { .name = "no_image" },   { .name = "no_reflection" },
-    { .name = "open" },       { .name = "double_illuminate" },
+    { .name = "translate" },
+    { .name = "rotate" },
+    { .name = "scale" },
+    { .name = "matrix" },
+    { .name = "transform" },
+    { .name = "texture" },
+    { .name = "pigment" },
+    { .name = "normal" },
+    { .name = "finish" },
+    { .name = "interior" },
+    { .name = "material" },
+    { .name = "clipped_by" },
+    { .name = "bounded_by" },
+    { .name = "inverse" },
+    { .name = "hollow" },
+    { .name = "no_shadow" },
+    { .name = "no_image" },
+    { .name = "no_reflection" },
+    { .name = "double_illuminate" },
     { .name = NULL },
 };
 
@@ -273,6 +282,17 @@ static bool modifier_transformation(struct parser *p, struct modifiers *m,
                     "object: their numbers are too large or too small");
 }
 
+static bool modifier_unknown(struct parser *p, const struct modifiers *m)
+{
+    if (!check_supported(p, modifier_unsupported))
+        return false;
+    if (m->object->child_count && at_object(p))
+        return error_at(p, stream_span(p), NULL,
+                        "the objects of '%s' come before its modifiers",
+                        m->block);
+    return error_unknown_item(p, m->block, modifier_names);
+}
+
 /* modifier = transformation | covering | clipped_by | bounded_by | flag
  *          | PRIMITIVE_ITEM | modifier_without_effect .
  * PRIMITIVE_ITEM is what the primitive's table has, like "open". */
@@ -298,8 +318,7 @@ static bool parse_modifier(struct parser *p, struct modifiers *m)
     ok = parse_modifier_without_effect(p, &found);
     if (!ok || found)
         return ok;
-    return check_supported(p, modifier_unsupported) &&
-           error_unknown_item(p, m->block, modifier_names);
+    return modifier_unknown(p, m);
 }
 
 /* Old scenes say the interior's ior in the finish. */

@@ -42,7 +42,8 @@ static bool normal_items(struct parser *p, struct normal *normal)
                         !parse_pattern_item(p, &normal->pattern, &found))
             return false;
         if (!found)
-            return error_unknown_item(p, "normal", normal_fields);
+            return error_unknown_thing(p, "normal", normal_fields,
+                                       "a pattern or a normal");
     }
     return true;
 }

@@ -1,8 +1,6 @@
 /* Pigments: the colour of a surface, plain, by pattern or from an image. */
 #include "parse/rules.h"
 
-#include "parse/symbol.h"
-
 enum {
     PIGMENT_DEPTH_LIMIT = 10,    /* 2^10 look-ups for a point of a surface */
     PIGMENT_PARTS_LIMIT = 10000, /* all are asked whether they are opaque */
@@ -103,16 +101,6 @@ static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
     }
 }
 
-/* An identifier that was never declared, most likely, when one like it is. */
-static bool pigment_unknown(struct parser *p)
-{
-    const struct token *token = stream_peek(p);
-    if (token->kind == TOKEN_WORD && !token->word->reserved &&
-        symbol_nearest(p, token->word->text))
-        return error_expected(p, "a colour, a pattern or a pigment");
-    return error_unknown_item(p, "pigment", pigment_names);
-}
-
 static bool at_pigment_end(struct parser *p)
 {
     enum token_kind kind = stream_peek(p)->kind;
@@ -138,7 +126,8 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
         if (!parse_pigment_item(p, pigment, &found))
             return false;
         else if (!found)
-            return pigment_unknown(p);
+            return error_unknown_thing(p, "pigment", pigment_names,
+                                       "a colour, a pattern or a pigment");
     return pigment_count(p, pigment);
 }
 

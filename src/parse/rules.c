@@ -69,6 +69,18 @@ bool skip_block(struct parser *p)
     return true;
 }
 
+bool error_unknown_thing(struct parser *p, const char *block,
+                         const struct field *names, const char *thing)
+{
+    size_t left;
+    const struct token *token = stream_peek(p);
+    const struct token *next = stream_raw(p, &left);
+    if (token->kind == TOKEN_WORD && !token->word->reserved && left > 0 &&
+        next->kind == TOKEN_RBRACE)
+        return error_expected(p, thing);
+    return error_unknown_item(p, block, names);
+}
+
 bool skip_unsupported(struct parser *p, const char *feature)
 {
     struct span span = stream_span(p), open;

@@ -45,6 +45,11 @@ struct unsupported_word {
     const char *feature; /* "media": as in "glim does not support media yet" */
 };
 
+/* error_unknown_item, but "expected THING, found 'T', which is not declared"
+ * for a word alone in its block, which must be meant as an identifier. */
+bool error_unknown_thing(struct parser *p, const char *block,
+                         const struct field *names, const char *thing);
+
 /* Reports the next word as unsupported and takes it with its block. */
 bool skip_unsupported(struct parser *p, const char *feature);
 

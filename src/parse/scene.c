@@ -229,15 +229,22 @@ static void scene_recover(struct parser *p)
 
 static bool scene_unknown(struct parser *p)
 {
+    struct span open;
     const char *unsupported =
         unsupported_name(scene_unsupported, stream_keyword(p));
     if (unsupported)
         return skip_unsupported(p, unsupported);
-    if (stream_peek(p)->kind == TOKEN_WORD)
+    enum token_kind kind = stream_peek(p)->kind;
+    if (kind == TOKEN_WORD)
         error_unknown_item(p, "the scene", NULL);
+    else if (kind == TOKEN_RBRACE)
+        error_at(p, stream_span(p), NULL, "this '}' closes nothing");
     else
         error_expected(p, "an object or another item of the scene");
-    stream_next(p);
+    if (kind != TOKEN_LBRACE)
+        stream_next(p);
+    else if (block_begin(p, &open))
+        block_end(p, open, false);
     return false;
 }
 

@@ -123,8 +123,9 @@ static bool parse_texture_item(struct parser *p, const struct texture **in)
         return false;
     if (found)
         *in = texture_moved(p->scene_arena, *in, &step);
-    return found || (texture_check_pattern(p) &&
-                     error_unknown_item(p, "texture", texture_names));
+    return found ||
+           (texture_check_pattern(p) &&
+            error_unknown_thing(p, "texture", texture_names, "a texture"));
 }
 
 static bool texture_items(struct parser *p, const struct texture **in)

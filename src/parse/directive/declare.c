@@ -135,7 +135,11 @@ static bool declare_read(struct parser *p, bool local)
         symbol->deprecated = head.deprecated;
         symbol->deprecated_once = head.once;
     }
-    return ok ? declare_semicolon(p, &value) : false;
+    if (ok)
+        return declare_semicolon(p, &value);
+    if (stream_peek_infix(p)->kind == TOKEN_SEMICOLON)
+        stream_next(p); /* it belongs to what was wrong */
+    return false;
 }
 
 static bool declare_run_in(struct parser *p, bool local)
