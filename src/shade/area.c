@@ -84,7 +84,8 @@ vec3 area_grid_point(const struct area_grid *grid, int i, int j)
     }
     u = light->size1 > 1 ? x / (light->size1 - 1) - 0.5 : 0;
     v = light->size2 > 1 ? y / (light->size2 - 1) - 0.5 : 0;
-    if (light->circular || light->orient)
+    if (light->circular ||
+        (light->orient && light->size1 > 1 && light->size2 > 1))
         area_round(&u, &v);
     return vec3_along(vec3_along(light->location, grid->axis1, u), grid->axis2,
                       v);

@@ -104,7 +104,8 @@ rgb finish_light(const struct surface *surface,
     if (finish->crand > 0 && diffuse != 0)
         diffuse -= finish_grain(finish, surface->point, sample->direction);
     rgb share = rgb_scale(colour_rgb(layer->pigment), diffuse);
-    if (cosine > 0 && sample->highlights && finish_has_highlights(finish))
+    if ((cosine > 0 || twice) && sample->highlights &&
+        finish_has_highlights(finish))
         share = rgb_add(share, finish_highlights(surface, layer,
                                                  sample->direction, cosine));
     return rgb_mul(share, sample->colour);
@@ -122,9 +123,9 @@ rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance)
 
 bool finish_lit_by(const struct finish *finish, double cosine, bool twice)
 {
-    if (cosine > 0)
+    if (cosine > 0 || twice)
         return finish->diffuse != 0 || finish_has_highlights(finish);
-    return cosine < 0 && (twice ? finish->diffuse : finish->diffuse_back) != 0;
+    return cosine < 0 && finish->diffuse_back != 0;
 }
 
 double finish_fresnel(double cosine, double ior)
@@ -138,13 +139,14 @@ double finish_fresnel(double cosine, double ior)
     return (s * s + p * p) / 2;
 }
 
-/* An empirical Fresnel curve of the angle x in [0,1] (right angles):
- * F = 0.014567225 / (x - 1.12)^2 - 0.011612903, from the manual's metallic. */
+/* An empirical Fresnel curve of the angle x, in right angles:
+ * F = 0.014567225 / (x - 1.12)^2 - 0.011612903, cut to [0,1]; light from
+ * behind has x > 1. */
 rgb finish_metallic(double metallic, double cosine, rgb pigment)
 {
     if (metallic == 0)
         return rgb_grey(1);
-    double x = acos(fmin(fmax(cosine, 0), 1)) / (3.14159265358979323846 / 2);
+    double x = acos(fmin(fmax(cosine, -1), 1)) / (3.14159265358979323846 / 2);
     double f = 0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903;
     f = fmin(fmax(f, 0), 1);
     rgb tint = rgb_sub(pigment, rgb_grey(1));
@@ -158,7 +160,8 @@ struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
     rgb range = rgb_sub(mirror->maximum, mirror->minimum);
     rgb share = mirror->minimum;
     if (mirror->fresnel)
-        share = rgb_add_scaled(share, range, finish_fresnel(cosine, ior));
+        share =
+            rgb_add_scaled(share, range, finish_fresnel(fmax(cosine, 0), ior));
     else if (rgb_peak(range) != 0)
         share = rgb_add_scaled(share, range,
                                pow(1 - fmin(cosine, 1), mirror->falloff));

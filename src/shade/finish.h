@@ -24,8 +24,8 @@ struct finish_mirror {
     double weight; /* largest component before the metallic tint */
 };
 
-/* The mirror for a viewer at `cosine` in [0,1] from the normal. `ior` is that
- * of the medium behind the surface over that in front. */
+/* The mirror for a viewer at `cosine` from the normal (negative: a bump faces
+ * away). `ior` is that of the medium behind the surface over that in front. */
 struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
                                    double cosine, double ior);
 
@@ -34,7 +34,8 @@ struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
 double finish_fresnel(double cosine, double ior);
 
 /* The tint of metallic highlights and mirrors: white at grazing angles, the
- * pigment at normal incidence, `metallic` of the way there. */
+ * pigment at normal incidence, `metallic` of the way there. `cosine` may be
+ * negative: light from behind. */
 rgb finish_metallic(double metallic, double cosine, rgb pigment);
 
 /* What mirrored light becomes under reflection exponent E: light^(1/E). */

@@ -39,7 +39,7 @@ static rgb layer_through(const struct surface_layer *layer)
 static void layer_reflect(struct surface *surface, struct surface_layer *layer,
                           const struct surface_view *view)
 {
-    double cosine = fabs(vec3_dot(surface->view, layer->normal));
+    double cosine = vec3_dot(surface->view, layer->normal);
     struct finish_mirror mirror = finish_mirror(
         layer->finish, colour_rgb(layer->pigment), cosine, view->ior);
     layer->reflection = mirror.colour;

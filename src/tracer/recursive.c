@@ -123,10 +123,20 @@ static rgb path_shade(const struct path *path, const struct surface *surface)
     return gathering.light;
 }
 
-static vec3 mirrored(vec3 direction, vec3 normal)
+/* The mirrored direction never goes into the surface: bumps that face away
+ * from the viewer don't mirror, and what would go in is mirrored back by the
+ * true surface (measured). */
+static vec3 mirrored(const struct path *path, const struct surface *surface,
+                     vec3 normal)
 {
-    return vec3_normalise(
-        vec3_along(direction, normal, -2 * vec3_dot(direction, normal)));
+    vec3 direction = path->ray.direction;
+    double cosine = vec3_dot(direction, normal);
+    if (cosine < 0)
+        direction = vec3_along(direction, normal, -2 * cosine);
+    double rise = vec3_dot(direction, surface->normal);
+    if (rise < 0)
+        direction = vec3_along(direction, surface->normal, -2 * rise);
+    return vec3_normalise(direction);
 }
 
 /* One layer's mirror. */
@@ -137,7 +147,7 @@ static rgb path_mirror(const struct path *path, const struct crossing *crossing,
     branch.tracer = path->tracer;
     branch.worker = path->worker;
     branch.ray.origin = crossing->at.point;
-    branch.ray.direction = mirrored(path->ray.direction, layer->normal);
+    branch.ray.direction = mirrored(path, &crossing->surface, layer->normal);
     branch.kind = RAY_REFLECTION;
     branch.level = path->level + 1;
     branch.weight = weight;
@@ -164,11 +174,15 @@ static void path_mirrors(struct path *path, const struct crossing *crossing)
     }
 }
 
-/* Snell: the direction behind the surface. Returns false in total
- * reflection. */
+/* Snell: the direction behind the surface; a normal that faces away from the
+ * viewer is turned round. Returns false in total reflection. */
 static bool refracted(vec3 direction, vec3 normal, double ior, vec3 *out)
 {
     double n = 1 / ior, cosine = -vec3_dot(direction, normal);
+    if (cosine < 0) {
+        cosine = -cosine;
+        normal = vec3_negate(normal);
+    }
     double left = 1 - n * n * (1 - cosine * cosine);
     if (!(left >= 0))
         return false;
@@ -206,7 +220,7 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
         inward =
             !refracted(path->ray.direction, normal, crossing->ior, &direction);
     if (inward) {
-        direction = mirrored(path->ray.direction, normal);
+        direction = mirrored(path, surface, normal);
         path->straight = false;
         path->clear = 0;
     } else {
