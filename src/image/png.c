@@ -51,12 +51,13 @@ static void png_flush_nothing(png_structp png)
     (void)png;
 }
 
-/* Rounds v in 0..1 to one of 2^bits levels, spread over 0..top; NaN is 0. */
-static unsigned png_level(double v, int bits, double top)
+/* Rounds v in 0..1 to one of 2^bits levels, spread over 0..top; NaN is 0. In
+ * floats, where 0.9 * 255 is 229.5 and goes up, as in POV-Ray. */
+static unsigned png_level(float v, int bits, float top)
 {
-    double levels = (double)((1u << bits) - 1);
-    double level = v > 0 ? floor(fmin(v, 1) * levels + 0.5) : 0;
-    return (unsigned)floor(level * (top / levels) + 0.5);
+    float levels = (float)((1u << bits) - 1);
+    float level = v > 0 ? floorf(fminf(v, 1) * levels + 0.5f) : 0;
+    return (unsigned)floorf(level * (top / levels) + 0.5f);
 }
 
 static void png_fill_row(const struct png_job *job, int y)
@@ -65,7 +66,7 @@ static void png_fill_row(const struct png_job *job, int y)
     for (int x = 0; x < job->image->width; x++) {
         const float *pixel = image_pixel(job->image, x, y);
         for (int c = 0; c < job->channels; c++) {
-            double v = (double)pixel[job->channels < 3 && c == 1 ? 3 : c];
+            float v = pixel[job->channels < 3 && c == 1 ? 3 : c];
             if (job->depth == 16) {
                 unsigned level = png_level(v, job->bits, 65535);
                 *out++ = (unsigned char)(level >> 8);
