@@ -3,6 +3,7 @@
 #include "parse/macro.h"
 
 #include "parse/directive.h"
+#include "parse/expression.h"
 #include "parse/symbol.h"
 
 enum { MACRO_PARAMETER_LIMIT = 56 }; /* as POV-Ray 3.7 */
@@ -170,9 +171,12 @@ bool macro_call(struct parser *p, const struct word *word, struct span at)
     const struct macro *macro = symbol_find(p, word)->macro;
     struct value values[MACRO_PARAMETER_LIMIT];
     struct cursor *directive = p->directive;
+    if (!expression_enter(p))
+        return false;
     p->directive = NULL;
     bool ok = macro_arguments(p, macro, values);
     p->directive = directive;
+    p->nesting--;
     if (!ok) {
         macro_recover(p);
         return false;
