@@ -31,37 +31,36 @@ diag_putf(struct diag_text *text, const char *format, ...)
     diag_put(text, small, (size_t)length);
 }
 
+/* Bytes of the character that begins here, 0 if it is broken UTF-8. */
+static size_t diag_character(const char *text, size_t length)
+{
+    unsigned char c = (unsigned char)*text;
+    size_t size = c < 0x80 ? 1 : c < 0xc2 ? 0 : c < 0xe0 ? 2 : c < 0xf0 ? 3 : 4;
+    if (c > 0xf4 || size > length)
+        return 0;
+    for (size_t i = 1; i < size; i++)
+        if (((unsigned char)text[i] & 0xc0) != 0x80)
+            return 0;
+    return size;
+}
+
 /* Tabs advance to multiples of 8, other control bytes and broken UTF-8 print
- * as '?': one column each, so the carets stay under what they mark. */
+ * as '?': one column each, so the carets stay under what they mark. Returns
+ * the column after the text; with `text` NULL nothing is printed. */
 static unsigned diag_put_source(struct diag_text *text, const char *line,
                                 size_t length, unsigned column)
 {
-    for (size_t i = 0; i < length; i++) {
-        unsigned char c = (unsigned char)line[i];
-        if (c == '\t') {
-            unsigned stop = (column / 8 + 1) * 8;
-            for (; column < stop; column++)
-                diag_put(text, " ", 1);
-            continue;
-        }
-        if (c < 32 || c == 127)
-            diag_put(text, "?", 1);
-        else
-            diag_put(text, line + i, 1);
-        if ((c & 0xc0) != 0x80)
-            column++;
-    }
-    return column;
-}
-
-static unsigned diag_width(const char *line, size_t length, unsigned column)
-{
-    for (size_t i = 0; i < length; i++) {
-        unsigned char c = (unsigned char)line[i];
-        if (c == '\t')
-            column = (column / 8 + 1) * 8;
-        else if ((c & 0xc0) != 0x80)
-            column++;
+    for (size_t i = 0; i < length;) {
+        size_t size = diag_character(line + i, length - i);
+        bool tab = line[i] == '\t';
+        bool shown = size > 1 || (size && line[i] >= 32 && line[i] != 127);
+        unsigned stop = tab ? (column / 8 + 1) * 8 : column + 1;
+        for (; text && tab && column < stop; column++)
+            diag_put(text, " ", 1);
+        if (text && !tab)
+            diag_put(text, shown ? line + i : "?", shown ? size : 1);
+        column = stop;
+        i += size ? size : 1;
     }
     return column;
 }
@@ -86,11 +85,12 @@ static void diag_put_excerpt(struct diag_text *text, struct span span,
     }
     diag_putf(text, "%5u | ", place.line);
     diag_put_source(text, source + start, end - start, 0);
-    unsigned caret = diag_width(source + start, span.offset - start, 0);
+    unsigned caret =
+        diag_put_source(NULL, source + start, span.offset - start, 0);
     size_t length = span.length;
     if (span.offset + length > end)
         length = end > span.offset ? end - span.offset : 0;
-    unsigned stop = diag_width(source + span.offset, length, caret);
+    unsigned stop = diag_put_source(NULL, source + span.offset, length, caret);
     diag_putf(text, "\n      | %*s^", (int)caret, "");
     for (unsigned i = caret + 1; i < stop; i++)
         diag_put(text, "~", 1);
@@ -112,8 +112,14 @@ static bool diag_admit(struct diag *diag, enum diag_level level)
     if (level == DIAG_ERROR)
         diag->muted = ++diag->errors > DIAG_ERROR_LIMIT;
     else if (level == DIAG_WARNING) {
-        diag->warnings++;
-        diag->muted = diag->quiet_warnings;
+        bool enough = ++diag->warnings == DIAG_WARNING_LIMIT + 1;
+        if (enough && diag->out && !diag->quiet_warnings)
+            fprintf(diag->out,
+                    "glim: note: %d warnings are enough; no more of them are "
+                    "printed\n",
+                    DIAG_WARNING_LIMIT);
+        diag->muted =
+            diag->quiet_warnings || diag->warnings > DIAG_WARNING_LIMIT;
     } else if (level == DIAG_MESSAGE)
         return diag->out && !diag->quiet_messages;
     return diag->out && !diag->muted;
@@ -129,12 +135,12 @@ void diag_vprint(struct diag *diag, enum diag_level level, struct span span,
 {
     if (!diag_admit(diag, level))
         return;
-    char message[1024];
-    vsnprintf(message, sizeof message, format, arguments);
     if (level == DIAG_MESSAGE) {
-        fputs(message, diag->out);
+        vfprintf(diag->out, format, arguments);
         return;
     }
+    char message[1024];
+    vsnprintf(message, sizeof message, format, arguments);
     struct diag_text text = { .arena = arena_new(0) };
     if (!span.source) {
         diag_putf(&text, "glim: %s", diag_words[level]);

@@ -23,8 +23,10 @@ enum diag_level {
     DIAG_MESSAGE, /* #debug: the text alone */
 };
 
-/* After this many errors the reader of a scene should give up. */
-enum { DIAG_ERROR_LIMIT = 20 };
+enum {
+    DIAG_ERROR_LIMIT = 20,    /* after so many, the reader should give up */
+    DIAG_WARNING_LIMIT = 100, /* more are counted, not printed */
+};
 
 struct diag {
     FILE *out; /* normally stderr; NULL prints nothing (fuzzing) */
