@@ -29,6 +29,17 @@ static bool is_word_start(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
+static bool is_space(char c)
+{
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/* Control characters and what is not ASCII. */
+static bool is_foreign(char c)
+{
+    return ((unsigned char)c < 32 && !is_space(c)) || (unsigned char)c > 126;
+}
+
 static struct token *lexer_push(struct lexer *lexer, enum token_kind kind,
                                 size_t start, size_t end)
 {
@@ -264,7 +275,7 @@ static enum token_kind lexer_two_characters(const char *here)
 
 static void lexer_punctuation(struct lexer *lexer)
 {
-    static const unsigned char single[128] = {
+    static const unsigned char single[256] = {
         ['{'] = TOKEN_LBRACE, ['}'] = TOKEN_RBRACE,   ['('] = TOKEN_LPAREN,
         [')'] = TOKEN_RPAREN, ['['] = TOKEN_LBRACKET, [']'] = TOKEN_RBRACKET,
         ['<'] = TOKEN_LESS,   ['>'] = TOKEN_GREATER,  ['='] = TOKEN_EQUAL,
@@ -275,25 +286,35 @@ static void lexer_punctuation(struct lexer *lexer)
     };
     const char *here = lexer->text + lexer->at;
     enum token_kind pair = lexer_two_characters(here);
-    enum token_kind kind = pair != TOKEN_OTHER ? pair
-                           : (unsigned char)*here < 128
-                               ? single[(unsigned char)*here]
-                               : 0;
+    enum token_kind kind =
+        pair != TOKEN_OTHER ? pair : single[(unsigned char)*here];
     if (kind) {
         size_t length = pair != TOKEN_OTHER ? 2 : 1;
         lexer_push(lexer, kind, lexer->at, lexer->at + length);
         lexer->at += length;
         return;
     }
-    size_t start = lexer->at++;
-    while (((unsigned char)lexer->text[lexer->at] & 0xc0) == 0x80)
+    lexer_push(lexer, TOKEN_OTHER, lexer->at, lexer->at + 1);
+    lexer->at++;
+}
+
+/* A run of foreign characters is one error. After a NUL byte nothing is read:
+ * this is no text, or UTF-16. */
+static void lexer_foreign(struct lexer *lexer)
+{
+    size_t start = lexer->at;
+    while (lexer->at < lexer->length && lexer->text[lexer->at] &&
+           is_foreign(lexer->text[lexer->at]))
         lexer->at++;
-    if ((unsigned char)*here > 126 || (unsigned char)*here < 32)
+    if (lexer->text[lexer->at] || lexer->at == lexer->length) {
         lexer_push_bad(lexer, start, lexer->at,
                        "this character is only allowed in strings and "
                        "comments");
-    else
-        lexer_push(lexer, TOKEN_OTHER, start, lexer->at);
+        return;
+    }
+    lexer_push_bad(lexer, start, lexer->at + 1,
+                   "a NUL byte: this is not a text in ASCII or UTF-8");
+    lexer->at = lexer->length;
 }
 
 static void lexer_token(struct lexer *lexer)
@@ -309,13 +330,10 @@ static void lexer_token(struct lexer *lexer)
         lexer_directive(lexer);
     else if (*here == '/' && (here[1] == '/' || here[1] == '*'))
         lexer_skip_comment(lexer);
+    else if (is_foreign(*here))
+        lexer_foreign(lexer);
     else
         lexer_punctuation(lexer);
-}
-
-static bool is_space(char c)
-{
-    return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 const struct token_list *lexer_run(struct arena *arena,
