@@ -14,6 +14,7 @@ struct limits {
 /* What a node hands down to its children. */
 struct inherited {
     affine to_world; /* of the space the children's transform leads to */
+    affine to_tree;  /* the same to the space that the tree is kept in */
     const struct texture *texture;
     affine from_texture;
     const struct interior *interior;
@@ -28,7 +29,7 @@ struct inherited {
 };
 
 static struct solid *build_solid(struct flat *flat, const struct object *object,
-                                 const struct inherited *up);
+                                 const struct inherited *up, bool root);
 
 /* Counts the node; false when a limit is met. */
 static bool flat_enter(struct flat *flat, const struct object *object,
@@ -56,6 +57,7 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
     struct inherited in = *up;
     in.depth++;
     in.to_world = affine_compose(up->to_world, object->transform);
+    in.to_tree = affine_compose(up->to_tree, object->transform);
     if (object->texture) {
         in.texture = object->texture;
         in.from_texture =
@@ -89,7 +91,8 @@ static struct limits build_limits(struct flat *flat, const struct clip *clips,
                             .depth = up->depth + 1 };
     for (size_t i = 0; i < count; i++) {
         in.to_world = affine_compose(up->to_world, clips[i].transform);
-        struct solid *solid = build_solid(flat, clips[i].object, &in);
+        in.to_tree = affine_compose(up->to_tree, clips[i].transform);
+        struct solid *solid = build_solid(flat, clips[i].object, &in, true);
         if (!solid) {
             /* Nothing left to be inside of: a merge of nothing. */
             solid = ARENA_NEW(flat->arena, struct solid);
@@ -156,23 +159,6 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     return leaf;
 }
 
-/* A little larger, so that rounding loses nothing. */
-static struct box3 padded(struct box3 box)
-{
-    if (box3_is_empty(box))
-        return box;
-    double pad[3];
-    for (int i = 0; i < 3; i++) {
-        double low = vec3_component(box.low, i);
-        double high = vec3_component(box.high, i);
-        double most = fmax(isfinite(low) ? fabs(low) : 0,
-                           isfinite(high) ? fabs(high) : 0);
-        pad[i] = 1e-9 * most + 1e-12;
-    }
-    vec3 more = { pad[0], pad[1], pad[2] };
-    return (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
-}
-
 /* The other side of a half space along an axis. */
 static struct box3 complement(struct box3 box)
 {
@@ -195,7 +181,7 @@ static struct box3 complement(struct box3 box)
     return other;
 }
 
-static void measure_leaf(struct solid *solid)
+static void measure_leaf(struct solid *solid, const affine *to_tree)
 {
     const struct leaf *leaf = solid->leaf;
     const struct object *object = leaf->object;
@@ -203,7 +189,7 @@ static void measure_leaf(struct solid *solid)
     bool has_inside = shape ? object->primitive->solid : object->mesh->solid;
     struct box3 box =
         shape ? object->primitive->bounds(object->shape) : object->mesh->bounds;
-    solid->surface = padded(affine_box(&leaf->to_world, box));
+    solid->surface = solid_padded(affine_box(to_tree, box));
     solid->region = box3_empty();
     solid->holes = box3_infinite();
     if (!has_inside)
@@ -213,7 +199,7 @@ static void measure_leaf(struct solid *solid)
         shape && object->primitive->beyond ? box3_infinite() : solid->surface;
     solid->region = leaf->inverse ? box3_infinite() : inside;
     if (leaf->inverse && shape && !object->primitive->beyond)
-        solid->region = padded(affine_box(&leaf->to_world, complement(box)));
+        solid->region = solid_padded(affine_box(to_tree, complement(box)));
     solid->holes = leaf->inverse ? inside : box3_infinite();
 }
 
@@ -232,15 +218,18 @@ static struct solid *build_leaf_solid(struct flat *flat,
                                       const struct inherited *in)
 {
     struct leaf *leaf = build_leaf(flat, object, in);
-    if (!leaf)
+    affine to_shape;
+    if (!leaf || !affine_inverse(in->to_tree, &to_shape))
         return NULL;
     struct solid *solid = ARENA_NEW(flat->arena, struct solid);
     solid->kind = object->kind;
     solid->leaf = leaf;
     leaf->solid = solid;
+    solid->to_shape = to_shape;
+    solid->moved = !affine_is_identity(to_shape);
     if (object->kind == OBJECT_MESH)
         solid->tree = flat_tree(flat, object->mesh);
-    measure_leaf(solid);
+    measure_leaf(solid, &in->to_tree);
     return solid;
 }
 
@@ -257,6 +246,7 @@ static void add_light(struct flat *flat, const struct object *object,
     struct inherited shown = *in;
     shown.looks_like = (int)flat->lights.count;
     shown.body = flat->bodies++;
+    shown.to_tree = in->to_world;
     shown.flipped = shown.inverted = false;
     *ARRAY_PUSH(flat->arena, &flat->lights) = light_moved(light, &in->to_world);
     if (light->looks_like)
@@ -296,14 +286,16 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
     struct children children = { NULL, 0, 0 };
     enum object_kind kind = turned_kind(object->kind, in);
     for (size_t i = 0; i < object->child_count; i++) {
-        struct solid *child = build_solid(flat, object->children[i], in);
+        struct solid *child = build_solid(flat, object->children[i], in, false);
         if (child)
             add_child(flat, &children, kind, child);
     }
     if (children.count == 0)
         return NULL;
-    if (children.count == 1 && !object->clip_count && !object->bound_count)
-        return children.items[0];
+    struct solid *only = children.items[0];
+    if (children.count == 1 && !only->clip_count && !only->gate_count &&
+        !object->clip_count && !object->bound_count)
+        return only;
     struct solid *solid = ARENA_NEW(flat->arena, struct solid);
     solid->kind = kind;
     solid->children = children.items;
@@ -311,11 +303,38 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
     return solid;
 }
 
-/* The object as a part of a CSG object; NULL if nothing is left of it. */
+/* The space of the root's own object. NULL if it has no inverse. */
+static const struct frame *build_frame(struct flat *flat, const affine *outward)
+{
+    struct frame *frame = ARENA_NEW(flat->arena, struct frame);
+    frame->outward = *outward;
+    return affine_inverse(*outward, &frame->inward) ? frame : NULL;
+}
+
+static void add_limits(struct flat *flat, const struct object *object,
+                       const struct inherited *up, struct solid *solid)
+{
+    if (object->clip_count) {
+        struct limits limits =
+            build_limits(flat, object->clips, object->clip_count, up);
+        solid->clips = limits.items;
+        solid->clip_count = limits.count;
+    }
+    if (object_is_bounded(object)) {
+        struct limits limits =
+            build_limits(flat, object->bounds, object->bound_count, up);
+        solid->gates = limits.items;
+        solid->gate_count = limits.count;
+    }
+}
+
+/* The object as a tree (`root`) or as a part of one; NULL if nothing is left
+ * of it. */
 static struct solid *build_solid(struct flat *flat, const struct object *object,
-                                 const struct inherited *up)
+                                 const struct inherited *up, bool root)
 {
     struct inherited in = inherit(flat, object, up);
+    const struct frame *frame = NULL;
     struct solid *solid;
     if (!flat_enter(flat, object, in.depth))
         return NULL;
@@ -323,21 +342,20 @@ static struct solid *build_solid(struct flat *flat, const struct object *object,
         add_light(flat, object, &in);
         return NULL;
     }
-    if (object->kind == OBJECT_SHAPE || object->kind == OBJECT_MESH)
+    if (object->kind == OBJECT_SHAPE || object->kind == OBJECT_MESH) {
         solid = build_leaf_solid(flat, object, &in);
-    else
+    } else {
+        if (root && !affine_is_identity(in.to_tree)) {
+            frame = build_frame(flat, &in.to_tree);
+            if (!frame)
+                return NULL;
+            in.to_tree = affine_identity();
+        }
         solid = build_node(flat, object, &in);
-    if (solid && object->clip_count) {
-        struct limits limits =
-            build_limits(flat, object->clips, object->clip_count, up);
-        solid->clips = limits.items;
-        solid->clip_count = limits.count;
     }
-    if (solid && object_is_bounded(object)) {
-        struct limits limits =
-            build_limits(flat, object->bounds, object->bound_count, up);
-        solid->gates = limits.items;
-        solid->gate_count = limits.count;
+    if (solid) {
+        solid->frame = frame;
+        add_limits(flat, object, up, solid);
     }
     return solid;
 }
@@ -348,7 +366,7 @@ static void add_solid(struct flat *flat, const struct object *object,
 {
     struct inherited plain = *up;
     plain.clips = plain.gates = (struct limits){ NULL, 0 };
-    struct solid *solid = build_solid(flat, object, &plain);
+    struct solid *solid = build_solid(flat, object, &plain, true);
     if (!solid)
         return;
     struct limits clips = { solid->clips, solid->clip_count };
@@ -450,6 +468,7 @@ static const struct texture *fallback_texture(struct arena *arena)
 bool flatten_scene(struct flat *flat, const struct scene *scene)
 {
     struct inherited top = { .to_world = affine_identity(),
+                             .to_tree = affine_identity(),
                              .from_texture = affine_identity(),
                              .looks_like = -1 };
     flat->fallback = fallback_texture(flat->arena);

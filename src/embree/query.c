@@ -43,33 +43,43 @@ static bool query_wants(const struct query *query, const struct leaf *leaf,
                                leaf->number < query->leaf->number);
 }
 
-static struct ray leaf_ray(const struct leaf *leaf, const struct ray *ray)
+static struct ray ray_into(const affine *transform, const struct ray *ray)
 {
-    if (!leaf->moved)
-        return *ray;
-    return (struct ray){ affine_point(&leaf->to_object, ray->origin),
-                         affine_direction(&leaf->to_object, ray->direction) };
+    return (struct ray){ affine_point(transform, ray->origin),
+                         affine_direction(transform, ray->direction) };
 }
 
+/* The ray in the space of the tree at hand; its t is the same everywhere. */
+struct space {
+    struct ray ray;
+    struct slabs slabs;
+};
+
 static bool take_if_counts(struct query *query, const struct solid *solid,
-                           const struct hit *hit)
+                           const struct ray *ray, const struct hit *hit)
 {
     if (!query_wants(query, solid->leaf, hit->t))
         return false;
-    if (!solid->simple && !solid_counts(solid, ray_point(&query->ray, hit->t)))
+    if (!solid->simple && !solid_counts(solid, ray_point(ray, hit->t),
+                                        ray_point(&query->ray, hit->t)))
         return false;
     return query_take(query, solid->leaf, hit);
 }
 
-static bool query_shape(struct query *query, const struct solid *solid)
+static bool query_shape(struct query *query, const struct solid *solid,
+                        const struct ray *ray)
 {
     const struct object *object = solid->leaf->object;
-    struct ray ray = leaf_ray(solid->leaf, &query->ray);
     struct hits hits;
     hits.count = 0;
-    object->primitive->intersect(object->shape, &ray, &hits);
+    if (solid->moved) {
+        struct ray local = ray_into(&solid->to_shape, ray);
+        object->primitive->intersect(object->shape, &local, &hits);
+    } else {
+        object->primitive->intersect(object->shape, ray, &hits);
+    }
     for (int i = 0; i < hits.count; i++)
-        if (take_if_counts(query, solid, &hits.at[i]))
+        if (take_if_counts(query, solid, ray, &hits.at[i]))
             return true;
     return false;
 }
@@ -77,30 +87,41 @@ static bool query_shape(struct query *query, const struct solid *solid)
 struct mesh_query {
     struct query *query;
     const struct solid *solid;
+    const struct ray *ray;
 };
 
 static bool mesh_crossing(void *context, const struct hit *hit)
 {
     struct mesh_query *mesh = context;
-    return take_if_counts(mesh->query, mesh->solid, hit);
+    return take_if_counts(mesh->query, mesh->solid, mesh->ray, hit);
 }
 
-static bool query_mesh(struct query *query, const struct solid *solid)
+static bool query_mesh(struct query *query, const struct solid *solid,
+                       const struct ray *ray)
 {
-    struct mesh_query context = { query, solid };
-    struct ray ray = leaf_ray(solid->leaf, &query->ray);
-    mesh_tree_crossings(solid->tree, &ray, query->tmin, query->tmax,
+    struct mesh_query context = { query, solid, ray };
+    struct ray local = ray_into(&solid->to_shape, ray);
+    mesh_tree_crossings(solid->tree, &local, query->tmin, query->tmax,
                         mesh_crossing, &context);
     return query->blocked;
 }
 
+static bool query_leaf(struct query *query, const struct solid *solid,
+                       const struct ray *ray)
+{
+    return query_sees(query, solid->leaf) &&
+           (solid->kind == OBJECT_SHAPE ? query_shape(query, solid, ray)
+                                        : query_mesh(query, solid, ray));
+}
+
 /* Whether the ray meets every gate or starts in it. */
-static bool gates_open(const struct query *query, const struct solid *solid)
+static bool gates_open(const struct solid *solid, const struct ray *ray,
+                       const struct slabs *slabs)
 {
     for (size_t i = 0; i < solid->gate_count; i++) {
         struct query probe;
-        probe.ray = query->ray;
-        probe.slabs = query->slabs;
+        probe.ray = *ray;
+        probe.slabs = *slabs;
         probe.tmin = 0;
         probe.tmax = HUGE_VAL;
         probe.occlusion = true;
@@ -108,29 +129,47 @@ static bool gates_open(const struct query *query, const struct solid *solid)
         probe.leaf = NULL;
         probe.blocked = false;
         if (!query_solid(&probe, solid->gates[i]) &&
-            !solid_inside(solid->gates[i], query->ray.origin))
+            !solid_inside(solid->gates[i], ray->origin))
             return false;
     }
     return true;
 }
 
+/* A node below a root. */
+static bool query_part(struct query *query, const struct solid *solid,
+                       const struct space *space)
+{
+    if (!slabs_hit(&space->slabs, &solid->surface, query->tmin, query->tmax))
+        return false;
+    if (solid->gate_count && !gates_open(solid, &space->ray, &space->slabs))
+        return false;
+    if (solid->leaf)
+        return query_leaf(query, solid, &space->ray);
+    for (size_t i = 0; i < solid->child_count; i++)
+        if (query_part(query, solid->children[i], space))
+            return true;
+    return false;
+}
+
 bool query_solid(struct query *query, const struct solid *solid)
 {
-    if (solid->gate_count && !gates_open(query, solid))
-        return false;
-    if (solid->leaf) {
-        if (!query_sees(query, solid->leaf))
-            return false;
-        if (!solid->simple && !slabs_hit(&query->slabs, &solid->surface,
-                                         query->tmin, query->tmax))
-            return false;
-        return solid->kind == OBJECT_SHAPE ? query_shape(query, solid)
-                                           : query_mesh(query, solid);
-    }
+    if (solid->simple)
+        return query_leaf(query, solid, &query->ray);
     if (!slabs_hit(&query->slabs, &solid->surface, query->tmin, query->tmax))
         return false;
+    if (solid->gate_count && !gates_open(solid, &query->ray, &query->slabs))
+        return false;
+    struct space space = { query->ray, query->slabs };
+    if (solid->frame) {
+        space.ray = ray_into(&solid->frame->inward, &query->ray);
+        space.slabs = slabs_of(&space.ray);
+        if (!slabs_hit(&space.slabs, &solid->inner, query->tmin, query->tmax))
+            return false;
+    }
+    if (solid->leaf)
+        return query_leaf(query, solid, &space.ray);
     for (size_t i = 0; i < solid->child_count; i++)
-        if (query_solid(query, solid->children[i]))
+        if (query_part(query, solid->children[i], &space))
             return true;
     return false;
 }
@@ -138,8 +177,13 @@ bool query_solid(struct query *query, const struct solid *solid)
 bool query_triangle(const struct query *query, const struct leaf *leaf,
                     uint32_t triangle, struct hit *hit)
 {
-    struct ray ray = leaf_ray(leaf, &query->ray);
-    mesh_refine(leaf->object->mesh, triangle, &ray, hit);
+    const struct mesh *mesh = leaf->object->mesh;
+    if (leaf->moved) {
+        struct ray ray = ray_into(&leaf->to_object, &query->ray);
+        mesh_refine(mesh, triangle, &ray, hit);
+    } else {
+        mesh_refine(mesh, triangle, &query->ray, hit);
+    }
     return query_wants(query, leaf, hit->t);
 }
 

@@ -9,7 +9,7 @@ static bool leaf_inside(const struct solid *solid, vec3 point)
 {
     const struct leaf *leaf = solid->leaf;
     const struct object *object = leaf->object;
-    vec3 p = leaf->moved ? affine_point(&leaf->to_object, point) : point;
+    vec3 p = solid->moved ? affine_point(&solid->to_shape, point) : point;
     bool inside = solid->kind == OBJECT_SHAPE
                       ? object->primitive->inside(object->shape, p)
                       : mesh_tree_inside(solid->tree, p);
@@ -52,13 +52,18 @@ static bool content_inside(const struct solid *solid, vec3 point)
     return any_inside(solid, point);
 }
 
+static vec3 into_frame(const struct solid *solid, vec3 point)
+{
+    return solid->frame ? affine_point(&solid->frame->inward, point) : point;
+}
+
 bool solid_inside(const struct solid *solid, vec3 point)
 {
     if (!box3_contains(solid->region, point))
         return false;
     if (!box3_contains(solid->holes, point))
         return true;
-    return content_inside(solid, point) &&
+    return content_inside(solid, into_frame(solid, point)) &&
            all_inside(solid->clips, solid->clip_count, point);
 }
 
@@ -77,12 +82,13 @@ static bool siblings_agree(const struct solid *node, vec3 point)
     return true;
 }
 
-bool solid_counts(const struct solid *leaf, vec3 point)
+bool solid_counts(const struct solid *leaf, vec3 inner, vec3 outer)
 {
     for (const struct solid *node = leaf; node; node = node->parent) {
+        vec3 point = node->parent ? inner : outer;
         if (!all_inside(node->clips, node->clip_count, point))
             return false;
-        if (node->parent && !siblings_agree(node, point))
+        if (node->parent && !siblings_agree(node, inner))
             return false;
     }
     return true;
@@ -101,10 +107,47 @@ void solid_containing(const struct solid *solid, vec3 point,
         return;
     }
     size_t count = solid->child_count;
+    point = into_frame(solid, point);
     if (solid->kind == OBJECT_INTERSECTION && count > 1)
         count = 1;
     for (size_t i = 0; i < count; i++)
         solid_containing(solid->children[i], point, visit, context);
+}
+
+struct box3 solid_padded(struct box3 box)
+{
+    if (box3_is_empty(box))
+        return box;
+    double pad[3];
+    for (int i = 0; i < 3; i++) {
+        double low = vec3_component(box.low, i);
+        double high = vec3_component(box.high, i);
+        double most = fmax(isfinite(low) ? fabs(low) : 0,
+                           isfinite(high) ? fabs(high) : 0);
+        pad[i] = 1e-9 * most + 1e-12;
+    }
+    vec3 more = { pad[0], pad[1], pad[2] };
+    return (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
+}
+
+/* An infinite shape may leave little of the box that its siblings leave. */
+static struct box3 narrowed(const struct solid *solid, struct box3 region)
+{
+    for (size_t i = 0; i < solid->child_count; i++) {
+        const struct solid *child = solid->children[i];
+        if (child->kind != OBJECT_SHAPE || child->leaf->inverse ||
+            !child->leaf->object->primitive->within)
+            continue;
+        const struct object *object = child->leaf->object;
+        affine outward;
+        if (!affine_inverse(child->to_shape, &outward))
+            continue;
+        struct box3 box = affine_box(&child->to_shape, region);
+        box = object->primitive->within(object->shape, box);
+        region =
+            box3_intersection(region, solid_padded(affine_box(&outward, box)));
+    }
+    return region;
 }
 
 /* A crossing of a child must be in the region of every other child. A child's
@@ -128,6 +171,8 @@ static void measure_intersection(struct solid *solid)
             others = box3_intersection(others, child->region);
         hollow_count += without_inside;
     }
+    if (!box3_is_empty(region) && !box3_is_finite(region))
+        region = narrowed(solid, narrowed(solid, region));
     if (hollow_count == 1)
         solid->surface = box3_intersection(hollow->surface, others);
     else
@@ -149,7 +194,7 @@ static void measure_union(struct solid *solid)
 
 bool solid_surrounds(const struct solid *gate, struct box3 box)
 {
-    if (gate->kind != OBJECT_SHAPE || gate->leaf->inverse ||
+    if (gate->kind != OBJECT_SHAPE || gate->leaf->inverse || gate->frame ||
         !gate->leaf->object->primitive->convex || !box3_is_finite(box))
         return false;
     for (int i = 0; i < 8; i++) {
@@ -175,12 +220,23 @@ static void drop_gates(struct solid *solid)
             box3_intersection(solid->surface, solid->gates[i]->region);
 }
 
+static void measure_frame(struct solid *solid)
+{
+    const affine *outward = &solid->frame->outward;
+    solid->surface = affine_box(outward, solid->surface);
+    solid->region = affine_box(outward, solid->region);
+    solid->holes = affine_box(outward, solid->holes);
+}
+
 void solid_measure(struct solid *solid)
 {
     if (solid->kind == OBJECT_INTERSECTION)
         measure_intersection(solid);
     else if (!solid->leaf)
         measure_union(solid);
+    solid->inner = solid->surface;
+    if (solid->frame)
+        measure_frame(solid);
     for (size_t i = 0; i < solid->clip_count; i++) {
         const struct solid *clip = solid->clips[i];
         solid->surface = box3_intersection(solid->surface, clip->region);
@@ -188,8 +244,8 @@ void solid_measure(struct solid *solid)
         solid->holes = box3_union(solid->holes, clip->holes);
     }
     drop_gates(solid);
-    solid->simple = solid->leaf && !solid->parent && !solid->clip_count &&
-                    !solid->gate_count;
+    solid->simple = solid->leaf && !solid->parent && !solid->frame &&
+                    !solid->clip_count && !solid->gate_count;
 }
 
 void solid_finish(struct arena *arena, struct solid *solid)

@@ -42,22 +42,33 @@ struct leaf {
     unsigned number; /* 0..leaf_count-1 */
 };
 
-/* A node of the tree; everything in world space. */
+/* The space a CSG tree is kept in: its object's own, in which its parts are
+ * more often unmoved and its planes along the axes. */
+struct frame {
+    affine inward, outward;
+};
+
+/* A node of a tree. A root's space is the world's (or, for a clip, that of
+ * what it clips); everything below a root with a frame is in the frame. */
 struct solid {
     enum object_kind kind; /* shape, mesh, union, merge or intersection */
-    bool simple;           /* a leaf without parent, clips and gates */
+    bool simple;           /* a leaf without parent, frame, clips and gates */
+    bool moved;            /* to_shape is not the identity */
+    const struct frame *frame; /* only of a root; NULL: none */
     const struct solid *parent;
     struct solid **children;
     size_t child_count;
-    const struct solid **clips;
+    const struct solid **clips; /* outside the frame, as are the gates */
     size_t clip_count;
     const struct solid **gates; /* rays that miss one miss the solid */
     size_t gate_count;
     const struct leaf *leaf;      /* shape, mesh */
+    affine to_shape;              /* of a leaf: from the space it is in */
     const struct mesh_tree *tree; /* mesh */
     struct box3 surface;          /* holds every crossing that counts */
     struct box3 region;           /* outside it nothing is inside */
     struct box3 holes;            /* outside it everything is inside */
+    struct box3 inner;            /* of a root: the surface in the frame */
 };
 
 /* Whether the point is inside the solid and its clips. */
@@ -67,12 +78,16 @@ bool solid_inside(const struct solid *solid, vec3 point);
  * box and miss the solid. */
 bool solid_surrounds(const struct solid *solid, struct box3 box);
 
-/* Whether a crossing of this leaf's surface at the point counts. */
-bool solid_counts(const struct solid *leaf, vec3 point);
+/* Whether a crossing of this leaf's surface counts; the point in the root's
+ * frame and outside it. */
+bool solid_counts(const struct solid *leaf, vec3 inner, vec3 outer);
 
 /* Fills surface, region and holes from the children and clips. For a leaf,
  * `region` and `holes` of the shape alone must be there. */
 void solid_measure(struct solid *solid);
+
+/* The box a little larger, so that rounding loses nothing. */
+struct box3 solid_padded(struct box3 box);
 
 /* Makes a tree ready: parents, boxes, groups. */
 void solid_finish(struct arena *arena, struct solid *solid);

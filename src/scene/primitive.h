@@ -33,6 +33,9 @@ struct primitive {
                            const char **warning);
     /* May be infinite in some directions. */
     struct box3 (*bounds)(const void *shape);
+    /* Around the part of the inside that is in the box, or empty; NULL: no
+     * better known than the bounds. */
+    struct box3 (*within)(const void *shape, struct box3 box);
     void (*intersect)(const void *shape, const struct ray *ray,
                       struct hits *hits);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */

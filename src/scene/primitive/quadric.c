@@ -89,6 +89,104 @@ static struct box3 quadric_bounds(const void *shape)
     return quadric->bounds;
 }
 
+/* Least value of a t^2 + b t for t in [low, high], either of which may be
+ * infinite. */
+static double least_quadratic(double a, double b, double low, double high)
+{
+    double least = HUGE_VAL, ends[2] = { low, high };
+    for (int i = 0; i < 2; i++) {
+        double t = ends[i], value;
+        if (isfinite(t))
+            value = (a * t + b) * t;
+        else if (a != 0)
+            value = copysign(HUGE_VAL, a);
+        else
+            value = b == 0 ? 0 : copysign(HUGE_VAL, b * t);
+        least = fmin(least, value);
+    }
+    double turn = -b / (2 * a);
+    if (a > 0 && turn > low && turn < high)
+        least = fmin(least, (a * turn + b) * turn);
+    return least;
+}
+
+/* Least and greatest value of k t for t in [low, high]. */
+static double least_linear(double k, double low, double high)
+{
+    return k == 0 ? 0 : fmin(k * low, k * high);
+}
+
+static double least_product(double k, const double *s, const double *t)
+{
+    if (k == 0)
+        return 0;
+    if (!isfinite(s[0]) || !isfinite(s[1]) || !isfinite(t[0]) ||
+        !isfinite(t[1]))
+        return -HUGE_VAL;
+    return fmin(least_linear(k * s[0], t[0], t[1]),
+                least_linear(k * s[1], t[0], t[1]));
+}
+
+/* The largest t >= 0 with a t^2 + b t + c <= 0, for the least possible b and
+ * c; 0 if there is none. */
+static double last_root(double a, double b, double c)
+{
+    if (!isfinite(b) || !isfinite(c))
+        return HUGE_VAL;
+    if (a > 0) {
+        double discriminant = b * b - 4 * a * c;
+        return discriminant < 0 ? 0
+                                : fmax(0, (-b + sqrt(discriminant)) / (2 * a));
+    }
+    return a == 0 && b > 0 ? fmax(0, -c / b) : HUGE_VAL;
+}
+
+/* Narrows [range[i][0], range[i][1]] to where F <= 0 is possible: F is a t^2
+ * + b t + c in the i-th coordinate t, with b and c from the other two. */
+static void narrow_axis(const struct quadric *q, int i, double range[3][2])
+{
+    int j = (i + 1) % 3, k = (i + 2) % 3;
+    /* The product of axes m and n has the factor mixed[m + n - 1]. */
+    const double square[3] = { q->square.x, q->square.y, q->square.z };
+    const double mixed[3] = { q->mixed.x, q->mixed.y, q->mixed.z };
+    const double linear[3] = { q->linear.x, q->linear.y, q->linear.z };
+    double c = q->constant +
+               least_quadratic(square[j], linear[j], range[j][0], range[j][1]) +
+               least_quadratic(square[k], linear[k], range[k][0], range[k][1]) +
+               least_product(mixed[j + k - 1], range[j], range[k]);
+    double with_j = mixed[i + j - 1], with_k = mixed[i + k - 1];
+    double least = linear[i] + least_linear(with_j, range[j][0], range[j][1]) +
+                   least_linear(with_k, range[k][0], range[k][1]);
+    double most = linear[i] - least_linear(-with_j, range[j][0], range[j][1]) -
+                  least_linear(-with_k, range[k][0], range[k][1]);
+    double high = last_root(square[i], least, c);
+    double low = -last_root(square[i], -most, c);
+    /* A straight line has no bound on the side where it falls. */
+    if (square[i] == 0 && least <= 0)
+        high = HUGE_VAL;
+    if (square[i] == 0 && most >= 0)
+        low = -HUGE_VAL;
+    range[i][1] = fmin(range[i][1], high);
+    range[i][0] = fmax(range[i][0], low);
+}
+
+/* Interval arithmetic, a few rounds: the other sides of an intersection often
+ * leave little of a paraboloid. */
+static struct box3 quadric_within(const void *shape, struct box3 box)
+{
+    double range[3][2] = { { box.low.x, box.high.x },
+                           { box.low.y, box.high.y },
+                           { box.low.z, box.high.z } };
+    for (int round = 0; round < 9; round++) {
+        for (int i = 0; i < 3; i++)
+            if (!(range[i][0] <= range[i][1]))
+                return box3_empty();
+        narrow_axis(shape, round % 3, range);
+    }
+    return (struct box3){ { range[0][0], range[1][0], range[2][0] },
+                          { range[0][1], range[1][1], range[2][1] } };
+}
+
 /* The ray starts where it passes the shape's origin: from afar the
  * coefficients would cancel. */
 static void quadric_intersect(const void *shape, const struct ray *ray,
@@ -130,6 +228,7 @@ const struct primitive quadric_primitive = {
     .bounded = true,
     .prepare = quadric_prepare,
     .bounds = quadric_bounds,
+    .within = quadric_within,
     .intersect = quadric_intersect,
     .normal = quadric_normal,
     .inside = quadric_inside,
