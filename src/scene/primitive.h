@@ -36,6 +36,8 @@ struct primitive {
     /* Around the part of the inside that is in the box, or empty; NULL: no
      * better known than the bounds. */
     struct box3 (*within)(const void *shape, struct box3 box);
+    /* The inside is all points p with normal.p <= distance; NULL: it isn't. */
+    void (*half_space)(const void *shape, vec3 *normal, double *distance);
     void (*intersect)(const void *shape, const struct ray *ray,
                       struct hits *hits);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */

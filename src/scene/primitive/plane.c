@@ -43,6 +43,13 @@ static struct box3 plane_bounds(const void *shape)
     return box;
 }
 
+static void plane_half_space(const void *shape, vec3 *normal, double *distance)
+{
+    const struct plane *plane = shape;
+    *normal = plane->normal;
+    *distance = plane->distance;
+}
+
 static void plane_intersect(const void *shape, const struct ray *ray,
                             struct hits *hits)
 {
@@ -77,6 +84,7 @@ const struct primitive plane_primitive = {
     .convex = true,
     .prepare = plane_prepare,
     .bounds = plane_bounds,
+    .half_space = plane_half_space,
     .intersect = plane_intersect,
     .normal = plane_normal,
     .inside = plane_inside,
