@@ -37,10 +37,10 @@ static bool flat_enter(struct flat *flat, const struct object *object,
 {
     if (flat->failed)
         return false;
-    if (++flat->nodes > FLAT_NODE_LIMIT) {
+    size_t limit = flat->node_limit ? flat->node_limit : FLAT_NODE_LIMIT;
+    if (++flat->nodes > limit) {
         diag_print(flat->diag, DIAG_ERROR, object->span, NULL,
-                   "the scene has too many objects (limit is %d)",
-                   FLAT_NODE_LIMIT);
+                   "the scene has too many objects (limit is %zu)", limit);
         flat->failed = true;
     } else if (depth > FLAT_DEPTH_LIMIT) {
         diag_print(flat->diag, DIAG_ERROR, object->span, NULL,

@@ -19,8 +19,8 @@ enum {
 struct flat {
     struct arena *arena;
     struct diag *diag;
-    bool failed; /* a limit was met and reported */
-    size_t nodes;
+    bool failed;              /* a limit was met and reported */
+    size_t nodes, node_limit; /* 0: FLAT_NODE_LIMIT */
     unsigned bodies;
     size_t leaf_count, triangle_count;
     struct light_list {

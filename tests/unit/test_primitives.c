@@ -160,6 +160,45 @@ static void far_rays_hit_the_same_points(void **state)
     arena_free(arena);
 }
 
+/* No point of the inside and of the box is left out. */
+static void quadrics_are_narrowed_safely(void **state)
+{
+    (void)state;
+    const struct primitive *quadric = primitive_find("quadric");
+    struct arena *arena = arena_new(0);
+    struct dice dice = { 5 };
+    int narrower = 0;
+    for (int trial = 0; trial < 500; trial++) {
+        double numbers[10], low[3], high[3];
+        for (int i = 0; i < 10; i++)
+            numbers[i] = dice_between(&dice, 0, 1) < 0.4
+                             ? 0
+                             : dice_between(&dice, -1, 1);
+        for (int i = 0; i < 3; i++) {
+            low[i] = dice_between(&dice, -2, 0);
+            high[i] = dice_between(&dice, 0, 2);
+            if (dice_between(&dice, 0, 1) < 0.4)
+                low[i] = -HUGE_VAL;
+            if (dice_between(&dice, 0, 1) < 0.4)
+                high[i] = HUGE_VAL;
+        }
+        struct box3 box = { { low[0], low[1], low[2] },
+                            { high[0], high[1], high[2] } };
+        void *shape = shape_new(arena, "quadric", numbers, 10);
+        struct box3 less = quadric->within(shape, box);
+        narrower += box3_is_finite(less) && !box3_is_finite(box);
+        less.low = vec3_sub(less.low, vec3_make(1e-9, 1e-9, 1e-9));
+        less.high = vec3_add(less.high, vec3_make(1e-9, 1e-9, 1e-9));
+        for (int i = 0; i < 500; i++) {
+            vec3 p = dice_point(&dice, 4);
+            if (box3_contains(box, p) && quadric->inside(shape, p))
+                assert_true(box3_contains(less, p));
+        }
+    }
+    assert_true(narrower > 20);
+    arena_free(arena);
+}
+
 static void expect_hits(const char *name, const double *numbers, int count,
                         struct ray ray, int hit_count, const double *wanted)
 {
@@ -370,6 +409,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(crossings_insides_and_normals_agree),
         cmocka_unit_test(far_rays_hit_the_same_points),
+        cmocka_unit_test(quadrics_are_narrowed_safely),
         cmocka_unit_test(crossings_are_where_they_must_be),
         cmocka_unit_test(impossible_shapes_are_told),
         cmocka_unit_test(empty_shapes_have_no_crossings),

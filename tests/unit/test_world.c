@@ -5,6 +5,8 @@
 #include "shapes.h"
 
 #include "base/array.h"
+#include "embree/flatten.h"
+#include "embree/halfspace.h"
 #include "embree/world.h"
 #include "scene/mesh.h"
 
@@ -501,6 +503,106 @@ static void properties_come_down_the_tree(void **state)
     scene_free(scene);
 }
 
+/* Random planes: bounded or not, no point of the body is left out. */
+static void polyhedra_are_bounded(void **state)
+{
+    (void)state;
+    struct dice dice = { 11 };
+    int bounded = 0, open = 0;
+    for (int trial = 0; trial < 300; trial++) {
+        struct halfspace planes[12];
+        int count = (int)dice_between(&dice, 2, 12);
+        struct box3 region = box3_infinite();
+        if (trial % 3 == 0)
+            region.low.y = -0.5;
+        for (int i = 0; i < count; i++)
+            planes[i] =
+                (struct halfspace){ vec3_normalise(dice_point(&dice, 1)),
+                                    dice_between(&dice, 0.1, 1) };
+        struct box3 box = halfspaces_box(planes, count, region);
+        bounded += box3_is_finite(box);
+        open += !box3_is_finite(box);
+        for (int i = 0; i < 2000; i++) {
+            vec3 p = dice_point(&dice, i % 2 ? 2 : 50);
+            bool inside = box3_contains(region, p);
+            for (int k = 0; k < count && inside; k++)
+                inside = vec3_dot(planes[k].normal, p) <= planes[k].distance;
+            if (inside)
+                assert_true(box3_contains(box, p));
+        }
+    }
+    assert_true(bounded > 30 && open > 30);
+}
+
+/* bounded_by: what misses the bound is not seen, the inside stays. */
+static void bounds_hide_what_misses_them(void **state)
+{
+    (void)state;
+    static const double tube[] = { 1, 0, 1, 0, 0, 0, 0, 0, 0, -1 };
+    static const double ball[] = { 0, 0, 0, 0.5 };
+    struct scene *scene = scene_new(0);
+    struct diag diag = { .out = NULL };
+    struct object *endless = shape_object(scene, "quadric", tube, 10);
+    struct clip bound = { shape_object(scene, "sphere", ball, 4),
+                          affine_identity() };
+    endless->bounds = &bound;
+    endless->bound_count = 1;
+    affine up = affine_translation(vec3_make(0, 10, 0));
+    object_move(scene->arena, endless, &up);
+    scene_add(scene, endless);
+    struct world *world = world_new(scene, 1, &diag);
+    struct intersection at;
+    struct ray through = { { -5, 10.4, 0 }, { 1, 0, 0 } };
+    struct ray beside = { { -5, 10.6, 0 }, { 1, 0, 0 } };
+    assert_true(world_closest(world, &through, 0, RAY_CAMERA, &at));
+    assert_true(fabs(at.t - 4) < 1e-12);
+    assert_false(world_closest(world, &beside, 0, RAY_CAMERA, &at));
+    assert_true(world_occluded(world, &through, 0, 9, -1, NULL, NULL));
+    assert_false(world_occluded(world, &beside, 0, 9, -1, NULL, NULL));
+    assert_true(box3_is_finite(world_bounds(world)));
+    world_free(world);
+    scene_free(scene);
+}
+
+static void expect_failure(struct scene *scene, const char *message)
+{
+    char text[1000] = "";
+    FILE *out = fmemopen(text, sizeof text - 1, "w");
+    struct diag diag = { .out = out };
+    struct flat flat = { .arena = arena_new(0),
+                         .diag = &diag,
+                         .node_limit = 10000 };
+    assert_false(flatten_scene(&flat, scene));
+    arena_free(flat.arena);
+    fclose(out);
+    assert_non_null(strstr(text, message));
+    assert_int_equal(diag.errors, 1);
+    scene_free(scene);
+}
+
+/* A few lines of a scene can ask for 2^40 objects, or for very deep ones. */
+static void endless_scenes_are_refused(void **state)
+{
+    (void)state;
+    static const double ball[] = { 0, 0, 0, 1 };
+    for (int kind = OBJECT_UNION; kind <= OBJECT_INTERSECTION; kind++) {
+        struct scene *scene = scene_new(0);
+        struct object *object = shape_object(scene, "sphere", ball, 4);
+        for (int i = 0; i < 40; i++) {
+            struct object *twice[2] = { object, object };
+            object = node(scene, (enum object_kind)kind, twice, 2);
+        }
+        scene_add(scene, object);
+        expect_failure(scene, "too many objects");
+        scene = scene_new(0);
+        object = shape_object(scene, "sphere", ball, 4);
+        for (int i = 0; i < 100000; i++)
+            object = node(scene, (enum object_kind)kind, &object, 1);
+        scene_add(scene, object);
+        expect_failure(scene, "nested too deep");
+    }
+}
+
 /* Rays along planes, on surfaces, of no length, beyond the world. */
 static void odd_rays_do_no_harm(void **state)
 {
@@ -538,6 +640,9 @@ int main(void)
         cmocka_unit_test(triangles_are_hit_exactly),
         cmocka_unit_test(meshes_are_cut),
         cmocka_unit_test(properties_come_down_the_tree),
+        cmocka_unit_test(polyhedra_are_bounded),
+        cmocka_unit_test(bounds_hide_what_misses_them),
+        cmocka_unit_test(endless_scenes_are_refused),
         cmocka_unit_test(odd_rays_do_no_harm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
