@@ -92,11 +92,15 @@ static void image_convert(const struct image_decoding *how, struct image *image)
     }
 }
 
-/* The image with its pixels in the scene's arena. */
+/* The image with its pixels in the scene's arena; NULL if that is full. */
 static struct image *image_keep(struct parser *p, const struct image *image)
 {
-    struct image *kept = ARENA_NEW(p->scene_arena, struct image);
     size_t count = (size_t)image->width * (size_t)image->height * 4;
+    size_t limit = arena_limit(p->scene_arena);
+    size_t used = arena_used(p->scene_arena);
+    if (limit && (used > limit || count * sizeof(float) > limit - used))
+        return NULL;
+    struct image *kept = ARENA_NEW(p->scene_arena, struct image);
     *kept = *image;
     kept->pixels = ARENA_ARRAY(p->scene_arena, float, count);
     memcpy(kept->pixels, image->pixels, count * sizeof(float));
@@ -115,6 +119,13 @@ static struct image *image_load(struct parser *p, const char *path,
     }
     struct image *kept = image_keep(p, image);
     image_free(image);
+    if (!kept) {
+        error_at(p, request->span, NULL,
+                 "with the image '%s' the scene needs more memory than the "
+                 "limit of %zu MiB",
+                 path, arena_limit(p->scene_arena) >> 20);
+        return NULL;
+    }
     struct image_decoding how = image_decoding(p, kept, request);
     image_convert(&how, kept);
     return kept;
