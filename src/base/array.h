@@ -17,6 +17,16 @@
           : (void)0),                                                          \
      &(array)->items[(array)->count++])
 
+/* Room for `wanted` items in all, so that they are not moved while they grow
+ * to so many. */
+#define ARRAY_RESERVE(arena, array, wanted)                                    \
+    ((array)->items =                                                          \
+         array_reserve((arena), (array)->items, (array)->count,                \
+                       &(array)->capacity, (wanted), sizeof *(array)->items))
+
+void *array_reserve(struct arena *arena, void *items, size_t count,
+                    size_t *capacity, size_t wanted, size_t item_size);
+
 /* Room for at least one more item: the items, moved. */
 void *array_grow(struct arena *arena, void *items, size_t count,
                  size_t *capacity, size_t item_size);

@@ -62,6 +62,16 @@ static bool parse_list_count(struct parser *p, size_t *count)
     return true;
 }
 
+/* How many vectors the text has room for, at most: what a list may reserve
+ * whatever length it claims. */
+static size_t list_room(struct parser *p, size_t count)
+{
+    enum { TOKENS_PER_VECTOR = 5 };
+    size_t left;
+    stream_raw(p, &left);
+    return count < left / TOKENS_PER_VECTOR ? count : left / TOKENS_PER_VECTOR;
+}
+
 static bool list_too_short(struct parser *p, size_t want, size_t have)
 {
     if (stream_peek(p)->kind != TOKEN_RBRACE)
@@ -87,6 +97,7 @@ static bool parse_vertex_vectors(struct parser *p, struct mesh2 *m)
     double v[5];
     if (!parse_list_count(p, &count))
         return false;
+    ARRAY_RESERVE(p->scene_arena, &m->vertices, list_room(p, count));
     for (size_t i = 0; i < count; i++) {
         if (list_too_short(p, count, i) || !list_vector(p, v, 3))
             return false;
@@ -102,6 +113,7 @@ static bool parse_normal_vectors(struct parser *p, struct mesh2 *m)
     double v[5];
     if (!parse_list_count(p, &count))
         return false;
+    ARRAY_RESERVE(p->scene_arena, &m->normals, list_room(p, count));
     for (size_t i = 0; i < count; i++) {
         if (list_too_short(p, count, i) || !list_vector(p, v, 3))
             return false;
@@ -196,6 +208,7 @@ static bool parse_face_indices(struct parser *p, struct mesh2 *m)
     size_t count = 0;
     if (!parse_list_count(p, &count))
         return false;
+    ARRAY_RESERVE(p->scene_arena, &m->triangles, list_room(p, count));
     for (size_t i = 0; i < count; i++) {
         struct mesh_triangle t = {
             .normal = { MESH_NONE, MESH_NONE, MESH_NONE }, .texture = MESH_NONE

@@ -6,8 +6,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "base/memory.h"
-
 static const char *source_skip_bom(const char *text, size_t *length)
 {
     if (*length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
@@ -17,31 +15,30 @@ static const char *source_skip_bom(const char *text, size_t *length)
     return text;
 }
 
-/* Reads to the end of the stream: pipes have no size to ask for. */
-static char *source_slurp(struct arena *arena, FILE *file, size_t *length,
-                          const char **problem)
+/* Reads to the end of the stream: pipes have no size to ask for. `expected`
+ * is a guess that saves moving what was read. The text ends in NUL. */
+static char *source_slurp(struct arena *arena, FILE *file, size_t expected,
+                          size_t *length, const char **problem)
 {
-    size_t capacity = 1 << 16, used = 0;
-    char *buffer = memory_resize(NULL, capacity);
+    size_t capacity = expected + 1, used = 0;
+    char *text = arena_alloc(arena, capacity + 1);
     for (;;) {
-        used += fread(buffer + used, 1, capacity - used, file);
-        if (used < capacity)
+        used += fread(text + used, 1, capacity - used, file);
+        if (used < capacity || capacity > SOURCE_LIMIT)
             break;
-        if (capacity > SOURCE_LIMIT)
-            break;
+        char *larger = arena_alloc(arena, 2 * capacity + 1);
+        memcpy(larger, text, used);
+        text = larger;
         capacity *= 2;
-        buffer = memory_resize(buffer, capacity);
     }
-    char *text = NULL;
+    *length = used;
     if (ferror(file))
         *problem = arena_printf(arena, "%s", strerror(errno));
     else if (used > SOURCE_LIMIT)
         *problem = "it is larger than 1 GiB, glim's limit for a text";
     else
-        text = arena_copy_text(arena, buffer, used);
-    memory_free(buffer);
-    *length = used;
-    return text;
+        return text;
+    return NULL;
 }
 
 const struct source *source_read(struct arena *arena, const char *path,
@@ -49,19 +46,23 @@ const struct source *source_read(struct arena *arena, const char *path,
                                  const char **problem)
 {
     bool standard_input = strcmp(path, "-") == 0;
-    struct stat status;
+    struct stat status = { .st_size = 0 };
     if (!standard_input && stat(path, &status) == 0 &&
         S_ISDIR(status.st_mode)) {
         *problem = "it is a directory";
         return NULL;
     }
+    size_t expected = 1 << 16;
+    if (S_ISREG(status.st_mode) && status.st_size > 0 &&
+        (size_t)status.st_size <= SOURCE_LIMIT)
+        expected = (size_t)status.st_size;
     FILE *file = standard_input ? stdin : fopen(path, "rb");
     if (!file) {
         *problem = arena_printf(arena, "%s", strerror(errno));
         return NULL;
     }
     size_t length = 0;
-    const char *text = source_slurp(arena, file, &length, problem);
+    const char *text = source_slurp(arena, file, expected, &length, problem);
     if (!standard_input)
         fclose(file);
     if (!text)

@@ -40,9 +40,24 @@ static bool is_foreign(char c)
     return ((unsigned char)c < 32 && !is_space(c)) || (unsigned char)c > 126;
 }
 
+/* Room for as many tokens as the text so far foretells: meshes have tens of
+ * millions, and moving them costs more than cutting them. */
+static void lexer_reserve(struct lexer *lexer, size_t at)
+{
+    size_t count = lexer->tokens.count;
+    double foretold =
+        at ? (double)count / (double)at * (double)lexer->length * 1.05 : 0;
+    size_t wanted = foretold < (double)lexer->length ? (size_t)foretold : 0;
+    if (wanted < 2 * count)
+        wanted = 2 * count;
+    ARRAY_RESERVE(lexer->arena, &lexer->tokens, wanted + 64);
+}
+
 static struct token *lexer_push(struct lexer *lexer, enum token_kind kind,
                                 size_t start, size_t end)
 {
+    if (lexer->tokens.count == lexer->tokens.capacity)
+        lexer_reserve(lexer, start);
     struct token *token = ARRAY_PUSH(lexer->arena, &lexer->tokens);
     size_t length = end - start;
     *token =
