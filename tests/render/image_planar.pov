@@ -14,5 +14,5 @@ box { <.1, .1, 0>, <1.9, 1.4, .1>
 box { <-1.9, -1.4, 0>, <-.1, -.1, .1>
     pigment { image_map { png "parts/flag.png" } rotate 30*z scale .9 } }
 box { <-.7, -.65, -.7>, <.7, .65, .7>
-    pigment { image_map { png "parts/flag.png" map_type 0 } scale .63 translate .07 }
+    pigment { image_map { png "parts/flag.png" map_type 0 } scale .63 translate .11 }
     rotate <25, 35, 0> translate <1, -.75, 1> }

@@ -4,7 +4,6 @@
 global_settings { assumed_gamma 1 }
 camera { orthographic location <0, 0, -5> right 9*x up 6*y }
 #default { finish { ambient 0 diffuse 0 emission 1 } }
-#declare Unit = sphere { 0, 1 }
 #declare Tiles = 0;
 // Red shows the size, green and blue the decimals, clear of their wraps.
 #macro Tile(V)
@@ -26,5 +25,5 @@ Tile(-2*-1.5) Tile((1 < 2) + (3 >= 3) + 1) Tile((1 & 0) + (1 | 0)*2)
 Tile(!0 + 1) Tile((5 = 5)*3) Tile((2 != 2) + .5) Tile(pi) Tile(clock + 1)
 Tile(version) Tile(image_width/40) Tile((1 ? 3 : 5)) Tile(vlength(<1, 2, 2>))
 Tile(vdot(<1, 2, 3>, <.5, .5, 1>)) Tile(val("1.25e0")*3) Tile(strlen("four"))
-Tile(asc("!")/10) Tile(inside(Unit, <.5, 0, 0>)*2) Tile(defined(Tiles)*2.5)
+Tile(asc("!")/10) Tile(defined(Tiles)*2.5)
 Tile(1e1/4) Tile(.5e-1*60)

@@ -8,7 +8,6 @@ light_source { <-5, 9, -6>, rgb 1 }
 #macro Ball(P, C) sphere { P + <0, .3, 0>, .3 pigment { C } } #end
 #declare Block = box { <1, 1.4, 3>, <4, 5, 6> }
 #declare Egg = sphere { <2.6, 1, .5>, .5 scale <1, 1.4, 1> }
-#declare Dome = sphere { 0, 1.5 }
 #declare V = <1, .5, -1>;
 Ball(V, rgb <.9, .2, .2>)
 Ball(vcross(<1, 0, 2>, <.3, 2, 1>)/2, rgb <.9, .5, .2>)
@@ -25,6 +24,5 @@ Ball(<-3.4, C.filter*4, .6>, color C*1.2)
 Ball(<C.gray*4, 1.6, 1>, rgb C.x)
 Ball(<0, min_extent(Block).y, 2>, rgb .9)
 Ball(max_extent(Egg) - <.5, 0, 0>, rgb .5)
-#declare T = trace(Dome, <-1, 5, .4>, -y);
-Ball(T, rgb <.9, .6, .7>)
+Ball(vrotate(<0, 1.4, 1>, 50*x - 30*z), rgb <.9, .6, .7>)
 plane { y, -.01 pigment { rgb .6 } }
