@@ -10,7 +10,7 @@ sky_sphere { pigment { gradient y color_map {
     scale 2 translate -1 } }
 #default { pigment { rgb .15 } finish { reflection .7 } }
 sphere { <-1.6, .9, 0>, .9 normal { onion 4 sine_wave scale .3 } }
-box { <-.5, 0, -.4>, <.7, 1.4, .6> normal { gradient x 3 sine_wave scale .23 }
+box { <-.5, 0, -.4>, <.7, 1.4, .6> normal { gradient <1, 1, 1> 3 sine_wave scale .23 }
     rotate 20*y }
 smooth_triangle { <1.2, 0, 0>, <-1, .1, -.4>, <2.8, 0, 0>, <1, .1, -.3>,
     <2, 1.8, .2>, <.1, 1, -.2> }
