@@ -47,6 +47,15 @@ struct image_decoding {
     double working; /* the scene counts light^(1/working); 0: in sRGB */
 };
 
+/* Whether the file's numbers are the scene's as they are: before version 3.7
+ * all that don't tell their gamma; without assumed_gamma all. */
+static bool image_is_plain(const struct parser *p, const struct image *image)
+{
+    bool old = !p->version_said || p->version < 3.7;
+    bool untold = !image->linear && !(image->gamma > 0);
+    return settings_gamma(p) == GAMMA_NONE || image->plain || (old && untold);
+}
+
 static struct image_decoding image_decoding(const struct parser *p,
                                             const struct image *image,
                                             const struct image_request *request)
@@ -54,7 +63,7 @@ static struct image_decoding image_decoding(const struct parser *p,
     double said = request->gamma;
     enum gamma_kind space = settings_gamma(p);
     return (struct image_decoding){
-        .plain = space == GAMMA_NONE || (image->plain && said < 0),
+        .plain = said < 0 && image_is_plain(p, image),
         .keep = request->premultiplied,
         .linear = image->linear,
         .gamma = said >= 0 ? said : image->gamma,
