@@ -92,31 +92,6 @@ bool affine_is_identity(affine a)
     return true;
 }
 
-vec3 affine_point(const affine *a, vec3 p)
-{
-    vec3 d = affine_direction(a, p);
-    return (vec3){ d.x + a->m[0][3], d.y + a->m[1][3], d.z + a->m[2][3] };
-}
-
-vec3 affine_direction(const affine *a, vec3 d)
-{
-    return (vec3){
-        a->m[0][0] * d.x + a->m[0][1] * d.y + a->m[0][2] * d.z,
-        a->m[1][0] * d.x + a->m[1][1] * d.y + a->m[1][2] * d.z,
-        a->m[2][0] * d.x + a->m[2][1] * d.y + a->m[2][2] * d.z,
-    };
-}
-
-vec3 affine_normal(const affine *inverse, vec3 n)
-{
-    const affine *a = inverse;
-    return (vec3){
-        a->m[0][0] * n.x + a->m[1][0] * n.y + a->m[2][0] * n.z,
-        a->m[0][1] * n.x + a->m[1][1] * n.y + a->m[2][1] * n.z,
-        a->m[0][2] * n.x + a->m[1][2] * n.y + a->m[2][2] * n.z,
-    };
-}
-
 /* Arvo 1990: per output axis, each input interval adds its smaller and larger
  * product. Zero coefficients are skipped so that 0 * infinity can't arise. */
 struct box3 affine_box(const affine *a, struct box3 box)
@@ -167,18 +142,7 @@ struct box3 box3_add(struct box3 a, vec3 p)
     return (struct box3){ vec3_min(a.low, p), vec3_max(a.high, p) };
 }
 
-bool box3_is_empty(struct box3 a)
-{
-    return a.low.x > a.high.x || a.low.y > a.high.y || a.low.z > a.high.z;
-}
-
 bool box3_is_finite(struct box3 a)
 {
     return vec3_finite(a.low) && vec3_finite(a.high);
-}
-
-bool box3_contains(struct box3 a, vec3 p)
-{
-    return p.x >= a.low.x && p.x <= a.high.x && p.y >= a.low.y &&
-           p.y <= a.high.y && p.z >= a.low.z && p.z <= a.high.z;
 }

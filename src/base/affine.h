@@ -35,12 +35,32 @@ bool affine_inverse(affine a, affine *inverse);
 double affine_determinant(affine a);
 bool affine_is_identity(affine a);
 
-vec3 affine_point(const affine *a, vec3 p);
-vec3 affine_direction(const affine *a, vec3 d);
+static inline vec3 affine_direction(const affine *a, vec3 d)
+{
+    return (vec3){
+        a->m[0][0] * d.x + a->m[0][1] * d.y + a->m[0][2] * d.z,
+        a->m[1][0] * d.x + a->m[1][1] * d.y + a->m[1][2] * d.z,
+        a->m[2][0] * d.x + a->m[2][1] * d.y + a->m[2][2] * d.z,
+    };
+}
+
+static inline vec3 affine_point(const affine *a, vec3 p)
+{
+    vec3 d = affine_direction(a, p);
+    return (vec3){ d.x + a->m[0][3], d.y + a->m[1][3], d.z + a->m[2][3] };
+}
 
 /* Multiplies n by the transpose of a's linear part: given the world-to-object
  * map, takes an object-space normal to world space. Not normalised. */
-vec3 affine_normal(const affine *inverse, vec3 n);
+static inline vec3 affine_normal(const affine *inverse, vec3 n)
+{
+    const affine *a = inverse;
+    return (vec3){
+        a->m[0][0] * n.x + a->m[1][0] * n.y + a->m[2][0] * n.z,
+        a->m[0][1] * n.x + a->m[1][1] * n.y + a->m[2][1] * n.z,
+        a->m[0][2] * n.x + a->m[1][2] * n.y + a->m[2][2] * n.z,
+    };
+}
 
 /* The box around the image of `box`; infinite sides stay infinite. */
 struct box3 affine_box(const affine *a, struct box3 box);
@@ -50,8 +70,17 @@ struct box3 box3_infinite(void);
 struct box3 box3_union(struct box3 a, struct box3 b);
 struct box3 box3_intersection(struct box3 a, struct box3 b);
 struct box3 box3_add(struct box3 a, vec3 p);
-bool box3_is_empty(struct box3 a);
+static inline bool box3_is_empty(struct box3 a)
+{
+    return a.low.x > a.high.x || a.low.y > a.high.y || a.low.z > a.high.z;
+}
+
 bool box3_is_finite(struct box3 a);
-bool box3_contains(struct box3 a, vec3 p);
+
+static inline bool box3_contains(struct box3 a, vec3 p)
+{
+    return p.x >= a.low.x && p.x <= a.high.x && p.y >= a.low.y &&
+           p.y <= a.high.y && p.z >= a.low.z && p.z <= a.high.z;
+}
 
 #endif

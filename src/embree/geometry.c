@@ -26,7 +26,7 @@ static void solid_bounds(const struct RTCBoundsFunctionArguments *a)
 static float embree_far(const struct query *query, double t)
 {
     double far = (t + query->shift) * (1 + 1e-6) + query->doubt;
-    return nextafterf(triangles_float(far), FLT_MAX);
+    return triangles_float(far);
 }
 
 static void solid_intersect(const struct RTCIntersectFunctionNArguments *a)

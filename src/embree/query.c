@@ -201,9 +201,12 @@ bool query_take_triangle(struct query *query, const struct leaf *leaf,
     return query_take(query, leaf, hit);
 }
 
-/* Scaled first, so that neither tiny nor huge vectors lose their length. */
+/* Scaled first where tiny or huge vectors would lose their length. */
 static vec3 unit(vec3 v)
 {
+    double square = vec3_dot(v, v);
+    if (square > 1e-200 && square < 1e200)
+        return vec3_scale(v, 1 / sqrt(square));
     double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
     if (!(most > 0) || !isfinite(most))
         return vec3_make(0, 0, 0);

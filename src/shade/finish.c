@@ -21,6 +21,12 @@ static double finish_diffuse(const struct finish *finish, double cosine,
     return share * cosine;
 }
 
+/* cosine^size; most of the time nothing that could be seen. */
+static double finish_lobe(double cosine, double size)
+{
+    return cosine < 0.5 && size > 64 ? 0 : pow(cosine, size);
+}
+
 /* phong * (R.L)^size, R the mirrored view direction. */
 static double finish_phong(const struct finish *finish,
                            const struct surface *surface,
@@ -32,7 +38,7 @@ static double finish_phong(const struct finish *finish,
     if (cosine <= 0)
         return 0;
     double albedo = finish->phong_albedo ? (finish->phong_size + 1) / 2 : 1;
-    return finish->phong * albedo * pow(cosine, finish->phong_size);
+    return finish->phong * albedo * finish_lobe(cosine, finish->phong_size);
 }
 
 /* specular * (N.H)^(1/roughness), H halfway between light and viewer. */
@@ -47,7 +53,7 @@ static double finish_specular(const struct finish *finish,
     double m = 1 / finish->roughness;
     double albedo =
         finish->specular_albedo ? (m + 2) / (4 * (2 - exp2(-m / 2))) : 1;
-    return finish->specular * albedo * pow(cosine, m);
+    return finish->specular * albedo * finish_lobe(cosine, m);
 }
 
 static uint64_t bits_of(double value)
@@ -159,6 +165,8 @@ struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
     const struct reflection *mirror = &finish->reflection;
     rgb range = rgb_sub(mirror->maximum, mirror->minimum);
     rgb share = mirror->minimum;
+    if (rgb_peak(mirror->maximum) == 0 && rgb_peak(share) == 0)
+        return (struct finish_mirror){ rgb_grey(0), 0 };
     if (mirror->fresnel)
         share =
             rgb_add_scaled(share, range, finish_fresnel(fmax(cosine, 0), ior));

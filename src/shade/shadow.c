@@ -25,8 +25,11 @@ struct shadow_ray {
 
 double surface_offset(vec3 point)
 {
-    double size = fmax(fabs(point.x), fmax(fabs(point.y), fabs(point.z)));
-    return fmax(0.9999e-4, 1e-7 * size);
+    double size = 0.9999e3;
+    size = fabs(point.x) > size ? fabs(point.x) : size;
+    size = fabs(point.y) > size ? fabs(point.y) : size;
+    size = fabs(point.z) > size ? fabs(point.z) : size;
+    return 1e-7 * size;
 }
 
 /* Notes the crossing in order of t, for fading. */

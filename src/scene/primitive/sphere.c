@@ -32,14 +32,14 @@ static void sphere_intersect(const void *shape, const struct ray *ray,
     const struct sphere *sphere = shape;
     vec3 o = vec3_sub(ray->origin, sphere->centre);
     double dd = vec3_dot(ray->direction, ray->direction);
-    double b = -vec3_dot(o, ray->direction);
-    vec3 nearest = vec3_along(o, ray->direction, b / dd);
+    double b = -vec3_dot(o, ray->direction), inverse = 1 / dd;
+    vec3 nearest = vec3_along(o, ray->direction, b * inverse);
     double r2 = sphere->radius * sphere->radius;
     double rest = r2 - vec3_dot(nearest, nearest);
     if (!(rest > 0) || !(dd > 0))
         return;
     double q = b + copysign(sqrt(dd * rest), b);
-    hits_add(hits, q / dd, 0);
+    hits_add(hits, q * inverse, 0);
     hits_add(hits, (vec3_dot(o, o) - r2) / q, 0);
 }
 
