@@ -4,10 +4,12 @@
 #include "base/memory.h"
 #include "lighting/lighting.h"
 #include "shade/area.h"
+#include "shade/background.h"
 #include "shade/shadow.h"
 
 struct rays {
     const struct world *world;
+    const struct scene *scene;
     struct lamp *lamps;
     size_t count;
     rgb ambient;
@@ -23,6 +25,7 @@ static void *rays_start(const struct world *world, const struct scene *scene,
     const struct light *lights = world_lights(world, &rays->count);
     (void)diag;
     rays->world = world;
+    rays->scene = scene;
     rays->ambient = scene->settings.ambient_light;
     rays->quality = options->quality;
     rays->seed = options->seed;
@@ -108,6 +111,10 @@ static void rays_give(const struct rays_question *q,
         .colour = rgb_mul(rgb_scale(light->colour, view->attenuation), share),
         .highlights = !light->shadowless,
     };
+    if (light->media_attenuation) {
+        struct veil veil = fog_veil(q->rays->scene, view->distance);
+        sample.colour = rgb_mul(sample.colour, veil.through);
+    }
     q->visit(q->context, &sample);
 }
 

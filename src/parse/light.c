@@ -11,7 +11,8 @@ enum { AREA_SIZE_LIMIT = 1000 };
 
 /* light_value = "shadowless" | "fade_distance" float | "fade_power" float
  *             | "adaptive" float | "circular" | "orient" | "jitter"
- *             | "area_illumination" [bool] | "parallel" . */
+ *             | "area_illumination" [bool] | "parallel"
+ *             | "media_attenuation" [bool] . */
 static const struct field light_fields[] = {
     LIGHT("shadowless", FIELD_FLAG, shadowless, 0, 0,
           "no shadows and no highlights"),
@@ -28,6 +29,8 @@ static const struct field light_fields[] = {
           "samples of an area light moved at random"),
     LIGHT("area_illumination", FIELD_BOOL, area_illumination, 0, 0,
           "light, not only shadows, from the whole area"),
+    LIGHT("media_attenuation", FIELD_BOOL, media_attenuation, 0, 0,
+          "weakened by fog on its way"),
     LIGHT("parallel", FIELD_FLAG, parallel, 0, 0,
           "rays parallel to location - point_at"),
     { NULL },
@@ -135,9 +138,7 @@ static bool parse_looks_like(struct parser *p, struct object *owner,
 }
 
 /* light_without_effect = "media_interaction" [bool]
- *                      | "media_attenuation" [bool]
- *                      | "photons" "{" {name [float]} "}" .
- * The second has one in fog. */
+ *                      | "photons" "{" {name [float]} "}" . */
 static bool parse_light_without_effect(struct parser *p, bool *found)
 {
     bool on = false;
@@ -147,14 +148,6 @@ static bool parse_light_without_effect(struct parser *p, bool *found)
     case KEYWORD_MEDIA_INTERACTION:
         stream_next(p);
         return parse_bool(p, &on);
-    case KEYWORD_MEDIA_ATTENUATION:
-        stream_next(p);
-        open = p->last_span;
-        if (!parse_bool(p, &on))
-            return false;
-        if (on)
-            p->dimmed_light = open;
-        return true;
     case KEYWORD_PHOTONS:
         stream_next(p);
         return block_begin(p, &open) && block_end(p, open, skip_block(p));

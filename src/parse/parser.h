@@ -67,7 +67,6 @@ struct parser {
     double version; /* #version in force */
     bool version_said;
     bool has_camera;          /* one was said: the next takes its place */
-    struct span dimmed_light; /* its media_attenuation, if one has it */
     struct {                  /* #default: what new things start from */
         const struct pigment *pigment;
         const struct normal *normal;

@@ -162,8 +162,6 @@ enum gamma_kind settings_gamma(const struct parser *p)
 
 void settings_finish(struct parser *p)
 {
-    if (p->scene->fogs.count && p->dimmed_light.source)
-        error_unsupported(p, p->dimmed_light, "'media_attenuation' in fog");
     if (p->scene->settings.gamma_kind != GAMMA_NONE || p->failed)
         return;
     p->scene->settings.gamma_kind = settings_gamma(p);

@@ -22,6 +22,7 @@ struct light {
     double tightness;
     double fade_distance, fade_power; /* both > 0, else no fading */
     bool shadowless;
+    bool media_attenuation; /* weakened by fog on its way */
 
     bool area;
     vec3 axis1, axis2;

@@ -11,7 +11,7 @@
 #include "shade/finish.h"
 #include "shade/interior.h"
 #include "shade/shadow.h"
-#include "tracer/background.h"
+#include "shade/background.h"
 #include "tracer/tracer.h"
 
 enum {

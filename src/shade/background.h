@@ -1,6 +1,6 @@
 /* What lies between and behind the objects: fog, sky, background. */
-#ifndef TRACER_BACKGROUND_H
-#define TRACER_BACKGROUND_H
+#ifndef SHADE_BACKGROUND_H
+#define SHADE_BACKGROUND_H
 
 #include "scene/scene.h"
 

@@ -1,5 +1,5 @@
 /* Fog and sky: see background.h. Measured on POV-Ray 3.7. */
-#include "tracer/background.h"
+#include "shade/background.h"
 
 /* Constant fog: T = exp(-d / distance), but at least `transmit`; the light
  * behind is tinted by `filter`. Several fogs add up: each weakens what is
