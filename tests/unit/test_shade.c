@@ -1,0 +1,374 @@
+/* shade/: the formulas of surfaces, interiors, lamps and area lights, against
+ * closed forms and numbers measured on POV-Ray 3.7. */
+#include "harness.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "shade/area.h"
+#include "shade/finish.h"
+#include "shade/interior.h"
+
+static void near(double value, double wanted)
+{
+    if (!(fabs(value - wanted) <= 1e-9 * (1 + fabs(wanted))))
+        fail_msg("%.12g, not %.12g", value, wanted);
+}
+
+static void roughly(double value, double wanted)
+{
+    if (!(fabs(value - wanted) <= 3e-5))
+        fail_msg("%.7g, not %.7g", value, wanted);
+}
+
+static void test_fresnel(void **state)
+{
+    (void)state;
+    near(finish_fresnel(1, 1.5), 0.04);
+    near(finish_fresnel(1, 1 / 1.5), 0.04);
+    near(finish_fresnel(0, 1.5), 1);
+    near(finish_fresnel(0.5, 1), 0);
+    near(finish_fresnel(0.5, 1 / 1.5), 1); /* beyond the critical angle */
+    roughly(finish_fresnel(0.5, 1.5), 0.0891867);
+    near(finish_fresnel(0.5, 1e-300), 1);
+}
+
+static void test_metallic(void **state)
+{
+    (void)state;
+    rgb p = { 0.3, 0.6, 0.9 };
+    near(finish_metallic(0, 0.3, p).r, 1);
+    roughly(finish_metallic(1, 1, p).r, 0.3);
+    roughly(finish_metallic(1, 0, p).r, 1);
+    /* 80 degrees, metallic 0.8, in a mirror of 0.72 (measured). */
+    double cosine = cos(80 * 3.14159265358979 / 180);
+    rgb tint = finish_metallic(0.8, cosine, p);
+    roughly(tint.r * 0.72, 0.42208);
+    roughly(tint.b * 0.72, 0.67744);
+    near(finish_metallic(1, -0.1, p).g, 1); /* the curve is cut at 1 */
+}
+
+static void test_mirror(void **state)
+{
+    (void)state;
+    struct finish finish = finish_default();
+    finish.reflection.minimum = rgb_grey(0.2);
+    finish.reflection.maximum = rgb_grey(0.9);
+    finish.reflection.falloff = 2;
+    struct finish_mirror mirror = finish_mirror(&finish, rgb_grey(1), 0.5, 1.5);
+    near(mirror.colour.g, 0.2 + 0.7 * 0.25);
+    near(mirror.weight, mirror.colour.g);
+    finish.reflection.fresnel = true;
+    mirror = finish_mirror(&finish, rgb_grey(1), 1, 1.5);
+    near(mirror.colour.g, 0.2 + 0.7 * 0.04);
+    finish.reflection.metallic = 1;
+    mirror = finish_mirror(&finish, rgb_grey(0.5), 1, 1.5);
+    assert_true(mirror.colour.g < mirror.weight);
+    near(finish_exponent(rgb_grey(0.25), 2).r, 0.5);
+    near(finish_exponent(rgb_grey(-1), 2).r, 0);
+    near(finish_exponent(rgb_grey(-1), 1).r, -1);
+}
+
+/* A white, matt, half transparent layer seen along its normal -z. */
+static struct surface_layer layer_of(const struct finish *finish)
+{
+    return (struct surface_layer){ .finish = finish,
+                                   .pigment = { 1, 1, 1, 0, 0.5 },
+                                   .normal = { 0, 0, -1 } };
+}
+
+static double lit(const struct finish *finish, double x, double z, bool twice,
+                  bool highlights)
+{
+    struct leaf leaf = { .double_illuminate = twice };
+    struct intersection at = { .leaf = &leaf };
+    struct surface surface = { .at = &at, .view = { 0, 0, -1 } };
+    struct surface_layer layer = layer_of(finish);
+    struct light_sample sample = { vec3_normalise(vec3_make(x, 0, z)),
+                                   rgb_grey(1), highlights };
+    return finish_light(&surface, &layer, &sample).g;
+}
+
+static void test_light(void **state)
+{
+    (void)state;
+    struct finish finish = finish_default();
+    double c = 5 / sqrt(34.0);
+    finish.diffuse = 0.6;
+    near(lit(&finish, 0, -1, false, true), 0.3);
+    near(lit(&finish, 3, -5, false, true), 0.3 * c);
+    near(lit(&finish, 3, 5, false, true), 0);
+    near(lit(&finish, 3, 5, true, true), 0.3 * c);
+    finish.diffuse_back = 0.2;
+    near(lit(&finish, 3, 5, false, true), 0.1 * c);
+    near(lit(&finish, 3, 5, true, true), 0.3 * c);
+    finish.brilliance = 3;
+    near(lit(&finish, 3, -5, false, true), 0.3 * c * c * c);
+    finish.diffuse_albedo = true;
+    near(lit(&finish, 3, -5, false, true), 0.6 * c * c * c);
+}
+
+static void test_highlights(void **state)
+{
+    (void)state;
+    struct finish finish = finish_default();
+    double c = 5 / sqrt(34.0), half = cos(acos(c) / 2);
+    finish.diffuse = 0;
+    finish.phong = 0.1;
+    finish.phong_size = 2;
+    near(lit(&finish, 3, -5, false, true), 0.1 * c * c); /* not halved */
+    near(lit(&finish, 3, -5, false, false), 0);
+    near(lit(&finish, 3, 5, false, true), 0);
+    finish.phong_albedo = true;
+    near(lit(&finish, 3, -5, false, true), 0.15 * c * c);
+    finish.phong = 0;
+    finish.specular = 0.2;
+    finish.roughness = 0.1;
+    near(lit(&finish, 3, -5, false, true), 0.2 * pow(half, 10));
+    finish.specular_albedo = true;
+    near(lit(&finish, 3, -5, false, true),
+         0.2 * pow(half, 10) * 12 / (4 * (2 - pow(2, -5))));
+    finish.roughness = 0;
+    near(lit(&finish, 3, -5, false, true), 0);
+}
+
+static void test_lit_by(void **state)
+{
+    (void)state;
+    struct finish finish = finish_default();
+    finish.diffuse = 0;
+    assert_false(finish_lit_by(&finish, 1, false));
+    finish.phong = 1;
+    assert_true(finish_lit_by(&finish, 1, false));
+    assert_false(finish_lit_by(&finish, -1, false));
+    assert_true(finish_lit_by(&finish, -1, true));
+    finish.diffuse_back = 0.1;
+    assert_true(finish_lit_by(&finish, -1, false));
+}
+
+static void test_fade(void **state)
+{
+    (void)state;
+    struct interior interior = interior_default();
+    near(interior_fade(NULL, 5).r, 1);
+    near(interior_fade(&interior, 5).r, 1);
+    interior.fade_distance = 2;
+    interior.fade_power = 2;
+    interior.fade_colour = (rgb){ 0.5, 0.2, 1 };
+    near(interior_fade(&interior, 1).r, 0.9);
+    near(interior_fade(&interior, 1).g, 0.84);
+    near(interior_fade(&interior, 1).b, 1);
+    interior.fade_power = 1000;
+    near(interior_fade(&interior, 1).r, exp(-0.25));
+    near(interior_fade(&interior, 1).g, exp(-0.4));
+    near(interior_fade(&interior, INFINITY).g, 0);
+}
+
+static void test_interiors(void **state)
+{
+    (void)state;
+    struct interior glass = interior_default(), water = interior_default();
+    glass.ior = 1.5;
+    water.ior = 1.33;
+    struct leaf a = { .interior = &glass, .body = 1, .hollow = true };
+    struct leaf b = { .interior = &water, .body = 2 };
+    struct leaf c = { .body = 3 };
+    struct interiors list = { .count = 0 };
+    near(interiors_ior(&list), 1);
+    assert_true(interiors_open(&list));
+    interiors_cross(&list, &a);
+    near(interiors_ior(&list), 1.5);
+    assert_true(interiors_open(&list));
+    interiors_cross(&list, &b);
+    near(interiors_ior(&list), 1.33);
+    assert_false(interiors_open(&list));
+    interiors_cross(&list, &a); /* overlapping: the last entered still holds */
+    near(interiors_ior(&list), 1.33);
+    interiors_cross(&list, &c);
+    near(interiors_ior(&list), 1);
+    interiors_cross(&list, &c);
+    interiors_cross(&list, &b);
+    assert_int_equal(list.count, 0);
+    for (unsigned i = 0; i < 1000; i++) {
+        struct leaf leaf = { .body = i };
+        interiors_cross(&list, &leaf);
+    }
+    assert_int_equal(list.count, INTERIORS_MAX);
+}
+
+/* What arrives from a light at (x, y, -5) pointing at (px, 0, 0). */
+static double arrives(struct light light, double x, double px)
+{
+    struct lamp_view view;
+    light.location = vec3_make(x, 0, -5);
+    light.point_at = vec3_make(px, 0, 0);
+    struct lamp lamp = lamp_new(&light, 0);
+    if (!lamp_look(&lamp, light.location, vec3_make(0, 0, 0), &view))
+        return 0;
+    return view.attenuation;
+}
+
+static void test_lamps(void **state)
+{
+    (void)state;
+    struct light light = light_default();
+    near(arrives(light, 0, 0), 1);
+    light.fade_distance = 3;
+    light.fade_power = 2;
+    near(arrives(light, 0, 0), 2 / (1 + 25.0 / 9));
+    light.fade_power = 0;
+    light.kind = LIGHT_SPOT;
+    light.radius = 20;
+    light.falloff = 120;
+    roughly(arrives(light, 4, 4), 0.96617);
+    light.falloff = 10; /* narrower than the radius: the radius counts */
+    near(arrives(light, 1, 1), 1);
+    near(arrives(light, 4, 4), 0);
+    light.tightness = 10;
+    near(arrives(light, 1, 1), pow(5 / sqrt(26.0), 10));
+    light.kind = LIGHT_CYLINDER;
+    light.tightness = 0;
+    light.radius = 2;
+    light.falloff = 4;
+    near(arrives(light, 1, 1), 1);
+    near(arrives(light, 3, 3), 0.5);
+    near(arrives(light, 5, 5), 0);
+    light.tightness = 1;
+    near(arrives(light, 3, 3), 0.125);
+}
+
+static void test_parallel(void **state)
+{
+    (void)state;
+    struct light light = light_default();
+    struct lamp_view view;
+    light.parallel = true;
+    light.location = vec3_make(7, 8, 5);
+    light.point_at = vec3_make(7, 8, 10);
+    struct lamp lamp = lamp_new(&light, 0);
+    assert_true(lamp_look(&lamp, light.location, vec3_make(0, 0, 0), &view));
+    near(view.direction.z, -1);
+    near(view.distance, -5); /* behind the light's plane: no shadow */
+}
+
+/* The weight of each point of a row of n: what is seen if only it shines. */
+struct only {
+    double place;
+    int asked;
+};
+
+static rgb only_one(void *context, vec3 location)
+{
+    struct only *only = context;
+    only->asked++;
+    return rgb_grey(fabs(location.x - only->place) < 1e-6);
+}
+
+static double weight_of(int n, int i)
+{
+    struct light light = light_default();
+    light.area = true;
+    light.adaptive = -1;
+    light.axis1 = vec3_make(1, 0, 0);
+    light.axis2 = vec3_make(0, 1, 0);
+    light.size1 = n;
+    light.size2 = 1;
+    struct lamp lamp = lamp_new(&light, 0);
+    struct area_grid grid = area_grid_new(&lamp, vec3_make(0, 0, 9), 0);
+    struct only only = { area_grid_point(&grid, i, 0).x, 0 };
+    return area_visibility(&grid, rgb_grey(1), only_one, &only).r;
+}
+
+static void test_area_weights(void **state)
+{
+    (void)state;
+    static const double wanted[][10] = {
+        { 2, 2 },
+        { 4, 2, 4 },
+        { 4, 4, 4, 4 },
+        { 8, 4, 4, 4, 8 },
+        { 8, 4, 8, 8, 4, 8 },
+        { 8, 8, 8, 4, 8, 8, 8 },
+        { 8, 8, 8, 8, 8, 8, 8, 8 },
+        { 16, 8, 8, 8, 8, 8, 8, 8, 16 },
+        { 16, 8, 8, 8, 16, 16, 8, 8, 8, 16 },
+    };
+    for (int n = 2; n <= 10; n++)
+        for (int i = 0; i < n; i++)
+            near(weight_of(n, i), 1 / wanted[n - 2][i]);
+}
+
+static rgb all_seen(void *context, vec3 location)
+{
+    struct only *only = context;
+    (void)location;
+    only->asked++;
+    return rgb_grey(1);
+}
+
+/* Points looked at where nothing stands in the way, 17 x 17. */
+static void test_area_adaptive(void **state)
+{
+    (void)state;
+    static const int wanted[] = { 289, 4, 9, 25, 81, 289 };
+    struct light light = light_default();
+    light.area = true;
+    light.axis1 = vec3_make(1, 0, 0);
+    light.axis2 = vec3_make(0, 1, 0);
+    light.size1 = light.size2 = 17;
+    for (int k = -1; k <= 4; k++) {
+        struct only only = { 0, 0 };
+        light.adaptive = k;
+        struct lamp lamp = lamp_new(&light, 0);
+        struct area_grid grid = area_grid_new(&lamp, vec3_make(0, 0, 9), 0);
+        near(area_visibility(&grid, rgb_grey(1), all_seen, &only).r, 1);
+        assert_int_equal(only.asked, wanted[k + 1]);
+    }
+}
+
+static void test_area_shapes(void **state)
+{
+    (void)state;
+    struct light light = light_default();
+    light.area = true;
+    light.adaptive = -1;
+    light.axis1 = vec3_make(4, 0, 0);
+    light.axis2 = vec3_make(0, 4, 0);
+    light.size1 = light.size2 = 2;
+    light.circular = true;
+    struct lamp lamp = lamp_new(&light, 0);
+    struct area_grid grid = area_grid_new(&lamp, vec3_make(0, 0, 9), 0);
+    vec3 corner = area_grid_point(&grid, 1, 1);
+    near(hypot(corner.x, corner.y), 4 * 0.501); /* POV-Ray's thousandth */
+    light.orient = light.jitter = true;
+    struct area_grid a = area_grid_new(&lamp, vec3_make(1, 2, 9), 7);
+    struct area_grid b = area_grid_new(&lamp, vec3_make(1, 2, 9), 7);
+    struct area_grid c = area_grid_new(&lamp, vec3_make(1, 2, 9), 8);
+    near(vec3_dot(a.axis1, vec3_make(1, 2, 9)), 0);
+    near(vec3_dot(a.axis2, vec3_make(1, 2, 9)), 0);
+    near(vec3_length(a.axis2), 4);
+    vec3 p = area_grid_point(&a, 0, 1), q = area_grid_point(&b, 0, 1);
+    assert_memory_equal(&p, &q, sizeof p);
+    q = area_grid_point(&c, 0, 1);
+    assert_memory_not_equal(&p, &q, sizeof p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_fresnel),
+        cmocka_unit_test(test_metallic),
+        cmocka_unit_test(test_mirror),
+        cmocka_unit_test(test_light),
+        cmocka_unit_test(test_highlights),
+        cmocka_unit_test(test_lit_by),
+        cmocka_unit_test(test_fade),
+        cmocka_unit_test(test_interiors),
+        cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_parallel),
+        cmocka_unit_test(test_area_weights),
+        cmocka_unit_test(test_area_adaptive),
+        cmocka_unit_test(test_area_shapes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
