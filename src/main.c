@@ -45,7 +45,8 @@ static bool frame_render(struct work *work, const struct scene *scene,
     const struct options *options = &work->options;
     const struct lighting *lighting = options->lighting;
     struct world *world =
-        world_new(scene, options->render.threads, &work->diag);
+        world_new(scene, options->render.threads,
+                  render_camera_rays(&options->render), &work->diag);
     if (!world)
         return false;
     struct lighting_options light = { .threads = options->render.threads,

@@ -22,7 +22,7 @@ struct geometry {
  * flat->solids; the others stay there. False after an error was printed;
  * geometry_free must be called all the same. */
 bool geometry_build(struct geometry *geometry, struct flat *flat,
-                    unsigned threads, struct diag *diag);
+                    unsigned threads, double camera_rays, struct diag *diag);
 void geometry_free(struct geometry *geometry, struct flat *flat);
 
 /* Sends the query's ray through; the results are in the query. */

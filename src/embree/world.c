@@ -29,14 +29,15 @@ static void sort_unbounded(struct world *world)
 }
 
 struct world *world_new(const struct scene *scene, unsigned threads,
-                        struct diag *diag)
+                        double camera_rays, struct diag *diag)
 {
     struct world *world = memory_new(sizeof *world);
     world->arena = arena_new(0);
     world->flat.arena = world->arena;
     world->flat.diag = diag;
     if (!flatten_scene(&world->flat, scene) ||
-        !geometry_build(&world->geometry, &world->flat, threads, diag)) {
+        !geometry_build(&world->geometry, &world->flat, threads, camera_rays,
+                        diag)) {
         world_free(world);
         return NULL;
     }

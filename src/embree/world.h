@@ -11,10 +11,11 @@
 
 struct world;
 
-/* Builds on `threads` threads. Returns NULL after an error was printed. The
- * scene must outlive the world. */
+/* Builds on `threads` threads. `camera_rays` is about how many will be sent,
+ * 0 for very many: few rays don't repay a thorough build of many triangles.
+ * Returns NULL after an error was printed. The scene must outlive the world. */
 struct world *world_new(const struct scene *scene, unsigned threads,
-                        struct diag *diag);
+                        double camera_rays, struct diag *diag);
 void world_free(struct world *world);
 
 /* All lights, those in unions too, moved to where they are; file order. */

@@ -121,6 +121,13 @@ static void threads_end(struct rendering *rendering, unsigned count,
     memory_free(rendering->threads);
 }
 
+double render_camera_rays(const struct render_options *options)
+{
+    double columns = options->column_end - options->column_start;
+    double rows = options->row_end - options->row_start;
+    return columns * rows * (options->antialias ? 2 : 1);
+}
+
 bool render_run(const struct tracer *tracer,
                 const struct render_options *options, struct image *image,
                 struct render_stats *stats)

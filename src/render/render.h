@@ -26,6 +26,9 @@ struct render_options {
     void *progress_context;
 };
 
+/* About how many camera rays that takes. */
+double render_camera_rays(const struct render_options *options);
+
 struct render_stats {
     unsigned long long camera_rays, secondary_rays, shadow_rays;
 };

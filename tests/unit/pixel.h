@@ -34,7 +34,7 @@ static inline struct radiance pixel_see(const char *scene_text,
     struct scene *scene = parse_scene(source_from_text(arena, "test.pov", text),
                                       &parse, arena, &diag);
     assert_non_null(scene);
-    struct world *world = world_new(scene, 1, &diag);
+    struct world *world = world_new(scene, 1, 0, &diag);
     assert_non_null(world);
     const struct lighting *lighting = lighting_at(0);
     struct lighting_options light = { .threads = 1,

@@ -217,7 +217,7 @@ static void solids_have_the_boundaries_of_their_insides(void **state)
         struct object *solid = random_solid(scene, &dice, trial % 4);
         solid->texture = plain_texture(scene, 0.5);
         scene_add(scene, solid);
-        struct world *world = world_new(scene, 1, &diag);
+        struct world *world = world_new(scene, 1, 0, &diag);
         assert_non_null(world);
         for (int i = 0; i < 200; i++) {
             struct ray ray = random_ray(&dice);
@@ -268,7 +268,7 @@ static void crowds_give_the_nearest(void **state)
     }
     struct object *crowd = node(scene, OBJECT_UNION, all, 300);
     scene_add(scene, crowd);
-    struct world *world = world_new(scene, 1, &diag);
+    struct world *world = world_new(scene, 1, 0, &diag);
     assert_int_equal(world_leaf_count(world), 300);
     for (int i = 0; i < 3000; i++) {
         struct ray ray = random_ray(&dice);
@@ -368,7 +368,7 @@ static void triangles_are_hit_exactly(void **state)
             object_move(scene->arena, objects[i], &far);
             scene_add(scene, objects[i]);
         }
-        struct world *world = world_new(scene, 1, &diag);
+        struct world *world = world_new(scene, 1, 0, &diag);
         assert_int_equal(world_triangle_count(world), 3160);
         int sure = 0;
         for (int i = 0; i < 1000; i++) {
@@ -431,7 +431,7 @@ static void meshes_are_cut(void **state)
     struct object *cut = node(scene, OBJECT_INTERSECTION, parts, 2);
     cut->texture = plain_texture(scene, 1);
     scene_add(scene, cut);
-    struct world *world = world_new(scene, 1, &diag);
+    struct world *world = world_new(scene, 1, 0, &diag);
     struct ray x = { { -5, 0.01, 0.02 }, { 1, 0, 0 } };
     struct intersection at;
     assert_true(world_closest(world, &x, 0, RAY_CAMERA, &at));
@@ -477,7 +477,7 @@ static void properties_come_down_the_tree(void **state)
     affine up = affine_translation(vec3_make(0, 10, 0));
     object_move(scene->arena, all, &up);
     scene_add(scene, all);
-    struct world *world = world_new(scene, 1, &diag);
+    struct world *world = world_new(scene, 1, 0, &diag);
     size_t count;
     const struct light *lights = world_lights(world, &count);
     assert_int_equal(count, 1);
@@ -550,7 +550,7 @@ static void bounds_hide_what_misses_them(void **state)
     affine up = affine_translation(vec3_make(0, 10, 0));
     object_move(scene->arena, endless, &up);
     scene_add(scene, endless);
-    struct world *world = world_new(scene, 1, &diag);
+    struct world *world = world_new(scene, 1, 0, &diag);
     struct intersection at;
     struct ray through = { { -5, 10.4, 0 }, { 1, 0, 0 } };
     struct ray beside = { { -5, 10.6, 0 }, { 1, 0, 0 } };
@@ -612,7 +612,7 @@ static void odd_rays_do_no_harm(void **state)
     struct diag diag = { .out = NULL };
     scene_add(scene, shape_object(scene, "plane", ground, 4));
     scene_add(scene, shape_object(scene, "sphere", ball, 4));
-    struct world *world = world_new(scene, 1, &diag);
+    struct world *world = world_new(scene, 1, 0, &diag);
     struct ray rays[] = {
         { { 0, 0, 0 }, { 1, 0, 0 } },
         { { 0, 0, 0 }, { 0, 0, 0 } },
