@@ -5,8 +5,8 @@
 global_settings { assumed_gamma 1 max_trace_level 6 }
 
 camera {
-  location <4.4, 4.6, -8.4>
-  look_at <-0.1, 0.0, -0.3>
+  location <4.4, 4.9, -8.8>
+  look_at <-0.1, -0.1, -0.5>
   right x * image_width / image_height
   angle 36
 }
@@ -140,9 +140,9 @@ difference {
   cylinder { -y, y, 0.28 }
   #for (I, -5, 5) torus { 0.28, 0.025 translate 0.045 * I * y } #end
 }
-object { Nut texture { Brass } rotate 20*y translate <1.0, -1.06, -3.6> }
+object { Nut texture { Brass } rotate 20*y translate <1.45, -1.06, -1.75> }
 object {
   Nut texture { Steel }
   rotate <-68, 0, 0> rotate 35*y
-  translate <-2.6, -0.85, -2.35>
+  translate <-1.9, -0.85, -2.9>
 }

@@ -4,8 +4,8 @@
 global_settings { assumed_gamma 1 max_trace_level 8 }
 
 camera {
-  location <0.7, 2.5, -9.4>
-  look_at <0.3, 1.45, 0>
+  location <0.7, 2.5, -10>
+  look_at <0.3, 1.6, 0>
   right x * image_width / image_height
   angle 40
 }
