@@ -236,7 +236,8 @@ static struct solid *build_leaf_solid(struct flat *flat,
 static void flatten(struct flat *flat, const struct object *object,
                     const struct inherited *up);
 
-/* `in` leads from the light's own space, in which what it looks like stands. */
+/* `in` leads from the light's own space, in which what it looks like stands:
+ * that casts no shadow in the light of any lamp (measured on POV-Ray). */
 static void add_light(struct flat *flat, const struct object *object,
                       const struct inherited *in)
 {
@@ -245,6 +246,7 @@ static void add_light(struct flat *flat, const struct object *object,
         return;
     struct inherited shown = *in;
     shown.looks_like = (int)flat->lights.count;
+    shown.no_shadow = true;
     shown.body = flat->bodies++;
     shown.to_tree = in->to_world;
     shown.flipped = shown.inverted = false;

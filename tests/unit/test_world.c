@@ -491,7 +491,7 @@ static void properties_come_down_the_tree(void **state)
     assert_true(world_closest(world, &z, 6.5, RAY_REFLECTION, &at));
     assert_true(fabs(at.t - 9) < 1e-12 && at.leaf->looks_like == 0);
     assert_false(world_occluded(world, &z, 6.5, 20, 0, NULL, NULL));
-    assert_true(world_occluded(world, &z, 6.5, 20, 1, NULL, NULL));
+    assert_false(world_occluded(world, &z, 6.5, 20, 1, NULL, NULL));
 
     const struct leaf *inside = NULL;
     world_containing(world, vec3_make(0, 10.5, 0), note_leaf, &inside);
