@@ -30,11 +30,11 @@ sky_sphere {
     bozo
     turbulence 0.7
     color_map {
-      [0.50 rgbt <1, 1, 1, 1>]
-      [0.62 rgbt <1, 0.97, 0.92, 0.25>]
-      [0.80 rgbt <0.90, 0.86, 0.84, 0.1>]
+      [0.45 rgbt <1, 1, 1, 1>]
+      [0.65 rgbt <1, 0.97, 0.92, 0.5>]
+      [0.85 rgbt <0.90, 0.86, 0.84, 0.3>]
     }
-    scale <0.6, 0.15, 0.6>
+    scale <0.2, 0.04, 0.2>
   }
 }
 // The fog lets two thirds of the sky through.
