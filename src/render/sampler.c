@@ -29,6 +29,30 @@ static bool sampler_centres(const struct sampler *sampler)
     return sampler->options->antialias && sampler->options->method != 2;
 }
 
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+/* The tiles of method 1 that decide about the wanted pixels: what comes later
+ * in a tile's rows, and the row below, may still refine them. */
+static struct area centres_tiled(const struct render_options *options)
+{
+    const int tile = CENTRES_TILE;
+    int left = options->column_start, right = options->column_end;
+    int top = options->row_start, bottom = options->row_end;
+    int more = (tile - right % tile) % tile;
+    return (
+        struct area){ left - left % tile, top - top % tile,
+                      smaller(right + more, options->width),
+                      smaller(bottom + (bottom % tile != 0), options->height) };
+}
+
 /* Method 1 compares with the pixels to the left and above, outside the picture
  * too, as POV-Ray does. */
 struct sampler sampler_new(const struct tracer *tracer,
@@ -41,8 +65,7 @@ struct sampler sampler_new(const struct tracer *tracer,
     sampler.tile = options->tile > 0 ? options->tile : 32;
     if (sampler_centres(&sampler)) {
         sampler.tile = CENTRES_TILE;
-        sampler.tiled.left -= wanted.left % CENTRES_TILE;
-        sampler.tiled.top -= wanted.top % CENTRES_TILE;
+        sampler.tiled = centres_tiled(options);
     }
     sampler.first = sampler.tiled;
     if (sampler_corners(&sampler)) {
@@ -276,20 +299,18 @@ static void corners_pixel(const struct sampler *sampler, struct worker *worker,
         pixel[k] = (float)mean[k];
 }
 
-static int larger(int a, int b)
-{
-    return a > b ? a : b;
-}
-
 void sampler_tile(const struct sampler *sampler, struct worker *worker,
                   struct area tile, float *scratch, struct image *image)
 {
     struct centres centres = { sampler, worker, tile, scratch };
     if (sampler_centres(sampler))
         centres_tile(&centres);
-    for (int y = larger(tile.top, sampler->wanted.top); y < tile.bottom; y++)
-        for (int x = larger(tile.left, sampler->wanted.left); x < tile.right;
-             x++) {
+    const struct area *wanted = &sampler->wanted;
+    int left = larger(tile.left, wanted->left);
+    int right = smaller(tile.right, wanted->right);
+    int bottom = smaller(tile.bottom, wanted->bottom);
+    for (int y = larger(tile.top, wanted->top); y < bottom; y++)
+        for (int x = left; x < right; x++) {
             float *pixel = image_pixel(image, x, y);
             if (worker_stopped(worker))
                 return;

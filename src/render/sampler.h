@@ -20,7 +20,7 @@ struct sampler {
     const struct render_options *options;
     struct area wanted; /* pixels to be written */
     struct area first;  /* places of the grid */
-    struct area tiled;  /* wanted pixels, to the beginning of their tiles */
+    struct area tiled;  /* wanted pixels and those that decide about them */
     int tile;           /* edge of a tile */
     float *grid;
 };
