@@ -1,27 +1,13 @@
 /* mesh{}, triangle{} and smooth_triangle{}: triangles written one by one.
  * A lone triangle is a mesh of one. */
+#include "parse/mesh_builder.h"
 #include "parse/rules.h"
 
 /* How many of the last textures a triangle's is compared with, so that a
  * texture used by many triangles is kept once. */
 enum { MESH_TEXTURE_SEARCH = 16 };
 
-struct mesh_builder {
-    struct {
-        vec3 *items;
-        size_t count, capacity;
-    } vertices, normals;
-    struct {
-        struct mesh_triangle *items;
-        size_t count, capacity;
-    } triangles;
-    struct {
-        const struct texture **items;
-        size_t count, capacity;
-    } textures;
-};
-
-static const struct field mesh_fields[] = {
+const struct field mesh_fields[] = {
     { "inside_vector", FIELD_VECTOR, offsetof(struct mesh, inside_vector), 0, 0,
       "makes the mesh solid: counts crossings in this direction" },
     { NULL },
@@ -147,8 +133,7 @@ void mesh_end(struct parser *p, struct object *object, struct mesh *mesh)
                    removed, removed > 1 ? "s" : "");
 }
 
-static void mesh_build(struct parser *p, struct object *object,
-                       struct mesh *mesh, const struct mesh_builder *b)
+void mesh_take(struct mesh *mesh, const struct mesh_builder *b)
 {
     mesh->vertices = b->vertices.items;
     mesh->vertex_count = b->vertices.count;
@@ -158,6 +143,12 @@ static void mesh_build(struct parser *p, struct object *object,
     mesh->triangle_count = b->triangles.count;
     mesh->textures = b->textures.items;
     mesh->texture_count = b->textures.count;
+}
+
+static void mesh_build(struct parser *p, struct object *object,
+                       struct mesh *mesh, const struct mesh_builder *b)
+{
+    mesh_take(mesh, b);
     mesh_end(p, object, mesh);
 }
 

@@ -1,29 +1,13 @@
 /* mesh2{}: triangles as lists of points and of indices. Programs write them
  * by the million, so lists of plain numbers are read straight from the tokens.
  */
+#include "parse/mesh_builder.h"
 #include "parse/rules.h"
 
 struct mesh2 {
     struct mesh *mesh;
-    struct {
-        vec3 *items;
-        size_t count, capacity;
-    } vertices, normals;
-    struct {
-        struct mesh_triangle *items;
-        size_t count, capacity;
-    } triangles;
-    struct {
-        const struct texture **items;
-        size_t count, capacity;
-    } textures;
+    struct mesh_builder lists;
     size_t normal_faces; /* normal_indices read */
-};
-
-static const struct field mesh2_fields[] = {
-    { "inside_vector", FIELD_VECTOR, offsetof(struct mesh, inside_vector), 0, 0,
-      "makes the mesh solid: counts crossings in this direction" },
-    { NULL },
 };
 
 /* "< number, number, number >" as it is in the text, the '<' being next. */
@@ -90,35 +74,43 @@ static bool list_vector(struct parser *p, double *v, int size)
     return true;
 }
 
-/* vertex_vectors = "vertex_vectors" "{" list_count {vector [","]} "}" . */
-static bool parse_vertex_vectors(struct parser *p, struct mesh2 *m)
+static bool list_points(struct parser *p, struct vec3_list *list)
 {
     size_t count = 0;
     double v[5];
     if (!parse_list_count(p, &count))
         return false;
-    ARRAY_RESERVE(p->scene_arena, &m->vertices, list_room(p, count));
+    ARRAY_RESERVE(p->scene_arena, list, list_room(p, count));
     for (size_t i = 0; i < count; i++) {
         if (list_too_short(p, count, i) || !list_vector(p, v, 3))
             return false;
-        *ARRAY_PUSH(p->scene_arena, &m->vertices) = vec3_make(v[0], v[1], v[2]);
+        *ARRAY_PUSH(p->scene_arena, list) = vec3_make(v[0], v[1], v[2]);
     }
     return true;
+}
+
+/* vertex_vectors = "vertex_vectors" "{" list_count {vector [","]} "}" . */
+static bool parse_vertex_vectors(struct parser *p, struct mesh2 *m)
+{
+    return list_points(p, &m->lists.vertices);
 }
 
 /* normal_vectors = "normal_vectors" "{" list_count {vector [","]} "}" . */
 static bool parse_normal_vectors(struct parser *p, struct mesh2 *m)
 {
+    return list_points(p, &m->lists.normals);
+}
+
+/* List of so many vectors that nothing needs. */
+static bool list_ignored(struct parser *p, int size)
+{
     size_t count = 0;
     double v[5];
     if (!parse_list_count(p, &count))
         return false;
-    ARRAY_RESERVE(p->scene_arena, &m->normals, list_room(p, count));
-    for (size_t i = 0; i < count; i++) {
-        if (list_too_short(p, count, i) || !list_vector(p, v, 3))
+    for (size_t i = 0; i < count; i++)
+        if (list_too_short(p, count, i) || !list_vector(p, v, size))
             return false;
-        *ARRAY_PUSH(p->scene_arena, &m->normals) = vec3_make(v[0], v[1], v[2]);
-    }
     return true;
 }
 
@@ -126,15 +118,8 @@ static bool parse_normal_vectors(struct parser *p, struct mesh2 *m)
  * Only uv_mapping, which glim does not have, would use them. */
 static bool parse_uv_vectors(struct parser *p, struct mesh2 *m)
 {
-    size_t count = 0;
-    double v[5];
     (void)m;
-    if (!parse_list_count(p, &count))
-        return false;
-    for (size_t i = 0; i < count; i++)
-        if (list_too_short(p, count, i) || !list_vector(p, v, 2))
-            return false;
-    return true;
+    return list_ignored(p, 2);
 }
 
 /* texture_list = "texture_list" "{" list_count {texture [","]} "}" . */
@@ -149,7 +134,7 @@ static bool parse_texture_list(struct parser *p, struct mesh2 *m)
         if (stream_keyword(p) != KEYWORD_TEXTURE)
             return error_expected(p, "'texture'");
         const struct texture **texture =
-            ARRAY_PUSH(p->scene_arena, &m->textures);
+            ARRAY_PUSH(p->scene_arena, &m->lists.textures);
         if (!parse_texture(p, texture))
             return false;
         accept(p, TOKEN_COMMA);
@@ -192,11 +177,11 @@ static bool parse_face_textures(struct parser *p, const struct mesh2 *m,
                                      "a different texture for each corner");
         first = index;
     }
-    if (!(first >= 0 && first < (double)m->textures.count))
+    if (!(first >= 0 && first < (double)m->lists.textures.count))
         return error_at(p, span, NULL,
                         "this names number %g of the texture_list, which has "
                         "%zu",
-                        first, m->textures.count);
+                        first, m->lists.textures.count);
     *out = (uint32_t)first;
     return true;
 }
@@ -208,17 +193,18 @@ static bool parse_face_indices(struct parser *p, struct mesh2 *m)
     size_t count = 0;
     if (!parse_list_count(p, &count))
         return false;
-    ARRAY_RESERVE(p->scene_arena, &m->triangles, list_room(p, count));
+    ARRAY_RESERVE(p->scene_arena, &m->lists.triangles, list_room(p, count));
     for (size_t i = 0; i < count; i++) {
         struct mesh_triangle t = {
             .normal = { MESH_NONE, MESH_NONE, MESH_NONE }, .texture = MESH_NONE
         };
         if (list_too_short(p, count, i) ||
-            !list_indices(p, t.vertex, m->vertices.count, "vertex_vectors"))
+            !list_indices(p, t.vertex, m->lists.vertices.count,
+                          "vertex_vectors"))
             return false;
         if (at_number(p) && !parse_face_textures(p, m, &t.texture))
             return false;
-        *ARRAY_PUSH(p->scene_arena, &m->triangles) = t;
+        *ARRAY_PUSH(p->scene_arena, &m->lists.triangles) = t;
     }
     return true;
 }
@@ -230,15 +216,15 @@ static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
     struct span span = stream_span(p);
     if (!parse_list_count(p, &count))
         return false;
-    if (count > m->triangles.count)
+    if (count > m->lists.triangles.count)
         return error_at(p, span, NULL,
                         "%zu normal_indices for %zu faces (face_indices "
                         "come first)",
-                        count, m->triangles.count);
+                        count, m->lists.triangles.count);
     for (size_t i = 0; i < count; i++)
         if (list_too_short(p, count, i) ||
-            !list_indices(p, m->triangles.items[i].normal, m->normals.count,
-                          "normal_vectors"))
+            !list_indices(p, m->lists.triangles.items[i].normal,
+                          m->lists.normals.count, "normal_vectors"))
             return false;
     m->normal_faces = count;
     return true;
@@ -247,15 +233,8 @@ static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
 /* uv_indices = "uv_indices" "{" list_count {vector [","]} "}" . */
 static bool parse_uv_indices(struct parser *p, struct mesh2 *m)
 {
-    size_t count = 0;
-    double ignored[5];
     (void)m;
-    if (!parse_list_count(p, &count))
-        return false;
-    for (size_t i = 0; i < count; i++)
-        if (list_too_short(p, count, i) || !list_vector(p, ignored, 3))
-            return false;
-    return true;
+    return list_ignored(p, 3);
 }
 
 typedef bool mesh2_rule(struct parser *p, struct mesh2 *m);
@@ -299,19 +278,12 @@ static bool parse_mesh2_list(struct parser *p, struct mesh2 *m, bool *found)
  * many normals as vertices. */
 static void mesh2_finish(struct mesh2 *m)
 {
-    struct mesh *mesh = m->mesh;
-    bool same = !m->normal_faces && m->normals.count == m->vertices.count;
-    for (size_t i = 0; same && i < m->triangles.count; i++)
-        memcpy(m->triangles.items[i].normal, m->triangles.items[i].vertex,
-               sizeof m->triangles.items[i].normal);
-    mesh->vertices = m->vertices.items;
-    mesh->vertex_count = m->vertices.count;
-    mesh->normals = m->normals.items;
-    mesh->normal_count = m->normals.count;
-    mesh->triangles = m->triangles.items;
-    mesh->triangle_count = m->triangles.count;
-    mesh->textures = m->textures.items;
-    mesh->texture_count = m->textures.count;
+    struct mesh_builder *b = &m->lists;
+    bool same = !m->normal_faces && b->normals.count == b->vertices.count;
+    for (size_t i = 0; same && i < b->triangles.count; i++)
+        memcpy(b->triangles.items[i].normal, b->triangles.items[i].vertex,
+               sizeof b->triangles.items[i].normal);
+    mesh_take(m->mesh, b);
 }
 
 static bool mesh2_body(struct parser *p, struct mesh2 *m,
@@ -335,7 +307,7 @@ bool parse_mesh2(struct parser *p, struct object **out)
     (*out)->patch = true;
     struct modifiers m = { .object = *out,
                            .block = "mesh2",
-                           .items = mesh2_fields,
+                           .items = mesh_fields,
                            .shape = mesh2.mesh };
     if (!block_begin(p, &open) ||
         !block_end(p, open, mesh2_body(p, &mesh2, &m)))

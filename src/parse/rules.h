@@ -122,8 +122,6 @@ bool parse_triangle(struct parser *p, struct object **out);
 bool parse_smooth_triangle(struct parser *p, struct object **out);
 bool parse_mesh(struct parser *p, struct object **out);
 bool parse_mesh2(struct parser *p, struct object **out);
-/* After the last triangle: what mesh_prepare does, with a warning. */
-void mesh_end(struct parser *p, struct object *object, struct mesh *mesh);
 bool parse_csg(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 

@@ -1,0 +1,34 @@
+/* The growing lists a mesh is read into, by mesh{} and by mesh2{}. */
+#ifndef PARSE_MESH_BUILDER_H
+#define PARSE_MESH_BUILDER_H
+
+#include "parse/parser.h"
+#include "scene/mesh.h"
+
+struct vec3_list {
+    vec3 *items;
+    size_t count, capacity;
+};
+
+struct mesh_builder {
+    struct vec3_list vertices, normals;
+    struct {
+        struct mesh_triangle *items;
+        size_t count, capacity;
+    } triangles;
+    struct {
+        const struct texture **items;
+        size_t count, capacity;
+    } textures;
+};
+
+/* What both kinds read besides triangles; base: the struct mesh. */
+extern const struct field mesh_fields[];
+
+/* Makes the lists those of the mesh. */
+void mesh_take(struct mesh *mesh, const struct mesh_builder *builder);
+
+/* After the modifiers: prepares the mesh and warns of what was left out. */
+void mesh_end(struct parser *p, struct object *object, struct mesh *mesh);
+
+#endif
