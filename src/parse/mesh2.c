@@ -3,11 +3,14 @@
  */
 #include "parse/mesh_builder.h"
 #include "parse/rules.h"
+#include "token/numbers.h"
 
 struct mesh2 {
     struct mesh *mesh;
     struct mesh_builder lists;
-    size_t normal_faces; /* normal_indices read */
+    size_t normal_faces;             /* normal_indices read */
+    const struct number_list *plain; /* the list being read, if cut as one */
+    size_t plain_next;
 };
 
 /* "< number, number, number >" as it is in the text, the '<' being next. */
@@ -31,12 +34,25 @@ static bool list_plain_vector(struct parser *p, double *v)
     return true;
 }
 
+static bool plain_count(struct parser *p, const struct number_list *list,
+                        size_t *count)
+{
+    *count = list->count;
+    return list->said == (double)list->count ||
+           error_at(p, p->last_span, NULL,
+                    "the list should have %g items, here are %zu", list->said,
+                    list->count);
+}
+
 /* list_count = float [","] .
  * How many items follow. Nothing is allocated on its word. */
-static bool parse_list_count(struct parser *p, size_t *count)
+static bool parse_list_count(struct parser *p, const struct mesh2 *m,
+                             size_t *count)
 {
     double number;
     struct span span = stream_span(p);
+    if (m->plain)
+        return plain_count(p, m->plain, count);
     if (!parse_float(p, &number))
         return false;
     accept(p, TOKEN_COMMA);
@@ -48,25 +64,32 @@ static bool parse_list_count(struct parser *p, size_t *count)
 
 /* How many vectors the text has room for, at most: what a list may reserve
  * whatever length it claims. */
-static size_t list_room(struct parser *p, size_t count)
+static size_t list_room(struct parser *p, const struct mesh2 *m, size_t count)
 {
     enum { TOKENS_PER_VECTOR = 5 };
     size_t left;
+    if (m->plain)
+        return count;
     stream_raw(p, &left);
     return count < left / TOKENS_PER_VECTOR ? count : left / TOKENS_PER_VECTOR;
 }
 
-static bool list_too_short(struct parser *p, size_t want, size_t have)
+static bool list_too_short(struct parser *p, const struct mesh2 *m, size_t want,
+                           size_t have)
 {
-    if (stream_peek(p)->kind != TOKEN_RBRACE)
+    if (m->plain || stream_peek(p)->kind != TOKEN_RBRACE)
         return false;
     error_at(p, stream_span(p), NULL,
              "the list should have %zu items, here are %zu", want, have);
     return true;
 }
 
-static bool list_vector(struct parser *p, double *v, int size)
+static bool list_vector(struct parser *p, struct mesh2 *m, double *v, int size)
 {
+    if (m->plain) {
+        memcpy(v, m->plain->vectors[m->plain_next++], 3 * sizeof *v);
+        return true;
+    }
     if (!(size == 3 && list_plain_vector(p, v)) &&
         !parse_components(p, v, size))
         return false;
@@ -74,15 +97,16 @@ static bool list_vector(struct parser *p, double *v, int size)
     return true;
 }
 
-static bool list_points(struct parser *p, struct vec3_list *list)
+static bool list_points(struct parser *p, struct mesh2 *m,
+                        struct vec3_list *list)
 {
     size_t count = 0;
     double v[5];
-    if (!parse_list_count(p, &count))
+    if (!parse_list_count(p, m, &count))
         return false;
-    ARRAY_RESERVE(p->scene_arena, list, list_room(p, count));
+    ARRAY_RESERVE(p->scene_arena, list, list_room(p, m, count));
     for (size_t i = 0; i < count; i++) {
-        if (list_too_short(p, count, i) || !list_vector(p, v, 3))
+        if (list_too_short(p, m, count, i) || !list_vector(p, m, v, 3))
             return false;
         *ARRAY_PUSH(p->scene_arena, list) = vec3_make(v[0], v[1], v[2]);
     }
@@ -92,24 +116,24 @@ static bool list_points(struct parser *p, struct vec3_list *list)
 /* vertex_vectors = "vertex_vectors" "{" list_count {vector [","]} "}" . */
 static bool parse_vertex_vectors(struct parser *p, struct mesh2 *m)
 {
-    return list_points(p, &m->lists.vertices);
+    return list_points(p, m, &m->lists.vertices);
 }
 
 /* normal_vectors = "normal_vectors" "{" list_count {vector [","]} "}" . */
 static bool parse_normal_vectors(struct parser *p, struct mesh2 *m)
 {
-    return list_points(p, &m->lists.normals);
+    return list_points(p, m, &m->lists.normals);
 }
 
 /* List of so many vectors that nothing needs. */
-static bool list_ignored(struct parser *p, int size)
+static bool list_ignored(struct parser *p, struct mesh2 *m, int size)
 {
     size_t count = 0;
     double v[5];
-    if (!parse_list_count(p, &count))
+    if (!parse_list_count(p, m, &count))
         return false;
     for (size_t i = 0; i < count; i++)
-        if (list_too_short(p, count, i) || !list_vector(p, v, size))
+        if (list_too_short(p, m, count, i) || !list_vector(p, m, v, size))
             return false;
     return true;
 }
@@ -118,18 +142,17 @@ static bool list_ignored(struct parser *p, int size)
  * Only uv_mapping, which glim does not have, would use them. */
 static bool parse_uv_vectors(struct parser *p, struct mesh2 *m)
 {
-    (void)m;
-    return list_ignored(p, 2);
+    return list_ignored(p, m, 2);
 }
 
 /* texture_list = "texture_list" "{" list_count {texture [","]} "}" . */
 static bool parse_texture_list(struct parser *p, struct mesh2 *m)
 {
     size_t count = 0;
-    if (!parse_list_count(p, &count))
+    if (!parse_list_count(p, m, &count))
         return false;
     for (size_t i = 0; i < count; i++) {
-        if (list_too_short(p, count, i))
+        if (list_too_short(p, m, count, i))
             return false;
         if (stream_keyword(p) != KEYWORD_TEXTURE)
             return error_expected(p, "'texture'");
@@ -143,15 +166,20 @@ static bool parse_texture_list(struct parser *p, struct mesh2 *m)
 }
 
 /* Three numbers below `count`, which is how many `things` there are. */
-static bool list_indices(struct parser *p, uint32_t *out, size_t count,
-                         const char *things)
+static bool list_indices(struct parser *p, struct mesh2 *m, uint32_t *out,
+                         size_t count, const char *things)
 {
     double v[5];
-    struct span span = stream_span(p);
-    if (!list_vector(p, v, 3))
+    struct span span = m->plain ? p->last_span : stream_span(p);
+    if (!list_vector(p, m, v, 3))
         return false;
     for (int i = 0; i < 3; i++) {
-        if (!(v[i] >= 0 && v[i] < (double)count))
+        bool known = v[i] >= 0 && v[i] < (double)count;
+        if (!known && m->plain)
+            return error_at(p, span, NULL,
+                            "item %zu names number %g of the %s, which are %zu",
+                            m->plain_next, v[i], things, count);
+        if (!known)
             return error_at(p, span, NULL,
                             "this names number %g of the %s, which are %zu",
                             v[i], things, count);
@@ -191,18 +219,18 @@ static bool parse_face_textures(struct parser *p, const struct mesh2 *m,
 static bool parse_face_indices(struct parser *p, struct mesh2 *m)
 {
     size_t count = 0;
-    if (!parse_list_count(p, &count))
+    if (!parse_list_count(p, m, &count))
         return false;
-    ARRAY_RESERVE(p->scene_arena, &m->lists.triangles, list_room(p, count));
+    ARRAY_RESERVE(p->scene_arena, &m->lists.triangles, list_room(p, m, count));
     for (size_t i = 0; i < count; i++) {
         struct mesh_triangle t = {
             .normal = { MESH_NONE, MESH_NONE, MESH_NONE }, .texture = MESH_NONE
         };
-        if (list_too_short(p, count, i) ||
-            !list_indices(p, t.vertex, m->lists.vertices.count,
+        if (list_too_short(p, m, count, i) ||
+            !list_indices(p, m, t.vertex, m->lists.vertices.count,
                           "vertex_vectors"))
             return false;
-        if (at_number(p) && !parse_face_textures(p, m, &t.texture))
+        if (!m->plain && at_number(p) && !parse_face_textures(p, m, &t.texture))
             return false;
         *ARRAY_PUSH(p->scene_arena, &m->lists.triangles) = t;
     }
@@ -214,7 +242,7 @@ static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
 {
     size_t count = 0;
     struct span span = stream_span(p);
-    if (!parse_list_count(p, &count))
+    if (!parse_list_count(p, m, &count))
         return false;
     if (count > m->lists.triangles.count)
         return error_at(p, span, NULL,
@@ -222,8 +250,8 @@ static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
                         "come first)",
                         count, m->lists.triangles.count);
     for (size_t i = 0; i < count; i++)
-        if (list_too_short(p, count, i) ||
-            !list_indices(p, m->lists.triangles.items[i].normal,
+        if (list_too_short(p, m, count, i) ||
+            !list_indices(p, m, m->lists.triangles.items[i].normal,
                           m->lists.normals.count, "normal_vectors"))
             return false;
     m->normal_faces = count;
@@ -233,8 +261,7 @@ static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
 /* uv_indices = "uv_indices" "{" list_count {vector [","]} "}" . */
 static bool parse_uv_indices(struct parser *p, struct mesh2 *m)
 {
-    (void)m;
-    return list_ignored(p, 3);
+    return list_ignored(p, m, 3);
 }
 
 typedef bool mesh2_rule(struct parser *p, struct mesh2 *m);
@@ -271,6 +298,12 @@ static bool parse_mesh2_list(struct parser *p, struct mesh2 *m, bool *found)
     if (!rule)
         return true;
     stream_next(p);
+    m->plain = NULL;
+    if (stream_peek(p)->kind == TOKEN_NUMBERS) {
+        m->plain = stream_next(p).numbers;
+        m->plain_next = 0;
+        return rule(p, m);
+    }
     return block_begin(p, &open) && block_end(p, open, rule(p, m));
 }
 

@@ -1,9 +1,8 @@
 /* Text to tokens, in one pass. Grammar: grammar/lexical.ebnf. */
 #include "token/lexer.h"
 
-#include <stdlib.h>
-
 #include "base/array.h"
+#include "token/numbers.h"
 
 /* A longer word is an error in POV-Ray too, even in skipped text. */
 enum { LEXER_WORD_LIMIT = 200 };
@@ -103,66 +102,21 @@ static void lexer_skip_comment(struct lexer *lexer)
     } while (depth > 0);
 }
 
-/* Exact for up to 15 digits and small exponents: both operands are then exact
- * doubles and one division rounds once (Clinger 1990). strtod for the rest. */
-static double lexer_number_value(const char *start, const char *end)
-{
-    static const double powers[] = { 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,
-                                     1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                     1e12, 1e13, 1e14, 1e15, 1e16, 1e17,
-                                     1e18, 1e19, 1e20, 1e21, 1e22 };
-    uint64_t mantissa = 0;
-    unsigned digits = 0, decimals = 0;
-    bool point = false;
-    const char *p = start;
-    for (; p < end && (is_digit(*p) || *p == '.'); p++) {
-        if (*p == '.') {
-            point = true;
-            continue;
-        }
-        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
-        decimals += point;
-        if (++digits > 15)
-            break;
-    }
-    if (p == end && decimals <= 22)
-        return (double)mantissa / powers[decimals];
-    return strtod(start, NULL);
-}
-
-/* number = (digit {digit} ["." {digit}] | "." digit {digit}) [exponent] .
- * exponent = ("e" | "E") ["+" | "-"] digit {digit} . */
 static void lexer_number(struct lexer *lexer)
 {
-    const char *start = lexer->text + lexer->at, *p = start;
-    while (is_digit(*p))
-        p++;
-    if (*p == '.') {
-        p++;
-        while (is_digit(*p))
-            p++;
-    }
-    if (*p == '.') {
-        while (is_digit(*p) || *p == '.')
-            p++;
-        lexer_push_bad(lexer, lexer->at, lexer->at + (size_t)(p - start),
+    const char *start = lexer->text + lexer->at, *end;
+    double value = number_read(start, &end);
+    bool second_point =
+        *end == '.' && memchr(start, '.', (size_t)(end - start));
+    while (second_point && (is_digit(*end) || *end == '.'))
+        end++;
+    size_t begin = lexer->at;
+    lexer->at += (size_t)(end - start);
+    if (second_point)
+        lexer_push_bad(lexer, begin, lexer->at,
                        "this number has a second decimal point");
-        lexer->at += (size_t)(p - start);
-        return;
-    }
-    if (*p == 'e' || *p == 'E') {
-        const char *q = p + 1;
-        q += *q == '+' || *q == '-';
-        if (is_digit(*q)) {
-            while (is_digit(*q))
-                q++;
-            p = q;
-        }
-    }
-    size_t end = lexer->at + (size_t)(p - start);
-    lexer_push(lexer, TOKEN_NUMBER, lexer->at, end)->number =
-        lexer_number_value(start, p);
-    lexer->at = end;
+    else
+        lexer_push(lexer, TOKEN_NUMBER, begin, lexer->at)->number = value;
 }
 
 static size_t lexer_word_end(const struct lexer *lexer, size_t at)
@@ -170,6 +124,28 @@ static size_t lexer_word_end(const struct lexer *lexer, size_t at)
     while (is_word_start(lexer->text[at]) || is_digit(lexer->text[at]))
         at++;
     return at;
+}
+
+static bool word_begins_list(const struct word *word)
+{
+    return word->keyword == KEYWORD_VERTEX_VECTORS ||
+           word->keyword == KEYWORD_NORMAL_VECTORS ||
+           word->keyword == KEYWORD_FACE_INDICES ||
+           word->keyword == KEYWORD_NORMAL_INDICES;
+}
+
+/* The list of a mesh2, as one token if it is long and plain. */
+static void lexer_list(struct lexer *lexer)
+{
+    size_t start = lexer->at, length;
+    while (is_space(lexer->text[start]))
+        start++;
+    const struct number_list *list = numbers_cut(
+        lexer->arena, lexer->text + start, lexer->length - start, &length);
+    if (!list)
+        return;
+    lexer->at = start + length;
+    lexer_push(lexer, TOKEN_NUMBERS, start, lexer->at)->numbers = list;
 }
 
 /* word = (letter | "_") {letter | digit | "_"} . */
@@ -185,6 +161,8 @@ static void lexer_word(struct lexer *lexer, enum token_kind kind, size_t start)
     const struct word *word =
         word_intern(lexer->words, lexer->text + begin, end - begin);
     lexer_push(lexer, kind, start, end)->word = word;
+    if (kind == TOKEN_WORD && word_begins_list(word))
+        lexer_list(lexer);
 }
 
 /* A '#' that no word follows is skipped, as POV-Ray does.

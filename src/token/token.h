@@ -39,6 +39,7 @@ enum token_kind {
     TOKEN_WORD,
     TOKEN_DIRECTIVE, /* '#' and the word after it */
     TOKEN_BAD,       /* an error kept until somebody reads the token */
+    TOKEN_NUMBERS,   /* a long list of vectors with its braces: numbers.h */
 #define X(name, spelling) TOKEN_##name,
     TOKEN_PUNCTUATION(X)
 #undef X
@@ -60,8 +61,9 @@ struct token {
     union {
         double number;
         const struct word *word; /* TOKEN_WORD, TOKEN_DIRECTIVE */
-        const char *text;        /* TOKEN_STRING: escapes resolved.
-                                  * TOKEN_BAD: what is wrong */
+        const struct number_list *numbers;
+        const char *text; /* TOKEN_STRING: escapes resolved.
+                           * TOKEN_BAD: what is wrong */
     };
 };
 

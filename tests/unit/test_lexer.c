@@ -7,6 +7,7 @@
 
 #include "text/diag.h"
 #include "token/lexer.h"
+#include "token/numbers.h"
 
 struct fixture {
     struct arena *arena;
@@ -90,6 +91,40 @@ static void numbers_are_exact(void **state)
         const struct token_list *list = lex(*state, texts[i]);
         assert_int_equal(list->tokens[0].kind, TOKEN_NUMBER);
         assert_true(list->tokens[0].number == strtod(texts[i], NULL));
+    }
+}
+
+/* vertex_vectors { 300, <0,-0.5,1e2>, <1,...> ... } */
+static const char *long_list(struct fixture *fixture, const char *last)
+{
+    char *text = arena_printf(fixture->arena, "vertex_vectors { 300,");
+    for (int i = 0; i < 299; i++)
+        text = arena_printf(fixture->arena, "%s <%d,-0.5, 1e2>,", text, i);
+    return arena_printf(fixture->arena, "%s %s } x", text, last);
+}
+
+static void long_plain_lists_are_one_token(void **state)
+{
+    const struct token_list *list = lex(*state, long_list(*state, "<7,8,9>"));
+    assert_int_equal(list->count, 4);
+    assert_int_equal(list->tokens[1].kind, TOKEN_NUMBERS);
+    const struct number_list *numbers = list->tokens[1].numbers;
+    assert_true(numbers->said == 300 && numbers->count == 300);
+    assert_true(numbers->vectors[298][0] == 298);
+    assert_true(numbers->vectors[298][1] == -0.5);
+    assert_true(numbers->vectors[298][2] == 100);
+    assert_true(numbers->vectors[299][2] == 9);
+    assert_int_equal(list->tokens[2].kind, TOKEN_WORD);
+}
+
+static void other_lists_are_ordinary_tokens(void **state)
+{
+    static const char *const last[] = { "<7,8,9*2>", "<7,8 9>", "<7,8,1.2.3>",
+                                        "<7,8", "" };
+    for (size_t i = 0; i < sizeof last / sizeof *last; i++) {
+        const struct token_list *list = lex(*state, long_list(*state, last[i]));
+        assert_int_equal(list->tokens[1].kind,
+                         *last[i] ? TOKEN_LBRACE : TOKEN_NUMBERS);
     }
 }
 
@@ -178,6 +213,8 @@ int main(void)
         cmocka_unit_test(comments_nest),
         cmocka_unit_test(bad_text_is_kept_for_later),
         cmocka_unit_test(numbers_are_exact),
+        cmocka_unit_test(long_plain_lists_are_one_token),
+        cmocka_unit_test(other_lists_are_ordinary_tokens),
         cmocka_unit_test(strings_resolve_escapes),
         cmocka_unit_test(spellings_share_keywords),
         cmocka_unit_test(lines_end_in_all_ways),
