@@ -62,7 +62,7 @@ static void surface_fill_layers(struct surface *surface,
         layer->normal = layer_normal(source, at, point, surface->normal);
         layer_reflect(surface, layer, view);
         weight = rgb_mul(weight, layer_through(layer));
-        if (rgb_brightness(weight) * view->weight < view->bailout ||
+        if (rgb_brightness(weight) < view->bailout ||
             surface->count == SURFACE_LAYERS)
             break;
     }

@@ -46,8 +46,7 @@ struct surface_view {
     const struct interiors *inside; /* the bodies the ray is in */
     double ior;     /* of the medium behind over that before the surface */
     int quality;    /* +Q */
-    double weight;  /* of the ray in the pixel, 1 for camera rays */
-    double bailout; /* layers that weigh less are left out (adc_bailout) */
+    double bailout; /* layers below this brightness are left out */
 };
 
 /* Evaluates all that can be seen of the texture at `at`, which must stay

@@ -3,8 +3,10 @@
  *   Mirrored and refracted rays are one level up; what passes straight through
  *   stays on the level, so panes of glass are never too many. It is followed
  *   in a loop, not by recursion: the stack is bounded by the level.
- * - A ray that weighs less than adc_bailout is not traced. A mirror weighs its
- *   largest component, a filter its brightness.
+ * - A ray that weighs less than adc_bailout is not traced: its weight is the
+ *   product of the largest components of mirrors and filters on its way, and
+ *   of the brightness of layers above a mirror. What passes one surface must
+ *   also be as bright as that by itself.
  * - Total reflection takes the place of all that is transmitted and mirrored,
  *   at full weight.
  * - Fading in an interior weakens what passes where the ray leaves it. */
@@ -207,12 +209,13 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
     const struct tracer *tracer = path->tracer;
     const struct surface *surface = &crossing->surface;
     rgb through = surface->through;
-    double weight = path->weight * rgb_brightness(through);
+    double bailout = tracer->scene->settings.adc_bailout;
+    double weight = path->weight * fmax(through.r, fmax(through.g, through.b));
     vec3 normal = surface->layer[0].normal;
     vec3 direction = path->ray.direction;
     bool bends = crossing->ior != 1, inward = false;
     if (tracer->quality < QUALITY_TRANSPARENCY || rgb_peak(through) == 0 ||
-        weight < tracer->scene->settings.adc_bailout) {
+        rgb_brightness(through) < bailout || weight < bailout) {
         path_mirrors(path, crossing);
         return false;
     }
@@ -256,7 +259,6 @@ static bool path_cross(struct path *path, struct crossing *crossing)
         .inside = &path->inside,
         .ior = crossing->ior,
         .quality = tracer->quality,
-        .weight = path->weight,
         .bailout = settings->adc_bailout,
     };
     surface_fill(&crossing->surface, &crossing->at, &view);
