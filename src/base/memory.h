@@ -12,4 +12,8 @@ void *memory_new(size_t size);
 void *memory_resize(void *old, size_t size);
 void memory_free(void *memory);
 
+/* How many bytes this process can hope for: what the machine has, or less
+ * where a container (cgroup) or `ulimit -v` says so. */
+size_t memory_available(void);
+
 #endif

@@ -62,7 +62,8 @@ static void error_trace(struct parser *p)
 bool error_at(struct parser *p, struct span span, const char *hint,
               const char *format, ...)
 {
-    if (p->failed || error_reported(p, span))
+    p->silent = p->failed || error_reported(p, span);
+    if (p->silent)
         return false;
     if (p->reported_count < DIAG_ERROR_LIMIT)
         p->reported[p->reported_count++] = span;
@@ -84,6 +85,7 @@ void warning_at(struct parser *p, struct span span, const char *hint,
                 const char *format, ...)
 {
     va_list arguments;
+    p->silent = false;
     va_start(arguments, format);
     diag_vprint(p->diag, DIAG_WARNING, span, hint, format, arguments);
     va_end(arguments);
@@ -92,6 +94,8 @@ void warning_at(struct parser *p, struct span span, const char *hint,
 
 void note_at(struct parser *p, struct span span, const char *format, ...)
 {
+    if (p->silent)
+        return;
     va_list arguments;
     va_start(arguments, format);
     diag_vprint(p->diag, DIAG_NOTE, span, NULL, format, arguments);
@@ -136,9 +140,12 @@ static const char *error_kind(struct parser *p)
 bool error_expected(struct parser *p, const char *wanted)
 {
     if (p->blamed.source && p->blamed.source == p->last_span.source &&
-        p->blamed.offset == p->last_span.offset)
+        p->blamed.offset == p->last_span.offset) {
+        p->silent = true;
         return false;
+    }
     stream_peek(p);
+    p->silent = true;
     if (error_follows(p) || unsupported_use(p) || error_is_silent(p) ||
         error_undeclared(p, wanted))
         return false;

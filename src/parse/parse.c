@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "base/memory.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
 
@@ -77,9 +78,14 @@ static bool parse_headers(struct parser *p)
     return true;
 }
 
+/* Half of what there is, since the picture and the world need some as well;
+ * and what can be filled in a few seconds. */
 static size_t parse_memory_limit(const struct parse_options *options)
 {
-    return options->memory_limit ? options->memory_limit : (size_t)8 << 30;
+    if (options->memory_limit)
+        return options->memory_limit;
+    size_t half = memory_available() / 2, most = (size_t)4 << 30;
+    return half < most ? half : most;
 }
 
 static void parse_run(struct parser *p, const struct source *main)
@@ -103,12 +109,13 @@ struct scene *parse_scene(const struct source *main,
                           struct arena *sources, struct diag *diag)
 {
     unsigned errors = diag->errors;
+    size_t limit = parse_memory_limit(options);
     struct parser p = {
         .options = options,
         .diag = diag,
         .sources = sources,
-        .arena = arena_new(parse_memory_limit(options)),
-        .scene = scene_new(parse_memory_limit(options)),
+        .arena = arena_new(limit),
+        .scene = scene_new(limit),
         .version = options->version > 0 ? options->version : 3.7,
         .version_said = options->version > 0,
     };

@@ -25,7 +25,8 @@ struct parse_options {
     int initial_frame, final_frame, frame_number;
     int image_width, image_height;
     double version;         /* +MV; 0: not said */
-    size_t memory_limit;    /* bytes for parsing and for the scene; 0: 8 GiB */
+    size_t memory_limit;    /* bytes for text, parsing and scene together;
+                             * 0: 4 GiB, or half of what there is */
     unsigned round_limit;   /* rounds of one loop, 0: 10 million */
     const atomic_int *stop; /* set by a signal: give up quietly; or NULL */
 };

@@ -22,7 +22,7 @@ enum {
                                   * endless recursion of a macro */
     PARSE_NESTING_LIMIT = 200,   /* braces, parentheses: the C stack */
     PARSE_LOOP_LIMIT = 10000000, /* rounds of one #while or #for */
-    PARSE_ROUNDS_FACTOR = 10,    /* that many times more rounds of all loops and
+    PARSE_ROUNDS_FACTOR = 5,     /* that many times more rounds of all loops and
                                   * calls of macros together */
     PARSE_ROUNDS_AFTER_ERROR = 100000, /* what a loop waits for may never come
                                         * after an error */
@@ -63,6 +63,7 @@ struct parser {
     struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */
     unsigned reported_count;
     unsigned long taken, taken_at_error; /* tokens; see error_follows */
+    bool silent;    /* the last error was not printed: nor are its notes */
     bool failed;    /* gave up: the stream only gives TOKEN_END from now on */
     double version; /* #version in force */
     bool version_said;

@@ -107,9 +107,8 @@ bool stream_round(struct parser *p, struct span span)
         (unsigned long)stream_round_limit(p) * PARSE_ROUNDS_FACTOR;
     bool erroneous = p->reported_count > 0;
     if (erroneous && ++p->rounds_after_error > PARSE_ROUNDS_AFTER_ERROR)
-        note_at(p, span,
-                "the rest is not read: after an error this may never "
-                "end");
+        diag_print(p->diag, DIAG_NOTE, span, NULL,
+                   "the rest is not read: after an error this may never end");
     else if (++p->rounds > limit)
         error_at(p, span, NULL,
                  "loops and macros took more than %lu rounds and calls in all, "
@@ -148,16 +147,16 @@ static bool stream_interrupted(struct parser *p)
         stream_abort(p);
         return true;
     }
-    struct arena *full = arena_over_limit(p->arena)         ? p->arena
-                         : arena_over_limit(p->scene_arena) ? p->scene_arena
-                                                            : NULL;
-    if (full) {
-        error_at(p, p->last_span, NULL,
-                 "the scene needs more memory than the limit of %zu MiB",
-                 arena_limit(full) >> 20);
-        stream_abort(p);
-    }
-    return full != NULL;
+    size_t limit = arena_limit(p->arena);
+    if (arena_used(p->arena) + arena_used(p->scene_arena) +
+            arena_used(p->sources) <=
+        limit)
+        return false;
+    error_at(p, p->last_span, NULL,
+             "the scene needs more memory than the limit of %zu MiB",
+             limit >> 20);
+    stream_abort(p);
+    return true;
 }
 
 /* Finds the next token of the scene: false at an end. */
@@ -267,7 +266,7 @@ bool expect(struct parser *p, enum token_kind kind, struct span open)
     if (accept(p, kind))
         return true;
     error_expected(p, token_kind_name(kind));
-    if (open.source && !p->failed)
+    if (open.source)
         note_at(p, open, "to match this '%.*s'", (int)open.length,
                 open.source->text + open.offset);
     return false;

@@ -28,11 +28,9 @@ void unsupported_report(struct parser *p, struct span span,
             p->unsupported = why;
         return;
     }
-    unsigned errors = p->diag->errors;
     error_at(p, span, NULL, "'%s' needs %s, which glim does not support yet",
              word->text, why->feature);
-    if (p->diag->errors > errors)
-        note_at(p, why->span, "it is here");
+    note_at(p, why->span, "it is here");
 }
 
 bool unsupported_use(struct parser *p)

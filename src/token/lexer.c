@@ -337,7 +337,7 @@ const struct token_list *lexer_run(struct arena *arena,
                            .words = words,
                            .text = source->text,
                            .length = source->length };
-    while (lexer.at < lexer.length) {
+    while (lexer.at < lexer.length && !arena_over_limit(arena)) {
         if (is_space(lexer.text[lexer.at]))
             lexer.at++;
         else
