@@ -22,7 +22,7 @@ enum {
                                   * endless recursion of a macro */
     PARSE_NESTING_LIMIT = 200,   /* braces, parentheses: the C stack */
     PARSE_LOOP_LIMIT = 10000000, /* rounds of one #while or #for */
-    PARSE_ROUNDS_FACTOR = 5,     /* that many times more rounds of all loops and
+    PARSE_ROUNDS_FACTOR = 3,     /* that many times more rounds of all loops and
                                   * calls of macros together */
     PARSE_ROUNDS_AFTER_ERROR = 100000, /* what a loop waits for may never come
                                         * after an error */

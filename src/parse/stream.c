@@ -202,11 +202,11 @@ static struct span stream_end_span(struct parser *p)
     return p->last_span;
 }
 
-static const struct token *stream_look(struct parser *p, bool infix)
+/* Apart from its callers, which are asked several times for each token. */
+__attribute__((noinline)) static const struct token *
+stream_look(struct parser *p, bool infix)
 {
     static const struct token end = { .kind = TOKEN_END };
-    if (p->peeked && !p->failed)
-        return &p->token;
     if (stream_fetch(p, infix))
         return &p->token;
     p->peeked = false;
@@ -216,12 +216,12 @@ static const struct token *stream_look(struct parser *p, bool infix)
 
 const struct token *stream_peek(struct parser *p)
 {
-    return stream_look(p, false);
+    return p->peeked && !p->failed ? &p->token : stream_look(p, false);
 }
 
 const struct token *stream_peek_infix(struct parser *p)
 {
-    return stream_look(p, true);
+    return p->peeked && !p->failed ? &p->token : stream_look(p, true);
 }
 
 struct token stream_next(struct parser *p)
