@@ -101,17 +101,17 @@ unsigned stream_round_limit(const struct parser *p)
     return p->options->round_limit ? p->options->round_limit : PARSE_LOOP_LIMIT;
 }
 
-bool stream_round(struct parser *p, struct span span)
+bool stream_round(struct parser *p, unsigned cost, struct span span)
 {
     unsigned long limit =
         (unsigned long)stream_round_limit(p) * PARSE_ROUNDS_FACTOR;
     bool erroneous = p->reported_count > 0;
-    if (erroneous && ++p->rounds_after_error > PARSE_ROUNDS_AFTER_ERROR)
+    if (erroneous && (p->rounds_after_error += cost) > PARSE_ROUNDS_AFTER_ERROR)
         diag_print(p->diag, DIAG_NOTE, span, NULL,
                    "the rest is not read: after an error this may never end");
-    else if (++p->rounds > limit)
+    else if ((p->rounds += cost) > limit)
         error_at(p, span, NULL,
-                 "loops and macros took more than %lu rounds and calls in all, "
+                 "loops, macros and includes took more than %lu rounds in all, "
                  "glim's limit",
                  limit);
     else

@@ -69,9 +69,10 @@ void stream_pop_range(struct parser *p);
 const struct token *stream_raw(struct parser *p, size_t *available);
 void stream_skip_raw(struct parser *p, size_t n);
 
-/* Counts a round of a loop or the call of a macro at `span`. False, with the
- * parse stopped, when there were too many. */
-bool stream_round(struct parser *p, struct span span);
+/* Counts a round of a loop, the call of a macro or an include at `span`, which
+ * is as long as `cost` rounds. False, with the parse stopped, when there were
+ * too many. */
+bool stream_round(struct parser *p, unsigned cost, struct span span);
 unsigned stream_round_limit(const struct parser *p); /* of one loop */
 
 /* Stops the parse: from now on there is only TOKEN_END. */

@@ -2,9 +2,11 @@
 #include "text/source.h"
 
 #include <errno.h>
-#include <stdio.h>
+#include <fcntl.h>
+#include <poll.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static const char *source_skip_bom(const char *text, size_t *length)
 {
@@ -15,30 +17,64 @@ static const char *source_skip_bom(const char *text, size_t *length)
     return text;
 }
 
-/* Reads to the end of the stream: pipes have no size to ask for. `expected`
- * is a guess that saves moving what was read. The text ends in NUL. */
-static char *source_slurp(struct arena *arena, FILE *file, size_t expected,
-                          size_t *length, const char **problem)
+/* How long, in milliseconds, to wait for somebody to write into a pipe. */
+enum { PIPE_PATIENCE = 3000, PIPE_STEP = 50 };
+
+/* As read(). A pipe is open without blocking: nobody writes into it when there
+ * is nothing (0), its writer has nothing to say yet when that would block. */
+static ssize_t source_bytes(int file, char *to, size_t room, bool fresh_pipe)
+{
+    struct pollfd wait = { .fd = file, .events = POLLIN };
+    for (int waited = 0;; waited += PIPE_STEP) {
+        ssize_t count = read(file, to, room);
+        if (count < 0 && errno == EAGAIN) {
+            if (poll(&wait, 1, -1) < 0)
+                return -1;
+        } else if (count != 0 || !fresh_pipe) {
+            return count;
+        } else if (waited >= PIPE_PATIENCE) {
+            errno = EPIPE;
+            return -1;
+        } else if (poll(NULL, 0, PIPE_STEP) < 0) {
+            return -1;
+        }
+    }
+}
+
+static const char *source_problem(struct arena *arena)
+{
+    if (errno == EPIPE)
+        return "it is a pipe that nobody writes into";
+    return arena_printf(arena, "%s", strerror(errno));
+}
+
+/* Reads to the end: pipes have no size to ask for. `expected` is a guess that
+ * saves moving what was read. The text ends in NUL. */
+static char *source_slurp(struct arena *arena, int file, size_t expected,
+                          bool pipe, size_t *length, const char **problem)
 {
     size_t capacity = expected + 1, used = 0;
     char *text = arena_alloc(arena, capacity + 1);
     for (;;) {
-        used += fread(text + used, 1, capacity - used, file);
-        if (used < capacity || capacity > SOURCE_LIMIT)
-            break;
+        ssize_t count =
+            source_bytes(file, text + used, capacity - used, pipe && used == 0);
+        if (count < 0)
+            *problem = source_problem(arena);
+        else if (used + (size_t)count > SOURCE_LIMIT)
+            *problem = "it is larger than 1 GiB, glim's limit for a text";
+        if (count < 0 || used + (size_t)count > SOURCE_LIMIT)
+            return NULL;
+        used += (size_t)count;
+        *length = used;
+        if (count == 0)
+            return text;
+        if (used < capacity)
+            continue;
         char *larger = arena_alloc(arena, 2 * capacity + 1);
         memcpy(larger, text, used);
         text = larger;
         capacity *= 2;
     }
-    *length = used;
-    if (ferror(file))
-        *problem = arena_printf(arena, "%s", strerror(errno));
-    else if (used > SOURCE_LIMIT)
-        *problem = "it is larger than 1 GiB, glim's limit for a text";
-    else
-        return text;
-    return NULL;
 }
 
 const struct source *source_read(struct arena *arena, const char *path,
@@ -46,25 +82,25 @@ const struct source *source_read(struct arena *arena, const char *path,
                                  const char **problem)
 {
     bool standard_input = strcmp(path, "-") == 0;
-    struct stat status = { .st_size = 0 };
-    if (!standard_input && stat(path, &status) == 0 &&
-        S_ISDIR(status.st_mode)) {
-        *problem = "it is a directory";
+    int file = standard_input ? STDIN_FILENO
+                              : open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    struct stat status;
+    if (file < 0 || fstat(file, &status) != 0) {
+        *problem = source_problem(arena);
         return NULL;
     }
-    size_t expected = 1 << 16;
+    size_t expected = 1 << 16, length = 0;
     if (S_ISREG(status.st_mode) && status.st_size > 0 &&
         (size_t)status.st_size <= SOURCE_LIMIT)
         expected = (size_t)status.st_size;
-    FILE *file = standard_input ? stdin : fopen(path, "rb");
-    if (!file) {
-        *problem = arena_printf(arena, "%s", strerror(errno));
-        return NULL;
-    }
-    size_t length = 0;
-    const char *text = source_slurp(arena, file, expected, &length, problem);
+    bool pipe = !standard_input && S_ISFIFO(status.st_mode);
+    const char *text = NULL;
+    if (S_ISDIR(status.st_mode))
+        *problem = "it is a directory";
+    else
+        text = source_slurp(arena, file, expected, pipe, &length, problem);
     if (!standard_input)
-        fclose(file);
+        close(file);
     if (!text)
         return NULL;
     struct source *source = ARENA_NEW(arena, struct source);

@@ -2,6 +2,9 @@
  * refuses: a scene may come from a stranger. */
 #include "parse/directive.h"
 
+/* In rounds of a loop: a file is looked for in several places. */
+enum { INCLUDE_COST = 100 };
+
 static const struct token_list *include_known(struct parser *p,
                                               const char *path)
 {
@@ -44,7 +47,7 @@ static bool include_run(struct parser *p, struct span at)
         return false;
     }
     const struct token_list *list = include_load(p, path, where);
-    if (!list)
+    if (!list || !stream_round(p, INCLUDE_COST, where))
         return false;
     return stream_push_file(p, list);
 }

@@ -16,7 +16,7 @@ static bool loop_round(struct parser *p, struct open_block *block)
         error_at(p, block->span, NULL,
                  "this loop took more than %u rounds, glim's limit", limit);
     else
-        return stream_round(p, block->span);
+        return stream_round(p, 1, block->span);
     stream_abort(p);
     return false;
 }
