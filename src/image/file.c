@@ -101,6 +101,15 @@ static bool file_readable(const char *path, char *error, size_t size)
     return true;
 }
 
+/* Libraries may say nothing, or several lines. */
+static void file_tidy(char *error, size_t size)
+{
+    if (!*error)
+        snprintf(error, size, "it is cut short or broken");
+    for (char *end = strchr(error, '\n'); end; end = strchr(end, '\n'))
+        *end = end[1] ? ';' : '\0';
+}
+
 struct image *image_read(const char *path, char *error, size_t size)
 {
     if (!file_readable(path, error, size))
@@ -112,7 +121,9 @@ struct image *image_read(const char *path, char *error, size_t size)
     struct image *image = NULL;
     struct codec_target target = { .allocate = file_allocate,
                                    .context = &image };
+    *error = '\0';
     if (!decode(path, &target, error, size)) {
+        file_tidy(error, size);
         image_free(image);
         return NULL;
     }
