@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 
-enum { INI_NESTING_LIMIT = 8 };
+enum { INI_NESTING_LIMIT = 8, INI_FILES_LIMIT = 1000 };
 
 /* Where a reader of one file is. */
 struct ini {
@@ -205,7 +205,8 @@ static void ini_read_item(struct ini *ini)
 
 static void ini_read_all(struct ini *ini)
 {
-    while (ini->next < ini->source->length) {
+    const struct diag *diag = ini->reader->diag;
+    while (ini->next < ini->source->length && diag->errors < DIAG_ERROR_LIMIT) {
         ini_skip_blanks(ini);
         char c = ini_char(ini);
         if (c == ';' || c == '#')
@@ -229,10 +230,18 @@ static bool ini_read_file(struct option_reader *reader, const char *path,
     ini.source = source_read(reader->arena, path, setting->span, &problem);
     if (!ini.source)
         return option_fail(reader, setting, "can't read %s: %s", path, problem);
+    if (memchr(ini.source->text, '\0', ini.source->length))
+        return option_fail(reader, setting,
+                           "%s is not a text: it has a NUL byte", path);
     if (reader->depth >= INI_NESTING_LIMIT)
         return option_fail(reader, setting,
                            "INI files %d deep within each other are too many",
                            INI_NESTING_LIMIT);
+    if (++reader->ini_files > INI_FILES_LIMIT)
+        return option_fail(reader, setting,
+                           "INI files named %d times are "
+                           "too many",
+                           INI_FILES_LIMIT + 1);
     reader->depth++;
     ini_read_all(&ini);
     reader->depth--;

@@ -13,7 +13,7 @@ struct option_reader {
     struct diag *diag;
     /* In a start-up povray.ini: what would make glim chatty doesn't count. */
     bool startup;
-    unsigned depth; /* of INI files within each other */
+    unsigned depth, ini_files; /* INI files within each other, read in all */
     struct {
         const char **items;
         size_t count, capacity;

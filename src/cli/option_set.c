@@ -10,6 +10,9 @@
 #include "cli/output_name.h"
 #include "lighting/lighting.h"
 
+/* An INI file may be long: a list that nobody means is not searched. */
+enum { LIBRARY_LIMIT = 1000 };
+
 static void *option_place(struct option_reader *reader,
                           const struct option *option)
 {
@@ -227,6 +230,10 @@ bool set_library(struct option_reader *reader, const struct option *option,
 {
     if (!option_wants(reader, option, setting, "dir"))
         return false;
+    if (reader->library.count >= LIBRARY_LIMIT)
+        return option_fail(reader, setting,
+                           "the library path has %d directories at most",
+                           LIBRARY_LIMIT);
     option_add_library(reader, setting->value);
     return true;
 }
