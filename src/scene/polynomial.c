@@ -120,6 +120,9 @@ int polynomial_roots(const double *c, int degree, double low, double high,
     int count = 0, first = 1;
     while (degree > 0 && c[degree] == 0)
         degree--;
+    for (int i = 0; i <= degree; i++)
+        if (!isfinite(c[i]))
+            return 0;
     if (degree == 0 || !(low < high))
         return 0;
     if (degree >= 2) {
@@ -151,6 +154,8 @@ double polynomial_bound(const double *c, int degree)
     for (int k = 1; k <= degree; k++) {
         if (c[degree - k] == 0)
             continue;
+        if (!isfinite(c[degree - k]) || !isfinite(c[degree]))
+            return HUGE_VAL;
         /* |c[n-k] / c[n]|^(1/k) < 2^power */
         int ratio = ilogb(c[degree - k]) - lead + 1;
         int power = ratio > 0 ? (ratio + k - 1) / k : ratio / k;
