@@ -23,6 +23,8 @@ struct inherited {
     bool flipped;  /* inverted an odd number of times */
     bool inverted; /* inverted at all */
     bool clip;     /* part of a clip: has no surface of its own */
+    bool no_flags; /* below an intersection parts are seen like the whole */
+    bool no_shadow_flags; /* below a merge they cast shadows like it */
     int looks_like;
     struct limits clips, gates; /* of unions that were taken apart */
     unsigned depth;
@@ -51,6 +53,19 @@ static bool flat_enter(struct flat *flat, const struct object *object,
     return !flat->failed;
 }
 
+/* What parts of CSG objects say about shadows is ignored, and within
+ * intersections also the rest (measured on POV-Ray). */
+static void inherit_visibility(const struct object *object,
+                               struct inherited *in)
+{
+    if (!in->no_flags && !in->no_shadow_flags)
+        in->no_shadow |= object->no_shadow;
+    if (!in->no_flags) {
+        in->no_image |= object->no_image;
+        in->no_reflection |= object->no_reflection;
+    }
+}
+
 static struct inherited inherit(struct flat *flat, const struct object *object,
                                 const struct inherited *up)
 {
@@ -69,9 +84,7 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
         in.body = flat->bodies++;
     if (up->depth == 0)
         in.hollow = object->hollow;
-    in.no_shadow |= object->no_shadow;
-    in.no_image |= object->no_image;
-    in.no_reflection |= object->no_reflection;
+    inherit_visibility(object, &in);
     in.double_illuminate |= object->double_illuminate;
     in.flipped ^= object->inverse;
     in.inverted |= object->inverse;
@@ -283,10 +296,12 @@ static void add_child(struct flat *flat, struct children *children,
 }
 
 static struct solid *build_node(struct flat *flat, const struct object *object,
-                                const struct inherited *in)
+                                struct inherited *in)
 {
     struct children children = { NULL, 0, 0 };
     enum object_kind kind = turned_kind(object->kind, in);
+    in->no_flags |= kind == OBJECT_INTERSECTION;
+    in->no_shadow_flags |= kind == OBJECT_MERGE;
     for (size_t i = 0; i < object->child_count; i++) {
         struct solid *child = build_solid(flat, object->children[i], in, false);
         if (child)
@@ -313,8 +328,10 @@ static const struct frame *build_frame(struct flat *flat, const affine *outward)
     return affine_inverse(*outward, &frame->inward) ? frame : NULL;
 }
 
+/* In POV-Ray a part of a CSG object heeds its bounds whatever it is. */
 static void add_limits(struct flat *flat, const struct object *object,
-                       const struct inherited *up, struct solid *solid)
+                       const struct inherited *up, bool root,
+                       struct solid *solid)
 {
     if (object->clip_count) {
         struct limits limits =
@@ -322,9 +339,15 @@ static void add_limits(struct flat *flat, const struct object *object,
         solid->clips = limits.items;
         solid->clip_count = limits.count;
     }
-    if (object_is_bounded(object)) {
-        struct limits limits =
-            build_limits(flat, object->bounds, object->bound_count, up);
+    if (!object->bound_count || (root && !object_is_bounded(object)))
+        return;
+    struct limits limits =
+        build_limits(flat, object->bounds, object->bound_count, up);
+    if (root && object->kind == OBJECT_SHAPE &&
+        object->primitive->bounded == BOUNDS_AS_BOX) {
+        for (size_t i = 0; i < limits.count; i++)
+            solid_bound_by_box(solid, limits.items[i]);
+    } else {
         solid->gates = limits.items;
         solid->gate_count = limits.count;
     }
@@ -357,7 +380,7 @@ static struct solid *build_solid(struct flat *flat, const struct object *object,
     }
     if (solid) {
         solid->frame = frame;
-        add_limits(flat, object, up, solid);
+        add_limits(flat, object, up, root, solid);
     }
     return solid;
 }

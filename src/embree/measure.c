@@ -131,17 +131,26 @@ bool solid_surrounds(const struct solid *gate, struct box3 box)
     return true;
 }
 
+void solid_bound_by_box(struct solid *solid, const struct solid *bound)
+{
+    if (solid_surrounds(bound, solid->surface))
+        return;
+    solid->surface = box3_intersection(solid->surface, bound->region);
+    solid->boxed = true;
+}
+
 /* Most gates are well around what they bound: those are forgotten. */
 static void drop_gates(struct solid *solid)
 {
     size_t kept = 0;
-    for (size_t i = 0; i < solid->gate_count; i++)
-        if (!solid_surrounds(solid->gates[i], solid->surface))
-            solid->gates[kept++] = solid->gates[i];
+    for (size_t i = 0; i < solid->gate_count; i++) {
+        const struct solid *gate = solid->gates[i];
+        if (solid_surrounds(gate, solid->surface))
+            continue;
+        solid->gates[kept++] = gate;
+        solid_bound_by_box(solid, gate);
+    }
     solid->gate_count = kept;
-    for (size_t i = 0; i < kept; i++)
-        solid->surface =
-            box3_intersection(solid->surface, solid->gates[i]->region);
 }
 
 static void measure_frame(struct solid *solid)
@@ -169,7 +178,7 @@ void solid_measure(struct solid *solid)
     }
     drop_gates(solid);
     solid->simple = solid->leaf && !solid->parent && !solid->frame &&
-                    !solid->clip_count && !solid->gate_count;
+                    !solid->clip_count && !solid->boxed;
 }
 
 void solid_finish(struct arena *arena, struct solid *solid)

@@ -52,7 +52,8 @@ struct frame {
  * what it clips); everything below a root with a frame is in the frame. */
 struct solid {
     enum object_kind kind; /* shape, mesh, union, merge or intersection */
-    bool simple;           /* a leaf without parent, frame, clips and gates */
+    bool simple;           /* a leaf without parent, frame, clips and bounds */
+    bool boxed;            /* rays must meet the box of the surface */
     bool moved;            /* to_shape is not the identity */
     const struct frame *frame; /* only of a root; NULL: none */
     const struct solid *parent;
@@ -85,6 +86,10 @@ bool solid_counts(const struct solid *leaf, vec3 inner, vec3 outer);
 /* Fills surface, region and holes from the children and clips. For a leaf,
  * `region` and `holes` of the shape alone must be there. */
 void solid_measure(struct solid *solid);
+
+/* From now on rays must meet the box around `bound` to meet the solid, a leaf.
+ */
+void solid_bound_by_box(struct solid *solid, const struct solid *bound);
 
 /* The box a little larger, so that rounding loses nothing. */
 struct box3 solid_padded(struct box3 box);

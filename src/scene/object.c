@@ -55,7 +55,8 @@ bool object_is_bounded(const struct object *object)
 {
     if (!object->bound_count || object->kind == OBJECT_MESH)
         return false;
-    return object->kind != OBJECT_SHAPE || object->primitive->bounded;
+    return object->kind != OBJECT_SHAPE ||
+           object->primitive->bounded != BOUNDS_IGNORED;
 }
 
 static struct box3 object_children_bounds(const struct object *object)

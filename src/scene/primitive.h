@@ -12,6 +12,13 @@
 #include "base/field.h"
 #include "scene/ray.h"
 
+/* What bounded_by does to a shape that is no part of CSG (measured). */
+enum primitive_bounds {
+    BOUNDS_IGNORED,  /* POV-Ray removes it: "unnecessary" */
+    BOUNDS_AS_BOX,   /* a ray must meet the box around it */
+    BOUNDS_AS_SHAPE, /* a ray must meet it */
+};
+
 struct primitive {
     const char *name; /* the keyword */
     const char *help; /* one line for --list and the man page */
@@ -20,10 +27,10 @@ struct primitive {
     const struct field *arguments;
     /* Then anywhere among the object's modifiers (`open`); may be NULL. */
     const struct field *items;
-    bool solid;   /* has an inside: may be a part of intersections */
-    bool beyond;  /* its inside reaches beyond its bounds (disc) */
-    bool convex;  /* a box whose corners are inside is inside */
-    bool bounded; /* a bounded_by has an effect, as in POV-Ray */
+    bool solid;  /* has an inside: may be a part of intersections */
+    bool beyond; /* its inside reaches beyond its bounds (disc) */
+    bool convex; /* a box whose corners are inside is inside */
+    enum primitive_bounds bounded;
 
     /* After reading: precomputes (NULL: nothing to do). Returns NULL, or why
      * the shape is impossible ("its two ends are the same point"). Sets
