@@ -1,26 +1,29 @@
 /* Shadow rays with coloured filters: see shadow.h. Measured on POV-Ray 3.7:
- * every surface on the way filters once; a segment that ends where the ray
- * leaves a body fades by that body's interior; reflection and Fresnel don't
- * weaken the light. */
+ * every surface on the way filters once, but none that is closer than 1e-3
+ * behind the one before it (touching bodies count one face); a segment that
+ * ends where the ray leaves a body fades by that body's interior; reflection
+ * and Fresnel don't weaken the light. */
 #include "shade/shadow.h"
 
 #include "shade/interior.h"
 #include "shade/surface.h"
 
-enum { CROSSINGS_MAX = 128 }; /* fading is exact up to here */
+enum { CROSSINGS_MAX = 128 }; /* more than these only filter */
 
-/* Shadow rays see nothing closer than this to the lamp, nor to the surface
- * (POV-Ray's, measured). */
+/* Shadow rays see nothing closer than this to the lamp, the surface, or the
+ * filter before. */
 static const double shadow_margin = 1e-3;
 
+struct shadow_crossing {
+    double t;
+    const struct leaf *leaf;
+    rgb through;
+};
+
 struct shadow_ray {
-    rgb share;
-    bool fades;
+    rgb share; /* of those that found no place */
     int count;
-    struct {
-        double t;
-        const struct leaf *leaf;
-    } at[CROSSINGS_MAX];
+    struct shadow_crossing at[CROSSINGS_MAX]; /* in order of t */
 };
 
 double surface_offset(vec3 point)
@@ -32,47 +35,53 @@ double surface_offset(vec3 point)
     return 1e-7 * size;
 }
 
-/* Notes the crossing in order of t, for fading. */
-static void shadow_note(struct shadow_ray *shadow,
-                        const struct intersection *at)
+static bool crossing_before(const struct shadow_crossing *a,
+                            const struct shadow_crossing *b)
 {
-    int i = shadow->count;
-    if (i == CROSSINGS_MAX)
-        return;
-    for (; i > 0 && shadow->at[i - 1].t > at->t; i--)
-        shadow->at[i] = shadow->at[i - 1];
-    shadow->at[i].t = at->t;
-    shadow->at[i].leaf = at->leaf;
-    shadow->count++;
+    return a->t < b->t || (a->t == b->t && a->leaf->number < b->leaf->number);
 }
 
 static bool shadow_filter(void *context, const struct intersection *at)
 {
     struct shadow_ray *shadow = context;
-    shadow->share = rgb_mul(shadow->share, surface_transmittance(at));
-    shadow->fades = shadow->fades || interior_dims_shadows(at->leaf->interior);
-    shadow_note(shadow, at);
-    return rgb_peak(shadow->share) < 1e-9;
+    struct shadow_crossing crossing = { at->t, at->leaf,
+                                        surface_transmittance(at) };
+    if (rgb_peak(crossing.through) == 0)
+        return true;
+    if (shadow->count == CROSSINGS_MAX) {
+        shadow->share = rgb_mul(shadow->share, crossing.through);
+        return rgb_peak(shadow->share) < 1e-9;
+    }
+    int i = shadow->count++;
+    for (; i > 0 && crossing_before(&crossing, &shadow->at[i - 1]); i--)
+        shadow->at[i] = shadow->at[i - 1];
+    shadow->at[i] = crossing;
+    return false;
 }
 
-static void shadow_fade(struct shadow_ray *shadow,
+/* What all crossings let pass, from the point on. */
+static rgb shadow_share(const struct shadow_ray *shadow,
                         const struct interiors *around)
 {
     struct interiors inside;
+    rgb share = shadow->share;
     double from = 0;
     inside.count = 0;
-    if (around)
+    if (around && shadow->count > 0)
         interiors_copy(&inside, around);
     for (int i = 0; i < shadow->count; i++) {
-        const struct leaf *leaf = shadow->at[i].leaf;
-        double to = shadow->at[i].t;
-        if (interior_dims_shadows(leaf->interior) &&
-            interiors_find(&inside, leaf->body) >= 0)
-            shadow->share = rgb_mul(shadow->share,
-                                    interior_fade(leaf->interior, to - from));
+        const struct shadow_crossing *crossing = &shadow->at[i];
+        const struct leaf *leaf = crossing->leaf;
+        double distance = crossing->t - from;
+        if (distance < shadow_margin)
+            continue;
+        share = rgb_mul(share, crossing->through);
+        if (interiors_find(&inside, leaf->body) >= 0)
+            share = rgb_mul(share, interior_fade(leaf->interior, distance));
         interiors_cross(&inside, leaf);
-        from = to;
+        from = crossing->t;
     }
+    return share;
 }
 
 rgb shadow_visibility(const struct world *world, struct worker *worker,
@@ -85,13 +94,10 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
     if (!(to > from))
         return rgb_grey(1);
     shadow.share = rgb_grey(1);
-    shadow.fades = false;
     shadow.count = 0;
     worker->counters.shadow_rays++;
     if (world_occluded(world, &ray, from, to, path->light, shadow_filter,
                        &shadow))
         return rgb_grey(0);
-    if (shadow.fades)
-        shadow_fade(&shadow, path->inside);
-    return shadow.share;
+    return shadow_share(&shadow, path->inside);
 }
