@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "lighting/lighting.h"
 #include "shade/area.h"
-#include "shade/background.h"
 #include "shade/shadow.h"
 
 struct rays {
@@ -58,14 +57,18 @@ struct rays_question {
 static rgb rays_trace(const struct rays_question *q, vec3 direction,
                       double distance)
 {
+    const struct rays *rays = q->rays;
+    bool fog = q->lamp->light->media_attenuation &&
+               rays->quality >= QUALITY_FOG && rays->scene->fogs.count > 0;
     struct shadow_path path = {
         .point = q->surface->point,
         .direction = direction,
         .distance = distance,
         .light = q->lamp->number,
         .inside = q->surface->inside,
+        .fog = fog ? rays->scene : NULL,
     };
-    return shadow_visibility(q->rays->world, q->worker, &path);
+    return shadow_visibility(rays->world, q->worker, &path);
 }
 
 /* Parallel light comes from the grid moved to stand over the point. */
@@ -111,10 +114,6 @@ static void rays_give(const struct rays_question *q,
         .colour = rgb_mul(rgb_scale(light->colour, view->attenuation), share),
         .highlights = !light->shadowless,
     };
-    if (light->media_attenuation) {
-        struct veil veil = fog_veil(q->rays->scene, view->distance);
-        sample.colour = rgb_mul(sample.colour, veil.through);
-    }
     q->visit(q->context, &sample);
 }
 

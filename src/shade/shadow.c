@@ -5,6 +5,7 @@
  * and Fresnel don't weaken the light. */
 #include "shade/shadow.h"
 
+#include "shade/background.h"
 #include "shade/interior.h"
 #include "shade/surface.h"
 
@@ -59,16 +60,27 @@ static bool shadow_filter(void *context, const struct intersection *at)
     return false;
 }
 
+/* What a stretch of fog lets pass. */
+static rgb shadow_fog(const struct shadow_path *path,
+                      const struct interiors *inside, double distance)
+{
+    if (!path->fog || !interiors_open(inside))
+        return rgb_grey(1);
+    return fog_veil(path->fog, distance).through;
+}
+
 /* What all crossings let pass, from the point on. */
 static rgb shadow_share(const struct shadow_ray *shadow,
-                        const struct interiors *around)
+                        const struct shadow_path *path)
 {
     struct interiors inside;
     rgb share = shadow->share;
     double from = 0;
+    if (shadow->count == 0 && !path->fog)
+        return share;
     inside.count = 0;
-    if (around && shadow->count > 0)
-        interiors_copy(&inside, around);
+    if (path->inside)
+        interiors_copy(&inside, path->inside);
     for (int i = 0; i < shadow->count; i++) {
         const struct shadow_crossing *crossing = &shadow->at[i];
         const struct leaf *leaf = crossing->leaf;
@@ -76,12 +88,15 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         if (distance < shadow_margin)
             continue;
         share = rgb_mul(share, crossing->through);
-        if (interiors_find(&inside, leaf->body) >= 0)
+        share = rgb_mul(share, shadow_fog(path, &inside, distance));
+        if (interior_dims_shadows(leaf->interior) &&
+            interiors_find(&inside, leaf->body) >= 0)
             share = rgb_mul(share, interior_fade(leaf->interior, distance));
         interiors_cross(&inside, leaf);
         from = crossing->t;
     }
-    return share;
+    double rest = path->distance - from;
+    return rgb_mul(share, shadow_fog(path, &inside, rest));
 }
 
 rgb shadow_visibility(const struct world *world, struct worker *worker,
@@ -99,5 +114,5 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
     if (world_occluded(world, &ray, from, to, path->light, shadow_filter,
                        &shadow))
         return rgb_grey(0);
-    return shadow_share(&shadow, path->inside);
+    return shadow_share(&shadow, path);
 }

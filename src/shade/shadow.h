@@ -13,6 +13,7 @@ struct shadow_path {
     double distance;
     int light; /* whose: what looks like it is no obstacle; or -1 */
     const struct interiors *inside; /* bodies the point is in; may be NULL */
+    const struct scene *fog; /* whose fogs weaken the light; NULL: none do */
 };
 
 /* The share of light that gets there, tinted by transparent objects and faded
