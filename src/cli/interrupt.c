@@ -25,5 +25,8 @@ const atomic_int *interrupt_catch(void)
         if (before.sa_handler != SIG_IGN) /* nohup */
             sigaction(numbers[i], &action, NULL);
     }
+    /* Past the limit of ulimit -f, write() fails as on a full disk. */
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGXFSZ, &action, NULL);
     return &flag;
 }

@@ -62,7 +62,8 @@ static void error_trace(struct parser *p)
 bool error_at(struct parser *p, struct span span, const char *hint,
               const char *format, ...)
 {
-    p->silent = p->failed || error_reported(p, span);
+    bool stopped = p->options->stop && *p->options->stop;
+    p->silent = p->failed || stopped || error_reported(p, span);
     if (p->silent)
         return false;
     if (p->reported_count < DIAG_ERROR_LIMIT)

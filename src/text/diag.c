@@ -18,17 +18,25 @@ static void diag_put(struct diag_text *text, const char *piece, size_t length)
         *ARRAY_PUSH(text->arena, text) = piece[i];
 }
 
+static void diag_vputf(struct diag_text *text, const char *format,
+                       va_list arguments)
+{
+    va_list again;
+    va_copy(again, arguments);
+    int length = vsnprintf(NULL, 0, format, arguments);
+    char *piece = arena_alloc(text->arena, (size_t)length + 1);
+    vsnprintf(piece, (size_t)length + 1, format, again);
+    va_end(again);
+    diag_put(text, piece, (size_t)length);
+}
+
 __attribute__((format(printf, 2, 3))) static void
 diag_putf(struct diag_text *text, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    char small[512];
-    int length = vsnprintf(small, sizeof small, format, arguments);
+    diag_vputf(text, format, arguments);
     va_end(arguments);
-    if (length >= (int)sizeof small)
-        length = (int)sizeof small - 1;
-    diag_put(text, small, (size_t)length);
 }
 
 /* Bytes of the character that begins here, 0 if it is broken UTF-8. */
@@ -139,12 +147,10 @@ void diag_vprint(struct diag *diag, enum diag_level level, struct span span,
         vfprintf(diag->out, format, arguments);
         return;
     }
-    char message[1024];
-    vsnprintf(message, sizeof message, format, arguments);
     struct diag_text text = { .arena = arena_new(0) };
     if (!span.source) {
         diag_putf(&text, "glim: %s", diag_words[level]);
-        diag_put(&text, message, strlen(message));
+        diag_vputf(&text, format, arguments);
         if (hint)
             diag_putf(&text, " (%s)", hint);
         diag_put(&text, "\n", 1);
@@ -154,7 +160,7 @@ void diag_vprint(struct diag *diag, enum diag_level level, struct span span,
             span.offset = (uint32_t)span.source->length;
         diag_putf(&text, "%s:%u:%u: %s", span.source->name, place.line,
                   place.column, diag_words[level]);
-        diag_put(&text, message, strlen(message));
+        diag_vputf(&text, format, arguments);
         diag_put(&text, "\n", 1);
         diag_put_excerpt(&text, span, place, hint);
     }

@@ -3,7 +3,7 @@
 #include "parse/directive.h"
 
 /* In rounds of a loop: a file is looked for in several places. */
-enum { INCLUDE_COST = 100 };
+enum { INCLUDE_COST = 20 };
 
 static const struct token_list *include_known(struct parser *p,
                                               const char *path)
@@ -25,6 +25,7 @@ static const struct token_list *include_load(struct parser *p, const char *path,
     const struct source *source = source_read(p->sources, path, at, &problem);
     if (!source) {
         error_at(p, at, NULL, "can't read '%s': %s", path, problem);
+        stream_abort(p);
         return NULL;
     }
     known = lexer_run(p->arena, p->words, source);
