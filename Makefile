@@ -105,6 +105,9 @@ conformance: all ## every scene of povray-examples by both programs
 bench: all ## speed against POV-Ray, side by side, as ratios (BENCH=quick)
 	@GLIM=$(abspath $(BUILD)/glim) tests/bench/run
 
+hostile: all ## 700 inputs that mean harm: an error or a picture, soon
+	@GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) tests/hostile/run
+
 FUZZ_SECONDS ?= 600
 fuzz: ## the parser under libFuzzer for FUZZ_SECONDS (600)
 	@tests/tools/deps clang $(PACKAGES)
@@ -145,7 +148,7 @@ clean: ## remove build/
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
 
-.PHONY: all demo deps test-deps test conformance bench fuzz lint format \
+.PHONY: all demo deps test-deps test conformance bench hostile fuzz lint format \
 	install uninstall clean help
 -include $(OBJECTS:.o=.d) $(MODULE_OBJECTS:.o=.d)
 -include $(wildcard $(BUILD)/tests/*/*.d)
