@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stdbool.h>
 
+enum {
+    BERNSTEIN_DEGREE = 8,
+    BERNSTEIN_DEPTH = 10,
+    BERNSTEIN_WIDTH = 1000, /* wider, the coefficients lose digits */
+};
+
 int quadratic_roots(double a, double b, double c, double roots[2])
 {
     if (a == 0) {
@@ -42,13 +48,17 @@ static double value_and_slope(const double *c, int degree, double t,
     return value;
 }
 
-/* The root between low and high, at which the values have different signs.
- * Newton's steps are taken as long as they stay in the bracket and shrink
- * twofold, else the bracket is halved: never more than some 100 rounds. */
+/* The root between low and high, at which the values f and g have different
+ * signs. Newton's steps are taken as long as they stay in the bracket and
+ * shrink twofold, else the bracket is halved: never more than some 100 rounds.
+ * When a step shrank k-fold, the next one will k^2-fold: it is not taken if it
+ * would be nothing. */
 static double root_between(const double *c, int degree, double low, double high,
-                           bool low_negative)
+                           double f, double g)
 {
-    double t = (low + high) / 2, step = high - low, last = step;
+    double t = low + (high - low) * fmin(fmax(f / (f - g), 0.05), 0.95);
+    double step = high - low, last = step;
+    bool low_negative = f < 0, was_good = false;
     for (int round = 0; round < 200; round++) {
         double slope, value = value_and_slope(c, degree, t, &slope);
         if (value == 0)
@@ -63,9 +73,12 @@ static double root_between(const double *c, int degree, double low, double high,
             next = low + (high - low) / 2;
         last = step;
         step = fabs(next - t);
-        if (next == t || step <= 1e-16 * fabs(next) || next <= low ||
-            next >= high)
+        double shrunk = step / last;
+        if (next <= low || next >= high || step <= 1e-16 * fabs(next) ||
+            (good && was_good && shrunk < 0.01 &&
+             step * shrunk * shrunk <= 1e-17 * fabs(next)))
             return next;
+        was_good = good;
         t = next;
     }
     return t;
@@ -76,16 +89,14 @@ static int roots_between(const double *c, int degree, double low, double high,
                          const double *turns, int turn_count, double *roots)
 {
     int count = 0;
-    double left = low;
-    bool left_negative = value_at(c, degree, low) < 0;
+    double left = low, f = value_at(c, degree, low);
     for (int i = 0; i <= turn_count; i++) {
         double right = i < turn_count ? turns[i] : high;
-        bool right_negative = value_at(c, degree, right) < 0;
-        if (left_negative != right_negative)
-            roots[count++] =
-                root_between(c, degree, left, right, left_negative);
+        double g = value_at(c, degree, right);
+        if ((f < 0) != (g < 0))
+            roots[count++] = root_between(c, degree, left, right, f, g);
         left = right;
-        left_negative = right_negative;
+        f = g;
     }
     return count;
 }
@@ -111,20 +122,14 @@ static int quadratic_roots_between(const double *c, double low, double high,
     return count;
 }
 
-int polynomial_roots(const double *c, int degree, double low, double high,
-                     double *roots, int limit)
+/* Newton's way from all turns of the derivatives: see polynomial.h. */
+static int roots_by_turns(const double *c, int degree, double low, double high,
+                          double *roots)
 {
     double buffers[2][POLYNOMIAL_DEGREE_MAX + 1];
     double derivative[POLYNOMIAL_DEGREE_MAX + 1];
     double *turns = buffers[0], *found = buffers[1];
     int count = 0, first = 1;
-    while (degree > 0 && c[degree] == 0)
-        degree--;
-    for (int i = 0; i <= degree; i++)
-        if (!isfinite(c[i]))
-            return 0;
-    if (degree == 0 || !(low < high))
-        return 0;
     if (degree >= 2) {
         derive(c, degree, degree - 2, derivative);
         count = quadratic_roots_between(derivative, low, high, found);
@@ -136,6 +141,105 @@ int polynomial_roots(const double *c, int degree, double low, double high,
         found = swap;
         derive(c, degree, degree - d, derivative);
         count = roots_between(derivative, d, low, high, turns, count, found);
+    }
+    for (int i = 0; i < count; i++)
+        roots[i] = found[i];
+    return count;
+}
+
+/* The polynomial's Bernstein coefficients over [low, high]. */
+static void to_bernstein(const double *c, int degree, double low, double high,
+                         double *b)
+{
+    double scale = 1;
+    for (int i = 0; i <= degree; i++)
+        b[i] = c[i];
+    for (int i = 0; i < degree; i++)
+        for (int k = degree - 1; k >= i; k--)
+            b[k] += low * b[k + 1];
+    for (int i = 0; i <= degree; i++) {
+        b[i] *= scale;
+        /* (high - low)^i / binomial(degree, i) */
+        scale *= (high - low) * (i + 1) / (degree - i);
+    }
+    for (int k = 1; k <= degree; k++)
+        for (int i = degree; i >= k; i--)
+            b[i] += b[i - 1];
+}
+
+/* A polynomial c, and Bernstein coefficients of a piece of it. */
+struct piece {
+    const double *c;
+    int degree;
+    double low, high;
+    double b[BERNSTEIN_DEGREE + 1];
+};
+
+static int sign_changes(const struct piece *piece)
+{
+    int changes = 0;
+    for (int i = 0; i < piece->degree; i++)
+        changes += (piece->b[i] < 0) != (piece->b[i + 1] < 0);
+    return changes;
+}
+
+/* Cuts `right` in the middle (de Casteljau); the left half into *left. */
+static void piece_cut(struct piece *right, struct piece *left)
+{
+    int n = right->degree;
+    double middle = right->low + (right->high - right->low) / 2;
+    left->c = right->c;
+    left->degree = n;
+    left->low = right->low;
+    left->high = right->low = middle;
+    for (int i = 0; i <= n; i++) {
+        left->b[i] = right->b[0];
+        for (int k = 0; k < n - i; k++)
+            right->b[k] = (right->b[k] + right->b[k + 1]) / 2;
+    }
+}
+
+/* Descartes: no sign change is no root and one is one, else the piece is
+ * halved (Lane and Riesenfeld 1981); where that doesn't help, roots are all
+ * but double, and the derivatives decide. */
+static int roots_of_piece(struct piece *piece, double *roots, int depth)
+{
+    int changes = sign_changes(piece);
+    if (changes == 0)
+        return 0;
+    if (changes == 1) {
+        roots[0] =
+            root_between(piece->c, piece->degree, piece->low, piece->high,
+                         piece->b[0], piece->b[piece->degree]);
+        return 1;
+    }
+    if (depth == BERNSTEIN_DEPTH)
+        return roots_by_turns(piece->c, piece->degree, piece->low, piece->high,
+                              roots);
+    struct piece left;
+    piece_cut(piece, &left);
+    int count = roots_of_piece(&left, roots, depth + 1);
+    return count + roots_of_piece(piece, roots + count, depth + 1);
+}
+
+int polynomial_roots(const double *c, int degree, double low, double high,
+                     double *roots, int limit)
+{
+    double found[2 * POLYNOMIAL_DEGREE_MAX];
+    int count;
+    while (degree > 0 && c[degree] == 0)
+        degree--;
+    for (int i = 0; i <= degree; i++)
+        if (!isfinite(c[i]))
+            return 0;
+    if (degree == 0 || !(low < high))
+        return 0;
+    if (degree <= BERNSTEIN_DEGREE && high - low < BERNSTEIN_WIDTH) {
+        struct piece piece = { c, degree, low, high, { 0 } };
+        to_bernstein(c, degree, low, high, piece.b);
+        count = roots_of_piece(&piece, found, 0);
+    } else {
+        count = roots_by_turns(c, degree, low, high, found);
     }
     if (count > limit)
         count = limit;

@@ -56,6 +56,21 @@ static void torus_quartic(const struct torus *torus, vec3 o, vec3 d, double *c)
     c[4] = 1;
 }
 
+/* The part of the line within minor of the plane of the ring. */
+static void torus_clip(const struct torus *torus, double y, double dy,
+                       double *low, double *high)
+{
+    double r = torus->minor * (1 + 1e-9);
+    if (fabs(dy) < 1e-9) {
+        if (fabs(y) > r)
+            *low = *high;
+        return;
+    }
+    double a = (-r - y) / dy, b = (r - y) / dy;
+    *low = fmax(*low, fmin(a, b));
+    *high = fmin(*high, fmax(a, b));
+}
+
 /* Without a major radius all roots are double: it is a ball. */
 static int torus_ball(const struct torus *torus, double nearest, double *roots)
 {
@@ -87,12 +102,16 @@ static void torus_intersect(const void *shape, const struct ray *ray,
     if (nearest >= reach * reach)
         return;
     double c[5], roots[4], limit = sqrt(reach * reach - nearest) * (1 + 1e-12);
+    double low = -limit, high = limit;
     int count;
+    torus_clip(torus, o.y, d.y, &low, &high);
+    if (!(low < high))
+        return;
     if (torus->major == 0) {
         count = torus_ball(torus, nearest, roots);
     } else {
         torus_quartic(torus, o, d, c);
-        count = polynomial_roots(c, 4, -limit, limit, roots, 4);
+        count = polynomial_roots(c, 4, low, high, roots, 4);
     }
     for (int i = 0; i < count; i++)
         if (torus->major >= 0 || torus_in_lens(torus, o, d, roots[i]))
