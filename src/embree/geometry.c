@@ -6,6 +6,8 @@
 
 #include "scene/mesh.h"
 
+enum { PARALLEL_WORTH = 50000 }; /* triangles and solids */
+
 /* Beyond this a bound counts as infinite; crossings end at 1e7 anyway. */
 static const double bounded_limit = 1e9;
 
@@ -170,7 +172,11 @@ static RTCDevice device_new(const struct flat *flat, unsigned threads,
 {
     double rays = camera_rays * (1 + (double)flat->lights.count);
     bool hasty = large && rays > 0 && rays < (double)flat->triangle_count;
+    size_t work = flat->triangle_count + flat->containers.count;
     char configuration[64];
+    /* One thread builds little scenes sooner than more could be started. */
+    if (work < PARALLEL_WORTH)
+        threads = 1;
     snprintf(configuration, sizeof configuration, "threads=%u%s",
              threads ? threads : 1, hasty ? ",tri_builder=morton" : "");
     return rtcNewDevice(configuration);
