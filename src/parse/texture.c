@@ -1,8 +1,6 @@
 /* Textures: a pigment, a normal and a finish; layers of them. */
 #include "parse/rules.h"
 
-enum { TEXTURE_LAYER_LIMIT = 100 }; /* all are looked at for each point */
-
 static const struct unsupported_word texture_unsupported[] = {
     { KEYWORD_MATERIAL_MAP, "'material_map'" },
     { KEYWORD_TEXTURE, "a pattern of textures" },
@@ -48,9 +46,9 @@ const struct texture *texture_stack(struct parser *p,
 {
     struct texture *both = ARENA_NEW(p->scene_arena, struct texture);
     both->count = bottom->count + top->count;
-    if (both->count > TEXTURE_LAYER_LIMIT) {
+    if (both->count > TEXTURE_LAYERS) {
         error_at(p, p->last_span, NULL, "a texture has at most %d layers",
-                 TEXTURE_LAYER_LIMIT);
+                 TEXTURE_LAYERS);
         return bottom;
     }
     both->layers = ARENA_ARRAY(p->scene_arena, struct layer, both->count);

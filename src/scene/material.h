@@ -106,6 +106,8 @@ struct layer {
     const struct finish *finish;
 };
 
+enum { TEXTURE_LAYERS = 32 }; /* the parser refuses more */
+
 /* Layers from the bottom up; at least one. */
 struct texture {
     struct layer *layers;

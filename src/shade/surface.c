@@ -63,7 +63,7 @@ static void surface_fill_layers(struct surface *surface,
         layer_reflect(surface, layer, view);
         weight = rgb_mul(weight, layer_through(layer));
         if (rgb_brightness(weight) < view->bailout ||
-            surface->count == SURFACE_LAYERS)
+            surface->count == TEXTURE_LAYERS)
             break;
     }
     surface->through = weight;

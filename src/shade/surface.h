@@ -7,8 +7,6 @@
 #include "embree/world.h"
 #include "shade/interior.h"
 
-enum { SURFACE_LAYERS = 16 }; /* most layers of one texture */
-
 /* The quality levels of +Q at which something begins. */
 enum {
     QUALITY_LIT = 2,          /* lights, ambient; below: plain quick_colour */
@@ -36,7 +34,7 @@ struct surface {
     const struct interiors *inside; /* what the viewer's ray came through */
     vec3 normal; /* unit, unperturbed, turned towards the viewer */
     int count;   /* layers that can be seen: those below are hidden */
-    struct surface_layer layer[SURFACE_LAYERS]; /* top first */
+    struct surface_layer layer[TEXTURE_LAYERS]; /* top first */
     rgb through; /* what all layers let pass; black when the last is hidden */
 };
 
