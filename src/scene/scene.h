@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/rgb.h"
 #include "scene/camera.h"
+#include "scene/light_settings.h"
 #include "scene/material.h"
 #include "scene/object.h"
 
@@ -35,6 +36,9 @@ struct settings {
     rgb ambient_light;   /* white */
     int max_trace_level; /* 5 */
     double adc_bailout;  /* 1/255 */
+    bool radiosity;      /* radiosity {} was said */
+    struct light_mesh_settings light_mesh;
+    struct skeleton_settings skeleton;
 };
 
 struct scene {

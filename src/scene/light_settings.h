@@ -1,0 +1,56 @@
+/* What global_settings says of glim's own lighting methods: light_mesh {} and
+ * skeleton {}. A number that is 0 was not said: the method chooses it from the
+ * size of the scene and of the picture. */
+#ifndef SCENE_LIGHT_SETTINGS_H
+#define SCENE_LIGHT_SETTINGS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/vec.h"
+
+/* A part of space that wants a denser mesh. */
+struct mesh_region {
+    vec3 low, high; /* world */
+    double factor;  /* times the density, > 0 */
+};
+
+enum mesh_model {
+    MESH_MODEL_DIRECTIONAL, /* agrees with rays and path */
+    MESH_MODEL_SCALAR,      /* the paper's equations (1) to (8), literally */
+};
+
+enum mesh_shadows {
+    MESH_SHADOWS_SOFT,  /* as soft as the interpolation makes them */
+    MESH_SHADOWS_SHARP, /* lights on which neighbours disagree are asked */
+};
+
+/* light_mesh {} */
+struct light_mesh_settings {
+    double quality;            /* 1..10, 5; the knob to turn first */
+    double density;            /* mesh points for one unit of length, > 0 */
+    double radius;             /* of interpolation, units, > 0 */
+    const char *interpolation; /* a name in lightmesh/interpolation/list.h */
+    enum mesh_model model;
+    enum mesh_shadows shadows;
+    double threshold; /* adaptive: neighbours may differ by so much, 0..1 */
+    int levels;       /* adaptive: how often a cell may be halved */
+    struct {
+        bool on;     /* also by radiosity {} */
+        int samples; /* gather rays of a mesh point */
+        int bounces;
+    } indirect;
+    struct {
+        struct mesh_region *items;
+        size_t count, capacity;
+    } regions;
+    const char *save_file, *load_file; /* or NULL */
+};
+
+/* skeleton {} */
+struct skeleton_settings {
+    int resolution;        /* voxels along the longest side, 128 */
+    const char *heuristic; /* a name in skeleton/heuristic/list.h, or NULL */
+};
+
+#endif
