@@ -3,6 +3,7 @@
 #ifndef SKELETON_VOXELS_H
 #define SKELETON_VOXELS_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "base/vec.h"
