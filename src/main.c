@@ -74,6 +74,9 @@ static bool frame_make(struct work *work, const struct parse_options *parse,
     struct stats stats = stats_start();
     struct scene *scene =
         parse_scene(work->source, parse, sources, &work->diag);
+    if (scene)
+        light_said_apply(&options->light_said, &options->light,
+                         &scene->settings);
     if (!scene || options->action == ACTION_CHECK) {
         scene_free(scene);
         return scene;

@@ -19,6 +19,8 @@ enum field_kind {
     FIELD_COLOUR,  /* colour */
     FIELD_RGB,     /* rgb */
     FIELD_TERMS,   /* struct terms: a vector of any length, < a, b, ... > */
+    FIELD_NAME,    /* const char *: a word, reserved or not */
+    FIELD_CHOICE,  /* an enum: the place of a word in `choices` */
     FIELD_POINTS,  /* struct points: how many, then so many vectors, each of 2
                     * or 3 components (a 2-D one has z = 0), commas optional:
                     * 4, <0,0>, <1,0>, <1,1>, <0,0> */
@@ -46,9 +48,20 @@ struct field {
     double minimum, maximum;
     const char *help; /* for lists: what it is, units, default */
     bool optional;    /* an argument that may be left out, with all after it */
+    const char *const *choices; /* of a FIELD_CHOICE, ending with NULL */
 };
 
 /* The row called `name`, or NULL. A NULL table has no rows. */
 const struct field *field_find(const struct field *table, const char *name);
+
+/* The place of `word` among the field's choices, or -1. */
+int field_choice(const struct field *field, const char *word);
+
+/* "'soft' or 'sharp'": the choices, into `text`. */
+void field_choices(const struct field *field, char *text, size_t size);
+
+/* The field's value in the struct at `from` to the one at `to`. Only kinds of
+ * a single value: not vectors, colours or lists. */
+void field_copy(const struct field *field, void *to, const void *from);
 
 #endif

@@ -48,6 +48,8 @@ struct option {
     option_set *set;
     size_t offset; /* into struct options; set_action: the action */
     double minimum, maximum;
+    const struct field *fields; /* set_light: its row of this table */
+    const char *field;
     const char *also;     /* a switch's value belongs to this key */
     const char *argument; /* what the value is called in lists; in brackets
                            * when it may be left out; NULL: takes none */
@@ -87,7 +89,20 @@ bool option_read(struct option_reader *reader, const struct setting *token);
 /* Adds a directory at the end of the library path unless it is there. */
 void option_add_library(struct option_reader *reader, const char *directory);
 
-/* The setters: option_set.c. */
+/* Whether the setting has a value; says what to type if not. */
+bool option_wants(struct option_reader *reader, const struct option *option,
+                  const struct setting *setting, const char *example);
+
+/* The value as a number. */
+bool option_read_number(struct option_reader *reader,
+                        const struct option *option,
+                        const struct setting *setting, double *number);
+
+/* "on", "off" and their kin; false when it is neither. */
+bool option_truth(const char *value, bool *state);
+
+/* The setters: option_light.c, and option_set.c for all others. */
+option_set set_light;
 option_set set_switch, set_integer, set_whole, set_number, set_library,
     set_header, set_input, set_output, set_file_type, set_gamma, set_declare,
     set_verbose, set_all_consoles, set_lighting, set_action, set_list, set_flag,

@@ -28,10 +28,8 @@ bool option_number(const char *text, double *number)
            isfinite(*number);
 }
 
-/* Is there a value? Says what to type if not. */
-static bool option_wants(struct option_reader *reader,
-                         const struct option *option,
-                         const struct setting *setting, const char *example)
+bool option_wants(struct option_reader *reader, const struct option *option,
+                  const struct setting *setting, const char *example)
 {
     if (setting->value && *setting->value)
         return true;
@@ -46,9 +44,9 @@ static bool option_wants(struct option_reader *reader,
                        example);
 }
 
-static bool option_read_number(struct option_reader *reader,
-                               const struct option *option,
-                               const struct setting *setting, double *number)
+bool option_read_number(struct option_reader *reader,
+                        const struct option *option,
+                        const struct setting *setting, double *number)
 {
     if (!option_wants(reader, option, setting, "5"))
         return false;
@@ -148,16 +146,22 @@ static bool option_is_false(const char *value)
     return false;
 }
 
-/* The state a switch or key asks for. */
+bool option_truth(const char *value, bool *state)
+{
+    *state = option_is_true(value);
+    return *state || option_is_false(value);
+}
+
+/* The state that a switch or a key asks for. */
 static bool option_state(struct option_reader *reader,
                          const struct option *option,
                          const struct setting *setting)
 {
+    bool state;
     if (!setting->by_key)
         return setting->on;
     const char *value = setting->value ? setting->value : "";
-    bool state = option_is_true(value);
-    if (!state && !option_is_false(value))
+    if (!option_truth(value, &state))
         option_warn(reader, setting,
                     "%s is on or off; '%s' counts as off, as in POV-Ray",
                     option->key, value);

@@ -48,6 +48,11 @@
         .word = w, .set = setter, .offset = number, .argument = value,         \
         .help = text                                                           \
     }
+#define LIGHT(k, w, table, name, value, text)                                  \
+    {                                                                          \
+        .key = k, .word = w, .set = set_light, .fields = table, .field = name, \
+        .argument = value, .help = text                                        \
+    }
 #define NOTHING(l, k) VALUE(l, k, set_ignored, "", "")
 #define CONSOLE(l, k, setter, field, file, text)                               \
     {                                                                          \
@@ -122,6 +127,41 @@ static const struct option table[] = {
             "reflection and refraction, 9: all (9)"),
     WORD("lighting", set_lighting, 0, "name",
          "how light is worked out (rays); see --list lightings"),
+
+    GROUP("Light mesh and skeleton; they win over the scene's own"),
+    LIGHT("Mesh_Quality", "mesh-quality", light_mesh_fields, "quality", "n",
+          "1 to 10, the knob to turn first (5)"),
+    LIGHT("Mesh_Density", "mesh-density", light_mesh_fields, "density", "n",
+          "mesh points for one unit of length"),
+    LIGHT("Mesh_Radius", "mesh-radius", light_mesh_fields, "radius", "n",
+          "how far a mesh point is heard, in units"),
+    LIGHT("Mesh_Interpolation", "mesh-interpolation", light_mesh_fields,
+          "interpolation", "name", "between mesh points"),
+    LIGHT("Mesh_Model", "mesh-model", light_mesh_fields, "model", "name",
+          "directional, or scalar as in the paper (directional)"),
+    LIGHT("Mesh_Shadows", "mesh-shadows", light_mesh_fields, "shadows",
+          "name", "soft or sharp (soft)"),
+    LIGHT("Mesh_Threshold", "mesh-threshold", light_mesh_fields, "threshold",
+          "n", "new points where neighbours differ by more"),
+    LIGHT("Mesh_Levels", "mesh-levels", light_mesh_fields, "levels", "n",
+          "how often the distance of points may be halved for that"),
+    LIGHT("Mesh_Indirect", "mesh-indirect", light_option_fields, "indirect",
+          "bool", "light from surface to surface (as radiosity{} in the "
+          "scene)"),
+    LIGHT("Mesh_Samples", "mesh-samples", indirect_fields, "samples", "n",
+          "rays that gather it at a mesh point"),
+    LIGHT("Mesh_Bounces", "mesh-bounces", indirect_fields, "bounces", "n",
+          "from surface to surface"),
+    LIGHT("Mesh_Save", "mesh-save", light_option_fields, "save", "file",
+          "write the mesh here when the picture is done"),
+    LIGHT("Mesh_Load", "mesh-load", light_option_fields, "load", "file",
+          "begin with this mesh"),
+    LIGHT(NULL, "mesh-only", light_option_fields, "only", NULL,
+          "make the mesh for --mesh-save and write no picture"),
+    LIGHT("Skeleton_Resolution", "skeleton-resolution", skeleton_fields,
+          "resolution", "n", "voxels along the scene's longest side (128)"),
+    LIGHT("Skeleton_Heuristic", "skeleton-heuristic", skeleton_fields,
+          "heuristic", "name", "how light is estimated along the skeleton"),
 
     GROUP("Scene"),
     VALUE(NULL, "Declare", set_declare, "name=value",

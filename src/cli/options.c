@@ -333,6 +333,18 @@ static void options_resolve_scene(struct option_reader *reader)
     parse->clock = parse->clock_on ? options->clock : 0;
 }
 
+static bool options_resolve_mesh(struct option_reader *reader)
+{
+    const struct light_mesh_settings *mesh = &reader->options->light.light_mesh;
+    if (!mesh->only)
+        return true;
+    reader->options->to_file = false;
+    if (!mesh->save_file)
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "--mesh-only would keep nothing: add --mesh-save FILE");
+    return mesh->save_file;
+}
+
 static bool options_resolve(struct option_reader *reader)
 {
     struct options *options = reader->options;
@@ -343,7 +355,7 @@ static bool options_resolve(struct option_reader *reader)
     if (options_answers(options))
         return true;
     if (!options_find_input(reader) || !options_resolve_picture(reader) ||
-        !options_name_output(reader))
+        !options_resolve_mesh(reader) || !options_name_output(reader))
         return false;
     options_resolve_scene(reader);
     const char *problem = frames_resolve(&options->frames, reader->arena);

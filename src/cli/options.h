@@ -37,6 +37,8 @@ struct options {
     int warning_level;
     const struct lighting *lighting;
     int quality, threads;
+    struct settings light; /* of it only what is in light_said is said */
+    struct light_said light_said;
     double clock; /* +K; NAN: not said */
     struct frames frames;
     bool jitter;

@@ -22,7 +22,10 @@ static void *rays_start(const struct world *world, const struct scene *scene,
 {
     struct rays *rays = memory_new(sizeof *rays);
     const struct light *lights = world_lights(world, &rays->count);
-    (void)diag;
+    if (scene->settings.radiosity)
+        diag_print(diag, DIAG_WARNING, span_none(), NULL,
+                   "--lighting rays ignores the scene's radiosity: light goes "
+                   "from lamps to surfaces only");
     rays->world = world;
     rays->scene = scene;
     rays->ambient = scene->settings.ambient_light;

@@ -2,6 +2,7 @@
  * all come from one row (base/field.h). */
 #include <limits.h>
 
+#include "base/text.h"
 #include "parse/expression.h"
 #include "parse/stream.h"
 
@@ -147,6 +148,46 @@ static bool parse_points(struct parser *p, const struct field *field,
     return true;
 }
 
+/* The next token as a word, kept as long as the scene; NULL after an error. */
+static const char *field_word(struct parser *p, const char *wanted)
+{
+    if (stream_peek(p)->kind != TOKEN_WORD) {
+        error_expected(p, wanted);
+        return NULL;
+    }
+    return arena_printf(p->scene_arena, "%s", stream_next(p).word->text);
+}
+
+static bool field_name(struct parser *p, const struct field *field,
+                       const char **out)
+{
+    const char *word =
+        field_word(p, arena_printf(p->arena, "a name for '%s'", field->name));
+    if (word)
+        *out = word;
+    return word;
+}
+
+static bool field_chosen(struct parser *p, const struct field *field, int *out)
+{
+    char choices[128];
+    struct span span = stream_span(p);
+    field_choices(field, choices, sizeof choices);
+    const char *word = field_word(p, choices);
+    if (!word)
+        return false;
+    int choice = field_choice(field, word);
+    if (choice >= 0) {
+        *out = choice;
+        return true;
+    }
+    struct text_nearest nearest = text_nearest_start(word);
+    for (int i = 0; field->choices[i]; i++)
+        text_nearest_try(&nearest, field->choices[i]);
+    return error_at(p, span, nearest.best, "'%s' is %s, not '%s'", field->name,
+                    choices, word);
+}
+
 bool parse_field(struct parser *p, const struct field *field, void *base)
 {
     void *at = (char *)base + field->offset;
@@ -175,6 +216,10 @@ bool parse_field(struct parser *p, const struct field *field, void *base)
             return false;
         *(rgb *)at = colour_rgb(c);
         return true;
+    case FIELD_NAME:
+        return field_name(p, field, at);
+    case FIELD_CHOICE:
+        return field_chosen(p, field, at);
     case FIELD_TERMS:
         outer = brackets_begin(p);
         return brackets_end(p, outer, parse_terms(p, field, at));

@@ -131,6 +131,12 @@ bool parse_background(struct parser *p, colour *out);
 bool parse_fog(struct parser *p, struct fog *out);
 bool parse_sky_sphere(struct parser *p, const struct sky_sphere **out);
 
+/* ---- light_mesh.c; the word is next ---- */
+
+bool parse_light_mesh(struct parser *p);
+bool parse_skeleton(struct parser *p);
+bool parse_radiosity(struct parser *p);
+
 /* ---- settings.c ---- */
 
 bool parse_noise_generator(struct parser *p);

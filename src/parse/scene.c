@@ -235,7 +235,11 @@ static bool scene_unknown(struct parser *p)
     if (unsupported)
         return skip_unsupported(p, unsupported);
     enum token_kind kind = stream_peek(p)->kind;
-    if (kind == TOKEN_WORD)
+    if (at_word(p, "light_mesh") || at_word(p, "skeleton"))
+        error_at(p, stream_span(p),
+                 "#ifdef (Glim) global_settings { ... } #end",
+                 "this belongs into 'global_settings'");
+    else if (kind == TOKEN_WORD)
         error_unknown_item(p, "the scene", NULL);
     else if (kind == TOKEN_RBRACE)
         error_at(p, stream_span(p), NULL, "this '}' closes nothing");

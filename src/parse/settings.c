@@ -21,14 +21,19 @@ static const struct field setting_fields[] = {
 };
 
 static const struct field setting_names[] = {
-    { .name = "assumed_gamma" },   { .name = "ambient_light" },
-    { .name = "max_trace_level" }, { .name = "adc_bailout" },
-    { .name = "noise_generator" }, { .name = NULL },
+    { .name = "assumed_gamma" },
+    { .name = "ambient_light" },
+    { .name = "max_trace_level" },
+    { .name = "adc_bailout" },
+    { .name = "noise_generator" },
+    { .name = "radiosity" },
+    { .name = "light_mesh" },
+    { .name = "skeleton" },
+    { .name = NULL },
 };
 
 static const struct unsupported_word setting_unsupported[] = {
     { KEYWORD_PHOTONS, "'photons'" },
-    { KEYWORD_RADIOSITY, "'radiosity'" },
     { KEYWORD_SUBSURFACE, "'subsurface'" },
     { KEYWORD_NONE, NULL },
 };
@@ -123,7 +128,22 @@ static bool setting_field(struct parser *p, const struct field *field)
     return true;
 }
 
-/* global_setting = setting_value | assumed_gamma | setting_without_effect . */
+/* light_setting = light_mesh | skeleton | radiosity . */
+static bool parse_light_setting(struct parser *p, bool *found)
+{
+    *found = true;
+    if (at_word(p, "light_mesh"))
+        return parse_light_mesh(p);
+    if (at_word(p, "skeleton"))
+        return parse_skeleton(p);
+    if (stream_keyword(p) == KEYWORD_RADIOSITY)
+        return parse_radiosity(p);
+    *found = false;
+    return true;
+}
+
+/* global_setting = setting_value | assumed_gamma | light_setting
+ *                | setting_without_effect . */
 static bool parse_global_setting(struct parser *p)
 {
     bool found;
@@ -132,7 +152,9 @@ static bool parse_global_setting(struct parser *p)
         return setting_field(p, field);
     if (stream_keyword(p) == KEYWORD_ASSUMED_GAMMA)
         return parse_assumed_gamma(p);
-    bool ok = parse_setting_without_effect(p, &found);
+    bool ok = parse_light_setting(p, &found);
+    if (ok && !found)
+        ok = parse_setting_without_effect(p, &found);
     if (!ok || found)
         return ok;
     return check_supported(p, setting_unsupported) &&

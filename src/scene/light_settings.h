@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/vec.h"
+#include "base/field.h"
 
 /* A part of space that wants a denser mesh. */
 struct mesh_region {
@@ -27,7 +27,7 @@ enum mesh_shadows {
 
 /* light_mesh {} */
 struct light_mesh_settings {
-    double quality;            /* 1..10, 5; the knob to turn first */
+    double quality;            /* 1..10, 5 if not said; turn it first */
     double density;            /* mesh points for one unit of length, > 0 */
     double radius;             /* of interpolation, units, > 0 */
     const char *interpolation; /* a name in lightmesh/interpolation/list.h */
@@ -44,7 +44,9 @@ struct light_mesh_settings {
         struct mesh_region *items;
         size_t count, capacity;
     } regions;
-    const char *save_file, *load_file; /* or NULL */
+    const char *save_file, *load_file; /* or NULL; save_file never by a scene:
+                                        * a scene must not write files */
+    bool only; /* --mesh-only: the mesh is wanted, no picture */
 };
 
 /* skeleton {} */
@@ -52,5 +54,27 @@ struct skeleton_settings {
     int resolution;        /* voxels along the longest side, 128 */
     const char *heuristic; /* a name in skeleton/heuristic/list.h, or NULL */
 };
+
+struct settings;
+
+/* The words of light_mesh {}, of indirect {} in it, of skeleton {}; what only
+ * the command line says. Their offsets are into struct settings. */
+extern const struct field light_mesh_fields[], indirect_fields[],
+    skeleton_fields[], light_option_fields[];
+
+/* What options say, which wins over the scene. */
+enum { LIGHT_SAID_LIMIT = 32 };
+
+struct light_said {
+    const struct field *fields[LIGHT_SAID_LIMIT]; /* each once */
+    size_t count;
+};
+
+/* Notes that the field was said. */
+void light_said_add(struct light_said *said, const struct field *field);
+
+/* Puts what was said, kept in `values`, into `settings`. */
+void light_said_apply(const struct light_said *said,
+                      const struct settings *values, struct settings *settings);
 
 #endif

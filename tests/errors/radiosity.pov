@@ -1,1 +1,1 @@
-global_settings { radiosity { count 100 } }
+global_settings { radiosity { counts 100 } }

@@ -436,7 +436,49 @@ static void the_table_is_sound(void **state)
             assert_ptr_equal(option_find_word(option->word), option);
         if (option->also)
             assert_non_null(option_find_key(option->also));
+        if (option->fields)
+            assert_non_null(field_find(option->fields, option->field));
     }
+}
+
+static void meshes_have_options_too(void **state)
+{
+    (void)state;
+    put("glim.ini", "[Glim]\nMesh_Density=3\nMesh_Quality=7\n");
+    struct options *o =
+        good("scene.pov --mesh-quality 8 --mesh-shadows=sharp --mesh-levels 2 "
+             "--mesh-indirect off --mesh-samples=50 --mesh-save a.mesh "
+             "--mesh-only --skeleton-heuristic network");
+    remove("glim.ini");
+    struct settings scene = {
+        .light_mesh = { .quality = 2, .radius = 4, .indirect = { .on = true } }
+    };
+    light_said_apply(&o->light_said, &o->light, &scene);
+    assert_float_equal(scene.light_mesh.density, 3, 0);
+    assert_float_equal(scene.light_mesh.quality, 8, 0);
+    assert_float_equal(scene.light_mesh.radius, 4, 0); /* the scene's own */
+    assert_int_equal(scene.light_mesh.shadows, MESH_SHADOWS_SHARP);
+    assert_int_equal(scene.light_mesh.levels, 2);
+    assert_false(scene.light_mesh.indirect.on);
+    assert_int_equal(scene.light_mesh.indirect.samples, 50);
+    assert_string_equal(scene.light_mesh.save_file, "a.mesh");
+    assert_string_equal(scene.skeleton.heuristic, "network");
+    assert_true(scene.light_mesh.only);
+    assert_null(o->output);
+    bad("scene.pov --mesh-quality 0",
+        "glim: error: '--mesh-quality=0': Mesh_Quality must be from 1 to 10\n");
+    bad("scene.pov --mesh-model=flat",
+        "glim: error: '--mesh-model=flat': Mesh_Model is 'directional' or "
+        "'scalar', not 'flat'\n");
+    bad("scene.pov --mesh-indirect=maybe",
+        "glim: error: '--mesh-indirect=maybe': Mesh_Indirect is on or off, "
+        "not 'maybe'\n");
+    bad("scene.pov --mesh-load",
+        "glim: error: '--mesh-load': Mesh_Load needs a value: type "
+        "Mesh_Load=file\n");
+    bad("scene.pov --mesh-only",
+        "glim: error: --mesh-only would keep nothing: add --mesh-save "
+        "FILE\n");
 }
 
 int main(void)
@@ -456,6 +498,7 @@ int main(void)
         cmocka_unit_test(ini_errors_point_into_the_file),
         cmocka_unit_test(arguments_after_two_dashes_are_scenes),
         cmocka_unit_test(povrays_options_are_accepted),
+        cmocka_unit_test(meshes_have_options_too),
         cmocka_unit_test(the_table_is_sound),
     };
     int status = cmocka_run_group_tests_name("options", tests, setup, teardown);

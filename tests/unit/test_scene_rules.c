@@ -463,6 +463,59 @@ static void settings(void **state)
     scene_end(&r);
 }
 
+static void light_meshes_and_skeletons(void **state)
+{
+    (void)state;
+    struct reading r = scene_good(
+        "#declare Fine = 3; #declare quality = 8;\n"
+        "#declare Thing = sphere { <1, 2, 3>, 1 }\n"
+        "global_settings { #ifdef (Glim) light_mesh {"
+        "  quality quality density Fine*2 radius .5 interpolation spherical"
+        "  model scalar shadows sharp threshold .2 levels 3"
+        "  indirect { samples 100 bounces 2 }"
+        "  region { <1, 0, 1>, 0 factor 4 }"
+        "  region { min_extent(Thing) max_extent(Thing) factor .5 } }"
+        " skeleton { resolution 64 heuristic network } #end }");
+    const struct light_mesh_settings *m = &r.scene->settings.light_mesh;
+    assert_number(m->quality, 8);
+    assert_number(m->density, 6);
+    assert_number(m->radius, .5);
+    assert_string_equal(m->interpolation, "spherical");
+    assert_int_equal(m->model, MESH_MODEL_SCALAR);
+    assert_int_equal(m->shadows, MESH_SHADOWS_SHARP);
+    assert_number(m->threshold, .2);
+    assert_int_equal(m->levels, 3);
+    assert_true(m->indirect.on);
+    assert_int_equal(m->indirect.samples, 100);
+    assert_int_equal(m->indirect.bounces, 2);
+    assert_int_equal(m->regions.count, 2);
+    assert_vector(m->regions.items[0].low, 0, 0, 0);
+    assert_vector(m->regions.items[0].high, 1, 0, 1);
+    assert_number(m->regions.items[1].low.y, 1);
+    assert_number(m->regions.items[1].factor, .5);
+    assert_int_equal(r.scene->settings.skeleton.resolution, 64);
+    assert_string_equal(r.scene->settings.skeleton.heuristic, "network");
+    scene_end(&r);
+    r = scene_good("global_settings { light_mesh { indirect {} indirect off"
+                   " model directional shadows soft } }");
+    assert_false(r.scene->settings.light_mesh.indirect.on);
+    assert_false(r.scene->settings.radiosity);
+    assert_number(r.scene->settings.light_mesh.quality, 5);
+    assert_int_equal(r.scene->settings.skeleton.resolution, 128);
+    scene_end(&r);
+}
+
+static void radiosity_asks_for_interreflection(void **state)
+{
+    (void)state;
+    struct reading r = scene_good(
+        "global_settings { radiosity { pretrace_start .08 count 200, 1000"
+        " error_bound .5 nearest_count 10,5 normal on media off } }");
+    assert_true(r.scene->settings.radiosity);
+    assert_true(r.scene->settings.light_mesh.indirect.on);
+    scene_end(&r);
+}
+
 static void unsupported_things_wait_for_their_use(void **state)
 {
     (void)state;
@@ -499,7 +552,7 @@ static void one_mistake_is_one_error(void **state)
         "plane { y, 0 pigment { checker color_map { [0 rgb 1] } } }",
         "sphere { 0, 1 clipped_by { triangle { 0, x, y } } }",
         "text { ttf \"a.ttf\" \"text\" 1, 0 pigment { rgb 1 } } box { -1, 1 }",
-        "global_settings { radiosity { count 3 } }",
+        "global_settings { photons { count 3 } }",
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         struct reading r = scene_read(texts[i]);
@@ -533,6 +586,8 @@ int main(void)
         cmocka_unit_test(cameras),
         cmocka_unit_test(atmosphere),
         cmocka_unit_test(settings),
+        cmocka_unit_test(light_meshes_and_skeletons),
+        cmocka_unit_test(radiosity_asks_for_interreflection),
         cmocka_unit_test(unsupported_things_wait_for_their_use),
         cmocka_unit_test(one_mistake_is_one_error),
     };

@@ -1,0 +1,200 @@
+/* Settings of glim's own lighting methods, in global_settings; POV-Ray does not
+ * know them: they stand between #ifdef (Glim) and #end. */
+#include "parse/rules.h"
+
+enum { REGION_LIMIT = 1000 };
+
+static const struct field mesh_names[] = {
+    { .name = "quality" },   { .name = "density" }, { .name = "radius" },
+    { .name = "model" },     { .name = "shadows" }, { .name = "interpolation" },
+    { .name = "threshold" }, { .name = "levels" },  { .name = "indirect" },
+    { .name = "region" },    { .name = NULL },
+};
+
+static const struct field factor_fields[] = {
+    { "factor", FIELD_FLOAT, offsetof(struct mesh_region, factor), 1e-3, 1e3,
+      "multiplies the density" },
+    { NULL },
+};
+
+static bool light_field(struct parser *p, const struct field *table,
+                        bool *found)
+{
+    const struct field *field = accept_field(p, table);
+    *found = field;
+    return !field || parse_field(p, field, &p->scene->settings);
+}
+
+static bool light_fields(struct parser *p, const char *block,
+                         const struct field *table)
+{
+    bool found;
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!light_field(p, table, &found) ||
+            (!found && !error_unknown_item(p, block, table)))
+            return false;
+    return true;
+}
+
+/* indirect = "indirect" ( "{" {indirect_value} "}" | [bool] ) . */
+static bool parse_indirect(struct parser *p)
+{
+    bool *on = &p->scene->settings.light_mesh.indirect.on;
+    struct span open;
+    stream_next(p);
+    if (stream_peek(p)->kind != TOKEN_LBRACE)
+        return parse_bool(p, on);
+    *on = true;
+    return block_begin(p, &open) &&
+           block_end(p, open, light_fields(p, "indirect", indirect_fields));
+}
+
+static bool region_items(struct parser *p, struct mesh_region *region)
+{
+    vec3 a, b;
+    if (!parse_vector(p, &a))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (!parse_vector(p, &b))
+        return false;
+    region->low = vec3_make(fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z));
+    region->high = vec3_make(fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z));
+    const struct field *field = accept_field(p, factor_fields);
+    if (field)
+        return parse_field(p, field, region);
+    return error_expected(p, "'factor' and how much denser the mesh is in "
+                             "this region");
+}
+
+/* region = "region" "{" vector [","] vector "factor" float "}" . */
+static bool parse_region(struct parser *p)
+{
+    struct light_mesh_settings *mesh = &p->scene->settings.light_mesh;
+    struct mesh_region region;
+    struct span open, span = stream_span(p);
+    stream_next(p);
+    if (!block_begin(p, &open) || !block_end(p, open, region_items(p, &region)))
+        return false;
+    if (mesh->regions.count == REGION_LIMIT)
+        return error_at(p, span, NULL,
+                        "more than %d regions, glim's limit, in 'light_mesh'",
+                        REGION_LIMIT);
+    *ARRAY_PUSH(p->scene_arena, &mesh->regions) = region;
+    return true;
+}
+
+/* mesh_file = "load_file" string .
+ * A scene may come from anybody and must not write: save_file is refused. */
+static bool parse_mesh_file(struct parser *p)
+{
+    const char *name;
+    bool save = at_word(p, "save_file");
+    struct span word = stream_span(p);
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (save)
+        return error_at(p, word, "--mesh-save FILE",
+                        "a scene may not write files; ask for it on the "
+                        "command line");
+    if (!parse_string(p, &name))
+        return false;
+    const char *path = file_find(p, name, NULL);
+    if (!path)
+        return error_at(p, span, file_hint(p), "can't find the light mesh '%s'",
+                        name);
+    p->scene->settings.light_mesh.load_file =
+        arena_printf(p->scene_arena, "%s", path);
+    return true;
+}
+
+/* mesh_item = mesh_value | indirect | region | mesh_file . */
+static bool parse_mesh_item(struct parser *p)
+{
+    bool found;
+    if (!light_field(p, light_mesh_fields, &found))
+        return false;
+    if (found)
+        return true;
+    if (at_word(p, "indirect"))
+        return parse_indirect(p);
+    if (at_word(p, "region"))
+        return parse_region(p);
+    if (at_word(p, "load_file") || at_word(p, "save_file"))
+        return parse_mesh_file(p);
+    return error_unknown_item(p, "light_mesh", mesh_names);
+}
+
+/* light_mesh = "light_mesh" "{" {mesh_item} "}" . */
+bool parse_light_mesh(struct parser *p)
+{
+    struct span open;
+    bool ok = true;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    while (ok && stream_peek(p)->kind != TOKEN_RBRACE)
+        ok = parse_mesh_item(p);
+    return block_end(p, open, ok);
+}
+
+/* skeleton = "skeleton" "{" {skeleton_value} "}" . */
+bool parse_skeleton(struct parser *p)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, light_fields(p, "skeleton", skeleton_fields));
+}
+
+/* ---- radiosity ---- */
+
+static const struct field radiosity_fields[] = {
+    { .name = "adc_bailout" },      { .name = "always_sample" },
+    { .name = "brightness" },       { .name = "count" },
+    { .name = "error_bound" },      { .name = "gray_threshold" },
+    { .name = "low_error_factor" }, { .name = "max_sample" },
+    { .name = "maximum_reuse" },    { .name = "media" },
+    { .name = "minimum_reuse" },    { .name = "nearest_count" },
+    { .name = "normal" },           { .name = "pretrace_end" },
+    { .name = "pretrace_start" },   { .name = "recursion_limit" },
+    { .name = "subsurface" },       { .name = NULL },
+};
+
+/* radiosity_value = name [bool | float [[","] float]] . */
+static bool parse_radiosity_value(struct parser *p)
+{
+    struct value ignored;
+    if (!accept_field(p, radiosity_fields))
+        return error_unknown_item(p, "radiosity", radiosity_fields);
+    if (!at_expression(p))
+        return true;
+    if (!parse_expression(p, &ignored))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return !at_expression(p) || parse_expression(p, &ignored);
+}
+
+/* radiosity = "radiosity" "{" {radiosity_value} "}" .
+ * Asks for interreflection; how POV-Ray is to find it means nothing here. */
+bool parse_radiosity(struct parser *p)
+{
+    struct span open, first = span_none(), span = stream_span(p);
+    bool ok = true;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    while (ok && stream_peek(p)->kind != TOKEN_RBRACE) {
+        if (!first.source)
+            first = stream_span(p);
+        ok = parse_radiosity_value(p);
+    }
+    if (!block_end(p, open, ok))
+        return false;
+    if (first.source && !p->scene->settings.radiosity)
+        warning_at(p, span, "light_mesh { indirect { samples 200 bounces 3 } }",
+                   "glim does not use the values in 'radiosity'; its own are "
+                   "said like this");
+    p->scene->settings.radiosity = true;
+    p->scene->settings.light_mesh.indirect.on = true;
+    return true;
+}

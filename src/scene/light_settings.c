@@ -1,0 +1,92 @@
+/* The words of light_mesh {} and skeleton {} with their ranges: one table for
+ * the parser, for options and for the words of errors. */
+#include "scene/light_settings.h"
+
+#include "scene/scene.h"
+
+#define AT(member) offsetof(struct settings, member)
+#define NUMBER(name, member, low, high, help)                                  \
+    {                                                                          \
+        name, FIELD_FLOAT, AT(member), low, high, help                         \
+    }
+#define COUNT(name, member, low, high, help)                                   \
+    {                                                                          \
+        name, FIELD_INTEGER, AT(member), low, high, help                       \
+    }
+
+static const char *const model_choices[] = {
+    [MESH_MODEL_DIRECTIONAL] = "directional",
+    [MESH_MODEL_SCALAR] = "scalar",
+    NULL,
+};
+
+static const char *const shadows_choices[] = {
+    [MESH_SHADOWS_SOFT] = "soft",
+    [MESH_SHADOWS_SHARP] = "sharp",
+    NULL,
+};
+
+/* mesh_value = "quality" float | "density" float | "radius" float
+ *            | "interpolation" name | "model" ( "directional" | "scalar" )
+ *            | "shadows" ( "soft" | "sharp" ) | "threshold" float
+ *            | "levels" float . */
+const struct field light_mesh_fields[] = {
+    NUMBER("quality", light_mesh.quality, 1, 10, "the knob to turn first, 5"),
+    NUMBER("density", light_mesh.density, 1e-6, 1e6,
+           "mesh points for one unit of length"),
+    NUMBER("radius", light_mesh.radius, 1e-6, 1e6,
+           "how far a mesh point is heard, in units"),
+    { "interpolation", FIELD_NAME, AT(light_mesh.interpolation), 0, 0,
+      "how a point is lit by the mesh points around it" },
+    { "model", FIELD_CHOICE, AT(light_mesh.model), 0, 0,
+      "what a mesh point holds, directional", false, model_choices },
+    { "shadows", FIELD_CHOICE, AT(light_mesh.shadows), 0, 0,
+      "soft, or sharp where lights are points", false, shadows_choices },
+    NUMBER("threshold", light_mesh.threshold, 1e-4, 1,
+           "new points where neighbours differ by more"),
+    COUNT("levels", light_mesh.levels, 1, 16,
+          "how often the distance of points may be halved for that"),
+    { NULL },
+};
+
+/* indirect_value = "samples" float | "bounces" float . */
+const struct field indirect_fields[] = {
+    COUNT("samples", light_mesh.indirect.samples, 1, 1000000,
+          "rays that gather light at a mesh point"),
+    COUNT("bounces", light_mesh.indirect.bounces, 1, 100,
+          "from surface to surface"),
+    { NULL },
+};
+
+/* skeleton_value = "resolution" float | "heuristic" name . */
+const struct field skeleton_fields[] = {
+    COUNT("resolution", skeleton.resolution, 8, 2048,
+          "voxels along the scene's longest side, 128"),
+    { "heuristic", FIELD_NAME, AT(skeleton.heuristic), 0, 0,
+      "how light is estimated along the skeleton" },
+    { NULL },
+};
+
+const struct field light_option_fields[] = {
+    { "indirect", FIELD_BOOL, AT(light_mesh.indirect.on) },
+    { "save", FIELD_NAME, AT(light_mesh.save_file) },
+    { "load", FIELD_NAME, AT(light_mesh.load_file) },
+    { "only", FIELD_FLAG, AT(light_mesh.only) },
+    { NULL },
+};
+
+void light_said_add(struct light_said *said, const struct field *field)
+{
+    for (size_t i = 0; i < said->count; i++)
+        if (said->fields[i] == field)
+            return;
+    if (said->count < LIGHT_SAID_LIMIT)
+        said->fields[said->count++] = field;
+}
+
+void light_said_apply(const struct light_said *said,
+                      const struct settings *values, struct settings *settings)
+{
+    for (size_t i = 0; i < said->count; i++)
+        field_copy(said->fields[i], settings, values);
+}

@@ -1,0 +1,2 @@
+global_settings { assumed_gamma 1 }
+light_mesh { quality 3 }
