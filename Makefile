@@ -105,6 +105,13 @@ conformance: all ## every scene of povray-examples by both programs
 bench: all ## speed against POV-Ray, side by side, as ratios (BENCH=quick)
 	@GLIM=$(abspath $(BUILD)/glim) tests/bench/run
 
+# The scenes that are too large to be kept; the others are in examples/light.
+bench-scenes: ## write build/bench/forest.pov and triangles.pov
+	@mkdir -p build/bench
+	@$(CC) -O2 -o build/bench/generate tests/bench/generate.c -lm
+	build/bench/generate forest > build/bench/forest.pov
+	build/bench/generate triangles > build/bench/triangles.pov
+
 hostile: all ## 700 inputs that mean harm: an error or a picture, soon
 	@GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) tests/hostile/run
 
@@ -148,7 +155,8 @@ clean: ## remove build/
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
 
-.PHONY: all demo deps test-deps test conformance bench hostile fuzz lint format \
+.PHONY: all demo deps test-deps test conformance bench bench-scenes \
+	hostile fuzz lint format \
 	install uninstall clean help
 -include $(OBJECTS:.o=.d) $(MODULE_OBJECTS:.o=.d)
 -include $(wildcard $(BUILD)/tests/*/*.d)

@@ -1,14 +1,18 @@
-/* generate SCENE [SIZE]: writes a bench scene to standard output, the same
- * bytes on every machine.
- *   triangles [1000000]  one mesh2: a hilly landscape of SIZE triangles
- *   forest [65]          SIZE trees of 362 triangles, ground of 12, 100 lamps:
- *                        65 * 362 + 12 = 23,542 triangles */
+/* generate SCENE [TRIANGLES [LAMPS]]: writes a bench scene to standard output,
+ * the same bytes on every machine.
+ *   triangles [1000000]     one mesh2: a hilly landscape
+ *   forest [23542 [100]]    65 trees after section 3 of "Light meshes": the
+ *                           paper's count of triangles and of lamps
+ * The forest looks alike at every size: more triangles are more and smaller
+ * leaves that cover as much, more lamps are fainter ones. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LAMPS = 100, LEAVES = 350, TRUNK_SIDES = 6 };
+enum { TREES = 65, TRUNK_SIDES = 6, GROUND = 12 };
+enum { FOREST_LEAST = TREES * (2 * TRUNK_SIDES + 1) + GROUND };
 
 static const double pi = 3.14159265358979323846;
 
@@ -88,33 +92,36 @@ static void write_trunk(double x, double z, double radius, double height)
     }
 }
 
-static void write_leaf(unsigned *state, double x, double y, double z)
+static void write_leaf(unsigned *state, double x, double y, double z,
+                       double size)
 {
     printf("triangle {");
     for (int corner = 0; corner < 3; corner++) {
-        double dx = random_between(state, -0.14, 0.14);
-        double dy = random_between(state, -0.14, 0.14);
-        double dz = random_between(state, -0.14, 0.14);
+        double dx = random_between(state, -size, size);
+        double dy = random_between(state, -size, size);
+        double dz = random_between(state, -size, size);
         printf("%s <%.4f,%.4f,%.4f>", corner ? "," : "", x + dx, y + dy,
                z + dz);
     }
     printf(" texture { Leaf%d } }\n", (int)(3 * random_next(state)));
 }
 
-/* Leaves fill an egg around the upper half of the trunk. */
-static void write_tree(unsigned *state, double x, double z)
+/* Leaves fill an egg around the upper half of the trunk. 350 of them are 0.14
+ * large. */
+static void write_tree(unsigned *state, double x, double z, int leaves)
 {
+    double size = 0.14 * sqrt(350.0 / leaves);
     double height = random_between(state, 2.0, 3.2);
     double width = random_between(state, 0.6, 0.9);
     printf("mesh {\n");
     write_trunk(x, z, 0.05 * height, height);
-    for (int i = 0; i < LEAVES; i++) {
+    for (int i = 0; i < leaves; i++) {
         double turn = 2 * pi * random_next(state);
         double up = random_between(state, -1, 1);
         double reach = width * pow(random_next(state), 0.4);
         double flat = reach * sqrt(1 - up * up);
         write_leaf(state, x + flat * cos(turn), height * 0.8 + 1.3 * reach * up,
-                   z + flat * sin(turn));
+                   z + flat * sin(turn), size);
     }
     printf("}\n");
 }
@@ -134,55 +141,79 @@ static void write_ground(void)
     printf("}\n");
 }
 
-static void write_lamps(unsigned *state)
+/* Lamps have their own dice: the first hundred of a thousand hang where the
+ * hundred hang. */
+static void write_lamps(int count)
 {
-    for (int i = 0; i < LAMPS; i++) {
-        double x = random_between(state, -10, 10);
-        double y = random_between(state, 4, 8);
-        double z = random_between(state, -5, 12);
-        double warm = random_between(state, 0.6, 1.0);
-        printf("light_source { <%.3f,%.3f,%.3f> rgb 0.028*<1,%.3f,%.3f> }\n", x,
-               y, z, 0.5 + 0.5 * warm, warm);
+    unsigned state = 9;
+    for (int i = 0; i < count; i++) {
+        double x = random_between(&state, -10, 10);
+        double y = random_between(&state, 4, 8);
+        double z = random_between(&state, -5, 12);
+        double warm = random_between(&state, 0.6, 1.0);
+        printf("light_source { <%.3f,%.3f,%.3f> rgb %.6g*<1,%.3f,%.3f> }\n", x,
+               y, z, 2.8 / count, 0.5 + 0.5 * warm, warm);
     }
 }
 
-static void write_forest(int trees)
+static void write_forest(int triangles, int lamps)
 {
     unsigned state = 1;
+    int leaves = triangles - GROUND - TREES * 2 * TRUNK_SIDES;
     write_head("camera { location <0,5.5,-9.5> look_at <0,0.9,1> right x angle "
                "52 }\nbackground { rgb <0.10,0.13,0.22> }\n"
+               "#default { finish { ambient 0 diffuse 0.6 } }\n"
                "#declare Bark = texture { pigment { rgb <0.24,0.15,0.09> } }\n"
                "#declare Soil = texture { pigment { rgb <0.42,0.34,0.22> } }\n"
                "#declare Leaf0 = texture { pigment { rgb <0.16,0.42,0.08> } }\n"
                "#declare Leaf1 = texture { pigment { rgb <0.30,0.50,0.10> } }\n"
                "#declare Leaf2 = texture { pigment { rgb <0.55,0.42,0.08> } }");
-    printf("// %d trees of 362 triangles and 12 of ground: %d triangles\n",
-           trees, trees * (LEAVES + 2 * TRUNK_SIDES) + 12);
-    write_lamps(&state);
+    printf("// %d trees, %d triangles, %d lamps\n", TREES, triangles, lamps);
+    write_lamps(lamps);
     write_ground();
-    for (int i = 0; i < trees; i++) {
+    for (int i = 0; i < TREES; i++) {
         double x = random_between(&state, -6.5, 6.5);
         double z = random_between(&state, -3.5, 9);
-        write_tree(&state, x, z);
+        unsigned tree = (unsigned)i;
+        write_tree(&tree, x, z, leaves / TREES + (i < leaves % TREES));
     }
+}
+
+static int usage(void)
+{
+    fprintf(stderr,
+            "usage: generate triangles [TRIANGLES, 1 to 50000000]\n"
+            "       generate forest [TRIANGLES, %d to 50000000 "
+            "[LAMPS, 1 to 1000000]]\n",
+            FOREST_LEAST);
+    return 2;
+}
+
+/* Argument I as a number, or `missing`; 0 if it is none from `low` to `high`.
+ */
+static int number(char **argv, int count, int i, int missing, int low, int high)
+{
+    if (i >= count)
+        return missing;
+    char *end;
+    long value = strtol(argv[i], &end, 10);
+    return *end || value < low || value > high ? 0 : (int)value;
 }
 
 int main(int argc, char **argv)
 {
-    long size = argc == 3 ? strtol(argv[2], NULL, 10) : 0;
-    if ((argc == 3 && (size < 1 || size > 50000000)) || argc < 2 || argc > 3) {
-        fprintf(stderr, "usage: generate triangles|forest [SIZE, 1 to "
-                        "50000000]\n");
-        return 2;
-    }
-    if (strcmp(argv[1], "triangles") == 0) {
-        write_triangles(size ? (int)size : 1000000);
-    } else if (strcmp(argv[1], "forest") == 0) {
-        write_forest(size ? (int)size : 65);
-    } else {
-        fprintf(stderr, "generate: no scene '%s': triangles or forest\n",
-                argv[1]);
-        return 2;
-    }
+    bool forest = argc > 1 && strcmp(argv[1], "forest") == 0;
+    if (argc < 2 || argc > (forest ? 4 : 3) ||
+        (!forest && strcmp(argv[1], "triangles") != 0))
+        return usage();
+    int triangles = number(argv, argc, 2, forest ? 23542 : 1000000,
+                           forest ? FOREST_LEAST : 1, 50000000);
+    int lamps = number(argv, argc, 3, 100, 1, 1000000);
+    if (!triangles || !lamps)
+        return usage();
+    if (forest)
+        write_forest(triangles, lamps);
+    else
+        write_triangles(triangles);
     return 0;
 }
