@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "base/save.h"
 #include "image/output.h"
 
 bool picture_is_there(const struct options *options, const char *name,
@@ -26,7 +27,7 @@ bool picture_is_there(const struct options *options, const char *name,
 bool picture_can_be(const char *name, struct diag *diag)
 {
     char why[256];
-    if (!name || image_writable(name, why, sizeof why))
+    if (!name || save_possible(name, why, sizeof why))
         return true;
     diag_print(diag, DIAG_ERROR, span_none(), NULL, "can't write '%s': %s",
                name, why);

@@ -1,18 +1,17 @@
-/* Image files around the codec module: loading it, and replacing a file in
- * one step so that a picture is either whole or not there. See file.h. */
+/* Image files around the codec module, which is loaded when the first picture
+ * is read or written. See file.h. */
 #include "image/file.h"
 
 #include <dlfcn.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <limits.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "base/save.h"
 #include "image/codec.h"
 #include "image/png.h"
 
@@ -167,127 +166,6 @@ bool image_probe(const char *path, int *width, int *height, char *error,
     return true;
 }
 
-/* What a name stands for once symbolic links are followed, so that a link
- * keeps its place and the file it names is the one replaced. */
-static bool file_resolve(const char *path, char target[PATH_MAX], char *error,
-                         size_t size)
-{
-    if (realpath(path, target))
-        return true;
-    if (strlen(path) >= PATH_MAX) {
-        snprintf(error, size, "%s", strerror(ENAMETOOLONG));
-        return false;
-    }
-    strcpy(target, path);
-    return true;
-}
-
-/* Devices and pipes (/dev/null, /dev/stdout) are written to, not replaced. */
-static bool file_is_special(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
-}
-
-bool image_writable(const char *path, char *error, size_t size)
-{
-    if (strcmp(path, "-") == 0)
-        return true;
-    struct stat status;
-    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode)) {
-        snprintf(error, size, "it is a directory");
-        return false;
-    }
-    char target[PATH_MAX];
-    if (!file_resolve(path, target, error, size))
-        return false;
-    /* Renaming could replace a file that is write-protected, but shouldn't. */
-    if (access(target, W_OK) != 0 && errno != ENOENT && errno != ENOTDIR) {
-        snprintf(error, size, "%s", strerror(errno));
-        return false;
-    }
-    if (!file_is_special(target)) {
-        char *slash = strrchr(target, '/');
-        if (slash)
-            slash[slash == target] = '\0';
-        else
-            strcpy(target, ".");
-    }
-    if (access(target, W_OK) == 0)
-        return true;
-    if (errno == ENOENT)
-        snprintf(error, size, "there is no directory '%s'", target);
-    else
-        snprintf(error, size, "%s: %s", target, strerror(errno));
-    return false;
-}
-
-static bool file_put_all(int file, const void *bytes, size_t count)
-{
-    const char *next = bytes;
-    while (count > 0) {
-        ssize_t written = write(file, next, count);
-        if (written < 0 && errno != EINTR)
-            return false;
-        if (written > 0) {
-            next += written;
-            count -= (size_t)written;
-        }
-    }
-    return true;
-}
-
-/* codec_sink.put for standard output and for devices. */
-static bool file_put_stream(void *context, const void *bytes, size_t count,
-                            char *error, size_t size)
-{
-    const int *file = context;
-    if (file_put_all(*file, bytes, count))
-        return true;
-    snprintf(error, size, "%s", strerror(errno));
-    return false;
-}
-
-/* A new file called `name` with the permissions of `target`, if that exists.
- * A file of that name can only be left over from a process that was killed. */
-static int file_create(const char *name, const char *target)
-{
-    unlink(name);
-    int file = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
-    struct stat status;
-    if (file >= 0 && stat(target, &status) == 0)
-        fchmod(file, status.st_mode & 07777);
-    return file;
-}
-
-/* codec_sink.put for a file: a new one beside it, then renamed. */
-static bool file_put_new(void *context, const void *bytes, size_t count,
-                         char *error, size_t size)
-{
-    const char *target = context;
-    size_t length = strlen(target) + 40;
-    char *name = memory_new(length);
-    snprintf(name, length, "%s.%ld.tmp", target, (long)getpid());
-    int file = file_create(name, target);
-    bool done = file >= 0 && file_put_all(file, bytes, count);
-    int reason = errno;
-    if (file >= 0 && close(file) != 0 && done) {
-        done = false;
-        reason = errno;
-    }
-    if (done && rename(name, target) != 0) {
-        done = false;
-        reason = errno;
-    }
-    if (!done) {
-        snprintf(error, size, "%s", strerror(reason));
-        if (file >= 0)
-            unlink(name);
-    }
-    memory_free(name);
-    return done;
-}
-
 static codec_encode_function *file_encoder(const struct image_format *format,
                                            char *error, size_t size)
 {
@@ -297,33 +175,21 @@ static codec_encode_function *file_encoder(const struct image_format *format,
     return encode;
 }
 
+/* codec_sink.put */
+static bool file_put(void *context, const void *bytes, size_t count,
+                     char *error, size_t size)
+{
+    return save_bytes(context, bytes, count, error, size);
+}
+
 bool image_write(const struct image *image, const char *path,
                  const struct image_format *format, char *error, size_t size)
 {
     codec_encode_function *encode = file_encoder(format, error, size);
-    if (!encode)
-        return false;
-    char target[PATH_MAX];
-    int stream = STDOUT_FILENO;
-    struct codec_sink sink = { file_put_stream, &stream };
-    if (strcmp(path, "-") == 0)
-        return encode(image, format, &sink, error, size);
-    if (!file_resolve(path, target, error, size))
-        return false;
-    if (!file_is_special(target)) {
-        sink = (struct codec_sink){ file_put_new, target };
-        return encode(image, format, &sink, error, size);
-    }
-    FILE *device = fopen(target, "wb");
-    if (!device) {
-        snprintf(error, size, "%s", strerror(errno));
-        return false;
-    }
-    stream = fileno(device);
-    bool done = encode(image, format, &sink, error, size);
-    if (fclose(device) != 0 && done) {
-        snprintf(error, size, "%s", strerror(errno));
-        done = false;
-    }
+    char *name = memory_new(strlen(path) + 1);
+    strcpy(name, path);
+    struct codec_sink sink = { file_put, name };
+    bool done = encode && encode(image, format, &sink, error, size);
+    memory_free(name);
     return done;
 }

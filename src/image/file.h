@@ -25,14 +25,9 @@ struct image *image_read(const char *path, char *error, size_t size);
 bool image_probe(const char *path, int *width, int *height, char *error,
                  size_t size);
 
-/* Whether image_write could put a file at `path`: the directory is there and
- * may be written to. "-" always can. On failure false with the reason. */
-bool image_writable(const char *path, char *error, size_t size);
-
 /* Writes `image` (values as they are to stand in the file, 0..1 for integer
- * formats, clamped and rounded; not premultiplied but for "openexr") under a
- * temporary name beside `path`, then renames. "-" writes to standard output.
- * On failure returns false, leaves no file and an older picture as it was. */
+ * formats, clamped and rounded; not premultiplied but for "openexr") as
+ * save_bytes does (base/save.h). On failure returns false with the reason. */
 bool image_write(const struct image *image, const char *path,
                  const struct image_format *format, char *error, size_t size);
 

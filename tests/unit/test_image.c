@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "base/save.h"
 #include "image/file.h"
 #include "image/output.h"
 #include "image/tone.h"
@@ -220,11 +221,11 @@ static void failures_leave_nothing(void **state)
     struct image_format png = { .type = "png", .bits = 8 };
     assert_false(image_write(image, "no/a.png", &png, error, sizeof error));
     assert_string_equal(error, "No such file or directory");
-    assert_false(image_writable("no/a.png", error, sizeof error));
+    assert_false(save_possible("no/a.png", error, sizeof error));
     assert_string_equal(error, "there is no directory 'no'");
-    assert_false(image_writable("..", error, sizeof error));
-    assert_true(image_writable("a.png", error, sizeof error));
-    assert_true(image_writable("-", error, sizeof error));
+    assert_false(save_possible("..", error, sizeof error));
+    assert_true(save_possible("a.png", error, sizeof error));
+    assert_true(save_possible("-", error, sizeof error));
     assert_false(image_write(image, "/dev/full", &png, error, sizeof error));
     assert_string_equal(error, "No space left on device");
     assert_null(image_read("a.png", error, sizeof error));
