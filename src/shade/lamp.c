@@ -59,9 +59,10 @@ static double cylinder_attenuation(const struct lamp *lamp, vec3 offset)
     return share;
 }
 
-/* 2 / (1 + (d/D)^P): 1 at the distance D. */
-static double lamp_fading(const struct lamp *lamp, double distance)
+double lamp_fading(const struct lamp *lamp, double distance)
 {
+    if (!lamp->fades)
+        return 1;
     double ratio = fabs(distance) / lamp->light->fade_distance;
     return 2 / (1 + pow(ratio, lamp->light->fade_power));
 }
@@ -102,7 +103,6 @@ bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
         view->attenuation = cylinder_attenuation(lamp, offset);
     if (view->attenuation == 0)
         return false;
-    if (lamp->fades)
-        view->attenuation *= lamp_fading(lamp, view->distance);
+    view->attenuation *= lamp_fading(lamp, view->distance);
     return view->attenuation != 0 && isfinite(view->attenuation);
 }

@@ -36,4 +36,7 @@ bool lamp_is_parallel(const struct lamp *lamp);
 bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
                struct lamp_view *view);
 
+/* 2 / (1 + (d/D)^P): 1 at the distance D; always 1 for lamps without fading. */
+double lamp_fading(const struct lamp *lamp, double distance);
+
 #endif

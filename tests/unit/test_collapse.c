@@ -63,11 +63,11 @@ static struct result collapse(const struct voxels *v)
 
 static struct result collapse_case(const struct void_case *what, bool rough)
 {
-    struct voxels v = void_new(what);
+    struct voxels v = void_case_new(what);
     if (rough)
-        void_roughen(&v, 1);
+        void_case_roughen(&v, 1);
     struct result r = collapse(&v);
-    void_free(&v);
+    void_case_free(&v);
     print_message("%s%s: euler %ld, %ld nodes, %ld edges, %ld junctions, "
                   "%ld ends, %d rounds\n",
                   what->name, rough ? " (rough)" : "", r.euler, r.counts.of[0],
@@ -142,13 +142,13 @@ static void rough_walls(void **state)
 static void ultimate(void **state)
 {
     (void)state;
-    struct voxels v = void_new(&void_u);
+    struct voxels v = void_case_new(&void_u);
     struct complex *complex = complex_new(&v);
     complex_collapse(complex, &v, NULL);
     assert_int_equal(complex_count(complex).of[0], 1);
     assert_int_equal(complex_count(complex).of[1], 0);
     complex_free(complex);
-    void_free(&v);
+    void_case_free(&v);
 }
 
 /* Two voids that share only a corner are one; the border of the grid is no

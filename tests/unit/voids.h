@@ -79,7 +79,7 @@ static const struct void_case void_hall = {
     { 1.0, 3.8, 3.0 }
 };
 
-static inline struct voxels void_new(const struct void_case *what)
+static inline struct voxels void_case_new(const struct void_case *what)
 {
     struct voxels v = { .edge = 0.1 };
     memcpy(v.size, what->size, sizeof v.size);
@@ -93,7 +93,7 @@ static inline struct voxels void_new(const struct void_case *what)
 }
 
 /* One in five of the void voxels at a wall becomes matter. */
-static inline void void_roughen(struct voxels *v, uint64_t seed)
+static inline void void_case_roughen(struct voxels *v, uint64_t seed)
 {
     uint8_t *before = malloc(voxels_count(v));
     size_t rows = (size_t)v->size[0], slices = rows * (size_t)v->size[1];
@@ -107,7 +107,7 @@ static inline void void_roughen(struct voxels *v, uint64_t seed)
     free(before);
 }
 
-static inline void void_free(struct voxels *v)
+static inline void void_case_free(struct voxels *v)
 {
     free(v->empty);
 }

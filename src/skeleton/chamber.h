@@ -1,0 +1,15 @@
+/* The skeleton cut into chambers: rooms end at their doors, corridors are cut
+ * into pieces about as long as wide. Within one, light is taken to be even. */
+#ifndef SKELETON_CHAMBER_H
+#define SKELETON_CHAMBER_H
+
+#include "skeleton/graph.h"
+
+struct chambers {
+    size_t count;
+    uint32_t *of_node; /* the chamber of each node */
+};
+
+struct chambers *chambers_new(struct arena *arena, const struct graph *graph);
+
+#endif

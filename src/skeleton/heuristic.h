@@ -1,0 +1,29 @@
+/* The interface of the ways to tell from the skeleton how much light reaches a
+ * point: one file in heuristic/ and one row in heuristic/list.h each. */
+#ifndef SKELETON_HEURISTIC_H
+#define SKELETON_HEURISTIC_H
+
+#include "skeleton/skeleton.h"
+
+struct heuristic {
+    const char *name;
+    const char *help;
+    /* What it finds out once: skeleton->state. NULL: nothing. */
+    void *(*start)(const struct skeleton *skeleton);
+    void (*finish)(void *state);
+    /* The light at a point, whose node is not GRAPH_NONE. Depends on the point
+     * alone. */
+    struct skeleton_light (*answer)(const struct skeleton *skeleton,
+                                    struct worker *worker,
+                                    const struct skeleton_point *point);
+    /* The answer's `indirect`, if that alone is cheaper; or NULL. */
+    rgb (*indirect)(const struct skeleton *skeleton,
+                    const struct skeleton_point *point);
+};
+
+/* By name, or NULL; by number, or NULL past the end. The first is the
+ * default. */
+const struct heuristic *heuristic_find(const char *name);
+const struct heuristic *heuristic_at(size_t index);
+
+#endif

@@ -1,0 +1,343 @@
+/* Walls of the void: see patches.h. What many lamps give is estimated without
+ * bias: of each point some lamps are asked, chosen in proportion to what they
+ * would give without shadows, and of many points some. */
+#include "skeleton/patches.h"
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "base/random.h"
+#include "shade/area.h"
+#include "shade/background.h"
+#include "shade/finish.h"
+#include "shade/shadow.h"
+
+enum {
+    SHADOW_RAYS = 400 * 1000, /* in all, about */
+    LAMP_LOOKS = 8 * 1000 * 1000,
+    SKY_RAYS = 256 /* for each of the six sides */
+};
+
+struct patches_task {
+    const struct patches_scene *from;
+    const struct voxels *voxels;
+    struct patches *patches;
+    size_t *first;     /* wall of each slice */
+    size_t lamps_each; /* asked at a point */
+    double share;      /* of the points that are asked at all */
+};
+
+/* A point on a surface, seen from within the void. */
+struct patch_point {
+    struct intersection at;
+    struct surface surface;
+    rgb albedo, emission;
+};
+
+static struct patch_light patch_light(rgb light)
+{
+    return (struct patch_light){ (float)light.r, (float)light.g,
+                                 (float)light.b };
+}
+
+/* All layers together. */
+static void patch_paint(struct patch_point *point)
+{
+    const struct surface *surface = &point->surface;
+    point->albedo = point->emission = rgb_grey(0);
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb dark = finish_glow(layer, rgb_grey(0), rgb_grey(0));
+        rgb lit = finish_glow(layer, rgb_grey(0), rgb_grey(1));
+        point->emission =
+            rgb_add(point->emission, rgb_mul(layer->weight, dark));
+        point->albedo =
+            rgb_add(point->albedo, rgb_mul(layer->weight, rgb_sub(lit, dark)));
+    }
+}
+
+static bool patch_find(const struct patches_task *task, const struct ray *ray,
+                       double far, struct patch_point *point)
+{
+    if (!world_closest(task->from->world, ray, 0, RAY_REFLECTION, &point->at) ||
+        point->at.t > far)
+        return false;
+    struct surface_view view = { .direction = ray->direction,
+                                 .ior = 1,
+                                 .quality = QUALITY_FOG,
+                                 .bailout = 0 };
+    surface_fill(&point->surface, &point->at, &view);
+    patch_paint(point);
+    return true;
+}
+
+/* Where on an area light this point looks. */
+static vec3 lamp_point(const struct lamp *lamp, vec3 point, uint64_t key)
+{
+    const struct light *light = lamp->light;
+    if (!light->area || lamp_is_parallel(lamp))
+        return light->location;
+    struct area_grid grid = area_grid_new(lamp, point, key);
+    int i = (int)(random_unit(random_key(key, 1)) * light->size1);
+    int j = (int)(random_unit(random_key(key, 2)) * light->size2);
+    return area_grid_point(&grid, i, j);
+}
+
+/* Without shadows. */
+static rgb lamp_gives(const struct lamp *lamp, const struct patch_point *point,
+                      vec3 location, struct lamp_view *view)
+{
+    if (!lamp_look(lamp, location, point->at.point, view))
+        return rgb_grey(0);
+    double cosine = vec3_dot(view->direction, point->surface.normal);
+    if (point->at.leaf->double_illuminate)
+        cosine = fabs(cosine);
+    return rgb_scale(lamp->light->colour,
+                     cosine > 0 ? cosine * view->attenuation : 0);
+}
+
+static rgb lamp_reaches(const struct patches_task *task,
+                        const struct lamp *lamp,
+                        const struct patch_point *point, uint64_t key)
+{
+    struct worker worker = { 0 };
+    struct lamp_view view;
+    vec3 location = lamp_point(lamp, point->at.point, key);
+    rgb light = lamp_gives(lamp, point, location, &view);
+    struct shadow_path path = { .point = point->at.point,
+                                .direction = view.direction,
+                                .distance = view.distance,
+                                .light = lamp->number };
+    if (rgb_peak(light) == 0 || lamp->light->shadowless)
+        return light;
+    return rgb_mul(light, shadow_visibility(task->from->world, &worker, &path));
+}
+
+static double lamp_weight(const struct lamp *lamp,
+                          const struct patch_point *point)
+{
+    struct lamp_view view;
+    return rgb_peak(lamp_gives(lamp, point, lamp->light->location, &view));
+}
+
+/* Some lamps for all: each draw divided by its probability. */
+static rgb lamps_drawn(const struct patches_task *task,
+                       const struct patch_point *point, uint64_t key)
+{
+    const struct patches_scene *from = task->from;
+    double total = 0, before = 0;
+    size_t draw = 0;
+    rgb sum = rgb_grey(0);
+    for (size_t i = 0; i < from->lamp_count; i++)
+        total += lamp_weight(&from->lamps[i], point);
+    double step = total / (double)task->lamps_each;
+    double next = step * random_unit(key);
+    for (size_t i = 0; i < from->lamp_count && total > 0; i++) {
+        double weight = lamp_weight(&from->lamps[i], point);
+        for (; weight > 0 && next < before + weight; next += step) {
+            rgb light = lamp_reaches(task, &from->lamps[i], point,
+                                     random_key(key, ++draw));
+            sum = rgb_add_scaled(sum, light, step / weight);
+        }
+        before += weight;
+    }
+    return sum;
+}
+
+static rgb patch_direct(const struct patches_task *task,
+                        const struct patch_point *point, uint64_t key)
+{
+    const struct patches_scene *from = task->from;
+    rgb sum = rgb_grey(0);
+    if (rgb_peak(point->albedo) == 0)
+        return sum;
+    if (task->lamps_each < from->lamp_count)
+        return lamps_drawn(task, point, key);
+    for (size_t i = 0; i < from->lamp_count; i++)
+        sum = rgb_add(sum, lamp_reaches(task, &from->lamps[i], point,
+                                        random_key(key, i)));
+    return sum;
+}
+
+/* The six sides of a voxel: 0 -x, 1 +x, 2 -y ... */
+static vec3 side_direction(int side)
+{
+    double sign = side % 2 ? 1 : -1;
+    return vec3_make(side / 2 == 0 ? sign : 0, side / 2 == 1 ? sign : 0,
+                     side / 2 == 2 ? sign : 0);
+}
+
+/* Whether the neighbour there is matter, void, or outside of the grid. */
+enum beyond { BEYOND_VOID, BEYOND_MATTER, BEYOND_GRID };
+
+static enum beyond voxel_beyond(const struct voxels *v, const int place[3],
+                                int side)
+{
+    int at[3] = { place[0], place[1], place[2] };
+    int axis = side / 2;
+    at[axis] += side % 2 ? 1 : -1;
+    if (at[axis] < 0 || at[axis] >= v->size[axis])
+        return BEYOND_GRID;
+    return v->empty[voxels_index(v, at[0], at[1], at[2])] ? BEYOND_VOID
+                                                          : BEYOND_MATTER;
+}
+
+/* A ray through a random point of the side, from the voxel's middle plane. */
+static struct ray side_ray(const struct voxels *v, const int place[3], int side,
+                           uint64_t key)
+{
+    double a = random_unit(random_key(key, 3));
+    double b = random_unit(random_key(key, 4));
+    vec3 within = side / 2 == 0   ? vec3_make(0.5, a, b)
+                  : side / 2 == 1 ? vec3_make(a, 0.5, b)
+                                  : vec3_make(a, b, 0.5);
+    vec3 at = vec3_add(vec3_make(place[0], place[1], place[2]), within);
+    return (struct ray){ vec3_along(v->origin, at, v->edge),
+                         side_direction(side) };
+}
+
+/* Half a voxel to the matter, one through it, and one because the surface may
+ * only touch it. */
+static void patch_fill(const struct patches_task *task, const int place[3],
+                       int side, struct patch *patch)
+{
+    const struct voxels *v = task->voxels;
+    size_t voxel = voxels_index(v, place[0], place[1], place[2]);
+    uint64_t key = random_key(task->from->seed, 6 * voxel + (size_t)side);
+    struct ray ray = side_ray(v, place, side, key);
+    struct patch_point point;
+    patch->voxel = (uint32_t)voxel;
+    if (!patch_find(task, &ray, 2.5 * v->edge, &point))
+        return;
+    double slant = fabs(vec3_dot(point.surface.normal, ray.direction));
+    patch->area = (float)(v->edge * v->edge * slant);
+    patch->albedo = patch_light(point.albedo);
+    patch->emission = patch_light(point.emission);
+    if (random_unit(random_key(key, 5)) < task->share)
+        patch->direct = patch_light(
+            rgb_scale(patch_direct(task, &point, key), 1 / task->share));
+}
+
+/* The walls of a slice of voxels of one z: how many; filled if `task` says
+ * where to. */
+static size_t slice_patches(const struct voxels *v, int z,
+                            const struct patches_task *task, struct patch *out)
+{
+    size_t count = 0;
+    for (int y = 0; y < v->size[1]; y++)
+        for (int x = 0; x < v->size[0]; x++) {
+            int place[3] = { x, y, z };
+            if (!v->empty[voxels_index(v, x, y, z)])
+                continue;
+            for (int side = 0; side < 6; side++) {
+                if (voxel_beyond(v, place, side) != BEYOND_MATTER)
+                    continue;
+                if (out)
+                    patch_fill(task, place, side, &out[count]);
+                count++;
+            }
+        }
+    return count;
+}
+
+static void slice_task(void *context, size_t item, unsigned thread)
+{
+    const struct patches_task *task = context;
+    (void)thread;
+    slice_patches(task->voxels, (int)item, task,
+                  task->patches->items + task->first[item]);
+}
+
+/* A void voxel of the border on this side, or false. */
+static bool border_voxel(const struct voxels *v, int side, uint64_t key,
+                         int place[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+        place[axis] =
+            (int)(random_unit(random_key(key, (uint64_t)axis)) * v->size[axis]);
+    place[side / 2] = side % 2 ? v->size[side / 2] - 1 : 0;
+    return v->empty[voxels_index(v, place[0], place[1], place[2])];
+}
+
+/* Cosine-weighted around an axis (Malley's method). */
+static vec3 cosine_direction(int side, uint64_t key)
+{
+    double u = random_unit(random_key(key, 11));
+    double angle =
+        2 * 3.14159265358979323846 * random_unit(random_key(key, 12));
+    double r = sqrt(u), height = sqrt(1 - u);
+    vec3 along = side_direction(side);
+    vec3 a = side_direction((side + 2) % 6), b = side_direction((side + 4) % 6);
+    vec3 flat =
+        vec3_add(vec3_scale(a, r * cos(angle)), vec3_scale(b, r * sin(angle)));
+    return vec3_along(flat, along, height);
+}
+
+static rgb sky_radiance(const struct scene *scene, vec3 direction)
+{
+    struct veil veil = sky_veil(scene, direction);
+    rgb back = rgb_scale(colour_rgb(scene->background),
+                         1 - scene->background.transmit);
+    return rgb_add(veil.light, rgb_mul(veil.through, back));
+}
+
+/* What comes in on one side: the sky, or infinite things out there, by the
+ * light of lamps and of the sky above. */
+static void sky_task(void *context, size_t item, unsigned thread)
+{
+    const struct patches_task *task = context;
+    int side = (int)item, place[3];
+    rgb sum = rgb_grey(0);
+    size_t count = 0;
+    (void)thread;
+    for (uint64_t i = 0; i < SKY_RAYS; i++) {
+        uint64_t key = random_key(random_key(task->from->seed, ~item), i);
+        struct patch_point point;
+        if (!border_voxel(task->voxels, side, key, place))
+            continue;
+        struct ray ray = side_ray(task->voxels, place, side, key);
+        ray.direction = cosine_direction(side, key);
+        rgb light = sky_radiance(task->from->scene, ray.direction);
+        if (patch_find(task, &ray, (double)INFINITY, &point)) {
+            light = sky_radiance(task->from->scene, point.surface.normal);
+            light = rgb_add(light, patch_direct(task, &point, key));
+            light = rgb_add(rgb_mul(point.albedo, light), point.emission);
+        }
+        sum = rgb_add(sum, light);
+        count++;
+    }
+    if (count > 0)
+        task->patches->sky[side] = rgb_scale(sum, 1.0 / (double)count);
+}
+
+struct patches *patches_new(const struct voxels *voxels,
+                            const struct patches_scene *from)
+{
+    struct patches *patches = memory_new(sizeof *patches);
+    size_t slices = (size_t)voxels->size[2], count = 0;
+    struct patches_task task = { .from = from,
+                                 .voxels = voxels,
+                                 .patches = patches,
+                                 .first = memory_new(slices * sizeof(size_t)) };
+    for (size_t z = 0; z < slices; z++) {
+        task.first[z] = count;
+        count += slice_patches(voxels, (int)z, NULL, NULL);
+    }
+    size_t some = count > 0 ? count : 1;
+    double looks = (double)some * (double)from->lamp_count;
+    task.lamps_each = SHADOW_RAYS / some + 1;
+    task.share = looks > LAMP_LOOKS ? LAMP_LOOKS / looks : 1;
+    patches->count = count;
+    patches->items = memory_new(some * sizeof *patches->items);
+    parallel_run(from->threads, slices, NULL, slice_task, &task);
+    parallel_run(from->threads, 6, NULL, sky_task, &task);
+    memory_free(task.first);
+    return patches;
+}
+
+void patches_free(struct patches *patches)
+{
+    if (!patches)
+        return;
+    memory_free(patches->items);
+    memory_free(patches);
+}

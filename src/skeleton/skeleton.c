@@ -1,0 +1,233 @@
+/* All steps from voxels to answers: see skeleton.h. */
+#include "skeleton/skeleton.h"
+
+#include "base/memory.h"
+#include "shade/shadow.h"
+#include "skeleton/collapse.h"
+#include "skeleton/distance.h"
+#include "skeleton/heuristic.h"
+#include "skeleton/opening.h"
+
+enum { SEARCH = 3 }; /* voxels around a lamp that stands in matter */
+
+/* The complex lives no longer than it must. */
+static void skeleton_thin(struct skeleton *skeleton)
+{
+    const struct voxels *v = skeleton->voxels;
+    struct complex *complex = complex_new(v);
+    size_t count = voxels_count(v);
+    uint16_t *distance = memory_new(count * sizeof *distance);
+    uint16_t *opening = memory_new(count * sizeof *opening);
+    struct collapse_maps maps = { distance, opening };
+    distance_chessboard(v, OUTSIDE_VOID, distance);
+    opening_chessboard(v, distance, skeleton->threads, opening);
+    skeleton->rounds = complex_collapse(complex, v, &maps);
+    memory_free(distance);
+    memory_free(opening);
+    int32_t *squared = memory_new(count * sizeof *squared);
+    distance_squared(v, OUTSIDE_VOID, skeleton->threads, squared);
+    skeleton->graph = graph_new(skeleton->arena, complex, v, squared);
+    memory_free(squared);
+    skeleton->nearest = ARENA_ARRAY(skeleton->arena, uint32_t, count);
+    graph_nearest(complex, v, skeleton->nearest);
+    complex_free(complex);
+}
+
+uint32_t skeleton_node(const struct skeleton *skeleton, const int place[3])
+{
+    const struct voxels *v = skeleton->voxels;
+    for (int axis = 0; axis < 3; axis++)
+        if (place[axis] < 0 || place[axis] >= v->size[axis])
+            return GRAPH_NONE;
+    return skeleton->nearest[voxels_index(v, place[0], place[1], place[2])];
+}
+
+/* Numbers a little too large for any grid, so that they fit in an int. */
+static int voxel_coordinate(double at)
+{
+    return (int)floor(fmin(fmax(at, -2), 1 << 20));
+}
+
+static void voxel_at(const struct voxels *v, vec3 point, int place[3])
+{
+    vec3 at = vec3_scale(vec3_sub(point, v->origin), 1 / v->edge);
+    place[0] = voxel_coordinate(at.x);
+    place[1] = voxel_coordinate(at.y);
+    place[2] = voxel_coordinate(at.z);
+}
+
+/* The middle of a voxel. */
+static vec3 voxel_middle(const struct voxels *v, const int place[3])
+{
+    vec3 at = vec3_make(place[0] + 0.5, place[1] + 0.5, place[2] + 0.5);
+    return vec3_along(v->origin, at, v->edge);
+}
+
+/* The closest voxel with a node, `reach` voxels around; of those the one most
+ * in the direction of the normal. */
+static bool skeleton_search(const struct skeleton *skeleton, int reach,
+                            struct skeleton_point *point)
+{
+    const struct voxels *v = skeleton->voxels;
+    int middle[3], place[3];
+    double best = (double)INFINITY;
+    voxel_at(v, point->position, middle);
+    for (int dz = -reach; dz <= reach; dz++)
+        for (int dy = -reach; dy <= reach; dy++)
+            for (int dx = -reach; dx <= reach; dx++) {
+                vec3 offset = vec3_make(dx, dy, dz);
+                double cost = vec3_dot(offset, offset) -
+                              reach * vec3_dot(point->normal, offset);
+                place[0] = middle[0] + dx;
+                place[1] = middle[1] + dy;
+                place[2] = middle[2] + dz;
+                uint32_t node = skeleton_node(skeleton, place);
+                if (node == GRAPH_NONE || cost >= best)
+                    continue;
+                best = cost;
+                point->node = node;
+                point->around = voxel_middle(v, place);
+            }
+    return point->node != GRAPH_NONE;
+}
+
+struct skeleton_point skeleton_find(const struct skeleton *skeleton,
+                                    vec3 position, vec3 normal)
+{
+    static const double steps[] = { 0.5, 1, 1.5, 2, 3 };
+    struct skeleton_point point = { position, normal, position, GRAPH_NONE };
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        int place[3];
+        point.around =
+            vec3_along(position, normal, steps[i] * skeleton->voxels->edge);
+        voxel_at(skeleton->voxels, point.around, place);
+        point.node = skeleton_node(skeleton, place);
+        if (point.node != GRAPH_NONE)
+            return point;
+    }
+    skeleton_search(skeleton, 1, &point);
+    return point;
+}
+
+/* Whether the lamp lights a node. */
+static bool node_is_lit(const struct skeleton *skeleton,
+                        const struct lamp *lamp, uint32_t node)
+{
+    struct worker worker = { 0 };
+    struct lamp_view view;
+    vec3 position = skeleton->graph->nodes[node].position;
+    if (!lamp_look(lamp, lamp->light->location, position, &view))
+        return false;
+    struct shadow_path path = { .point = position,
+                                .direction = view.direction,
+                                .distance = view.distance,
+                                .light = lamp->number };
+    return lamp->light->shadowless ||
+           rgb_peak(shadow_visibility(skeleton->world, &worker, &path)) > 0;
+}
+
+/* From outside light comes in at all nodes that see the lamp. */
+static void lamp_enter(struct skeleton *skeleton, struct skeleton_lamp *lamp)
+{
+    size_t nodes = skeleton->graph->count;
+    uint32_t *sources = memory_new(nodes * sizeof *sources);
+    struct paths_from from = { .sources = sources };
+    for (uint32_t i = 0; i < nodes; i++)
+        if (node_is_lit(skeleton, lamp->lamp, i))
+            sources[from.count++] = i;
+    if (from.count > 0)
+        lamp->paths = paths_new(skeleton->arena, skeleton->graph, &from);
+    memory_free(sources);
+}
+
+/* The node of a lamp that stands in the void, or GRAPH_NONE. */
+static uint32_t lamp_node(const struct skeleton *skeleton,
+                          const struct lamp *lamp)
+{
+    struct skeleton_point point = { .position = lamp->light->location,
+                                    .node = GRAPH_NONE };
+    if (lamp_is_parallel(lamp))
+        return GRAPH_NONE;
+    if (!skeleton_search(skeleton, 0, &point))
+        skeleton_search(skeleton, SEARCH, &point);
+    return point.node;
+}
+
+static void skeleton_light_up(struct skeleton *skeleton)
+{
+    size_t nodes = skeleton->graph->count;
+    const struct light *lights =
+        world_lights(skeleton->world, &skeleton->lamp_count);
+    size_t count = skeleton->lamp_count;
+    const struct paths **known = memory_new(nodes * sizeof(struct paths *));
+    skeleton->lamps = ARENA_ARRAY(skeleton->arena, struct skeleton_lamp, count);
+    skeleton->plain_lamps = ARENA_ARRAY(skeleton->arena, struct lamp, count);
+    for (size_t i = 0; i < count; i++) {
+        struct skeleton_lamp *lamp = &skeleton->lamps[i];
+        lamp->lamp = &skeleton->plain_lamps[i];
+        skeleton->plain_lamps[i] = lamp_new(&lights[i], (int)i);
+        uint32_t node = lamp_node(skeleton, lamp->lamp);
+        struct paths_from from = { .sources = &node, .count = 1 };
+        lamp->within = node != GRAPH_NONE;
+        if (!lamp->within) {
+            lamp_enter(skeleton, lamp);
+            continue;
+        }
+        if (!known[node])
+            known[node] = paths_new(skeleton->arena, skeleton->graph, &from);
+        lamp->paths = known[node];
+    }
+    memory_free(known);
+}
+
+struct skeleton *skeleton_new(const struct world *world,
+                              const struct scene *scene,
+                              const struct voxels *voxels,
+                              const struct skeleton_options *options)
+{
+    struct arena *arena = arena_new(0);
+    struct skeleton *skeleton = ARENA_NEW(arena, struct skeleton);
+    skeleton->arena = arena;
+    skeleton->world = world;
+    skeleton->scene = scene;
+    skeleton->voxels = voxels;
+    skeleton->seed = options->seed;
+    skeleton->threads = options->threads;
+    skeleton->heuristic =
+        options->heuristic ? options->heuristic : heuristic_at(0);
+    skeleton_thin(skeleton);
+    skeleton_light_up(skeleton);
+    if (skeleton->heuristic->start)
+        skeleton->state = skeleton->heuristic->start(skeleton);
+    return skeleton;
+}
+
+void skeleton_free(struct skeleton *skeleton)
+{
+    if (!skeleton)
+        return;
+    if (skeleton->heuristic->finish)
+        skeleton->heuristic->finish(skeleton->state);
+    arena_free(skeleton->arena);
+}
+
+struct skeleton_light skeleton_light(const struct skeleton *skeleton,
+                                     struct worker *worker, vec3 position,
+                                     vec3 normal)
+{
+    struct skeleton_point point = skeleton_find(skeleton, position, normal);
+    if (point.node == GRAPH_NONE)
+        return (struct skeleton_light){ { 0 } };
+    return skeleton->heuristic->answer(skeleton, worker, &point);
+}
+
+rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
+                      vec3 position, vec3 normal)
+{
+    struct skeleton_point point = skeleton_find(skeleton, position, normal);
+    if (point.node == GRAPH_NONE)
+        return rgb_grey(0);
+    if (skeleton->heuristic->indirect)
+        return skeleton->heuristic->indirect(skeleton, &point);
+    return skeleton->heuristic->answer(skeleton, worker, &point).indirect;
+}

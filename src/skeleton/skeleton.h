@@ -1,0 +1,90 @@
+/* Coarse irradiance along the curvilinear skeleton of the void (Noel, Chaussard
+ * and Biri, "Coarse Irradiance Estimation using Curvilinear Skeleton", SIGGRAPH
+ * 2012 posters): how much light reaches a point, and from where, for every
+ * point of the void. Built once; then const, any number of threads may ask. */
+#ifndef SKELETON_SKELETON_H
+#define SKELETON_SKELETON_H
+
+#include "base/worker.h"
+#include "embree/world.h"
+#include "shade/lamp.h"
+#include "skeleton/graph.h"
+#include "skeleton/paths.h"
+
+struct heuristic;
+
+/* How the light of one lamp comes into the void. */
+struct skeleton_lamp {
+    const struct lamp *lamp;
+    /* Shared by lamps that enter at the same node; NULL: it never comes. */
+    const struct paths *paths;
+    /* It stands in the void, at the source of the paths. Else it shines in from
+     * outside, and the sources are the nodes that see it. */
+    bool within;
+};
+
+struct skeleton {
+    struct arena *arena;
+    const struct world *world;
+    const struct scene *scene;
+    const struct voxels *voxels;
+    struct graph *graph;
+    uint32_t *nearest; /* node of each voxel, GRAPH_NONE: none */
+    struct lamp *plain_lamps;
+    struct skeleton_lamp *lamps;
+    size_t lamp_count;
+    const struct heuristic *heuristic;
+    void *state; /* of the heuristic */
+    uint64_t seed;
+    unsigned threads;
+    int rounds; /* of the collapse */
+};
+
+struct skeleton_options {
+    const struct heuristic *heuristic; /* NULL: the default */
+    uint64_t seed;
+    unsigned threads;
+};
+
+/* From the voxels of the scene, which must outlive it, as must the world. */
+struct skeleton *skeleton_new(const struct world *world,
+                              const struct scene *scene,
+                              const struct voxels *voxels,
+                              const struct skeleton_options *options);
+void skeleton_free(struct skeleton *skeleton);
+
+/* A point, and where the skeleton knows it. */
+struct skeleton_point {
+    vec3 position;
+    vec3 normal;   /* unit, into the void; zero: of no surface */
+    vec3 around;   /* a place in the void before it */
+    uint32_t node; /* the closest to that; GRAPH_NONE: there is no void */
+};
+
+/* In POV-Ray's units: irradiance without pi. */
+struct skeleton_light {
+    rgb arriving; /* of all lamps, on a surface that faces the stream */
+    rgb hidden;   /* the part of it that comes from lamps the point can't see */
+    vec3 stream;  /* where light comes from: the sum of unit directions, each
+                   * times the brightness of its light */
+    rgb indirect; /* irradiance of the surface but for the direct light of lamps
+                   * that are seen from it */
+};
+
+/* Finds the void before a point. */
+struct skeleton_point skeleton_find(const struct skeleton *skeleton,
+                                    vec3 position, vec3 normal);
+
+/* The node of a voxel, or GRAPH_NONE; `place` may be outside of the grid. */
+uint32_t skeleton_node(const struct skeleton *skeleton, const int place[3]);
+
+/* What the heuristic says; black where the skeleton doesn't reach. */
+struct skeleton_light skeleton_light(const struct skeleton *skeleton,
+                                     struct worker *worker, vec3 position,
+                                     vec3 normal);
+
+/* Its `indirect` alone, which may be much cheaper. */
+rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
+                      vec3 position, vec3 normal);
+
+#endif

@@ -1,0 +1,168 @@
+/* The stream of light along the skeleton: see stream.h. The poster is read as
+ * in notes/skeleton.md, section 5.4: visibility by rays against the true
+ * geometry (A7), lengths at the point and not at its node (A5), the lamp's own
+ * law of attenuation (A15). */
+#include "skeleton/stream.h"
+
+#include "shade/shadow.h"
+#include "shade/surface.h"
+
+/* Whatever lets some light pass is no obstacle. */
+static bool stream_passes(void *context, const struct intersection *at)
+{
+    (void)context;
+    (void)at;
+    return false;
+}
+
+bool stream_sees(const struct skeleton *skeleton, vec3 from, vec3 to)
+{
+    vec3 way = vec3_sub(to, from);
+    double length = vec3_length(way), margin = 1e-3 * skeleton->voxels->edge;
+    struct ray ray = { from, vec3_normalise(way) };
+    if (!(length > 2 * margin))
+        return true;
+    return !world_occluded(skeleton->world, &ray, margin, length - margin, -1,
+                           stream_passes, NULL);
+}
+
+/* What the lamp gives to a surface that faces it, if the point sees it. */
+static rgb stream_direct(const struct skeleton *skeleton, struct worker *worker,
+                         const struct skeleton_lamp *lamp,
+                         const struct skeleton_point *point,
+                         struct lamp_view *view)
+{
+    const struct light *light = lamp->lamp->light;
+    bool there = lamp_look(lamp->lamp, light->location, point->position, view);
+    rgb lit = rgb_scale(light->colour, view->attenuation);
+    struct shadow_path path = { .point = point->position,
+                                .direction = view->direction,
+                                .distance = view->distance,
+                                .light = lamp->lamp->number };
+    if (!there)
+        return rgb_grey(0);
+    if (light->shadowless)
+        return lit;
+    return rgb_mul(lit, shadow_visibility(skeleton->world, worker, &path));
+}
+
+uint32_t stream_source(const struct paths *paths, uint32_t node)
+{
+    while (paths->parent[node] != GRAPH_NONE)
+        node = paths->parent[node];
+    return node;
+}
+
+vec3 stream_start(const struct skeleton *skeleton,
+                  const struct skeleton_lamp *lamp, uint32_t source)
+{
+    return lamp->within ? lamp->lamp->light->location
+                        : skeleton->graph->nodes[source].position;
+}
+
+/* How much of a lamp's sphere of directions is lit. */
+static double lamp_share(const struct lamp *lamp)
+{
+    double cosine = (lamp->cosine_radius + lamp->cosine_falloff) / 2;
+    return lamp->light->kind == LIGHT_SPOT ? (1 - cosine) / 2 : 1;
+}
+
+/* What a lamp gives at the end of a way. A lamp that fades does so by the
+ * length of the way. One that doesn't, and one that shines in from outside, has
+ * its full light in the ball of void where the way begins; beyond it 1/d^2. */
+static rgb stream_law(const struct skeleton *skeleton,
+                      const struct skeleton_lamp *lamp,
+                      const struct stream_way *way)
+{
+    const struct graph_node *node = &skeleton->graph->nodes[way->source];
+    const struct light *light = lamp->lamp->light;
+    double share = lamp_share(lamp->lamp) * way->share;
+    double length = fmax(way->length, skeleton->voxels->edge);
+    double ratio = node->radius / fmax(length, node->radius);
+    struct lamp_view view;
+    if (lamp->within && lamp->lamp->fades)
+        return rgb_scale(light->colour,
+                         share * lamp_fading(lamp->lamp, length));
+    if (!lamp->within) {
+        lamp_look(lamp->lamp, light->location, node->position, &view);
+        share = view.attenuation * way->share;
+    }
+    return rgb_scale(light->colour, share * ratio * ratio);
+}
+
+static void stream_add(struct skeleton_light *light, rgb arriving,
+                       vec3 direction)
+{
+    light->arriving = rgb_add(light->arriving, arriving);
+    light->stream =
+        vec3_along(light->stream, direction, rgb_brightness(arriving));
+}
+
+/* Light that comes round corners is spread wide: a surface gets (1 + n.d) / 2
+ * of it (A2). */
+struct skeleton_light stream_gather(const struct skeleton *skeleton,
+                                    struct worker *worker,
+                                    const struct skeleton_point *point,
+                                    stream_follow *follow)
+{
+    struct skeleton_light light = { { 0 } };
+    for (size_t i = 0; i < skeleton->lamp_count; i++) {
+        const struct skeleton_lamp *lamp = &skeleton->lamps[i];
+        struct lamp_view view;
+        rgb direct = stream_direct(skeleton, worker, lamp, point, &view);
+        if (rgb_peak(direct) > 0) {
+            stream_add(&light, direct, view.direction);
+            continue;
+        }
+        if (!lamp->paths || isinf(lamp->paths->distance[point->node]))
+            continue;
+        struct stream_way way = follow(skeleton, lamp, point);
+        rgb arriving = stream_law(skeleton, lamp, &way);
+        double wrap = (1 + vec3_dot(point->normal, way.direction)) / 2;
+        stream_add(&light, arriving, way.direction);
+        light.hidden = rgb_add(light.hidden, arriving);
+        light.indirect = rgb_add_scaled(light.indirect, arriving, wrap);
+    }
+    return light;
+}
+
+/* Towards the way ahead, as far as the ball of void is wide. */
+static vec3 forward_direction(const struct skeleton *skeleton,
+                              const struct skeleton_lamp *lamp,
+                              const struct skeleton_point *point)
+{
+    const struct graph_node *nodes = skeleton->graph->nodes;
+    const struct paths *paths = lamp->paths;
+    uint32_t ahead = point->node;
+    double radius = nodes[ahead].radius;
+    while (paths->parent[ahead] != GRAPH_NONE &&
+           (double)(paths->distance[point->node] - paths->distance[ahead]) <
+               radius)
+        ahead = paths->parent[ahead];
+    vec3 to = nodes[ahead].position, from = nodes[point->node].position;
+    if (paths->parent[ahead] == GRAPH_NONE) {
+        to = stream_start(skeleton, lamp, ahead);
+        from = point->position;
+    }
+    return vec3_normalise(vec3_sub(to, from));
+}
+
+struct stream_way stream_forward(const struct skeleton *skeleton,
+                                 const struct skeleton_lamp *lamp,
+                                 const struct skeleton_point *point)
+{
+    const struct graph_node *nodes = skeleton->graph->nodes;
+    const struct paths *paths = lamp->paths;
+    uint32_t source = stream_source(paths, point->node);
+    vec3 start = stream_start(skeleton, lamp, source);
+    double narrow = (double)paths->narrow[point->node];
+    double first = vec3_length(vec3_sub(start, nodes[source].position));
+    double last =
+        vec3_length(vec3_sub(point->position, nodes[point->node].position));
+    return (struct stream_way){
+        .length = first + (double)paths->distance[point->node] + last,
+        .share = narrow * narrow,
+        .source = source,
+        .direction = forward_direction(skeleton, lamp, point),
+    };
+}

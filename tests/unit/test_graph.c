@@ -1,0 +1,214 @@
+/* skeleton/graph, paths, chamber and enclosure: voids whose skeleton is known,
+ * and enclosures whose light is. */
+#include <math.h>
+
+#include "harness.h"
+#include "skeleton/chamber.h"
+#include "skeleton/collapse.h"
+#include "skeleton/distance.h"
+#include "skeleton/enclosure.h"
+#include "skeleton/opening.h"
+#include "skeleton/paths.h"
+#include "voids.h"
+
+static void assert_close(double value, double wanted, double tolerance)
+{
+    if (!(fabs(value - wanted) <= tolerance))
+        fail_msg("%.17g, not %.17g", value, wanted);
+}
+
+struct fixture {
+    struct arena *arena;
+    struct voxels voxels;
+    struct graph *graph;
+    uint32_t *nearest;
+};
+
+static struct fixture fixture_new(const struct void_case *what, bool rough)
+{
+    struct fixture f = { .arena = arena_new(0), .voxels = void_case_new(what) };
+    if (rough)
+        void_case_roughen(&f.voxels, 1);
+    size_t count = voxels_count(&f.voxels);
+    uint16_t *distance = ARENA_ARRAY(f.arena, uint16_t, count);
+    uint16_t *opening = ARENA_ARRAY(f.arena, uint16_t, count);
+    int32_t *squared = ARENA_ARRAY(f.arena, int32_t, count);
+    struct collapse_maps maps = { distance, opening };
+    struct complex *complex = complex_new(&f.voxels);
+    distance_chessboard(&f.voxels, OUTSIDE_VOID, distance);
+    opening_chessboard(&f.voxels, distance, 1, opening);
+    distance_squared(&f.voxels, OUTSIDE_VOID, 1, squared);
+    complex_collapse(complex, &f.voxels, &maps);
+    f.graph = graph_new(f.arena, complex, &f.voxels, squared);
+    f.nearest = ARENA_ARRAY(f.arena, uint32_t, count);
+    graph_nearest(complex, &f.voxels, f.nearest);
+    complex_free(complex);
+    return f;
+}
+
+static void fixture_free(struct fixture *f)
+{
+    void_case_free(&f->voxels);
+    arena_free(f->arena);
+}
+
+static bool in_void(const struct voxels *v, vec3 p)
+{
+    for (int i = 0; i < 8; i++) {
+        double e = 1e-6 * v->edge;
+        int x = (int)floor((p.x + (i & 1 ? e : -e) - v->origin.x) / v->edge);
+        int y = (int)floor((p.y + (i & 2 ? e : -e) - v->origin.y) / v->edge);
+        int z = (int)floor((p.z + (i & 4 ? e : -e) - v->origin.z) / v->edge);
+        if (v->empty[voxels_index(v, x, y, z)])
+            return true;
+    }
+    return false;
+}
+
+static void check_graph(const struct void_case *what, bool rough)
+{
+    struct fixture f = fixture_new(what, rough);
+    size_t missing = 0;
+    for (size_t i = 0; i < f.graph->count; i++) {
+        assert_true(in_void(&f.voxels, f.graph->nodes[i].position));
+        assert_true(f.graph->nodes[i].radius >= f.voxels.edge);
+    }
+    for (size_t i = 0; i < voxels_count(&f.voxels); i++) {
+        bool has = f.nearest[i] != GRAPH_NONE;
+        assert_true(f.voxels.empty[i] || !has);
+        assert_true(!has || f.nearest[i] < f.graph->count);
+        missing += f.voxels.empty[i] && !has;
+    }
+    /* Rough walls cut off corners that only touch the rest at an edge. */
+    assert_in_range(missing, 0, rough ? 200 : 0);
+    fixture_free(&f);
+}
+
+static void nodes_stay_in_the_void(void **state)
+{
+    (void)state;
+    check_graph(&void_box, false);
+    check_graph(&void_u, true);
+    check_graph(&void_rooms, false);
+    check_graph(&void_rooms, true);
+    check_graph(&void_hall, false);
+}
+
+/* The way through the U: its length along the middle, ends excluded, and its
+ * narrowest place. */
+static void paths_along_the_u(void **state)
+{
+    (void)state;
+    struct fixture f = fixture_new(&void_u, false);
+    int place[3] = { 4, 14, 14 };
+    uint32_t root =
+        f.nearest[voxels_index(&f.voxels, place[0], place[1], place[2])];
+    uint32_t far = f.nearest[voxels_index(&f.voxels, 4, 14, 86)];
+    struct paths_from from = { .sources = &root, .count = 1 };
+    const struct paths *paths = paths_new(f.arena, f.graph, &from);
+    double straight = 0;
+    assert_true(paths->parent[root] == GRAPH_NONE);
+    assert_true(paths->distance[root] == 0);
+    for (uint32_t at = far; at != root; at = paths->parent[at]) {
+        double step = graph_length(f.graph, at, paths->parent[at]);
+        straight += step;
+        assert_true(paths->distance[paths->parent[at]] < paths->distance[at]);
+    }
+    assert_close(straight, (double)paths->distance[far], 1e-4);
+    assert_in_range(straight * 1000, 15000, 20000);
+    assert_true(paths->narrow[far] > 0.8f && paths->narrow[far] <= 1);
+    fixture_free(&f);
+}
+
+/* Three rooms, a corridor, doors between; a room's two ends differ little. */
+static void chambers_end_at_doors(void **state)
+{
+    (void)state;
+    struct fixture f = fixture_new(&void_rooms, false);
+    const struct chambers *c = chambers_new(f.arena, f.graph);
+    const struct voxels *v = &f.voxels;
+    uint32_t first = c->of_node[f.nearest[voxels_index(v, 20, 16, 20)]];
+    uint32_t third = c->of_node[f.nearest[voxels_index(v, 90, 16, 26)]];
+    uint32_t corridor = c->of_node[f.nearest[voxels_index(v, 52, 16, 50)]];
+    assert_in_range(c->count, 4, 20);
+    assert_int_not_equal(first, third);
+    assert_int_not_equal(first, corridor);
+    assert_int_equal(first, c->of_node[f.nearest[voxels_index(v, 5, 5, 36)]]);
+    fixture_free(&f);
+}
+
+/* Sumpner: E = rho Phi / (S (1 - rho)). */
+static void one_chamber(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    struct enclosure *e = enclosure_new(arena, 1);
+    rgb albedo = rgb_make(0.2, 0.5, 0.8);
+    enclosure_wall(e, 0, 3, albedo, rgb_grey(2), rgb_grey(0));
+    enclosure_wall(e, 0, 5, albedo, rgb_grey(0), rgb_grey(0));
+    enclosure_solve(e);
+    assert_close(e->chambers[0].light.r, 0.2 * 6 / (8 * 0.8), 1e-9);
+    assert_close(e->chambers[0].light.g, 0.5 * 6 / (8 * 0.5), 1e-9);
+    assert_close(e->chambers[0].light.b, 0.8 * 6 / (8 * 0.2), 1e-9);
+    arena_free(arena);
+}
+
+/* What comes in by lamps, emission and sky goes out by walls and sky. */
+static void energy_is_kept(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    struct enclosure *e = enclosure_new(arena, 40);
+    double in = 0, out = 0;
+    for (uint32_t i = 0; i < 40; i++) {
+        rgb albedo = rgb_grey(0.1 + 0.02 * i);
+        rgb direct = rgb_grey(i == 7 ? 10 : 0);
+        rgb emission = rgb_grey(i == 11 ? 3 : 0);
+        enclosure_wall(e, i, 1 + i % 5, albedo, direct, emission);
+        in += (1 + i % 5) * (albedo.r * direct.r + emission.r);
+        for (uint32_t k = 1; k <= i && k < 4; k++)
+            enclosure_open(e, i, i - k, 0.1 * (i % 3 + k));
+    }
+    enclosure_sky(e, 39, 2, rgb_grey(0.7));
+    in += 2 * 0.7;
+    int rounds = enclosure_solve(e);
+    for (size_t i = 0; i < 40; i++) {
+        const struct chamber *c = &e->chambers[i];
+        assert_true(c->light.r > 0);
+        out += (c->absorbing.r + c->sky) * c->light.r;
+    }
+    assert_close(out / in, 1, 1e-4);
+    assert_in_range(rounds, 2, 1000);
+    arena_free(arena);
+}
+
+/* A chamber without walls, one that nothing gets into, none at all; walls that
+ * swallow nothing. All have finite light. */
+static void odd_enclosures(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    struct enclosure *e = enclosure_new(arena, 3);
+    enclosure_wall(e, 0, 1, rgb_grey(1.5), rgb_grey(1), rgb_grey(0));
+    enclosure_open(e, 0, 1, 1);
+    enclosure_solve(e);
+    for (int i = 0; i < 3; i++)
+        assert_true(isfinite(e->chambers[i].light.r));
+    assert_true(e->chambers[2].light.r == 0);
+    e = enclosure_new(arena, 0);
+    enclosure_solve(e);
+    arena_free(arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nodes_stay_in_the_void),
+        cmocka_unit_test(paths_along_the_u),
+        cmocka_unit_test(chambers_end_at_doors),
+        cmocka_unit_test(one_chamber),
+        cmocka_unit_test(energy_is_kept),
+        cmocka_unit_test(odd_enclosures),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,207 @@
+/* skeleton/ as a whole: the rooms of voids.h as a scene, walls and all, and
+ * what the heuristics say of them. */
+#include <math.h>
+#include <stdio.h>
+
+#include "harness.h"
+#include "parse/parse.h"
+#include "skeleton/heuristic.h"
+#include "voids.h"
+
+struct fixture {
+    struct arena *arena;
+    struct scene *scene;
+    struct world *world;
+    struct voxels voxels;
+    struct skeleton *skeleton;
+    struct worker worker;
+};
+
+static char *print_box(char *at, const int from[3], const int to[3])
+{
+    return at + sprintf(at, "box { <%d,%d,%d>/10, <%d,%d,%d>/10 }\n", from[0],
+                        from[1], from[2], to[0], to[1], to[2]);
+}
+
+/* The boxes one after the other: solid rock, carved, refilled. */
+static void print_scene(char *at, const struct void_case *what,
+                        const char *albedo, const char *lights)
+{
+    static const int zero[3] = { 0, 0, 0 };
+    char *start = at;
+    int boxes = 0;
+    while (what->boxes[boxes].to[0] > 0)
+        boxes++;
+    at += sprintf(at, "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                      "background { rgb 0 }\n");
+    at += sprintf(at, "%s", lights);
+    for (int i = boxes - 1; i >= 0; i--)
+        at +=
+            sprintf(at, "%s {\n", what->boxes[i].fill ? "difference" : "union");
+    at = print_box(at, zero, what->size);
+    for (int i = 0; i < boxes; i++) {
+        at = print_box(at, what->boxes[i].from, what->boxes[i].to);
+        at += sprintf(at, "}\n");
+    }
+    at -= 2;
+    at += sprintf(at, " pigment { rgb %s } finish { ambient 0 diffuse 1 } }\n",
+                  albedo);
+    assert_true(at - start < 8192);
+}
+
+static struct fixture *fixture_new(const struct void_case *what,
+                                   const char *albedo, const char *lights,
+                                   const char *heuristic, unsigned threads)
+{
+    static char text[8192];
+    struct parse_options parse = { .image_width = 3, .image_height = 3 };
+    struct arena *arena = arena_new(0);
+    struct fixture *f = ARENA_NEW(arena, struct fixture);
+    struct diag diag = diag_new();
+    struct skeleton_options options = { .heuristic = heuristic_find(heuristic),
+                                        .threads = threads };
+    f->arena = arena;
+    f->voxels = void_case_new(what);
+    print_scene(text, what, albedo, lights);
+    f->scene = parse_scene(source_from_text(f->arena, "test.pov", text), &parse,
+                           f->arena, &diag);
+    assert_non_null(f->scene);
+    f->world = world_new(f->scene, threads, 0, &diag);
+    assert_non_null(f->world);
+    f->skeleton = skeleton_new(f->world, f->scene, &f->voxels, &options);
+    return f;
+}
+
+static void fixture_free(struct fixture *f)
+{
+    skeleton_free(f->skeleton);
+    world_free(f->world);
+    scene_free(f->scene);
+    arena_free(f->arena);
+    void_case_free(&f->voxels);
+}
+
+static struct skeleton_light ask(struct fixture *f, double x, double y,
+                                 double z, vec3 normal)
+{
+    return skeleton_light(f->skeleton, &f->worker, vec3_make(x, y, z), normal);
+}
+
+static void assert_near(double value, double wanted, double share)
+{
+    if (!(fabs(value - wanted) <= share * fabs(wanted)))
+        fail_msg("%g, not %g", value, wanted);
+}
+
+static const vec3 up = { 0, 1, 0 };
+
+/* A lamp that fades as 1/d^2: 2 / (1 + (d/D)^2) -> 2 D^2 / d^2, flux
+ * 8 pi D^2 = 8 pi for D = 0.01 and 10^4 white. */
+#define LAMP(x)                                                                \
+    "light_source { <" x "> rgb <1, 2, 4>*1e4 fade_distance 0.01 fade_power "  \
+    "2 }\n"
+
+/* A box without doors is one chamber: rho Phi / (S (1 - rho)). */
+static void box_is_an_integrating_sphere(void **state)
+{
+    (void)state;
+    struct fixture *f = fixture_new(&void_box, "<.2, .5, .8>",
+                                    LAMP("3.2, 3.0, 3.2"), "network", 2);
+    double flux = 8 * 3.14159265358979323846;
+    double area = 2 * (6 * 6 + 2 * 6 * 3.6);
+    rgb corner = ask(f, 0.3, 0.2, 0.4, up).indirect;
+    rgb middle = ask(f, 3, 0.2, 3, up).indirect;
+    assert_near(corner.r, flux * 0.2 / (area * 0.8), 0.01);
+    assert_near(corner.g, 2 * flux * 0.5 / (area * 0.5), 0.01);
+    assert_near(corner.b, 4 * flux * 0.8 / (area * 0.2), 0.01);
+    assert_near(middle.g, corner.g, 1e-9);
+    fixture_free(f);
+}
+
+/* Light falls off from room to room, and gets everywhere; each heuristic says
+ * so, and where from. */
+static void rooms_get_darker(void **state)
+{
+    (void)state;
+    for (size_t i = 0; heuristic_at(i); i++) {
+        struct fixture *f = fixture_new(
+            &void_rooms, ".5", LAMP("2.0, 2.6, 2.0"), heuristic_at(i)->name, 1);
+        struct skeleton_light first = ask(f, 1, 0.2, 1, up);
+        struct skeleton_light corridor = ask(f, 5, 0.2, 8, up);
+        struct skeleton_light second = ask(f, 11, 0.2, 8, up);
+        print_message("%s: %g %g %g\n", heuristic_at(i)->name, first.arriving.g,
+                      corridor.arriving.g, second.arriving.g);
+        assert_true(first.arriving.g > 3 * corridor.arriving.g);
+        assert_true(corridor.arriving.g > 1.2 * second.arriving.g);
+        assert_true(second.arriving.g > 1e-6);
+        assert_true(second.indirect.g > 0);
+        assert_true(second.stream.x < 0);
+        vec3 lamp = vec3_normalise(vec3_make(1, 2.4, 1));
+        if (heuristic_at(i)->indirect == NULL)
+            assert_true(vec3_dot(vec3_normalise(first.stream), lamp) > 0.99);
+        fixture_free(f);
+    }
+}
+
+/* Many lamps, some chosen by chance, give what all give. */
+static void many_lamps_are_drawn(void **state)
+{
+    static char lights[8192];
+    double light[2];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        char *at = lights;
+        for (int k = 0; k < 60; k++)
+            at += sprintf(at,
+                          "light_source { <%g, 3, %g> rgb %g fade_distance 1 "
+                          "fade_power 2 }\n",
+                          0.5 + 0.09 * k, 0.5 + 0.08 * (k * 7 % 60),
+                          i == 0   ? 1.0
+                          : k == 0 ? 60.0
+                                   : 0.0);
+        struct fixture *f =
+            fixture_new(&void_box, ".5", i ? "" : lights, "network", 2);
+        light[i] = ask(f, 3, 0.2, 3, up).indirect.g;
+        fixture_free(f);
+    }
+    assert_true(light[0] > 0);
+    assert_true(light[1] == 0);
+}
+
+/* The same bits from one thread and from three. */
+static void threads_change_nothing(void **state)
+{
+    struct skeleton_light light[2];
+    (void)state;
+    for (unsigned i = 0; i < 2; i++) {
+        struct fixture *f =
+            fixture_new(&void_nine, "<.2, .5, .8>", LAMP("1.9, 2.2, 1.9"),
+                        "network", 1 + 2 * i);
+        light[i] = ask(f, 8, 0.2, 8, up);
+        fixture_free(f);
+    }
+    assert_memory_equal(&light[0], &light[1], sizeof light[0]);
+}
+
+/* Points that no void is near are dark, not an error. */
+static void far_away_is_dark(void **state)
+{
+    (void)state;
+    struct fixture *f =
+        fixture_new(&void_box, ".5", LAMP("3, 3, 3"), "network", 1);
+    assert_true(ask(f, 1e9, -1e9, 0, up).indirect.g == 0);
+    assert_true(ask(f, 0.02, 0.02, 0.02, up).indirect.g == 0);
+    fixture_free(f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(box_is_an_integrating_sphere),
+        cmocka_unit_test(rooms_get_darker),
+        cmocka_unit_test(many_lamps_are_drawn),
+        cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(far_away_is_dark),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
