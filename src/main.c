@@ -1,7 +1,9 @@
 /* glim: scene text -> scene -> world -> picture -> file, for every frame. */
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "cli/interrupt.h"
 #include "cli/picture.h"
+#include "cli/probe_file.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
 
@@ -11,14 +13,15 @@ enum status { DONE = 0, FAILED = 1, INTERRUPTED = 2 };
 struct work {
     struct options options;
     const struct source *source;
+    struct probe_file points; /* of --probe */
     const atomic_int *stop;
     struct diag diag;
 };
 
-/* World to picture. */
-static bool frame_draw(struct work *work, const struct tracer *tracer,
-                       const char *name, struct image *image,
-                       struct stats *stats)
+/* Rays to pixels. */
+static bool frame_pixels(struct work *work, const struct tracer *tracer,
+                         const char *name, struct image *image,
+                         struct stats *stats)
 {
     struct progress progress;
     struct render_options render = work->options.render;
@@ -37,10 +40,47 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
     return done;
 }
 
-/* Scene to picture. */
+/* World to picture. */
+static bool frame_draw(struct work *work, const struct tracer *tracer,
+                       const char *name, struct stats *stats)
+{
+    const struct options *options = &work->options;
+    struct image *image =
+        image_new(options->render.width, options->render.height);
+    bool done = frame_pixels(work, tracer, name, image, stats);
+    stats_lap(stats, &stats->rendering);
+    done = done && picture_write(image, options, &tracer->scene->settings, name,
+                                 &work->diag);
+    stats_lap(stats, &stats->writing);
+    image_free(image);
+    return done;
+}
+
+/* World to a table of light. */
+static bool frame_probe(struct work *work, const struct tracer *tracer,
+                        const char *name, struct stats *stats)
+{
+    struct progress progress;
+    const struct probe_file *points = &work->points;
+    struct render_options render = work->options.render;
+    render.stop = work->stop;
+    render.progress = progress_tell;
+    render.progress_context = &progress;
+    progress_start(&progress, &work->options, name);
+    rgb *light = memory_new(points->at.count * sizeof *light);
+    bool done = probe_run(tracer, &render, points->at.items, points->at.count,
+                          light, &stats->rays);
+    progress_clear(&progress);
+    stats_lap(stats, &stats->rendering);
+    done = done && probe_file_write(points, light, name, &work->diag);
+    stats_lap(stats, &stats->writing);
+    memory_free(light);
+    return done;
+}
+
+/* Scene to picture or table. */
 static bool frame_render(struct work *work, const struct scene *scene,
-                         const char *name, struct image *image,
-                         struct stats *stats)
+                         const char *name, struct stats *stats)
 {
     const struct options *options = &work->options;
     const struct lighting *lighting = options->lighting;
@@ -59,7 +99,8 @@ static bool frame_render(struct work *work, const struct scene *scene,
                              .quality = options->quality,
                              .alpha = options->alpha };
     stats_world(stats, world);
-    bool done = state && frame_draw(work, &tracer, name, image, stats);
+    bool done = state && (options->probe ? frame_probe : frame_draw)(
+                             work, &tracer, name, stats);
     if (state)
         lighting->finish(state);
     world_free(world);
@@ -82,16 +123,9 @@ static bool frame_make(struct work *work, const struct parse_options *parse,
         return scene;
     }
     stats_lap(&stats, &stats.parsing);
-    struct image *image =
-        image_new(options->render.width, options->render.height);
-    bool done = frame_render(work, scene, name, image, &stats);
-    stats_lap(&stats, &stats.rendering);
-    done = done &&
-           picture_write(image, options, &scene->settings, name, &work->diag);
-    stats_lap(&stats, &stats.writing);
+    bool done = frame_render(work, scene, name, &stats);
     if (done && options->stats)
         stats_print(&stats);
-    image_free(image);
     scene_free(scene);
     return done;
 }
@@ -131,6 +165,10 @@ static enum status work_run(struct work *work, struct arena *arena)
                    problem);
         return FAILED;
     }
+    if (work->options.probe && work->options.action == ACTION_RENDER &&
+        !probe_file_read(&work->points, work->options.probe, arena,
+                         &work->diag))
+        return FAILED;
     for (int i = 0; i < frames_count(frames); i++) {
         enum status status = atomic_load(work->stop)
                                  ? INTERRUPTED

@@ -106,7 +106,7 @@ option_set set_light;
 option_set set_switch, set_integer, set_whole, set_number, set_library,
     set_header, set_input, set_output, set_file_type, set_gamma, set_declare,
     set_verbose, set_all_consoles, set_lighting, set_action, set_list, set_flag,
-    set_quiet, set_ignored, set_no_command, set_message_file;
+    set_quiet, set_ignored, set_no_command, set_message_file, set_text;
 
 /* A whole text as a number; false when it is anything else. */
 bool option_number(const char *text, double *number);

@@ -28,20 +28,27 @@ bool option_number(const char *text, double *number)
            isfinite(*number);
 }
 
+/* The option as it was typed, ready for its value. */
+static const char *option_typed(struct option_reader *reader,
+                                const struct option *option,
+                                const struct setting *setting)
+{
+    bool word = setting->shown && strncmp(setting->shown, "--", 2) == 0;
+    if (option->word && (word || !option->key))
+        return arena_printf(reader->arena, "--%s ", option->word);
+    if (option->letters && !setting->by_key)
+        return arena_printf(reader->arena, "+%s", option->letters);
+    return arena_printf(reader->arena, "%s=", option->key);
+}
+
 bool option_wants(struct option_reader *reader, const struct option *option,
                   const struct setting *setting, const char *example)
 {
     if (setting->value && *setting->value)
         return true;
-    return option_fail(reader, setting, "%s needs a value: type %s%s%s",
+    return option_fail(reader, setting, "%s needs a value: type %s%s",
                        option->key ? option->key : option->word,
-                       option->letters && !setting->by_key ? "+"
-                       : option->key                       ? option->key
-                                                           : "--",
-                       option->letters && !setting->by_key ? option->letters
-                       : option->key                       ? "="
-                                                           : option->word,
-                       example);
+                       option_typed(reader, option, setting), example);
 }
 
 bool option_read_number(struct option_reader *reader,
@@ -260,6 +267,15 @@ bool set_input(struct option_reader *reader, const struct option *option,
     return true;
 }
 
+bool set_text(struct option_reader *reader, const struct option *option,
+              const struct setting *setting)
+{
+    if (!option_wants(reader, option, setting, option->argument))
+        return false;
+    *(const char **)option_place(reader, option) = setting->value;
+    return true;
+}
+
 bool set_output(struct option_reader *reader, const struct option *option,
                 const struct setting *setting)
 {
@@ -356,7 +372,7 @@ bool set_declare(struct option_reader *reader, const struct option *option,
 bool set_lighting(struct option_reader *reader, const struct option *option,
                   const struct setting *setting)
 {
-    if (!option_wants(reader, option, setting, " rays"))
+    if (!option_wants(reader, option, setting, "rays"))
         return false;
     struct options *options = reader->options;
     if (strcmp(setting->value, "help") == 0) {

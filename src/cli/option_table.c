@@ -214,6 +214,9 @@ static const struct option table[] = {
     GROUP("Other things to do"),
     WORD("check", set_action, ACTION_CHECK, NULL,
          "read the scene and report what is wrong; render nothing"),
+    WORD("probe", set_text, AT(probe), "file",
+         "print the irradiance at points instead of drawing: lines x y z nx "
+         "ny nz, or x y z; - is standard input"),
     WORD("list", set_list, 0, "[what]",
          "primitives, patterns, keywords, lightings, formats or options"),
     WORD("help", set_action, ACTION_HELP, NULL, "this list"),

@@ -234,10 +234,32 @@ static bool options_find_input(struct option_reader *reader)
     return false;
 }
 
+/* A table of light goes to standard output, or where +O says. */
+static bool options_name_table(struct option_reader *reader)
+{
+    static const struct output_type text = { .extension = ".txt" };
+    struct options *options = reader->options;
+    const char *said = reader->output ? reader->output : "-";
+    options->continue_trace = false;
+    options->output = said;
+    if (strcmp(options->input, "-") == 0 && strcmp(options->probe, "-") == 0) {
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "the scene and the points can't both come from standard "
+                   "input");
+        return false;
+    }
+    if (said[strlen(said) - 1] == '/')
+        options->output =
+            output_name(said, options->input, &text, reader->arena);
+    return true;
+}
+
 static bool options_name_output(struct option_reader *reader)
 {
     struct options *options = reader->options;
     const struct output_type *type = output_type_find(options->file_type);
+    if (options->probe)
+        return options_name_table(reader);
     if (!options->to_file || options->action != ACTION_RENDER)
         return true;
     bool stdin_named = strcmp(options->input, "-") == 0;

@@ -25,6 +25,7 @@ struct options {
     const char *path;   /* the same, found along the library path */
     const char *output; /* the picture's name, without a frame's number; "-"
                          * standard output; NULL: none */
+    const char *probe;  /* --probe: the points' file; NULL: a picture */
     char file_type;     /* +F letter, 'N' by default */
     int bits;           /* per channel; 0: not said */
     bool grey, alpha;

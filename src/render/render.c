@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "render/sampler.h"
+#include "render/workers.h"
 
 struct thread_state {
     struct worker worker;
@@ -98,9 +99,7 @@ static void threads_start(struct rendering *rendering, unsigned count)
     rendering->threads = memory_new(count * sizeof *rendering->threads);
     for (unsigned i = 0; i < count; i++) {
         struct thread_state *thread = &rendering->threads[i];
-        thread->worker.number = i;
-        thread->worker.stop = rendering->options->stop;
-        thread->worker.scratch = arena_new(0);
+        worker_start(&thread->worker, i, rendering->options->stop);
         thread->scratch = memory_new(scratch * sizeof *thread->scratch);
     }
 }
@@ -110,12 +109,7 @@ static void threads_end(struct rendering *rendering, unsigned count,
 {
     for (unsigned i = 0; i < count; i++) {
         struct thread_state *thread = &rendering->threads[i];
-        if (stats) {
-            stats->camera_rays += thread->worker.counters.camera_rays;
-            stats->secondary_rays += thread->worker.counters.secondary_rays;
-            stats->shadow_rays += thread->worker.counters.shadow_rays;
-        }
-        arena_free(thread->worker.scratch);
+        worker_end(&thread->worker, stats);
         memory_free(thread->scratch);
     }
     memory_free(rendering->threads);

@@ -475,7 +475,7 @@ static void meshes_have_options_too(void **state)
         "not 'maybe'\n");
     bad("scene.pov --mesh-load",
         "glim: error: '--mesh-load': Mesh_Load needs a value: type "
-        "Mesh_Load=file\n");
+        "--mesh-load file\n");
     bad("scene.pov --mesh-only",
         "glim: error: --mesh-only would keep nothing: add --mesh-save "
         "FILE\n");
