@@ -181,7 +181,7 @@ bool macro_call(struct parser *p, const struct word *word, struct span at)
         macro_recover(p);
         return false;
     }
-    if (!stream_round(p, 2, at) ||
+    if (!stream_round(p, 3, at) ||
         !stream_push_macro(p, macro->list, macro->first, macro->end, word, at))
         return false;
     scope_push(p);

@@ -14,8 +14,7 @@
 #switch (N) #case (1) #case (2) #range (3, 5) box { 0, 1 } #break
     #default #error "none" #end
 #include "part.inc"
-#include "shapes.inc"
-Pair(object { Part }, 2)
+object { Part }
 #declare deprecated once "old" Old = 1;
 #declare G = function { x + y };
 #undef G

@@ -15,5 +15,3 @@ mesh2 {
     uv_indices { 2, <0, 1, 2>, <1, 2, 3> }
     inside_vector <0, 0, 1> scale 2
 }
-mesh2 { vertex_vectors { 3, 0, x, y } texture_list { 3, texture { T }
-    texture { T } texture { T } } face_indices { 1, <0, 1, 2>, 0, 1, 2 } }

@@ -18,5 +18,3 @@ sphere { 0, 1 pigment { leopard } } sphere { 0, 1 pigment { granite } }
 sphere { 0, 1 pigment { spotted } } sphere { 0, 1 pigment { bumps } }
 sphere { 0, 1 pigment { dents } } sphere { 0, 1 pigment { ripples } }
 sphere { 0, 1 pigment { waves } } sphere { 0, 1 pigment { wrinkles } }
-sphere { 0, 1 pigment { image_map { png "none.png" map_type 1 interpolate 2
-    once filter all 0.1 transmit all 0.2 gamma srgb premultiplied on } } }

@@ -13,8 +13,8 @@ camera { orthographic location <1, 2, -9> direction z right 1.3*x up y sky y
 #declare Eye = camera { perspective location -5*z look_at <0, 1, 0> }
 camera { Eye matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0> }
 background { color red 0.1 green 0.2 blue 0.3 }
-#declare Mist = fog { distance 9 rgbft <1, 0.5, 0, 0.1, 0.2> fog_type 2
-    fog_offset 1 fog_alt 2 turb_depth 0.3 octaves 3 omega 0.4 lambda 2 up y }
+#declare Mist = fog { distance 9 rgbft <1, 0.5, 0, 0.1, 0.2> fog_type 1
+    turb_depth 0.3 octaves 3 omega 0.4 lambda 2 up y }
 fog { Mist distance 10 fog_type 1 }
 #declare Sky = sky_sphere { pigment { gradient y color_map {
     [0 rgb 0] [1 color rgbt <1, 1, 1, 0.5>] } } emission rgb 2 rotate x }
