@@ -157,6 +157,43 @@ void mesh_tree_crossings(const struct mesh_tree *tree, const struct ray *ray,
     }
 }
 
+static bool leaf_meets(const struct mesh_tree *tree,
+                       const struct tree_node *node, const struct cell *cell)
+{
+    for (uint32_t i = 0; i < node->count; i++) {
+        uint32_t triangle = tree->order[node->first + i];
+        if (cell_meets_triangle(cell, corner(tree->mesh, triangle, 0),
+                                corner(tree->mesh, triangle, 1),
+                                corner(tree->mesh, triangle, 2)))
+            return true;
+    }
+    return false;
+}
+
+bool mesh_tree_meets(const struct mesh_tree *tree, const struct cell *cell)
+{
+    uint32_t stack[TREE_DEPTH];
+    struct box3 box = cell_box(cell);
+    int depth = 0;
+    if (tree->node_count == 0)
+        return false;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        uint32_t number = stack[--depth];
+        const struct tree_node *node = &tree->nodes[number];
+        if (box3_is_empty(box3_intersection(box, node->box)))
+            continue;
+        if (node->count > 0) {
+            if (leaf_meets(tree, node, cell))
+                return true;
+        } else if (depth + 2 <= TREE_DEPTH) {
+            stack[depth++] = node->first;
+            stack[depth++] = number + 1;
+        }
+    }
+    return false;
+}
+
 static bool count_crossing(void *context, const struct hit *hit)
 {
     (void)hit;

@@ -4,6 +4,7 @@
 #ifndef EMBREE_MESH_TREE_H
 #define EMBREE_MESH_TREE_H
 
+#include "scene/cell.h"
 #include "scene/mesh.h"
 
 struct mesh_tree;
@@ -19,6 +20,9 @@ typedef bool mesh_visit(void *context, const struct hit *hit);
 void mesh_tree_crossings(const struct mesh_tree *tree, const struct ray *ray,
                          double tmin, double tmax, mesh_visit *visit,
                          void *context);
+
+/* Whether a triangle meets the axis-aligned box around the cell. */
+bool mesh_tree_meets(const struct mesh_tree *tree, const struct cell *cell);
 
 /* Whether a ray from the point along the mesh's inside_vector crosses it an
  * odd number of times. False if it has none. */

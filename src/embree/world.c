@@ -151,6 +151,26 @@ bool world_may_contain(const struct world *world, struct box3 box)
     return false;
 }
 
+static void visit_solids(const struct solid_list *list,
+                         void (*visit)(void *context,
+                                       const struct solid *solid),
+                         void *context)
+{
+    for (size_t i = 0; i < list->count; i++)
+        visit(context, list->items[i]);
+}
+
+void world_visit(const struct world *world,
+                 void (*solid)(void *context, const struct solid *solid),
+                 void (*mesh)(void *context, const struct leaf *leaf),
+                 void *context)
+{
+    visit_solids(&world->flat.solids, solid, context);
+    visit_solids(&world->geometry.solids, solid, context);
+    for (size_t i = 0; i < world->flat.meshes.count; i++)
+        mesh(context, world->flat.meshes.items[i]);
+}
+
 size_t world_leaf_count(const struct world *world)
 {
     return world->flat.leaf_count;

@@ -63,6 +63,13 @@ void world_containing(const struct world *world, vec3 point,
 /* False if world_containing finds nothing for any point of the box. */
 bool world_may_contain(const struct world *world, struct box3 box);
 
+/* Calls `solid` for every shape and CSG object, and `mesh` for every mesh that
+ * is no part of one; always in the same order. */
+void world_visit(const struct world *world,
+                 void (*solid)(void *context, const struct solid *solid),
+                 void (*mesh)(void *context, const struct leaf *leaf),
+                 void *context);
+
 /* Sizes for --stats and for lighting methods. */
 size_t world_leaf_count(const struct world *world);
 size_t world_triangle_count(const struct world *world);

@@ -155,3 +155,55 @@ bool algebraic_shape_inside(const void *shape, vec3 point)
 {
     return algebraic_inside(shape, point);
 }
+
+/* A polynomial near the middle of a cell: value + slope.d, give or take
+ * `rest` (a Taylor model of order 1, Makino and Berz 2003). */
+struct model {
+    double value;
+    double slope[3];
+    double rest;
+};
+
+/* Times the coordinate at + d[axis], where |d[i]| <= half[i], plus `more`. */
+static void model_times(struct model *m, int axis, double at,
+                        const double *half, const struct model *more)
+{
+    double curve = 0;
+    for (int i = 0; i < 3; i++)
+        curve += fabs(m->slope[i]) * half[i];
+    m->rest = m->rest * (fabs(at) + half[axis]) + curve * half[axis];
+    for (int i = 0; i < 3; i++)
+        m->slope[i] *= at;
+    m->slope[axis] += m->value;
+    m->value *= at;
+    m->value += more->value;
+    m->rest += more->rest;
+    for (int i = 0; i < 3; i++)
+        m->slope[i] += more->slope[i];
+}
+
+/* Horner's scheme as in evaluate(). The inside ends at 1e-4, not at 0. */
+unsigned algebraic_shape_meets(const void *shape, const struct cell *cell)
+{
+    const struct algebraic *surface = shape;
+    const double *term = surface->terms.values;
+    const double half[3] = { cell->half.x, cell->half.y, cell->half.z };
+    vec3 c = cell->centre;
+    int n = surface->order;
+    struct model all = { 0 };
+    for (int i = n; i >= 0; i--) {
+        struct model in_y = { 0 };
+        for (int j = n - i; j >= 0; j--) {
+            struct model in_z = { 0 };
+            for (int k = n - i - j; k >= 0; k--)
+                model_times(&in_z, 2, c.z, half,
+                            &(struct model){ .value = *term++ });
+            model_times(&in_y, 1, c.y, half, &in_z);
+        }
+        model_times(&all, 0, c.x, half, &in_y);
+    }
+    vec3 slope = { all.slope[0], all.slope[1], all.slope[2] };
+    double reach = cell_reach(cell, slope) + all.rest;
+    bool apart = all.value - reach > 1e-4 || all.value + reach < 0;
+    return apart ? 0 : CELL_SURFACE | CELL_BORDER;
+}

@@ -35,5 +35,6 @@ void algebraic_shape_intersect(const void *shape, const struct ray *ray,
 vec3 algebraic_shape_normal(const void *shape, vec3 point,
                             const struct hit *hit);
 bool algebraic_shape_inside(const void *shape, vec3 point);
+unsigned algebraic_shape_meets(const void *shape, const struct cell *cell);
 
 #endif

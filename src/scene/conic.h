@@ -23,5 +23,6 @@ void conic_intersect(const void *shape, const struct ray *ray,
                      struct hits *hits);
 vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit);
 bool conic_inside(const void *shape, vec3 point);
+unsigned conic_meets(const void *shape, const struct cell *cell);
 
 #endif

@@ -10,6 +10,7 @@
 #include "base/affine.h"
 #include "base/arena.h"
 #include "base/field.h"
+#include "scene/cell.h"
 #include "scene/ray.h"
 
 /* What bounded_by does to a shape that is no part of CSG (measured). */
@@ -51,6 +52,10 @@ struct primitive {
     vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
     /* NULL when not solid. */
     bool (*inside)(const void *shape, vec3 point);
+    /* What the cell may meet: CELL_SURFACE, CELL_BORDER (see cell.h). Leaves
+     * out nothing that it meets; says a little more than is true, the less the
+     * smaller the cell. NULL: searched with rays, which may miss thin parts. */
+    unsigned (*meets)(const void *shape, const struct cell *cell);
 };
 
 /* The primitive whose keyword is `name`, or NULL. */

@@ -89,6 +89,17 @@ static bool box_inside(const void *shape, vec3 point)
     return box3_contains((struct box3){ box->low, box->high }, point);
 }
 
+static unsigned box_meets(const void *shape, const struct cell *cell)
+{
+    const struct box *box = shape;
+    struct box3 all = { box->low, box->high }, around = cell_box(cell);
+    bool within = around.low.x > all.low.x && around.high.x < all.high.x &&
+                  around.low.y > all.low.y && around.high.y < all.high.y &&
+                  around.low.z > all.low.z && around.high.z < all.high.z;
+    return within || !cell_meets_box(cell, all) ? 0
+                                                : CELL_SURFACE | CELL_BORDER;
+}
+
 const struct primitive box_primitive = {
     .name = "box",
     .help = "a box with its sides along the axes",
@@ -101,4 +112,5 @@ const struct primitive box_primitive = {
     .intersect = box_intersect,
     .normal = box_normal,
     .inside = box_inside,
+    .meets = box_meets,
 };

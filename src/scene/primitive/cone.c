@@ -40,4 +40,5 @@ const struct primitive cone_primitive = {
     .intersect = conic_intersect,
     .normal = conic_normal,
     .inside = conic_inside,
+    .meets = conic_meets,
 };

@@ -35,4 +35,5 @@ const struct primitive cubic_primitive = {
     .intersect = algebraic_shape_intersect,
     .normal = algebraic_shape_normal,
     .inside = algebraic_shape_inside,
+    .meets = algebraic_shape_meets,
 };

@@ -41,4 +41,5 @@ const struct primitive cylinder_primitive = {
     .intersect = conic_intersect,
     .normal = conic_normal,
     .inside = conic_inside,
+    .meets = conic_meets,
 };

@@ -74,6 +74,18 @@ static bool disc_inside(const void *shape, vec3 point)
     return vec3_dot(disc->normal, vec3_sub(point, disc->centre)) < 0;
 }
 
+static unsigned disc_meets(const void *shape, const struct cell *cell)
+{
+    const struct disc *disc = shape;
+    vec3 d = vec3_sub(cell->centre, disc->centre);
+    if (fabs(vec3_dot(disc->normal, d)) > cell_reach(cell, disc->normal))
+        return 0;
+    struct range distance = cell_distance(cell, disc->centre);
+    bool apart =
+        distance.low > fabs(disc->radius) || distance.high < fabs(disc->hole);
+    return apart ? CELL_BORDER : CELL_SURFACE | CELL_BORDER;
+}
+
 const struct primitive disc_primitive = {
     .name = "disc",
     .help = "a flat disc, with a hole if a second radius is given",
@@ -86,4 +98,5 @@ const struct primitive disc_primitive = {
     .intersect = disc_intersect,
     .normal = disc_normal,
     .inside = disc_inside,
+    .meets = disc_meets,
 };

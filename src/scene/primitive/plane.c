@@ -75,6 +75,14 @@ static bool plane_inside(const void *shape, vec3 point)
     return vec3_dot(plane->normal, point) - plane->distance <= 0;
 }
 
+static unsigned plane_meets(const void *shape, const struct cell *cell)
+{
+    const struct plane *plane = shape;
+    double height = vec3_dot(plane->normal, cell->centre) - plane->distance;
+    bool apart = fabs(height) > cell_reach(cell, plane->normal);
+    return apart ? 0 : CELL_SURFACE | CELL_BORDER;
+}
+
 const struct primitive plane_primitive = {
     .name = "plane",
     .help = "an infinite plane; inside is the side its normal points from",
@@ -89,4 +97,5 @@ const struct primitive plane_primitive = {
     .intersect = plane_intersect,
     .normal = plane_normal,
     .inside = plane_inside,
+    .meets = plane_meets,
 };

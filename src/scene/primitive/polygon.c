@@ -172,6 +172,34 @@ static vec3 polygon_normal(const void *shape, vec3 point, const struct hit *hit)
     return polygon->normal;
 }
 
+static double edge_distance(const struct edge *e, double u, double v)
+{
+    double du = e->u1 - e->u0, dv = e->v1 - e->v0, dd = du * du + dv * dv;
+    double t = dd > 0 ? ((u - e->u0) * du + (v - e->v0) * dv) / dd : 0;
+    t = fmax(0, fmin(1, t));
+    return hypot(u - e->u0 - t * du, v - e->v0 - t * dv);
+}
+
+/* Within the cell's radius of where its centre is seen from above; the
+ * projection shortens distances. */
+static unsigned polygon_meets(const void *shape, const struct cell *cell)
+{
+    const struct polygon *polygon = shape;
+    vec3 n = polygon->normal;
+    double height = vec3_dot(n, cell->centre) - polygon->distance;
+    if (fabs(height) > cell_reach(cell, n))
+        return 0;
+    vec3 below = vec3_along(cell->centre, n, -height);
+    double u = vec3_component(below, polygon->u_axis);
+    double v = vec3_component(below, polygon->v_axis);
+    if (polygon_covers(polygon, u, v))
+        return CELL_SURFACE;
+    for (size_t i = 0; i < polygon->edge_count; i++)
+        if (edge_distance(&polygon->edges[i], u, v) <= cell->radius)
+            return CELL_SURFACE;
+    return 0;
+}
+
 const struct primitive polygon_primitive = {
     .name = "polygon",
     .help = "a flat shape with straight edges",
@@ -181,4 +209,5 @@ const struct primitive polygon_primitive = {
     .bounds = polygon_bounds,
     .intersect = polygon_intersect,
     .normal = polygon_normal,
+    .meets = polygon_meets,
 };

@@ -219,6 +219,26 @@ static bool quadric_inside(const void *shape, vec3 point)
     return quadric_value(shape, point) <= 0;
 }
 
+/* F(c + d) = F(c) + grad F(c).d + d.Md, where d is a sum of sides: their
+ * squares have one sign, their products two. */
+static unsigned quadric_meets(const void *shape, const struct cell *cell)
+{
+    const struct quadric *quadric = shape;
+    vec3 slope = vec3_scale(quadric_matrix(quadric, cell->centre), 2);
+    slope = vec3_add(slope, quadric->linear);
+    double reach = cell_reach(cell, slope), least = 0, most = 0;
+    for (int i = 0; i < 3; i++) {
+        vec3 md = quadric_matrix(quadric, cell->side[i]);
+        double square = vec3_dot(md, cell->side[i]);
+        least += fmin(0, square);
+        most += fmax(0, square);
+        reach += 2 * fabs(vec3_dot(md, cell->side[(i + 1) % 3]));
+    }
+    double value = quadric_value(quadric, cell->centre);
+    bool apart = value + least - reach > 0 || value + most + reach < 0;
+    return apart ? 0 : CELL_SURFACE | CELL_BORDER;
+}
+
 const struct primitive quadric_primitive = {
     .name = "quadric",
     .help = "a surface of order 2: ellipsoid, paraboloid, hyperboloid ...",
@@ -232,4 +252,5 @@ const struct primitive quadric_primitive = {
     .intersect = quadric_intersect,
     .normal = quadric_normal,
     .inside = quadric_inside,
+    .meets = quadric_meets,
 };

@@ -59,6 +59,15 @@ static bool sphere_inside(const void *shape, vec3 point)
     return vec3_dot(p, p) < sphere->radius * sphere->radius;
 }
 
+static unsigned sphere_meets(const void *shape, const struct cell *cell)
+{
+    const struct sphere *sphere = shape;
+    struct range distance = cell_distance(cell, sphere->centre);
+    double radius = fabs(sphere->radius);
+    bool apart = distance.low > radius || distance.high < radius;
+    return apart ? 0 : CELL_SURFACE | CELL_BORDER;
+}
+
 const struct primitive sphere_primitive = {
     .name = "sphere",
     .help = "a ball",
@@ -70,4 +79,5 @@ const struct primitive sphere_primitive = {
     .intersect = sphere_intersect,
     .normal = sphere_normal,
     .inside = sphere_inside,
+    .meets = sphere_meets,
 };

@@ -137,6 +137,32 @@ static bool torus_inside(const void *shape, vec3 point)
     return out * out + point.y * point.y <= torus->minor * torus->minor;
 }
 
+/* The least and the largest |x| for x in centre -+ half. */
+static struct range range_of_magnitude(double centre, double half)
+{
+    return (struct range){ fmax(0, fabs(centre) - half), fabs(centre) + half };
+}
+
+/* Distances from the tube's middle line change no faster than the way gone, and
+ * in the box around the cell they are those of a rectangle across the tube. */
+static unsigned torus_meets(const void *shape, const struct cell *cell)
+{
+    const struct torus *torus = shape;
+    vec3 c = cell->centre;
+    double r = torus->minor;
+    double middle = hypot(hypot(c.x, c.z) - torus->major, c.y);
+    if (fabs(middle - r) > cell->radius)
+        return 0;
+    struct range x = range_of_magnitude(c.x, cell->half.x);
+    struct range z = range_of_magnitude(c.z, cell->half.z);
+    struct range y = range_of_magnitude(c.y, cell->half.y);
+    double near = hypot(x.low, z.low) - torus->major;
+    double far = hypot(x.high, z.high) - torus->major;
+    struct range out = range_of_magnitude((near + far) / 2, (far - near) / 2);
+    bool apart = hypot(out.low, y.low) > r || hypot(out.high, y.high) < r;
+    return apart ? 0 : CELL_SURFACE | CELL_BORDER;
+}
+
 const struct primitive torus_primitive = {
     .name = "torus",
     .help = "a ring around the y axis",
@@ -150,4 +176,5 @@ const struct primitive torus_primitive = {
     .intersect = torus_intersect,
     .normal = torus_normal,
     .inside = torus_inside,
+    .meets = torus_meets,
 };
