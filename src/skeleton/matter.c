@@ -91,3 +91,19 @@ const uint8_t *matter_marks(const struct world *world, struct box3 space,
     world_visit(world, mark_solid, mark_mesh, &marking);
     return marking.marks;
 }
+
+static bool has_mark(void *context, const struct intersection *at)
+{
+    const uint8_t *const *marks = context;
+    return (*marks)[at->leaf->number] != 0;
+}
+
+bool matter_hides(const struct world *world, const uint8_t *marks, vec3 from,
+                  vec3 to)
+{
+    vec3 way = vec3_sub(to, from);
+    double distance = vec3_length(way);
+    struct ray ray = { from, vec3_normalise(way) };
+    return distance > 0 &&
+           world_occluded(world, &ray, 0, distance, -1, has_mark, &marks);
+}

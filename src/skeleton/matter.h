@@ -21,4 +21,8 @@ const uint8_t *matter_marks(const struct world *world, struct box3 space,
 uint8_t matter_of_texture(const struct texture *texture,
                           const affine *to_texture, struct box3 box);
 
+/* Whether something with a mark lies between the two points. */
+bool matter_hides(const struct world *world, const uint8_t *marks, vec3 from,
+                  vec3 to);
+
 #endif

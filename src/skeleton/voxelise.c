@@ -90,10 +90,10 @@ static uint8_t cell_marks(const struct solid_work *work,
 {
     double grown = half + cell_growth * work->grid->edge;
     uint8_t found = 0;
-    uint8_t there = solid_overlap(item->solid, centre,
-                                  vec3_make(grown, grown, grown), levels == 0,
-                                  work->marks)
-                        .marks;
+    uint8_t there =
+        solid_overlap(item->solid, centre, vec3_make(grown, grown, grown),
+                      levels == 0, work->marks)
+            .marks;
     if (levels == 0 || !(there & wanted))
         return there;
     half /= 2;

@@ -50,8 +50,7 @@ static void take_mesh(void *context, const struct leaf *leaf)
     if (leaf->no_shadow || box3_is_empty(box))
         return;
     if (mesh->texture_count > 0) {
-        uint8_t *marks =
-            ARENA_ARRAY(work->arena, uint8_t, mesh->texture_count);
+        uint8_t *marks = ARENA_ARRAY(work->arena, uint8_t, mesh->texture_count);
         for (size_t i = 0; i < mesh->texture_count; i++)
             marks[i] = mesh->textures[i]
                            ? matter_of_texture(mesh->textures[i],

@@ -1,0 +1,135 @@
+/* The grid around a scene: see grid.h. */
+#include "skeleton/grid.h"
+
+#include "base/memory.h"
+
+enum {
+    MARGIN = 3,      /* voxels besides those of the box, in all: walls at its
+                      * sides run through the middle of voxels */
+    LIGHTS = 64,     /* that are asked what they see */
+    VOXEL_BYTES = 24 /* of all maps of a skeleton together */
+};
+
+/* How many times longer the grid may get to hold the camera, a lamp, or a
+ * wall. What is farther away is outside. */
+static const double camera_stretch = 4, other_stretch = 2;
+
+/* Without anything bounded walls are looked for up to here. */
+static const double far_away = 1e5;
+
+static double longest_side(struct box3 box)
+{
+    vec3 size = vec3_sub(box.high, box.low);
+    return fmax(size.x, fmax(size.y, size.z));
+}
+
+/* Adds the point unless the box would get longer than `limit`. */
+static void stretch(struct box3 *box, vec3 point, double limit)
+{
+    struct box3 larger = box3_add(*box, point);
+    if (vec3_finite(point) && longest_side(larger) <= limit)
+        *box = larger;
+}
+
+/* Adds what a viewer sees along the axes and the diagonals. */
+static void look_around(struct box3 *box, const struct world *world, vec3 from,
+                        double limit)
+{
+    for (int i = 0; i < 27; i++) {
+        struct intersection at;
+        vec3 way = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
+        struct ray ray = { from, vec3_normalise(way) };
+        if (i != 13 && world_closest(world, &ray, 1e-6, RAY_CAMERA, &at) &&
+            at.t < far_away)
+            stretch(box, at.point, limit);
+    }
+}
+
+static struct box3 find_box(const struct world *world,
+                            const struct camera *camera)
+{
+    struct box3 box = world_bounds(world);
+    size_t count;
+    const struct light *lights = world_lights(world, &count);
+    double size = box3_is_empty(box) ? 0 : longest_side(box);
+    if (size > 0 && isfinite(size))
+        stretch(&box, camera->location, camera_stretch * size);
+    else
+        box = box3_add(box3_empty(), camera->location);
+    size = longest_side(box);
+    look_around(&box, world, camera->location,
+                size > 0 ? other_stretch * size : far_away);
+    double limit = longest_side(box) * other_stretch;
+    for (size_t i = 0; i < count; i++) {
+        struct box3 before = box;
+        if (lights[i].parallel)
+            continue;
+        stretch(&box, lights[i].location, limit > 0 ? limit : far_away);
+        if (i < LIGHTS && box3_contains(box, lights[i].location))
+            look_around(&box, world, lights[i].location,
+                        limit > 0 ? limit : longest_side(before));
+    }
+    return box;
+}
+
+static double voxels_needed(const double *size)
+{
+    return size[0] * size[1] * size[2];
+}
+
+static void grid_sizes(struct box3 box, int resolution, double *edge,
+                       double *size)
+{
+    double longest = longest_side(box);
+    vec3 extent = vec3_sub(box.high, box.low);
+    *edge = longest > 0 ? longest / (resolution - MARGIN) : 1.0 / resolution;
+    for (int i = 0; i < 3; i++)
+        size[i] = ceil(vec3_component(extent, i) / *edge - 1e-9) + MARGIN;
+}
+
+static bool fits(struct box3 box, int resolution, double bytes)
+{
+    double edge, size[3];
+    grid_sizes(box, resolution, &edge, size);
+    return voxels_needed(size) * VOXEL_BYTES <= bytes &&
+           voxels_needed(size) < 4294967295.0 && resolution < 65535;
+}
+
+static void report_size(struct box3 box, int resolution, double bytes,
+                        struct diag *diag)
+{
+    double edge, size[3];
+    int possible = resolution;
+    while (possible > VOXELS_RESOLUTION_LEAST && !fits(box, possible, bytes))
+        possible = possible / 2;
+    grid_sizes(box, resolution, &edge, size);
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "a skeleton of resolution %d has %.0f x %.0f x %.0f voxels and "
+               "needs %.1f GB of memory; it may use %.1f GB, enough for "
+               "resolution %d",
+               resolution, size[0], size[1], size[2],
+               voxels_needed(size) * VOXEL_BYTES / 1e9, bytes / 1e9, possible);
+}
+
+bool grid_place(struct voxels *grid, const struct world *world,
+                const struct camera *camera, int resolution, struct diag *diag)
+{
+    struct box3 box = find_box(world, camera);
+    double bytes = (double)memory_available() / 2, size[3];
+    if (resolution <= 0)
+        resolution = VOXELS_RESOLUTION;
+    if (resolution < VOXELS_RESOLUTION_LEAST)
+        resolution = VOXELS_RESOLUTION_LEAST;
+    if (!fits(box, resolution, bytes)) {
+        report_size(box, resolution, bytes, diag);
+        return false;
+    }
+    grid_sizes(box, resolution, &grid->edge, size);
+    vec3 half = vec3_scale(vec3_make(size[0], size[1], size[2]), 0.5);
+    vec3 middle = vec3_mix(box.low, box.high, 0.5);
+    grid->origin = vec3_along(middle, half, -grid->edge);
+    for (int i = 0; i < 3; i++)
+        grid->size[i] = (int)size[i];
+    grid->empty = NULL;
+    return true;
+}

@@ -1,0 +1,16 @@
+/* Where the voxels are: the part of the world that is looked at, and how fine
+ * it is cut. */
+#ifndef SKELETON_GRID_H
+#define SKELETON_GRID_H
+
+#include "embree/world.h"
+#include "skeleton/voxels.h"
+
+/* Places the grid around what is bounded, the camera, the lights and what they
+ * see of planes; what is far beyond the rest is left outside. `resolution`
+ * voxels along the longest side (0: VOXELS_RESOLUTION). `empty` stays NULL.
+ * False after an error was printed: so many voxels don't fit into memory. */
+bool grid_place(struct voxels *grid, const struct world *world,
+                const struct camera *camera, int resolution, struct diag *diag);
+
+#endif

@@ -1,0 +1,131 @@
+/* From a scene to its void: see void.h. */
+#include "skeleton/void.h"
+
+#include "base/memory.h"
+#include "skeleton/flood.h"
+#include "skeleton/grid.h"
+#include "skeleton/matter.h"
+#include "skeleton/voxelise.h"
+
+enum { NOTES = 5 }; /* lights that a warning names */
+
+static bool part_is_lit(const struct void_part *part)
+{
+    return part->lights > 0 || part->emitter || part->sky;
+}
+
+/* Lights that matter holds light nothing. */
+static void warn_of_lights(const struct void_space *space,
+                           const struct light *lights, struct diag *diag)
+{
+    for (size_t i = 0; i < space->light_count; i++)
+        if (!space->lights[i].outside && space->lights[i].voxel == VOXEL_NONE)
+            diag_print(diag, DIAG_WARNING, lights[i].span, NULL,
+                       "this light is inside of matter: its light gets to no "
+                       "voxel of the void");
+}
+
+static void note_lights(const struct void_space *space,
+                        const struct light *lights, struct diag *diag)
+{
+    size_t named = 0;
+    for (size_t i = 0; i < space->light_count && named < NOTES; i++) {
+        size_t voxel = space->lights[i].voxel;
+        if (voxel == VOXEL_NONE)
+            continue;
+        size_t volume = space->parts[space->label[voxel] - 1].volume;
+        diag_print(diag, DIAG_NOTE, lights[i].span, NULL,
+                   "this light is shut in, in %zu voxels of void", volume);
+        named++;
+    }
+}
+
+static void warn_of_camera(const struct void_space *space,
+                           const struct light *lights, struct diag *diag)
+{
+    bool found = false;
+    for (size_t i = 0; i < space->part_count; i++) {
+        const struct void_part *part = &space->parts[i];
+        if (part->camera && part_is_lit(part))
+            return;
+        found |= part->camera;
+    }
+    diag_print(diag, DIAG_WARNING, span_none(), NULL,
+               found ? "no light gets into the part of the void that the "
+                       "camera is in"
+                     : "the camera is inside of matter");
+    note_lights(space, lights, diag);
+}
+
+struct void_space *void_new(const struct scene *scene,
+                            const struct world *world, int resolution,
+                            unsigned threads, struct diag *diag)
+{
+    struct void_space *space = memory_new(sizeof *space);
+    struct voxels *v = &space->voxels;
+    if (!grid_place(v, world, &scene->camera, resolution, diag)) {
+        void_free(space);
+        return NULL;
+    }
+    size_t count = voxels_count(v);
+    struct arena *arena = arena_new(0);
+    const uint8_t *leaf_marks = matter_marks(world, voxels_box(v), arena);
+    uint8_t *marks = memory_new(count);
+    voxelise(world, v, leaf_marks, threads, marks);
+    v->empty = memory_new(count);
+    for (size_t i = 0; i < count; i++)
+        v->empty[i] = marks[i] == 0;
+    struct flood flood = { .space = space,
+                           .world = world,
+                           .leaf_marks = leaf_marks,
+                           .voxel_marks = marks };
+    flood_space(&flood, &scene->camera);
+    space->walls =
+        walls_measure(world, v, leaf_marks, threads, &space->wall_count);
+    const struct light *lights = world_lights(world, &count);
+    warn_of_lights(space, lights, diag);
+    warn_of_camera(space, lights, diag);
+    memory_free(marks);
+    arena_free(arena);
+    return space;
+}
+
+void void_free(struct void_space *space)
+{
+    if (!space)
+        return;
+    memory_free(space->voxels.empty);
+    memory_free(space->label);
+    memory_free(space->parts);
+    memory_free(space->lights);
+    memory_free(space->walls);
+    memory_free(space);
+}
+
+size_t void_facing(const struct void_space *space, vec3 point, vec3 normal)
+{
+    static const double steps[] = { 0.5, 1, 1.5, 2, 3 };
+    const struct voxels *v = &space->voxels;
+    for (int i = 0; i < 5; i++) {
+        vec3 p = vec3_along(point, normal, steps[i] * v->edge);
+        size_t index = voxels_empty_at(v, p);
+        if (index != VOXEL_NONE)
+            return index;
+        if (i == 2) {
+            index = voxels_empty_beside(v, point, normal);
+            if (index != VOXEL_NONE)
+                return index;
+        }
+    }
+    return VOXEL_NONE;
+}
+
+int void_sky_faces(const struct void_space *space, size_t voxel)
+{
+    const int *size = space->voxels.size;
+    int at[3], count = 0;
+    voxels_place(&space->voxels, voxel, at);
+    for (int i = 0; i < 3; i++)
+        count += (at[i] == 0) + (at[i] == size[i] - 1);
+    return count;
+}
