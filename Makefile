@@ -42,13 +42,19 @@ C_SOURCES   = $(shell find src -name '*.c')
 CXX_SOURCES = $(shell find src -name '*.cpp')
 OBJECTS = $(C_SOURCES:%.c=$(BUILD)/%.o)
 MODULE_OBJECTS = $(CXX_SOURCES:%=$(BUILD)/%.o)
-LIBRARY_OBJECTS = $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
+LIBRARY_OBJECTS = $(filter-out %/main.o,$(OBJECTS))
+PROGRAMS = $(BUILD)/glim $(BUILD)/glim-compare
 
-all: deps ## build build/glim (installs what is missing first)
-	@$(MAKE) --no-print-directory $(BUILD)/glim
+all: deps ## build build/glim, build/glim-compare (installs what is missing)
+	@$(MAKE) --no-print-directory $(PROGRAMS)
 
 $(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE)
 	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+# No Embree: nothing of the tracer is in it.
+$(BUILD)/glim-compare: $(BUILD)/src/compare/main.o $(BUILD)/libglim.a | \
+		$(MODULE)
+	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ -lpng -lpthread -lm -ldl
 
 $(MODULE): $(MODULE_OBJECTS)
 	$(CXX) $(FLAGS) -shared -o $@ $^ $(MODULE_LDLIBS)
@@ -78,7 +84,7 @@ test-deps: ## install the Debian packages that testing needs
 	@tests/tools/deps $(PACKAGES) $(TEST_PACKAGES)
 
 test: test-deps ## everything: "N passed, N failed" is the last line
-	@$(MAKE) --no-print-directory -j2 $(BUILD)/glim $(UNIT_TESTS) \
+	@$(MAKE) --no-print-directory -j2 $(PROGRAMS) $(UNIT_TESTS) \
 		$(TEST_TOOLS)
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) \
 		tests/run
@@ -129,7 +135,7 @@ lint: ## layers, grammar, format, man pages
 	@tests/tools/check-layers
 	@tests/tools/check-grammar
 	@tests/tools/check-format
-	@mandoc -Tlint -Wwarning man/glim.1 man/glim.5
+	@mandoc -Tlint -Wwarning man/*.[15]
 
 format: ## rewrite the sources in the project's style
 	clang-format -i --style=file:src/.clang-format $(C_SOURCES) \
@@ -138,15 +144,21 @@ format: ## rewrite the sources in the project's style
 
 install: all ## into DESTDIR PREFIX
 	install -D -m 755 $(BUILD)/glim $(DESTDIR)$(PREFIX)/bin/glim
+	install -D -m 755 $(BUILD)/glim-compare \
+		$(DESTDIR)$(PREFIX)/bin/glim-compare
 	install -D -m 644 $(MODULE) \
 		$(DESTDIR)$(PREFIX)/lib/glim/glim-image.so
 	install -D -m 644 man/glim.1 $(DESTDIR)$(PREFIX)/share/man/man1/glim.1
+	install -D -m 644 man/glim-compare.1 \
+		$(DESTDIR)$(PREFIX)/share/man/man1/glim-compare.1
 	install -D -m 644 man/glim.5 $(DESTDIR)$(PREFIX)/share/man/man5/glim.5
 
 uninstall: ## remove what install put there
 	rm -f $(DESTDIR)$(PREFIX)/bin/glim \
+		$(DESTDIR)$(PREFIX)/bin/glim-compare \
 		$(DESTDIR)$(PREFIX)/lib/glim/glim-image.so \
 		$(DESTDIR)$(PREFIX)/share/man/man1/glim.1 \
+		$(DESTDIR)$(PREFIX)/share/man/man1/glim-compare.1 \
 		$(DESTDIR)$(PREFIX)/share/man/man5/glim.5
 
 clean: ## remove build/

@@ -109,10 +109,31 @@ static void file_tidy(char *error, size_t size)
         *end = end[1] ? ';' : '\0';
 }
 
+/* Whether it begins as a PNG and does not end as one. Asked first because
+ * libpng would tell the world about it on standard error. */
+static bool file_is_cut_png(const char *path)
+{
+    static const char head[8] = "\x89PNG\r\n\x1a\n";
+    static const char tail[8] = "IEND\xae\x42\x60\x82";
+    char first[8] = "", last[8] = "";
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return false;
+    bool cut = fread(first, 1, 8, file) == 8 && memcmp(first, head, 8) == 0 &&
+               (fseek(file, -8, SEEK_END) != 0 ||
+                fread(last, 1, 8, file) != 8 || memcmp(last, tail, 8) != 0);
+    fclose(file);
+    return cut;
+}
+
 struct image *image_read(const char *path, char *error, size_t size)
 {
     if (!file_readable(path, error, size))
         return NULL;
+    if (file_is_cut_png(path)) {
+        snprintf(error, size, "it is cut short");
+        return NULL;
+    }
     codec_decode_function *decode;
     *(void **)&decode = file_codec("codec_decode", error, size);
     if (!decode)
@@ -133,30 +154,9 @@ struct image *image_read(const char *path, char *error, size_t size)
     return image;
 }
 
-/* Whether it begins as a PNG and does not end as one. Asked first because
- * libpng would tell the world about it on standard error. */
-static bool file_is_cut_png(const char *path)
-{
-    static const char head[8] = "\x89PNG\r\n\x1a\n";
-    static const char tail[8] = "IEND\xae\x42\x60\x82";
-    char first[8] = "", last[8] = "";
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return false;
-    bool cut = fread(first, 1, 8, file) == 8 && memcmp(first, head, 8) == 0 &&
-               (fseek(file, -8, SEEK_END) != 0 ||
-                fread(last, 1, 8, file) != 8 || memcmp(last, tail, 8) != 0);
-    fclose(file);
-    return cut;
-}
-
 bool image_probe(const char *path, int *width, int *height, char *error,
                  size_t size)
 {
-    if (file_is_cut_png(path)) {
-        snprintf(error, size, "it is cut short");
-        return false;
-    }
     struct image *image = image_read(path, error, size);
     if (!image)
         return false;

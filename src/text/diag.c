@@ -149,7 +149,8 @@ void diag_vprint(struct diag *diag, enum diag_level level, struct span span,
     }
     struct diag_text text = { .arena = arena_new(0) };
     if (!span.source) {
-        diag_putf(&text, "glim: %s", diag_words[level]);
+        diag_putf(&text, "%s: %s", diag->program ? diag->program : "glim",
+                  diag_words[level]);
         diag_vputf(&text, format, arguments);
         if (hint)
             diag_putf(&text, " (%s)", hint);

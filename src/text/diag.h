@@ -29,7 +29,8 @@ enum {
 };
 
 struct diag {
-    FILE *out; /* normally stderr; NULL prints nothing (fuzzing) */
+    FILE *out;           /* normally stderr; NULL prints nothing (fuzzing) */
+    const char *program; /* begins messages without a place; NULL: "glim" */
     bool quiet_warnings, quiet_messages;
     unsigned errors, warnings;
     bool muted; /* the last error was beyond the limit: drop its notes */
