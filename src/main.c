@@ -27,6 +27,7 @@ static bool frame_pixels(struct work *work, const struct tracer *tracer,
     struct render_options render = work->options.render;
     render.stop = work->stop;
     render.progress = progress_tell;
+    render.passed = progress_passed;
     render.progress_context = &progress;
     progress_start(&progress, &work->options, name);
     struct image_format format = options_format(&work->options);
@@ -84,9 +85,10 @@ static bool frame_render(struct work *work, const struct scene *scene,
 {
     const struct options *options = &work->options;
     const struct lighting *lighting = options->lighting;
-    struct world *world =
-        world_new(scene, options->render.threads,
-                  render_camera_rays(&options->render), &work->diag);
+    struct world *world = world_new(
+        scene, options->render.threads,
+        lighting->whole_paths ? 0 : render_camera_rays(&options->render),
+        &work->diag);
     if (!world)
         return false;
     struct lighting_options light = { .threads = options->render.threads,

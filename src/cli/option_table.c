@@ -127,6 +127,20 @@ static const struct option table[] = {
             "reflection and refraction, 9: all (9)"),
     WORD("lighting", set_lighting, 0, "name",
          "how light is worked out (rays); see --list lightings"),
+    { .key = "Samples", .word = "samples", .set = set_integer,
+      .offset = AT(samples), .minimum = 1, .maximum = OPTIONS_SAMPLE_LIMIT,
+      .argument = "n",
+      .help = "with --lighting path: of each pixel, +A or not (64; with a "
+              "target as many as it takes, up to 65536)" },
+    { .key = "Target_Error", .word = "target-error", .set = set_number,
+      .offset = AT(render.target_error), .minimum = 0, .maximum = 1,
+      .argument = "n",
+      .help = "with --lighting path: enough when the estimated relative "
+              "error is n (0: never)" },
+    { .key = "Target_Time", .word = "target-time", .set = set_number,
+      .offset = AT(render.target_time), .minimum = 0, .maximum = 1e9,
+      .argument = "seconds",
+      .help = "with --lighting path: enough after that time (0: never)" },
 
     GROUP("Light mesh and skeleton; they win over the scene's own"),
     LIGHT("Mesh_Quality", "mesh-quality", light_mesh_fields, "quality", "n",

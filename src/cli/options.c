@@ -321,6 +321,8 @@ static bool options_resolve_picture(struct option_reader *reader)
         !options_range(reader, "Row", options->rows, render->height,
                        &render->row_start, &render->row_end))
         return false;
+    bool target = render->target_error > 0 || render->target_time > 0;
+    render->samples = options->samples ? options->samples : target ? 65536 : 64;
     if (!options->jitter)
         render->jitter = 0;
     render->threads = (unsigned)options->threads;

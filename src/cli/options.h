@@ -16,7 +16,7 @@ enum options_action {
     ACTION_MAN,  /* --man-options: the option table as mdoc, for glim.1 */
 };
 
-enum { OPTIONS_THREAD_LIMIT = 512 };
+enum { OPTIONS_THREAD_LIMIT = 512, OPTIONS_SAMPLE_LIMIT = 16777216 };
 
 struct options {
     enum options_action action;
@@ -43,6 +43,7 @@ struct options {
     double clock; /* +K; NAN: not said */
     struct frames frames;
     bool jitter;
+    int samples;                /* 0: not said */
     double columns[2], rows[2]; /* start and end as said; NAN: not */
     struct parse_options parse;
     struct render_options render;

@@ -2,21 +2,16 @@
 #include "cli/progress.h"
 
 #include <stdio.h>
-#include <time.h>
+#include <string.h>
 #include <unistd.h>
+
+#include "base/clock.h"
 
 enum {
     PROGRESS_PAUSE = 200,  /* milliseconds between two lines on a terminal */
     PROGRESS_DELAY = 1000, /* before the first: short work needs none */
-    PROGRESS_WIDTH = 60,
+    PROGRESS_WIDTH = 80,
 };
-
-double progress_clock(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
 
 void progress_start(struct progress *progress, const struct options *options,
                     const char *name)
@@ -25,7 +20,9 @@ void progress_start(struct progress *progress, const struct options *options,
     progress->live = terminal && options->progress != PROGRESS_NEVER;
     progress->lines = !terminal && options->progress == PROGRESS_ALWAYS;
     progress->name = name ? name : options->input;
-    progress->start = progress_clock();
+    progress->start = clock_seconds();
+    atomic_init(&progress->samples, 0);
+    atomic_init(&progress->error, -1);
     atomic_init(&progress->next, progress->lines ? 1 : PROGRESS_DELAY);
 }
 
@@ -48,18 +45,40 @@ static void progress_text(char *text, size_t size, double done, double seconds)
         snprintf(text, size, "%3.0f %%, %.0f min left", 100 * done, left / 60);
 }
 
+/* ", 64 samples, error 1.2 %" */
+static void progress_add_samples(const struct progress *progress, char *text,
+                                 size_t size)
+{
+    size_t length = strlen(text);
+    int samples = atomic_load(&progress->samples);
+    int error = atomic_load(&progress->error);
+    if (samples > 0 && error >= 0)
+        snprintf(text + length, size - length, ", %d samples, error %.2f %%",
+                 samples, error / 100.0);
+    else if (samples > 0)
+        snprintf(text + length, size - length, ", %d samples", samples);
+}
+
+void progress_passed(void *context, int samples, double error)
+{
+    struct progress *progress = context;
+    atomic_store(&progress->samples, samples);
+    atomic_store(&progress->error, error < 1e5 ? (int)(error * 1e4) : -1);
+}
+
 void progress_tell(void *context, double done)
 {
     struct progress *progress = context;
     if (!progress->live && !progress->lines)
         return;
-    double seconds = progress_clock() - progress->start;
+    double seconds = clock_seconds() - progress->start;
     char text[PROGRESS_WIDTH];
     progress_text(text, sizeof text, done, seconds);
+    progress_add_samples(progress, text, sizeof text);
     if (progress->live) {
         int now = seconds < 1e6 ? (int)(seconds * 1000) : 0;
         if (progress_take(progress, now, now + PROGRESS_PAUSE))
-            fprintf(stderr, "\r%.40s: %-20s", progress->name, text);
+            fprintf(stderr, "\r%.30s: %-48s", progress->name, text);
     } else {
         int tenth = (int)(done * 10);
         if (progress_take(progress, tenth, tenth + 1))
@@ -80,7 +99,7 @@ void progress_finish(const struct progress *progress,
         return;
     fprintf(stderr, "%s: %d x %d pixels in %.2f s\n", progress->name,
             options->render.width, options->render.height,
-            progress_clock() - progress->start);
+            clock_seconds() - progress->start);
 }
 
 void progress_interrupted(const struct frames *frames, int index)

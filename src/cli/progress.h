@@ -7,15 +7,14 @@
 #include "cli/options.h"
 
 struct progress {
-    bool live;        /* on a terminal: one line, rewritten */
-    bool lines;       /* +V elsewhere: a line for each tenth */
-    const char *name; /* of the picture */
-    double start;     /* seconds */
-    atomic_int next;  /* milliseconds after start, or tenths, not yet told */
+    bool live;          /* on a terminal: one line, rewritten */
+    bool lines;         /* +V elsewhere: a line for each tenth */
+    const char *name;   /* of the picture */
+    double start;       /* seconds */
+    atomic_int next;    /* milliseconds after start, or tenths, not yet told */
+    atomic_int samples; /* of each pixel so far, if it goes by samples */
+    atomic_int error;   /* estimated, in 1/10000; -1: not yet */
 };
-
-/* Seconds on a clock that only goes forward. */
-double progress_clock(void);
 
 /* Ready for the picture `name`. */
 void progress_start(struct progress *progress, const struct options *options,
@@ -23,6 +22,9 @@ void progress_start(struct progress *progress, const struct options *options,
 
 /* For render_options.progress; any thread, `done` is 0..1. */
 void progress_tell(void *progress, double done);
+
+/* For render_options.passed. */
+void progress_passed(void *progress, int samples, double error);
 
 /* Takes the line away. */
 void progress_clear(const struct progress *progress);

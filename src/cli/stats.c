@@ -3,16 +3,16 @@
 
 #include <stdio.h>
 
-#include "cli/progress.h"
+#include "base/clock.h"
 
 struct stats stats_start(void)
 {
-    return (struct stats){ .lap = progress_clock() };
+    return (struct stats){ .lap = clock_seconds() };
 }
 
 void stats_lap(struct stats *stats, double *lap)
 {
-    double now = progress_clock();
+    double now = clock_seconds();
     *lap = now - stats->lap;
     stats->lap = now;
 }
@@ -43,6 +43,11 @@ void stats_print(const struct stats *stats)
     stats_count("camera rays", stats->rays.camera_rays);
     stats_count("secondary rays", stats->rays.secondary_rays);
     stats_count("shadow rays", stats->rays.shadow_rays);
+    if (stats->rays.samples) {
+        stats_count("samples", (unsigned long long)stats->rays.samples);
+        fprintf(stderr, "%-16s %12.4f %%\n", "estimated error",
+                100 * stats->rays.error);
+    }
     stats_time("parsing", stats->parsing);
     stats_time("building", stats->building);
     stats_time("rendering", stats->rendering);

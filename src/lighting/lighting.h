@@ -30,6 +30,9 @@ struct diffuse_light {
 struct lighting {
     const char *name;
     const char *help;
+    /* The tracer follows whole paths, sample by sample (tracer/path.h), and
+     * never asks illuminate, which is NULL. */
+    bool whole_paths;
     /* State for one picture, or NULL after an error was printed. */
     void *(*start)(const struct world *world, const struct scene *scene,
                    const struct lighting_options *options, struct diag *diag);

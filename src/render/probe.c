@@ -6,6 +6,8 @@
 #include "base/parallel.h"
 #include "render/workers.h"
 #include "shade/shadow.h"
+#include "tracer/crossing.h"
+#include "tracer/path.h"
 
 enum { PROBE_CHUNK = 16 }; /* points a thread takes at a time */
 
@@ -54,13 +56,6 @@ static void plate_init(struct plate *plate)
     plate->two_sided.double_illuminate = true;
 }
 
-static void probe_enter(void *context, const struct leaf *leaf)
-{
-    struct interiors *inside = context;
-    if (interiors_find(inside, leaf->body) < 0)
-        interiors_cross(inside, leaf);
-}
-
 /* One question: a surface with all that it points to. */
 struct probe_question {
     struct interiors inside;
@@ -75,8 +70,7 @@ static void question_init(struct probe_question *q, const struct probing *all,
                           const struct leaf *leaf, vec3 place, vec3 normal)
 {
     vec3 above = vec3_along(place, normal, surface_offset(place));
-    q->inside.count = 0;
-    world_containing(all->tracer->world, above, probe_enter, &q->inside);
+    tracer_inside(all->tracer, above, &q->inside);
     q->at = (struct intersection){ .t = 0,
                                    .point = place,
                                    .normal = normal,
@@ -161,6 +155,26 @@ static rgb probe_field(const struct probing *all, struct worker *worker,
     return rgb_add(lamps, rgb_scale(mean, 4));
 }
 
+/* By whole paths. */
+static rgb probe_paths(const struct probing *all, struct worker *worker,
+                       const struct probe_point *point)
+{
+    vec3 normal = vec3_normalise(point->normal);
+    return path_irradiance(all->tracer, worker, point->place,
+                           point->directed ? &normal : NULL,
+                           (unsigned)all->options->samples, 0)
+        .mean;
+}
+
+static rgb probe_point(const struct probing *all, struct worker *worker,
+                       const struct probe_point *point)
+{
+    if (all->tracer->lighting->whole_paths)
+        return probe_paths(all, worker, point);
+    return (point->directed ? probe_irradiance : probe_field)(all, worker,
+                                                              point);
+}
+
 static void probe_chunk(void *context, size_t item, unsigned thread)
 {
     struct probing *all = context;
@@ -169,11 +183,9 @@ static void probe_chunk(void *context, size_t item, unsigned thread)
     if (end > all->count)
         end = all->count;
     for (size_t i = item * PROBE_CHUNK; i < end; i++) {
-        const struct probe_point *point = &all->points[i];
         if (worker_stopped(worker))
             return;
-        all->light[i] = (point->directed ? probe_irradiance
-                                         : probe_field)(all, worker, point);
+        all->light[i] = probe_point(all, worker, &all->points[i]);
         arena_reset(worker->scratch);
     }
     size_t done = atomic_fetch_add(&all->done, end - item * PROBE_CHUNK) + end -

@@ -18,8 +18,8 @@ struct probe_point {
  * give 1. The scalar light field counts light from all sides without its
  * cosine: a lamp gives its colour, surroundings of radiance 1 give 4.
  *
- * Only `threads`, `stop` and `progress` of the options count. The same bits
- * for any number of threads. Returns false if stopped. */
+ * Only `threads`, `stop`, `progress` and `samples` of the options count. The
+ * same bits for any number of threads. Returns false if stopped. */
 bool probe_run(const struct tracer *tracer,
                const struct render_options *options,
                const struct probe_point *points, size_t count, rgb *light,

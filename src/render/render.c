@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "render/passes.h"
 #include "render/sampler.h"
 #include "render/workers.h"
 
@@ -134,6 +135,8 @@ bool render_run(const struct tracer *tracer,
         return true;
     struct tracer ready = *tracer;
     tracer_ready(&ready);
+    if (tracer->lighting->whole_paths)
+        return passes_run(&ready, options, image, stats);
     struct rendering rendering = {
         .sampler = sampler_new(&ready, options),
         .options = options,

@@ -23,6 +23,12 @@ struct render_options {
     /* Called now and then from any thread with the share done, 0..1; may be
      * NULL. */
     void (*progress)(void *context, double done);
+    /* Whole paths: samples of each pixel at most, and what ends the work
+     * earlier: the estimated relative error, and seconds; 0: nothing. */
+    int samples;
+    double target_error, target_time;
+    /* Called after each pass over the picture, by one thread; may be NULL. */
+    void (*passed)(void *context, int samples, double error);
     void *progress_context;
 };
 
@@ -31,6 +37,8 @@ double render_camera_rays(const struct render_options *options);
 
 struct render_stats {
     unsigned long long camera_rays, secondary_rays, shadow_rays;
+    int samples;  /* of each pixel; 0: not by samples */
+    double error; /* estimated, relative; INFINITY: too few passes to tell */
 };
 
 /* Renders into `image` (of width x height, black), in the working space.

@@ -11,6 +11,7 @@
 #include "base/arena.h"
 #include "base/field.h"
 #include "scene/cell.h"
+#include "scene/patch.h"
 #include "scene/ray.h"
 
 /* What bounded_by does to a shape that is no part of CSG (measured). */
@@ -56,6 +57,9 @@ struct primitive {
      * out nothing that it meets; says a little more than is true, the less the
      * smaller the cell. NULL: searched with rays, which may miss thin parts. */
     unsigned (*meets)(const void *shape, const struct cell *cell);
+    /* Parts that cover the surface, at most PATCHES_MAX; returns how many.
+     * NULL: as a lamp it is found by chance alone. */
+    int (*patches)(const void *shape, struct patch *patches);
 };
 
 /* The primitive whose keyword is `name`, or NULL. */

@@ -14,7 +14,7 @@
 #include "shade/interior.h"
 #include "shade/shadow.h"
 #include "shade/background.h"
-#include "tracer/tracer.h"
+#include "tracer/crossing.h"
 
 enum {
     LEVELS_MAX = 256,          /* of max_trace_level, as in POV-Ray */
@@ -37,15 +37,6 @@ struct path {
     rgb light;    /* gathered */
 };
 
-/* Where the path stands: one surface, and the list after crossing it. */
-struct crossing {
-    struct intersection at;
-    struct surface surface;
-    struct interiors beyond;
-    bool leaving;
-    double ior; /* behind the surface over before it */
-};
-
 static struct radiance path_follow(struct path *path);
 
 static void path_gather(struct path *path, rgb light)
@@ -64,30 +55,10 @@ static void path_veil(struct path *path, const struct veil *veil)
 static void path_fog(struct path *path, double distance)
 {
     const struct tracer *tracer = path->tracer;
-    if (tracer->scene->fogs.count == 0 || tracer->quality < QUALITY_FOG ||
-        !interiors_open(&path->inside))
+    if (!tracer_foggy(tracer, &path->inside))
         return;
     struct veil veil = fog_veil(tracer->scene, distance);
     path_veil(path, &veil);
-}
-
-/* Without +UA the background's transmit darkens it and its filter does
- * nothing. With +UA both make it transparent where the camera sees it, and
- * neither matters in a mirror. */
-static void path_background(struct path *path)
-{
-    const struct tracer *tracer = path->tracer;
-    colour c = tracer->scene->background;
-    struct veil sky = sky_veil(tracer->scene, path->ray.direction);
-    path_veil(path, &sky);
-    double share = 1 - c.transmit;
-    if (tracer->alpha)
-        share = path->straight ? 1 - c.filter - c.transmit : 1;
-    path_gather(path, rgb_scale(colour_rgb(c), share));
-    if (tracer->alpha && path->straight)
-        path->clear *= rgb_brightness(colour_transmittance(c));
-    else
-        path->clear = 0;
 }
 
 /* Sums the light of all lamps over the layers. */
@@ -125,22 +96,6 @@ static rgb path_shade(const struct path *path, const struct surface *surface)
     return gathering.light;
 }
 
-/* The mirrored direction never goes into the surface: bumps that face away
- * from the viewer don't mirror, and what would go in is mirrored back by the
- * true surface (measured). */
-static vec3 mirrored(const struct path *path, const struct surface *surface,
-                     vec3 normal)
-{
-    vec3 direction = path->ray.direction;
-    double cosine = vec3_dot(direction, normal);
-    if (cosine < 0)
-        direction = vec3_along(direction, normal, -2 * cosine);
-    double rise = vec3_dot(direction, surface->normal);
-    if (rise < 0)
-        direction = vec3_along(direction, surface->normal, -2 * rise);
-    return vec3_normalise(direction);
-}
-
 /* One layer's mirror. */
 static rgb path_mirror(const struct path *path, const struct crossing *crossing,
                        const struct surface_layer *layer, double weight)
@@ -149,7 +104,8 @@ static rgb path_mirror(const struct path *path, const struct crossing *crossing,
     branch.tracer = path->tracer;
     branch.worker = path->worker;
     branch.ray.origin = crossing->at.point;
-    branch.ray.direction = mirrored(path, &crossing->surface, layer->normal);
+    branch.ray.direction =
+        crossing_mirrored(crossing, path->ray.direction, layer->normal);
     branch.kind = RAY_REFLECTION;
     branch.level = path->level + 1;
     branch.weight = weight;
@@ -174,24 +130,6 @@ static void path_mirrors(struct path *path, const struct crossing *crossing)
         if (weight > 0 && weight >= tracer->scene->settings.adc_bailout)
             path_gather(path, path_mirror(path, crossing, layer, weight));
     }
-}
-
-/* Snell: the direction behind the surface; a normal that faces away from the
- * viewer is turned round. Returns false in total reflection. */
-static bool refracted(vec3 direction, vec3 normal, double ior, vec3 *out)
-{
-    double n = 1 / ior, cosine = -vec3_dot(direction, normal);
-    if (cosine < 0) {
-        cosine = -cosine;
-        normal = vec3_negate(normal);
-    }
-    double left = 1 - n * n * (1 - cosine * cosine);
-    if (!(left >= 0))
-        return false;
-    vec3 bent =
-        vec3_along(vec3_scale(direction, n), normal, n * cosine - sqrt(left));
-    *out = vec3_normalise(bent);
-    return true;
 }
 
 static void path_fade(struct path *path, const struct crossing *crossing)
@@ -220,10 +158,10 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
         return false;
     }
     if (bends)
-        inward =
-            !refracted(path->ray.direction, normal, crossing->ior, &direction);
+        inward = !crossing_refracted(crossing, path->ray.direction, normal,
+                                     &direction);
     if (inward) {
-        direction = mirrored(path, surface, normal);
+        direction = crossing_mirrored(crossing, path->ray.direction, normal);
         path->straight = false;
         path->clear = 0;
     } else {
@@ -245,23 +183,11 @@ static bool path_cross(struct path *path, struct crossing *crossing)
 {
     const struct tracer *tracer = path->tracer;
     const struct settings *settings = &tracer->scene->settings;
-    const struct leaf *leaf = crossing->at.leaf;
     int levels = settings->max_trace_level < LEVELS_MAX
                      ? settings->max_trace_level
                      : LEVELS_MAX;
-    interiors_copy(&crossing->beyond, &path->inside);
-    interiors_cross(&crossing->beyond, leaf);
-    crossing->leaving = crossing->beyond.count < path->inside.count;
-    crossing->ior =
-        interiors_ior(&crossing->beyond) / interiors_ior(&path->inside);
-    struct surface_view view = {
-        .direction = path->ray.direction,
-        .inside = &path->inside,
-        .ior = crossing->ior,
-        .quality = tracer->quality,
-        .bailout = settings->adc_bailout,
-    };
-    surface_fill(&crossing->surface, &crossing->at, &view);
+    crossing_fill(crossing, tracer, path->ray.direction, &path->inside,
+                  settings->adc_bailout);
     if (tracer->quality < QUALITY_LIT) {
         path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));
         return false;
@@ -286,36 +212,15 @@ static struct radiance path_follow(struct path *path)
                                  &crossing.at);
         path_fog(path, met ? crossing.at.t : (double)INFINITY);
         if (!met) {
-            path_background(path);
-            return (struct radiance){ path->light, 1 - path->clear };
+            double clear;
+            path_gather(path, tracer_background(tracer, path->ray.direction,
+                                                path->straight, &clear));
+            return (struct radiance){ path->light, 1 - path->clear * clear };
         }
         if (!path_cross(path, &crossing))
             break;
     }
     return (struct radiance){ path->light, 1 };
-}
-
-static void interiors_enter(void *context, const struct leaf *leaf)
-{
-    struct interiors *inside = context;
-    if (interiors_find(inside, leaf->body) < 0)
-        interiors_cross(inside, leaf);
-}
-
-void tracer_ready(struct tracer *tracer)
-{
-    const struct camera *camera = &tracer->scene->camera;
-    struct box3 origins = box3_empty();
-    tracer->start.count = 0;
-    for (int corner = 0; corner < 4; corner++)
-        origins = box3_add(origins,
-                           camera_ray(camera, corner % 2, corner / 2).origin);
-    tracer->ready = true;
-    if (camera->kind == CAMERA_PERSPECTIVE)
-        world_containing(tracer->world, camera->location, interiors_enter,
-                         &tracer->start);
-    else
-        tracer->ready = !world_may_contain(tracer->world, origins);
 }
 
 struct radiance tracer_camera(const struct tracer *tracer,
@@ -324,15 +229,10 @@ struct radiance tracer_camera(const struct tracer *tracer,
     struct path path;
     path.tracer = tracer;
     path.worker = worker;
-    path.ray = camera_ray(&tracer->scene->camera, x, y);
+    path.ray = tracer_start(tracer, worker, x, y, &path.inside);
     path.kind = RAY_CAMERA;
     path.level = 1;
     path.weight = 1;
     path.straight = true;
-    interiors_copy(&path.inside, &tracer->start);
-    worker->counters.camera_rays++;
-    if (!tracer->ready)
-        world_containing(tracer->world, path.ray.origin, interiors_enter,
-                         &path.inside);
     return path_follow(&path);
 }

@@ -1,5 +1,6 @@
 // A closed sphere that glows everywhere and reflects half.
 // claims: rays path
+// options path: --samples 8192 +SC33 +EC34 +SR25 +ER26
 //
 // Lamps there are none, so rays sees emission * pigment = .3. With light
 // followed on, L = e + a L, so L = e/(1 - a) = .3/.5 = .6.

@@ -1,5 +1,6 @@
 // The light at the centre of a unit sphere, seen from there.
 // claims: rays path
+// options path: --samples 8192 +SC33 +EC34 +SR25 +ER26
 //
 // Every wall point is lit head on, at distance 1, without fading: pigment *
 // diffuse * cos 0 = <1, .6, .2> * .5. A wrong pi or cosine cannot survive.

@@ -100,6 +100,24 @@ static unsigned box_meets(const void *shape, const struct cell *cell)
                                                 : CELL_SURFACE | CELL_BORDER;
 }
 
+static int box_patches(const void *shape, struct patch *patches)
+{
+    const struct box *box = shape;
+    vec3 d = vec3_sub(box->high, box->low);
+    vec3 x = { d.x, 0, 0 }, y = { 0, d.y, 0 }, z = { 0, 0, d.z };
+    vec3 edges[3][2] = { { y, z }, { z, x }, { x, y } };
+    for (int i = 0; i < 6; i++)
+        patches[i] = (struct patch){
+            .kind = PATCH_PARALLELOGRAM,
+            .at = i % 2 ? vec3_sub(vec3_sub(box->high, edges[i / 2][0]),
+                                   edges[i / 2][1])
+                        : box->low,
+            .a = edges[i / 2][0],
+            .b = edges[i / 2][1],
+        };
+    return 6;
+}
+
 const struct primitive box_primitive = {
     .name = "box",
     .help = "a box with its sides along the axes",
@@ -113,4 +131,5 @@ const struct primitive box_primitive = {
     .normal = box_normal,
     .inside = box_inside,
     .meets = box_meets,
+    .patches = box_patches,
 };

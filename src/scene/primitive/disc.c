@@ -1,5 +1,6 @@
 /* disc { CENTRE, NORMAL, RADIUS [, HOLE_RADIUS] }. In CSG it acts as the half
  * space behind it, as POV-Ray's does. */
+#include "base/warp.h"
 #include "scene/primitive.h"
 
 struct disc {
@@ -86,6 +87,18 @@ static unsigned disc_meets(const void *shape, const struct cell *cell)
     return apart ? CELL_BORDER : CELL_SURFACE | CELL_BORDER;
 }
 
+static int disc_patches(const void *shape, struct patch *patches)
+{
+    const struct disc *disc = shape;
+    vec3 a, b;
+    warp_frame(disc->normal, &a, &b);
+    patches[0] = (struct patch){ .kind = PATCH_DISC,
+                                 .at = disc->centre,
+                                 .a = vec3_scale(a, disc->radius),
+                                 .b = vec3_scale(b, disc->radius) };
+    return 1;
+}
+
 const struct primitive disc_primitive = {
     .name = "disc",
     .help = "a flat disc, with a hole if a second radius is given",
@@ -99,4 +112,5 @@ const struct primitive disc_primitive = {
     .normal = disc_normal,
     .inside = disc_inside,
     .meets = disc_meets,
+    .patches = disc_patches,
 };

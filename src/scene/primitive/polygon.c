@@ -200,6 +200,31 @@ static unsigned polygon_meets(const void *shape, const struct cell *cell)
     return 0;
 }
 
+/* The rectangle around it, along its first edge. */
+static int polygon_patches(const void *shape, struct patch *patches)
+{
+    const struct polygon *polygon = shape;
+    const vec3 *p = polygon->points.items;
+    vec3 n = polygon->normal, a = vec3_sub(p[1], p[0]);
+    for (size_t i = 2; vec3_dot(a, a) == 0 && i < polygon->points.count; i++)
+        a = vec3_sub(p[i], p[0]);
+    a = vec3_normalise(a);
+    vec3 b = vec3_cross(n, a);
+    double low[2] = { 0, 0 }, high[2] = { 0, 0 };
+    for (size_t i = 1; i < polygon->points.count; i++) {
+        vec3 d = vec3_sub(p[i], p[0]);
+        double x = vec3_dot(d, a), y = vec3_dot(d, b);
+        low[0] = fmin(low[0], x), high[0] = fmax(high[0], x);
+        low[1] = fmin(low[1], y), high[1] = fmax(high[1], y);
+    }
+    vec3 at = vec3_along(vec3_along(p[0], a, low[0]), b, low[1]);
+    patches[0] = (struct patch){ .kind = PATCH_PARALLELOGRAM,
+                                 .at = at,
+                                 .a = vec3_scale(a, high[0] - low[0]),
+                                 .b = vec3_scale(b, high[1] - low[1]) };
+    return 1;
+}
+
 const struct primitive polygon_primitive = {
     .name = "polygon",
     .help = "a flat shape with straight edges",
@@ -210,4 +235,5 @@ const struct primitive polygon_primitive = {
     .intersect = polygon_intersect,
     .normal = polygon_normal,
     .meets = polygon_meets,
+    .patches = polygon_patches,
 };

@@ -68,6 +68,15 @@ static unsigned sphere_meets(const void *shape, const struct cell *cell)
     return apart ? 0 : CELL_SURFACE | CELL_BORDER;
 }
 
+static int sphere_patches(const void *shape, struct patch *patches)
+{
+    const struct sphere *sphere = shape;
+    patches[0] = (struct patch){ .kind = PATCH_BALL,
+                                 .at = sphere->centre,
+                                 .radius = fabs(sphere->radius) };
+    return 1;
+}
+
 const struct primitive sphere_primitive = {
     .name = "sphere",
     .help = "a ball",
@@ -80,4 +89,5 @@ const struct primitive sphere_primitive = {
     .normal = sphere_normal,
     .inside = sphere_inside,
     .meets = sphere_meets,
+    .patches = sphere_patches,
 };

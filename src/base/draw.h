@@ -1,0 +1,33 @@
+/* Low-discrepancy random numbers of Monte Carlo integration: the first two
+ * dimensions of Sobol's sequence, shuffled and scrambled after Owen by hashing
+ * (Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020), padded: each
+ * slot has a scrambling of its own. A number depends on (key, index, slot). */
+#ifndef BASE_DRAW_H
+#define BASE_DRAW_H
+
+#include <stddef.h>
+
+#include "base/random.h"
+
+/* Sample `index` of the integral that `key` names. */
+struct draws {
+    uint64_t key;
+    uint32_t index;
+};
+
+/* A pair in [0,1)^2. Over the indices 0..2^n-1 the pairs of one slot are a
+ * (0,n,2)-net in base 2; slots are independent. */
+void draw_pair(const struct draws *draws, uint32_t slot, double pair[2]);
+
+/* The first number of a slot's pair. */
+double draw_unit(const struct draws *draws, uint32_t slot);
+
+/* The same samples with slots of their own, for a part of the integrand. */
+struct draws draws_within(const struct draws *draws, uint64_t part);
+
+/* The item in whose share of a total `which`, in [0,1), lies: sums[i] is that
+ * of items 0..i. There must be one. *share is its part of the total. */
+size_t draw_share(const double *sums, size_t count, double which,
+                  double *share);
+
+#endif

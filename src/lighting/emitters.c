@@ -1,0 +1,297 @@
+/* Picking points on what glows: see emitters.h. A part's share is in
+ * proportion to area and glow, so that the density per area at a point is its
+ * glow over the sum of all, whatever part it is on. */
+#include "lighting/emitters.h"
+
+#include "base/array.h"
+#include "base/draw.h"
+#include "base/warp.h"
+#include "scene/material.h"
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+
+enum {
+    PARTS_MAX = 4 * 1000 * 1000
+}; /* of the scene; more are left to chance */
+
+/* A patch of a shape, or a triangle of a mesh. */
+struct part {
+    const struct leaf *leaf;
+    uint32_t number;
+};
+
+struct emitters {
+    struct arena *arena;
+    struct part_list {
+        struct part *items;
+        size_t count, capacity;
+    } parts;
+    struct sum_list {
+        double *items;
+        size_t count, capacity;
+    } sums; /* of area times glow, up to and with each part */
+    double total;
+    bool *picked; /* by leaf number: emitters_pick finds it */
+};
+
+/* About how bright a texture glows; 0 if it doesn't. */
+static double texture_glow(const struct texture *texture)
+{
+    double glow = 0;
+    for (size_t i = 0; i < texture->count; i++) {
+        const struct layer *layer = &texture->layers[i];
+        double tone = 1;
+        if (layer->pigment->kind == PIGMENT_COLOUR)
+            tone = rgb_peak(colour_rgb(layer->pigment->colour));
+        glow += rgb_peak(layer->finish->emission) * tone;
+    }
+    return isfinite(glow) ? glow : 0;
+}
+
+static const struct texture *triangle_texture(const struct leaf *leaf,
+                                              uint32_t number)
+{
+    const struct mesh *mesh = leaf->object->mesh;
+    uint32_t own = mesh->triangles[number].texture;
+    bool has = own < mesh->texture_count && mesh->textures[own];
+    return has ? mesh->textures[own] : leaf->texture;
+}
+
+static struct patch triangle_patch(const struct leaf *leaf, uint32_t number)
+{
+    const struct mesh *mesh = leaf->object->mesh;
+    const uint32_t *v = mesh->triangles[number].vertex;
+    vec3 at = mesh->vertices[v[0]];
+    struct patch patch = { .kind = PATCH_TRIANGLE,
+                           .at = at,
+                           .a = vec3_sub(mesh->vertices[v[1]], at),
+                           .b = vec3_sub(mesh->vertices[v[2]], at) };
+    return patch_moved(&patch, &leaf->to_world);
+}
+
+/* Balls stay in the leaf's own space, flat patches are in the world's. */
+static struct patch part_patch(const struct leaf *leaf, uint32_t number)
+{
+    struct patch patches[PATCHES_MAX];
+    if (leaf->object->kind == OBJECT_MESH)
+        return triangle_patch(leaf, number);
+    leaf->object->primitive->patches(leaf->object->shape, patches);
+    if (patches[number].kind == PATCH_BALL)
+        return patches[number];
+    return patch_moved(&patches[number], &leaf->to_world);
+}
+
+static double growth(const affine *transform)
+{
+    return fabs(affine_determinant(*transform));
+}
+
+/* Of balls under uneven scaling about that. */
+static double patch_area(const struct leaf *leaf, const struct patch *patch)
+{
+    double area = vec3_length(vec3_cross(patch->a, patch->b));
+    if (patch->kind == PATCH_BALL)
+        return 4 * WARP_PI * patch->radius * patch->radius *
+               pow(growth(&leaf->to_world), 2.0 / 3);
+    if (patch->kind == PATCH_DISC)
+        return WARP_PI * area;
+    return patch->kind == PATCH_TRIANGLE ? area / 2 : area;
+}
+
+static void add_part(struct emitters *emitters, const struct leaf *leaf,
+                     uint32_t number, double glow)
+{
+    struct patch patch = part_patch(leaf, number);
+    double power = patch_area(leaf, &patch) * glow;
+    if (!(power > 0) || !isfinite(power))
+        return;
+    emitters->total += power;
+    *ARRAY_PUSH(emitters->arena, &emitters->parts) =
+        (struct part){ leaf, number };
+    *ARRAY_PUSH(emitters->arena, &emitters->sums) = emitters->total;
+}
+
+static void add_shape(struct emitters *emitters, const struct leaf *leaf)
+{
+    struct patch patches[PATCHES_MAX];
+    const struct primitive *primitive = leaf->object->primitive;
+    double glow = texture_glow(leaf->texture);
+    if (glow == 0 || !primitive->patches ||
+        emitters->parts.count + PATCHES_MAX > PARTS_MAX)
+        return;
+    int count = primitive->patches(leaf->object->shape, patches);
+    emitters->picked[leaf->number] = true;
+    for (int i = 0; i < count; i++)
+        add_part(emitters, leaf, (uint32_t)i, glow);
+}
+
+static bool mesh_glows(const struct leaf *leaf)
+{
+    const struct mesh *mesh = leaf->object->mesh;
+    bool glows = texture_glow(leaf->texture) > 0;
+    for (size_t i = 0; i < mesh->texture_count && !glows; i++)
+        glows = mesh->textures[i] && texture_glow(mesh->textures[i]) > 0;
+    return glows;
+}
+
+static void add_mesh(struct emitters *emitters, const struct leaf *leaf)
+{
+    const struct mesh *mesh = leaf->object->mesh;
+    if (!mesh_glows(leaf) ||
+        emitters->parts.count + mesh->triangle_count > PARTS_MAX)
+        return;
+    emitters->picked[leaf->number] = true;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        uint32_t number = (uint32_t)i;
+        double glow = texture_glow(triangle_texture(leaf, number));
+        if (glow > 0)
+            add_part(emitters, leaf, number, glow);
+    }
+}
+
+static void add_leaf(void *context, const struct leaf *leaf)
+{
+    if (leaf->object->kind == OBJECT_MESH)
+        add_mesh(context, leaf);
+    else
+        add_shape(context, leaf);
+}
+
+static void add_solid(void *context, const struct solid *solid)
+{
+    if (solid->leaf)
+        add_leaf(context, solid->leaf);
+    for (size_t i = 0; i < solid->child_count; i++)
+        add_solid(context, solid->children[i]);
+}
+
+struct emitters *emitters_new(const struct world *world)
+{
+    struct arena *arena = arena_new(0);
+    struct emitters *emitters = ARENA_NEW(arena, struct emitters);
+    emitters->arena = arena;
+    emitters->picked = ARENA_ARRAY(arena, bool, world_leaf_count(world) + 1);
+    world_visit(world, add_solid, add_leaf, emitters);
+    return emitters;
+}
+
+void emitters_free(struct emitters *emitters)
+{
+    if (emitters)
+        arena_free(emitters->arena);
+}
+
+bool emitters_any(const struct emitters *emitters)
+{
+    return emitters->parts.count > 0;
+}
+
+static vec3 patch_point(const struct patch *patch, const double u[2])
+{
+    double x = u[0], y = u[1];
+    if (patch->kind == PATCH_DISC) {
+        warp_disc(u, &x, &y);
+    } else if (patch->kind == PATCH_TRIANGLE) {
+        x = 1 - sqrt(u[0]);
+        y = u[1] * (1 - x);
+    }
+    return vec3_along(vec3_along(patch->at, patch->a, x), patch->b, y);
+}
+
+/* 1 - the cosine of the half angle of a ball, seen from the point in the
+ * ball's own space; 0 from inside. */
+static double ball_rise(const struct patch *ball, vec3 point)
+{
+    vec3 offset = vec3_sub(ball->at, point);
+    double sine2 = ball->radius * ball->radius / vec3_dot(offset, offset);
+    if (!(sine2 < 1))
+        return 0;
+    return sine2 / (1 + sqrt(1 - sine2));
+}
+
+/* What a density becomes when the space that `direction` (unit) is in is taken
+ * to another: area on the unit sphere grows by |det A| / |A d|^3. */
+static double density_moved(double density, const affine *transform,
+                            vec3 direction)
+{
+    double length = vec3_length(affine_direction(transform, direction));
+    return density * length * length * length / growth(transform);
+}
+
+static double ball_density(const struct leaf *leaf, const struct patch *ball,
+                           vec3 point, vec3 direction)
+{
+    vec3 local = affine_point(&leaf->to_object, point);
+    vec3 there = affine_direction(&leaf->to_object, direction);
+    double rise = ball_rise(ball, local);
+    if (!(rise > 0))
+        return 0;
+    return density_moved(warp_cone_density(rise), &leaf->to_world,
+                         vec3_normalise(there));
+}
+
+static bool ball_pick(const struct leaf *leaf, const struct patch *ball,
+                      vec3 point, const double u[2], struct emitter_pick *pick)
+{
+    vec3 local = affine_point(&leaf->to_object, point);
+    vec3 axis = vec3_normalise(vec3_sub(ball->at, local));
+    double rise = ball_rise(ball, local);
+    if (!(rise > 0))
+        return false;
+    vec3 there = warp_cone(u, axis, rise);
+    pick->direction = vec3_normalise(affine_direction(&leaf->to_world, there));
+    pick->distance = (double)INFINITY;
+    pick->density =
+        density_moved(warp_cone_density(rise), &leaf->to_world, there);
+    return true;
+}
+
+static bool patch_pick(const struct patch *patch, double area, vec3 point,
+                       const double u[2], struct emitter_pick *pick)
+{
+    vec3 offset = vec3_sub(patch_point(patch, u), point);
+    double distance = vec3_length(offset);
+    vec3 normal = vec3_normalise(vec3_cross(patch->a, patch->b));
+    if (!(distance > 0))
+        return false;
+    pick->direction = vec3_scale(offset, 1 / distance);
+    pick->distance = distance;
+    double cosine = fabs(vec3_dot(normal, pick->direction));
+    pick->density = distance * distance / (cosine * area);
+    return cosine > 0;
+}
+
+bool emitters_pick(const struct emitters *emitters, vec3 point, double which,
+                   const double u[2], struct emitter_pick *pick)
+{
+    double share;
+    size_t number =
+        draw_share(emitters->sums.items, emitters->sums.count, which, &share);
+    const struct part *part = &emitters->parts.items[number];
+    struct patch patch = part_patch(part->leaf, part->number);
+    double area = patch_area(part->leaf, &patch);
+    bool there = patch.kind == PATCH_BALL
+                     ? ball_pick(part->leaf, &patch, point, u, pick)
+                     : patch_pick(&patch, area, point, u, pick);
+    pick->leaf = part->leaf;
+    pick->density *= share;
+    return there && pick->density > 0 && isfinite(pick->density);
+}
+
+double emitters_density(const struct emitters *emitters, vec3 point,
+                        vec3 direction, const struct intersection *at)
+{
+    const struct leaf *leaf = at->leaf;
+    if (!emitters->picked[leaf->number])
+        return 0;
+    double glow = texture_glow(at->texture) / emitters->total;
+    if (leaf->object->kind == OBJECT_SHAPE) {
+        struct patch patch = part_patch(leaf, 0);
+        if (patch.kind == PATCH_BALL)
+            return glow * patch_area(leaf, &patch) *
+                   ball_density(leaf, &patch, point, direction);
+    }
+    vec3 offset = vec3_sub(at->point, point);
+    double cosine = fabs(vec3_dot(at->normal, direction));
+    return cosine > 0 ? glow * vec3_dot(offset, offset) / cosine : 0;
+}

@@ -1,0 +1,37 @@
+/* Surfaces that glow as lamps: a point of one is picked by area and power, or
+ * on a ball by the solid angle it fills, with the density that multiple
+ * importance sampling needs (Veach 1997, section 9.2). Surfaces whose shape
+ * has no patches are left to chance. Both sides glow. */
+#ifndef LIGHTING_EMITTERS_H
+#define LIGHTING_EMITTERS_H
+
+#include "embree/world.h"
+
+struct emitters;
+
+/* Frees with emitters_free. */
+struct emitters *emitters_new(const struct world *world);
+void emitters_free(struct emitters *emitters);
+
+/* Whether there is anything to pick. */
+bool emitters_any(const struct emitters *emitters);
+
+/* A direction in which something glows, unless it is hidden. */
+struct emitter_pick {
+    const struct leaf *leaf; /* what */
+    vec3 direction;          /* unit */
+    double distance;         /* where on the leaf; INFINITY: anywhere */
+    double density;          /* per solid angle, of this direction and place */
+};
+
+/* Picks for a point, by three numbers in [0,1). False: nothing there. */
+bool emitters_pick(const struct emitters *emitters, vec3 point, double which,
+                   const double u[2], struct emitter_pick *pick);
+
+/* The density with which emitters_pick finds what a ray from `point` met at
+ * `at`; 0 if it never does. For smooth triangles that of the interpolated
+ * normal, which serves as well for weights. */
+double emitters_density(const struct emitters *emitters, vec3 point,
+                        vec3 direction, const struct intersection *at);
+
+#endif

@@ -1,0 +1,82 @@
+/* Whole paths: the reference. Here is only what shines; the tracer follows the
+ * paths (tracer/path.h), because light that comes back again depends on all
+ * that a ray does. */
+#include "base/memory.h"
+#include "base/warp.h"
+#include "lighting/light_set.h"
+#include "shade/area.h"
+
+static void *path_start(const struct world *world, const struct scene *scene,
+                        const struct lighting_options *options,
+                        struct diag *diag)
+{
+    struct light_set *set = memory_new(sizeof *set);
+    const struct light *lights = world_lights(world, &set->count);
+    double sum = 0;
+    (void)scene;
+    (void)diag;
+    set->seed = options->seed;
+    set->lamps = memory_new(set->count * sizeof *set->lamps);
+    set->sums = memory_new(set->count * sizeof *set->sums);
+    for (size_t i = 0; i < set->count; i++) {
+        double glow = rgb_peak(lights[i].colour);
+        set->lamps[i] = lamp_new(&lights[i], (int)i);
+        set->sums[i] = sum += isfinite(glow) ? glow : 0;
+    }
+    set->emitters = emitters_new(world);
+    return set;
+}
+
+static void path_finish(void *state)
+{
+    struct light_set *set = state;
+    if (!set)
+        return;
+    emitters_free(set->emitters);
+    memory_free(set->sums);
+    memory_free(set->lamps);
+    memory_free(set);
+}
+
+/* Round lights are ellipses with the axes as diameters; a side of one point
+ * has no extent. */
+static vec3 area_place(const struct lamp *lamp, vec3 point, const double u[2])
+{
+    const struct light *light = lamp->light;
+    struct area_grid grid = area_grid_new(lamp, point, 0);
+    bool wide = light->size1 > 1, high = light->size2 > 1;
+    double x = u[0] - 0.5, y = u[1] - 0.5;
+    if (light->circular || (light->orient && wide && high)) {
+        warp_disc(u, &x, &y);
+        x /= 2;
+        y /= 2;
+    }
+    return vec3_along(vec3_along(light->location, grid.axis1, wide ? x : 0),
+                      grid.axis2, high ? y : 0);
+}
+
+bool light_set_look(const struct lamp *lamp, vec3 point, const double u[2],
+                    struct lamp_pick *pick)
+{
+    const struct light *light = lamp->light;
+    vec3 place = light->location;
+    bool parallel = lamp_is_parallel(lamp);
+    if (light->area)
+        place = area_place(lamp, point, u);
+    bool there =
+        lamp_look(lamp, parallel ? light->location : place, point, &pick->view);
+    vec3 way = vec3_scale(pick->view.direction, pick->view.distance);
+    if (parallel)
+        way = vec3_add(way, vec3_sub(place, light->location));
+    pick->towards = vec3_normalise(way);
+    pick->distance = pick->view.distance > 0 ? vec3_length(way) : 0;
+    return there;
+}
+
+const struct lighting path_lighting = {
+    .name = "path",
+    .help = "the reference: all paths of light, sample by sample (--samples)",
+    .whole_paths = true,
+    .start = path_start,
+    .finish = path_finish,
+};

@@ -1,0 +1,118 @@
+/* Rays at surfaces: see crossing.h. */
+#include "tracer/crossing.h"
+
+#include "shade/background.h"
+
+void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
+                   vec3 direction, const struct interiors *inside,
+                   double bailout)
+{
+    interiors_copy(&crossing->beyond, inside);
+    interiors_cross(&crossing->beyond, crossing->at.leaf);
+    crossing->leaving = crossing->beyond.count < inside->count;
+    crossing->ior = interiors_ior(&crossing->beyond) / interiors_ior(inside);
+    struct surface_view view = {
+        .direction = direction,
+        .inside = inside,
+        .ior = crossing->ior,
+        .quality = tracer->quality,
+        .bailout = bailout,
+    };
+    surface_fill(&crossing->surface, &crossing->at, &view);
+}
+
+vec3 crossing_mirrored(const struct crossing *crossing, vec3 direction,
+                       vec3 normal)
+{
+    const struct surface *surface = &crossing->surface;
+    double cosine = vec3_dot(direction, normal);
+    if (cosine < 0)
+        direction = vec3_along(direction, normal, -2 * cosine);
+    double rise = vec3_dot(direction, surface->normal);
+    if (rise < 0)
+        direction = vec3_along(direction, surface->normal, -2 * rise);
+    return vec3_normalise(direction);
+}
+
+bool crossing_refracted(const struct crossing *crossing, vec3 direction,
+                        vec3 normal, vec3 *out)
+{
+    double n = 1 / crossing->ior, cosine = -vec3_dot(direction, normal);
+    if (cosine < 0) {
+        cosine = -cosine;
+        normal = vec3_negate(normal);
+    }
+    double left = 1 - n * n * (1 - cosine * cosine);
+    if (!(left >= 0))
+        return false;
+    vec3 bent =
+        vec3_along(vec3_scale(direction, n), normal, n * cosine - sqrt(left));
+    *out = vec3_normalise(bent);
+    return true;
+}
+
+bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside)
+{
+    return tracer->scene->fogs.count > 0 && tracer->quality >= QUALITY_FOG &&
+           interiors_open(inside);
+}
+
+/* Without +UA the background's transmit darkens it and its filter does
+ * nothing. With +UA both make it transparent where the camera sees it, and
+ * neither matters in a mirror. */
+rgb tracer_background(const struct tracer *tracer, vec3 direction,
+                      bool straight, double *clear)
+{
+    colour c = tracer->scene->background;
+    struct veil sky = sky_veil(tracer->scene, direction);
+    double share = 1 - c.transmit;
+    *clear = 0;
+    if (tracer->alpha)
+        share = straight ? 1 - c.filter - c.transmit : 1;
+    if (tracer->alpha && straight)
+        *clear = rgb_brightness(sky.through) *
+                 rgb_brightness(colour_transmittance(c));
+    rgb light = rgb_scale(colour_rgb(c), share);
+    return rgb_add(sky.light, rgb_mul(sky.through, light));
+}
+
+static void interiors_enter(void *context, const struct leaf *leaf)
+{
+    struct interiors *inside = context;
+    if (interiors_find(inside, leaf->body) < 0)
+        interiors_cross(inside, leaf);
+}
+
+void tracer_inside(const struct tracer *tracer, vec3 point,
+                   struct interiors *inside)
+{
+    inside->count = 0;
+    world_containing(tracer->world, point, interiors_enter, inside);
+}
+
+void tracer_ready(struct tracer *tracer)
+{
+    const struct camera *camera = &tracer->scene->camera;
+    struct box3 origins = box3_empty();
+    tracer->start.count = 0;
+    for (int corner = 0; corner < 4; corner++)
+        origins = box3_add(origins,
+                           camera_ray(camera, corner % 2, corner / 2).origin);
+    tracer->ready = true;
+    if (camera->kind == CAMERA_PERSPECTIVE)
+        tracer_inside(tracer, camera->location, &tracer->start);
+    else
+        tracer->ready = !world_may_contain(tracer->world, origins);
+}
+
+struct ray tracer_start(const struct tracer *tracer, struct worker *worker,
+                        double x, double y, struct interiors *inside)
+{
+    struct ray ray = camera_ray(&tracer->scene->camera, x, y);
+    worker->counters.camera_rays++;
+    if (tracer->ready)
+        interiors_copy(inside, &tracer->start);
+    else
+        tracer_inside(tracer, ray.origin, inside);
+    return ray;
+}

@@ -1,0 +1,50 @@
+/* Where a ray meets a surface, and where it may go from there: what the
+ * recursive tracer and the path tracer have in common. */
+#ifndef TRACER_CROSSING_H
+#define TRACER_CROSSING_H
+
+#include "tracer/tracer.h"
+
+/* One surface, and the list of bodies after crossing it. */
+struct crossing {
+    struct intersection at;
+    struct surface surface;
+    struct interiors beyond;
+    bool leaving;
+    double ior; /* behind the surface over before it */
+};
+
+/* Fills all but `at`, which is known. `inside` is what the ray came through and
+ * must stay; layers below `bailout` are left out. */
+void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
+                   vec3 direction, const struct interiors *inside,
+                   double bailout);
+
+/* The mirrored direction for a layer's normal, unit. It never goes into the
+ * surface: bumps that face away from the viewer don't mirror, and what would go
+ * in is mirrored back by the true surface (measured). */
+vec3 crossing_mirrored(const struct crossing *crossing, vec3 direction,
+                       vec3 normal);
+
+/* Snell: the direction behind the surface; a normal that faces away from the
+ * viewer is turned round. Returns false in total reflection. */
+bool crossing_refracted(const struct crossing *crossing, vec3 direction,
+                        vec3 normal, vec3 *out);
+
+/* Whether fog reaches a ray that is inside of these. */
+bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside);
+
+/* The light of a ray that meets nothing: sky and background. `straight`: on the
+ * camera's line of sight. *clear: the share of opacity that is still open. */
+rgb tracer_background(const struct tracer *tracer, vec3 direction,
+                      bool straight, double *clear);
+
+/* The camera's ray at (x, y) of the picture, and what it starts in; counted. */
+struct ray tracer_start(const struct tracer *tracer, struct worker *worker,
+                        double x, double y, struct interiors *inside);
+
+/* What a point is inside of. */
+void tracer_inside(const struct tracer *tracer, vec3 point,
+                   struct interiors *inside);
+
+#endif

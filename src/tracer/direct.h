@@ -1,0 +1,46 @@
+/* Light that comes straight from what shines: next-event estimation (Kajiya
+ * 1986; Shirley, Wang and Zimmerman 1996 for area lights), with balance
+ * heuristic weights (Veach and Guibas 1995) for what glows, because rays that a
+ * surface scatters find that too. Lamps have no surface and are found here
+ * alone. */
+#ifndef TRACER_DIRECT_H
+#define TRACER_DIRECT_H
+
+#include "base/draw.h"
+#include "lighting/light_set.h"
+#include "tracer/tracer.h"
+
+/* Who asks for light: a surface or a probe. */
+struct receiver {
+    vec3 point;
+    const struct interiors *inside, *behind; /* on the normal's side, and on
+                                              * the other */
+    vec3 normal; /* tells the sides apart; zero: there is only `inside` */
+    /* What it makes of white light from a direction; `lamp`: a lamp's, not
+     * radiance. */
+    rgb (*response)(const void *context, vec3 direction, bool lamp,
+                    bool highlights);
+    /* The density of the rays it scatters there; 0: it scatters none. */
+    double (*density)(const void *context, vec3 direction);
+    const void *context;
+};
+
+/* The bodies that light to this direction goes through. */
+const struct interiors *receiver_inside(const struct receiver *receiver,
+                                        vec3 direction);
+
+/* An unbiased estimate of it. `every`: all lamps are asked if they are few, and
+ * not one of them chosen. */
+rgb direct_light(const struct tracer *tracer, struct worker *worker,
+                 const struct receiver *receiver, const struct draws *draws,
+                 bool every);
+
+/* The light that a surface itself sends to its viewer. */
+rgb surface_glow(const struct surface *surface);
+
+/* The weight of a ray of `density` that `from` scattered and that met something
+ * glowing at `at`. */
+double direct_weight(const struct light_set *set, vec3 from, vec3 direction,
+                     double density, const struct intersection *at);
+
+#endif

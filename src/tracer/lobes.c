@@ -1,0 +1,119 @@
+/* Scattering lobes: see lobes.h. The densities follow the finish's formulas:
+ * Lambert and brilliance cos^b, phong cos^m around the mirrored view, specular
+ * cos^m of the halfway vector h, whose density becomes that of a direction
+ * divided by 4 (v.h) (Torrance and Sparrow's Jacobian). */
+#include "tracer/lobes.h"
+
+#include "base/warp.h"
+#include "shade/finish.h"
+
+static void lobes_add(struct lobes *lobes, vec3 axis, double power,
+                      double share, bool halfway)
+{
+    if (!(share > 0) || !isfinite(share) || !(power >= 0) || !isfinite(power) ||
+        lobes->count == LOBES_MAX)
+        return;
+    lobes->at[lobes->count++] = (struct lobe){ axis, power, share, halfway };
+    lobes->total += share;
+}
+
+/* cos^b * d over cos^b (b + 1)/(2 pi), over pi: 2 d/(b + 1). */
+static void lobes_add_diffuse(struct lobes *lobes,
+                              const struct surface *surface,
+                              const struct surface_layer *layer)
+{
+    const struct finish *finish = layer->finish;
+    bool twice = surface->at->leaf->double_illuminate;
+    double b = fmax(finish->brilliance, 0);
+    double tone = rgb_peak(rgb_mul(layer->weight, colour_rgb(layer->pigment)));
+    tone *= fabs(1 - layer->pigment.filter - layer->pigment.transmit);
+    tone *= finish->diffuse_albedo ? 1 : 2 / (b + 1);
+    double back = twice ? finish->diffuse : finish->diffuse_back;
+    lobes_add(lobes, layer->normal, b, tone * fabs(finish->diffuse), false);
+    lobes_add(lobes, vec3_negate(layer->normal), b, tone * fabs(back), false);
+}
+
+static void lobes_add_highlights(struct lobes *lobes,
+                                 const struct surface_layer *layer)
+{
+    const struct finish *finish = layer->finish;
+    double tone = rgb_peak(layer->weight), m = fmax(finish->phong_size, 0);
+    double along = 2 * vec3_dot(lobes->view, layer->normal);
+    vec3 mirrored = vec3_sub(vec3_scale(layer->normal, along), lobes->view);
+    lobes_add(lobes, mirrored, m,
+              tone * fabs(finish->phong) *
+                  (finish->phong_albedo ? 1 : 2 / (m + 1)),
+              false);
+    if (!(finish->roughness > 0))
+        return;
+    m = 1 / finish->roughness;
+    lobes_add(lobes, layer->normal, m,
+              tone * fabs(finish->specular) *
+                  (finish->specular_albedo ? 2 : 8 / (m + 1)),
+              true);
+}
+
+void lobes_fill(struct lobes *lobes, const struct surface *surface)
+{
+    lobes->view = surface->view;
+    lobes->count = 0;
+    lobes->total = 0;
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        lobes_add_diffuse(lobes, surface, layer);
+        if (layer->finish->phong != 0 || layer->finish->specular != 0)
+            lobes_add_highlights(lobes, layer);
+    }
+    for (int i = 0; i < lobes->count; i++)
+        lobes->at[i].share /= lobes->total;
+}
+
+static vec3 lobe_sample(const struct lobe *lobe, vec3 view, const double u[2])
+{
+    vec3 v = warp_lobe(u, lobe->axis, lobe->power);
+    if (lobe->halfway)
+        v = vec3_sub(vec3_scale(v, 2 * vec3_dot(v, view)), view);
+    return vec3_normalise(v);
+}
+
+/* The vector that takes the view to the direction is h or -h; the lobe may
+ * have drawn either. */
+static double lobe_density(const struct lobe *lobe, vec3 view, vec3 direction)
+{
+    if (!lobe->halfway)
+        return warp_lobe_density(vec3_dot(lobe->axis, direction), lobe->power);
+    vec3 half = vec3_normalise(vec3_add(view, direction));
+    double slope = 4 * fabs(vec3_dot(view, half));
+    double cosine = fabs(vec3_dot(lobe->axis, half));
+    return slope > 0 ? warp_lobe_density(cosine, lobe->power) / slope : 0;
+}
+
+vec3 lobes_sample(const struct lobes *lobes, double which, const double u[2])
+{
+    int i = 0;
+    for (; i < lobes->count - 1 && which >= lobes->at[i].share; i++)
+        which -= lobes->at[i].share;
+    return lobe_sample(&lobes->at[i], lobes->view, u);
+}
+
+double lobes_density(const struct lobes *lobes, vec3 direction)
+{
+    double sum = 0;
+    for (int i = 0; i < lobes->count; i++)
+        sum += lobes->at[i].share *
+               lobe_density(&lobes->at[i], lobes->view, direction);
+    return sum;
+}
+
+rgb surface_response(const struct surface *surface, vec3 direction,
+                     bool highlights)
+{
+    struct light_sample sample = { direction, { 1, 1, 1 }, highlights };
+    rgb sum = rgb_grey(0);
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb light = finish_light(surface, layer, &sample);
+        sum = rgb_add(sum, rgb_mul(layer->weight, light));
+    }
+    return sum;
+}

@@ -1,0 +1,40 @@
+/* The directions into which a surface scatters, as lobes: the diffuse share of
+ * every layer, in front and behind, and its highlights, which here reflect all
+ * light and not lamps alone. Mirrors are not lobes. In POV-Ray's units a
+ * response of 1 over the hemisphere weighted with the cosine is a share of 1:
+ * light scattered = integral of response * radiance / pi. */
+#ifndef TRACER_LOBES_H
+#define TRACER_LOBES_H
+
+#include "shade/surface.h"
+
+enum { LOBES_MAX = 4 * TEXTURE_LAYERS };
+
+struct lobe {
+    vec3 axis;
+    double power; /* density goes with cosine^power */
+    double share; /* of all lobes, then the chance to be chosen */
+    bool halfway; /* the angle is that of the halfway vector */
+};
+
+struct lobes {
+    vec3 view; /* unit, to the viewer */
+    int count;
+    double total; /* about the share of light that they scatter, largest of
+                   * the colours */
+    struct lobe at[LOBES_MAX];
+};
+
+void lobes_fill(struct lobes *lobes, const struct surface *surface);
+
+/* A direction by three numbers in [0,1), and the density of all lobes for a
+ * direction, per solid angle. There must be lobes. */
+vec3 lobes_sample(const struct lobes *lobes, double which, const double u[2]);
+double lobes_density(const struct lobes *lobes, vec3 direction);
+
+/* The light that goes to the viewer of white light from there, cosine and all
+ * layers' weights included. */
+rgb surface_response(const struct surface *surface, vec3 direction,
+                     bool highlights);
+
+#endif

@@ -1,0 +1,137 @@
+/* Where paths begin: at the camera, and at points that are probed. */
+#include "tracer/path.h"
+
+#include <string.h>
+
+#include "base/warp.h"
+#include "shade/shadow.h"
+#include "tracer/crossing.h"
+#include "tracer/direct.h"
+#include "tracer/walk.h"
+
+enum { SLOT_START = 1 << 20 }; /* of draws; the rest belongs to direct.c */
+
+struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
+                            double x, double y, const struct draws *draws)
+{
+    struct walk walk = { .tracer = tracer,
+                         .worker = worker,
+                         .draws = *draws,
+                         .kind = RAY_CAMERA,
+                         .weight = 1,
+                         .straight = true,
+                         .split = true,
+                         .share = { 1, 1, 1 },
+                         .clear = 1 };
+    walk.ray = tracer_start(tracer, worker, x, y, &walk.inside);
+    return walk_follow(&walk);
+}
+
+/* Irradiance: light counts by its cosine. */
+static rgb plate_response(const void *context, vec3 direction, bool lamp,
+                          bool highlights)
+{
+    const vec3 *normal = context;
+    (void)lamp;
+    (void)highlights;
+    return rgb_grey(fmax(vec3_dot(*normal, direction), 0));
+}
+
+static double plate_density(const void *context, vec3 direction)
+{
+    const vec3 *normal = context;
+    return warp_lobe_density(vec3_dot(*normal, direction), 1);
+}
+
+/* The light field: light counts alike from everywhere. */
+static rgb speck_response(const void *context, vec3 direction, bool lamp,
+                          bool highlights)
+{
+    (void)context;
+    (void)direction;
+    (void)lamp;
+    (void)highlights;
+    return rgb_grey(1);
+}
+
+static double speck_density(const void *context, vec3 direction)
+{
+    (void)context;
+    (void)direction;
+    return 1 / (4 * WARP_PI);
+}
+
+/* One sample. The ray's share is its response over pi times its density: 1 for
+ * a plate, 4 for a speck. */
+static rgb probe_sample(const struct tracer *tracer, struct worker *worker,
+                        const struct receiver *receiver, const vec3 *normal,
+                        const struct draws *draws)
+{
+    struct walk walk = { .tracer = tracer,
+                         .worker = worker,
+                         .draws = draws_within(draws, SLOT_START),
+                         .kind = RAY_REFLECTION,
+                         .weight = 1,
+                         .from = receiver->point,
+                         .share = { 1, 1, 1 } };
+    double u[2];
+    draw_pair(draws, SLOT_START, u);
+    vec3 direction = normal ? warp_lobe(u, *normal, 1) : warp_sphere(u);
+    walk.ray = (struct ray){ receiver->point, direction };
+    walk.density = receiver->density(receiver->context, direction);
+    interiors_copy(&walk.inside, receiver->inside);
+    rgb light = direct_light(tracer, worker, receiver, draws, true);
+    if (walk.density > 0)
+        light =
+            rgb_add_scaled(light, walk_follow(&walk).colour, normal ? 1 : 4);
+    arena_reset(worker->scratch);
+    return light;
+}
+
+static uint64_t key_of(vec3 point, uint64_t seed)
+{
+    uint64_t bits[3];
+    memcpy(bits, &point, sizeof bits);
+    return random_key(random_key(random_key(seed, bits[0]), bits[1]), bits[2]);
+}
+
+/* Of one colour, from the sums of n values and their squares. */
+static double standard_error(double sum, double squares, double n)
+{
+    double variance = squares / n - sum / n * (sum / n);
+    return n > 1 && variance > 0 ? sqrt(variance / (n - 1)) : 0;
+}
+
+struct path_light path_irradiance(const struct tracer *tracer,
+                                  struct worker *worker, vec3 point,
+                                  const vec3 *normal, unsigned samples,
+                                  uint64_t seed)
+{
+    struct interiors inside;
+    struct receiver receiver = {
+        .point = point,
+        .inside = &inside,
+        .behind = &inside,
+        .response = normal ? plate_response : speck_response,
+        .density = normal ? plate_density : speck_density,
+        .context = normal,
+    };
+    rgb sum = rgb_grey(0), squares = rgb_grey(0);
+    double n = samples ? samples : 1;
+    /* A point lies on a surface, or a hair beside it. */
+    vec3 above =
+        normal ? vec3_along(point, *normal, surface_offset(point)) : point;
+    tracer_inside(tracer, above, &inside);
+    for (unsigned i = 0; i < (unsigned)n && !worker_stopped(worker); i++) {
+        struct draws draws = { key_of(point, seed), i };
+        rgb light = probe_sample(tracer, worker, &receiver, normal, &draws);
+        sum = rgb_add(sum, light);
+        squares = rgb_add(squares, rgb_mul(light, light));
+    }
+    return (struct path_light){
+        rgb_scale(sum, 1 / n),
+        { standard_error(sum.r, squares.r, n),
+          standard_error(sum.g, squares.g, n),
+          standard_error(sum.b, squares.b, n) },
+    };
+}

@@ -1,0 +1,380 @@
+/* Path tracing (Kajiya 1986) with the rules of the recursive tracer for what a
+ * ray meets, and these beyond them:
+ * - Light comes to a surface from everywhere. A scattered ray that meets
+ *   something glowing counts with the balance heuristic's weight (direct.c).
+ * - `ambient` is ignored, as are max_trace_level and adc_bailout.
+ * - Mirrors, panes and the scattering surface are all followed where the camera
+ *   sees them, of later ones one, chosen by weight. Light that is mirrored or
+ *   bent on its way from a glowing surface (caustics) is found by scattered
+ *   rays alone: exact, but slow to settle if that surface is small. Lamps are
+ *   points and make none; their light goes straight through what is
+ *   transparent, as POV-Ray's does.
+ * - A reflection exponent is not linear: it is applied to each sample.
+ * - Russian roulette (Arvo and Kirk 1990) ends paths that weigh little. */
+#include "tracer/walk.h"
+
+#include "base/warp.h"
+#include "shade/background.h"
+#include "shade/finish.h"
+#include "shade/shadow.h"
+#include "tracer/crossing.h"
+#include "tracer/direct.h"
+#include "tracer/lobes.h"
+
+enum {
+    VERTICES_MAX = 2000, /* of a path: for safety alone */
+    LEVELS_MAX = 8,      /* where all ways are followed */
+    EXPONENTS_MAX = 24,  /* mirrors with an exponent in a row */
+    WAYS_MAX = TEXTURE_LAYERS + 2,
+};
+
+/* Parts of a split path weigh at least this, or are left to roulette. */
+static const double split_least = 1.0 / 32;
+/* So do paths after a scattering. */
+static const double path_least = 1.0 / 4;
+
+/* Layers darker than this are left out. */
+static const double layer_least = 1e-7;
+
+/* What each vertex draws. */
+enum { SLOT_WAY = 16, SLOT_LOBE, SLOT_DIRECTION, SLOT_ROULETTE, SLOT_BRANCH };
+
+/* Where light may have come from. */
+enum way_kind { WAY_SCATTERED, WAY_MIRRORED, WAY_THROUGH, WAY_TURNED };
+
+struct way {
+    enum way_kind kind;
+    const struct surface_layer *layer; /* mirrored */
+    vec3 direction;                    /* mirrored, through, turned */
+    rgb weight; /* scattered: about, by which it is chosen */
+};
+
+struct ways {
+    int count;
+    struct way at[WAYS_MAX];
+};
+
+/* A surface on the path, and the numbers drawn there. */
+struct meeting {
+    struct crossing crossing;
+    struct lobes lobes;
+    struct draws draws;
+};
+
+static void walk_gather(struct walk *walk, rgb light)
+{
+    walk->light = rgb_add(walk->light, rgb_mul(walk->share, light));
+}
+
+static void walk_veil(struct walk *walk, const struct veil *veil)
+{
+    walk_gather(walk, veil->light);
+    walk->share = rgb_mul(walk->share, veil->through);
+    walk->clear *= rgb_brightness(veil->through);
+}
+
+static void walk_fog(struct walk *walk, double distance)
+{
+    if (!tracer_foggy(walk->tracer, &walk->inside))
+        return;
+    struct veil veil = fog_veil(walk->tracer->scene, distance);
+    walk_veil(walk, &veil);
+}
+
+static double way_exponent(const struct way *way)
+{
+    return way->kind == WAY_MIRRORED ? way->layer->finish->reflection.exponent
+                                     : 1;
+}
+
+static void ways_add(struct ways *ways, enum way_kind kind, vec3 direction,
+                     rgb weight, const struct surface_layer *layer)
+{
+    if (rgb_peak(weight) > 0 && ways->count < WAYS_MAX)
+        ways->at[ways->count++] =
+            (struct way){ kind, layer, direction, weight };
+}
+
+static void ways_mirrors(struct ways *ways, const struct walk *walk,
+                         const struct crossing *crossing)
+{
+    const struct surface *surface = &crossing->surface;
+    if (walk->tracer->quality < QUALITY_REFLECTION)
+        return;
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        if (rgb_peak(layer->reflection) == 0)
+            continue;
+        vec3 direction =
+            crossing_mirrored(crossing, walk->ray.direction, layer->normal);
+        ways_add(ways, WAY_MIRRORED, direction, layer->reflection, layer);
+    }
+}
+
+/* All ways but scattering. Total reflection takes the place of the rest. */
+static void ways_find(struct ways *ways, const struct walk *walk,
+                      const struct crossing *crossing)
+{
+    const struct surface *surface = &crossing->surface;
+    vec3 normal = surface->layer[0].normal, direction = walk->ray.direction;
+    rgb through = surface->through;
+    ways->count = 0;
+    if (walk->tracer->quality < QUALITY_TRANSPARENCY)
+        through = rgb_grey(0);
+    if (rgb_peak(through) > 0 && crossing->ior != 1 &&
+        !crossing_refracted(crossing, direction, normal, &direction)) {
+        direction = crossing_mirrored(crossing, walk->ray.direction, normal);
+        ways_add(ways, WAY_TURNED, direction, rgb_grey(1), NULL);
+        return;
+    }
+    ways_add(ways, WAY_THROUGH, direction, through, NULL);
+    ways_mirrors(ways, walk, crossing);
+}
+
+static void walk_leave(struct walk *walk, const struct crossing *crossing,
+                       const struct way *way)
+{
+    bool bends = crossing->ior != 1 || way->kind != WAY_THROUGH;
+    if (way->kind == WAY_THROUGH) {
+        interiors_copy(&walk->inside, &crossing->beyond);
+        walk->clear *= rgb_brightness(crossing->surface.through);
+    } else {
+        walk->straight = false;
+        walk->clear = 0;
+    }
+    if (way->kind == WAY_MIRRORED)
+        walk->kind = RAY_REFLECTION;
+    else if (crossing->leaving)
+        walk->share =
+            rgb_mul(walk->share,
+                    interior_fade(crossing->at.leaf->interior, crossing->at.t));
+    walk->share = rgb_mul(walk->share, way->weight);
+    if (bends)
+        walk->density = 0;
+    walk->ray = (struct ray){ crossing->at.point, way->direction };
+    walk->worker->counters.secondary_rays++;
+}
+
+/* What the surface makes of light, for direct_light. */
+struct scatterer {
+    const struct surface *surface;
+    const struct lobes *lobes;
+    bool scatters; /* rays, too */
+};
+
+static rgb scatterer_response(const void *context, vec3 direction, bool lamp,
+                              bool highlights)
+{
+    const struct scatterer *scatterer = context;
+    (void)lamp;
+    return surface_response(scatterer->surface, direction, highlights);
+}
+
+static double scatterer_density(const void *context, vec3 direction)
+{
+    const struct scatterer *scatterer = context;
+    return scatterer->scatters ? lobes_density(scatterer->lobes, direction) : 0;
+}
+
+/* Whether light from other surfaces counts. */
+static bool walk_scatters(const struct walk *walk)
+{
+    return walk->tracer->quality >= QUALITY_FOG;
+}
+
+static void walk_direct(struct walk *walk, const struct meeting *meeting)
+{
+    const struct crossing *crossing = &meeting->crossing;
+    struct scatterer scatterer = { &crossing->surface, &meeting->lobes,
+                                   walk_scatters(walk) };
+    struct receiver receiver = {
+        .point = crossing->at.point,
+        .inside = &walk->inside,
+        .behind = &crossing->beyond,
+        .normal = crossing->surface.normal,
+        .response = scatterer_response,
+        .density = scatterer_density,
+        .context = &scatterer,
+    };
+    walk_gather(walk, direct_light(walk->tracer, walk->worker, &receiver,
+                                   &meeting->draws, walk->split));
+}
+
+/* On into a direction that the surface scatters to, with `scale`. False if it
+ * swallows the ray. */
+static bool walk_scatter(struct walk *walk, const struct meeting *meeting,
+                         double scale)
+{
+    const struct crossing *crossing = &meeting->crossing;
+    double u[2];
+    draw_pair(&meeting->draws, SLOT_DIRECTION, u);
+    vec3 direction =
+        lobes_sample(&meeting->lobes, draw_unit(&meeting->draws, SLOT_LOBE), u);
+    double density = lobes_density(&meeting->lobes, direction);
+    rgb response = surface_response(&crossing->surface, direction, true);
+    if (rgb_peak(response) == 0 || !(density > 0) || !isfinite(density))
+        return false;
+    walk->share =
+        rgb_mul(walk->share, rgb_scale(response, scale / (WARP_PI * density)));
+    if (vec3_dot(direction, crossing->surface.normal) < 0)
+        interiors_copy(&walk->inside, &crossing->beyond);
+    walk->ray = (struct ray){ crossing->at.point, direction };
+    walk->kind = RAY_REFLECTION;
+    walk->split = walk->straight = false;
+    walk->clear = 0;
+    walk->density = density;
+    walk->from = crossing->at.point;
+    walk->worker->counters.secondary_rays++;
+    return true;
+}
+
+static bool walk_take(struct walk *walk, const struct meeting *meeting,
+                      const struct way *way)
+{
+    walk->weight *= rgb_peak(way->weight);
+    if (way->kind == WAY_SCATTERED)
+        return walk_scatter(walk, meeting,
+                            way->weight.r / meeting->lobes.total);
+    walk_leave(walk, &meeting->crossing, way);
+    return true;
+}
+
+/* Gathers the light that comes that way by a walk of its own. */
+static void walk_branch(struct walk *walk, const struct meeting *meeting,
+                        const struct way *way, int number)
+{
+    struct walk branch = *walk;
+    struct way taken = *way;
+    double exponent = way_exponent(way);
+    rgb outside = rgb_grey(1);
+    if (exponent != 1) {
+        outside = way->weight;
+        taken.weight = rgb_grey(1);
+        branch.weight *= rgb_peak(outside);
+    }
+    branch.draws =
+        draws_within(&meeting->draws, (uint64_t)(SLOT_BRANCH + number));
+    branch.level++;
+    branch.share = rgb_grey(1);
+    branch.clear = 1;
+    branch.light = rgb_grey(0);
+    if (!walk_take(&branch, meeting, &taken))
+        return;
+    rgb light = walk_follow(&branch).colour;
+    walk_gather(walk, rgb_mul(outside, finish_exponent(light, exponent)));
+}
+
+/* All ways but the first are followed by walks of their own, those of little
+ * weight only sometimes; the first is left. */
+static void walk_split(struct walk *walk, const struct meeting *meeting,
+                       struct ways *ways)
+{
+    struct draws chances = draws_within(&meeting->draws, SLOT_BRANCH);
+    while (ways->count > 1) {
+        struct way way = ways->at[--ways->count];
+        double weight = walk->weight * rgb_peak(way.weight);
+        double chance = fmin(1, weight / split_least);
+        if (chance < 1 && draw_unit(&chances, (uint32_t)ways->count) >= chance)
+            continue;
+        way.weight = rgb_scale(way.weight, 1 / chance);
+        walk_branch(walk, meeting, &way, ways->count);
+    }
+}
+
+/* One way is left, chosen by weight. */
+static void ways_choose(struct ways *ways, double which)
+{
+    double sum = 0;
+    for (int i = 0; i < ways->count; i++)
+        sum += rgb_peak(ways->at[i].weight);
+    double wanted = which * sum;
+    int i = 0;
+    for (; i < ways->count - 1 && wanted >= rgb_peak(ways->at[i].weight); i++)
+        wanted -= rgb_peak(ways->at[i].weight);
+    double chance = rgb_peak(ways->at[i].weight) / sum;
+    ways->at[0] = ways->at[i];
+    ways->at[0].weight = rgb_scale(ways->at[0].weight, 1 / chance);
+    ways->count = 1;
+}
+
+/* Onwards from the surface; false if the path ends there. */
+static bool walk_on(struct walk *walk, const struct meeting *meeting)
+{
+    struct ways ways;
+    ways_find(&ways, walk, &meeting->crossing);
+    if (walk_scatters(walk))
+        ways_add(&ways, WAY_SCATTERED, walk->ray.direction,
+                 rgb_grey(meeting->lobes.total), NULL);
+    if (ways.count == 0)
+        return false;
+    if (walk->split && walk->level < LEVELS_MAX)
+        walk_split(walk, meeting, &ways);
+    else if (ways.count > 1)
+        ways_choose(&ways, draw_unit(&meeting->draws, SLOT_WAY));
+    if (way_exponent(&ways.at[0]) == 1 || walk->level >= EXPONENTS_MAX)
+        return walk_take(walk, meeting, &ways.at[0]);
+    walk_branch(walk, meeting, &ways.at[0], 0);
+    return false;
+}
+
+static bool walk_survives(struct walk *walk, const struct draws *draws,
+                          int vertex)
+{
+    double chance = walk->split ? 1 : rgb_peak(walk->share) / path_least;
+    if (vertex > (walk->split ? 64 : 16))
+        chance = fmin(chance, 0.98); /* even between perfect mirrors */
+    if (chance >= 1)
+        return true;
+    if (draw_unit(draws, SLOT_ROULETTE) >= chance)
+        return false;
+    walk->share = rgb_scale(walk->share, 1 / chance);
+    return true;
+}
+
+/* Meets what the ray hits. False if the path ends there. */
+static bool walk_meet(struct walk *walk, struct meeting *meeting)
+{
+    struct crossing *crossing = &meeting->crossing;
+    const struct surface *surface = &crossing->surface;
+    crossing_fill(crossing, walk->tracer, walk->ray.direction, &walk->inside,
+                  layer_least);
+    if (walk->tracer->quality < QUALITY_LIT) {
+        walk_gather(walk, colour_rgb(surface->layer[0].pigment));
+        return false;
+    }
+    rgb glow = surface_glow(surface);
+    if (walk->density > 0 && rgb_peak(glow) > 0)
+        glow = rgb_scale(glow, direct_weight(walk->tracer->lighting_state,
+                                             walk->from, walk->ray.direction,
+                                             walk->density, &crossing->at));
+    walk_gather(walk, glow);
+    lobes_fill(&meeting->lobes, surface);
+    if (meeting->lobes.total > 0)
+        walk_direct(walk, meeting);
+    return walk_on(walk, meeting);
+}
+
+struct radiance walk_follow(struct walk *walk)
+{
+    const struct tracer *tracer = walk->tracer;
+    struct meeting meeting;
+    for (int vertex = 1; vertex <= VERTICES_MAX; vertex++) {
+        if (worker_stopped(walk->worker))
+            break;
+        bool met = world_closest(tracer->world, &walk->ray,
+                                 surface_offset(walk->ray.origin), walk->kind,
+                                 &meeting.crossing.at);
+        walk_fog(walk, met ? meeting.crossing.at.t : (double)INFINITY);
+        if (!met) {
+            double clear;
+            walk_gather(walk, tracer_background(tracer, walk->ray.direction,
+                                                walk->straight, &clear));
+            return (struct radiance){ walk->light, 1 - walk->clear * clear };
+        }
+        meeting.draws = draws_within(&walk->draws, (uint64_t)vertex);
+        if (!walk_meet(walk, &meeting) ||
+            !walk_survives(walk, &meeting.draws, vertex))
+            break;
+    }
+    return (struct radiance){ walk->light, 1 };
+}

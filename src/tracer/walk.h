@@ -1,0 +1,34 @@
+/* One path of light, followed backwards: shared by the files of the path
+ * tracer. */
+#ifndef TRACER_WALK_H
+#define TRACER_WALK_H
+
+#include "base/draw.h"
+#include "tracer/tracer.h"
+
+/* A ray on its way, and what it has gathered. */
+struct walk {
+    const struct tracer *tracer;
+    struct worker *worker;
+    struct draws draws; /* of this walk; vertices are parts of it */
+    struct ray ray;
+    enum ray_kind kind;
+    struct interiors inside;
+    int level;     /* how often the path has been split */
+    double weight; /* of the walk in the pixel, for splitting */
+    bool straight; /* the camera's line of sight: its opacity counts */
+
+    bool split;     /* nothing has scattered the ray yet */
+    double density; /* of its direction; 0: scattered by nothing, or mirrored
+                     * or bent since */
+    vec3 from;      /* where it was scattered */
+
+    rgb share;    /* of what the ray meets next, in its radiance */
+    double clear; /* 1 - opacity so far */
+    rgb light;    /* gathered */
+};
+
+/* Follows the ray to its end. */
+struct radiance walk_follow(struct walk *walk);
+
+#endif
