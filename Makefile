@@ -108,7 +108,7 @@ $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/parser.o \
 conformance: all ## every scene of povray-examples by both programs
 	@GLIM=$(abspath $(BUILD)/glim) tests/conformance/run
 
-bench: all ## speed against POV-Ray, side by side, as ratios (BENCH=quick)
+bench: all ## what light costs, and how right it is, as ratios (BENCH=quick)
 	@GLIM=$(abspath $(BUILD)/glim) tests/bench/run
 
 # The scenes that are too large to be kept; the others are in examples/light.

@@ -60,7 +60,9 @@ Walls()
 
 #ifdef (Points)
   #include "points.inc"
-  // Only the dark room.
+  // Only the dark room; but the first is the wall's bright side.
+  #declare First_Point = concat(str(4 - Thickness / 2 - 0.001, 0, 5),
+                                " 1.35 2 -1 0 0 bright");
   #declare Void = array[1][2] { { <4.1, 1.1, 0.1>, <7.9, 2.6, 3.9> } }
   Write_Points("thinwall.points", union { Walls() }, Void, Points)
 #end

@@ -1,6 +1,7 @@
-/* measure COMMAND...: runs it quietly and prints "CPU WALL MEMORY": seconds of
- * processor (user + system), seconds passed, megabytes at most. Ends with the
- * command's status. A fresh machine may lack GNU time, hence this. */
+/* measure LOG COMMAND...: runs it, what it says goes to LOG, and prints
+ * "CPU WALL MEMORY": seconds of processor (user + system), seconds passed,
+ * megabytes at most. Ends with the command's status. A fresh machine may lack
+ * GNU time, hence this. */
 #include <fcntl.h>
 #include <stdio.h>
 #include <sys/resource.h>
@@ -21,19 +22,30 @@ static double now(void)
     return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
 }
 
+static void command_run(char **argv)
+{
+    int nothing = open("/dev/null", O_RDONLY);
+    int log = open(argv[1], O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (log < 0) {
+        perror(argv[1]);
+        _exit(126);
+    }
+    dup2(nothing, 0);
+    dup2(log, 1);
+    dup2(log, 2);
+    execvp(argv[2], argv + 2);
+    perror(argv[2]);
+    _exit(127);
+}
+
 int main(int argc, char **argv)
 {
     int status = 0;
     struct rusage usage;
     double start = now();
-    pid_t child = argc > 1 ? fork() : -1;
-    if (child == 0) {
-        int nothing = open("/dev/null", O_RDWR);
-        for (int stream = 0; stream < 3; stream++)
-            dup2(nothing, stream);
-        execvp(argv[1], argv + 1);
-        _exit(127);
-    }
+    pid_t child = argc > 2 ? fork() : -1;
+    if (child == 0)
+        command_run(argv);
     if (child < 0 || wait4(child, &status, 0, &usage) != child)
         return 126;
     printf("%.4f %.4f %.0f\n",
