@@ -20,6 +20,10 @@ bool parse_background(struct parser *p, colour *out)
 static const struct field fog_fields[] = {
     { "distance", FIELD_FLOAT, offsetof(struct fog, distance), 0, 0,
       "after which 1/e of what is behind is left" },
+    { "fog_offset", FIELD_FLOAT, offsetof(struct fog, offset), 0, 0,
+      "of fog_type 2: up to this height it is everywhere the same" },
+    { "fog_alt", FIELD_FLOAT, offsetof(struct fog, altitude), 0, 0,
+      "of fog_type 2: so far above that, half of it is left" },
     { NULL },
 };
 
@@ -28,25 +32,40 @@ static const struct unsupported_word fog_unsupported[] = {
     { KEYWORD_NONE, NULL },
 };
 
-/* fog_shape = "fog_type" float | "fog_offset" float | "fog_alt" float
- *           | "turb_depth" float | "octaves" float | "omega" float
- *           | "lambda" float | "up" vector | transformation .
- * Of the kinds, only 1, the same everywhere, is supported: it has no shape. */
-static bool parse_fog_shape(struct parser *p, bool *found)
+/* fog_type = "fog_type" float .
+ * 1 is the same everywhere, 2 lies on the ground. */
+static bool parse_fog_type(struct parser *p, struct fog *fog)
 {
-    affine ignored = affine_identity();
+    int type;
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &type))
+        return false;
+    fog->ground = type == 2;
+    return type == 1 || type == 2 ||
+           error_at(p, span, "2", "fog_type is 1 or 2");
+}
+
+static bool fog_upwards(struct parser *p, struct fog *fog, struct span span,
+                        vec3 up)
+{
+    fog->up = vec3_normalise(up);
+    return vec3_dot(fog->up, fog->up) > 0.5 ||
+           error_at(p, span, "y", "this is no direction");
+}
+
+/* fog_shape = fog_type | "turb_depth" float | "octaves" float | "omega" float
+ *           | "lambda" float | "up" vector | transformation .
+ * Measured: transformations turn the way up, and change no more. */
+static bool parse_fog_shape(struct parser *p, struct fog *fog, bool *found)
+{
+    affine step = affine_identity();
     struct span span = stream_span(p);
     vec3 up;
-    int type;
     *found = true;
     switch (stream_keyword(p)) {
     case KEYWORD_FOG_TYPE:
-        stream_next(p);
-        if (!parse_integer(p, &type))
-            return false;
-        return type == 1 || error_unsupported(p, span, "fog_type 2");
-    case KEYWORD_FOG_OFFSET:
-    case KEYWORD_FOG_ALT:
+        return parse_fog_type(p, fog);
     case KEYWORD_TURB_DEPTH:
     case KEYWORD_OCTAVES:
     case KEYWORD_OMEGA:
@@ -54,13 +73,16 @@ static bool parse_fog_shape(struct parser *p, bool *found)
         return skip_item(p);
     case KEYWORD_UP:
         stream_next(p);
-        return parse_vector(p, &up);
+        return parse_vector(p, &up) && fog_upwards(p, fog, span, up);
     default:
-        return parse_transformation(p, &ignored, found);
+        return parse_transformation(p, &step, found) &&
+               (!*found ||
+                fog_upwards(p, fog, span, affine_direction(&step, fog->up)));
     }
 }
 
-/* fog_item = "distance" float | colour | fog_shape | float .
+/* fog_item = "distance" float | "fog_offset" float | "fog_alt" float
+ *          | colour | fog_shape | float .
  * A number alone is the distance, in old scenes. */
 static bool parse_fog_item(struct parser *p, struct fog *fog)
 {
@@ -72,22 +94,27 @@ static bool parse_fog_item(struct parser *p, struct fog *fog)
         return parse_colour(p, &fog->colour);
     if (at_number(p))
         return parse_float(p, &fog->distance);
-    bool ok = parse_fog_shape(p, &found);
+    bool ok = parse_fog_shape(p, fog, &found);
     if (!ok || found)
         return ok;
     return check_supported(p, fog_unsupported) &&
            error_unknown_item(p, "fog", fog_fields);
 }
 
+/* Stands for 0: a fog that ends at its offset. */
+static const double fog_altitude_least = 1e-9;
+
 static bool fog_items(struct parser *p, struct fog *fog)
 {
     const struct value *value = accept_value(p, VALUE_FOG);
-    *fog = value ? *value->fog : (struct fog){ .distance = 0 };
+    *fog = value ? *value->fog : (struct fog){ .up = { 0, 1, 0 } };
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         if (!parse_fog_item(p, fog))
             return false;
         accept(p, TOKEN_COMMA);
     }
+    if (fog->altitude == 0)
+        fog->altitude = fog_altitude_least;
     return true;
 }
 

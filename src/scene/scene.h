@@ -13,6 +13,10 @@
 struct fog {
     double distance; /* > 0: T = exp(-d / distance) */
     colour colour;   /* filter and transmit keep some of what is behind */
+    bool ground;     /* fog_type 2: thins out above a height */
+    vec3 up;         /* unit, of ground fog; so are these: */
+    double offset;   /* height up to which it is the same everywhere */
+    double altitude; /* height above `offset` where half of it is left */
 };
 
 /* Pigments looked up in the direction of a ray that hits nothing, from the

@@ -1,10 +1,40 @@
 /* Fog and sky: see background.h. Measured on POV-Ray 3.7. */
 #include "shade/background.h"
 
+/* How long a ray is that hits nothing (measured). */
+static const double fog_horizon = 2e10;
+
+/* The integral of the density of ground fog, 1 below and 1 / (1 + h^2) above
+ * the height 0 (measured). */
+static double fog_integral(double height)
+{
+    return height > 0 ? atan(height) : height;
+}
+
+/* How much fog a ray meets: the mean density times the way, in the distances
+ * that leave 1/e. */
+static double fog_depth(const struct fog *fog, const struct ray *ray,
+                        double distance)
+{
+    if (!fog->ground)
+        return distance / fog->distance;
+    double way = fmin(distance, fog_horizon);
+    double start =
+        (vec3_dot(ray->origin, fog->up) - fog->offset) / fog->altitude;
+    double rise = vec3_dot(ray->direction, fog->up) * way / fog->altitude;
+    double middle = fmax(start + rise / 2, 0);
+    double density = 1 / (1 + middle * middle);
+    if (fabs(rise) > 1e-4)
+        density = (fog_integral(start + rise) - fog_integral(start)) / rise;
+    double depth = density * way / fog->distance;
+    return depth > 0 ? depth : 0;
+}
+
 /* Constant fog: T = exp(-d / distance), but at least `transmit`; the light
  * behind is tinted by `filter`. Several fogs add up: each weakens what is
  * behind, none weakens another's light. */
-struct veil fog_veil(const struct scene *scene, double distance)
+struct veil fog_veil(const struct scene *scene, const struct ray *ray,
+                     double distance)
 {
     struct veil veil = { rgb_grey(0), rgb_grey(1) };
     for (size_t i = 0; i < scene->fogs.count; i++) {
@@ -12,7 +42,7 @@ struct veil fog_veil(const struct scene *scene, double distance)
         rgb tone = colour_rgb(fog->colour);
         rgb tint = rgb_mix(rgb_grey(1), tone, fog->colour.filter);
         double left =
-            fmax(exp(-distance / fog->distance), fog->colour.transmit);
+            fmax(exp(-fog_depth(fog, ray, distance)), fog->colour.transmit);
         veil.light = rgb_add_scaled(veil.light, tone, 1 - left);
         veil.through = rgb_mul(veil.through, rgb_scale(tint, left));
     }

@@ -10,8 +10,10 @@ struct veil {
     rgb through;
 };
 
-/* All fogs over `distance`, INFINITY where the ray hits nothing. */
-struct veil fog_veil(const struct scene *scene, double distance);
+/* All fogs along the ray (its direction is unit) over `distance` from its
+ * origin, INFINITY where it hits nothing. */
+struct veil fog_veil(const struct scene *scene, const struct ray *ray,
+                     double distance);
 
 /* The sky sphere in this unit direction; clear without one. */
 struct veil sky_veil(const struct scene *scene, vec3 direction);

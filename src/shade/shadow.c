@@ -60,13 +60,16 @@ static bool shadow_filter(void *context, const struct intersection *at)
     return false;
 }
 
-/* What a stretch of fog lets pass. */
+/* What the fog on a stretch of the way lets pass. */
 static rgb shadow_fog(const struct shadow_path *path,
-                      const struct interiors *inside, double distance)
+                      const struct interiors *inside, double from,
+                      double distance)
 {
+    struct ray ray = { vec3_along(path->point, path->direction, from),
+                       path->direction };
     if (!path->fog || !interiors_open(inside))
         return rgb_grey(1);
-    return fog_veil(path->fog, distance).through;
+    return fog_veil(path->fog, &ray, distance).through;
 }
 
 /* What all crossings let pass, from the point on. */
@@ -88,7 +91,7 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         if (distance < shadow_margin)
             continue;
         share = rgb_mul(share, crossing->through);
-        share = rgb_mul(share, shadow_fog(path, &inside, distance));
+        share = rgb_mul(share, shadow_fog(path, &inside, from, distance));
         if (interior_dims_shadows(leaf->interior) &&
             interiors_find(&inside, leaf->body) >= 0)
             share = rgb_mul(share, interior_fade(leaf->interior, distance));
@@ -96,7 +99,7 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         from = crossing->t;
     }
     double rest = path->distance - from;
-    return rgb_mul(share, shadow_fog(path, &inside, rest));
+    return rgb_mul(share, shadow_fog(path, &inside, from, rest));
 }
 
 rgb shadow_visibility(const struct world *world, struct worker *worker,

@@ -57,7 +57,7 @@ static void path_fog(struct path *path, double distance)
     const struct tracer *tracer = path->tracer;
     if (!tracer_foggy(tracer, &path->inside))
         return;
-    struct veil veil = fog_veil(tracer->scene, distance);
+    struct veil veil = fog_veil(tracer->scene, &path->ray, distance);
     path_veil(path, &veil);
 }
 
