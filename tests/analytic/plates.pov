@@ -1,6 +1,6 @@
 // Two endless plates face to face, of which one glows.
 // claims: path
-// options path: --samples 4096
+// options path: --samples 16384
 //
 // A sends out LA = e + a EA, B reflects LB = b EB, EA = LB, EB = LA. So
 // LA = e/(1 - a b) and LB = b LA, with e = <.3, .2, .1>, a = <.5, .8, .2>,
