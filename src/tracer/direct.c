@@ -180,7 +180,8 @@ static bool approach_step(struct approach *approach, const struct question *q,
     approach->gone += crossing->at.t;
     if (tracer_foggy(tracer, &approach->inside))
         approach->share = rgb_mul(
-            approach->share, fog_veil(tracer->scene, crossing->at.t).through);
+            approach->share,
+            fog_veil(tracer->scene, &approach->ray, crossing->at.t).through);
     crossing_fill(crossing, tracer, approach->ray.direction, &approach->inside,
                   0);
     return true;

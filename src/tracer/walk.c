@@ -77,7 +77,7 @@ static void walk_fog(struct walk *walk, double distance)
 {
     if (!tracer_foggy(walk->tracer, &walk->inside))
         return;
-    struct veil veil = fog_veil(walk->tracer->scene, distance);
+    struct veil veil = fog_veil(walk->tracer->scene, &walk->ray, distance);
     walk_veil(walk, &veil);
 }
 
