@@ -24,8 +24,8 @@ static void *rays_start(const struct world *world, const struct scene *scene,
     const struct light *lights = world_lights(world, &rays->count);
     if (scene->settings.radiosity)
         diag_print(diag, DIAG_WARNING, span_none(), NULL,
-                   "--lighting rays ignores the scene's radiosity: light goes "
-                   "from lamps to surfaces only");
+                   "--lighting rays ignores the scene's radiosity: to follow "
+                   "light on from surface to surface type --lighting path");
     rays->world = world;
     rays->scene = scene;
     rays->ambient = scene->settings.ambient_light;
