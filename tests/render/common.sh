@@ -5,6 +5,7 @@
 GLIM=${GLIM:-build/glim}            # the program under test
 POVRAY=${POVRAY:-povray}            # the program it is compared with
 COMPARE=${COMPARE:-${BUILD:-build}/tests/tools/compare}  # of compare.c
+GLIM_COMPARE=${GLIM_COMPARE:-${BUILD:-build}/glim-compare}
 JOBS=${JOBS:-$(nproc)}              # how many scenes at once
 
 absolute() { # the runners change directory, so a relative path must not stay
@@ -18,9 +19,10 @@ absolute() { # the runners change directory, so a relative path must not stay
 GLIM=$(absolute "$GLIM")
 POVRAY=$(absolute "$POVRAY")
 COMPARE=$(absolute "$COMPARE")
+GLIM_COMPARE=$(absolute "$GLIM_COMPARE")
 INCLUDES=$(dpkg -L povray-includes 2>/dev/null |
     sed -n 's,/colors\.inc$,,p')
-export GLIM POVRAY COMPARE JOBS INCLUDES
+export GLIM POVRAY COMPARE GLIM_COMPARE JOBS INCLUDES
 
 # The user's and the system's povray.ini must not reach the pictures; an
 # empty file does that, a missing one is an error to POV-Ray.

@@ -1,18 +1,13 @@
 /*
- * Compares a picture with a reference, or with given values.
+ * Compares the look of two pictures, or a picture with given values; whether
+ * two pictures are the same is glim-compare's question.
  *
- *   compare exact  REFERENCE PICTURE   the same picture, but for rounding
  *   compare noise  REFERENCE PICTURE   the same look: another noise, jitter
  *   compare values PICTURE VALUES      lines "pixel x y r g b tolerance"
  *
  * Prints one line of figures; exit status 0 alike, 1 not alike, 2 trouble.
  * Pictures are compared as written (8-bit files in 8-bit steps, encoded);
  * values are compared as stored, so linear for an EXR file.
- *
- * exact: 99.5 % of the pixels are within 3/255 in every channel, alpha
- *   included, and the mean absolute difference of red, green and blue is
- *   below 0.4/255. The first bounds what differs visibly (an edge may fall
- *   on the other side of a pixel centre), the second what differs evenly.
  *
  * noise: the picture is cut into 4 x 3 regions. In each region and channel
  *   four figures are compared: the mean, the spread (standard deviation),
@@ -30,7 +25,7 @@
 #include "image/image.h"
 
 enum { ALIKE, NOT_ALIKE, TROUBLE };
-enum { COLUMNS = 4, ROWS = 3, CHANNELS = 4, COLOURS = 3 };
+enum { COLUMNS = 4, ROWS = 3, COLOURS = 3 };
 
 static const double STEP = 1.0 / 255;
 
@@ -47,46 +42,6 @@ static struct image *read_picture(const char *path)
     if (picture == NULL)
         printf("cannot read %s: %s\n", path, error);
     return picture;
-}
-
-/* The largest difference of one pixel, over its channels. */
-static double pixel_difference(const struct image *a, const struct image *b,
-                               int x, int y)
-{
-    double largest = 0;
-
-    for (int c = 0; c < CHANNELS; c++) {
-        double difference = fabs(value(a, x, y, c) - value(b, x, y, c));
-
-        /* The comparison is so written that a NaN counts as different. */
-        if (!(difference <= largest))
-            largest = isnan(difference) ? HUGE_VAL : difference;
-    }
-    return largest;
-}
-
-static int compare_exact(const struct image *a, const struct image *b)
-{
-    int close = 0, pixels = a->width * a->height;
-    double sum = 0, largest = 0;
-
-    for (int y = 0; y < a->height; y++) {
-        for (int x = 0; x < a->width; x++) {
-            double difference = pixel_difference(a, b, x, y);
-
-            largest = fmax(largest, difference);
-            if (difference <= 3.25 * STEP)
-                close++;
-            for (int c = 0; c < COLOURS; c++)
-                sum += fabs(value(a, x, y, c) - value(b, x, y, c));
-        }
-    }
-    double percent = 100.0 * close / pixels;
-    double mean = sum / (COLOURS * pixels * STEP);
-
-    printf("%.2f%% close, mean difference %.2f/255, largest %.0f/255\n",
-           percent, mean, largest / STEP);
-    return percent >= 99.5 && mean < 0.4 ? ALIKE : NOT_ALIKE;
 }
 
 struct region {
@@ -198,7 +153,7 @@ static bool same_size(const struct image *a, const struct image *b)
     return false;
 }
 
-static int compare_pictures(bool exact, const char *a_path, const char *b_path)
+static int compare_pictures(const char *a_path, const char *b_path)
 {
     struct image *a = read_picture(a_path), *b = read_picture(b_path);
     int result = TROUBLE;
@@ -206,7 +161,7 @@ static int compare_pictures(bool exact, const char *a_path, const char *b_path)
     if (a != NULL && b != NULL) {
         result = NOT_ALIKE;
         if (same_size(a, b))
-            result = exact ? compare_exact(a, b) : compare_noise(a, b);
+            result = compare_noise(a, b);
     }
     image_free(a);
     image_free(b);
@@ -297,15 +252,11 @@ static int compare_values(const char *picture_path, const char *values_path)
 
 int main(int argc, char **argv)
 {
-    if (argc == 4) {
-        if (strcmp(argv[1], "exact") == 0)
-            return compare_pictures(true, argv[2], argv[3]);
-        if (strcmp(argv[1], "noise") == 0)
-            return compare_pictures(false, argv[2], argv[3]);
-        if (strcmp(argv[1], "values") == 0)
-            return compare_values(argv[2], argv[3]);
-    }
-    fprintf(stderr, "usage: compare exact|noise REFERENCE PICTURE\n"
+    if (argc == 4 && strcmp(argv[1], "noise") == 0)
+        return compare_pictures(argv[2], argv[3]);
+    if (argc == 4 && strcmp(argv[1], "values") == 0)
+        return compare_values(argv[2], argv[3]);
+    fprintf(stderr, "usage: compare noise REFERENCE PICTURE\n"
                     "       compare values PICTURE VALUES\n");
     return TROUBLE;
 }
