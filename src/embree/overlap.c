@@ -12,9 +12,14 @@ struct overlap_query {
     bool last;
 };
 
-static bool boxes_apart(struct box3 a, struct box3 b)
+/* Whether no point of the box around the cell is in the other box. */
+static inline bool apart(const struct cell *cell, const struct box3 *box)
 {
-    return box3_is_empty(box3_intersection(a, b));
+    vec3 c = cell->centre, h = cell->half;
+    return box->low.x > c.x + h.x || box->high.x < c.x - h.x ||
+           box->low.y > c.y + h.y || box->high.y < c.y - h.y ||
+           box->low.z > c.z + h.z || box->high.z < c.z - h.z ||
+           box3_is_empty(*box);
 }
 
 /* Without a test of its own a shape is asked along the sides, the diagonals
@@ -45,7 +50,8 @@ static unsigned shape_meets(const struct object *object,
     const struct primitive *primitive = object->primitive;
     if (primitive->meets)
         return primitive->meets(object->shape, cell);
-    if (boxes_apart(primitive->bounds(object->shape), cell_box(cell)))
+    struct box3 box = primitive->bounds(object->shape);
+    if (apart(cell, &box))
         return 0;
     return last ? searched(object, cell) : CELL_SURFACE | CELL_BORDER;
 }
@@ -150,17 +156,19 @@ static struct overlap part_overlap(const struct overlap_query *query,
                                    const struct solid *solid,
                                    const struct cell *cell)
 {
-    struct box3 box = cell_box(cell);
-    bool no_surface = boxes_apart(box, solid->surface);
-    bool no_inside = boxes_apart(box, solid->region);
+    bool no_surface = apart(cell, &solid->surface);
+    bool no_inside = apart(cell, &solid->region);
     if (no_surface && no_inside)
         return nothing;
-    if (no_surface && boxes_apart(box, solid->holes))
+    if (no_surface && apart(cell, &solid->holes))
         return (struct overlap){ 0, true, false };
-    struct cell inner = *cell;
-    if (solid->frame)
-        inner = cell_moved(cell, &solid->frame->inward);
-    struct overlap found = content_overlap(query, solid, &inner);
+    struct overlap found;
+    if (solid->frame) {
+        struct cell inner = cell_moved(cell, &solid->frame->inward);
+        found = content_overlap(query, solid, &inner);
+    } else {
+        found = content_overlap(query, solid, cell);
+    }
     for (size_t i = 0; i < solid->clip_count; i++) {
         struct overlap clip = part_overlap(query, solid->clips[i], cell);
         if (!clip.inside)

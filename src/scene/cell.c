@@ -50,25 +50,28 @@ vec3 cell_corner(const struct cell *cell, int i)
     return vec3_along(p, cell->side[2], i & 4 ? 1 : -1);
 }
 
-/* The least distance is at least that of the box around the cell (Arvo 1990),
- * and at least that of the plane that touches the cell across the line from the
- * point to the centre. */
-struct range cell_distance(const struct cell *cell, vec3 point)
+/* At least the distance of the box around the cell (Arvo 1990), and at least
+ * that of the plane that touches the cell across the line from the point to the
+ * centre. */
+double cell_nearest(const struct cell *cell, vec3 point)
 {
     vec3 d = vec3_sub(cell->centre, point);
     vec3 out = { fmax(0, fabs(d.x) - cell->half.x),
                  fmax(0, fabs(d.y) - cell->half.y),
                  fmax(0, fabs(d.z) - cell->half.z) };
-    struct range range = { vec3_length(out), 0 };
-    double distance = vec3_length(d);
-    if (distance > 0)
-        range.low = fmax(range.low, distance - cell_reach(cell, d) / distance);
+    double distance = vec3_length(d), near = vec3_length(out);
+    return distance > 0 ? fmax(near, distance - cell_reach(cell, d) / distance)
+                        : near;
+}
+
+double cell_farthest(const struct cell *cell, vec3 point)
+{
+    double square = 0;
     for (int i = 0; i < 8; i++) {
         vec3 corner = vec3_sub(cell_corner(cell, i), point);
-        range.high = fmax(range.high, vec3_dot(corner, corner));
+        square = fmax(square, vec3_dot(corner, corner));
     }
-    range.high = sqrt(range.high);
-    return range;
+    return sqrt(square);
 }
 
 bool cell_meets_box(const struct cell *cell, struct box3 box)

@@ -36,9 +36,10 @@ static inline double cell_reach(const struct cell *cell, vec3 n)
            fabs(vec3_dot(n, cell->side[2]));
 }
 
-/* Distances of the cell's points from `point`: `high` is exact, `low` never
- * too large. */
-struct range cell_distance(const struct cell *cell, vec3 point);
+/* Distances of the cell's points from `point`: of the nearest, never too large,
+ * and of the farthest. */
+double cell_nearest(const struct cell *cell, vec3 point);
+double cell_farthest(const struct cell *cell, vec3 point);
 
 /* Whether some point of the cell may be in the box; exact but for edges that
  * pass each other. */

@@ -120,26 +120,30 @@ static double conic_radius(const struct conic *conic, double s)
     return conic->base_radius + conic->slope * s;
 }
 
-/* The distance from the axis less the radius there, a convex function: it is
- * largest at a corner, and nowhere below its tangent. */
-static struct range conic_out(const struct conic *conic,
-                              const struct cell *cell, struct range s)
+/* The distance from the axis less the radius there, a convex function, is
+ * nowhere below its tangent. */
+static double conic_least(const struct conic *conic, const struct cell *cell,
+                          double along, struct range s)
 {
     vec3 c = vec3_sub(cell->centre, conic->base);
-    double along = vec3_dot(c, conic->axis);
     vec3 outward = vec3_normalise(reject(c, conic->axis, along));
     vec3 slope = vec3_along(outward, conic->axis, -conic->slope);
     double tangent = vec3_dot(slope, c) - conic->base_radius;
     double most = fmax(conic_radius(conic, s.low), conic_radius(conic, s.high));
-    struct range out = { fmax(tangent - cell_reach(cell, slope), -most),
-                         -HUGE_VAL };
+    return fmax(tangent - cell_reach(cell, slope), -most);
+}
+
+/* Whether it is below 0 at all corners, and so in all the cell. */
+static bool conic_surrounds(const struct conic *conic, const struct cell *cell)
+{
     for (int i = 0; i < 8; i++) {
         vec3 p = vec3_sub(cell_corner(cell, i), conic->base);
-        double at = vec3_dot(p, conic->axis);
-        double distance = vec3_length(reject(p, conic->axis, at));
-        out.high = fmax(out.high, distance - conic_radius(conic, at));
+        double at = vec3_dot(p, conic->axis), r = conic_radius(conic, at);
+        vec3 q = reject(p, conic->axis, at);
+        if (!(r > 0 && vec3_dot(q, q) < r * r))
+            return false;
     }
-    return out;
+    return true;
 }
 
 /* Of a radius that changes its sign on the way no more is known than where its
@@ -156,10 +160,9 @@ unsigned conic_meets(const void *shape, const struct cell *cell)
         return cell_meets_box(cell, conic_bounds(conic))
                    ? CELL_SURFACE | CELL_BORDER
                    : 0;
-    struct range out = conic_out(conic, cell, s);
-    if (out.low > 0)
+    if (conic_least(conic, cell, at, s) > 0)
         return 0;
-    if (out.high >= 0)
+    if (!conic_surrounds(conic, cell))
         return CELL_SURFACE | CELL_BORDER;
     if (s.low <= 0 || s.high >= h)
         return conic->open ? CELL_BORDER : CELL_SURFACE | CELL_BORDER;

@@ -20,6 +20,7 @@ static const double cell_growth = 1e-6;
 struct solid_item {
     const struct solid *solid;
     int low[3], high[3]; /* the voxels it may meet */
+    uint8_t marks;       /* of all its parts together */
     int levels;          /* FINER_LEVELS, or 0 if it has to be searched */
 };
 
@@ -66,11 +67,21 @@ static bool is_searched(const struct solid *solid)
     return false;
 }
 
+static uint8_t marks_of_parts(const struct solid *solid, const uint8_t *marks)
+{
+    uint8_t all = solid->leaf ? marks[solid->leaf->number] : 0;
+    for (size_t i = 0; i < solid->child_count; i++)
+        all |= marks_of_parts(solid->children[i], marks);
+    return all;
+}
+
 static void take_solid(void *context, const struct solid *solid)
 {
     struct solid_work *work = context;
-    struct solid_item item = { .solid = solid };
-    if (!voxels_touched(work->grid, solid->surface, item.low, item.high))
+    struct solid_item item = { .solid = solid,
+                               .marks = marks_of_parts(solid, work->marks) };
+    if (!item.marks ||
+        !voxels_touched(work->grid, solid->surface, item.low, item.high))
         return;
     item.levels = is_searched(solid) ? 0 : FINER_LEVELS;
     *ARRAY_PUSH(work->arena, &work->solids) = item;
@@ -112,9 +123,9 @@ static void mark_voxel(const struct solid_work *work,
 {
     const struct voxels *grid = work->grid;
     uint8_t *out = &work->out[voxels_index(grid, at[0], at[1], at[2])];
-    vec3 offset = { at[0] + 0.5, at[1] + 0.5, at[2] + 0.5 };
-    vec3 centre = vec3_along(grid->origin, offset, grid->edge);
-    *out |= cell_marks(work, item, centre, grid->edge / 2, item->levels, 0xff);
+    if ((*out & item->marks) != item->marks)
+        *out |= cell_marks(work, item, voxels_centre(grid, at), grid->edge / 2,
+                           item->levels, item->marks);
 }
 
 /* Whether the surface may meet the voxels low..high. */

@@ -81,9 +81,8 @@ static unsigned disc_meets(const void *shape, const struct cell *cell)
     vec3 d = vec3_sub(cell->centre, disc->centre);
     if (fabs(vec3_dot(disc->normal, d)) > cell_reach(cell, disc->normal))
         return 0;
-    struct range distance = cell_distance(cell, disc->centre);
-    bool apart =
-        distance.low > fabs(disc->radius) || distance.high < fabs(disc->hole);
+    bool apart = cell_nearest(cell, disc->centre) > fabs(disc->radius) ||
+                 cell_farthest(cell, disc->centre) < fabs(disc->hole);
     return apart ? CELL_BORDER : CELL_SURFACE | CELL_BORDER;
 }
 

@@ -62,9 +62,9 @@ static bool sphere_inside(const void *shape, vec3 point)
 static unsigned sphere_meets(const void *shape, const struct cell *cell)
 {
     const struct sphere *sphere = shape;
-    struct range distance = cell_distance(cell, sphere->centre);
     double radius = fabs(sphere->radius);
-    bool apart = distance.low > radius || distance.high < radius;
+    bool apart = cell_nearest(cell, sphere->centre) > radius ||
+                 cell_farthest(cell, sphere->centre) < radius;
     return apart ? 0 : CELL_SURFACE | CELL_BORDER;
 }
 
