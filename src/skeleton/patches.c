@@ -10,18 +10,20 @@
 #include "shade/background.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
+#include "skeleton/wall.h"
 
 enum {
     SHADOW_RAYS = 400 * 1000, /* in all, about */
     LAMP_LOOKS = 8 * 1000 * 1000,
-    SKY_RAYS = 256 /* for each of the six sides */
+    SKY_RAYS = 256, /* for each of the six sides */
+    CHUNK = 256     /* patches that a thread does at once */
 };
 
 struct patches_task {
     const struct patches_scene *from;
     const struct voxels *voxels;
     struct patches *patches;
-    size_t *first;     /* wall of each slice */
+    const struct wall_point *points;
     size_t lamps_each; /* asked at a point */
     double share;      /* of the points that are asked at all */
 };
@@ -55,19 +57,14 @@ static void patch_paint(struct patch_point *point)
     }
 }
 
-static bool patch_find(const struct patches_task *task, const struct ray *ray,
-                       double far, struct patch_point *point)
+/* The surface at point->at, met by a ray of this direction. */
+static void patch_look(struct patch_point *point, vec3 direction)
 {
-    if (!world_closest(task->from->world, ray, 0, RAY_REFLECTION, &point->at) ||
-        point->at.t > far)
-        return false;
-    struct surface_view view = { .direction = ray->direction,
-                                 .ior = 1,
-                                 .quality = QUALITY_FOG,
-                                 .bailout = 0 };
+    struct surface_view view = {
+        .direction = direction, .ior = 1, .quality = QUALITY_FOG, .bailout = 0
+    };
     surface_fill(&point->surface, &point->at, &view);
     patch_paint(point);
-    return true;
 }
 
 /* Where on an area light this point looks. */
@@ -166,21 +163,6 @@ static vec3 side_direction(int side)
                      side / 2 == 2 ? sign : 0);
 }
 
-/* Whether the neighbour there is matter, void, or outside of the grid. */
-enum beyond { BEYOND_VOID, BEYOND_MATTER, BEYOND_GRID };
-
-static enum beyond voxel_beyond(const struct voxels *v, const int place[3],
-                                int side)
-{
-    int at[3] = { place[0], place[1], place[2] };
-    int axis = side / 2;
-    at[axis] += side % 2 ? 1 : -1;
-    if (at[axis] < 0 || at[axis] >= v->size[axis])
-        return BEYOND_GRID;
-    return v->empty[voxels_index(v, at[0], at[1], at[2])] ? BEYOND_VOID
-                                                          : BEYOND_MATTER;
-}
-
 /* A ray through a random point of the side, from the voxel's middle plane. */
 static struct ray side_ray(const struct voxels *v, const int place[3], int side,
                            uint64_t key)
@@ -195,21 +177,16 @@ static struct ray side_ray(const struct voxels *v, const int place[3], int side,
                          side_direction(side) };
 }
 
-/* Half a voxel to the matter, one through it, and one because the surface may
- * only touch it. */
-static void patch_fill(const struct patches_task *task, const int place[3],
-                       int side, struct patch *patch)
+static void patch_fill(const struct patches_task *task, size_t number)
 {
-    const struct voxels *v = task->voxels;
-    size_t voxel = voxels_index(v, place[0], place[1], place[2]);
-    uint64_t key = random_key(task->from->seed, 6 * voxel + (size_t)side);
-    struct ray ray = side_ray(v, place, side, key);
+    const struct wall_point *wall = &task->points[number];
+    struct wall_patch *patch = &task->patches->items[number];
+    uint64_t key = random_key(task->from->seed, number);
     struct patch_point point;
-    patch->voxel = (uint32_t)voxel;
-    if (!patch_find(task, &ray, 2.5 * v->edge, &point))
-        return;
-    double slant = fabs(vec3_dot(point.surface.normal, ray.direction));
-    patch->area = (float)(v->edge * v->edge * slant);
+    point.at = wall->at;
+    patch_look(&point, wall->direction);
+    patch->voxel = (uint32_t)wall->voxel;
+    patch->area = (float)wall->area;
     patch->albedo = patch_light(point.albedo);
     patch->emission = patch_light(point.emission);
     if (random_unit(random_key(key, 5)) < task->share)
@@ -217,34 +194,14 @@ static void patch_fill(const struct patches_task *task, const int place[3],
             rgb_scale(patch_direct(task, &point, key), 1 / task->share));
 }
 
-/* The walls of a slice of voxels of one z: how many; filled if `task` says
- * where to. */
-static size_t slice_patches(const struct voxels *v, int z,
-                            const struct patches_task *task, struct patch *out)
-{
-    size_t count = 0;
-    for (int y = 0; y < v->size[1]; y++)
-        for (int x = 0; x < v->size[0]; x++) {
-            int place[3] = { x, y, z };
-            if (!v->empty[voxels_index(v, x, y, z)])
-                continue;
-            for (int side = 0; side < 6; side++) {
-                if (voxel_beyond(v, place, side) != BEYOND_MATTER)
-                    continue;
-                if (out)
-                    patch_fill(task, place, side, &out[count]);
-                count++;
-            }
-        }
-    return count;
-}
-
-static void slice_task(void *context, size_t item, unsigned thread)
+static void fill_task(void *context, size_t item, unsigned thread)
 {
     const struct patches_task *task = context;
+    size_t end = (item + 1) * CHUNK;
     (void)thread;
-    slice_patches(task->voxels, (int)item, task,
-                  task->patches->items + task->first[item]);
+    end = end < task->patches->count ? end : task->patches->count;
+    for (size_t i = item * CHUNK; i < end; i++)
+        patch_fill(task, i);
 }
 
 /* A void voxel of the border on this side, or false. */
@@ -297,7 +254,9 @@ static void sky_task(void *context, size_t item, unsigned thread)
         struct ray ray = side_ray(task->voxels, place, side, key);
         ray.direction = cosine_direction(side, key);
         rgb light = sky_radiance(task->from->scene, ray.direction);
-        if (patch_find(task, &ray, (double)INFINITY, &point)) {
+        if (world_closest(task->from->world, &ray, 0, RAY_REFLECTION,
+                          &point.at)) {
+            patch_look(&point, ray.direction);
             light = sky_radiance(task->from->scene, point.surface.normal);
             light = rgb_add(light, patch_direct(task, &point, key));
             light = rgb_add(rgb_mul(point.albedo, light), point.emission);
@@ -313,24 +272,21 @@ struct patches *patches_new(const struct voxels *voxels,
                             const struct patches_scene *from)
 {
     struct patches *patches = memory_new(sizeof *patches);
-    size_t slices = (size_t)voxels->size[2], count = 0;
-    struct patches_task task = { .from = from,
-                                 .voxels = voxels,
-                                 .patches = patches,
-                                 .first = memory_new(slices * sizeof(size_t)) };
-    for (size_t z = 0; z < slices; z++) {
-        task.first[z] = count;
-        count += slice_patches(voxels, (int)z, NULL, NULL);
-    }
-    size_t some = count > 0 ? count : 1;
-    double looks = (double)some * (double)from->lamp_count;
-    task.lamps_each = SHADOW_RAYS / some + 1;
+    size_t count;
+    struct wall_point *points =
+        wall_points(from->world, voxels, from->threads, &count);
+    struct patches_task task = {
+        .from = from, .voxels = voxels, .patches = patches, .points = points
+    };
+    double looks = (double)count * (double)from->lamp_count;
+    task.lamps_each = SHADOW_RAYS / (count + 1) + 1;
     task.share = looks > LAMP_LOOKS ? LAMP_LOOKS / looks : 1;
     patches->count = count;
-    patches->items = memory_new(some * sizeof *patches->items);
-    parallel_run(from->threads, slices, NULL, slice_task, &task);
+    patches->items = memory_new(count * sizeof *patches->items);
+    parallel_run(from->threads, (count + CHUNK - 1) / CHUNK, NULL, fill_task,
+                 &task);
     parallel_run(from->threads, 6, NULL, sky_task, &task);
-    memory_free(task.first);
+    memory_free(points);
     return patches;
 }
 

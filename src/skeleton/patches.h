@@ -1,7 +1,5 @@
-/* The walls of the void as light finds them: a ray from each void voxel through
- * each of its faces that borders on matter finds the true surface behind it.
- * A face of area h^2 stands for h^2 |n.a| of surface, n its true normal and a
- * the axis: summed over a slanted plane's staircase that is its true area. */
+/* The walls of the void as light finds them: pieces of their true area
+ * (skeleton/wall.h), with what they give back, emit, and get from lamps. */
 #ifndef SKELETON_PATCHES_H
 #define SKELETON_PATCHES_H
 
@@ -15,15 +13,15 @@ struct patch_light {
     float r, g, b;
 };
 
-struct patch {
-    uint32_t voxel; /* the void before it */
-    float area;     /* world units squared; 0: no surface was found */
+struct wall_patch {
+    uint32_t voxel;                      /* the void before it */
+    float area;                          /* world units squared */
     struct patch_light albedo, emission; /* times irradiance; by itself */
     struct patch_light direct;           /* irradiance from lamps */
 };
 
 struct patches {
-    struct patch *items;
+    struct wall_patch *items;
     size_t count;
     /* Mean radiance that comes in through the open border of the grid, for a
      * face that looks to -x, +x, -y, +y, -z, +z. */

@@ -80,8 +80,6 @@ struct void_space *void_new(const struct scene *scene,
                            .leaf_marks = leaf_marks,
                            .voxel_marks = marks };
     flood_space(&flood, &scene->camera);
-    space->walls =
-        walls_measure(world, v, leaf_marks, threads, &space->wall_count);
     const struct light *lights = world_lights(world, &count);
     warn_of_lights(space, lights, diag);
     warn_of_camera(space, lights, diag);
@@ -98,7 +96,6 @@ void void_free(struct void_space *space)
     memory_free(space->label);
     memory_free(space->parts);
     memory_free(space->lights);
-    memory_free(space->walls);
     memory_free(space);
 }
 

@@ -1,10 +1,10 @@
 /* The void of a scene: where light can be, in voxels; its parts; its open
- * borders; the walls that it sees. */
+ * borders. */
 #ifndef SKELETON_VOID_H
 #define SKELETON_VOID_H
 
 #include "embree/world.h"
-#include "skeleton/wall.h"
+#include "skeleton/voxels.h"
 
 /* A part of the void that is connected over voxel faces. */
 struct void_part {
@@ -29,12 +29,10 @@ struct void_space {
     size_t part_count;
     struct void_light *lights; /* as many as world_lights */
     size_t light_count;
-    size_t camera;      /* its voxel, or VOXEL_NONE: outside, or in matter */
-    struct wall *walls; /* at most one for each voxel, in their order */
-    size_t wall_count;
+    size_t camera; /* its voxel, or VOXEL_NONE: outside, or in matter */
 };
 
-/* Voxels, void and walls of a scene; free with void_free. `resolution` as in
+/* Voxels and void of a scene; free with void_free. `resolution` as in
  * grid.h. Warns of lights inside matter and of a camera without light. NULL
  * after an error was printed. The same for any number of threads. */
 struct void_space *void_new(const struct scene *scene,

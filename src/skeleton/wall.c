@@ -9,7 +9,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/random.h"
-#include "shade/finish.h"
+#include "shade/surface.h"
 #include "skeleton/matter.h"
 
 enum {
@@ -17,15 +17,9 @@ enum {
     NEAR = 3          /* voxels from a wall to where the void may begin */
 };
 
-struct sample {
-    size_t voxel;
-    float area;
-    float albedo[3], emission[3];
-};
-
-/* The samples of one row of lines. */
+/* The points of one row of lines. */
 struct row {
-    struct sample *samples;
+    struct wall_point *points;
     size_t count, capacity;
 };
 
@@ -47,14 +41,14 @@ struct line {
     double length;
 };
 
-static void row_add(struct row *row, const struct sample *sample)
+static void row_add(struct row *row, const struct wall_point *point)
 {
     if (row->count == row->capacity) {
         row->capacity = 2 * row->capacity + 64;
-        row->samples =
-            memory_resize(row->samples, row->capacity * sizeof *row->samples);
+        row->points =
+            memory_resize(row->points, row->capacity * sizeof *row->points);
     }
-    row->samples[row->count++] = *sample;
+    row->points[row->count++] = *point;
 }
 
 static bool is_wall(const struct wall_work *work, const struct intersection *at)
@@ -65,58 +59,23 @@ static bool is_wall(const struct wall_work *work, const struct intersection *at)
            rgb_brightness(surface_transmittance(at)) <= 0.5;
 }
 
-/* The light that the surface gives back of, and besides, `irradiance`. */
-static rgb surface_glow(const struct surface *surface, rgb irradiance)
-{
-    rgb sum = rgb_grey(0);
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        rgb glow = finish_glow(layer, rgb_grey(0), irradiance);
-        sum = rgb_add(sum, rgb_mul(layer->weight, glow));
-    }
-    return sum;
-}
-
-/* The side of a crossing that faces against `direction`, seen by the voxel. */
-static void add_side(const struct line *line, const struct intersection *at,
-                     vec3 direction, size_t voxel)
-{
-    struct surface surface;
-    struct surface_view view = { .direction = direction,
-                                 .ior = 1,
-                                 .quality = QUALITY_FOG };
-    surface_fill(&surface, at, &view);
-    rgb emission = surface_glow(&surface, rgb_grey(0));
-    rgb albedo = rgb_sub(surface_glow(&surface, rgb_grey(1)), emission);
-    double edge = line->work->voxels->edge;
-    double area = edge * edge * fabs(vec3_component(at->normal, line->axis));
-    struct sample sample = {
-        voxel,
-        (float)area,
-        { (float)albedo.r, (float)albedo.g, (float)albedo.b },
-        { (float)emission.r, (float)emission.g, (float)emission.b }
-    };
-    row_add(line->row, &sample);
-}
-
-/* The first empty voxel from place t on, towards the other end of a gap in
- * which there is nothing; VOXEL_NONE if it is not near. */
+/* The first empty voxel whose middle is in the gap from t to `end`, in which
+ * there is nothing; VOXEL_NONE if it is not near. */
 static size_t empty_along(const struct line *line, double t, double end)
 {
     const struct voxels *v = line->work->voxels;
     int at[3] = { line->at[0], line->at[1], line->at[2] };
-    int last = v->size[line->axis] - 1, step = end > t ? 1 : -1;
-    int from = (int)(t / v->edge), to = (int)(end / v->edge);
-    to = to < 0 ? 0 : to > last ? last : to;
-    for (int i = from, n = 0; n <= NEAR; i += step, n++) {
-        if (i >= 0 && i <= last) {
-            at[line->axis] = i;
-            size_t index = voxels_index(v, at[0], at[1], at[2]);
-            if (v->empty[index])
-                return index;
-        }
-        if (i == to)
+    int step = end > t ? 1 : -1, from = (int)(t / v->edge);
+    for (int i = 0; i <= NEAR; i++) {
+        at[line->axis] = from + i * step;
+        double middle = (at[line->axis] + 0.5) * v->edge;
+        if ((middle - t) * step < 0)
+            continue;
+        if ((end - middle) * step < 0 || !voxels_holds(v, at))
             break;
+        size_t index = voxels_index(v, at[0], at[1], at[2]);
+        if (v->empty[index])
+            return index;
     }
     return VOXEL_NONE;
 }
@@ -150,9 +109,16 @@ static void measure_side(const struct line *line, const struct intersection *at,
     vec3 direction = line->ray.direction;
     if (voxel == VOXEL_NONE)
         voxel = empty_beside(line, at, end);
-    if (voxel != VOXEL_NONE)
-        add_side(line, at, end > at->t ? vec3_negate(direction) : direction,
-                 voxel);
+    if (voxel == VOXEL_NONE)
+        return;
+    double edge = line->work->voxels->edge;
+    struct wall_point point = {
+        .voxel = voxel,
+        .area = edge * edge * fabs(vec3_component(at->normal, line->axis)),
+        .direction = end > at->t ? vec3_negate(direction) : direction,
+        .at = *at
+    };
+    row_add(line->row, &point);
 }
 
 /* All gaps of the line between crossings with walls. */
@@ -207,62 +173,37 @@ static void measure_row(void *context, size_t number, unsigned thread)
     }
 }
 
-static rgb rgb_from(const float *c)
+/* The points of all rows, in their order. */
+static struct wall_point *gather(const struct wall_work *work, size_t *count)
 {
-    return rgb_make((double)c[0], (double)c[1], (double)c[2]);
-}
-
-static void wall_add(struct wall *wall, const struct sample *sample)
-{
-    double area = (double)sample->area;
-    wall->area += area;
-    wall->albedo = rgb_add_scaled(wall->albedo, rgb_from(sample->albedo), area);
-    wall->emission =
-        rgb_add_scaled(wall->emission, rgb_from(sample->emission), area);
-}
-
-/* The samples of each voxel together, in the order of rows. */
-static struct wall *walls_gather(const struct wall_work *work, size_t *count)
-{
-    size_t voxels = voxels_count(work->voxels), rows = (size_t)work->first[3];
-    uint32_t *number = memory_new(voxels * sizeof *number);
+    size_t rows = (size_t)work->first[3], n = 0;
     *count = 0;
     for (size_t i = 0; i < rows; i++)
-        for (size_t k = 0; k < work->rows[i].count; k++)
-            number[work->rows[i].samples[k].voxel] = 1;
-    for (size_t i = 0; i < voxels; i++)
-        if (number[i])
-            number[i] = (uint32_t)(*count)++;
-    struct wall *walls = memory_new(*count * sizeof *walls);
+        *count += work->rows[i].count;
+    struct wall_point *all = memory_new(*count * sizeof *all);
     for (size_t i = 0; i < rows; i++)
-        for (size_t k = 0; k < work->rows[i].count; k++) {
-            const struct sample *sample = &work->rows[i].samples[k];
-            struct wall *wall = &walls[number[sample->voxel]];
-            wall->voxel = sample->voxel;
-            wall_add(wall, sample);
-        }
-    for (size_t i = 0; i < *count; i++) {
-        double share = walls[i].area > 0 ? 1 / walls[i].area : 0;
-        walls[i].albedo = rgb_scale(walls[i].albedo, share);
-        walls[i].emission = rgb_scale(walls[i].emission, share);
-    }
-    memory_free(number);
-    return walls;
+        for (size_t k = 0; k < work->rows[i].count; k++)
+            all[n++] = work->rows[i].points[k];
+    return all;
 }
 
-struct wall *walls_measure(const struct world *world, const struct voxels *v,
-                           const uint8_t *marks, unsigned threads,
-                           size_t *count)
+struct wall_point *wall_points(const struct world *world,
+                               const struct voxels *v, unsigned threads,
+                               size_t *count)
 {
-    struct wall_work work = { world, v, marks, NULL, { 0 } };
+    struct arena *arena = arena_new(0);
+    struct wall_work work = {
+        world, v, matter_marks(world, voxels_box(v), arena), NULL, { 0 }
+    };
     for (int k = 0; k < 3; k++)
         work.first[k + 1] = work.first[k] + v->size[(k + 2) % 3];
     size_t rows = (size_t)work.first[3];
     work.rows = memory_new(rows * sizeof *work.rows);
     parallel_run(threads, rows, NULL, measure_row, &work);
-    struct wall *walls = walls_gather(&work, count);
+    struct wall_point *points = gather(&work, count);
     for (size_t i = 0; i < rows; i++)
-        memory_free(work.rows[i].samples);
+        memory_free(work.rows[i].points);
     memory_free(work.rows);
-    return walls;
+    arena_free(arena);
+    return points;
 }

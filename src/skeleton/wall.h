@@ -1,26 +1,23 @@
-/* The walls that the void sees: how large they are, what they give back, what
- * they emit, for each voxel of the void beside them. */
+/* The walls that the void sees, as points spread over them: how much area each
+ * stands for, and which voxel of the void sees it. */
 #ifndef SKELETON_WALL_H
 #define SKELETON_WALL_H
 
-#include "base/rgb.h"
 #include "embree/world.h"
 #include "skeleton/voxels.h"
 
-/* What the void sees of the walls at one voxel. */
-struct wall {
-    size_t voxel;
-    double area;  /* true area, not that of voxel faces; units squared */
-    rgb albedo;   /* mean diffuse reflectance: pigment * diffuse */
-    rgb emission; /* mean emitted radiance: pigment * emission */
+struct wall_point {
+    size_t voxel;   /* of the void, before the wall */
+    double area;    /* that the point stands for; units squared */
+    vec3 direction; /* unit, along an axis: how the void looks at it */
+    struct intersection at;
 };
 
-/* At most one for each voxel, in the order of voxels; for memory_free. Areas
- * are estimates that are right in the sum over many voxels (0.5 % over a
- * hundred of them), not for each. `marks` are those of the leaves (matter.h).
- * The same for any number of threads. */
-struct wall *walls_measure(const struct world *world, const struct voxels *v,
-                           const uint8_t *marks, unsigned threads,
-                           size_t *count);
+/* Areas are those of the true surfaces: right in the sum over many points (0.5
+ * % over a hundred voxels), not for each voxel. The array is for memory_free;
+ * the same for any number of threads. */
+struct wall_point *wall_points(const struct world *world,
+                               const struct voxels *v, unsigned threads,
+                               size_t *count);
 
 #endif

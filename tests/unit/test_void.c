@@ -5,6 +5,7 @@
 #include "scene_world.h"
 #include "skeleton/grid.h"
 #include "skeleton/matter.h"
+#include "skeleton/patches.h"
 #include "skeleton/void.h"
 #include "skeleton/voxelise.h"
 
@@ -272,16 +273,28 @@ static void doors_of_four_voxels_stay_open(void **state)
     }
 }
 
-static double wall_area(const struct void_space *space, rgb *albedo)
+static struct patches *voided_patches(const struct voided *v, unsigned threads)
 {
+    struct patches_scene from = { .world = v->all->world,
+                                  .scene = v->all->scene,
+                                  .seed = 1,
+                                  .threads = threads };
+    return patches_new(&v->space->voxels, &from);
+}
+
+static double wall_area(const struct voided *v, rgb *albedo)
+{
+    struct patches *patches = voided_patches(v, 2);
     double area = 0;
     rgb sum = rgb_grey(0);
-    for (size_t i = 0; i < space->wall_count; i++) {
-        const struct wall *wall = &space->walls[i];
-        assert_true(space->voxels.empty[wall->voxel]);
-        area += wall->area;
-        sum = rgb_add_scaled(sum, wall->albedo, wall->area);
+    for (size_t i = 0; i < patches->count; i++) {
+        const struct wall_patch *patch = &patches->items[i];
+        assert_true(v->space->voxels.empty[patch->voxel]);
+        area += (double)patch->area;
+        sum =
+            rgb_add_scaled(sum, patch_rgb(patch->albedo), (double)patch->area);
     }
+    patches_free(patches);
     *albedo = rgb_scale(sum, 1 / area);
     return area;
 }
@@ -313,7 +326,7 @@ static void areas_are_true(void **state)
                  rows[i].text);
         rgb albedo;
         struct voided v = voided_new(text, 64, 2);
-        double area = wall_area(v.space, &albedo);
+        double area = wall_area(&v, &albedo);
         if (fabs(area - rows[i].area) > 0.03 * rows[i].area)
             fail_msg("area %g, not %g: %s", area, rows[i].area, rows[i].text);
         assert_true(fabs(albedo.r - 0.4) < 1e-6);
@@ -334,9 +347,12 @@ static void walls_are_the_same_for_any_threads(void **state)
     size_t count = voxels_count(&one.space->voxels);
     assert_memory_equal(one.space->label, many.space->label,
                         count * sizeof *one.space->label);
-    assert_int_equal(one.space->wall_count, many.space->wall_count);
-    assert_memory_equal(one.space->walls, many.space->walls,
-                        one.space->wall_count * sizeof(struct wall));
+    struct patches *a = voided_patches(&one, 1);
+    struct patches *b = voided_patches(&many, 5);
+    assert_int_equal(a->count, b->count);
+    assert_memory_equal(a->items, b->items, a->count * sizeof *a->items);
+    patches_free(a);
+    patches_free(b);
     voided_free(&one);
     voided_free(&many);
 }

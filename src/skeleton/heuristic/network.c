@@ -21,7 +21,7 @@ static void network_walls(struct network *network, struct enclosure *enclosure,
                           const struct patches *patches)
 {
     for (size_t i = 0; i < patches->count; i++) {
-        const struct patch *patch = &patches->items[i];
+        const struct wall_patch *patch = &patches->items[i];
         uint32_t node = skeleton->nearest[patch->voxel];
         if (node != GRAPH_NONE)
             enclosure_wall(enclosure, network->chambers->of_node[node],
