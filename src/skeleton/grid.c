@@ -1,7 +1,11 @@
 /* The grid around a scene: see grid.h. */
 #include "skeleton/grid.h"
 
+#include <stdlib.h>
+
+#include "base/array.h"
 #include "base/memory.h"
+#include "scene/mesh.h"
 
 enum {
     MARGIN = 3,      /* voxels besides those of the box, in all: walls at its
@@ -13,6 +17,10 @@ enum {
 /* How many times longer the grid may get to hold the camera, a lamp, or a
  * wall. What is farther away is outside. */
 static const double camera_stretch = 4, other_stretch = 2;
+
+/* Things so many times larger than the camera and all smaller things together
+ * are skies and grounds: the grid cuts them, as it cuts planes. */
+static const double vast = 30;
 
 /* Without anything bounded walls are looked for up to here. */
 static const double far_away = 1e5;
@@ -45,10 +53,66 @@ static void look_around(struct box3 *box, const struct world *world, vec3 from,
     }
 }
 
+struct thing {
+    struct box3 box;
+    double size;
+    size_t number;
+};
+
+struct things {
+    struct arena *arena;
+    struct thing *items;
+    size_t count, capacity;
+};
+
+static void add_thing(struct things *things, struct box3 box)
+{
+    if (box3_is_finite(box) && !box3_is_empty(box))
+        *ARRAY_PUSH(things->arena, things) =
+            (struct thing){ box, longest_side(box), things->count };
+}
+
+static void add_solid(void *context, const struct solid *solid)
+{
+    add_thing(context, solid->surface);
+}
+
+static void add_mesh(void *context, const struct leaf *leaf)
+{
+    add_thing(context, affine_box(&leaf->to_world, leaf->object->mesh->bounds));
+}
+
+static int thing_order(const void *first, const void *second)
+{
+    const struct thing *a = first, *b = second;
+    if (a->size != b->size)
+        return a->size < b->size ? -1 : 1;
+    return a->number < b->number ? -1 : a->number > b->number;
+}
+
+/* Around all things that are not vast. */
+static struct box3 box_of_things(const struct world *world, vec3 eye)
+{
+    struct things things = { .arena = arena_new(0) };
+    struct box3 box = box3_empty(), seen = box3_add(box, eye);
+    world_visit(world, add_solid, add_mesh, &things);
+    if (things.count > 0)
+        qsort(things.items, things.count, sizeof *things.items, thing_order);
+    for (size_t i = 0; i < things.count; i++) {
+        double size = longest_side(seen);
+        if (size > 0 && things.items[i].size > vast * size)
+            break;
+        box = box3_union(box, things.items[i].box);
+        seen = box3_union(seen, things.items[i].box);
+    }
+    arena_free(things.arena);
+    return box;
+}
+
 static struct box3 find_box(const struct world *world,
                             const struct camera *camera)
 {
-    struct box3 box = world_bounds(world);
+    struct box3 box = box_of_things(world, camera->location);
     size_t count;
     const struct light *lights = world_lights(world, &count);
     double size = box3_is_empty(box) ? 0 : longest_side(box);

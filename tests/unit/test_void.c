@@ -143,6 +143,34 @@ static void marks_are_not_generous(void **state)
     }
 }
 
+/* Skies and grounds are cut, and what is far away is left outside. */
+static void grids_are_around_what_matters(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double edge; /* at most, of 40 voxels */
+    } rows[] = {
+        { "sphere { 0, 1 }", 0.17 },
+        { "sphere { 0, 1 } sphere { 0, 1e5 hollow }", 0.17 },
+        { "sphere { 0, 1 } box { <-900,-2,-900>, <900,-1,900> }", 0.17 },
+        { "sphere { 0, 1 } light_source { 1e4, 1 }", 0.17 },
+        { "sphere { 0, 0.1 } box { -5, 5 }", 0.28 },
+        { "plane { y, -4 } plane { -y, -4 } plane { x, -4 } plane { -x, -4 }"
+          " plane { z, -4 } plane { -z, -4 } light_source { 0, 1 }",
+          0.22 },
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 "camera { location <0,0,-3> look_at 0 } %s\n", rows[i].text);
+        struct marked m = marked_new(text, 40, 1);
+        if (m.grid.edge > rows[i].edge || m.grid.edge < 0.5 * rows[i].edge)
+            fail_msg("edge %g: %s", m.grid.edge, rows[i].text);
+        marked_free(&m);
+    }
+}
+
 /* Against the definition, voxel by voxel. */
 static void sphere_marks_are_exact(void **state)
 {
@@ -168,6 +196,36 @@ static void sphere_marks_are_exact(void **state)
         if (!corner)
             assert_int_equal(m.marks[i] != 0, wanted);
     }
+    marked_free(&m);
+}
+
+/* Shapes that can't tell what a cell meets are searched with rays. */
+static void shapes_without_a_test_are_searched(void **state)
+{
+    (void)state;
+    struct scene_world *all = scene_world_new(
+        "camera { location <0,0,-1.9> look_at 0 }\n"
+        "difference { sphere { 0, 1.9 } sphere { 0.4, 1.5 } }\n");
+    struct primitive plain = *primitive_find("sphere");
+    const struct object *top = all->scene->objects.items[0];
+    plain.meets = NULL;
+    for (size_t i = 0; i < 2; i++)
+        ((struct object *)(uintptr_t)top->children[i])->primitive = &plain;
+    struct marked m = { .all = all };
+    assert_true(
+        grid_place(&m.grid, all->world, &all->scene->camera, 30, &all->diag));
+    size_t count = voxels_count(&m.grid), hits = 0;
+    m.marks = memory_new(count);
+    voxelise(all->world, &m.grid,
+             matter_marks(all->world, voxels_box(&m.grid), all->arena), 2,
+             m.marks);
+    uint8_t *hit = calloc(1, count);
+    size_t misses = missed(&m, 20000, hit);
+    for (size_t i = 0; i < count; i++)
+        hits += hit[i];
+    assert_true(hits > 1000);
+    assert_true(misses < 100); /* of 20000: corners that no ray passes */
+    free(hit);
     marked_free(&m);
 }
 
@@ -455,6 +513,8 @@ int main(void)
         cmocka_unit_test(marks_hold_all_surfaces),
         cmocka_unit_test(marks_are_not_generous),
         cmocka_unit_test(sphere_marks_are_exact),
+        cmocka_unit_test(shapes_without_a_test_are_searched),
+        cmocka_unit_test(grids_are_around_what_matters),
         cmocka_unit_test(marks_are_the_same_for_any_threads),
         cmocka_unit_test(thin_walls_do_not_leak),
         cmocka_unit_test(doors_of_four_voxels_stay_open),
