@@ -13,14 +13,17 @@
 #include "skeleton/matter.h"
 
 enum {
-    CROSSINGS = 4096, /* of a line, at most */
-    NEAR = 3          /* voxels from a wall to where the void may begin */
+    CROSSINGS = 4096,    /* of a line, at most */
+    ENOUGH = 500 * 1000, /* crossings in all; if more, fewer lines do */
+    NEAR = 3,            /* voxels from a wall to where the void may begin */
+    STRIDE_MAX = 4
 };
 
 /* The points of one row of lines. */
 struct row {
     struct wall_point *points;
     size_t count, capacity;
+    size_t crossings;
 };
 
 struct wall_work {
@@ -28,6 +31,7 @@ struct wall_work {
     const struct voxels *voxels;
     const uint8_t *marks;
     struct row *rows;
+    int stride;   /* voxels from line to line */
     int first[4]; /* rows along axis k are first[k] .. first[k + 1] - 1 */
 };
 
@@ -111,10 +115,10 @@ static void measure_side(const struct line *line, const struct intersection *at,
         voxel = empty_beside(line, at, end);
     if (voxel == VOXEL_NONE)
         return;
-    double edge = line->work->voxels->edge;
+    double apart = line->work->voxels->edge * line->work->stride;
     struct wall_point point = {
         .voxel = voxel,
-        .area = edge * edge * fabs(vec3_component(at->normal, line->axis)),
+        .area = apart * apart * fabs(vec3_component(at->normal, line->axis)),
         .direction = end > at->t ? vec3_negate(direction) : direction,
         .at = *at
     };
@@ -134,6 +138,7 @@ static void measure_line(const struct line *line)
             at.t >= line->length)
             break;
         tmin = at.t + offset;
+        line->row->crossings++;
         if (!is_wall(work, &at))
             continue;
         if (begun)
@@ -146,7 +151,25 @@ static void measure_line(const struct line *line)
         measure_side(line, &before, line->length);
 }
 
-/* The lines of a row, each somewhere within its own voxels. */
+/* The line through a place across its axis, in voxels. */
+static void line_begin(struct line *line, double across, double along_row)
+{
+    const struct voxels *v = line->work->voxels;
+    int k = line->axis, a = (k + 1) % 3, b = (k + 2) % 3;
+    double place[3], direction[3] = { 0 };
+    direction[k] = 1;
+    place[k] = 0;
+    place[a] = across;
+    place[b] = along_row;
+    line->at[a] = (int)across;
+    line->at[b] = (int)along_row;
+    line->length = v->size[k] * v->edge;
+    line->ray.direction = vec3_make(direction[0], direction[1], direction[2]);
+    vec3 offset = { place[0], place[1], place[2] };
+    line->ray.origin = vec3_along(v->origin, offset, v->edge);
+}
+
+/* The lines of a row, each somewhere within its own square. */
 static void measure_row(void *context, size_t number, unsigned thread)
 {
     const struct wall_work *work = context;
@@ -155,22 +178,41 @@ static void measure_row(void *context, size_t number, unsigned thread)
     (void)thread;
     while ((int)number >= work->first[line.axis + 1])
         line.axis++;
-    int k = line.axis, a = (k + 1) % 3, b = (k + 2) % 3;
-    line.at[b] = (int)number - work->first[k];
-    line.length = v->size[k] * v->edge;
-    for (line.at[a] = 0; line.at[a] < v->size[a]; line.at[a]++) {
-        uint64_t key = random_key(number, (uint64_t)line.at[a]);
-        double place[3], direction[3] = { 0 };
-        direction[k] = 1;
-        place[k] = 0;
-        place[a] = (line.at[a] + random_unit(key)) * v->edge;
-        place[b] = (line.at[b] + random_unit(key + 1)) * v->edge;
-        line.ray.direction =
-            vec3_make(direction[0], direction[1], direction[2]);
-        line.ray.origin =
-            vec3_add(v->origin, vec3_make(place[0], place[1], place[2]));
+    int a = (line.axis + 1) % 3, b = (line.axis + 2) % 3;
+    int row = (int)number - work->first[line.axis];
+    for (int i = 0; i * work->stride < v->size[a]; i++) {
+        uint64_t key = random_key(number, (uint64_t)i);
+        double across = (i + random_unit(key)) * work->stride;
+        double along = (row + random_unit(key + 1)) * work->stride;
+        if (across >= v->size[a] || along >= v->size[b])
+            continue;
+        line_begin(&line, across, along);
         measure_line(&line);
     }
+}
+
+/* All lines so many voxels apart; the number of crossings. */
+static size_t measure(struct wall_work *work, int stride, unsigned threads)
+{
+    size_t crossings = 0;
+    work->stride = stride;
+    for (int k = 0; k < 3; k++)
+        work->first[k + 1] =
+            work->first[k] +
+            (work->voxels->size[(k + 2) % 3] + stride - 1) / stride;
+    size_t rows = (size_t)work->first[3];
+    work->rows = memory_new(rows * sizeof *work->rows);
+    parallel_run(threads, rows, NULL, measure_row, work);
+    for (size_t i = 0; i < rows; i++)
+        crossings += work->rows[i].crossings;
+    return crossings;
+}
+
+static void rows_free(struct wall_work *work)
+{
+    for (size_t i = 0; i < (size_t)work->first[3]; i++)
+        memory_free(work->rows[i].points);
+    memory_free(work->rows);
 }
 
 /* The points of all rows, in their order. */
@@ -187,23 +229,26 @@ static struct wall_point *gather(const struct wall_work *work, size_t *count)
     return all;
 }
 
+/* A few lines tell how many may be sent. */
 struct wall_point *wall_points(const struct world *world,
                                const struct voxels *v, unsigned threads,
                                size_t *count)
 {
     struct arena *arena = arena_new(0);
-    struct wall_work work = {
-        world, v, matter_marks(world, voxels_box(v), arena), NULL, { 0 }
-    };
-    for (int k = 0; k < 3; k++)
-        work.first[k + 1] = work.first[k] + v->size[(k + 2) % 3];
-    size_t rows = (size_t)work.first[3];
-    work.rows = memory_new(rows * sizeof *work.rows);
-    parallel_run(threads, rows, NULL, measure_row, &work);
+    struct wall_work work = { .world = world, .voxels = v };
+    work.marks = matter_marks(world, voxels_box(v), arena);
+    int stride = STRIDE_MAX;
+    size_t crossings = measure(&work, stride, threads);
+    while (stride > 1 && crossings * 4 <= ENOUGH) {
+        stride /= 2;
+        crossings *= 4;
+    }
+    if (stride < STRIDE_MAX) {
+        rows_free(&work);
+        measure(&work, stride, threads);
+    }
     struct wall_point *points = gather(&work, count);
-    for (size_t i = 0; i < rows; i++)
-        memory_free(work.rows[i].points);
-    memory_free(work.rows);
+    rows_free(&work);
     arena_free(arena);
     return points;
 }
