@@ -24,10 +24,14 @@ struct search {
     bool found;
 };
 
-static void push(struct flood *flood, size_t voxel, uint32_t label)
+static void front_add(struct front *front, size_t voxel)
 {
-    flood->space->label[voxel] = label;
-    flood->stack[flood->stack_count++] = voxel;
+    if (front->count == front->capacity) {
+        front->capacity = 2 * front->capacity + 1024;
+        front->voxels = memory_resize(front->voxels,
+                                      front->capacity * sizeof *front->voxels);
+    }
+    front->voxels[front->count++] = (uint32_t)voxel;
 }
 
 static bool is_free(const struct flood *flood, size_t voxel)
@@ -35,28 +39,44 @@ static bool is_free(const struct flood *flood, size_t voxel)
     return flood->space->voxels.empty[voxel] && !flood->space->label[voxel];
 }
 
-/* Labels all that is connected; each voxel is pushed once, so the stack holds
- * as many as there are. */
+/* Labels the free neighbours of a voxel. */
+static void spread_from(struct flood *flood, size_t voxel, uint32_t label,
+                        struct void_part *part, struct front *reached)
+{
+    const struct voxels *v = &flood->space->voxels;
+    int at[3];
+    voxels_place(v, voxel, at);
+    for (int i = 0; i < 6; i++) {
+        int next[3] = { at[0] + faces[i][0], at[1] + faces[i][1],
+                        at[2] + faces[i][2] };
+        if (!voxels_holds(v, next)) {
+            part->sky = true;
+            continue;
+        }
+        size_t index = voxels_index(v, next[0], next[1], next[2]);
+        if (!is_free(flood, index))
+            continue;
+        flood->space->label[index] = label;
+        front_add(reached, index);
+    }
+}
+
+/* Labels all that is connected, as a wave from the seed. */
 static void spread(struct flood *flood, size_t seed, uint32_t label,
                    struct void_part *part)
 {
-    const struct voxels *v = &flood->space->voxels;
-    push(flood, seed, label);
-    while (flood->stack_count > 0) {
-        int at[3];
-        voxels_place(v, flood->stack[--flood->stack_count], at);
-        part->volume++;
-        for (int i = 0; i < 6; i++) {
-            int next[3] = { at[0] + faces[i][0], at[1] + faces[i][1],
-                            at[2] + faces[i][2] };
-            if (!voxels_holds(v, next)) {
-                part->sky = true;
-                continue;
-            }
-            size_t index = voxels_index(v, next[0], next[1], next[2]);
-            if (is_free(flood, index))
-                push(flood, index, label);
-        }
+    struct front *last = &flood->front[0], *now = &flood->front[1];
+    flood->space->label[seed] = label;
+    last->count = 0;
+    front_add(last, seed);
+    while (last->count > 0) {
+        now->count = 0;
+        part->volume += last->count;
+        for (size_t i = 0; i < last->count; i++)
+            spread_from(flood, last->voxels[i], label, part, now);
+        struct front *swap = last;
+        last = now;
+        now = swap;
     }
 }
 
@@ -298,7 +318,6 @@ void flood_space(struct flood *flood, const struct camera *camera)
 {
     struct void_space *space = flood->space;
     size_t count = voxels_count(&space->voxels);
-    flood->stack = memory_new(count * sizeof *flood->stack);
     space->label = memory_new(count * sizeof *space->label);
     flood_from_lights(flood);
     flood_from_emitters(flood);
@@ -308,5 +327,6 @@ void flood_space(struct flood *flood, const struct camera *camera)
             space->label[i] = 0;
         space->voxels.empty[i] = space->label[i] != 0;
     }
-    memory_free(flood->stack);
+    for (int i = 0; i < 2; i++)
+        memory_free(flood->front[i].voxels);
 }

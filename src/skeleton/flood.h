@@ -5,13 +5,18 @@
 
 #include "skeleton/void.h"
 
+/* Voxels reached together. */
+struct front {
+    uint32_t *voxels;
+    size_t count, capacity;
+};
+
 struct flood {
     struct void_space *space;
     const struct world *world;
     const uint8_t *leaf_marks;  /* see matter.h */
     const uint8_t *voxel_marks; /* see voxelise.h */
-    size_t *stack;
-    size_t stack_count;
+    struct front front[2];      /* what was reached last, and what is now */
     size_t part_capacity;
 };
 
