@@ -10,6 +10,8 @@
 #include "base/text.h"
 #include "compare/flip.h"
 
+#define UNSAID ((double)NAN)
+
 enum choice_kind { KIND_FLAG, KIND_NUMBER, KIND_TEXT, KIND_WORDS };
 
 struct choice_row {
@@ -287,9 +289,9 @@ bool choices_parse(struct choices *choices, int argc, char **argv,
     *choices = (struct choices){
         .threshold = 3.5 / 255,
         .pixels_per_degree = FLIP_PIXELS_PER_DEGREE,
-        .limits = { NAN, NAN, NAN, NAN, NAN, NAN, NAN },
+        .limits = { UNSAID, UNSAID, UNSAID, UNSAID, UNSAID, UNSAID, UNSAID },
         .show = "flip",
-        .top = NAN,
+        .top = UNSAID,
     };
     struct choices_reader reader = { .choices = choices,
                                      .arena = arena,

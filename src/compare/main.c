@@ -2,6 +2,7 @@
  * figures, a heat map, a strip, an exit status. */
 #include <math.h>
 
+#include "base/memory.h"
 #include "cli/interrupt.h"
 #include "compare/flip.h"
 #include "compare/heat.h"
@@ -9,6 +10,10 @@
 #include "compare/scene.h"
 #include "compare/ssim.h"
 #include "image/file.h"
+
+/* What a pixel takes at most, beside the pictures: FLIP's planes, or a strip.
+ */
+enum { WORK_BYTES = 100 };
 
 enum status { ALIKE = 0, DIFFERENT = 1, TROUBLE = 2 };
 
@@ -22,12 +27,25 @@ static struct image *picture_read(const char *path, struct diag *diag)
     return image;
 }
 
+/* Said here, since running out of memory would end with status 1. */
+static bool pictures_fit(const struct image *image, struct diag *diag)
+{
+    double pixels = (double)image->width * image->height;
+    double wanted = pixels * WORK_BYTES, there = (double)memory_available();
+    if (wanted <= there)
+        return true;
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "comparing %d x %d pixels takes %.0f MiB, and there are %.0f",
+               image->width, image->height, wanted / 1048576, there / 1048576);
+    return false;
+}
+
 static bool pictures_match(struct image *const image[2],
                            const char *const names[2], struct diag *diag)
 {
     if (image[0]->width == image[1]->width &&
         image[0]->height == image[1]->height)
-        return true;
+        return pictures_fit(image[0], diag);
     diag_print(diag, DIAG_ERROR, span_none(), NULL,
                "'%s' has %d x %d pixels, '%s' %d x %d; only pictures of one "
                "size can be compared",

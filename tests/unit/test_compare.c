@@ -243,7 +243,7 @@ static void heat_gets_lighter(void **state)
         before = luma;
     }
     float beyond[3], last[3];
-    heat_colour(INFINITY, beyond);
+    heat_colour(HUGE_VAL, beyond);
     heat_colour(1, last);
     assert_memory_equal(beyond, last, sizeof last);
     heat_colour((double)NAN, beyond);
