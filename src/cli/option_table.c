@@ -141,6 +141,10 @@ static const struct option table[] = {
       .offset = AT(render.target_time), .minimum = 0, .maximum = 1e9,
       .argument = "seconds",
       .help = "with --lighting path: enough after that time (0: never)" },
+    { .key = "Stochastic_Seed", .word = "seed", .set = set_integer,
+      .offset = AT(render.seed), .minimum = 0, .maximum = 2147483647,
+      .argument = "n",
+      .help = "with --lighting path: another number, another noise (0)" },
 
     GROUP("Light mesh and skeleton; they win over the scene's own"),
     LIGHT("Mesh_Quality", "mesh-quality", light_mesh_fields, "quality", "n",
@@ -252,7 +256,6 @@ static const struct option table[] = {
     NOTHING("X", "Test_Abort"),
     NOTHING(NULL, "Test_Abort_Count"),
     NOTHING("HR", "High_Reproducibility"),
-    NOTHING(NULL, "Stochastic_Seed"),
     NOTHING(NULL, "Antialias_Confidence"),
     NOTHING("TH", "Dither"),
     NOTHING(NULL, "Dither_Method"),

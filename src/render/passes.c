@@ -51,7 +51,8 @@ static void sample_pixel(const struct passes *passes, struct worker *worker,
                          int x, int y, struct tally *tally)
 {
     const struct render_options *options = passes->options;
-    struct draws draws = { random_key((uint64_t)x, (uint64_t)y), 0 };
+    uint64_t key = random_key((uint64_t)options->seed, (uint64_t)x);
+    struct draws draws = { random_key(key, (uint64_t)y), 0 };
     double bright = 0, u[2];
     for (uint32_t i = 0; i < passes->count; i++) {
         if (worker_stopped(worker))

@@ -162,7 +162,8 @@ static rgb probe_paths(const struct probing *all, struct worker *worker,
     vec3 normal = vec3_normalise(point->normal);
     return path_irradiance(all->tracer, worker, point->place,
                            point->directed ? &normal : NULL,
-                           (unsigned)all->options->samples, 0)
+                           (unsigned)all->options->samples,
+                           (uint64_t)all->options->seed)
         .mean;
 }
 

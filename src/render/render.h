@@ -26,6 +26,7 @@ struct render_options {
     /* Whole paths: samples of each pixel at most, and what ends the work
      * earlier: the estimated relative error, and seconds; 0: nothing. */
     int samples;
+    int seed; /* of the samples: another one, another noise */
     double target_error, target_time;
     /* Called after each pass over the picture, by one thread; may be NULL. */
     void (*passed)(void *context, int samples, double error);

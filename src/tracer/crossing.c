@@ -3,6 +3,8 @@
 
 #include "shade/background.h"
 
+enum { LEVELS_MAX = 256 }; /* of max_trace_level, as in POV-Ray */
+
 void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
                    vec3 direction, const struct interiors *inside,
                    double bailout)
@@ -49,6 +51,12 @@ bool crossing_refracted(const struct crossing *crossing, vec3 direction,
         vec3_along(vec3_scale(direction, n), normal, n * cosine - sqrt(left));
     *out = vec3_normalise(bent);
     return true;
+}
+
+int tracer_levels(const struct tracer *tracer)
+{
+    int levels = tracer->scene->settings.max_trace_level;
+    return levels < LEVELS_MAX ? levels : LEVELS_MAX;
 }
 
 bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside)

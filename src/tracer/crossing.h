@@ -31,6 +31,9 @@ vec3 crossing_mirrored(const struct crossing *crossing, vec3 direction,
 bool crossing_refracted(const struct crossing *crossing, vec3 direction,
                         vec3 normal, vec3 *out);
 
+/* A ray goes on from a surface only while its level is below this. */
+int tracer_levels(const struct tracer *tracer);
+
 /* Whether fog reaches a ray that is inside of these. */
 bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside);
 

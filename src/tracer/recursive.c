@@ -17,7 +17,6 @@
 #include "tracer/crossing.h"
 
 enum {
-    LEVELS_MAX = 256,          /* of max_trace_level, as in POV-Ray */
     SURFACES_MAX = 1000 * 1000 /* a ray passes straight through */
 };
 
@@ -183,9 +182,6 @@ static bool path_cross(struct path *path, struct crossing *crossing)
 {
     const struct tracer *tracer = path->tracer;
     const struct settings *settings = &tracer->scene->settings;
-    int levels = settings->max_trace_level < LEVELS_MAX
-                     ? settings->max_trace_level
-                     : LEVELS_MAX;
     crossing_fill(crossing, tracer, path->ray.direction, &path->inside,
                   settings->adc_bailout);
     if (tracer->quality < QUALITY_LIT) {
@@ -193,7 +189,7 @@ static bool path_cross(struct path *path, struct crossing *crossing)
         return false;
     }
     path_gather(path, path_shade(path, &crossing->surface));
-    return path->level < levels && path_pass(path, crossing);
+    return path->level < tracer_levels(tracer) && path_pass(path, crossing);
 }
 
 /* Follows the ray to its end. */

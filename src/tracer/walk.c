@@ -2,7 +2,10 @@
  * ray meets, and these beyond them:
  * - Light comes to a surface from everywhere. A scattered ray that meets
  *   something glowing counts with the balance heuristic's weight (direct.c).
- * - `ambient` is ignored, as are max_trace_level and adc_bailout.
+ * - `ambient` and adc_bailout are ignored. max_trace_level holds, as the
+ * scene's own word on mirrors and glass (without it light that a surface
+ * scatters into a glass ball stays there for ever); a scattered ray begins
+ * again at 1.
  * - Mirrors, panes and the scattering surface are all followed where the camera
  *   sees them, of later ones one, chosen by weight. Light that is mirrored or
  *   bent on its way from a glowing surface (caustics) is found by scattered
@@ -23,7 +26,7 @@
 
 enum {
     VERTICES_MAX = 2000, /* of a path: for safety alone */
-    LEVELS_MAX = 8,      /* where all ways are followed */
+    SPLITS_MAX = 8,      /* where all ways are followed */
     EXPONENTS_MAX = 24,  /* mirrors with an exponent in a row */
     WAYS_MAX = TEXTURE_LAYERS + 2,
 };
@@ -119,6 +122,8 @@ static void ways_find(struct ways *ways, const struct walk *walk,
     vec3 normal = surface->layer[0].normal, direction = walk->ray.direction;
     rgb through = surface->through;
     ways->count = 0;
+    if (walk->level >= tracer_levels(walk->tracer))
+        return;
     if (walk->tracer->quality < QUALITY_TRANSPARENCY)
         through = rgb_grey(0);
     if (rgb_peak(through) > 0 && crossing->ior != 1 &&
@@ -149,8 +154,10 @@ static void walk_leave(struct walk *walk, const struct crossing *crossing,
             rgb_mul(walk->share,
                     interior_fade(crossing->at.leaf->interior, crossing->at.t));
     walk->share = rgb_mul(walk->share, way->weight);
-    if (bends)
+    if (bends) {
         walk->density = 0;
+        walk->level++;
+    }
     walk->ray = (struct ray){ crossing->at.point, way->direction };
     walk->worker->counters.secondary_rays++;
 }
@@ -224,6 +231,7 @@ static bool walk_scatter(struct walk *walk, const struct meeting *meeting,
     walk->clear = 0;
     walk->density = density;
     walk->from = crossing->at.point;
+    walk->level = 1;
     walk->worker->counters.secondary_rays++;
     return true;
 }
@@ -254,7 +262,7 @@ static void walk_branch(struct walk *walk, const struct meeting *meeting,
     }
     branch.draws =
         draws_within(&meeting->draws, (uint64_t)(SLOT_BRANCH + number));
-    branch.level++;
+    branch.splits++;
     branch.share = rgb_grey(1);
     branch.clear = 1;
     branch.light = rgb_grey(0);
@@ -307,11 +315,11 @@ static bool walk_on(struct walk *walk, const struct meeting *meeting)
                  rgb_grey(meeting->lobes.total), NULL);
     if (ways.count == 0)
         return false;
-    if (walk->split && walk->level < LEVELS_MAX)
+    if (walk->split && walk->splits < SPLITS_MAX)
         walk_split(walk, meeting, &ways);
     else if (ways.count > 1)
         ways_choose(&ways, draw_unit(&meeting->draws, SLOT_WAY));
-    if (way_exponent(&ways.at[0]) == 1 || walk->level >= EXPONENTS_MAX)
+    if (way_exponent(&ways.at[0]) == 1 || walk->splits >= EXPONENTS_MAX)
         return walk_take(walk, meeting, &ways.at[0]);
     walk_branch(walk, meeting, &ways.at[0], 0);
     return false;
@@ -321,8 +329,8 @@ static bool walk_survives(struct walk *walk, const struct draws *draws,
                           int vertex)
 {
     double chance = walk->split ? 1 : rgb_peak(walk->share) / path_least;
-    if (vertex > (walk->split ? 64 : 16))
-        chance = fmin(chance, 0.98); /* even between perfect mirrors */
+    if (vertex > 64)
+        chance = fmin(chance, 0.98); /* even where nothing is lost */
     if (chance >= 1)
         return true;
     if (draw_unit(draws, SLOT_ROULETTE) >= chance)

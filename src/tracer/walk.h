@@ -14,7 +14,8 @@ struct walk {
     struct ray ray;
     enum ray_kind kind;
     struct interiors inside;
-    int level;     /* how often the path has been split */
+    int splits;    /* of the path so far */
+    int level;     /* as the recursive tracer's, 1 after a scattering */
     double weight; /* of the walk in the pixel, for splitting */
     bool straight; /* the camera's line of sight: its opacity counts */
 
