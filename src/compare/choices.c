@@ -51,7 +51,7 @@ static const struct choice_row table[] = {
     FLAG("linear", linear, "compare light, not what a monitor gets"),
     FLAG("raw", raw, "compare the numbers as they stand in the files"),
     NUMBER("threshold", threshold, 0, 1e9,
-           "a pixel is over it when a colour differs by more (3.5/255)"),
+           "pixels that differ by more are over it (3.5/255)"),
     NUMBER("pixels-per-degree", pixels_per_degree, 1, FLIP_PIXELS_LIMIT,
            "of the viewer's eye, for FLIP (67)"),
     TITLE("Limits; N may be a fraction such as 3/255"),
@@ -71,8 +71,7 @@ static const struct choice_row table[] = {
     TEXT("show", show, "WHAT",
          "in the heat map: flip, difference or relative (flip)"),
     NUMBER("top", top, 1e-9, 1e9,
-           "the value that gets its brightest colour (flip and relative 1, "
-           "difference 0.25)"),
+           "value of its brightest colour (1; of difference 0.25)"),
     FLAG("csv", csv, "the figures on one line, with commas"),
     FLAG("names", names_first, "as --csv, after a line with their names"),
     FLAG("quiet", quiet, "no figures, only errors and the exit status"),
