@@ -6,10 +6,8 @@
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_AVERAGE, "the 'average' pattern" },
-    { KEYWORD_BOXED, "the 'boxed' pattern" },
     { KEYWORD_BUMP_MAP, "'bump_map'" },
     { KEYWORD_CELLS, "the 'cells' pattern" },
-    { KEYWORD_CYLINDRICAL, "the 'cylindrical' pattern" },
     { KEYWORD_DENSITY_FILE, "the 'density_file' pattern" },
     { KEYWORD_FACETS, "the 'facets' pattern" },
     { KEYWORD_FUNCTION, "the 'function' pattern" },
@@ -19,10 +17,8 @@ static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_MANDEL, "the 'mandel' pattern" },
     { KEYWORD_OBJECT, "the 'object' pattern" },
     { KEYWORD_PIGMENT_PATTERN, "the 'pigment_pattern' pattern" },
-    { KEYWORD_PLANAR, "the 'planar' pattern" },
     { KEYWORD_QUILTED, "the 'quilted' pattern" },
     { KEYWORD_SLOPE, "the 'slope' pattern" },
-    { KEYWORD_SPHERICAL, "the 'spherical' pattern" },
     { KEYWORD_SPIRAL1, "the 'spiral1' pattern" },
     { KEYWORD_SPIRAL2, "the 'spiral2' pattern" },
     { KEYWORD_TILING, "the 'tiling' pattern" },

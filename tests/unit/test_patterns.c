@@ -62,6 +62,12 @@ static void values_are_povrays(void **state)
         { "wood", { -3, 0.1, 0.2 }, 0.003272407921453 },
         { "onion", { -3, 0.1, 0.2 }, 0.008321791298265 },
         { "onion", { 0, 0, -1 }, 0 },
+        { "spherical", { 0.6, 0, -0.3 }, 0.329179606750063 },
+        { "spherical", { 0, 2, 0 }, 0 },
+        { "cylindrical", { 0.3, 7, 0.4 }, 0.5 },
+        { "planar", { 9, -0.25, 9 }, 0.75 },
+        { "planar", { 0, 0, 0 }, 1 },
+        { "boxed", { 0.1, -0.8, 0.2 }, 0.2 },
         { "radial", { 0, 0, 0 }, 0.25 },
         { "radial", { 1, 7, 0 }, 1 },
         { "radial", { -1, 0, 0 }, 0.5 },
@@ -540,7 +546,7 @@ static void list_is_complete(void **state)
         assert_non_null(kind->help);
         assert_true(!kind->defaults || kind->size > 0);
     }
-    assert_int_equal(count, 19);
+    assert_int_equal(count, 23);
     assert_null(pattern_find("plaid"));
 }
 
