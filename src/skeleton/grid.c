@@ -18,9 +18,10 @@ enum {
  * wall. What is farther away is outside. */
 static const double camera_stretch = 4, other_stretch = 2;
 
-/* Things so many times larger than the camera and all smaller things together
- * are skies and grounds: the grid cuts them, as it cuts planes. */
-static const double vast = 30;
+/* Things that reach so many times farther from the camera than the nearer half
+ * and all others together are skies, grounds, or far away: the grid cuts them,
+ * or leaves them outside. */
+static const double vast = 16;
 
 /* Without anything bounded walls are looked for up to here. */
 static const double far_away = 1e5;
@@ -39,15 +40,16 @@ static void stretch(struct box3 *box, vec3 point, double limit)
         *box = larger;
 }
 
-/* Adds what a viewer sees along the axes and the diagonals. */
+/* Adds what a viewer sees along the axes: walls that have no bounds. */
 static void look_around(struct box3 *box, const struct world *world, vec3 from,
                         double limit)
 {
-    for (int i = 0; i < 27; i++) {
+    static const vec3 ways[6] = { { -1, 0, 0 }, { 1, 0, 0 },  { 0, -1, 0 },
+                                  { 0, 1, 0 },  { 0, 0, -1 }, { 0, 0, 1 } };
+    for (int i = 0; i < 6; i++) {
         struct intersection at;
-        vec3 way = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
-        struct ray ray = { from, vec3_normalise(way) };
-        if (i != 13 && world_closest(world, &ray, 1e-6, RAY_CAMERA, &at) &&
+        struct ray ray = { from, ways[i] };
+        if (world_closest(world, &ray, 1e-6, RAY_CAMERA, &at) &&
             at.t < far_away)
             stretch(box, at.point, limit);
     }
@@ -55,12 +57,13 @@ static void look_around(struct box3 *box, const struct world *world, vec3 from,
 
 struct thing {
     struct box3 box;
-    double size;
+    double reach; /* from the camera */
     size_t number;
 };
 
 struct things {
     struct arena *arena;
+    vec3 eye;
     struct thing *items;
     size_t count, capacity;
 };
@@ -69,7 +72,8 @@ static void add_thing(struct things *things, struct box3 box)
 {
     if (box3_is_finite(box) && !box3_is_empty(box))
         *ARRAY_PUSH(things->arena, things) =
-            (struct thing){ box, longest_side(box), things->count };
+            (struct thing){ box, longest_side(box3_add(box, things->eye)),
+                            things->count };
 }
 
 static void add_solid(void *context, const struct solid *solid)
@@ -85,22 +89,23 @@ static void add_mesh(void *context, const struct leaf *leaf)
 static int thing_order(const void *first, const void *second)
 {
     const struct thing *a = first, *b = second;
-    if (a->size != b->size)
-        return a->size < b->size ? -1 : 1;
+    if (a->reach != b->reach)
+        return a->reach < b->reach ? -1 : 1;
     return a->number < b->number ? -1 : a->number > b->number;
 }
 
-/* Around all things that are not vast. */
+/* Around all things but vast ones. */
 static struct box3 box_of_things(const struct world *world, vec3 eye)
 {
-    struct things things = { .arena = arena_new(0) };
+    struct things things = { .arena = arena_new(0), .eye = eye };
     struct box3 box = box3_empty(), seen = box3_add(box, eye);
     world_visit(world, add_solid, add_mesh, &things);
     if (things.count > 0)
         qsort(things.items, things.count, sizeof *things.items, thing_order);
     for (size_t i = 0; i < things.count; i++) {
         double size = longest_side(seen);
-        if (size > 0 && things.items[i].size > vast * size)
+        if (size > 0 && 2 * i >= things.count &&
+            things.items[i].reach > vast * size)
             break;
         box = box3_union(box, things.items[i].box);
         seen = box3_union(seen, things.items[i].box);
@@ -115,23 +120,19 @@ static struct box3 find_box(const struct world *world,
     struct box3 box = box_of_things(world, camera->location);
     size_t count;
     const struct light *lights = world_lights(world, &count);
-    double size = box3_is_empty(box) ? 0 : longest_side(box);
-    if (size > 0 && isfinite(size))
-        stretch(&box, camera->location, camera_stretch * size);
-    else
-        box = box3_add(box3_empty(), camera->location);
+    if (box3_is_empty(box))
+        box = box3_add(box, camera->location);
+    double size = longest_side(box);
+    stretch(&box, camera->location, camera_stretch * size);
     size = longest_side(box);
-    look_around(&box, world, camera->location,
-                size > 0 ? other_stretch * size : far_away);
-    double limit = longest_side(box) * other_stretch;
+    double limit = size > 0 ? other_stretch * size : far_away;
+    look_around(&box, world, camera->location, limit);
     for (size_t i = 0; i < count; i++) {
-        struct box3 before = box;
         if (lights[i].parallel)
             continue;
-        stretch(&box, lights[i].location, limit > 0 ? limit : far_away);
+        stretch(&box, lights[i].location, limit);
         if (i < LIGHTS && box3_contains(box, lights[i].location))
-            look_around(&box, world, lights[i].location,
-                        limit > 0 ? limit : longest_side(before));
+            look_around(&box, world, lights[i].location, limit);
     }
     return box;
 }

@@ -81,7 +81,7 @@ static struct marked surface_marked(size_t number, int resolution,
 {
     char text[1000];
     snprintf(text, sizeof text,
-             "camera { location 1.9 look_at 0 }\n"
+             "camera { location <0,0,-1.9> look_at 0 }\n"
              "sphere { -2, 0.001 } sphere { 2, 0.001 } %s\n",
              surfaces[number]);
     return marked_new(text, resolution, threads);
@@ -155,6 +155,7 @@ static void grids_are_around_what_matters(void **state)
         { "sphere { 0, 1 } sphere { 0, 1e5 hollow }", 0.17 },
         { "sphere { 0, 1 } box { <-900,-2,-900>, <900,-1,900> }", 0.17 },
         { "sphere { 0, 1 } light_source { 1e4, 1 }", 0.17 },
+        { "sphere { 1e9*x, 1 } sphere { 0, 1 }", 0.17 },
         { "sphere { 0, 0.1 } box { -5, 5 }", 0.28 },
         { "plane { y, -4 } plane { -y, -4 } plane { x, -4 } plane { -x, -4 }"
           " plane { z, -4 } plane { -z, -4 } light_source { 0, 1 }",
