@@ -92,6 +92,7 @@ static bool frame_render(struct work *work, const struct scene *scene,
     if (!world)
         return false;
     struct lighting_options light = { .threads = options->render.threads,
+                                      .width = options->render.width,
                                       .quality = options->quality };
     void *state = lighting->start(world, scene, &light, &work->diag);
     struct tracer tracer = { .scene = scene,

@@ -10,6 +10,8 @@ bool query_sees(const struct query *query, const struct leaf *leaf)
     if (query->occlusion)
         return !leaf->no_shadow &&
                (leaf->looks_like < 0 || leaf->looks_like != query->light);
+    if (query->kind == RAY_OBSTACLE)
+        return !leaf->no_shadow;
     return query->kind == RAY_CAMERA ? !leaf->no_image : !leaf->no_reflection;
 }
 

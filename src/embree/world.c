@@ -90,11 +90,17 @@ static bool query_begin(struct query *query, const struct ray *ray, double tmin,
 bool world_closest(const struct world *world, const struct ray *ray,
                    double tmin, enum ray_kind kind, struct intersection *out)
 {
+    return world_within(world, ray, tmin, world_limit, kind, out);
+}
+
+bool world_within(const struct world *world, const struct ray *ray, double tmin,
+                  double tmax, enum ray_kind kind, struct intersection *out)
+{
     struct query query;
     size_t count = world->flat.solids.count;
     query.occlusion = false;
     query.kind = kind;
-    if (!query_begin(&query, ray, tmin, world_limit))
+    if (!query_begin(&query, ray, tmin, fmin(tmax, world_limit)))
         return false;
     trace_unbounded(world, &query, 0, world->shape_count);
     geometry_trace(&world->geometry, &query);

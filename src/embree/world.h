@@ -24,6 +24,7 @@ const struct light *world_lights(const struct world *world, size_t *count);
 enum ray_kind {
     RAY_CAMERA,     /* sees all but no_image objects */
     RAY_REFLECTION, /* all but no_reflection objects */
+    RAY_OBSTACLE,   /* all but no_shadow objects */
 };
 
 /* Where a ray meets the scene. */
@@ -41,6 +42,10 @@ struct intersection {
  * offset; crossings beyond 1e7 units don't exist (as in POV-Ray). */
 bool world_closest(const struct world *world, const struct ray *ray,
                    double tmin, enum ray_kind kind, struct intersection *out);
+
+/* The same, for crossings up to tmax. */
+bool world_within(const struct world *world, const struct ray *ray, double tmin,
+                  double tmax, enum ray_kind kind, struct intersection *out);
 
 /* Called for every crossing that may let light pass (leaf->opaque false), in
  * any order; returns true when the light is all blocked and no more crossings

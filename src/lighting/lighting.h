@@ -15,6 +15,7 @@
 struct lighting_options {
     unsigned threads;
     int quality; /* +Q, 0..11 */
+    int width;   /* of the picture, pixels; 0: any */
     unsigned long long seed;
 };
 

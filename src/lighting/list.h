@@ -2,3 +2,4 @@
  * in lighting/name.c. The first is the default. */
 X(rays)
 X(path)
+X(mesh)

@@ -1,0 +1,62 @@
+/* One lamp's light: see lamplight.h. */
+#include "lighting/lamplight.h"
+
+#include "shade/area.h"
+
+rgb lamplight_trace(struct lamplight *light, const struct lamp *lamp,
+                    const struct lamp_view *view)
+{
+    struct lamp_target target = { light->surface->point, light->surface->inside,
+                                  *view };
+    return lamps_share(light->lamps, lamp, light->worker, &target);
+}
+
+static void lamplight_visit(const struct lamplight *light,
+                            const struct lamp *lamp,
+                            const struct lamp_view *view, rgb share)
+{
+    rgb whole = rgb_scale(lamp->light->colour, view->attenuation);
+    struct light_sample sample = {
+        .direction = view->direction,
+        .colour = rgb_mul(whole, share),
+        .highlights = !lamp->light->shadowless,
+    };
+    light->visit(light->context, &sample);
+}
+
+/* area_illumination: the plain mean over the grid, unshadowed, times the
+ * weighted mean of the shadows (POV-Ray's formula, measured). */
+static void lamplight_give_area(struct lamplight *light,
+                                const struct lamp *lamp,
+                                const struct lamp_view *centre)
+{
+    const struct light *source = lamp->light;
+    vec3 point = light->surface->point;
+    struct area_grid grid = area_grid_new(lamp, point, light->lamps->seed);
+    struct lamp_view view;
+    rgb share = light->share(light, lamp, centre);
+    if (rgb_peak(share) == 0)
+        return;
+    share = rgb_scale(share, 1.0 / ((double)source->size1 * source->size2));
+    for (int i = 0; i < source->size1; i++)
+        for (int j = 0; j < source->size2 && !worker_stopped(light->worker);
+             j++)
+            if (lamp_look(lamp, area_grid_point(&grid, i, j), point, &view))
+                lamplight_visit(light, lamp, &view, share);
+}
+
+void lamplight_give(struct lamplight *light, const struct lamp *lamp)
+{
+    const struct surface *surface = light->surface;
+    struct lamp_view view;
+    bool there = lamp_look(lamp, lamp->light->location, surface->point, &view);
+    if (lamp->light->area_illumination && lamps_soft(light->lamps, lamp)) {
+        lamplight_give_area(light, lamp, &view);
+        return;
+    }
+    if (!there || !surface_faces(surface, view.direction))
+        return;
+    rgb share = light->share(light, lamp, &view);
+    if (rgb_peak(share) > 0)
+        lamplight_visit(light, lamp, &view, share);
+}

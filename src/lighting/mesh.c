@@ -1,0 +1,195 @@
+/* Light meshes (Debelov and Sevastyanov 2002): lamps are asked from mesh
+ * points, which surfaces then share. There is no ambient term. */
+#include "base/memory.h"
+#include "base/text.h"
+#include "lighting/ambient.h"
+#include "lighting/lamplight.h"
+#include "lightmesh/direct.h"
+#include "lightmesh/outlook.h"
+
+struct mesh_lighting {
+    struct lamps lamps;
+    struct direct_mesh *direct;
+};
+
+/* What a mesh needs where the scene says nothing. */
+enum {
+    FEW_LAMPS = 24,
+    MESH_BYTES = 60 * 1000 * 1000,
+};
+
+/* Pixels from mesh point to mesh point. */
+static const double mesh_pixels = 20;
+
+static const struct interpolation *
+mesh_interpolation(const struct light_mesh_settings *said, struct diag *diag)
+{
+    const struct interpolation *found = interpolation_at(0);
+    if (said->interpolation)
+        found = interpolation_find(said->interpolation);
+    if (found)
+        return found;
+    struct text_nearest nearest = text_nearest_start(said->interpolation);
+    for (size_t i = 0; interpolation_at(i); i++)
+        text_nearest_try(&nearest, interpolation_at(i)->name);
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "there is no interpolation '%s' of light meshes: type %s",
+               said->interpolation,
+               nearest.best ? nearest.best : interpolation_at(0)->name);
+    return NULL;
+}
+
+static struct direct_options
+mesh_options(const struct light_mesh_settings *said,
+             const struct outlook *outlook)
+{
+    double quality = said->quality > 0 ? said->quality : 5;
+    double finer = pow(1.3, quality - 5);
+    double spacing = mesh_pixels * outlook->pixel;
+    spacing = fmin(fmax(spacing, outlook->size / 256), outlook->size / 24);
+    spacing /= finer;
+    if (said->density > 0)
+        spacing = 1 / said->density;
+    struct direct_options options = {
+        .lattice = { .spacing = spacing, .near = 2 * outlook->distance },
+        .radius = said->radius / spacing,
+        .few = FEW_LAMPS,
+        .budget = (int)(24 * finer),
+        .centre = outlook->centre,
+        .size = outlook->size,
+        .bytes = MESH_BYTES,
+    };
+    return options;
+}
+
+static void *mesh_start(const struct world *world, const struct scene *scene,
+                        const struct lighting_options *options,
+                        struct diag *diag)
+{
+    struct mesh_lighting *mesh = memory_new(sizeof *mesh);
+    struct outlook outlook = outlook_of(world, scene, options->width);
+    struct direct_options direct =
+        mesh_options(&scene->settings.light_mesh, &outlook);
+    ambient_dropped(scene, "mesh", diag);
+    direct.interpolation =
+        mesh_interpolation(&scene->settings.light_mesh, diag);
+    if (!direct.interpolation) {
+        memory_free(mesh);
+        return NULL;
+    }
+    direct.lattice.eye = scene->camera.location;
+    mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
+    mesh->direct = direct_mesh_new(&mesh->lamps, &direct);
+    return mesh;
+}
+
+static void mesh_finish(void *state)
+{
+    struct mesh_lighting *mesh = state;
+    if (!mesh)
+        return;
+    direct_mesh_free(mesh->direct);
+    lamps_free(&mesh->lamps);
+    memory_free(mesh);
+}
+
+/* A surface under few lamps. The points in front of it and those behind it,
+ * looked for when a lamp on that side asks. */
+struct mesh_question {
+    struct lamplight light; /* first: its address is ours */
+    const struct direct_mesh *direct;
+    bool known[2];
+    struct mesh_blend blend[2];
+};
+
+static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
+                      const struct lamp_view *view)
+{
+    struct mesh_question *question = (struct mesh_question *)light;
+    const struct surface *surface = light->surface;
+    int side = vec3_dot(view->direction, surface->normal) < 0;
+    struct mesh_blend *blend = &question->blend[side];
+    if (lamp->light->shadowless)
+        return rgb_grey(1);
+    if (!question->known[side])
+        point_mesh_blend(
+            &question->direct->points, light->worker, surface->point,
+            side ? vec3_negate(surface->normal) : surface->normal, blend);
+    question->known[side] = true;
+    return direct_mesh_share(question->direct, blend, lamp->number);
+}
+
+static void mesh_few(const struct mesh_lighting *mesh, struct lamplight *light)
+{
+    struct mesh_question question;
+    question.light = *light;
+    question.light.share = mesh_share;
+    question.direct = mesh->direct;
+    question.known[0] = question.known[1] = false;
+    for (size_t i = 0; i < mesh->lamps.count; i++)
+        lamplight_give(&question.light, &mesh->lamps.items[i]);
+}
+
+/* What the lamps in front of the surface, or behind it, give its first layer,
+ * to be multiplied by its diffuse share. */
+static rgb mesh_side(const struct mesh_lighting *mesh, struct worker *worker,
+                     const struct surface *surface, double sign)
+{
+    const struct surface_layer *layer = &surface->layer[0];
+    struct mesh_blend blend;
+    point_mesh_blend(&mesh->direct->points, worker, surface->point,
+                     vec3_scale(surface->normal, sign), &blend);
+    struct harmonics around = direct_mesh_light(&blend);
+    double brilliance = layer->finish->brilliance;
+    double albedo = layer->finish->diffuse_albedo ? (brilliance + 1) / 2 : 1;
+    rgb light = harmonics_irradiance(&around, vec3_scale(layer->normal, sign),
+                                     brilliance);
+    return rgb_scale(light, albedo);
+}
+
+static rgb mesh_many(const struct mesh_lighting *mesh, struct worker *worker,
+                     const struct surface *surface)
+{
+    const struct finish *finish = surface->layer[0].finish;
+    double back = surface->at->leaf->double_illuminate ? finish->diffuse
+                                                       : finish->diffuse_back;
+    rgb light = rgb_grey(0);
+    if (finish->diffuse != 0)
+        light = mesh_side(mesh, worker, surface, 1);
+    if (back != 0 && finish->diffuse != 0)
+        light = rgb_add_scaled(light, mesh_side(mesh, worker, surface, -1),
+                               back / finish->diffuse);
+    return light;
+}
+
+static struct diffuse_light mesh_illuminate(const void *state,
+                                            struct worker *worker,
+                                            const struct surface *surface,
+                                            light_visit *visit, void *context)
+{
+    const struct mesh_lighting *mesh = state;
+    struct diffuse_light diffuse = { rgb_grey(0), rgb_grey(0) };
+    if (surface->count == 0)
+        return diffuse;
+    if (mesh->direct->many) {
+        diffuse.irradiance = mesh_many(mesh, worker, surface);
+        return diffuse;
+    }
+    struct lamplight light = {
+        .lamps = &mesh->lamps,
+        .worker = worker,
+        .surface = surface,
+        .visit = visit,
+        .context = context,
+    };
+    mesh_few(mesh, &light);
+    return diffuse;
+}
+
+const struct lighting mesh_lighting = {
+    .name = "mesh",
+    .help = "light meshes: soft shadows, little work for many lamps",
+    .start = mesh_start,
+    .finish = mesh_finish,
+    .illuminate = mesh_illuminate,
+};

@@ -1,0 +1,53 @@
+/* The direct light mesh (DLM of the light-mesh paper), in the reading that
+ * agrees with shadow rays: a mesh point keeps what it sees of the lamps, a
+ * surface adds the cosines. With few lamps that is each one's visible share,
+ * interpolated and multiplied into the exact light; with many it is their
+ * light as spherical harmonics, so that no surface point asks every lamp. */
+#ifndef LIGHTMESH_DIRECT_H
+#define LIGHTMESH_DIRECT_H
+
+#include "lightmesh/harmonics.h"
+#include "lightmesh/point_mesh.h"
+#include "shade/lamps.h"
+
+struct light_tree;
+
+struct direct_mesh {
+    const struct lamps *lamps;
+    struct point_mesh points;
+    bool many;               /* lamps: harmonics instead of shares */
+    int budget;              /* lamps that a mesh point asks, if many */
+    struct light_tree *tree; /* if many */
+    atomic_ullong *rays;     /* sent for the mesh */
+};
+
+struct direct_options {
+    struct lattice lattice;
+    const struct interpolation *interpolation;
+    double radius; /* of interpolation, in spacings; 0: its own */
+    int few;       /* more lamps than this are many */
+    int budget;
+    vec3 centre; /* of what is seen */
+    double size;
+    size_t bytes; /* of memory */
+};
+
+/* Frees with direct_mesh_free. The lamps must outlive it. */
+struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
+                                    const struct direct_options *options);
+void direct_mesh_free(struct direct_mesh *mesh);
+
+/* Few lamps: the share of lamp `number` that a blend sees. */
+rgb direct_mesh_share(const struct direct_mesh *mesh,
+                      const struct mesh_blend *blend, int number);
+
+/* Many lamps: their light around a blend. */
+struct harmonics direct_mesh_light(const struct mesh_blend *blend);
+
+/* Direct light on any surface point, the lamps' colours times their cosines
+ * to `normal`; `side` is the true normal, on the same side. */
+rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
+                           struct worker *worker, vec3 place, vec3 side,
+                           vec3 normal);
+
+#endif

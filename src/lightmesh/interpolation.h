@@ -1,0 +1,38 @@
+/* From which mesh points a place takes its light, and how much from each
+ * (section 2 of the light-mesh paper). Each kind is one file of interpolation/
+ * and one row of its list.h. */
+#ifndef LIGHTMESH_INTERPOLATION_H
+#define LIGHTMESH_INTERPOLATION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/vec.h"
+
+enum { INTERPOLATION_POINTS = 512 };
+
+/* The widest radius that needs no more points than that, in spacings. */
+#define INTERPOLATION_RADIUS_MAX 4.0
+
+/* A lattice point and its share. */
+struct mesh_weight {
+    int at[3];
+    double weight; /* > 0; they need not sum to 1 */
+};
+
+struct interpolation {
+    const char *name;
+    const char *help;
+    double radius; /* if none is asked for, in spacings */
+    bool single;   /* only the first usable point counts */
+    /* The points for a place in units of the spacing; returns how many. */
+    int (*weights)(vec3 place, double radius,
+                   struct mesh_weight out[INTERPOLATION_POINTS]);
+};
+
+/* By name, or NULL; by number, or NULL past the end. The first is the
+ * default. */
+const struct interpolation *interpolation_find(const char *name);
+const struct interpolation *interpolation_at(size_t index);
+
+#endif

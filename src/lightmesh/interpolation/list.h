@@ -1,0 +1,5 @@
+/* One row for each interpolation: X(name) stands for name_interpolation,
+ * defined in interpolation/name.c. The first is the default. */
+X(trilinear)
+X(nearest)
+X(spherical)

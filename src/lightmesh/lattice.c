@@ -1,0 +1,69 @@
+/* Lattices of mesh points: see lattice.h. */
+#include "lightmesh/lattice.h"
+
+#include "base/random.h"
+
+/* Irrational looking, so that no cell boundary lies in a wall for long. */
+static const vec3 lattice_shift = { 0.3719, 0.4142, 0.2817 };
+
+static const double lattice_rim = (1 << 18) - 64;
+
+/* From here on the next level is blended in, as a share of the logarithm. */
+static const double blend_start = 0.75;
+
+int lattice_level(const struct lattice *lattice, vec3 place, double *blend)
+{
+    *blend = 0;
+    if (!(lattice->near > 0))
+        return 0;
+    double distance = vec3_length(vec3_sub(place, lattice->eye));
+    double exact = log2(distance / lattice->near) + 1;
+    if (!(exact > blend_start))
+        return 0;
+    if (exact >= LATTICE_LEVELS - 1)
+        return LATTICE_LEVELS - 1;
+    double level = floor(exact);
+    double over = (exact - level - blend_start) / (1 - blend_start);
+    if (over > 0)
+        *blend = over;
+    return (int)level;
+}
+
+static double rim(double x)
+{
+    return fmin(fmax(x, -lattice_rim), lattice_rim);
+}
+
+vec3 lattice_units(const struct lattice *lattice, int level, vec3 place)
+{
+    vec3 at = vec3_scale(place, 1 / lattice_spacing(lattice, level));
+    at = vec3_add(at, lattice_shift);
+    return vec3_make(rim(at.x), rim(at.y), rim(at.z));
+}
+
+vec3 lattice_place(const struct lattice *lattice,
+                   const struct lattice_point *point)
+{
+    vec3 at = vec3_make(point->at[0], point->at[1], point->at[2]);
+    return vec3_scale(vec3_sub(at, lattice_shift),
+                      lattice_spacing(lattice, point->level));
+}
+
+/* 1 bit that says it is a key, 5 of level, 3 times 19, biased. */
+uint64_t lattice_key(const struct lattice_point *point)
+{
+    uint64_t key = 1;
+    key = key << 5 | (uint64_t)point->level;
+    for (int axis = 0; axis < 3; axis++)
+        key = key << 19 |
+              (uint64_t)((point->at[axis] + (1 << 18)) & ((1 << 19) - 1));
+    return key;
+}
+
+/* Blocks of 4 x 4 x 4 points stay together. */
+uint64_t lattice_hash(uint64_t key)
+{
+    const uint64_t low = 3ull | 3ull << 19 | 3ull << 38;
+    uint64_t inside = (key & 3) | (key >> 19 & 3) << 2 | (key >> 38 & 3) << 4;
+    return random_mix(key & ~low) << 6 | inside;
+}

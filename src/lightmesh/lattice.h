@@ -1,0 +1,53 @@
+/* Where mesh points are: regular lattices in space, each level twice as coarse
+ * as the one before. A lattice point is named by its level and three integers,
+ * packed into a key; everything a mesh knows of it is a function of that name
+ * alone, so any thread may find it out.
+ *
+ * The level that a place uses grows with its distance from the camera, so that
+ * a cell covers about the same number of pixels everywhere and a plane that
+ * goes to the horizon has few. */
+#ifndef LIGHTMESH_LATTICE_H
+#define LIGHTMESH_LATTICE_H
+
+#include <stdint.h>
+
+#include "base/vec.h"
+
+enum { LATTICE_LEVELS = 32 };
+
+struct lattice {
+    double spacing; /* of level 0, > 0 */
+    vec3 eye;       /* the camera */
+    double near;    /* up to this distance level 0 is used; 0: everywhere */
+};
+
+struct lattice_point {
+    int level;
+    int at[3];
+};
+
+/* Distance of neighbours on a level. */
+static inline double lattice_spacing(const struct lattice *lattice, int level)
+{
+    return lattice->spacing * (double)(1ull << level);
+}
+
+/* The levels that a place uses: the returned one, and the next coarser one
+ * with weight *blend, which is 0 but near the change from one to the other. */
+int lattice_level(const struct lattice *lattice, vec3 place, double *blend);
+
+/* A place in units of a level's spacing: lattice points are at integers. They
+ * are moved by a fraction, lest they fall on the round numbers that scenes
+ * are made of. Farther out than 2^18 units is pressed to the rim. */
+vec3 lattice_units(const struct lattice *lattice, int level, vec3 place);
+
+/* The place of a lattice point. */
+vec3 lattice_place(const struct lattice *lattice,
+                   const struct lattice_point *point);
+
+/* Its name as a number, never 0. Neighbours have names that are near each
+ * other in lattice_hash. */
+uint64_t lattice_key(const struct lattice_point *point);
+uint64_t lattice_hash(uint64_t key);
+
+#endif

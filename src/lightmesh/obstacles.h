@@ -1,0 +1,36 @@
+/* What stands near a mesh point: how far it sees in 26 directions, the middles
+ * of the faces, edges and corners of a cube around it. As in the depth maps of
+ * Majercik et al. 2019 (Dynamic Diffuse Global Illumination), points that
+ * can't see a place don't light it.
+ *
+ * Kept are the inverse distances, because 1/d of a plane is linear in the
+ * direction: between three of the directions interpolation is exact. */
+#ifndef LIGHTMESH_OBSTACLES_H
+#define LIGHTMESH_OBSTACLES_H
+
+#include "base/worker.h"
+#include "embree/world.h"
+
+enum { OBSTACLE_DIRECTIONS = 26 };
+
+struct obstacles {
+    float near[OBSTACLE_DIRECTIONS]; /* 1/distance; 0: nothing in reach */
+};
+
+enum obstacle_answer {
+    OBSTACLE_CLEAR,   /* nothing between */
+    OBSTACLE_BETWEEN, /* something is */
+    OBSTACLE_UNSURE,  /* only a ray can tell */
+};
+
+/* Sends the rays, each as long as `reach`. Transparent things are obstacles
+ * too: light on their other side may be another. */
+void obstacles_look(struct obstacles *obstacles, const struct world *world,
+                    vec3 place, double reach);
+
+/* Whether something stands on the way, at most `reach` long, from the mesh
+ * point along `offset`. */
+enum obstacle_answer obstacles_between(const struct obstacles *obstacles,
+                                       vec3 offset);
+
+#endif

@@ -1,0 +1,77 @@
+/* A coarse look through the camera: see outlook.h. */
+#include "lightmesh/outlook.h"
+
+#include <stdlib.h>
+
+enum { OUTLOOK_EDGE = 24, OUTLOOK_RAYS = OUTLOOK_EDGE * OUTLOOK_EDGE };
+
+/* What the rays met. */
+struct outlook_hits {
+    int count;
+    double axis[3][OUTLOOK_RAYS]; /* coordinates */
+    double pixel[OUTLOOK_RAYS], distance[OUTLOOK_RAYS];
+};
+
+static void outlook_ray(struct outlook_hits *hits, const struct world *world,
+                        const struct camera *camera, vec3 place, double width)
+{
+    struct intersection at;
+    struct ray ray = camera_ray(camera, place.x, place.y);
+    struct ray beside = camera_ray(camera, place.x + 1 / width, place.y);
+    if (!world_closest(world, &ray, 1e-4, RAY_CAMERA, &at))
+        return;
+    vec3 other = vec3_along(beside.origin, beside.direction, at.t);
+    int i = hits->count++;
+    hits->axis[0][i] = at.point.x;
+    hits->axis[1][i] = at.point.y;
+    hits->axis[2][i] = at.point.z;
+    hits->pixel[i] = vec3_length(vec3_sub(other, at.point));
+    hits->distance[i] = vec3_length(vec3_sub(at.point, camera->location));
+}
+
+static int number_order(const void *a, const void *b)
+{
+    const double *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+static double sorted_at(const double *sorted, int count, double share)
+{
+    return sorted[(int)(share * (count - 1))];
+}
+
+struct outlook outlook_of(const struct world *world, const struct scene *scene,
+                          int width)
+{
+    struct outlook_hits hits;
+    double low[3], high[3], size = 0;
+    const struct camera *camera = &scene->camera;
+    hits.count = 0;
+    for (int i = 0; i < OUTLOOK_RAYS; i++) {
+        vec3 place = vec3_make((i % OUTLOOK_EDGE + 0.5) / OUTLOOK_EDGE,
+                               (i / OUTLOOK_EDGE + 0.5) / OUTLOOK_EDGE, 0);
+        outlook_ray(&hits, world, camera, place, width > 0 ? width : 640);
+    }
+    int count = hits.count;
+    if (count == 0)
+        return (struct outlook){ camera->location, 1, 0.01, 0 };
+    for (int axis = 0; axis < 3; axis++) {
+        qsort(hits.axis[axis], (size_t)count, sizeof(double), number_order);
+        low[axis] = sorted_at(hits.axis[axis], count, 0.1);
+        high[axis] = sorted_at(hits.axis[axis], count, 0.9);
+        size = fmax(size, high[axis] - low[axis]);
+    }
+    qsort(hits.pixel, (size_t)count, sizeof(double), number_order);
+    qsort(hits.distance, (size_t)count, sizeof(double), number_order);
+    double pixel = sorted_at(hits.pixel, count, 0.5);
+    struct outlook outlook = {
+        .centre = vec3_make((low[0] + high[0]) / 2, (low[1] + high[1]) / 2,
+                            (low[2] + high[2]) / 2),
+        .pixel = pixel > 0 ? pixel : 1e-3,
+        .distance = sorted_at(hits.distance, count, 0.5),
+    };
+    outlook.size = fmax(size, outlook.pixel);
+    if (camera->kind != CAMERA_PERSPECTIVE)
+        outlook.distance = 0;
+    return outlook;
+}

@@ -1,0 +1,201 @@
+/* Points that are computed when they are asked for: see point_mesh.h. */
+#include "lightmesh/point_mesh.h"
+
+#include <string.h>
+
+#include "base/random.h"
+#include "lightmesh/obstacles.h"
+#include "lightmesh/table.h"
+
+/* The cell is looked for so far above the surface, in spacings: half of its
+ * points would else be behind it. */
+static const double lift = 0.5;
+
+/* Points this near to the surface's plane, in spacings, count less, so that
+ * they come and go smoothly where it is curved. */
+static const double rise_full = 0.2;
+
+/* How far obstacles are looked for, in spacings. */
+static const double reach = 2.5;
+
+struct mesh_record {
+    struct obstacles obstacles;
+    /* the payload follows */
+};
+
+void point_mesh_start(struct point_mesh *mesh, size_t bytes)
+{
+    mesh->table =
+        table_new(sizeof(struct mesh_record) + mesh->payload_size, bytes);
+}
+
+void point_mesh_free(struct point_mesh *mesh)
+{
+    table_free(mesh->table);
+}
+
+/* Three bits that differ between the corners of any cell, and of which the
+ * upper two differ between the corners of any side of it (linear over GF(2));
+ * within the eighth a number of the block of eight. */
+static double site_dither(const struct lattice_point *point)
+{
+    unsigned i = (unsigned)point->at[0] & 1, j = (unsigned)point->at[1] & 1,
+             k = (unsigned)point->at[2] & 1;
+    unsigned eighth = (i ^ j) << 2 | (j ^ k) << 1 | (i ^ j ^ k);
+    struct lattice_point block = { point->level,
+                                   { point->at[0] >> 1, point->at[1] >> 1,
+                                     point->at[2] >> 1 } };
+    return (eighth + random_unit(lattice_key(&block))) / 8;
+}
+
+static void record_fill(const struct point_mesh *mesh, struct worker *worker,
+                        const struct lattice_point *point,
+                        struct mesh_record *record)
+{
+    struct mesh_site site = {
+        .place = lattice_place(&mesh->lattice, point),
+        .key = lattice_key(point),
+        .dither = site_dither(point),
+    };
+    obstacles_look(&record->obstacles, mesh->world, site.place,
+                   reach * lattice_spacing(&mesh->lattice, point->level));
+    mesh->fill(mesh->context, worker, &site, record + 1);
+}
+
+/* The point's record, in the table or else in the worker's scratch. */
+static const struct mesh_record *record_get(const struct point_mesh *mesh,
+                                            struct worker *worker,
+                                            const struct lattice_point *point)
+{
+    uint64_t key = lattice_key(point);
+    void *record = NULL;
+    enum table_state state =
+        table_find(mesh->table, key, lattice_hash(key), &record);
+    if (state == TABLE_READY)
+        return record;
+    if (state == TABLE_NONE)
+        record = arena_alloc(worker->scratch,
+                             sizeof(struct mesh_record) + mesh->payload_size);
+    record_fill(mesh, worker, point, record);
+    if (state == TABLE_MINE)
+        table_publish(mesh->table, record);
+    return record;
+}
+
+static bool anything(void *context, const struct intersection *at)
+{
+    (void)context;
+    (void)at;
+    return true;
+}
+
+/* A surface place that looks for its mesh points. */
+struct seeker {
+    const struct point_mesh *mesh;
+    struct worker *worker;
+    vec3 place, normal;
+    int level;
+    struct mesh_blend *blend;
+};
+
+static bool seeker_sees(const struct seeker *seeker,
+                        const struct mesh_record *record, vec3 from)
+{
+    vec3 offset = vec3_sub(seeker->place, from);
+    switch (obstacles_between(&record->obstacles, offset)) {
+    case OBSTACLE_CLEAR:
+        return true;
+    case OBSTACLE_BETWEEN:
+        return false;
+    case OBSTACLE_UNSURE:
+        break;
+    }
+    double length = vec3_length(offset);
+    struct ray ray = { from, vec3_scale(offset, 1 / length) };
+    seeker->worker->counters.shadow_rays++;
+    return !world_occluded(seeker->mesh->world, &ray, 0, length * 0.999, -1,
+                           anything, NULL);
+}
+
+/* 0 behind the surface, 1 well before it. */
+static double seeker_rise(const struct seeker *seeker, vec3 from,
+                          double spacing)
+{
+    double rise = vec3_dot(vec3_sub(from, seeker->place), seeker->normal);
+    double t = rise / (rise_full * spacing);
+    if (t <= 0)
+        return 0;
+    return t >= 1 ? 1 : t * t * (3 - 2 * t);
+}
+
+/* Adds the points of one level, whose weights are to sum to `share`. */
+static void seek_level(struct seeker *seeker, double share)
+{
+    const struct point_mesh *mesh = seeker->mesh;
+    struct mesh_blend *blend = seeker->blend;
+    struct mesh_weight weights[INTERPOLATION_POINTS];
+    double spacing = lattice_spacing(&mesh->lattice, seeker->level);
+    vec3 lifted = vec3_along(seeker->place, seeker->normal, lift * spacing);
+    vec3 at = lattice_units(&mesh->lattice, seeker->level, lifted);
+    int count = mesh->interpolation->weights(at, mesh->radius, weights);
+    int first = blend->count;
+    double sum = 0;
+    for (int i = 0; i < count; i++) {
+        struct lattice_point point;
+        point.level = seeker->level;
+        memcpy(point.at, weights[i].at, sizeof point.at);
+        vec3 from = lattice_place(&mesh->lattice, &point);
+        double weight = weights[i].weight * seeker_rise(seeker, from, spacing);
+        if (weight <= 0)
+            continue;
+        const struct mesh_record *record =
+            record_get(mesh, seeker->worker, &point);
+        if (!seeker_sees(seeker, record, from))
+            continue;
+        blend->at[blend->count].payload = record + 1;
+        blend->at[blend->count++].weight = weight;
+        sum += weight;
+        if (mesh->interpolation->single)
+            break;
+    }
+    for (int i = first; i < blend->count; i++)
+        blend->at[i].weight *= share / sum;
+}
+
+/* The place as a mesh point of its own. */
+static void seek_here(struct seeker *seeker)
+{
+    const struct point_mesh *mesh = seeker->mesh;
+    struct mesh_site site = { .place = seeker->place, .dither = 0.5 };
+    double place[3] = { site.place.x, site.place.y, site.place.z };
+    for (int i = 0; i < 3; i++) {
+        uint64_t bits;
+        memcpy(&bits, &place[i], sizeof bits);
+        site.key = random_key(site.key, bits);
+    }
+    void *payload = arena_alloc(seeker->worker->scratch, mesh->payload_size);
+    mesh->fill(mesh->context, seeker->worker, &site, payload);
+    seeker->blend->count = 1;
+    seeker->blend->at[0].payload = payload;
+    seeker->blend->at[0].weight = 1;
+}
+
+void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
+                      vec3 place, vec3 normal, struct mesh_blend *blend)
+{
+    struct seeker seeker = { mesh, worker, place, normal, 0, blend };
+    double coarse;
+    seeker.level = lattice_level(&mesh->lattice, place, &coarse);
+    blend->count = 0;
+    seek_level(&seeker, 1 - coarse);
+    if (coarse > 0) {
+        int fine = blend->count;
+        seeker.level++;
+        seek_level(&seeker, fine ? coarse : 1);
+        if (blend->count == fine)
+            for (int i = 0; i < fine; i++)
+                blend->at[i].weight /= 1 - coarse;
+    }
+    if (blend->count == 0)
+        seek_here(&seeker);
+}

@@ -1,0 +1,64 @@
+/* A light mesh: points in space that know something about the light, each
+ * unknown until a surface near it is shaded, then computed and kept (section
+ * 1.6 of the light-mesh paper). What they know is the business of `fill`:
+ * direct.h keeps direct light.
+ *
+ * A mesh point lights a place only if it is in front of the surface there and
+ * nothing stands between. If no point is of use, the place is a mesh point of
+ * its own, not kept. */
+#ifndef LIGHTMESH_POINT_MESH_H
+#define LIGHTMESH_POINT_MESH_H
+
+#include <stdatomic.h>
+
+#include "base/worker.h"
+#include "embree/world.h"
+#include "lightmesh/interpolation.h"
+#include "lightmesh/lattice.h"
+
+struct table;
+
+/* A mesh point to be filled. */
+struct mesh_site {
+    vec3 place;
+    uint64_t key;  /* of what may look random */
+    double dither; /* in [0,1): the points of any cell have different eighths */
+};
+
+/* Must depend on the site alone. `payload` is zeroed. */
+typedef void mesh_fill(const void *context, struct worker *worker,
+                       const struct mesh_site *site, void *payload);
+
+struct point_mesh {
+    const struct world *world;
+    struct lattice lattice;
+    const struct interpolation *interpolation;
+    double radius; /* of interpolation, in spacings */
+    struct table *table;
+    size_t payload_size;
+    mesh_fill *fill;
+    const void *context;
+};
+
+enum { BLEND_POINTS = 2 * INTERPOLATION_POINTS };
+
+/* What a place takes from mesh points. */
+struct mesh_blend {
+    int count; /* at least 1 */
+    struct {
+        const void *payload; /* valid until the worker's scratch is reset */
+        double weight;       /* they sum to 1 */
+    } at[BLEND_POINTS];
+};
+
+/* The table of a mesh whose other members are set: `bytes` of memory at
+ * most. Freed with point_mesh_free. */
+void point_mesh_start(struct point_mesh *mesh, size_t bytes);
+void point_mesh_free(struct point_mesh *mesh);
+
+/* The mesh points that light `place`, on a surface whose true normal, turned
+ * to the lit side, is `normal`. */
+void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
+                      vec3 place, vec3 normal, struct mesh_blend *blend);
+
+#endif

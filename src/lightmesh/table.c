@@ -1,0 +1,127 @@
+/* Open addressing with linear probing; a place is won by compare-and-swap of
+ * its key and handed over by a release store of the record's number. See
+ * table.h. */
+#include "lightmesh/table.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+enum { PROBES_MAX = 512 };
+
+struct table_place {
+    _Atomic uint64_t key;    /* 0: free */
+    _Atomic uint32_t number; /* of the record, from 1; 0: not published */
+};
+
+/* Before each record. */
+struct table_head {
+    struct table_place *place;
+};
+
+struct table {
+    struct table_place *places;
+    size_t mask;
+    char *records;
+    size_t stride, capacity;
+    atomic_size_t used;
+};
+
+struct table *table_new(size_t record_size, size_t bytes)
+{
+    struct table *table = memory_new(sizeof *table);
+    size_t places = 64;
+    table->stride = (sizeof(struct table_head) + record_size + 7) & ~(size_t)7;
+    table->capacity =
+        bytes / (table->stride + 2 * sizeof(struct table_place)) + 1;
+    while (places * 3 < table->capacity * 4)
+        places *= 2;
+    table->mask = places - 1;
+    table->places = memory_new(places * sizeof *table->places);
+    table->records = memory_new(table->capacity * table->stride);
+    return table;
+}
+
+void table_free(struct table *table)
+{
+    if (!table)
+        return;
+    memory_free(table->places);
+    memory_free(table->records);
+    memory_free(table);
+}
+
+static void *table_record(const struct table *table, size_t number)
+{
+    return table->records + (number - 1) * table->stride +
+           sizeof(struct table_head);
+}
+
+/* A new record for this key, unless another thread was quicker. */
+static enum table_state table_claim(struct table *table,
+                                    struct table_place *place, uint64_t key,
+                                    void **record)
+{
+    if (atomic_load(&table->used) >= table->capacity)
+        return TABLE_NONE;
+    uint64_t found = 0;
+    if (!atomic_compare_exchange_strong(&place->key, &found, key))
+        return TABLE_NONE;
+    size_t number = atomic_fetch_add(&table->used, 1) + 1;
+    if (number > table->capacity) {
+        atomic_fetch_sub(&table->used, 1);
+        return TABLE_NONE;
+    }
+    struct table_head *head =
+        (struct table_head *)(table->records + (number - 1) * table->stride);
+    head->place = place;
+    *record = head + 1;
+    return TABLE_MINE;
+}
+
+enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
+                            void **record)
+{
+    for (size_t i = 0; i < PROBES_MAX; i++) {
+        struct table_place *place = &table->places[(hash + i) & table->mask];
+        uint64_t found =
+            atomic_load_explicit(&place->key, memory_order_relaxed);
+        if (found == 0)
+            return table_claim(table, place, key, record);
+        if (found != key)
+            continue;
+        uint32_t number =
+            atomic_load_explicit(&place->number, memory_order_acquire);
+        if (number == 0)
+            return TABLE_NONE;
+        *record = table_record(table, number);
+        return TABLE_READY;
+    }
+    return TABLE_NONE;
+}
+
+void table_publish(struct table *table, void *record)
+{
+    struct table_head *head = (struct table_head *)record - 1;
+    size_t offset = (size_t)((char *)head - table->records);
+    atomic_store_explicit(&head->place->number,
+                          (uint32_t)(offset / table->stride + 1),
+                          memory_order_release);
+}
+
+size_t table_count(const struct table *table)
+{
+    return atomic_load(&table->used);
+}
+
+size_t table_capacity(const struct table *table)
+{
+    return table->capacity;
+}
+
+size_t table_bytes(const struct table *table)
+{
+    return (table->mask + 1) * sizeof *table->places +
+           table_count(table) * table->stride;
+}

@@ -1,0 +1,35 @@
+/* A table of records of one size, found by key, that many threads fill at
+ * once: a record is claimed by the first who wants it, computed, and then
+ * published for good. Memory is bounded; when it is full, records that are not
+ * in it are computed again each time, which changes time and not results. */
+#ifndef LIGHTMESH_TABLE_H
+#define LIGHTMESH_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct table;
+
+enum table_state {
+    TABLE_READY, /* *record may be read */
+    TABLE_MINE,  /* *record is yours to fill; then call table_publish */
+    TABLE_NONE,  /* another is at it, or no room: compute your own */
+};
+
+/* Room for about `bytes` in all; pages are taken from the system as they are
+ * used. */
+struct table *table_new(size_t record_size, size_t bytes);
+void table_free(struct table *table);
+
+/* `key` is not 0; `hash` spreads keys, and may keep neighbours together. */
+enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
+                            void **record);
+void table_publish(struct table *table, void *record);
+
+/* Records in use, how many fit, and the bytes touched. */
+size_t table_count(const struct table *table);
+size_t table_capacity(const struct table *table);
+size_t table_bytes(const struct table *table);
+
+#endif

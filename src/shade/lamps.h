@@ -1,0 +1,46 @@
+/* All lamps of a scene, and what part of each one's light gets to a point:
+ * shadow rays, for area lights a grid of them. What every lighting method that
+ * casts shadow rays shares. */
+#ifndef SHADE_LAMPS_H
+#define SHADE_LAMPS_H
+
+#include "base/worker.h"
+#include "embree/world.h"
+#include "shade/interior.h"
+#include "shade/lamp.h"
+
+struct lamps {
+    const struct world *world;
+    const struct scene *scene;
+    struct lamp *items;
+    size_t count;
+    int quality;   /* +Q */
+    uint64_t seed; /* of the jitter of area lights */
+};
+
+/* Frees with lamps_free. World and scene must outlive it. */
+struct lamps lamps_new(const struct world *world, const struct scene *scene,
+                       int quality, uint64_t seed);
+void lamps_free(struct lamps *lamps);
+
+/* Whether the quality asks for the lamp's true, soft shadow. */
+bool lamps_soft(const struct lamps *lamps, const struct lamp *lamp);
+
+/* A point that looks at a lamp. */
+struct lamp_target {
+    vec3 point;
+    const struct interiors *inside; /* bodies the point is in; may be NULL */
+    struct lamp_view view;          /* of the lamp's centre, by lamp_look */
+};
+
+/* The share of the lamp's light that is not in shadow, tinted by filters:
+ * white without shadows. Black once the worker is told to stop. */
+rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
+                struct worker *worker, const struct lamp_target *target);
+
+/* The same for one shadow ray to where target->view looks: a point of the
+ * lamp. */
+rgb lamps_share_point(const struct lamps *lamps, const struct lamp *lamp,
+                      struct worker *worker, const struct lamp_target *target);
+
+#endif
