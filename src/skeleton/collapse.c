@@ -71,15 +71,14 @@ static struct cell_list *collapse_list(struct collapse *collapse, cell c)
     }
 }
 
-/* How many cells of one dimension more have f; *only is the last found. */
+/* How many cells of one dimension more have f, up to two; *only is one. */
 static int cofaces(const struct complex *complex, cell f, cell *only)
 {
     int count = 0;
-    for (int axis = 0; axis < 3; axis++) {
+    for (int axis = 0; axis < 3 && count < 2; axis++) {
         if (f >> axis & 1)
             continue;
-        cell above = cell_above(complex, f, axis);
-        cell below = cell_below(complex, f, axis);
+        cell above = cell_above(f, axis), below = cell_below(complex, f, axis);
         if (complex_has(complex->cells, above)) {
             count++;
             *only = above;
@@ -119,28 +118,36 @@ static bool collapse_layer(struct collapse *collapse)
     return any;
 }
 
-/* One step: all pairs (f, g) of a list with g on one side of f. */
-static bool collapse_step(struct collapse *collapse,
-                          const struct cell_list *list, int axis, bool above)
+/* One step: all pairs (f, g) of a list with g on one side of f. What is gone
+ * from the complex leaves the list. */
+static bool collapse_step(struct collapse *collapse, struct cell_list *list,
+                          int axis, bool above)
 {
     struct complex *complex = collapse->complex;
+    size_t left = 0;
     cell g;
     collapse->pairs.count = 0;
     for (size_t i = 0; i < list->count; i++) {
         cell f = list->items[i];
+        if (!complex_has(complex->cells, f)) {
+            complex_clear(collapse->border, f);
+            continue;
+        }
+        list->items[left++] = f;
         if (f >> axis & 1)
             continue;
         cell wanted =
-            above ? cell_above(complex, f, axis) : cell_below(complex, f, axis);
+            above ? cell_above(f, axis) : cell_below(complex, f, axis);
         if (complex_has(complex->cells, wanted) &&
             complex_has(collapse->border, wanted) &&
             collapse_free(collapse, f, &g))
             list_add(&collapse->pairs, f);
     }
+    list->count = left;
     for (size_t i = 0; i < collapse->pairs.count; i++) {
         cell f = collapse->pairs.items[i];
         complex_clear(complex->cells, f);
-        complex_clear(complex->cells, above ? cell_above(complex, f, axis)
+        complex_clear(complex->cells, above ? cell_above(f, axis)
                                             : cell_below(complex, f, axis));
     }
     return collapse->pairs.count > 0;

@@ -3,22 +3,30 @@
 
 #include "base/memory.h"
 
+/* The faces of a cube by the lattice point they belong to: those at the far end
+ * of an axis are points along it. */
 static void complex_fill(struct complex *complex, const struct voxels *voxels)
 {
-    cell closure[CLOSURE_MAX];
-    const cell *stride = complex->stride;
+    uint8_t faces[8] = { 0 };
+    size_t lattice[8];
+    for (cell corner = 0; corner < 8; corner++)
+        for (cell axes = 0; axes < 8; axes++)
+            faces[corner] |= (uint8_t)(axes & corner ? 0 : 1u << axes);
+    for (cell corner = 0; corner < 8; corner++)
+        lattice[corner] = ((corner & 1) * complex->stride[0] +
+                           (corner >> 1 & 1) * complex->stride[1] +
+                           (corner >> 2) * complex->stride[2]) /
+                          8;
     for (int z = 0; z < voxels->size[2]; z++)
-        for (int y = 0; y < voxels->size[1]; y++)
-            for (int x = 0; x < voxels->size[0]; x++) {
-                if (!voxels->empty[voxels_index(voxels, x, y, z)])
-                    continue;
-                cell cube = (cell)(x + 1) * stride[0] +
-                            (cell)(y + 1) * stride[1] +
-                            (cell)(z + 1) * stride[2] + 7;
-                int count = cell_closure(complex, cube, closure);
-                for (int i = 0; i < count; i++)
-                    complex_set(complex->cells, closure[i]);
-            }
+        for (int y = 0; y < voxels->size[1]; y++) {
+            size_t row = voxels_index(voxels, 0, y, z);
+            uint8_t *at = complex->cells + 1 +
+                          (size_t)(y + 1) * complex->stride[1] / 8 +
+                          (size_t)(z + 1) * complex->stride[2] / 8;
+            for (int x = 0; x < voxels->size[0]; x++, at++)
+                for (int k = 0; k < 8 && voxels->empty[row + (size_t)x]; k++)
+                    at[lattice[k]] |= faces[k];
+        }
 }
 
 struct complex *complex_new(const struct voxels *voxels)

@@ -64,9 +64,8 @@ static inline int cell_dimension(cell c)
 }
 
 /* The neighbour of one dimension more along an axis that `c` has not. */
-static inline cell cell_above(const struct complex *complex, cell c, int axis)
+static inline cell cell_above(cell c, int axis)
 {
-    (void)complex;
     return c | 1u << axis;
 }
 

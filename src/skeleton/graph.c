@@ -69,7 +69,7 @@ static void graph_link(struct arena *arena, struct graph *graph,
             size_t stride = complex->stride[axis] / 8;
             if (complex_has(complex->cells, cell_below(complex, point, axis)))
                 graph->neighbours[used++] = numbers[i - stride];
-            if (complex_has(complex->cells, cell_above(complex, point, axis)))
+            if (complex_has(complex->cells, cell_above(point, axis)))
                 graph->neighbours[used++] = numbers[i + stride];
         }
     }

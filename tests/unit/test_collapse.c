@@ -22,8 +22,7 @@ static struct degrees degrees_of(const struct complex *complex)
         if (!complex_has(complex->cells, point))
             continue;
         for (int axis = 0; axis < 3; axis++) {
-            degree +=
-                complex_has(complex->cells, cell_above(complex, point, axis));
+            degree += complex_has(complex->cells, cell_above(point, axis));
             degree +=
                 complex_has(complex->cells, cell_below(complex, point, axis));
         }
