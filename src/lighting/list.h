@@ -3,3 +3,4 @@
 X(rays)
 X(path)
 X(mesh)
+X(skeleton)
