@@ -7,7 +7,7 @@
 //   Declare=Albedo=0.7     what surfaces give back; the less, the brighter the
 //                          light: the picture stays, what bounces goes
 //   Declare=Bare=1         leaves out all things: where there is no shadow
-//   Declare=Points=600     writes arealight.points (points.inc)
+//   Declare=Points=1000     writes arealight.points (points.inc)
 #version 3.7;
 #ifndef (Grid) #declare Grid = 17; #end
 #ifndef (Adaptive) #declare Adaptive = 1; #end
@@ -76,6 +76,12 @@ Walls()
 
 #ifdef (Points)
   #include "points.inc"
-  #declare Void = array[1][2] { { <-4.5, 2.2, -3>, <4.5, 3, 3.5> } }
-  Write_Points("arealight.points", union { Walls() Things() }, Void, Points)
+  // On the floor and the table: elsewhere the middle of the light may lie
+  // behind the surface, and then POV-Ray's light is none.
+  #declare Void = array[1][2] { { <-3, 1.2, -1.5>, <4, 2.5, 3> } }
+  #declare Level = union {
+    box { <-5, -0.2, -7>, <5, 0, 4> }
+    box { <-1.6, 1.0, -0.8>, <1.6, 1.1, 0.8> }
+  }
+  Write_Points("arealight.points", object { Level }, Void, Points)
 #end

@@ -6,7 +6,7 @@
 # labelled `bright`. The light of a point is the mean of its colours. Points
 # count when they have 1e-4 of the most light at least; penumbra is where 2 to
 # 98 % of the light arrives. A factor is taken to be 10,000 at most.
-# As lines of blank-separated fields, joined by tabs (paste).
+# Lines joined by tabs, as of paste; their fields are apart by blanks.
 BEGIN { FS = "\t" }
 {
     split($0, table, "\t")
@@ -60,7 +60,7 @@ END {
         }
     if (n < 2)
         exit 1
+    off = bright ? sprintf("%.3f", 100 * leak / bright) : ""
     printf "%d,%.5f,%.4f,%.1f,%.3f,%.3f,%s\n", n, error / n, exp(sum / n),
-        100 * half / n, exp(worst), 2 * tau / (n * (n - 1)),
-        bright > 0 ? sprintf("%.3f", 100 * leak / bright) : ""
+        100 * half / n, exp(worst), 2 * tau / (n * (n - 1)), off
 }
