@@ -81,7 +81,7 @@ Walls()
   #declare Void = array[1][2] { { <-3, 1.2, -1.5>, <4, 2.5, 3> } }
   #declare Level = union {
     box { <-5, -0.2, -7>, <5, 0, 4> }
-    box { <-1.6, 1.0, -0.8>, <1.6, 1.1, 0.8> }
+    box { <-1.6, 1.0999, -0.8>, <1.6, 1.1, 0.8> }
   }
   Write_Points("arealight.points", object { Level }, Void, Points)
 #end
