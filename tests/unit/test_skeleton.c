@@ -77,8 +77,8 @@ static void fixture_free(struct fixture *f)
     skeleton_free(f->skeleton);
     world_free(f->world);
     scene_free(f->scene);
-    arena_free(f->arena);
     void_case_free(&f->voxels);
+    arena_free(f->arena);
 }
 
 static struct skeleton_light ask(struct fixture *f, double x, double y,
