@@ -111,6 +111,10 @@ conformance: all ## every scene of povray-examples by both programs
 bench: all ## what light costs, and how right it is, as ratios (BENCH=quick)
 	@GLIM=$(abspath $(BUILD)/glim) tests/bench/run
 
+reference: all $(BUILD)/tests/tools/figures ## path against POV-Ray's radiosity and Embree's path tracer
+	@tests/tools/deps povray openimageio-tools embree-tools
+	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/reference/run
+
 # The scenes that are too large to be kept; the others are in examples/light.
 bench-scenes: ## write build/bench/forest.pov and triangles.pov
 	@mkdir -p build/bench
@@ -167,7 +171,7 @@ clean: ## remove build/
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
 
-.PHONY: all demo deps test-deps test conformance bench bench-scenes \
+.PHONY: all demo deps test-deps test conformance bench reference bench-scenes \
 	hostile fuzz lint format \
 	install uninstall clean help
 -include $(OBJECTS:.o=.d) $(MODULE_OBJECTS:.o=.d)
