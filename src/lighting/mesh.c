@@ -130,34 +130,46 @@ static void mesh_few(const struct mesh_lighting *mesh, struct lamplight *light)
         lamplight_give(&question.light, &mesh->lamps.items[i]);
 }
 
+/* Highlights of many lamps are those of one, where most of the light is. */
+static void mesh_shine(const struct lamplight *asked,
+                       const struct harmonics *around)
+{
+    struct light_sample sample = { .highlights = true, .diffused = true };
+    sample.direction = harmonics_direction(around, &sample.colour);
+    if (rgb_peak(sample.colour) > 0)
+        asked->visit(asked->context, &sample);
+}
+
 /* What the lamps in front of the surface, or behind it, give its first layer,
  * to be multiplied by its diffuse share. */
-static rgb mesh_side(const struct mesh_lighting *mesh, struct worker *worker,
-                     const struct surface *surface, double sign)
+static rgb mesh_side(const struct mesh_lighting *mesh,
+                     const struct lamplight *asked, double sign)
 {
+    const struct surface *surface = asked->surface;
     const struct surface_layer *layer = &surface->layer[0];
     struct mesh_blend blend;
-    point_mesh_blend(&mesh->direct->points, worker, surface->point,
+    point_mesh_blend(&mesh->direct->points, asked->worker, surface->point,
                      vec3_scale(surface->normal, sign), &blend);
     struct harmonics around = direct_mesh_light(&blend);
     double brilliance = layer->finish->brilliance;
+    if (sign > 0)
+        mesh_shine(asked, &around);
     double albedo = layer->finish->diffuse_albedo ? (brilliance + 1) / 2 : 1;
     rgb light = harmonics_irradiance(&around, vec3_scale(layer->normal, sign),
                                      brilliance);
     return rgb_scale(light, albedo);
 }
 
-static rgb mesh_many(const struct mesh_lighting *mesh, struct worker *worker,
-                     const struct surface *surface)
+static rgb mesh_many(const struct mesh_lighting *mesh,
+                     const struct lamplight *asked)
 {
+    const struct surface *surface = asked->surface;
     const struct finish *finish = surface->layer[0].finish;
     double back = surface->at->leaf->double_illuminate ? finish->diffuse
                                                        : finish->diffuse_back;
-    rgb light = rgb_grey(0);
-    if (finish->diffuse != 0)
-        light = mesh_side(mesh, worker, surface, 1);
+    rgb light = mesh_side(mesh, asked, 1);
     if (back != 0 && finish->diffuse != 0)
-        light = rgb_add_scaled(light, mesh_side(mesh, worker, surface, -1),
+        light = rgb_add_scaled(light, mesh_side(mesh, asked, -1),
                                back / finish->diffuse);
     return light;
 }
@@ -171,10 +183,6 @@ static struct diffuse_light mesh_illuminate(const void *state,
     struct diffuse_light diffuse = { rgb_grey(0), rgb_grey(0) };
     if (surface->count == 0)
         return diffuse;
-    if (mesh->direct->many) {
-        diffuse.irradiance = mesh_many(mesh, worker, surface);
-        return diffuse;
-    }
     struct lamplight light = {
         .lamps = &mesh->lamps,
         .worker = worker,
@@ -182,7 +190,10 @@ static struct diffuse_light mesh_illuminate(const void *state,
         .visit = visit,
         .context = context,
     };
-    mesh_few(mesh, &light);
+    if (mesh->direct->many)
+        diffuse.irradiance = mesh_many(mesh, &light);
+    else
+        mesh_few(mesh, &light);
     return diffuse;
 }
 

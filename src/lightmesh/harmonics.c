@@ -20,3 +20,22 @@ rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
     }
     return rgb_make(fmax(light.r, 0), fmax(light.g, 0), fmax(light.b, 0));
 }
+
+/* Order 1 is the vector sum of the light, x, y and z in places 3, 1 and 2. */
+static vec3 harmonics_vector(const float order[HARMONICS])
+{
+    vec3 sum = { (double)order[3], (double)order[1], (double)order[2] };
+    return vec3_scale(sum, 1 / 0.48860251190291992);
+}
+
+vec3 harmonics_direction(const struct harmonics *harmonics, rgb *light)
+{
+    vec3 r = harmonics_vector(harmonics->r);
+    vec3 g = harmonics_vector(harmonics->g);
+    vec3 b = harmonics_vector(harmonics->b);
+    vec3 direction = vec3_normalise(vec3_add(r, vec3_add(g, b)));
+    *light = rgb_make(fmax(vec3_dot(r, direction), 0),
+                      fmax(vec3_dot(g, direction), 0),
+                      fmax(vec3_dot(b, direction), 0));
+    return direction;
+}

@@ -59,4 +59,9 @@ static inline void harmonics_mix(struct harmonics *sum,
 rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
                          double brilliance);
 
+/* The light as if it came from one direction, the one where most of it comes
+ * from: a unit vector, or zero if there is none. What comes from all sides
+ * alike is no part of *light. */
+vec3 harmonics_direction(const struct harmonics *harmonics, rgb *light);
+
 #endif

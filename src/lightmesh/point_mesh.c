@@ -9,7 +9,7 @@
 
 /* The cell is looked for so far above the surface, in spacings: half of its
  * points would else be behind it. */
-static const double lift = 0.5;
+static const double lift = 0.3;
 
 /* Points this near to the surface's plane, in spacings, count less, so that
  * they come and go smoothly where it is curved. */

@@ -105,8 +105,9 @@ rgb finish_light(const struct surface *surface,
     const struct finish *finish = layer->finish;
     double cosine = vec3_dot(layer->normal, sample->direction);
     bool twice = surface->at->leaf->double_illuminate;
-    double diffuse =
-        finish_diffuse(finish, cosine, twice) * layer_opacity(layer);
+    double diffuse = sample->diffused ? 0
+                                      : finish_diffuse(finish, cosine, twice) *
+                                            layer_opacity(layer);
     if (finish->crand > 0 && diffuse != 0)
         diffuse -= finish_grain(finish, surface->point, sample->direction);
     rgb share = rgb_scale(colour_rgb(layer->pigment), diffuse);

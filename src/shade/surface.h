@@ -72,6 +72,7 @@ struct light_sample {
     rgb colour;      /* of the light at the point: attenuation and visibility
                       * multiplied in, no cosine */
     bool highlights; /* false for shadowless lights: diffuse only */
+    bool diffused;   /* diffuse light is counted elsewhere: highlights only */
 };
 
 #endif

@@ -1,0 +1,132 @@
+/* lightmesh/: tables, lattices, interpolation, harmonics, obstacles and light
+ * trees, each against what can be computed by hand. */
+#include "harness.h"
+
+#include <math.h>
+
+#include "lightmesh/harmonics.h"
+#include "lightmesh/interpolation.h"
+#include "lightmesh/lattice.h"
+#include "lightmesh/obstacles.h"
+#include "lightmesh/table.h"
+
+static void test_table(void **state)
+{
+    struct table *table = table_new(sizeof(int), 4000);
+    size_t kept = 0;
+    (void)state;
+    for (uint64_t key = 1; key <= 1000; key++) {
+        void *record = NULL;
+        enum table_state first = table_find(table, key, key, &record);
+        if (first != TABLE_MINE)
+            continue;
+        *(int *)record = (int)key;
+        assert_int_equal(table_find(table, key, key, &record), TABLE_NONE);
+        table_publish(table, record);
+        kept++;
+    }
+    assert_int_equal(kept, table_capacity(table));
+    assert_int_equal(kept, table_count(table));
+    assert_true(kept < 1000);
+    for (uint64_t key = 1; key <= kept; key++) {
+        void *record = NULL;
+        assert_int_equal(table_find(table, key, key, &record), TABLE_READY);
+        assert_int_equal(*(int *)record, (int)key);
+    }
+    table_free(table);
+}
+
+static void test_lattice(void **state)
+{
+    struct lattice lattice = { .spacing = 0.5, .near = 4 };
+    double blend;
+    (void)state;
+    assert_int_equal(lattice_level(&lattice, vec3_make(0, 0, 1), &blend), 0);
+    assert_true(blend == 0);
+    assert_int_equal(lattice_level(&lattice, vec3_make(0, 4.1, 0), &blend), 1);
+    assert_int_equal(lattice_level(&lattice, vec3_make(8.1, 0, 0), &blend), 2);
+    struct lattice_point point = { 2, { -7, 0, 12 } };
+    vec3 at = lattice_units(&lattice, 2, lattice_place(&lattice, &point));
+    assert_true(fabs(at.x + 7) < 1e-9 && fabs(at.y) < 1e-9);
+    assert_true(fabs(at.z - 12) < 1e-9);
+    struct lattice_point other = { 1, { -7, 0, 12 } };
+    assert_true(lattice_key(&point) != lattice_key(&other));
+}
+
+/* Weights never jump: spherical and trilinear blends of a smooth function
+ * along a line change little from step to step. */
+static void test_interpolation(void **state)
+{
+    struct mesh_weight weights[INTERPOLATION_POINTS];
+    (void)state;
+    for (size_t i = 0; interpolation_at(i); i++) {
+        const struct interpolation *kind = interpolation_at(i);
+        double before = 0;
+        for (int step = 0; step < 1000; step++) {
+            vec3 place = vec3_make(step * 0.003, 0.4 + step * 0.001, -1.3);
+            int count = kind->weights(place, kind->radius, weights);
+            double sum = 0, value = 0;
+            for (int k = 0; k < count && !(kind->single && k > 0); k++) {
+                sum += weights[k].weight;
+                value += weights[k].weight *
+                         (weights[k].at[0] + 2 * weights[k].at[1]);
+            }
+            assert_true(count > 0 && sum > 0);
+            if (step > 0 && !kind->single)
+                assert_true(fabs(value / sum - before) < 0.05);
+            before = value / sum;
+        }
+    }
+    assert_null(interpolation_find("cubic"));
+}
+
+/* Order 2 of max(0, cosine) is 1/4 + cos/2 + 5/32 (3 cos^2 - 1). */
+static void test_harmonics(void **state)
+{
+    struct harmonics light = { { 0 }, { 0 }, { 0 } };
+    vec3 lamp = vec3_normalise(vec3_make(1, 2, -2));
+    vec3 normal = vec3_normalise(vec3_make(2, 1, -1));
+    double cosine = vec3_dot(lamp, normal);
+    rgb whole;
+    (void)state;
+    harmonics_add(&light, lamp, rgb_make(1, 2, 0));
+    rgb seen = harmonics_irradiance(&light, normal, 1);
+    double wanted = 0.25 + cosine / 2 + 5.0 / 32 * (3 * cosine * cosine - 1);
+    assert_true(fabs(seen.r - wanted) < 1e-5);
+    assert_true(fabs(seen.g - 2 * wanted) < 1e-5);
+    assert_true(seen.b == 0);
+    vec3 direction = harmonics_direction(&light, &whole);
+    assert_true(vec3_dot(direction, lamp) > 1 - 1e-9);
+    assert_true(fabs(whole.r - 1) < 1e-5 && fabs(whole.g - 2) < 1e-5);
+}
+
+/* 1/d of a plane is linear between the directions: exact on its surface. */
+static void test_obstacles(void **state)
+{
+    struct obstacles map;
+    (void)state;
+    for (int i = 0; i < 27; i++) {
+        vec3 d = vec3_normalise(vec3_make(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+        double away = d.y < 0 ? -d.y / 0.7 : 0; /* the plane y = -0.7 */
+        if (i != 13)
+            map.near[i > 13 ? i - 1 : i] = (float)away;
+    }
+    vec3 down = { 0.3, -0.7, 0.2 };
+    assert_int_equal(obstacles_between(&map, down), OBSTACLE_CLEAR);
+    assert_int_equal(obstacles_between(&map, vec3_scale(down, 0.9)),
+                     OBSTACLE_CLEAR);
+    assert_int_equal(obstacles_between(&map, vec3_scale(down, 1.1)),
+                     OBSTACLE_BETWEEN);
+    assert_int_equal(obstacles_between(&map, vec3_make(0.3, 2, 0.2)),
+                     OBSTACLE_CLEAR);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_table),         cmocka_unit_test(test_lattice),
+        cmocka_unit_test(test_interpolation), cmocka_unit_test(test_harmonics),
+        cmocka_unit_test(test_obstacles),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
