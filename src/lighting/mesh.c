@@ -10,11 +10,13 @@
 struct mesh_lighting {
     struct lamps lamps;
     struct direct_mesh *direct;
+    bool sharp;
 };
 
 /* What a mesh needs where the scene says nothing. */
 enum {
     FEW_LAMPS = 24,
+    SHARP_LAMPS = 1000, /* known one by one for shadows sharp */
     MESH_BYTES = 60 * 1000 * 1000,
 };
 
@@ -53,7 +55,7 @@ mesh_options(const struct light_mesh_settings *said,
     struct direct_options options = {
         .lattice = { .spacing = spacing, .near = 2 * outlook->distance },
         .radius = said->radius / spacing,
-        .few = FEW_LAMPS,
+        .few = said->shadows == MESH_SHADOWS_SHARP ? SHARP_LAMPS : FEW_LAMPS,
         .budget = (int)(24 * finer),
         .centre = outlook->centre,
         .size = outlook->size,
@@ -79,6 +81,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     }
     direct.lattice.eye = scene->camera.location;
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
+    mesh->sharp = scene->settings.light_mesh.shadows == MESH_SHADOWS_SHARP;
     mesh->direct = direct_mesh_new(&mesh->lamps, &direct);
     return mesh;
 }
@@ -98,6 +101,7 @@ static void mesh_finish(void *state)
 struct mesh_question {
     struct lamplight light; /* first: its address is ours */
     const struct direct_mesh *direct;
+    bool sharp; /* disputed lamps are settled by shadow rays */
     bool known[2];
     struct mesh_blend blend[2];
 };
@@ -116,6 +120,8 @@ static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
             &question->direct->points, light->worker, surface->point,
             side ? vec3_negate(surface->normal) : surface->normal, blend);
     question->known[side] = true;
+    if (question->sharp && !direct_mesh_agrees(blend, lamp->number))
+        return lamplight_trace(light, lamp, view);
     return direct_mesh_share(question->direct, blend, lamp->number);
 }
 
@@ -125,6 +131,7 @@ static void mesh_few(const struct mesh_lighting *mesh, struct lamplight *light)
     question.light = *light;
     question.light.share = mesh_share;
     question.direct = mesh->direct;
+    question.sharp = mesh->sharp;
     question.known[0] = question.known[1] = false;
     for (size_t i = 0; i < mesh->lamps.count; i++)
         lamplight_give(&question.light, &mesh->lamps.items[i]);

@@ -10,6 +10,9 @@
 /* A visible share as it is kept, three for each lamp. */
 enum { SHARE_ONE = 65535 };
 
+/* Fewer points don't decide what is sharp. */
+enum { AGREEING_POINTS = 3 };
+
 static uint16_t share_pack(double share)
 {
     return (uint16_t)lround(fmin(fmax(share, 0), 1) * SHARE_ONE);
@@ -122,6 +125,21 @@ rgb direct_mesh_share(const struct direct_mesh *mesh,
         sum = rgb_add_scaled(sum, seen, blend->at[i].weight);
     }
     return rgb_scale(sum, 1.0 / SHARE_ONE);
+}
+
+bool direct_mesh_agrees(const struct mesh_blend *blend, int number)
+{
+    const uint16_t *first = blend->at[0].payload;
+    uint16_t all = first[3 * number];
+    if (blend->count < AGREEING_POINTS || (all != 0 && all != SHARE_ONE))
+        return false;
+    for (int i = 0; i < blend->count; i++) {
+        const uint16_t *share = blend->at[i].payload;
+        share += 3 * number;
+        if (share[0] != all || share[1] != all || share[2] != all)
+            return false;
+    }
+    return true;
 }
 
 struct harmonics direct_mesh_light(const struct mesh_blend *blend)

@@ -41,6 +41,10 @@ void direct_mesh_free(struct direct_mesh *mesh);
 rgb direct_mesh_share(const struct direct_mesh *mesh,
                       const struct mesh_blend *blend, int number);
 
+/* Few lamps: whether the blend leaves no doubt about the lamp's share: enough
+ * points see all of the lamp, or none of it. */
+bool direct_mesh_agrees(const struct mesh_blend *blend, int number);
+
 /* Many lamps: their light around a blend. */
 struct harmonics direct_mesh_light(const struct mesh_blend *blend);
 
