@@ -72,8 +72,17 @@ static void network_openings(struct network *network,
             }
 }
 
-/* At an opening one half of what is seen is this chamber, the other half the
- * next; as far from it as it is wide, only this one counts. */
+/* The mean of logarithms; of nothing and something, half of it. */
+static double mixed(double a, double b, double share)
+{
+    if (!(a > 0) || !(b > 0))
+        return (1 - share) * a + share * b;
+    return a * pow(b / a, share);
+}
+
+/* At an opening this chamber and the next weigh the same; as far from it as it
+ * is wide, only this one counts. Light falls off by a factor for each length of
+ * the way, so between the two it is their logarithms that are mixed. */
 static rgb network_blend(const struct network *network,
                          const struct skeleton *skeleton, uint32_t border,
                          rgb own, double distance)
@@ -82,17 +91,18 @@ static rgb network_blend(const struct network *network,
     const uint32_t *chamber = network->chambers->of_node;
     double share = 1 - distance / graph->nodes[border].radius, weight = 1;
     rgb sum = own;
-    if (!(share > 0))
-        return own;
-    for (uint32_t k = graph->first[border]; k < graph->first[border + 1]; k++) {
+    for (uint32_t k = graph->first[border];
+         share > 0 && k < graph->first[border + 1]; k++) {
         uint32_t next = chamber[graph->neighbours[k]];
+        rgb there = network->enclosure->chambers[next].light;
         if (next == chamber[border])
             continue;
-        sum = rgb_add_scaled(sum, network->enclosure->chambers[next].light,
-                             share);
         weight += share;
+        sum = rgb_make(mixed(sum.r, there.r, share / weight),
+                       mixed(sum.g, there.g, share / weight),
+                       mixed(sum.b, there.b, share / weight));
     }
-    return rgb_scale(sum, 1 / weight);
+    return sum;
 }
 
 static bool node_is_border(const struct graph *graph, const uint32_t *chamber,
