@@ -3,7 +3,7 @@
 #ifndef LIGHTING_LIGHT_SET_H
 #define LIGHTING_LIGHT_SET_H
 
-#include "lighting/emitters.h"
+#include "shade/emitters.h"
 #include "lighting/lighting.h"
 #include "shade/lamp.h"
 

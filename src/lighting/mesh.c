@@ -4,13 +4,15 @@
 #include "base/text.h"
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
-#include "lightmesh/direct.h"
+#include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
 
 struct mesh_lighting {
     struct lamps lamps;
     struct direct_mesh *direct;
     bool sharp;
+    struct emitters *emitters;      /* with indirect light */
+    struct indirect_mesh *indirect; /* or NULL */
 };
 
 /* What a mesh needs where the scene says nothing. */
@@ -18,7 +20,13 @@ enum {
     FEW_LAMPS = 24,
     SHARP_LAMPS = 1000, /* known one by one for shadows sharp */
     MESH_BYTES = 60 * 1000 * 1000,
+    INDIRECT_BYTES = 60 * 1000 * 1000,
+    BOUNCES = 6,
+    SAMPLES = 512, /* gather rays of a mesh point */
 };
+
+/* Gathering stops when the halves of the samples differ by less. */
+static const double gather_error = 0.03;
 
 /* Pixels from mesh point to mesh point. */
 static const double mesh_pixels = 20;
@@ -59,9 +67,30 @@ mesh_options(const struct light_mesh_settings *said,
         .budget = (int)(24 * finer),
         .centre = outlook->centre,
         .size = outlook->size,
+        .finer = finer,
         .bytes = MESH_BYTES,
     };
     return options;
+}
+
+/* Indirect light, with the lattice and the interpolation of the direct. */
+static void mesh_bounces(struct mesh_lighting *mesh,
+                         const struct light_mesh_settings *said,
+                         const struct direct_options *direct)
+{
+    int samples = said->indirect.samples, bounces = said->indirect.bounces;
+    double finer = direct->finer;
+    struct indirect_options options = {
+        .lattice = direct->lattice,
+        .interpolation = direct->interpolation,
+        .radius = direct->radius,
+        .bounces = bounces > 0 ? bounces : BOUNCES,
+        .samples = samples > 0 ? samples : (int)(SAMPLES * finer * finer),
+        .error = gather_error / finer,
+        .bytes = INDIRECT_BYTES,
+    };
+    mesh->emitters = emitters_new(mesh->lamps.world);
+    mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters, &options);
 }
 
 static void *mesh_start(const struct world *world, const struct scene *scene,
@@ -83,6 +112,8 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     mesh->sharp = scene->settings.light_mesh.shadows == MESH_SHADOWS_SHARP;
     mesh->direct = direct_mesh_new(&mesh->lamps, &direct);
+    if (scene->settings.radiosity || scene->settings.light_mesh.indirect.on)
+        mesh_bounces(mesh, &scene->settings.light_mesh, &direct);
     return mesh;
 }
 
@@ -91,6 +122,8 @@ static void mesh_finish(void *state)
     struct mesh_lighting *mesh = state;
     if (!mesh)
         return;
+    indirect_mesh_free(mesh->indirect);
+    emitters_free(mesh->emitters);
     direct_mesh_free(mesh->direct);
     lamps_free(&mesh->lamps);
     memory_free(mesh);
@@ -181,6 +214,17 @@ static rgb mesh_many(const struct mesh_lighting *mesh,
     return light;
 }
 
+/* Indirect light on the first layer. */
+static rgb mesh_indirect(const struct mesh_lighting *mesh,
+                         struct worker *worker, const struct surface *surface)
+{
+    const struct surface_layer *layer = &surface->layer[0];
+    if (layer->finish->diffuse == 0)
+        return rgb_grey(0);
+    return indirect_mesh_irradiance(mesh->indirect, worker, surface->point,
+                                    surface->normal, layer->normal);
+}
+
 static struct diffuse_light mesh_illuminate(const void *state,
                                             struct worker *worker,
                                             const struct surface *surface,
@@ -201,6 +245,9 @@ static struct diffuse_light mesh_illuminate(const void *state,
         diffuse.irradiance = mesh_many(mesh, &light);
     else
         mesh_few(mesh, &light);
+    if (mesh->indirect)
+        diffuse.irradiance =
+            rgb_add(diffuse.irradiance, mesh_indirect(mesh, worker, surface));
     return diffuse;
 }
 

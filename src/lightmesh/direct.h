@@ -27,7 +27,8 @@ struct direct_options {
     double radius; /* of interpolation, in spacings; 0: its own */
     int few;       /* more lamps than this are many */
     int budget;
-    vec3 centre; /* of what is seen */
+    double finer; /* than quality 5: a factor */
+    vec3 centre;  /* of what is seen */
     double size;
     size_t bytes; /* of memory */
 };

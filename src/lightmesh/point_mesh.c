@@ -18,19 +18,20 @@ static const double rise_full = 0.2;
 /* How far obstacles are looked for, in spacings. */
 static const double reach = 2.5;
 
-struct mesh_record {
-    struct obstacles obstacles;
-    /* the payload follows */
-};
-
+/* What stands around points is kept apart from what they know: many are found
+ * to be hidden, and then need know nothing. */
 void point_mesh_start(struct point_mesh *mesh, size_t bytes)
 {
-    mesh->table =
-        table_new(sizeof(struct mesh_record) + mesh->payload_size, bytes);
+    size_t payload = mesh->payload_size + sizeof(void *),
+           around = sizeof(struct obstacles) + sizeof(void *);
+    size_t share = bytes / (payload + 2 * around);
+    mesh->around = table_new(sizeof(struct obstacles), 2 * share * around);
+    mesh->table = table_new(mesh->payload_size, share * payload);
 }
 
 void point_mesh_free(struct point_mesh *mesh)
 {
+    table_free(mesh->around);
     table_free(mesh->table);
 }
 
@@ -48,35 +49,50 @@ static double site_dither(const struct lattice_point *point)
     return (eighth + random_unit(lattice_key(&block))) / 8;
 }
 
-static void record_fill(const struct point_mesh *mesh, struct worker *worker,
-                        const struct lattice_point *point,
-                        struct mesh_record *record)
+/* A record of a table, or else zeroed scratch of the worker's: to be filled
+ * unless TABLE_READY, and published if TABLE_MINE. */
+static enum table_state record_get(struct table *table, struct worker *worker,
+                                   const struct lattice_point *point,
+                                   size_t size, void **record)
 {
+    uint64_t key = lattice_key(point);
+    enum table_state state = table_find(table, key, lattice_hash(key), record);
+    if (state == TABLE_NONE)
+        *record = arena_alloc(worker->scratch, size);
+    return state;
+}
+
+static const struct obstacles *around_get(const struct point_mesh *mesh,
+                                          struct worker *worker,
+                                          const struct lattice_point *point)
+{
+    void *record;
+    enum table_state state = record_get(mesh->around, worker, point,
+                                        sizeof(struct obstacles), &record);
+    if (state == TABLE_READY)
+        return record;
+    obstacles_look(record, mesh->world, lattice_place(&mesh->lattice, point),
+                   reach * lattice_spacing(&mesh->lattice, point->level));
+    if (state == TABLE_MINE)
+        table_publish(mesh->around, record);
+    return record;
+}
+
+static const void *payload_get(const struct point_mesh *mesh,
+                               struct worker *worker,
+                               const struct lattice_point *point)
+{
+    void *record;
+    enum table_state state =
+        record_get(mesh->table, worker, point, mesh->payload_size, &record);
+    if (state == TABLE_READY)
+        return record;
     struct mesh_site site = {
         .place = lattice_place(&mesh->lattice, point),
         .key = lattice_key(point),
         .dither = site_dither(point),
     };
-    obstacles_look(&record->obstacles, mesh->world, site.place,
-                   reach * lattice_spacing(&mesh->lattice, point->level));
-    mesh->fill(mesh->context, worker, &site, record + 1);
-}
-
-/* The point's record, in the table or else in the worker's scratch. */
-static const struct mesh_record *record_get(const struct point_mesh *mesh,
-                                            struct worker *worker,
-                                            const struct lattice_point *point)
-{
-    uint64_t key = lattice_key(point);
-    void *record = NULL;
-    enum table_state state =
-        table_find(mesh->table, key, lattice_hash(key), &record);
-    if (state == TABLE_READY)
-        return record;
-    if (state == TABLE_NONE)
-        record = arena_alloc(worker->scratch,
-                             sizeof(struct mesh_record) + mesh->payload_size);
-    record_fill(mesh, worker, point, record);
+    mesh->fill(mesh->context, worker, &site, record);
     if (state == TABLE_MINE)
         table_publish(mesh->table, record);
     return record;
@@ -99,10 +115,12 @@ struct seeker {
 };
 
 static bool seeker_sees(const struct seeker *seeker,
-                        const struct mesh_record *record, vec3 from)
+                        const struct lattice_point *point, vec3 from)
 {
+    const struct obstacles *around =
+        around_get(seeker->mesh, seeker->worker, point);
     vec3 offset = vec3_sub(seeker->place, from);
-    switch (obstacles_between(&record->obstacles, offset)) {
+    switch (obstacles_between(around, offset)) {
     case OBSTACLE_CLEAR:
         return true;
     case OBSTACLE_BETWEEN:
@@ -148,11 +166,10 @@ static void seek_level(struct seeker *seeker, double share)
         double weight = weights[i].weight * seeker_rise(seeker, from, spacing);
         if (weight <= 0)
             continue;
-        const struct mesh_record *record =
-            record_get(mesh, seeker->worker, &point);
-        if (!seeker_sees(seeker, record, from))
+        if (!seeker_sees(seeker, &point, from))
             continue;
-        blend->at[blend->count].payload = record + 1;
+        blend->at[blend->count].payload =
+            payload_get(mesh, seeker->worker, &point);
         blend->at[blend->count++].weight = weight;
         sum += weight;
         if (mesh->interpolation->single)
@@ -166,7 +183,9 @@ static void seek_level(struct seeker *seeker, double share)
 static void seek_here(struct seeker *seeker)
 {
     const struct point_mesh *mesh = seeker->mesh;
-    struct mesh_site site = { .place = seeker->place, .dither = 0.5 };
+    struct mesh_site site = { .place = seeker->place,
+                              .dither = 0.5,
+                              .lone = true };
     double place[3] = { site.place.x, site.place.y, site.place.z };
     for (int i = 0; i < 3; i++) {
         uint64_t bits;

@@ -23,6 +23,7 @@ struct mesh_site {
     vec3 place;
     uint64_t key;  /* of what may look random */
     double dither; /* in [0,1): the points of any cell have different eighths */
+    bool lone;     /* a place that is its own mesh point, and not kept */
 };
 
 /* Must depend on the site alone. `payload` is zeroed. */
@@ -33,8 +34,9 @@ struct point_mesh {
     const struct world *world;
     struct lattice lattice;
     const struct interpolation *interpolation;
-    double radius; /* of interpolation, in spacings */
-    struct table *table;
+    double radius;        /* of interpolation, in spacings */
+    struct table *table;  /* payloads */
+    struct table *around; /* obstacles */
     size_t payload_size;
     mesh_fill *fill;
     const void *context;

@@ -65,3 +65,11 @@ struct veil sky_veil(const struct scene *scene, vec3 direction)
     }
     return veil;
 }
+
+rgb background_light(const struct scene *scene, vec3 direction)
+{
+    colour c = scene->background;
+    struct veil sky = sky_veil(scene, direction);
+    rgb light = rgb_scale(colour_rgb(c), 1 - c.transmit);
+    return rgb_add(sky.light, rgb_mul(sky.through, light));
+}

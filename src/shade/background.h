@@ -18,4 +18,7 @@ struct veil fog_veil(const struct scene *scene, const struct ray *ray,
 /* The sky sphere in this unit direction; clear without one. */
 struct veil sky_veil(const struct scene *scene, vec3 direction);
 
+/* Sky and background as surfaces see them in this direction, +UA or not. */
+rgb background_light(const struct scene *scene, vec3 direction);
+
 #endif

@@ -2,8 +2,8 @@
  * on a ball by the solid angle it fills, with the density that multiple
  * importance sampling needs (Veach 1997, section 9.2). Surfaces whose shape
  * has no patches are left to chance. Both sides glow. */
-#ifndef LIGHTING_EMITTERS_H
-#define LIGHTING_EMITTERS_H
+#ifndef SHADE_EMITTERS_H
+#define SHADE_EMITTERS_H
 
 #include "embree/world.h"
 

@@ -1,7 +1,7 @@
 /* Picking points on what glows: see emitters.h. A part's share is in
  * proportion to area and glow, so that the density per area at a point is its
  * glow over the sum of all, whatever part it is on. */
-#include "lighting/emitters.h"
+#include "shade/emitters.h"
 
 #include "base/array.h"
 #include "base/draw.h"

@@ -1,0 +1,189 @@
+/* Gather rays: see gather.h. */
+#include "lightmesh/gather.h"
+
+#include "lightmesh/indirect.h"
+#include "shade/background.h"
+#include "shade/finish.h"
+#include "shade/shadow.h"
+
+enum {
+    PANES_MAX = 64,  /* that a ray passes straight through */
+    MIRRORS_MAX = 3, /* on one way */
+};
+
+/* What counts for less than this is left off. */
+static const double least = 0.02;
+
+/* A gather ray on its way. */
+struct gathering {
+    const struct gather *gather;
+    struct worker *worker;
+    struct ray ray;
+    rgb share; /* of what it meets next */
+    int mirrors;
+};
+
+static rgb gathering_follow(struct gathering *gathering,
+                            struct intersection *at, rgb *glow);
+
+static rgb gather_irradiance(const struct gather *gather, struct worker *worker,
+                             const struct surface *surface, vec3 normal)
+{
+    vec3 place = surface->point, side = surface->normal;
+    rgb light =
+        direct_mesh_irradiance(gather->direct, worker, place, side, normal);
+    if (gather->indirect)
+        return rgb_add(light, indirect_mesh_irradiance(gather->indirect, worker,
+                                                       place, side, normal));
+    if (gather->close)
+        return rgb_add(
+            light, gather->close(gather->close_context, worker, place, normal));
+    return light;
+}
+
+static rgb surface_glow(const struct surface *surface)
+{
+    rgb sum = rgb_grey(0);
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb own = finish_glow(layer, rgb_grey(0), rgb_grey(0));
+        sum = rgb_add(sum, rgb_mul(layer->weight, own));
+    }
+    return sum;
+}
+
+/* What the surface sends back of the light on it, and of its own. Layers
+ * with one normal share the light. */
+static rgb gathering_shade(const struct gathering *gathering,
+                           const struct surface *surface)
+{
+    rgb light = rgb_grey(0), arriving = rgb_grey(0);
+    const vec3 *known = NULL;
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        bool same = known && vec3_dot(*known, layer->normal) >= 1;
+        if (layer->finish->diffuse > 0 && !same) {
+            arriving = gather_irradiance(gathering->gather, gathering->worker,
+                                         surface, layer->normal);
+            known = &layer->normal;
+        }
+        rgb sent = finish_glow(layer, rgb_grey(0), arriving);
+        light = rgb_add(light, rgb_mul(layer->weight, sent));
+    }
+    return light;
+}
+
+static rgb gathering_mirrors(const struct gathering *gathering,
+                             const struct surface *surface)
+{
+    rgb light = rgb_grey(0);
+    if (gathering->mirrors >= MIRRORS_MAX)
+        return light;
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb share = rgb_mul(layer->weight, layer->reflection);
+        vec3 in = gathering->ray.direction;
+        struct intersection at;
+        rgb glow;
+        if (rgb_peak(rgb_mul(share, gathering->share)) < least)
+            continue;
+        double along = vec3_dot(in, layer->normal);
+        struct gathering branch = *gathering;
+        branch.share = share;
+        branch.mirrors++;
+        branch.ray.origin = surface->point;
+        branch.ray.direction =
+            vec3_normalise(vec3_along(in, layer->normal, -2 * along));
+        light = rgb_add(light, gathering_follow(&branch, &at, &glow));
+    }
+    return light;
+}
+
+static double surface_ior(const struct intersection *at)
+{
+    const struct interior *interior = at->leaf->interior;
+    return interior ? interior->ior : 1;
+}
+
+static void gather_surface(const struct gather *gather, const struct ray *ray,
+                           const struct intersection *at,
+                           struct surface *surface)
+{
+    struct surface_view view = {
+        .direction = ray->direction,
+        .ior = surface_ior(at),
+        .quality = gather->lamps->quality,
+        .bailout = least,
+    };
+    surface_fill(surface, at, &view);
+}
+
+/* One surface on the way; returns false if it ends here. */
+static bool gathering_meet(struct gathering *gathering,
+                           const struct intersection *at, rgb *light, rgb *glow)
+{
+    struct surface surface;
+    gather_surface(gathering->gather, &gathering->ray, at, &surface);
+    *glow = rgb_mul(gathering->share, surface_glow(&surface));
+    rgb sent = gathering_shade(gathering, &surface);
+    sent = rgb_add(sent, gathering_mirrors(gathering, &surface));
+    *light = rgb_add(*light, rgb_mul(gathering->share, sent));
+    gathering->share = rgb_mul(gathering->share, surface.through);
+    gathering->ray.origin = surface.point;
+    return rgb_peak(gathering->share) >= least;
+}
+
+/* All light, of which *glow is the first surface's own. */
+static rgb gathering_follow(struct gathering *gathering,
+                            struct intersection *at, rgb *glow)
+{
+    const struct lamps *lamps = gathering->gather->lamps;
+    rgb light = rgb_grey(0), own;
+    struct intersection next;
+    at->leaf = NULL;
+    *glow = rgb_grey(0);
+    for (int i = 0; i < PANES_MAX; i++) {
+        double offset = surface_offset(gathering->ray.origin);
+        gathering->worker->counters.shadow_rays++;
+        if (!world_closest(lamps->world, &gathering->ray, offset,
+                           RAY_REFLECTION, &next)) {
+            rgb sky = background_light(lamps->scene, gathering->ray.direction);
+            return rgb_add(light, rgb_mul(gathering->share, sky));
+        }
+        bool on = gathering_meet(gathering, &next, &light, &own);
+        if (i == 0) {
+            *at = next;
+            *glow = own;
+        }
+        if (!on)
+            break;
+    }
+    return light;
+}
+
+rgb gather_radiance(const struct gather *gather, struct worker *worker,
+                    const struct ray *ray, struct intersection *at, rgb *glow)
+{
+    struct gathering gathering = {
+        .gather = gather,
+        .worker = worker,
+        .ray = *ray,
+        .share = rgb_grey(1),
+    };
+    return gathering_follow(&gathering, at, glow);
+}
+
+rgb gather_glow(const struct gather *gather, struct worker *worker,
+                const struct ray *ray, struct intersection *at)
+{
+    struct surface surface;
+    at->leaf = NULL;
+    worker->counters.shadow_rays++;
+    if (!world_closest(gather->lamps->world, ray, surface_offset(ray->origin),
+                       RAY_REFLECTION, at)) {
+        at->leaf = NULL;
+        return rgb_grey(0);
+    }
+    gather_surface(gather, ray, at, &surface);
+    return surface_glow(&surface);
+}

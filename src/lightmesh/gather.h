@@ -1,0 +1,37 @@
+/* What comes to a mesh point from one direction: the gather ray of equation
+ * (4) of the light-mesh paper, whose surface is lit by the direct mesh and by
+ * the indirect one of the bounce before, so that the two meshes feed each
+ * other. */
+#ifndef LIGHTMESH_GATHER_H
+#define LIGHTMESH_GATHER_H
+
+#include "lightmesh/direct.h"
+#include "shade/emitters.h"
+
+struct indirect_mesh;
+
+/* The irradiance of light from everywhere that ends a row of bounces; NULL
+ * ends it in the dark. */
+typedef rgb gather_close(const void *context, struct worker *worker, vec3 place,
+                         vec3 normal);
+
+struct gather {
+    const struct lamps *lamps;
+    const struct direct_mesh *direct;
+    const struct indirect_mesh *indirect; /* of one bounce less, or NULL */
+    const struct emitters *emitters;
+    gather_close *close; /* if there is no `indirect` */
+    const void *close_context;
+};
+
+/* Radiance along the ray, of which *glow is what its first surface has of its
+ * own; *at is where (at->leaf NULL: nowhere). Mirrors and panes are
+ * followed. */
+rgb gather_radiance(const struct gather *gather, struct worker *worker,
+                    const struct ray *ray, struct intersection *at, rgb *glow);
+
+/* What glows of itself at the first surface along the ray, alone. */
+rgb gather_glow(const struct gather *gather, struct worker *worker,
+                const struct ray *ray, struct intersection *at);
+
+#endif

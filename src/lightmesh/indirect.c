@@ -1,0 +1,220 @@
+/* The indirect light mesh: see indirect.h. */
+#include "lightmesh/indirect.h"
+
+#include "base/draw.h"
+#include "base/memory.h"
+#include "base/warp.h"
+#include "lightmesh/table.h"
+#include "shade/shadow.h"
+
+enum {
+    FIRST_SAMPLES = 64, /* a mesh point's least, of kept points */
+    LONE_SAMPLES = 32,  /* of places that are their own mesh point */
+    LATER_SHARE = 4,    /* later bounces gather so many times fewer */
+};
+
+enum { SLOT_DIRECTION, SLOT_WHICH, SLOT_WHERE };
+
+/* A mesh point that gathers. */
+struct gatherer {
+    const struct indirect_mesh *mesh;
+    struct worker *worker;
+    const struct mesh_site *site;
+};
+
+/* All ways are equally likely: 1 in 4 pi. The mean over a hemisphere weighted
+ * with the cosine is 1/pi of the integral. */
+static const double way_density = 1 / (4 * WARP_PI);
+
+static void light_add(struct harmonics *light, vec3 direction, rgb radiance,
+                      double density)
+{
+    double weight = 1 / (WARP_PI * density);
+    if (rgb_peak(radiance) > 0)
+        harmonics_add(light, direction, rgb_scale(radiance, weight));
+}
+
+/* One gather ray. What glows counts by how likely it is to be found so. */
+static void gatherer_look(const struct gatherer *gatherer,
+                          const struct draws *draws, struct harmonics *light)
+{
+    const struct gather *gather = &gatherer->mesh->gather;
+    double u[2];
+    struct intersection at;
+    rgb glow;
+    draw_pair(draws, SLOT_DIRECTION, u);
+    struct ray ray = { gatherer->site->place, warp_sphere(u) };
+    rgb radiance = gather_radiance(gather, gatherer->worker, &ray, &at, &glow);
+    if (at.leaf && rgb_peak(glow) > 0 && emitters_any(gather->emitters)) {
+        double other =
+            emitters_density(gather->emitters, ray.origin, ray.direction, &at);
+        double twice = isfinite(other) ? other / (way_density + other) : 1;
+        radiance = rgb_add_scaled(radiance, glow, -twice);
+    }
+    light_add(light, ray.direction, radiance, way_density);
+}
+
+/* The same for a place on something that glows. */
+static void gatherer_pick(const struct gatherer *gatherer,
+                          const struct draws *draws, struct harmonics *light)
+{
+    const struct gather *gather = &gatherer->mesh->gather;
+    double which = draw_unit(draws, SLOT_WHICH), u[2];
+    struct emitter_pick pick;
+    struct intersection at;
+    draw_pair(draws, SLOT_WHERE, u);
+    if (!emitters_pick(gather->emitters, gatherer->site->place, which, u,
+                       &pick))
+        return;
+    struct ray ray = { gatherer->site->place, pick.direction };
+    rgb glow = gather_glow(gather, gatherer->worker, &ray, &at);
+    if (at.leaf != pick.leaf || rgb_peak(glow) == 0)
+        return;
+    bool anywhere = isinf(pick.distance);
+    if (!anywhere && fabs(at.t - pick.distance) > 1e-5 * (1 + at.t))
+        return;
+    light_add(light, ray.direction, glow, pick.density + way_density);
+}
+
+static void harmonics_scale(struct harmonics *light, float factor)
+{
+    struct harmonics sum = { { 0 }, { 0 }, { 0 } };
+    harmonics_mix(&sum, light, factor);
+    *light = sum;
+}
+
+/* The mean of samples first..end-1. */
+static struct harmonics gatherer_mean(const struct gatherer *gatherer,
+                                      uint32_t first, uint32_t end)
+{
+    struct harmonics light = { { 0 }, { 0 }, { 0 } };
+    bool picks = emitters_any(gatherer->mesh->gather.emitters);
+    for (uint32_t i = first; i < end; i++) {
+        struct draws draws = { gatherer->site->key, i };
+        if (worker_stopped(gatherer->worker))
+            break;
+        gatherer_look(gatherer, &draws, &light);
+        if (picks)
+            gatherer_pick(gatherer, &draws, &light);
+    }
+    harmonics_scale(&light, 1 / (float)(end - first));
+    return light;
+}
+
+/* About how far two halves are apart, relative to the light there is: four
+ * coefficients say how strong it is and where from. */
+static double halves_error(const struct harmonics *a, const struct harmonics *b)
+{
+    double apart = 0, whole = 0;
+    for (int i = 0; i < 4; i++) {
+        double x = (double)(a->r[i] + a->g[i] + a->b[i]);
+        double y = (double)(b->r[i] + b->g[i] + b->b[i]);
+        apart += (x - y) * (x - y);
+        whole += (x + y) * (x + y);
+    }
+    return whole > 0 ? sqrt(apart / whole) : 0;
+}
+
+/* Samples are doubled until both halves agree. */
+static void fill_gather(const void *context, struct worker *worker,
+                        const struct mesh_site *site, void *payload)
+{
+    const struct indirect_mesh *mesh = context;
+    struct gatherer gatherer = { mesh, worker, site };
+    unsigned long long before = worker->counters.shadow_rays;
+    uint32_t most = (uint32_t)mesh->samples, count = FIRST_SAMPLES / 2;
+    if (site->lone && most > LONE_SAMPLES)
+        most = LONE_SAMPLES;
+    if (count > most)
+        count = most;
+    struct harmonics light = gatherer_mean(&gatherer, 0, count);
+    while (2 * count <= most && !worker_stopped(worker)) {
+        struct harmonics more = gatherer_mean(&gatherer, count, 2 * count);
+        double error = halves_error(&light, &more);
+        harmonics_scale(&light, 0.5f);
+        harmonics_mix(&light, &more, 0.5f);
+        count *= 2;
+        if (error < mesh->error)
+            break;
+    }
+    *(struct harmonics *)payload = light;
+    atomic_fetch_add_explicit(mesh->rays, worker->counters.shadow_rays - before,
+                              memory_order_relaxed);
+}
+
+static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
+                                        const struct emitters *emitters,
+                                        const struct indirect_options *options,
+                                        int bounce)
+{
+    struct indirect_mesh *mesh = memory_new(sizeof *mesh);
+    mesh->gather = (struct gather){
+        .lamps = direct->lamps,
+        .direct = direct,
+        .emitters = emitters,
+        .close = options->close,
+        .close_context = options->close_context,
+    };
+    mesh->samples = options->samples;
+    mesh->error = options->error;
+    mesh->points = (struct point_mesh){
+        .world = direct->lamps->world,
+        .lattice = options->lattice,
+        .interpolation = options->interpolation,
+        .radius = options->radius > 0 ? options->radius
+                                      : options->interpolation->radius,
+        .payload_size = sizeof(struct harmonics),
+        .fill = fill_gather,
+        .context = mesh,
+    };
+    if (bounce > 1) {
+        mesh->points.lattice.spacing *= 2;
+        mesh->samples = mesh->samples / LATER_SHARE;
+        mesh->error *= 2;
+    }
+    if (mesh->samples < 1)
+        mesh->samples = 1;
+    point_mesh_start(&mesh->points, options->bytes / (size_t)options->bounces);
+    return mesh;
+}
+
+struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
+                                        const struct emitters *emitters,
+                                        const struct indirect_options *options)
+{
+    struct indirect_mesh *mesh = NULL;
+    atomic_ullong *rays = memory_new(sizeof *rays);
+    for (int bounce = options->bounces; bounce >= 1; bounce--) {
+        struct indirect_mesh *closer =
+            bounce_new(direct, emitters, options, bounce);
+        closer->next = mesh;
+        closer->gather.indirect = mesh;
+        closer->rays = rays;
+        mesh = closer;
+    }
+    return mesh;
+}
+
+void indirect_mesh_free(struct indirect_mesh *mesh)
+{
+    if (mesh)
+        memory_free(mesh->rays);
+    while (mesh) {
+        struct indirect_mesh *next = mesh->next;
+        point_mesh_free(&mesh->points);
+        memory_free(mesh);
+        mesh = next;
+    }
+}
+
+rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
+                             struct worker *worker, vec3 place, vec3 side,
+                             vec3 normal)
+{
+    struct mesh_blend blend;
+    struct harmonics sum = { { 0 }, { 0 }, { 0 } };
+    point_mesh_blend(&mesh->points, worker, place, side, &blend);
+    for (int i = 0; i < blend.count; i++)
+        harmonics_mix(&sum, blend.at[i].payload, (float)blend.at[i].weight);
+    return harmonics_irradiance(&sum, normal, 1);
+}

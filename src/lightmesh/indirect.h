@@ -1,0 +1,50 @@
+/* The indirect light mesh (ILM of the light-mesh paper): a mesh point keeps
+ * the light that surfaces send it, gathered from all directions by equation
+ * (4), as spherical harmonics. One mesh for each bounce: the first is lit by
+ * the direct mesh and the second, that by the third, the last by the direct
+ * one alone. Each is made, point by point, only where the one before asks;
+ * meshes of later bounces are coarser, since less depends on them.
+ *
+ * Light of surfaces that glow is found by gather rays and by picking points on
+ * them, weighted by the balance heuristic (Veach 1997, section 9.2). */
+#ifndef LIGHTMESH_INDIRECT_H
+#define LIGHTMESH_INDIRECT_H
+
+#include "lightmesh/gather.h"
+
+enum { BOUNCES_MAX = 20 };
+
+struct indirect_options {
+    struct lattice lattice; /* of the first bounce */
+    const struct interpolation *interpolation;
+    double radius;       /* of interpolation, in spacings; 0: its own */
+    int bounces;         /* 1..BOUNCES_MAX */
+    int samples;         /* gather rays of a mesh point at most */
+    double error;        /* gathering stops when the relative error is below */
+    size_t bytes;        /* of memory, all bounces together */
+    gather_close *close; /* what lights the last bounce; may be NULL */
+    const void *close_context;
+};
+
+struct indirect_mesh {
+    struct gather gather;
+    struct point_mesh points;
+    struct indirect_mesh *next; /* of the bounce before this, or NULL */
+    int samples;
+    double error;
+    atomic_ullong *rays; /* sent for the mesh, all bounces */
+};
+
+/* Frees with indirect_mesh_free. All that is given must outlive it. */
+struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
+                                        const struct emitters *emitters,
+                                        const struct indirect_options *options);
+void indirect_mesh_free(struct indirect_mesh *mesh);
+
+/* Indirect light on any surface point, that of glowing surfaces included, in
+ * POV-Ray's units; `side` is the true normal, on the side of `normal`. */
+rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
+                             struct worker *worker, vec3 place, vec3 side,
+                             vec3 normal);
+
+#endif
