@@ -22,10 +22,14 @@ struct gatherer {
     const struct mesh_site *site;
 };
 
-/* All ways are equally likely: 1 in 4 pi. The mean over a hemisphere weighted
- * with the cosine is 1/pi of the integral. */
-static const double way_density = 1 / (4 * WARP_PI);
+/* All ways are equally likely, on a surface those before it. */
+static double site_density(const struct mesh_site *site)
+{
+    return site->lone ? 1 / (2 * WARP_PI) : 1 / (4 * WARP_PI);
+}
 
+/* The mean over a hemisphere weighted with the cosine is 1/pi of the
+ * integral. */
 static void light_add(struct harmonics *light, vec3 direction, rgb radiance,
                       double density)
 {
@@ -39,19 +43,23 @@ static void gatherer_look(const struct gatherer *gatherer,
                           const struct draws *draws, struct harmonics *light)
 {
     const struct gather *gather = &gatherer->mesh->gather;
-    double u[2];
+    const struct mesh_site *site = gatherer->site;
+    double density = site_density(site), u[2];
     struct intersection at;
     rgb glow;
     draw_pair(draws, SLOT_DIRECTION, u);
-    struct ray ray = { gatherer->site->place, warp_sphere(u) };
+    struct ray ray = { site->place, warp_sphere(u) };
+    double behind = site->lone ? vec3_dot(ray.direction, site->normal) : 0;
+    if (behind < 0)
+        ray.direction = vec3_along(ray.direction, site->normal, -2 * behind);
     rgb radiance = gather_radiance(gather, gatherer->worker, &ray, &at, &glow);
     if (at.leaf && rgb_peak(glow) > 0 && emitters_any(gather->emitters)) {
         double other =
             emitters_density(gather->emitters, ray.origin, ray.direction, &at);
-        double twice = isfinite(other) ? other / (way_density + other) : 1;
+        double twice = isfinite(other) ? other / (density + other) : 1;
         radiance = rgb_add_scaled(radiance, glow, -twice);
     }
-    light_add(light, ray.direction, radiance, way_density);
+    light_add(light, ray.direction, radiance, density);
 }
 
 /* The same for a place on something that glows. */
@@ -73,7 +81,8 @@ static void gatherer_pick(const struct gatherer *gatherer,
     bool anywhere = isinf(pick.distance);
     if (!anywhere && fabs(at.t - pick.distance) > 1e-5 * (1 + at.t))
         return;
-    light_add(light, ray.direction, glow, pick.density + way_density);
+    light_add(light, ray.direction, glow,
+              pick.density + site_density(gatherer->site));
 }
 
 static void harmonics_scale(struct harmonics *light, float factor)

@@ -29,10 +29,13 @@ void obstacles_look(struct obstacles *obstacles, const struct world *world,
     }
 }
 
-/* With |x| >= |y| >= |z|, the direction is (x-y) (1,0,0) + (y-z) (1,1,0) +
+/* In a corner 1/d is the largest of several planes, so that what lies between
+ * three directions is nearer by interpolation than in truth: that a place is
+ * before them is sure, that it is behind is not.
+ *
+ * With |x| >= |y| >= |z|, the direction is (x-y) (1,0,0) + (y-z) (1,1,0) +
  * z (1,1,1), and so is 1/d of a plane. */
-enum obstacle_answer obstacles_between(const struct obstacles *obstacles,
-                                       vec3 offset)
+bool obstacles_clear(const struct obstacles *obstacles, vec3 offset)
 {
     double size[3] = { fabs(offset.x), fabs(offset.y), fabs(offset.z) };
     int sign[3] = { offset.x < 0 ? -1 : 1, offset.y < 0 ? -1 : 1,
@@ -56,11 +59,9 @@ enum obstacle_answer obstacles_between(const struct obstacles *obstacles,
     double length = vec3_length(offset);
     double nearest = fmax(a, fmax(b, c)), farthest = fmin(a, fmin(b, c));
     if (nearest * length < 1)
-        return OBSTACLE_CLEAR;
+        return true;
     double plane = a * (size[most] - size[middle]) +
                    b * (size[middle] - size[least]) * 1.4142135623730951 +
                    c * size[least] * 1.7320508075688772;
-    if (farthest > 0)
-        return plane < 1 + plane_tolerance ? OBSTACLE_CLEAR : OBSTACLE_BETWEEN;
-    return OBSTACLE_UNSURE;
+    return farthest > 0 && plane < 1 + plane_tolerance;
 }

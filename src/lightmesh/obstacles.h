@@ -17,20 +17,13 @@ struct obstacles {
     float near[OBSTACLE_DIRECTIONS]; /* 1/distance; 0: nothing in reach */
 };
 
-enum obstacle_answer {
-    OBSTACLE_CLEAR,   /* nothing between */
-    OBSTACLE_BETWEEN, /* something is */
-    OBSTACLE_UNSURE,  /* only a ray can tell */
-};
-
 /* Sends the rays, each as long as `reach`. Transparent things are obstacles
  * too: light on their other side may be another. */
 void obstacles_look(struct obstacles *obstacles, const struct world *world,
                     vec3 place, double reach);
 
-/* Whether something stands on the way, at most `reach` long, from the mesh
- * point along `offset`. */
-enum obstacle_answer obstacles_between(const struct obstacles *obstacles,
-                                       vec3 offset);
+/* Whether surely nothing stands on the way, at most `reach` long, from the
+ * mesh point along `offset`. False: only a ray can tell. */
+bool obstacles_clear(const struct obstacles *obstacles, vec3 offset);
 
 #endif

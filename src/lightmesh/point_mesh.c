@@ -120,14 +120,8 @@ static bool seeker_sees(const struct seeker *seeker,
     const struct obstacles *around =
         around_get(seeker->mesh, seeker->worker, point);
     vec3 offset = vec3_sub(seeker->place, from);
-    switch (obstacles_between(around, offset)) {
-    case OBSTACLE_CLEAR:
+    if (obstacles_clear(around, offset))
         return true;
-    case OBSTACLE_BETWEEN:
-        return false;
-    case OBSTACLE_UNSURE:
-        break;
-    }
     double length = vec3_length(offset);
     struct ray ray = { from, vec3_scale(offset, 1 / length) };
     seeker->worker->counters.shadow_rays++;
@@ -185,7 +179,8 @@ static void seek_here(struct seeker *seeker)
     const struct point_mesh *mesh = seeker->mesh;
     struct mesh_site site = { .place = seeker->place,
                               .dither = 0.5,
-                              .lone = true };
+                              .lone = true,
+                              .normal = seeker->normal };
     double place[3] = { site.place.x, site.place.y, site.place.z };
     for (int i = 0; i < 3; i++) {
         uint64_t bits;

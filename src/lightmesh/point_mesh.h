@@ -23,7 +23,10 @@ struct mesh_site {
     vec3 place;
     uint64_t key;  /* of what may look random */
     double dither; /* in [0,1): the points of any cell have different eighths */
-    bool lone;     /* a place that is its own mesh point, and not kept */
+    /* A place on a surface that is its own mesh point, and not kept; its
+     * normal. */
+    bool lone;
+    vec3 normal;
 };
 
 /* Must depend on the site alone. `payload` is zeroed. */

@@ -112,13 +112,10 @@ static void test_obstacles(void **state)
             map.near[i > 13 ? i - 1 : i] = (float)away;
     }
     vec3 down = { 0.3, -0.7, 0.2 };
-    assert_int_equal(obstacles_between(&map, down), OBSTACLE_CLEAR);
-    assert_int_equal(obstacles_between(&map, vec3_scale(down, 0.9)),
-                     OBSTACLE_CLEAR);
-    assert_int_equal(obstacles_between(&map, vec3_scale(down, 1.1)),
-                     OBSTACLE_BETWEEN);
-    assert_int_equal(obstacles_between(&map, vec3_make(0.3, 2, 0.2)),
-                     OBSTACLE_CLEAR);
+    assert_true(obstacles_clear(&map, down));
+    assert_true(obstacles_clear(&map, vec3_scale(down, 0.9)));
+    assert_false(obstacles_clear(&map, vec3_scale(down, 1.1)));
+    assert_true(obstacles_clear(&map, vec3_make(0.3, 2, 0.2)));
 }
 
 int main(void)
