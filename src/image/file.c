@@ -109,9 +109,8 @@ static void file_tidy(char *error, size_t size)
         *end = end[1] ? ';' : '\0';
 }
 
-/* Whether it begins as a PNG and does not end as one. Asked first because
- * libpng would tell the world about it on standard error. */
-static bool file_is_cut_png(const char *path)
+/* Whether it begins as a PNG, and whether it ends as one. */
+static bool file_begins_as_png(const char *path, bool *whole)
 {
     static const char head[8] = "\x89PNG\r\n\x1a\n";
     static const char tail[8] = "IEND\xae\x42\x60\x82";
@@ -119,23 +118,25 @@ static bool file_is_cut_png(const char *path)
     FILE *file = fopen(path, "rb");
     if (!file)
         return false;
-    bool cut = fread(first, 1, 8, file) == 8 && memcmp(first, head, 8) == 0 &&
-               (fseek(file, -8, SEEK_END) != 0 ||
-                fread(last, 1, 8, file) != 8 || memcmp(last, tail, 8) != 0);
+    bool begins = fread(first, 1, 8, file) == 8 && memcmp(first, head, 8) == 0;
+    *whole = fseek(file, -8, SEEK_END) == 0 && fread(last, 1, 8, file) == 8 &&
+             memcmp(last, tail, 8) == 0;
     fclose(file);
-    return cut;
+    return begins;
 }
 
 struct image *image_read(const char *path, char *error, size_t size)
 {
     if (!file_readable(path, error, size))
         return NULL;
-    if (file_is_cut_png(path)) {
+    bool whole, png = file_begins_as_png(path, &whole);
+    if (png && !whole) {
         snprintf(error, size, "it is cut short");
         return NULL;
     }
-    codec_decode_function *decode;
-    *(void **)&decode = file_codec("codec_decode", error, size);
+    codec_decode_function *decode = png_decode;
+    if (!png)
+        *(void **)&decode = file_codec("codec_decode", error, size);
     if (!decode)
         return NULL;
     struct image *image = NULL;

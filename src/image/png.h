@@ -1,4 +1,4 @@
-/* The commonest format, written without loading OpenImageIO: see png.c. */
+/* The commonest format, without loading OpenImageIO: see png.c. */
 #ifndef IMAGE_PNG_H
 #define IMAGE_PNG_H
 
@@ -6,5 +6,8 @@
 
 /* As codec_encode, for format->type "png". */
 codec_encode_function png_encode;
+
+/* As codec_decode, for a file that begins as a PNG. */
+codec_decode_function png_decode;
 
 #endif

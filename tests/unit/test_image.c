@@ -1,6 +1,7 @@
 /* Tone curves, conversion to file numbers (values measured on POV-Ray 3.7),
  * and what is written is what is read back. Runs in a directory of its own. */
 #include <math.h>
+#include <png.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -213,6 +214,59 @@ static void formats_come_back(void **state)
     assert_true(round_trip("a.jpg", jpeg, true) <= 0.1);
 }
 
+/* 5 x 5 pixels in three interlaced passes of two bits: numbers of a palette of
+ * which the last is half transparent. */
+static void write_palette(const char *path)
+{
+    png_color palette[] = { { 255, 0, 0 }, { 0, 51, 0 }, { 0, 0, 255 } };
+    png_byte alpha[] = { 255, 255, 127 };
+    FILE *file = fopen(path, "wb");
+    png_structp png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+    png_infop info = png_create_info_struct(png);
+    assert_non_null(file);
+    png_init_io(png, file);
+    png_set_IHDR(png, info, 5, 5, 2, PNG_COLOR_TYPE_PALETTE,
+                 PNG_INTERLACE_ADAM7, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_PLTE(png, info, palette, 3);
+    png_set_tRNS(png, info, alpha, 3, NULL);
+    png_set_gAMA(png, info, 0.45455);
+    png_write_info(png, info);
+    png_set_packing(png);
+    for (int pass = png_set_interlace_handling(png); pass > 0; pass--)
+        for (int y = 0; y < 5; y++) {
+            png_byte row[5];
+            for (int x = 0; x < 5; x++)
+                row[x] = (png_byte)((x + 2 * y) % 3);
+            png_write_row(png, row);
+        }
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    fclose(file);
+}
+
+static void palettes_are_spread(void **state)
+{
+    static const float wanted[3][4] = {
+        { 1, 0, 0, 1 },
+        { 0, 0.2f, 0, 1 },
+        { 0, 0, 127 / 255.0f, 127 / 255.0f },
+    };
+    (void)state;
+    char error[256] = "";
+    write_palette("a.png");
+    struct image *image = image_read("a.png", error, sizeof error);
+    assert_non_null(image);
+    assert_true(image->has_alpha && !image->linear && image->gamma == 2.2);
+    for (int i = 0; i < 25; i++)
+        for (int c = 0; c < 4; c++)
+            assert_float_equal(image_pixel(image, i % 5, i / 5)[c],
+                               wanted[(i % 5 + 2 * (i / 5)) % 3][c], 1e-6);
+    image_free(image);
+    unlink("a.png");
+}
+
 static void failures_leave_nothing(void **state)
 {
     (void)state;
@@ -267,6 +321,7 @@ int main(void)
         cmocka_unit_test(grey_has_povrays_weights),
         cmocka_unit_test(wild_numbers_are_tamed),
         cmocka_unit_test(formats_come_back),
+        cmocka_unit_test(palettes_are_spread),
         cmocka_unit_test(failures_leave_nothing),
         cmocka_unit_test(files_cut_short_are_noticed),
     };
