@@ -1,7 +1,7 @@
 /* The list of lighting methods: see lighting.h. */
 #include "lighting/lighting.h"
 
-#include <string.h>
+#include "base/listing.h"
 
 #define X(name) extern const struct lighting name##_lighting;
 #include "lighting/list.h"
@@ -13,16 +13,4 @@ static const struct lighting *const lightings[] = {
 #undef X
 };
 
-const struct lighting *lighting_at(size_t index)
-{
-    return index < sizeof lightings / sizeof *lightings ? lightings[index]
-                                                        : NULL;
-}
-
-const struct lighting *lighting_find(const char *name)
-{
-    for (size_t i = 0; i < sizeof lightings / sizeof *lightings; i++)
-        if (strcmp(lightings[i]->name, name) == 0)
-            return lightings[i];
-    return NULL;
-}
+LISTING(lighting, lighting, lightings);

@@ -127,14 +127,7 @@ static bool parse_mesh_item(struct parser *p)
 /* light_mesh = "light_mesh" "{" {mesh_item} "}" . */
 bool parse_light_mesh(struct parser *p)
 {
-    struct span open;
-    bool ok = true;
-    stream_next(p);
-    if (!block_begin(p, &open))
-        return false;
-    while (ok && stream_peek(p)->kind != TOKEN_RBRACE)
-        ok = parse_mesh_item(p);
-    return block_end(p, open, ok);
+    return block_items(p, parse_mesh_item);
 }
 
 /* skeleton = "skeleton" "{" {skeleton_value} "}" . */

@@ -136,21 +136,23 @@ static bool parse_clip_body(struct parser *p, struct clip_list *list,
     return true;
 }
 
-/* The clips of the object may be shared with a declared one. */
-static bool object_add_clips(struct parser *p, struct object *object,
-                             const struct clip_list *list)
+/* Adds to the `count` clips or bounds at `items`, which may be shared with a
+ * declared object. */
+static bool object_add_list(struct parser *p, struct object *object,
+                            const struct clip_list *list,
+                            const struct clip **items, size_t *count)
 {
-    size_t count = object->clip_count + list->count;
-    struct clip *clips = ARENA_ARRAY(p->scene_arena, struct clip, count);
-    if (object->clip_count)
-        memcpy(clips, object->clips, object->clip_count * sizeof *clips);
+    struct clip *all =
+        ARENA_ARRAY(p->scene_arena, struct clip, *count + list->count);
+    if (*count)
+        memcpy(all, *items, *count * sizeof *all);
     for (size_t i = 0; i < list->count; i++) {
-        clips[object->clip_count + i] = list->items[i];
+        all[*count + i] = list->items[i];
         if (!object_adopt(p, object, list->items[i].object))
             return false;
     }
-    object->clips = clips;
-    object->clip_count = count;
+    *items = all;
+    *count += list->count;
     return true;
 }
 
@@ -165,24 +167,8 @@ static bool parse_clipped_by(struct parser *p, struct modifiers *m)
     bool bounds = accept_keyword(p, KEYWORD_BOUNDED_BY);
     bool ok = bounds || parse_clip_body(p, &list, "clipped_by");
     return block_end(p, open, ok) &&
-           object_add_clips(p, m->object, bounds ? &m->bounds : &list);
-}
-
-static bool object_add_bounds(struct parser *p, struct object *object,
-                              const struct clip_list *list)
-{
-    size_t count = object->bound_count + list->count;
-    struct clip *bounds = ARENA_ARRAY(p->scene_arena, struct clip, count);
-    if (object->bound_count)
-        memcpy(bounds, object->bounds, object->bound_count * sizeof *bounds);
-    for (size_t i = 0; i < list->count; i++) {
-        bounds[object->bound_count + i] = list->items[i];
-        if (!object_adopt(p, object, list->items[i].object))
-            return false;
-    }
-    object->bounds = bounds;
-    object->bound_count = count;
-    return true;
+           object_add_list(p, m->object, bounds ? &m->bounds : &list,
+                           &m->object->clips, &m->object->clip_count);
 }
 
 /* bounded_by = "bounded_by" "{" ( "clipped_by" | clip_body ) "}" .
@@ -198,7 +184,9 @@ static bool parse_bounded_by(struct parser *p, struct modifiers *m)
               parse_clip_body(p, &list, "bounded_by");
     for (size_t i = 0; i < list.count; i++)
         *ARRAY_PUSH(p->scene_arena, &m->bounds) = list.items[i];
-    return block_end(p, open, ok) && object_add_bounds(p, m->object, &list);
+    return block_end(p, open, ok) &&
+           object_add_list(p, m->object, &list, &m->object->bounds,
+                           &m->object->bound_count);
 }
 
 /* flag = "inverse" | "hollow" [bool] | "double_illuminate" [bool]

@@ -105,6 +105,9 @@ bool expect(struct parser *p, enum token_kind kind, struct span open);
 bool block_begin(struct parser *p, struct span *open);
 bool block_end(struct parser *p, struct span open, bool ok);
 
+/* A keyword and a block of nothing but items. */
+bool block_items(struct parser *p, bool (*item)(struct parser *p));
+
 /* ---- error.c ---- */
 
 /* Reports at the span with notes for the macro and include stack; returns

@@ -164,14 +164,7 @@ static bool parse_global_setting(struct parser *p)
 /* global_settings = "global_settings" "{" {global_setting} "}" . */
 bool parse_global_settings(struct parser *p)
 {
-    struct span open;
-    bool ok = true;
-    stream_next(p);
-    if (!block_begin(p, &open))
-        return false;
-    while (ok && stream_peek(p)->kind != TOKEN_RBRACE)
-        ok = parse_global_setting(p);
-    return block_end(p, open, ok);
+    return block_items(p, parse_global_setting);
 }
 
 enum gamma_kind settings_gamma(const struct parser *p)

@@ -338,6 +338,18 @@ bool block_end(struct parser *p, struct span open, bool ok)
     return ok;
 }
 
+bool block_items(struct parser *p, bool (*item)(struct parser *p))
+{
+    struct span open;
+    bool ok = true;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    while (ok && stream_peek(p)->kind != TOKEN_RBRACE)
+        ok = item(p);
+    return block_end(p, open, ok);
+}
+
 static bool block_opens(enum keyword keyword)
 {
     return keyword == KEYWORD_IF || keyword == KEYWORD_IFDEF ||

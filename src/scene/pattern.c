@@ -2,6 +2,7 @@
  * into [0,1]. All constants were measured with POV-Ray 3.7. */
 #include "scene/pattern.h"
 
+#include "base/listing.h"
 #include "scene/noise.h"
 
 #define X(name) extern const struct pattern_kind name##_pattern;
@@ -14,18 +15,7 @@ static const struct pattern_kind *const kinds[] = {
 #undef X
 };
 
-const struct pattern_kind *pattern_at(size_t index)
-{
-    return index < sizeof kinds / sizeof *kinds ? kinds[index] : NULL;
-}
-
-const struct pattern_kind *pattern_find(const char *name)
-{
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (strcmp(kinds[i]->name, name) == 0)
-            return kinds[i];
-    return NULL;
-}
+LISTING(pattern, pattern_kind, kinds);
 
 struct pattern pattern_new(struct arena *arena, const struct pattern_kind *kind)
 {

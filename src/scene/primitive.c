@@ -1,7 +1,7 @@
 /* The list of primitives: see primitive.h. */
 #include "scene/primitive.h"
 
-#include <string.h>
+#include "base/listing.h"
 
 #define X(name) extern const struct primitive name##_primitive;
 #include "scene/primitive/list.h"
@@ -13,16 +13,4 @@ static const struct primitive *const primitives[] = {
 #undef X
 };
 
-const struct primitive *primitive_at(size_t index)
-{
-    return index < sizeof primitives / sizeof *primitives ? primitives[index]
-                                                          : NULL;
-}
-
-const struct primitive *primitive_find(const char *name)
-{
-    for (size_t i = 0; i < sizeof primitives / sizeof *primitives; i++)
-        if (strcmp(primitives[i]->name, name) == 0)
-            return primitives[i];
-    return NULL;
-}
+LISTING(primitive, primitive, primitives);
