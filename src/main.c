@@ -41,6 +41,16 @@ static bool frame_pixels(struct work *work, const struct tracer *tracer,
     return done;
 }
 
+/* Whether the lighting method stands by what it said. */
+static bool frame_sound(struct work *work, const struct tracer *tracer,
+                        struct stats *stats)
+{
+    const struct lighting *lighting = tracer->lighting;
+    stats_lighting(stats, tracer);
+    return !lighting->sound ||
+           lighting->sound(tracer->lighting_state, &work->diag);
+}
+
 /* World to picture. */
 static bool frame_draw(struct work *work, const struct tracer *tracer,
                        const char *name, struct stats *stats)
@@ -50,6 +60,7 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
         image_new(options->render.width, options->render.height);
     bool done = frame_pixels(work, tracer, name, image, stats);
     stats_lap(stats, &stats->rendering);
+    done = done && frame_sound(work, tracer, stats);
     done = done && picture_write(image, options, &tracer->scene->settings, name,
                                  &work->diag);
     stats_lap(stats, &stats->writing);
@@ -73,10 +84,37 @@ static bool frame_probe(struct work *work, const struct tracer *tracer,
                           light, &stats->rays);
     progress_clear(&progress);
     stats_lap(stats, &stats->rendering);
+    done = done && frame_sound(work, tracer, stats);
     done = done && probe_file_write(points, light, name, &work->diag);
     stats_lap(stats, &stats->writing);
     memory_free(light);
     return done;
+}
+
+/* Lights the world; returns whether that is to be tried again. */
+static bool frame_attempt(struct work *work, const struct world *world,
+                          const struct scene *scene,
+                          const struct lighting_options *light,
+                          const char *name, struct stats *stats, bool *done)
+{
+    const struct options *options = &work->options;
+    const struct lighting *lighting = options->lighting;
+    void *state = lighting->start(world, scene, light, &work->diag);
+    struct tracer tracer = { .scene = scene,
+                             .world = world,
+                             .lighting = lighting,
+                             .lighting_state = state,
+                             .quality = options->quality,
+                             .alpha = options->alpha };
+    if (light->attempt == 0)
+        stats_world(stats, world);
+    *done = state && (options->probe ? frame_probe : frame_draw)(work, &tracer,
+                                                                 name, stats);
+    bool again = state && !*done && !atomic_load(work->stop) &&
+                 lighting->again && lighting->again(state);
+    if (state)
+        lighting->finish(state);
+    return again;
 }
 
 /* Scene to picture or table. */
@@ -94,18 +132,9 @@ static bool frame_render(struct work *work, const struct scene *scene,
     struct lighting_options light = { .threads = options->render.threads,
                                       .width = options->render.width,
                                       .quality = options->quality };
-    void *state = lighting->start(world, scene, &light, &work->diag);
-    struct tracer tracer = { .scene = scene,
-                             .world = world,
-                             .lighting = lighting,
-                             .lighting_state = state,
-                             .quality = options->quality,
-                             .alpha = options->alpha };
-    stats_world(stats, world);
-    bool done = state && (options->probe ? frame_probe : frame_draw)(
-                             work, &tracer, name, stats);
-    if (state)
-        lighting->finish(state);
+    bool done = false;
+    while (frame_attempt(work, world, scene, &light, name, stats, &done))
+        light.attempt++;
     world_free(world);
     return done;
 }

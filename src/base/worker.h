@@ -13,6 +13,8 @@ struct worker {
     struct arena *scratch;  /* reset after every camera ray */
     struct {
         unsigned long long camera_rays, secondary_rays, shadow_rays;
+        unsigned long long mesh_rays; /* of them, those of mesh points */
+        double mesh_seconds;
     } counters;
 };
 

@@ -227,7 +227,7 @@ static const struct option table[] = {
             "both; errors are always shown"),
     WORD("quiet", set_quiet, 0, NULL, "nothing but errors: as -V -GA"),
     WORD("stats", set_flag, AT(stats), NULL,
-         "objects, rays and times, on standard error"),
+         "objects, rays and times, and what light meshes took"),
 
     GROUP("Other things to do"),
     WORD("check", set_action, ACTION_CHECK, NULL,

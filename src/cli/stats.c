@@ -30,6 +30,24 @@ static void stats_count(const char *what, unsigned long long count)
     fprintf(stderr, "%-16s %12llu\n", what, count);
 }
 
+static void stats_row(void *context, const char *what, double amount,
+                      const char *unit)
+{
+    struct stats *stats = context;
+    if (stats->row_count == STATS_ROWS)
+        return;
+    snprintf(stats->rows[stats->row_count].what, STATS_NAME, "%s", what);
+    stats->rows[stats->row_count].amount = amount;
+    stats->rows[stats->row_count++].unit = unit;
+}
+
+void stats_lighting(struct stats *stats, const struct tracer *tracer)
+{
+    stats->row_count = 0;
+    if (tracer->lighting->tell)
+        tracer->lighting->tell(tracer->lighting_state, stats_row, stats);
+}
+
 static void stats_time(const char *what, double seconds)
 {
     fprintf(stderr, "%-16s %12.3f s\n", what, seconds);
@@ -48,6 +66,10 @@ void stats_print(const struct stats *stats)
         fprintf(stderr, "%-16s %12.4f %%\n", "estimated error",
                 100 * stats->rays.error);
     }
+    for (int i = 0; i < stats->row_count; i++)
+        fprintf(stderr, "%-16s %12.*f%s%s\n", stats->rows[i].what,
+                stats->rows[i].unit[0] ? 3 : 0, stats->rows[i].amount,
+                stats->rows[i].unit[0] ? " " : "", stats->rows[i].unit);
     stats_time("parsing", stats->parsing);
     stats_time("building", stats->building);
     stats_time("rendering", stats->rendering);

@@ -17,6 +17,7 @@ struct lighting_options {
     int quality; /* +Q, 0..11 */
     int width;   /* of the picture, pixels; 0: any */
     unsigned long long seed;
+    int attempt; /* 0; then how often `again` was true */
 };
 
 /* Takes one light_sample. */
@@ -27,6 +28,10 @@ struct diffuse_light {
     rgb ambient;    /* multiplies finish ambient (POV-Ray's ambient_light) */
     rgb irradiance; /* multiplies finish diffuse */
 };
+
+/* Takes a line of --stats: what, how much, and its unit or "". */
+typedef void lighting_row(void *context, const char *what, double amount,
+                          const char *unit);
 
 struct lighting {
     const char *name;
@@ -43,6 +48,13 @@ struct lighting {
     struct diffuse_light (*illuminate)(const void *state, struct worker *worker,
                                        const struct surface *surface,
                                        light_visit *visit, void *context);
+    /* Whether the light given was right, asked at the end; if not, the picture
+     * is worth nothing. Then either `again` is true, and the next attempt may
+     * succeed, or an error was printed. NULL: always right. */
+    bool (*sound)(const void *state, struct diag *diag);
+    bool (*again)(const void *state);
+    /* What it took, for --stats; may be NULL. */
+    void (*tell)(const void *state, lighting_row *row, void *context);
 };
 
 /* By name, or NULL; by number, or NULL past the end. The first is the

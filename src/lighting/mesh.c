@@ -5,14 +5,18 @@
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
 #include "lightmesh/indirect.h"
+#include "lighting/mesh_report.h"
 #include "lightmesh/outlook.h"
 
 struct mesh_lighting {
     struct lamps lamps;
     struct direct_mesh *direct;
     bool sharp;
+    double spacing;                 /* of mesh points */
+    double size;                    /* across what is seen */
     struct emitters *emitters;      /* with indirect light */
     struct indirect_mesh *indirect; /* or NULL */
+    struct mesh_report report;
 };
 
 /* What a mesh needs where the scene says nothing. */
@@ -20,13 +24,17 @@ enum {
     FEW_LAMPS = 24,
     SHARP_LAMPS = 1000, /* known one by one for shadows sharp */
     MESH_BYTES = 60 * 1000 * 1000,
-    INDIRECT_BYTES = 60 * 1000 * 1000,
+    INDIRECT_BYTES = 40 * 1000 * 1000, /* of them, with indirect light */
+    ATTEMPTS = 12,                     /* to choose a spacing that fits */
     BOUNCES = 6,
     SAMPLES = 512, /* gather rays of a mesh point */
 };
 
 /* Gathering stops when the halves of the samples differ by less. */
 static const double gather_error = 0.03;
+
+/* The next attempt's spacing: half as many points on a surface. */
+static const double coarser = 1.4142135623730951;
 
 /* Pixels from mesh point to mesh point. */
 static const double mesh_pixels = 20;
@@ -51,13 +59,13 @@ mesh_interpolation(const struct light_mesh_settings *said, struct diag *diag)
 
 static struct direct_options
 mesh_options(const struct light_mesh_settings *said,
-             const struct outlook *outlook)
+             const struct outlook *outlook, int attempt)
 {
     double quality = said->quality > 0 ? said->quality : 5;
     double finer = pow(1.3, quality - 5);
     double spacing = mesh_pixels * outlook->pixel;
     spacing = fmin(fmax(spacing, outlook->size / 256), outlook->size / 24);
-    spacing /= finer;
+    spacing *= pow(coarser, attempt) / finer;
     if (said->density > 0)
         spacing = 1 / said->density;
     struct direct_options options = {
@@ -68,7 +76,7 @@ mesh_options(const struct light_mesh_settings *said,
         .centre = outlook->centre,
         .size = outlook->size,
         .finer = finer,
-        .bytes = MESH_BYTES,
+        .bytes = MESH_BYTES - (said->indirect.on ? INDIRECT_BYTES : 0),
     };
     return options;
 }
@@ -100,8 +108,9 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     struct mesh_lighting *mesh = memory_new(sizeof *mesh);
     struct outlook outlook = outlook_of(world, scene, options->width);
     struct direct_options direct =
-        mesh_options(&scene->settings.light_mesh, &outlook);
-    ambient_dropped(scene, "mesh", diag);
+        mesh_options(&scene->settings.light_mesh, &outlook, options->attempt);
+    if (options->attempt == 0)
+        ambient_dropped(scene, "mesh", diag);
     direct.interpolation =
         mesh_interpolation(&scene->settings.light_mesh, diag);
     if (!direct.interpolation) {
@@ -112,8 +121,17 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     mesh->sharp = scene->settings.light_mesh.shadows == MESH_SHADOWS_SHARP;
     mesh->direct = direct_mesh_new(&mesh->lamps, &direct);
-    if (scene->settings.radiosity || scene->settings.light_mesh.indirect.on)
+    if (scene->settings.light_mesh.indirect.on)
         mesh_bounces(mesh, &scene->settings.light_mesh, &direct);
+    mesh->report = (struct mesh_report){
+        .direct = mesh->direct,
+        .indirect = mesh->indirect,
+        .spacing = direct.lattice.spacing,
+        .size = direct.size,
+        .bytes = MESH_BYTES,
+        .again = !(scene->settings.light_mesh.density > 0) &&
+                 options->attempt < ATTEMPTS,
+    };
     return mesh;
 }
 
@@ -251,10 +269,31 @@ static struct diffuse_light mesh_illuminate(const void *state,
     return diffuse;
 }
 
+static bool mesh_sound(const void *state, struct diag *diag)
+{
+    const struct mesh_lighting *mesh = state;
+    return mesh_report_sound(&mesh->report, diag);
+}
+
+static bool mesh_again(const void *state)
+{
+    const struct mesh_lighting *mesh = state;
+    return mesh_report_again(&mesh->report);
+}
+
+static void mesh_tell(const void *state, lighting_row *row, void *context)
+{
+    const struct mesh_lighting *mesh = state;
+    mesh_report_tell(&mesh->report, row, context);
+}
+
 const struct lighting mesh_lighting = {
     .name = "mesh",
     .help = "light meshes: soft shadows, little work for many lamps",
     .start = mesh_start,
     .finish = mesh_finish,
     .illuminate = mesh_illuminate,
+    .sound = mesh_sound,
+    .again = mesh_again,
+    .tell = mesh_tell,
 };

@@ -25,7 +25,6 @@ static void fill_shares(const void *context, struct worker *worker,
     const struct direct_mesh *mesh = context;
     const struct lamps *lamps = mesh->lamps;
     uint16_t *share = payload;
-    unsigned long long before = worker->counters.shadow_rays;
     for (size_t i = 0; i < lamps->count; i++, share += 3) {
         const struct lamp *lamp = &lamps->items[i];
         struct lamp_target target = { .point = site->place };
@@ -35,8 +34,6 @@ static void fill_shares(const void *context, struct worker *worker,
         share[1] = share_pack(seen.g);
         share[2] = share_pack(seen.b);
     }
-    atomic_fetch_add_explicit(mesh->rays, worker->counters.shadow_rays - before,
-                              memory_order_relaxed);
 }
 
 /* One lamp, and with it the cluster it stands for. Of an area light one point
@@ -69,13 +66,10 @@ static void fill_harmonics(const void *context, struct worker *worker,
 {
     const struct direct_mesh *mesh = context;
     struct light_pick picks[PICKS_MAX];
-    unsigned long long before = worker->counters.shadow_rays;
     int count = light_tree_pick(mesh->tree, site->place, site->dither,
                                 mesh->budget, picks);
     for (int i = 0; i < count; i++)
         add_pick(mesh, worker, site, &picks[i], payload);
-    atomic_fetch_add_explicit(mesh->rays, worker->counters.shadow_rays - before,
-                              memory_order_relaxed);
 }
 
 struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
@@ -85,7 +79,6 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
     mesh->lamps = lamps;
     mesh->many = lamps->count > (size_t)options->few;
     mesh->budget = options->budget < PICKS_MAX ? options->budget : PICKS_MAX;
-    mesh->rays = memory_new(sizeof *mesh->rays);
     if (mesh->many)
         mesh->tree = light_tree_new(lamps, options->centre, options->size);
     mesh->points = (struct point_mesh){
@@ -96,6 +89,7 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
                                       : options->interpolation->radius,
         .payload_size = mesh->many ? sizeof(struct harmonics)
                                    : 3 * lamps->count * sizeof(uint16_t),
+        .full = memory_new(sizeof(atomic_bool)),
         .fill = mesh->many ? fill_harmonics : fill_shares,
         .context = mesh,
     };
@@ -109,7 +103,7 @@ void direct_mesh_free(struct direct_mesh *mesh)
         return;
     point_mesh_free(&mesh->points);
     light_tree_free(mesh->tree);
-    memory_free(mesh->rays);
+    memory_free(mesh->points.full);
     memory_free(mesh);
 }
 

@@ -18,7 +18,6 @@ struct direct_mesh {
     bool many;               /* lamps: harmonics instead of shares */
     int budget;              /* lamps that a mesh point asks, if many */
     struct light_tree *tree; /* if many */
-    atomic_ullong *rays;     /* sent for the mesh */
 };
 
 struct direct_options {

@@ -130,7 +130,6 @@ static void fill_gather(const void *context, struct worker *worker,
 {
     const struct indirect_mesh *mesh = context;
     struct gatherer gatherer = { mesh, worker, site };
-    unsigned long long before = worker->counters.shadow_rays;
     uint32_t most = (uint32_t)mesh->samples, count = FIRST_SAMPLES / 2;
     if (site->lone && most > LONE_SAMPLES)
         most = LONE_SAMPLES;
@@ -147,8 +146,6 @@ static void fill_gather(const void *context, struct worker *worker,
             break;
     }
     *(struct harmonics *)payload = light;
-    atomic_fetch_add_explicit(mesh->rays, worker->counters.shadow_rays - before,
-                              memory_order_relaxed);
 }
 
 static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
@@ -173,6 +170,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .radius = options->radius > 0 ? options->radius
                                       : options->interpolation->radius,
         .payload_size = sizeof(struct harmonics),
+        .full = direct->points.full,
         .fill = fill_gather,
         .context = mesh,
     };
@@ -183,7 +181,9 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     }
     if (mesh->samples < 1)
         mesh->samples = 1;
-    point_mesh_start(&mesh->points, options->bytes / (size_t)options->bounces);
+    point_mesh_start(&mesh->points, options->bytes /
+                                        ((size_t)options->bounces + 3) *
+                                        (bounce > 1 ? 1 : 4));
     return mesh;
 }
 
@@ -192,13 +192,11 @@ struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct indirect_options *options)
 {
     struct indirect_mesh *mesh = NULL;
-    atomic_ullong *rays = memory_new(sizeof *rays);
     for (int bounce = options->bounces; bounce >= 1; bounce--) {
         struct indirect_mesh *closer =
             bounce_new(direct, emitters, options, bounce);
         closer->next = mesh;
         closer->gather.indirect = mesh;
-        closer->rays = rays;
         mesh = closer;
     }
     return mesh;
@@ -206,8 +204,6 @@ struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
 
 void indirect_mesh_free(struct indirect_mesh *mesh)
 {
-    if (mesh)
-        memory_free(mesh->rays);
     while (mesh) {
         struct indirect_mesh *next = mesh->next;
         point_mesh_free(&mesh->points);

@@ -32,7 +32,6 @@ struct indirect_mesh {
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
     int samples;
     double error;
-    atomic_ullong *rays; /* sent for the mesh, all bounces */
 };
 
 /* Frees with indirect_mesh_free. All that is given must outlive it. */

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "base/clock.h"
+#include "base/memory.h"
 #include "base/random.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/table.h"
@@ -27,12 +29,29 @@ void point_mesh_start(struct point_mesh *mesh, size_t bytes)
     size_t share = bytes / (payload + 2 * around);
     mesh->around = table_new(sizeof(struct obstacles), 2 * share * around);
     mesh->table = table_new(mesh->payload_size, share * payload);
+    mesh->work = memory_new(sizeof *mesh->work);
 }
 
 void point_mesh_free(struct point_mesh *mesh)
 {
     table_free(mesh->around);
     table_free(mesh->table);
+    memory_free(mesh->work);
+}
+
+static double table_crowding(const struct table *table)
+{
+    return table_wanted(table) / (double)table_capacity(table);
+}
+
+double point_mesh_crowding(const struct point_mesh *mesh)
+{
+    return fmax(table_crowding(mesh->table), table_crowding(mesh->around));
+}
+
+size_t point_mesh_bytes(const struct point_mesh *mesh)
+{
+    return table_bytes(mesh->table) + table_bytes(mesh->around);
 }
 
 /* Three bits that differ between the corners of any cell, and of which the
@@ -51,12 +70,15 @@ static double site_dither(const struct lattice_point *point)
 
 /* A record of a table, or else zeroed scratch of the worker's: to be filled
  * unless TABLE_READY, and published if TABLE_MINE. */
-static enum table_state record_get(struct table *table, struct worker *worker,
+static enum table_state record_get(const struct point_mesh *mesh,
+                                   struct table *table, struct worker *worker,
                                    const struct lattice_point *point,
                                    size_t size, void **record)
 {
     uint64_t key = lattice_key(point);
     enum table_state state = table_find(table, key, lattice_hash(key), record);
+    if (state == TABLE_NONE && table_overflown(table))
+        atomic_store_explicit(mesh->full, true, memory_order_relaxed);
     if (state == TABLE_NONE)
         *record = arena_alloc(worker->scratch, size);
     return state;
@@ -67,7 +89,7 @@ static const struct obstacles *around_get(const struct point_mesh *mesh,
                                           const struct lattice_point *point)
 {
     void *record;
-    enum table_state state = record_get(mesh->around, worker, point,
+    enum table_state state = record_get(mesh, mesh->around, worker, point,
                                         sizeof(struct obstacles), &record);
     if (state == TABLE_READY)
         return record;
@@ -78,13 +100,34 @@ static const struct obstacles *around_get(const struct point_mesh *mesh,
     return record;
 }
 
+/* Fills, and counts what that took without what other meshes did for it: that
+ * they have counted. */
+static void site_fill(const struct point_mesh *mesh, struct worker *worker,
+                      const struct mesh_site *site, void *payload)
+{
+    unsigned long long rays = worker->counters.mesh_rays,
+                       before = worker->counters.shadow_rays;
+    double seconds = worker->counters.mesh_seconds, start = clock_seconds();
+    mesh->fill(mesh->context, worker, site, payload);
+    unsigned long long others = worker->counters.mesh_rays - rays;
+    double their_seconds = worker->counters.mesh_seconds - seconds;
+    rays = worker->counters.shadow_rays - before - others;
+    seconds = clock_seconds() - start - their_seconds;
+    worker->counters.mesh_rays += rays;
+    worker->counters.mesh_seconds += seconds;
+    atomic_fetch_add_explicit(&mesh->work->rays, rays, memory_order_relaxed);
+    atomic_fetch_add_explicit(&mesh->work->nanoseconds,
+                              (unsigned long long)(fmax(seconds, 0) * 1e9),
+                              memory_order_relaxed);
+}
+
 static const void *payload_get(const struct point_mesh *mesh,
                                struct worker *worker,
                                const struct lattice_point *point)
 {
     void *record;
-    enum table_state state =
-        record_get(mesh->table, worker, point, mesh->payload_size, &record);
+    enum table_state state = record_get(mesh, mesh->table, worker, point,
+                                        mesh->payload_size, &record);
     if (state == TABLE_READY)
         return record;
     struct mesh_site site = {
@@ -92,7 +135,7 @@ static const void *payload_get(const struct point_mesh *mesh,
         .key = lattice_key(point),
         .dither = site_dither(point),
     };
-    mesh->fill(mesh->context, worker, &site, record);
+    site_fill(mesh, worker, &site, record);
     if (state == TABLE_MINE)
         table_publish(mesh->table, record);
     return record;
@@ -188,9 +231,34 @@ static void seek_here(struct seeker *seeker)
         site.key = random_key(site.key, bits);
     }
     void *payload = arena_alloc(seeker->worker->scratch, mesh->payload_size);
-    mesh->fill(mesh->context, seeker->worker, &site, payload);
+    site_fill(mesh, seeker->worker, &site, payload);
+    atomic_fetch_add_explicit(&mesh->work->lone, 1, memory_order_relaxed);
     seeker->blend->count = 1;
     seeker->blend->at[0].payload = payload;
+    seeker->blend->at[0].weight = 1;
+}
+
+/* Counts the points of one level as if they were asked for, and is black. */
+static void seek_count(struct seeker *seeker)
+{
+    const struct point_mesh *mesh = seeker->mesh;
+    struct mesh_weight weights[INTERPOLATION_POINTS];
+    double spacing = lattice_spacing(&mesh->lattice, seeker->level);
+    vec3 lifted = vec3_along(seeker->place, seeker->normal, lift * spacing);
+    vec3 at = lattice_units(&mesh->lattice, seeker->level, lifted);
+    int count = mesh->interpolation->weights(at, mesh->radius, weights);
+    for (int i = 0; i < count; i++) {
+        struct lattice_point point;
+        point.level = seeker->level;
+        memcpy(point.at, weights[i].at, sizeof point.at);
+        vec3 from = lattice_place(&mesh->lattice, &point);
+        uint64_t key = lattice_key(&point);
+        if (seeker_rise(seeker, from, spacing) > 0)
+            table_want(mesh->table, key, lattice_hash(key));
+    }
+    seeker->blend->count = 1;
+    seeker->blend->at[0].payload =
+        arena_alloc(seeker->worker->scratch, mesh->payload_size);
     seeker->blend->at[0].weight = 1;
 }
 
@@ -201,6 +269,10 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     double coarse;
     seeker.level = lattice_level(&mesh->lattice, place, &coarse);
     blend->count = 0;
+    if (atomic_load_explicit(mesh->full, memory_order_relaxed)) {
+        seek_count(&seeker);
+        return;
+    }
     seek_level(&seeker, 1 - coarse);
     if (coarse > 0) {
         int fine = blend->count;

@@ -33,6 +33,13 @@ struct mesh_site {
 typedef void mesh_fill(const void *context, struct worker *worker,
                        const struct mesh_site *site, void *payload);
 
+/* What was done for a mesh. */
+struct point_mesh_work {
+    atomic_ullong rays;        /* without those that ask other meshes */
+    atomic_ullong nanoseconds; /* of all threads together, likewise */
+    atomic_ullong lone;        /* places that were their own mesh points */
+};
+
 struct point_mesh {
     const struct world *world;
     struct lattice lattice;
@@ -40,6 +47,8 @@ struct point_mesh {
     double radius;        /* of interpolation, in spacings */
     struct table *table;  /* payloads */
     struct table *around; /* obstacles */
+    struct point_mesh_work *work;
+    atomic_bool *full; /* shared with other meshes; see point_mesh_crowding */
     size_t payload_size;
     mesh_fill *fill;
     const void *context;
@@ -56,10 +65,19 @@ struct mesh_blend {
     } at[BLEND_POINTS];
 };
 
-/* The table of a mesh whose other members are set: `bytes` of memory at
+/* The tables of a mesh whose other members are set: `bytes` of memory at
  * most. Freed with point_mesh_free. */
 void point_mesh_start(struct point_mesh *mesh, size_t bytes);
 void point_mesh_free(struct point_mesh *mesh);
+
+/* How many times more points were asked for than there is room for; above 1
+ * the mesh can't be used: from the moment it is full, *mesh->full, the light
+ * is black, and points are only counted, lest they be computed again and
+ * again. Whether that happens depends on no order. */
+double point_mesh_crowding(const struct point_mesh *mesh);
+
+/* The bytes in use. */
+size_t point_mesh_bytes(const struct point_mesh *mesh);
 
 /* The mesh points that light `place`, on a surface whose true normal, turned
  * to the lit side, is `normal`. */

@@ -28,6 +28,11 @@ static void test_table(void **state)
     assert_int_equal(kept, table_capacity(table));
     assert_int_equal(kept, table_count(table));
     assert_true(kept < 1000);
+    assert_true(table_overflown(table));
+    assert_true(fabs(table_wanted(table) - 1000) < 20);
+    for (uint64_t key = 1001; key <= 50000; key++)
+        table_want(table, key, key);
+    assert_true(fabs(table_wanted(table) - 50000) < 500);
     for (uint64_t key = 1; key <= kept; key++) {
         void *record = NULL;
         assert_int_equal(table_find(table, key, key, &record), TABLE_READY);

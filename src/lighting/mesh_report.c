@@ -1,0 +1,73 @@
+/* Meshes counted: see mesh_report.h. */
+#include "lighting/mesh_report.h"
+
+#include <stdio.h>
+
+#include "lightmesh/obstacles.h"
+#include "lightmesh/table.h"
+
+/* Points that gather rays would have asked for are not counted any more once
+ * a mesh is full: a spacing that fits is larger than the count says. */
+static const double margin = 1.15;
+
+/* The direct mesh is number 0, then bounce by bounce; NULL past the end. */
+static const struct point_mesh *report_mesh(const struct mesh_report *report,
+                                            int number)
+{
+    const struct indirect_mesh *bounce = report->indirect;
+    if (number == 0)
+        return &report->direct->points;
+    for (; bounce && number > 1; number--)
+        bounce = bounce->next;
+    return bounce ? &bounce->points : NULL;
+}
+
+bool mesh_report_again(const struct mesh_report *report)
+{
+    return report->again && atomic_load(report->direct->points.full);
+}
+
+/* As many points lie on a surface as the square of the density. */
+bool mesh_report_sound(const struct mesh_report *report, struct diag *diag)
+{
+    const struct point_mesh *mesh;
+    double crowding = 1;
+    if (!atomic_load(report->direct->points.full))
+        return true;
+    if (report->again)
+        return false;
+    for (int i = 0; (mesh = report_mesh(report, i)); i++)
+        crowding = fmax(crowding, point_mesh_crowding(mesh));
+    double density = 1 / (report->spacing * sqrt(crowding) * margin);
+    double step = pow(10, floor(log10(density)) - 1);
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "a light mesh of density %.3g needs more than the %.0f MB that "
+               "glim gives it: type --mesh-density %g, or less",
+               1 / report->spacing, (double)report->bytes * 1e-6,
+               floor(density / step) * step);
+    return false;
+}
+
+void mesh_report_tell(const struct mesh_report *report, lighting_row *row,
+                      void *context)
+{
+    const struct point_mesh *mesh;
+    double bytes = 0, seconds = 0, around = 0;
+    row(context, "mesh density", 1 / report->spacing, "per unit");
+    row(context, "mesh possible", pow(report->size / report->spacing, 3), "");
+    for (int i = 0; (mesh = report_mesh(report, i)); i++) {
+        char kind[24] = "direct", name[40];
+        if (i > 0)
+            snprintf(kind, sizeof kind, "bounce %d", i);
+        snprintf(name, sizeof name, "%s points", kind);
+        row(context, name, (double)table_count(mesh->table), "");
+        snprintf(name, sizeof name, "%s rays", kind);
+        row(context, name, (double)atomic_load(&mesh->work->rays), "");
+        around += (double)table_count(mesh->around);
+        bytes += (double)point_mesh_bytes(mesh);
+        seconds += (double)atomic_load(&mesh->work->nanoseconds) * 1e-9;
+    }
+    row(context, "mesh sight rays", around * OBSTACLE_DIRECTIONS, "");
+    row(context, "mesh memory", bytes * 1e-6, "MB");
+    row(context, "mesh time", seconds, "s of all threads");
+}
