@@ -61,6 +61,8 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
     bool done = frame_pixels(work, tracer, name, image, stats);
     stats_lap(stats, &stats->rendering);
     done = done && frame_sound(work, tracer, stats);
+    done =
+        done && picture_show(image, options, tracer, work->stop, &work->diag);
     done = done && picture_write(image, options, &tracer->scene->settings, name,
                                  &work->diag);
     stats_lap(stats, &stats->writing);
@@ -79,7 +81,7 @@ static bool frame_probe(struct work *work, const struct tracer *tracer,
     render.progress = progress_tell;
     render.progress_context = &progress;
     progress_start(&progress, &work->options, name);
-    rgb *light = memory_new(points->at.count * sizeof *light);
+    struct probe_light *light = memory_new(points->at.count * sizeof *light);
     bool done = probe_run(tracer, &render, points->at.items, points->at.count,
                           light, &stats->rays);
     progress_clear(&progress);

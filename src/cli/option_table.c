@@ -127,6 +127,9 @@ static const struct option table[] = {
             "reflection and refraction, 9: all (9)"),
     WORD("lighting", set_lighting, 0, "name",
          "how light is worked out (rays); see --list lightings"),
+    WORD("show", set_text, AT(show), "name",
+         "draw what the lighting knows over the picture: skeleton, "
+         "skeleton:irradiance, stream, mesh, mesh:indirect"),
     { .key = "Samples", .word = "samples", .set = set_integer,
       .offset = AT(samples), .minimum = 1, .maximum = OPTIONS_SAMPLE_LIMIT,
       .argument = "n",
@@ -180,6 +183,9 @@ static const struct option table[] = {
           "resolution", "n", "voxels along the scene's longest side (128)"),
     LIGHT("Skeleton_Heuristic", "skeleton-heuristic", skeleton_fields,
           "heuristic", "name", "how light is estimated along the skeleton"),
+    LIGHT("Skeleton_Save", "skeleton-save", light_option_fields,
+          "skeleton_save", "file",
+          "write the skeleton and its light here: .ply, .obj or .csv"),
 
     GROUP("Scene"),
     VALUE(NULL, "Declare", set_declare, "name=value",

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "cli/output_name.h"
 #include "lighting/lighting.h"
+#include "skeleton/export.h"
 
 static void option_report(struct option_reader *reader,
                           const struct setting *setting, enum diag_level level,
@@ -369,6 +370,59 @@ static bool options_resolve_mesh(struct option_reader *reader)
     return mesh->save_file;
 }
 
+/* `found` is a lighting that has the view. */
+static bool options_resolve_show(struct option_reader *reader,
+                                 const struct lighting *found)
+{
+    const struct options *options = reader->options;
+    struct text_nearest nearest = text_nearest_start(options->show);
+    for (size_t i = 0; lighting_at(i); i++)
+        for (const struct lighting_view *view = lighting_at(i)->views;
+             view && view->name; view++)
+            text_nearest_try(&nearest, view->name);
+    if (!found)
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "there is no '%s' to show: type %s", options->show,
+                   nearest.best ? nearest.best : "skeleton");
+    else if (options->probe)
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "--show draws over a picture, and --probe makes none");
+    else if (!lighting_view(options->lighting, options->show))
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "--lighting %s has no '%s' to show: type --lighting %s",
+                   options->lighting->name, options->show, found->name);
+    else
+        return true;
+    return false;
+}
+
+/* What is asked of the lighting names one, unless one was named. */
+static bool options_resolve_lighting(struct option_reader *reader)
+{
+    struct options *options = reader->options;
+    const char *save = options->light.skeleton.save_file;
+    const char *wanted = options->show ? options->show : "skeleton";
+    const struct lighting *found = NULL;
+    for (size_t i = 0; (options->show || save) && lighting_at(i); i++)
+        if (!found && lighting_view(lighting_at(i), wanted))
+            found = lighting_at(i);
+    if (!options->lighting)
+        options->lighting = found ? found : lighting_at(0);
+    if (save && !skeleton_can_save(save))
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "can't write the skeleton '%s': its name must end in .ply, "
+                   ".obj or .csv",
+                   save);
+    else if (save && !lighting_view(options->lighting, "skeleton"))
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "--lighting %s has no skeleton to save: type --lighting "
+                   "skeleton",
+                   options->lighting->name);
+    else
+        return !options->show || options_resolve_show(reader, found);
+    return false;
+}
+
 static bool options_resolve(struct option_reader *reader)
 {
     struct options *options = reader->options;
@@ -379,7 +433,8 @@ static bool options_resolve(struct option_reader *reader)
     if (options_answers(options))
         return true;
     if (!options_find_input(reader) || !options_resolve_picture(reader) ||
-        !options_resolve_mesh(reader) || !options_name_output(reader))
+        !options_resolve_mesh(reader) || !options_resolve_lighting(reader) ||
+        !options_name_output(reader))
         return false;
     options_resolve_scene(reader);
     const char *problem = frames_resolve(&options->frames, reader->arena);
@@ -400,7 +455,6 @@ static struct options options_default(void)
         .messages = true,
         .warnings = true,
         .warning_level = 10,
-        .lighting = lighting_at(0),
         .quality = 9,
         .threads = (int)cores,
         .clock = FRAMES_UNSAID,

@@ -5,6 +5,7 @@
 
 #include "base/save.h"
 #include "image/output.h"
+#include "render/overlay.h"
 
 bool picture_is_there(const struct options *options, const char *name,
                       struct diag *diag)
@@ -49,6 +50,33 @@ static struct output_space picture_space(const struct options *options,
         .alpha = options->alpha && keeps_alpha,
         .grey = options->grey,
     };
+}
+
+bool picture_show(struct image *image, const struct options *options,
+                  const struct tracer *tracer, const atomic_int *stop,
+                  struct diag *diag)
+{
+    if (!options->show)
+        return true;
+    struct show show = show_new();
+    struct ramp_range range;
+    struct render_options render = options->render;
+    struct output_space space =
+        picture_space(options, &tracer->scene->settings);
+    render.stop = stop;
+    lighting_view(tracer->lighting, options->show)
+        ->give(tracer->lighting_state, &show);
+    bool done = overlay_draw(tracer, &render, &show, space.working_gamma, image,
+                             &range);
+    if (done && !range.known)
+        diag_print(diag, DIAG_MESSAGE, span_none(), NULL,
+                   "%s: there is nothing to show\n", options->show);
+    else if (done)
+        diag_print(diag, DIAG_MESSAGE, span_none(), NULL,
+                   "%s: %s from %.3g (blue) to %.3g (red)\n", options->show,
+                   show.what, range.low, range.high);
+    show_free(&show);
+    return done;
 }
 
 bool picture_write(struct image *image, const struct options *options,

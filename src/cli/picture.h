@@ -14,6 +14,12 @@ bool picture_is_there(const struct options *options, const char *name,
  * Returns false after an error was printed. */
 bool picture_can_be(const char *name, struct diag *diag);
 
+/* Draws over the picture what --show names, if anything, and says what the
+ * colours mean. Returns false if stopped. */
+bool picture_show(struct image *image, const struct options *options,
+                  const struct tracer *tracer, const atomic_int *stop,
+                  struct diag *diag);
+
 /* Turns the picture into the file's numbers, in place, and writes it. Returns
  * false after an error was printed. */
 bool picture_write(struct image *image, const struct options *options,

@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/array.h"
-#include "base/save.h"
+#include "base/writer.h"
 
 /* Beyond it nothing is hit (embree/world.h). */
 #define PLACE_LIMIT 1e7
@@ -197,52 +196,41 @@ bool probe_file_read(struct probe_file *points, const char *path,
 
 /* ---- the table ---- */
 
-struct table {
-    struct arena *arena;
-    char *items;
-    size_t count, capacity;
-};
-
-static void table_add(struct table *table, const char *text, size_t length)
+static void table_numbers(struct writer *table, vec3 numbers, int digits)
 {
-    if (table->count + length > table->capacity)
-        ARRAY_RESERVE(table->arena, table, 2 * (table->count + length));
-    memcpy(table->items + table->count, text, length);
-    table->count += length;
+    writer_print(table, "%.*g %.*g %.*g", digits, numbers.x, digits, numbers.y,
+                 digits, numbers.z);
 }
 
-static void table_numbers(struct table *table, double a, double b, double c,
-                          int digits)
+bool probe_file_write(const struct probe_file *points,
+                      const struct probe_light *light, const char *name,
+                      struct diag *diag)
 {
-    char text[128];
-    int length = snprintf(text, sizeof text, "%.*g %.*g %.*g", digits, a,
-                          digits, b, digits, c);
-    table_add(table, text, (size_t)length);
-}
-
-bool probe_file_write(const struct probe_file *points, const rgb *light,
-                      const char *name, struct diag *diag)
-{
-    struct table table = { .arena = arena_new(0) };
+    struct writer table = writer_new();
     char why[256];
     for (size_t i = 0; i < points->at.count; i++) {
         const struct probe_point *at = &points->at.items[i];
         struct probe_label label = points->labels.items[i];
-        table_numbers(&table, at->place.x, at->place.y, at->place.z, 10);
-        table_add(&table, " ", 1);
+        rgb c = light[i].colour;
+        table_numbers(&table, at->place, 10);
+        writer_add(&table, " ", 1);
         if (at->directed) {
-            table_numbers(&table, at->normal.x, at->normal.y, at->normal.z, 10);
-            table_add(&table, " ", 1);
+            table_numbers(&table, at->normal, 10);
+            writer_add(&table, " ", 1);
         }
-        table_numbers(&table, light[i].r, light[i].g, light[i].b, 9);
-        table_add(&table, " ", label.length ? 1 : 0);
-        table_add(&table, points->source->text + label.offset, label.length);
-        table_add(&table, "\n", 1);
+        table_numbers(&table, vec3_make(c.r, c.g, c.b), 9);
+        if (light[i].streams) {
+            writer_add(&table, " ", 1);
+            table_numbers(&table, light[i].stream, 9);
+        }
+        writer_add(&table, " ", label.length ? 1 : 0);
+        writer_add(&table, points->source->text + label.offset, label.length);
+        writer_add(&table, "\n", 1);
     }
-    bool done = save_bytes(name, table.items, table.count, why, sizeof why);
+    bool done = writer_save(&table, name, why, sizeof why);
     if (!done)
         diag_print(diag, DIAG_ERROR, span_none(), NULL, "can't write '%s': %s",
                    name, why);
-    arena_free(table.arena);
+    writer_free(&table);
     return done;
 }

@@ -32,8 +32,10 @@ bool probe_file_read(struct probe_file *points, const char *path,
                      struct arena *arena, struct diag *diag);
 
 /* Writes a line for each point to `name` ("-": standard output): its numbers,
- * red, green, blue, its label. Returns false after an error was printed. */
-bool probe_file_write(const struct probe_file *points, const rgb *light,
-                      const char *name, struct diag *diag);
+ * red, green, blue, where light comes from if that is known, its label.
+ * Returns false after an error was printed. */
+bool probe_file_write(const struct probe_file *points,
+                      const struct probe_light *light, const char *name,
+                      struct diag *diag);
 
 #endif

@@ -1,8 +1,4 @@
-/* Heat maps and strips: see heat.h.
- *
- * The ramp is magma of matplotlib (N. Smith, S. van der Walt, 2015, CC0) at
- * nine places, straight between them. Its lightness rises evenly, so it reads
- * the same to the colour-blind and in grey print. */
+/* Heat maps and strips: see heat.h. */
 #include "compare/heat.h"
 
 #include <math.h>
@@ -12,32 +8,16 @@
 #include "base/text.h"
 #include "cli/output_name.h"
 #include "image/file.h"
+#include "image/ramp.h"
 #include "image/tone.h"
-
-static const unsigned char ramp[][3] = {
-    { 0x00, 0x00, 0x04 }, { 0x1d, 0x11, 0x47 }, { 0x51, 0x12, 0x7c },
-    { 0x82, 0x26, 0x81 }, { 0xb6, 0x36, 0x79 }, { 0xe6, 0x51, 0x64 },
-    { 0xfb, 0x88, 0x61 }, { 0xfe, 0xc2, 0x87 }, { 0xfc, 0xfd, 0xbf },
-};
-
-enum { RAMP_LAST = sizeof ramp / sizeof *ramp - 1 };
-
-void heat_colour(double value, float colour[3])
-{
-    double place = value > 0 ? fmin(value, 1) * RAMP_LAST : 0;
-    int i = place < RAMP_LAST ? (int)place : RAMP_LAST - 1;
-    double share = place - i;
-    for (int c = 0; c < 3; c++)
-        colour[c] =
-            (float)((ramp[i][c] * (1 - share) + ramp[i + 1][c] * share) / 255);
-}
 
 struct image *heat_picture(const struct plane *plane, double top)
 {
     struct image *heat = image_new(plane->width, plane->height);
     size_t pixels = (size_t)plane->width * (size_t)plane->height;
     for (size_t i = 0; i < pixels; i++) {
-        heat_colour((double)plane->values[i] / top, heat->pixels + 4 * i);
+        ramp_colour(RAMP_MAGMA, (double)plane->values[i] / top,
+                    heat->pixels + 4 * i);
         heat->pixels[4 * i + 3] = 1;
     }
     return heat;

@@ -9,10 +9,6 @@
 /* Between the pictures of a strip. */
 enum { STRIP_GAP = 4 };
 
-/* Colour of a value from 0 to 1, sRGB-encoded: from black over violet, red and
- * orange to pale yellow. */
-void heat_colour(double value, float colour[3]);
-
 /* The plane as colours; `top` and above gets the last. sRGB-encoded. Freed by
  * image_free. */
 struct image *heat_picture(const struct plane *plane, double top);

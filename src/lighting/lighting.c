@@ -14,3 +14,13 @@ static const struct lighting *const lightings[] = {
 };
 
 LISTING(lighting, lighting, lightings);
+
+const struct lighting_view *lighting_view(const struct lighting *lighting,
+                                          const char *name)
+{
+    const struct lighting_view *view = lighting->views;
+    for (; view && view->name; view++)
+        if (strcmp(view->name, name) == 0)
+            return view;
+    return NULL;
+}

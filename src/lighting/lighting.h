@@ -20,6 +20,16 @@ struct lighting_options {
     int attempt; /* 0; then how often `again` was true */
 };
 
+struct show;
+
+/* Something to see of what a method knows: --show NAME. */
+struct lighting_view {
+    const char *name;
+    const char *help;
+    /* Its points and lines, once the picture is done (lighting/show.h). */
+    void (*give)(const void *state, struct show *show);
+};
+
 /* Takes one light_sample. */
 typedef void light_visit(void *context, const struct light_sample *sample);
 
@@ -55,11 +65,22 @@ struct lighting {
     bool (*again)(const void *state);
     /* What it took, for --stats; may be NULL. */
     void (*tell)(const void *state, lighting_row *row, void *context);
+    /* Where light comes from at any place: the sum of unit directions, each
+     * times the brightness of its light. `normal` is that of the surface there,
+     * or zero. NULL: the method doesn't know. */
+    vec3 (*stream)(const void *state, struct worker *worker, vec3 place,
+                   vec3 normal);
+    /* Ends with one without a name. NULL: there is nothing to see. */
+    const struct lighting_view *views;
 };
 
 /* By name, or NULL; by number, or NULL past the end. The first is the
  * default. */
 const struct lighting *lighting_find(const char *name);
 const struct lighting *lighting_at(size_t index);
+
+/* The method's view of that name, or NULL. */
+const struct lighting_view *lighting_view(const struct lighting *lighting,
+                                          const char *name);
 
 #endif

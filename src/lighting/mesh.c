@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
+#include "lighting/mesh_views.h"
 #include "lightmesh/indirect.h"
 #include "lighting/mesh_report.h"
 #include "lightmesh/outlook.h"
@@ -287,6 +288,24 @@ static void mesh_tell(const void *state, lighting_row *row, void *context)
     mesh_report_tell(&mesh->report, row, context);
 }
 
+static void mesh_give_direct(const void *state, struct show *show)
+{
+    const struct mesh_lighting *mesh = state;
+    mesh_show_direct(mesh->direct, show);
+}
+
+static void mesh_give_indirect(const void *state, struct show *show)
+{
+    const struct mesh_lighting *mesh = state;
+    mesh_show_indirect(mesh->indirect, show);
+}
+
+static const struct lighting_view mesh_views[] = {
+    { "mesh", "mesh points, by the light of lamps", mesh_give_direct },
+    { "mesh:indirect", "by the light of surfaces", mesh_give_indirect },
+    { NULL, NULL, NULL },
+};
+
 const struct lighting mesh_lighting = {
     .name = "mesh",
     .help = "light meshes: soft shadows, little work for many lamps",
@@ -296,4 +315,5 @@ const struct lighting mesh_lighting = {
     .sound = mesh_sound,
     .again = mesh_again,
     .tell = mesh_tell,
+    .views = mesh_views,
 };

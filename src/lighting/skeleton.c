@@ -4,6 +4,8 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "lighting/lamplight.h"
+#include "lighting/skeleton_views.h"
+#include "skeleton/export.h"
 #include "skeleton/heuristic.h"
 #include "skeleton/void.h"
 
@@ -64,6 +66,11 @@ static void *skeleton_start(const struct world *world,
     }
     lighting->skeleton =
         skeleton_new(world, scene, &lighting->space->voxels, &wanted);
+    if (said->save_file &&
+        !skeleton_save(lighting->skeleton, said->save_file, diag)) {
+        skeleton_finish(lighting);
+        return NULL;
+    }
     return lighting;
 }
 
@@ -89,10 +96,44 @@ static struct diffuse_light skeleton_illuminate(const void *state,
                                        surface->point, surface->normal) };
 }
 
+static vec3 skeleton_stream(const void *state, struct worker *worker,
+                            vec3 place, vec3 normal)
+{
+    const struct skeleton_lighting *lighting = state;
+    return skeleton_light(lighting->skeleton, worker, place, normal).stream;
+}
+
+static void skeleton_give_graph(const void *state, struct show *show)
+{
+    const struct skeleton_lighting *lighting = state;
+    skeleton_show_graph(lighting->skeleton, show);
+}
+
+static void skeleton_give_light(const void *state, struct show *show)
+{
+    const struct skeleton_lighting *lighting = state;
+    skeleton_show_light(lighting->skeleton, show);
+}
+
+static void skeleton_give_stream(const void *state, struct show *show)
+{
+    const struct skeleton_lighting *lighting = state;
+    skeleton_show_stream(lighting->skeleton, show);
+}
+
+static const struct lighting_view skeleton_views[] = {
+    { "skeleton", "the skeleton of the void, by radius", skeleton_give_graph },
+    { "skeleton:irradiance", "the same, by irradiance", skeleton_give_light },
+    { "stream", "where light goes, by irradiance", skeleton_give_stream },
+    { NULL, NULL, NULL },
+};
+
 const struct lighting skeleton_lighting = {
     .name = "skeleton",
     .help = "shadow rays, and indirect light along the skeleton of the void",
     .start = skeleton_start,
     .finish = skeleton_finish,
     .illuminate = skeleton_illuminate,
+    .stream = skeleton_stream,
+    .views = skeleton_views,
 };

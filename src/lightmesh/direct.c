@@ -169,3 +169,22 @@ rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
     }
     return sum;
 }
+
+rgb direct_mesh_arriving(const struct direct_mesh *mesh, vec3 place,
+                         const void *payload)
+{
+    struct mesh_blend here = { .count = 1, .at = { { payload, 1 } } };
+    rgb sum = rgb_grey(0);
+    if (mesh->many)
+        return harmonics_total(payload);
+    for (size_t i = 0; i < mesh->lamps->count; i++) {
+        const struct lamp *lamp = &mesh->lamps->items[i];
+        struct lamp_view view;
+        if (!lamp_look(lamp, lamp->light->location, place, &view))
+            continue;
+        rgb share = direct_mesh_share(mesh, &here, (int)i);
+        sum = rgb_add_scaled(sum, rgb_mul(lamp->light->colour, share),
+                             view.attenuation);
+    }
+    return sum;
+}

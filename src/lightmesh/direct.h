@@ -48,6 +48,10 @@ bool direct_mesh_agrees(const struct mesh_blend *blend, int number);
 /* Many lamps: their light around a blend. */
 struct harmonics direct_mesh_light(const struct mesh_blend *blend);
 
+/* All light of lamps that reaches a mesh point, without cosines. */
+rgb direct_mesh_arriving(const struct direct_mesh *mesh, vec3 place,
+                         const void *payload);
+
 /* Direct light on any surface point, the lamps' colours times their cosines
  * to `normal`; `side` is the true normal, on the same side. */
 rgb direct_mesh_irradiance(const struct direct_mesh *mesh,

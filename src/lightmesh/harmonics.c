@@ -39,3 +39,12 @@ vec3 harmonics_direction(const struct harmonics *harmonics, rgb *light)
                       fmax(vec3_dot(b, direction), 0));
     return direction;
 }
+
+rgb harmonics_total(const struct harmonics *h)
+{
+    double basis[HARMONICS];
+    harmonics_basis(vec3_make(0, 0, 1), basis);
+    return rgb_scale(
+        rgb_make((double)h->r[0], (double)h->g[0], (double)h->b[0]),
+        1 / basis[0]);
+}

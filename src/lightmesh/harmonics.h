@@ -54,6 +54,9 @@ static inline void harmonics_mix(struct harmonics *sum,
         sum->b[i] += weight * from->b[i];
 }
 
+/* All of it, from whatever direction: without cosines. */
+rgb harmonics_total(const struct harmonics *harmonics);
+
 /* The light on a surface with this normal, weighted with
  * max(0, cosine)^brilliance: Lambert's law for 1. Never negative. */
 rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,

@@ -60,6 +60,15 @@ uint64_t lattice_key(const struct lattice_point *point)
     return key;
 }
 
+struct lattice_point lattice_named(uint64_t key)
+{
+    struct lattice_point point = { .level = (int)(key >> 57 & 31) };
+    for (int axis = 0; axis < 3; axis++)
+        point.at[axis] =
+            (int)(key >> (38 - 19 * axis) & ((1 << 19) - 1)) - (1 << 18);
+    return point;
+}
+
 /* Blocks of 4 x 4 x 4 points stay together. */
 uint64_t lattice_hash(uint64_t key)
 {

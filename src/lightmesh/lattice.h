@@ -50,4 +50,7 @@ vec3 lattice_place(const struct lattice *lattice,
 uint64_t lattice_key(const struct lattice_point *point);
 uint64_t lattice_hash(uint64_t key);
 
+/* The lattice point of a name. */
+struct lattice_point lattice_named(uint64_t key);
+
 #endif

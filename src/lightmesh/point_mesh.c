@@ -285,3 +285,18 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     if (blend->count == 0)
         seek_here(&seeker);
 }
+
+void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
+                     void *context)
+{
+    size_t count = table_count(mesh->table);
+    for (size_t i = 0; i < count; i++) {
+        uint64_t key;
+        const void *payload = table_at(mesh->table, i, &key);
+        struct lattice_point point;
+        if (!payload)
+            continue;
+        point = lattice_named(key);
+        visit(context, lattice_place(&mesh->lattice, &point), payload);
+    }
+}

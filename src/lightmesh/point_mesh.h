@@ -79,6 +79,14 @@ double point_mesh_crowding(const struct point_mesh *mesh);
 /* The bytes in use. */
 size_t point_mesh_bytes(const struct point_mesh *mesh);
 
+/* Takes a mesh point that is known: its place and payload. */
+typedef void mesh_visit(void *context, vec3 place, const void *payload);
+
+/* Calls visit for each of them, in no order, while no thread asks the mesh.
+ * Which they are doesn't depend on threads. */
+void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
+                     void *context);
+
 /* The mesh points that light `place`, on a surface whose true normal, turned
  * to the lit side, is `normal`. */
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,

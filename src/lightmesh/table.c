@@ -155,6 +155,16 @@ double table_wanted(const struct table *table)
     return (double)table_count(table) - SKETCH_BITS * log(share);
 }
 
+const void *table_at(const struct table *table, size_t number, uint64_t *key)
+{
+    const struct table_head *head =
+        (const struct table_head *)(table->records + number * table->stride);
+    if (!head->place || atomic_load(&head->place->number) != number + 1)
+        return NULL;
+    *key = atomic_load(&head->place->key);
+    return head + 1;
+}
+
 size_t table_count(const struct table *table)
 {
     return atomic_load(&table->used);

@@ -36,6 +36,10 @@ void table_want(struct table *table, uint64_t key, uint64_t hash);
 /* About how many records were asked for, those included that had no room. */
 double table_wanted(const struct table *table);
 
+/* Published record `number`, from 0 to below table_count, and its key; NULL if
+ * it isn't. Their order is chance. */
+const void *table_at(const struct table *table, size_t number, uint64_t *key);
+
 /* Records in use, how many fit, and the bytes touched. */
 size_t table_count(const struct table *table);
 size_t table_capacity(const struct table *table);

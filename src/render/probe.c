@@ -27,7 +27,7 @@ struct probing {
     const struct render_options *options;
     const struct probe_point *points;
     size_t count;
-    rgb *light;
+    struct probe_light *light;
     struct plate plate;
     struct worker *workers;
     atomic_size_t done;
@@ -167,13 +167,26 @@ static rgb probe_paths(const struct probing *all, struct worker *worker,
         .mean;
 }
 
-static rgb probe_point(const struct probing *all, struct worker *worker,
-                       const struct probe_point *point)
+static struct probe_light probe_point(const struct probing *all,
+                                      struct worker *worker,
+                                      const struct probe_point *point)
 {
-    if (all->tracer->lighting->whole_paths)
-        return probe_paths(all, worker, point);
-    return (point->directed ? probe_irradiance : probe_field)(all, worker,
-                                                              point);
+    const struct lighting *lighting = all->tracer->lighting;
+    struct probe_light light = { .streams = lighting->stream };
+    if (lighting->whole_paths)
+        light.colour = probe_paths(all, worker, point);
+    else if (point->directed)
+        light.colour = probe_irradiance(all, worker, point);
+    else
+        light.colour = probe_field(all, worker, point);
+    if (lighting->stream) {
+        vec3 normal = vec3_make(0, 0, 0);
+        if (point->directed)
+            normal = vec3_normalise(point->normal);
+        light.stream = lighting->stream(all->tracer->lighting_state, worker,
+                                        point->place, normal);
+    }
+    return light;
 }
 
 static void probe_chunk(void *context, size_t item, unsigned thread)
@@ -198,8 +211,8 @@ static void probe_chunk(void *context, size_t item, unsigned thread)
 
 bool probe_run(const struct tracer *tracer,
                const struct render_options *options,
-               const struct probe_point *points, size_t count, rgb *light,
-               struct render_stats *stats)
+               const struct probe_point *points, size_t count,
+               struct probe_light *light, struct render_stats *stats)
 {
     unsigned threads = options->threads ? options->threads : 1;
     struct probing *all = memory_new(sizeof *all);

@@ -12,6 +12,13 @@ struct probe_point {
     bool directed; /* irradiance of a surface; else the scalar light field */
 };
 
+/* What reaches a point. */
+struct probe_light {
+    rgb colour;
+    bool streams; /* the lighting method knows where light comes from: */
+    vec3 stream;  /* lighting.h */
+};
+
 /* What reaches `count` points, into `light`, in POV-Ray's units: a white
  * surface that reflects everything (diffuse 1, ambient 0) is as bright as its
  * irradiance, so a lamp gives colour * cosine, and surroundings of radiance 1
@@ -22,7 +29,7 @@ struct probe_point {
  * same bits for any number of threads. Returns false if stopped. */
 bool probe_run(const struct tracer *tracer,
                const struct render_options *options,
-               const struct probe_point *points, size_t count, rgb *light,
-               struct render_stats *stats);
+               const struct probe_point *points, size_t count,
+               struct probe_light *light, struct render_stats *stats);
 
 #endif

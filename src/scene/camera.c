@@ -106,3 +106,22 @@ struct ray camera_ray(const struct camera *camera, double x, double y)
     ray.direction = vec3_normalise(ray.direction);
     return ray;
 }
+
+vec3 camera_view(const struct camera *camera, vec3 point)
+{
+    vec3 offset = vec3_sub(point, camera->location);
+    vec3 across = vec3_cross(camera->right, camera->up);
+    double volume = vec3_dot(across, camera->direction);
+    vec3 sideways = vec3_cross(camera->up, camera->direction);
+    vec3 upwards = vec3_cross(camera->direction, camera->right);
+    vec3 view = { vec3_dot(offset, sideways), vec3_dot(offset, upwards),
+                  vec3_dot(offset, across) };
+    return vec3_scale(view, 1 / volume);
+}
+
+void camera_place(const struct camera *camera, vec3 view, double *x, double *y)
+{
+    double scale = camera->kind == CAMERA_PERSPECTIVE ? 1 / view.z : 1;
+    *x = 0.5 + view.x * scale;
+    *y = 0.5 - view.y * scale;
+}

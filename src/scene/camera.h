@@ -33,4 +33,12 @@ void camera_move(struct camera *camera, const affine *transform);
  * The direction is unit. */
 struct ray camera_ray(const struct camera *camera, double x, double y);
 
+/* A point from the camera: so many rights, ups and directions away from its
+ * location. Not finite if these lie in a plane. */
+vec3 camera_view(const struct camera *camera, vec3 point);
+
+/* Where in the picture that is, (x, y) as of camera_ray; of a perspective
+ * camera view.z must be above 0. */
+void camera_place(const struct camera *camera, vec3 view, double *x, double *y);
+
 #endif

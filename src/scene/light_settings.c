@@ -72,6 +72,7 @@ const struct field light_option_fields[] = {
     { "save", FIELD_NAME, AT(light_mesh.save_file) },
     { "load", FIELD_NAME, AT(light_mesh.load_file) },
     { "only", FIELD_FLAG, AT(light_mesh.only) },
+    { "skeleton_save", FIELD_NAME, AT(skeleton.save_file) },
     { NULL },
 };
 

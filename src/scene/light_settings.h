@@ -53,6 +53,7 @@ struct light_mesh_settings {
 struct skeleton_settings {
     int resolution;        /* voxels along the longest side, 128 */
     const char *heuristic; /* a name in skeleton/heuristic/list.h, or NULL */
+    const char *save_file; /* or NULL; never by a scene */
 };
 
 struct settings;

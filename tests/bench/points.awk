@@ -13,7 +13,7 @@ BEGIN { FS = "\t" }
     for (i = 1; i <= 3; i++) {
         fields = split(table[i], word, " ")
         value[i] = fields >= 9 ? (word[7] + word[8] + word[9]) / 3 : 0
-        if (fields > 9)
+        if (i == 1 && fields > 9)
             label = word[10]
     }
     if (label == "bright") {

@@ -9,6 +9,7 @@
 #include "compare/flip.h"
 #include "compare/heat.h"
 #include "compare/ssim.h"
+#include "image/ramp.h"
 
 static struct image *image_of(int width, int height, double r, double g,
                               double b)
@@ -236,18 +237,18 @@ static void heat_gets_lighter(void **state)
     double before = -1;
     for (int i = 0; i <= 100; i++) {
         float c[3];
-        heat_colour(i / 100.0, c);
+        ramp_colour(RAMP_MAGMA, i / 100.0, c);
         double luma = 0.2126 * (double)c[0] + 0.7152 * (double)c[1] +
                       0.0722 * (double)c[2];
         assert_true(luma > before);
         before = luma;
     }
     float beyond[3], last[3];
-    heat_colour(HUGE_VAL, beyond);
-    heat_colour(1, last);
+    ramp_colour(RAMP_MAGMA, HUGE_VAL, beyond);
+    ramp_colour(RAMP_MAGMA, 1, last);
     assert_memory_equal(beyond, last, sizeof last);
-    heat_colour((double)NAN, beyond);
-    heat_colour(0, last);
+    ramp_colour(RAMP_MAGMA, (double)NAN, beyond);
+    ramp_colour(RAMP_MAGMA, 0, last);
     assert_memory_equal(beyond, last, sizeof last);
 }
 

@@ -1,0 +1,42 @@
+/* Mesh points to be shown: see mesh_views.h. */
+#include "lighting/mesh_views.h"
+
+#include "shade/surface.h"
+
+/* Who asks for the points. */
+struct mesh_viewer {
+    const struct direct_mesh *direct; /* NULL: payloads are harmonics */
+    struct show *show;
+};
+
+static void mesh_viewer_take(void *context, vec3 place, const void *payload)
+{
+    const struct mesh_viewer *viewer = context;
+    struct show *show = viewer->show;
+    rgb light = viewer->direct
+                    ? direct_mesh_arriving(viewer->direct, place, payload)
+                    : harmonics_total(payload);
+    *ARRAY_PUSH(show->arena, &show->points) =
+        (struct show_point){ place, rgb_brightness(light) };
+}
+
+static void mesh_show(const struct point_mesh *points,
+                      struct mesh_viewer *viewer)
+{
+    viewer->show->what = "light";
+    viewer->show->logarithmic = true;
+    point_mesh_each(points, mesh_viewer_take, viewer);
+}
+
+void mesh_show_direct(const struct direct_mesh *mesh, struct show *show)
+{
+    struct mesh_viewer viewer = { mesh, show };
+    mesh_show(&mesh->points, &viewer);
+}
+
+void mesh_show_indirect(const struct indirect_mesh *mesh, struct show *show)
+{
+    struct mesh_viewer viewer = { NULL, show };
+    if (mesh)
+        mesh_show(&mesh->points, &viewer);
+}
