@@ -58,6 +58,21 @@ mesh_interpolation(const struct light_mesh_settings *said, struct diag *diag)
     return NULL;
 }
 
+static bool mesh_supported(const struct light_mesh_settings *said,
+                           struct diag *diag)
+{
+    const char *word = said->threshold > 0 ? "threshold"
+                       : said->levels > 0  ? "levels"
+                                           : NULL;
+    if (word)
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   "'%s': glim does not refine light meshes by themselves yet: "
+                   "leave it out, and say a 'density', or a 'region' that "
+                   "needs a denser mesh",
+                   word);
+    return !word;
+}
+
 static struct direct_options
 mesh_options(const struct light_mesh_settings *said,
              const struct outlook *outlook, int attempt)
@@ -106,32 +121,32 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
                         const struct lighting_options *options,
                         struct diag *diag)
 {
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    const struct interpolation *interpolation = mesh_interpolation(said, diag);
+    if (!interpolation || !mesh_supported(said, diag))
+        return NULL;
     struct mesh_lighting *mesh = memory_new(sizeof *mesh);
     struct outlook outlook = outlook_of(world, scene, options->width);
     struct direct_options direct =
-        mesh_options(&scene->settings.light_mesh, &outlook, options->attempt);
+        mesh_options(said, &outlook, options->attempt);
     if (options->attempt == 0)
         ambient_dropped(scene, "mesh", diag);
-    direct.interpolation =
-        mesh_interpolation(&scene->settings.light_mesh, diag);
-    if (!direct.interpolation) {
-        memory_free(mesh);
-        return NULL;
-    }
+    direct.interpolation = interpolation;
     direct.lattice.eye = scene->camera.location;
+    lattice_set_regions(&direct.lattice, said->regions.items,
+                        said->regions.count);
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
-    mesh->sharp = scene->settings.light_mesh.shadows == MESH_SHADOWS_SHARP;
+    mesh->sharp = said->shadows == MESH_SHADOWS_SHARP;
     mesh->direct = direct_mesh_new(&mesh->lamps, &direct);
-    if (scene->settings.light_mesh.indirect.on)
-        mesh_bounces(mesh, &scene->settings.light_mesh, &direct);
+    if (said->indirect.on)
+        mesh_bounces(mesh, said, &direct);
     mesh->report = (struct mesh_report){
         .direct = mesh->direct,
         .indirect = mesh->indirect,
-        .spacing = direct.lattice.spacing,
+        .spacing = lattice_spacing(&direct.lattice, direct.lattice.usual),
         .size = direct.size,
         .bytes = MESH_BYTES,
-        .again = !(scene->settings.light_mesh.density > 0) &&
-                 options->attempt < ATTEMPTS,
+        .again = !(said->density > 0) && options->attempt < ATTEMPTS,
     };
     return mesh;
 }

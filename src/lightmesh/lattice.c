@@ -11,13 +11,63 @@ static const double lattice_rim = (1 << 18) - 64;
 /* From here on the next level is blended in, as a share of the logarithm. */
 static const double blend_start = 0.75;
 
+static double region_levels(const struct mesh_region *region)
+{
+    return round(log2(region->factor));
+}
+
+void lattice_set_regions(struct lattice *lattice,
+                         const struct mesh_region *regions, size_t count)
+{
+    lattice->regions = regions;
+    lattice->region_count = count;
+    for (size_t i = 0; i < count; i++)
+        lattice->usual = (int)fmax(lattice->usual, region_levels(&regions[i]));
+    lattice->spacing /= (double)(1ull << lattice->usual);
+}
+
+/* Distance to the region from outside; from inside, to the nearest side, and
+ * negative. */
+static double region_distance(const struct mesh_region *region, vec3 place)
+{
+    vec3 below = vec3_sub(region->low, place),
+         above = vec3_sub(place, region->high);
+    vec3 out = vec3_make(fmax(below.x, above.x), fmax(below.y, above.y),
+                         fmax(below.z, above.z));
+    double most = fmax(out.x, fmax(out.y, out.z));
+    if (most <= 0)
+        return most;
+    return vec3_length(
+        vec3_make(fmax(out.x, 0), fmax(out.y, 0), fmax(out.z, 0)));
+}
+
+/* How many levels finer the regions make the mesh: finer ones fade out around
+ * them and coarser ones (factor < 1) fade in inside. */
+static double lattice_finer(const struct lattice *lattice, vec3 place)
+{
+    double finer = 0, coarser = 0;
+    double width = lattice_spacing(lattice, lattice->usual);
+    for (size_t i = 0; i < lattice->region_count; i++) {
+        const struct mesh_region *region = &lattice->regions[i];
+        double levels = region_levels(region);
+        double cells = region_distance(region, place) / width;
+        if (levels > 0)
+            finer = fmax(finer, levels - fmax(cells, 0));
+        else
+            coarser = fmin(coarser, fmax(levels, cells));
+    }
+    return finer + coarser;
+}
+
 int lattice_level(const struct lattice *lattice, vec3 place, double *blend)
 {
+    double exact = 0;
     *blend = 0;
-    if (!(lattice->near > 0))
-        return 0;
-    double distance = vec3_length(vec3_sub(place, lattice->eye));
-    double exact = log2(distance / lattice->near) + 1;
+    if (lattice->near > 0) {
+        double distance = vec3_length(vec3_sub(place, lattice->eye));
+        exact = fmax(log2(distance / lattice->near) + 1, 0);
+    }
+    exact += lattice->usual - lattice_finer(lattice, place);
     if (!(exact > blend_start))
         return 0;
     if (exact >= LATTICE_LEVELS - 1)

@@ -5,20 +5,24 @@
  *
  * The level that a place uses grows with its distance from the camera, so that
  * a cell covers about the same number of pixels everywhere and a plane that
- * goes to the horizon has few. */
+ * goes to the horizon has few. Regions move it: each level is a factor of two,
+ * and around a region the levels follow each other a cell's width apart. */
 #ifndef LIGHTMESH_LATTICE_H
 #define LIGHTMESH_LATTICE_H
 
 #include <stdint.h>
 
-#include "base/vec.h"
+#include "scene/light_settings.h"
 
 enum { LATTICE_LEVELS = 32 };
 
 struct lattice {
     double spacing; /* of level 0, > 0 */
     vec3 eye;       /* the camera */
-    double near;    /* up to this distance level 0 is used; 0: everywhere */
+    double near;    /* up to this distance level `usual`; 0: everywhere */
+    const struct mesh_region *regions;
+    size_t region_count;
+    int usual; /* level without regions: those finer are theirs */
 };
 
 struct lattice_point {
@@ -31,6 +35,11 @@ static inline double lattice_spacing(const struct lattice *lattice, int level)
 {
     return lattice->spacing * (double)(1ull << level);
 }
+
+/* Gives the lattice, whose level 0 is its usual one, regions of other
+ * densities, factors of two, which must outlive it. */
+void lattice_set_regions(struct lattice *lattice,
+                         const struct mesh_region *regions, size_t count);
 
 /* The levels that a place uses: the returned one, and the next coarser one
  * with weight *blend, which is 0 but near the change from one to the other. */
