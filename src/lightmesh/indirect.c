@@ -10,6 +10,7 @@
 enum {
     FIRST_SAMPLES = 64, /* a mesh point's least, of kept points */
     LONE_SAMPLES = 32,  /* of places that are their own mesh point */
+    LONE_SHARE = 8,     /* such places of later bounces gather fewer each */
     LATER_SHARE = 4,    /* later bounces gather so many times fewer */
 };
 
@@ -131,8 +132,8 @@ static void fill_gather(const void *context, struct worker *worker,
     const struct indirect_mesh *mesh = context;
     struct gatherer gatherer = { mesh, worker, site };
     uint32_t most = (uint32_t)mesh->samples, count = FIRST_SAMPLES / 2;
-    if (site->lone && most > LONE_SAMPLES)
-        most = LONE_SAMPLES;
+    if (site->lone && most > (uint32_t)mesh->lone_samples)
+        most = (uint32_t)mesh->lone_samples;
     if (count > most)
         count = most;
     struct harmonics light = gatherer_mean(&gatherer, 0, count);
@@ -162,6 +163,11 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .close_context = options->close_context,
     };
     mesh->samples = options->samples;
+    mesh->lone_samples = LONE_SAMPLES;
+    for (int i = 1; i < bounce; i++)
+        mesh->lone_samples /= LONE_SHARE;
+    if (mesh->lone_samples < 1)
+        mesh->lone_samples = 1;
     mesh->error = options->error;
     mesh->points = (struct point_mesh){
         .world = direct->lamps->world,

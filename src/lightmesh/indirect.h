@@ -30,7 +30,7 @@ struct indirect_mesh {
     struct gather gather;
     struct point_mesh points;
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
-    int samples;
+    int samples, lone_samples;
     double error;
 };
 

@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/table.h"
+#include "shade/shadow.h"
 
 /* The cell is looked for so far above the surface, in spacings: half of its
  * points would else be behind it. */
@@ -166,10 +167,11 @@ static bool seeker_sees(const struct seeker *seeker,
     if (obstacles_clear(around, offset))
         return true;
     double length = vec3_length(offset);
-    struct ray ray = { from, vec3_scale(offset, 1 / length) };
+    struct ray ray = { seeker->place, vec3_scale(offset, -1 / length) };
     seeker->worker->counters.shadow_rays++;
-    return !world_occluded(seeker->mesh->world, &ray, 0, length * 0.999, -1,
-                           anything, NULL);
+    return !world_occluded(seeker->mesh->world, &ray,
+                           surface_offset(seeker->place), length, -1, anything,
+                           NULL);
 }
 
 /* 0 behind the surface, 1 well before it. */
