@@ -45,12 +45,27 @@ static void lamplight_give_area(struct lamplight *light,
                 lamplight_visit(light, lamp, &view, share);
 }
 
+/* Most lamps that give nothing are behind the surface, which needs no unit
+ * vectors. */
+static bool lamplight_is_behind(const struct lamplight *light,
+                                const struct lamp *lamp)
+{
+    const struct surface *surface = light->surface;
+    return !lamp_is_parallel(lamp) &&
+           !surface_faces(surface,
+                          vec3_sub(lamp->light->location, surface->point));
+}
+
 void lamplight_give(struct lamplight *light, const struct lamp *lamp)
 {
     const struct surface *surface = light->surface;
     struct lamp_view view;
+    bool wide =
+        lamp->light->area_illumination && lamps_soft(light->lamps, lamp);
+    if (!wide && lamplight_is_behind(light, lamp))
+        return;
     bool there = lamp_look(lamp, lamp->light->location, surface->point, &view);
-    if (lamp->light->area_illumination && lamps_soft(light->lamps, lamp)) {
+    if (wide) {
         lamplight_give_area(light, lamp, &view);
         return;
     }

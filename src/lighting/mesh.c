@@ -163,33 +163,70 @@ static void mesh_finish(void *state)
     memory_free(mesh);
 }
 
+/* What is known of one side of a surface under few lamps. */
+struct mesh_half {
+    bool known;
+    struct mesh_blend blend;
+    struct direct_verdict verdict;
+};
+
 /* A surface under few lamps. The points in front of it and those behind it,
  * looked for when a lamp on that side asks. */
 struct mesh_question {
     struct lamplight light; /* first: its address is ours */
     const struct direct_mesh *direct;
     bool sharp; /* disputed lamps are settled by shadow rays */
-    bool known[2];
-    struct mesh_blend blend[2];
+    struct mesh_half half[2];
 };
+
+static const struct mesh_half *mesh_half(struct mesh_question *question,
+                                         int side)
+{
+    struct mesh_half *half = &question->half[side];
+    const struct surface *surface = question->light.surface;
+    vec3 normal = side ? vec3_negate(surface->normal) : surface->normal;
+    if (half->known)
+        return half;
+    half->known = true;
+    point_mesh_blend(&question->direct->points, question->light.worker,
+                     surface->point, normal, &half->blend);
+    direct_mesh_judge(question->direct, &half->blend, &half->verdict);
+    return half;
+}
 
 static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
                       const struct lamp_view *view)
 {
     struct mesh_question *question = (struct mesh_question *)light;
-    const struct surface *surface = light->surface;
-    int side = vec3_dot(view->direction, surface->normal) < 0;
-    struct mesh_blend *blend = &question->blend[side];
+    int number = lamp->number;
     if (lamp->light->shadowless)
         return rgb_grey(1);
-    if (!question->known[side])
-        point_mesh_blend(
-            &question->direct->points, light->worker, surface->point,
-            side ? vec3_negate(surface->normal) : surface->normal, blend);
-    question->known[side] = true;
-    if (question->sharp && !direct_mesh_agrees(blend, lamp->number))
+    const struct mesh_half *half = mesh_half(
+        question, vec3_dot(view->direction, light->surface->normal) < 0);
+    const struct direct_verdict *verdict = &half->verdict;
+    bool lit = few_has(verdict->lit, number);
+    bool certain = (lit || few_has(verdict->dark, number)) &&
+                   direct_mesh_agrees(&half->blend);
+    if (question->sharp && !certain && !few_has(verdict->faint, number))
         return lamplight_trace(light, lamp, view);
-    return direct_mesh_share(question->direct, blend, lamp->number);
+    return lit ? rgb_grey(1)
+               : direct_mesh_share(question->direct, &half->blend, number);
+}
+
+/* Lamps that the side seen can't see give nothing, unless the other side
+ * counts too. NULL: they may. */
+static const uint64_t *mesh_hidden(struct mesh_question *question)
+{
+    const struct surface *surface = question->light.surface;
+    if (surface->at->leaf->double_illuminate)
+        return NULL;
+    for (int i = 0; i < surface->count; i++)
+        if (surface->layer[i].finish->diffuse_back != 0)
+            return NULL;
+    const struct mesh_half *half = mesh_half(question, 0);
+    return question->sharp && !direct_mesh_agrees(&half->blend)
+               ? NULL
+               : half->verdict.dark;
 }
 
 static void mesh_few(const struct mesh_lighting *mesh, struct lamplight *light)
@@ -199,9 +236,11 @@ static void mesh_few(const struct mesh_lighting *mesh, struct lamplight *light)
     question.light.share = mesh_share;
     question.direct = mesh->direct;
     question.sharp = mesh->sharp;
-    question.known[0] = question.known[1] = false;
+    question.half[0].known = question.half[1].known = false;
+    const uint64_t *hidden = mesh_hidden(&question);
     for (size_t i = 0; i < mesh->lamps.count; i++)
-        lamplight_give(&question.light, &mesh->lamps.items[i]);
+        if (!hidden || !few_has(hidden, (int)i))
+            lamplight_give(&question.light, &mesh->lamps.items[i]);
 }
 
 /* Highlights of many lamps are those of one, where most of the light is. */

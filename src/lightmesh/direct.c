@@ -13,27 +13,74 @@ enum { SHARE_ONE = 65535 };
 /* Fewer points don't decide what is sharp. */
 enum { AGREEING_POINTS = 3 };
 
+/* The error that lamps whose light is faint may make together in sharp
+ * shadows, relative to all light. */
+static const double faint_error = 0.08;
+
+/* A mesh point under few lamps keeps the sets of struct direct_verdict, each
+ * of so many words, then the shares. */
+static size_t few_words(const struct direct_mesh *mesh)
+{
+    return (mesh->lamps->count + 63) / 64;
+}
+
+static size_t few_bytes(const struct direct_mesh *mesh)
+{
+    return 3 * few_words(mesh) * sizeof(uint64_t) +
+           3 * mesh->lamps->count * sizeof(uint16_t);
+}
+
+static const uint16_t *few_share(const struct direct_mesh *mesh,
+                                 const void *payload, size_t number)
+{
+    const uint64_t *sets = payload;
+    return (const uint16_t *)(sets + 3 * few_words(mesh)) + 3 * number;
+}
+
 static uint16_t share_pack(double share)
 {
     return (uint16_t)lround(fmin(fmax(share, 0), 1) * SHARE_ONE);
 }
 
-/* Each lamp's visible share. */
+/* The visible share, and how much light it is a share of. */
+static double fill_share(const struct direct_mesh *mesh, struct worker *worker,
+                         const struct mesh_site *site, size_t number,
+                         uint16_t share[3])
+{
+    const struct lamp *lamp = &mesh->lamps->items[number];
+    struct lamp_target target = { .point = site->place };
+    bool there =
+        lamp_look(lamp, lamp->light->location, site->place, &target.view);
+    rgb seen = lamps_share(mesh->lamps, lamp, worker, &target);
+    share[0] = share_pack(seen.r);
+    share[1] = share_pack(seen.g);
+    share[2] = share_pack(seen.b);
+    return there ? target.view.attenuation * rgb_peak(lamp->light->colour) : 0;
+}
+
+/* Each lamp's visible share. Errors of lamps are independent, and so add up
+ * like the sides of right angles: n of them may each be 1/sqrt(n) of what is
+ * allowed. */
 static void fill_shares(const void *context, struct worker *worker,
                         const struct mesh_site *site, void *payload)
 {
     const struct direct_mesh *mesh = context;
-    const struct lamps *lamps = mesh->lamps;
-    uint16_t *share = payload;
-    for (size_t i = 0; i < lamps->count; i++, share += 3) {
-        const struct lamp *lamp = &lamps->items[i];
-        struct lamp_target target = { .point = site->place };
-        lamp_look(lamp, lamp->light->location, site->place, &target.view);
-        rgb seen = lamps_share(lamps, lamp, worker, &target);
-        share[0] = share_pack(seen.r);
-        share[1] = share_pack(seen.g);
-        share[2] = share_pack(seen.b);
+    size_t count = mesh->lamps->count, words = few_words(mesh);
+    double light[FEW_MAX], sum = 0;
+    uint64_t *lit = payload, *dark = lit + words, *faint = dark + words;
+    uint16_t *share = (uint16_t *)(faint + words);
+    for (size_t i = 0; i < count; i++, share += 3) {
+        uint64_t bit = 1ull << (i % 64);
+        light[i] = fill_share(mesh, worker, site, i, share);
+        sum += light[i] * share[1] / SHARE_ONE;
+        if ((share[0] & share[1] & share[2]) == SHARE_ONE)
+            lit[i / 64] |= bit;
+        if ((share[0] | share[1] | share[2]) == 0)
+            dark[i / 64] |= bit;
     }
+    for (size_t i = 0; i < count; i++)
+        if (light[i] * sqrt((double)count) < faint_error * sum)
+            faint[i / 64] |= 1ull << (i % 64);
 }
 
 /* One lamp, and with it the cluster it stands for. Of an area light one point
@@ -78,6 +125,8 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
     struct direct_mesh *mesh = memory_new(sizeof *mesh);
     mesh->lamps = lamps;
     mesh->many = lamps->count > (size_t)options->few;
+    if (lamps->count > FEW_MAX)
+        mesh->many = true;
     mesh->budget = options->budget < PICKS_MAX ? options->budget : PICKS_MAX;
     if (mesh->many)
         mesh->tree = light_tree_new(lamps, options->centre, options->size);
@@ -87,8 +136,7 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
         .interpolation = options->interpolation,
         .radius = options->radius > 0 ? options->radius
                                       : options->interpolation->radius,
-        .payload_size = mesh->many ? sizeof(struct harmonics)
-                                   : 3 * lamps->count * sizeof(uint16_t),
+        .payload_size = mesh->many ? sizeof(struct harmonics) : few_bytes(mesh),
         .full = memory_new(sizeof(atomic_bool)),
         .fill = mesh->many ? fill_harmonics : fill_shares,
         .context = mesh,
@@ -111,29 +159,39 @@ rgb direct_mesh_share(const struct direct_mesh *mesh,
                       const struct mesh_blend *blend, int number)
 {
     rgb sum = rgb_grey(0);
-    (void)mesh;
     for (int i = 0; i < blend->count; i++) {
-        const uint16_t *share = blend->at[i].payload;
-        share += 3 * number;
+        const uint16_t *share =
+            few_share(mesh, blend->at[i].payload, (size_t)number);
         rgb seen = rgb_make(share[0], share[1], share[2]);
         sum = rgb_add_scaled(sum, seen, blend->at[i].weight);
     }
     return rgb_scale(sum, 1.0 / SHARE_ONE);
 }
 
-bool direct_mesh_agrees(const struct mesh_blend *blend, int number)
+void direct_mesh_judge(const struct direct_mesh *mesh,
+                       const struct mesh_blend *blend,
+                       struct direct_verdict *verdict)
 {
-    const uint16_t *first = blend->at[0].payload;
-    uint16_t all = first[3 * number];
-    if (blend->count < AGREEING_POINTS || (all != 0 && all != SHARE_ONE))
-        return false;
-    for (int i = 0; i < blend->count; i++) {
-        const uint16_t *share = blend->at[i].payload;
-        share += 3 * number;
-        if (share[0] != all || share[1] != all || share[2] != all)
-            return false;
+    size_t words = few_words(mesh);
+    const uint64_t *first = blend->at[0].payload;
+    for (size_t w = 0; w < words; w++) {
+        verdict->lit[w] = first[w];
+        verdict->dark[w] = first[w + words];
+        verdict->faint[w] = first[w + 2 * words];
     }
-    return true;
+    for (int i = 1; i < blend->count; i++) {
+        const uint64_t *sets = blend->at[i].payload;
+        for (size_t w = 0; w < words; w++) {
+            verdict->lit[w] &= sets[w];
+            verdict->dark[w] &= sets[w + words];
+            verdict->faint[w] &= sets[w + 2 * words];
+        }
+    }
+}
+
+bool direct_mesh_agrees(const struct mesh_blend *blend)
+{
+    return blend->count >= AGREEING_POINTS;
 }
 
 struct harmonics direct_mesh_light(const struct mesh_blend *blend)

@@ -12,6 +12,16 @@
 
 struct light_tree;
 
+enum {
+    FEW_MAX = 1024, /* lamps known one by one, at most */
+    FEW_WORDS = FEW_MAX / 64,
+};
+
+static inline bool few_has(const uint64_t set[FEW_WORDS], int number)
+{
+    return set[number / 64] >> (number % 64) & 1;
+}
+
 struct direct_mesh {
     const struct lamps *lamps;
     struct point_mesh points;
@@ -24,7 +34,7 @@ struct direct_options {
     struct lattice lattice;
     const struct interpolation *interpolation;
     double radius; /* of interpolation, in spacings; 0: its own */
-    int few;       /* more lamps than this are many */
+    int few;       /* more lamps than this are many; at most FEW_MAX */
     int budget;
     double finer; /* than quality 5: a factor */
     vec3 centre;  /* of what is seen */
@@ -41,9 +51,22 @@ void direct_mesh_free(struct direct_mesh *mesh);
 rgb direct_mesh_share(const struct direct_mesh *mesh,
                       const struct mesh_blend *blend, int number);
 
-/* Few lamps: whether the blend leaves no doubt about the lamp's share: enough
- * points see all of the lamp, or none of it. */
-bool direct_mesh_agrees(const struct mesh_blend *blend, int number);
+/* What a blend knows of few lamps: sets of their numbers, as bits. */
+struct direct_verdict {
+    uint64_t lit[FEW_WORDS];  /* all points see all of the lamp */
+    uint64_t dark[FEW_WORDS]; /* no point sees any of it */
+    /* All points find its light so faint beside that of the others that the
+     * interpolated share will do where a shadow's edge is to be sharp. */
+    uint64_t faint[FEW_WORDS];
+};
+
+void direct_mesh_judge(const struct direct_mesh *mesh,
+                       const struct mesh_blend *blend,
+                       struct direct_verdict *verdict);
+
+/* Whether enough points were asked to believe in sharp shadows what they agree
+ * on. */
+bool direct_mesh_agrees(const struct mesh_blend *blend);
 
 /* Many lamps: their light around a blend. */
 struct harmonics direct_mesh_light(const struct mesh_blend *blend);

@@ -9,7 +9,7 @@
 struct light_node {
     vec3 low, high;
     double intensity;
-    double fade_distance, fade_power; /* of all its lamps; 0: none or mixed */
+    const struct lamp *model; /* all its lamps fade like this one; or NULL */
     size_t first, count, second;
 };
 
@@ -73,20 +73,20 @@ static void places_select(struct light_place *places, size_t count, size_t k,
 static void node_measure(const struct light_tree *tree, struct light_node *node)
 {
     const struct light_place *places = &tree->places[node->first];
-    const struct light *model = places->lamp->light;
+    const struct lamp *model = places->lamp;
     node->low = node->high = places->place;
-    node->fade_distance = places->lamp->fades ? model->fade_distance : 0;
-    node->fade_power = model->fade_power;
+    bool alike = model->fades && !lamp_is_parallel(model);
     for (size_t i = 0; i < node->count; i++) {
         const struct lamp *lamp = places[i].lamp;
         node->low = vec3_min(node->low, places[i].place);
         node->high = vec3_max(node->high, places[i].place);
         node->intensity += places[i].intensity;
         if (!lamp->fades || lamp_is_parallel(lamp) ||
-            lamp->light->fade_distance != model->fade_distance ||
-            lamp->light->fade_power != model->fade_power)
-            node->fade_distance = 0;
+            lamp->light->fade_distance != model->light->fade_distance ||
+            lamp->light->fade_power != model->light->fade_power)
+            alike = false;
     }
+    node->model = alike ? model : NULL;
 }
 
 static void tree_build(struct light_tree *tree, size_t first, size_t count)
@@ -159,8 +159,8 @@ static double node_spread(const struct light_node *node, vec3 point)
     double gap = vec3_length(vec3_sub(nearest, point));
     double size = vec3_length(vec3_sub(node->high, node->low));
     double light = node->intensity;
-    if (node->fade_distance > 0)
-        light *= 2 / (1 + pow(gap / node->fade_distance, node->fade_power));
+    if (node->model)
+        light *= lamp_fading(node->model, gap);
     return light * size / (gap + 0.25 * size + 1e-30) + light * 1e-6;
 }
 

@@ -64,7 +64,8 @@ double lamp_fading(const struct lamp *lamp, double distance)
     if (!lamp->fades)
         return 1;
     double ratio = fabs(distance) / lamp->light->fade_distance;
-    return 2 / (1 + pow(ratio, lamp->light->fade_power));
+    double power = lamp->light->fade_power;
+    return 2 / (1 + (power == 2 ? ratio * ratio : pow(ratio, power)));
 }
 
 /* Parallel lights and cylinders shine along their axis; their distance is
