@@ -7,6 +7,7 @@
 #include "lighting/mesh_views.h"
 #include "lightmesh/indirect.h"
 #include "lighting/mesh_report.h"
+#include "lighting/mesh_scalar.h"
 #include "lightmesh/outlook.h"
 
 struct mesh_lighting {
@@ -17,6 +18,7 @@ struct mesh_lighting {
     double size;                    /* across what is seen */
     struct emitters *emitters;      /* with indirect light */
     struct indirect_mesh *indirect; /* or NULL */
+    struct scalar_mesh *scalar;     /* of model scalar, in place of them all */
     struct mesh_report report;
 };
 
@@ -29,6 +31,7 @@ enum {
     ATTEMPTS = 12,                     /* to choose a spacing that fits */
     BOUNCES = 6,
     SAMPLES = 512, /* gather rays of a mesh point */
+    SCALAR_SAMPLES = 100,
 };
 
 /* Gathering stops when the halves of the samples differ by less. */
@@ -117,6 +120,17 @@ static void mesh_bounces(struct mesh_lighting *mesh,
     mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters, &options);
 }
 
+/* The paper's meshes. */
+static struct scalar_mesh *mesh_literal(const struct lamps *lamps,
+                                        const struct light_mesh_settings *said,
+                                        struct direct_options *options)
+{
+    int samples =
+        said->indirect.samples ? said->indirect.samples : SCALAR_SAMPLES;
+    options->bytes = MESH_BYTES;
+    return scalar_mesh_new(lamps, options, said->indirect.on ? samples : 0);
+}
+
 static void *mesh_start(const struct world *world, const struct scene *scene,
                         const struct lighting_options *options,
                         struct diag *diag)
@@ -137,12 +151,16 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
                         said->regions.count);
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     mesh->sharp = said->shadows == MESH_SHADOWS_SHARP;
-    mesh->direct = direct_mesh_new(&mesh->lamps, &direct);
-    if (said->indirect.on)
+    if (said->model == MESH_MODEL_SCALAR)
+        mesh->scalar = mesh_literal(&mesh->lamps, said, &direct);
+    else
+        mesh->direct = direct_mesh_new(&mesh->lamps, &direct);
+    if (said->indirect.on && mesh->direct)
         mesh_bounces(mesh, said, &direct);
     mesh->report = (struct mesh_report){
         .direct = mesh->direct,
         .indirect = mesh->indirect,
+        .scalar = mesh->scalar,
         .spacing = lattice_spacing(&direct.lattice, direct.lattice.usual),
         .size = direct.size,
         .bytes = MESH_BYTES,
@@ -156,6 +174,7 @@ static void mesh_finish(void *state)
     struct mesh_lighting *mesh = state;
     if (!mesh)
         return;
+    scalar_mesh_free(mesh->scalar);
     indirect_mesh_free(mesh->indirect);
     emitters_free(mesh->emitters);
     direct_mesh_free(mesh->direct);
@@ -314,6 +333,8 @@ static struct diffuse_light mesh_illuminate(const void *state,
         .visit = visit,
         .context = context,
     };
+    if (mesh->scalar)
+        return mesh_scalar_light(mesh->scalar, &light);
     if (mesh->direct->many)
         diffuse.irradiance = mesh_many(mesh, &light);
     else

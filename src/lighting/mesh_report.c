@@ -15,6 +15,11 @@ static const struct point_mesh *report_mesh(const struct mesh_report *report,
                                             int number)
 {
     const struct indirect_mesh *bounce = report->indirect;
+    const struct scalar_mesh *scalar = report->scalar;
+    if (scalar && number == 1 && scalar->samples)
+        return &scalar->indirect;
+    if (scalar)
+        return number == 0 ? &scalar->direct : NULL;
     if (number == 0)
         return &report->direct->points;
     for (; bounce && number > 1; number--)
@@ -24,7 +29,7 @@ static const struct point_mesh *report_mesh(const struct mesh_report *report,
 
 bool mesh_report_again(const struct mesh_report *report)
 {
-    return report->again && atomic_load(report->direct->points.full);
+    return report->again && atomic_load(report_mesh(report, 0)->full);
 }
 
 /* As many points lie on a surface as the square of the density. */
@@ -32,7 +37,7 @@ bool mesh_report_sound(const struct mesh_report *report, struct diag *diag)
 {
     const struct point_mesh *mesh;
     double crowding = 1;
-    if (!atomic_load(report->direct->points.full))
+    if (!atomic_load(report_mesh(report, 0)->full))
         return true;
     if (report->again)
         return false;
@@ -61,6 +66,8 @@ void mesh_report_tell(const struct mesh_report *report, lighting_row *row,
             snprintf(kind, sizeof kind, "bounce %d", i);
         snprintf(name, sizeof name, "%s points", kind);
         row(context, name, (double)table_count(mesh->table), "");
+        snprintf(name, sizeof name, "%s alone", kind);
+        row(context, name, (double)atomic_load(&mesh->work->lone), "");
         snprintf(name, sizeof name, "%s rays", kind);
         row(context, name, (double)atomic_load(&mesh->work->rays), "");
         around += (double)table_count(mesh->around);

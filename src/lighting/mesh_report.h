@@ -5,10 +5,12 @@
 
 #include "lighting/lighting.h"
 #include "lightmesh/indirect.h"
+#include "lightmesh/scalar.h"
 
 struct mesh_report {
     const struct direct_mesh *direct;
     const struct indirect_mesh *indirect; /* or NULL */
+    const struct scalar_mesh *scalar;     /* or NULL: in place of the two */
     double spacing;                       /* of mesh points */
     double size;                          /* across what is seen */
     size_t bytes;                         /* that all meshes may have */

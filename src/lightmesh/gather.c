@@ -41,17 +41,6 @@ static rgb gather_irradiance(const struct gather *gather, struct worker *worker,
     return light;
 }
 
-static rgb surface_glow(const struct surface *surface)
-{
-    rgb sum = rgb_grey(0);
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        rgb own = finish_glow(layer, rgb_grey(0), rgb_grey(0));
-        sum = rgb_add(sum, rgb_mul(layer->weight, own));
-    }
-    return sum;
-}
-
 /* What the surface sends back of the light on it, and of its own. Layers
  * with one normal share the light. */
 static rgb gathering_shade(const struct gathering *gathering,
@@ -105,9 +94,8 @@ static double surface_ior(const struct intersection *at)
     return interior ? interior->ior : 1;
 }
 
-static void gather_surface(const struct gather *gather, const struct ray *ray,
-                           const struct intersection *at,
-                           struct surface *surface)
+void gather_surface(const struct gather *gather, const struct ray *ray,
+                    const struct intersection *at, struct surface *surface)
 {
     struct surface_view view = {
         .direction = ray->direction,

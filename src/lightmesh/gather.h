@@ -9,6 +9,7 @@
 #include "shade/emitters.h"
 
 struct indirect_mesh;
+struct surface;
 
 /* The irradiance of light from everywhere that ends a row of bounces; NULL
  * ends it in the dark. */
@@ -23,6 +24,11 @@ struct gather {
     gather_close *close; /* if there is no `indirect` */
     const void *close_context;
 };
+
+/* The surface that a gather ray met; `at` must stay as long. Of `gather` only
+ * the lamps count. */
+void gather_surface(const struct gather *gather, const struct ray *ray,
+                    const struct intersection *at, struct surface *surface);
 
 /* Radiance along the ray, of which *glow is what its first surface has of its
  * own; *at is where (at->leaf NULL: nowhere). Mirrors and panes are

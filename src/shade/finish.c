@@ -192,3 +192,16 @@ rgb finish_exponent(rgb light, double exponent)
                   power_of_light(light.g, 1 / exponent),
                   power_of_light(light.b, 1 / exponent) };
 }
+
+rgb surface_glow(const struct surface *surface)
+{
+    rgb sum = rgb_grey(0);
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        if (rgb_peak(layer->finish->emission) == 0)
+            continue;
+        rgb glow = finish_glow(layer, rgb_grey(0), rgb_grey(0));
+        sum = rgb_add(sum, rgb_mul(layer->weight, glow));
+    }
+    return sum;
+}

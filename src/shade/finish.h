@@ -15,6 +15,9 @@ rgb finish_light(const struct surface *surface,
  * diffuse * pigment * irradiance). The layer's weight is not applied. */
 rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance);
 
+/* The light that a surface itself sends to its viewer: emission. */
+rgb surface_glow(const struct surface *surface);
+
 /* Whether light that meets the layer at this cosine (negative: from behind)
  * does anything. `twice`: the object says double_illuminate. */
 bool finish_lit_by(const struct finish *finish, double cosine, bool twice);

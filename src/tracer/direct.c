@@ -139,19 +139,6 @@ static rgb lamps_light(const struct question *q, bool every)
     return sum;
 }
 
-rgb surface_glow(const struct surface *surface)
-{
-    rgb sum = rgb_grey(0);
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        if (rgb_peak(layer->finish->emission) == 0)
-            continue;
-        rgb glow = finish_glow(layer, rgb_grey(0), rgb_grey(0));
-        sum = rgb_add(sum, rgb_mul(layer->weight, glow));
-    }
-    return sum;
-}
-
 double direct_weight(const struct light_set *set, vec3 from, vec3 direction,
                      double density, const struct intersection *at)
 {

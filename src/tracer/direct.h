@@ -35,9 +35,6 @@ rgb direct_light(const struct tracer *tracer, struct worker *worker,
                  const struct receiver *receiver, const struct draws *draws,
                  bool every);
 
-/* The light that a surface itself sends to its viewer. */
-rgb surface_glow(const struct surface *surface);
-
 /* The weight of a ray of `density` that `from` scattered and that met something
  * glowing at `at`. */
 double direct_weight(const struct light_set *set, vec3 from, vec3 direction,
