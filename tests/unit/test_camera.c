@@ -26,6 +26,31 @@ static void look_at(struct camera *camera, double x, double y, double z)
     camera->has_look_at = true;
 }
 
+/* Whatever a ray goes through is seen where the ray starts in the picture. */
+static void places_are_where_rays_go(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 2; kind++) {
+        struct camera camera = camera_default();
+        camera.kind = kind ? CAMERA_ORTHOGRAPHIC : CAMERA_PERSPECTIVE;
+        camera.location = vec3_make(3, -1, 2);
+        camera.direction = vec3_make(0.2, 0, 1); /* sheared */
+        camera.angle = 60;
+        look_at(&camera, 1, 2, 5);
+        assert_null(camera_finish(&camera));
+        for (int i = 0; i < 9; i++) {
+            double x = 0.1 + i % 3 * 0.4, y = 0.3 + i / 3 * 0.2, u, v;
+            struct ray ray = camera_ray(&camera, x, y);
+            vec3 view = camera_view(&camera, ray_point(&ray, 7 + i));
+            assert_true(view.z > 0);
+            camera_place(&camera, view, &u, &v);
+            assert_true(fabs(u - x) < 1e-12 && fabs(v - y) < 1e-12);
+        }
+        vec3 behind = vec3_along(camera.location, camera.direction, -0.5);
+        assert_true(fabs(camera_view(&camera, behind).z + 0.5) < 1e-12);
+    }
+}
+
 static void perspective_is_povrays(void **state)
 {
     (void)state;
@@ -127,6 +152,7 @@ static void looking_into_the_sky_works(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(places_are_where_rays_go),
         cmocka_unit_test(perspective_is_povrays),
         cmocka_unit_test(mirrored_cameras_stay_mirrored),
         cmocka_unit_test(orthographic_sizes_are_povrays),

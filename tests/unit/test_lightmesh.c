@@ -71,6 +71,8 @@ static void test_lattice(void **state)
     assert_true(fabs(at.z - 12) < 1e-9);
     struct lattice_point other = { 1, { -7, 0, 12 } };
     assert_true(lattice_key(&point) != lattice_key(&other));
+    struct lattice_point named = lattice_named(lattice_key(&other));
+    assert_memory_equal(&named, &other, sizeof named);
 }
 
 /* Weights never jump: spherical and trilinear blends of a smooth function
