@@ -1,6 +1,7 @@
 /* glim: scene text -> scene -> world -> picture -> file, for every frame. */
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/save.h"
 #include "cli/interrupt.h"
 #include "cli/picture.h"
 #include "cli/probe_file.h"
@@ -13,7 +14,8 @@ enum status { DONE = 0, FAILED = 1, INTERRUPTED = 2 };
 struct work {
     struct options options;
     const struct source *source;
-    struct probe_file points; /* of --probe */
+    struct probe_file points;  /* of --probe */
+    struct lighting_kept kept; /* by the frame before */
     const atomic_int *stop;
     struct diag diag;
 };
@@ -93,6 +95,22 @@ static bool frame_probe(struct work *work, const struct tracer *tracer,
     return done;
 }
 
+/* Whether what the lighting method knows after a frame is of use. */
+static bool work_keeps(const struct work *work)
+{
+    const struct options *options = &work->options;
+    return options->lighting->keep && (options->light.light_mesh.save_file ||
+                                       frames_count(&options->frames) > 1);
+}
+
+static void frame_keep(struct work *work, const struct tracer *tracer)
+{
+    if (!work_keeps(work))
+        return;
+    memory_free(work->kept.bytes);
+    work->kept = tracer->lighting->keep(tracer->lighting_state);
+}
+
 /* Lights the world; returns whether that is to be tried again. */
 static bool frame_attempt(struct work *work, const struct world *world,
                           const struct scene *scene,
@@ -114,6 +132,8 @@ static bool frame_attempt(struct work *work, const struct world *world,
                                                                  name, stats);
     bool again = state && !*done && !atomic_load(work->stop) &&
                  lighting->again && lighting->again(state);
+    if (*done)
+        frame_keep(work, &tracer);
     if (state)
         lighting->finish(state);
     return again;
@@ -133,7 +153,9 @@ static bool frame_render(struct work *work, const struct scene *scene,
         return false;
     struct lighting_options light = { .threads = options->render.threads,
                                       .width = options->render.width,
-                                      .quality = options->quality };
+                                      .quality = options->quality,
+                                      .keep = work_keeps(work),
+                                      .kept = &work->kept };
     bool done = false;
     while (frame_attempt(work, world, scene, &light, name, stats, &done))
         light.attempt++;
@@ -183,6 +205,26 @@ static enum status frame_run(struct work *work, int number)
     return atomic_load(work->stop) ? INTERRUPTED : FAILED;
 }
 
+/* --mesh-save, after the last frame. */
+static bool work_save(struct work *work)
+{
+    const char *name = work->options.light.light_mesh.save_file;
+    char why[256];
+    if (!name || work->options.action != ACTION_RENDER)
+        return true;
+    if (!work->kept.bytes)
+        diag_print(&work->diag, DIAG_WARNING, span_none(), NULL,
+                   "nothing was rendered: the light mesh '%s' is not written",
+                   name);
+    else if (!save_bytes(name, work->kept.bytes, work->kept.size, why,
+                         sizeof why)) {
+        diag_print(&work->diag, DIAG_ERROR, span_none(), NULL,
+                   "can't write the light mesh '%s': %s", name, why);
+        return false;
+    }
+    return true;
+}
+
 static enum status work_run(struct work *work, struct arena *arena)
 {
     const char *problem = NULL;
@@ -203,6 +245,8 @@ static enum status work_run(struct work *work, struct arena *arena)
         !probe_file_read(&work->points, work->options.probe, arena,
                          &work->diag))
         return FAILED;
+    if (!picture_can_be(work->options.light.light_mesh.save_file, &work->diag))
+        return FAILED;
     for (int i = 0; i < frames_count(frames); i++) {
         enum status status = atomic_load(work->stop)
                                  ? INTERRUPTED
@@ -212,7 +256,7 @@ static enum status work_run(struct work *work, struct arena *arena)
         if (status != DONE)
             return status;
     }
-    return DONE;
+    return work_save(work) ? DONE : FAILED;
 }
 
 int main(int argc, char **argv)
@@ -226,6 +270,7 @@ int main(int argc, char **argv)
         else
             status = work_run(&work, arena);
     }
+    memory_free(work.kept.bytes);
     arena_free(arena);
     return status;
 }

@@ -360,14 +360,21 @@ static void options_resolve_scene(struct option_reader *reader)
 
 static bool options_resolve_mesh(struct option_reader *reader)
 {
-    const struct light_mesh_settings *mesh = &reader->options->light.light_mesh;
-    if (!mesh->only)
-        return true;
-    reader->options->to_file = false;
-    if (!mesh->save_file)
+    const struct options *options = reader->options;
+    const struct light_mesh_settings *mesh = &options->light.light_mesh;
+    if (mesh->only)
+        reader->options->to_file = false;
+    if (mesh->only && !mesh->save_file)
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
                    "--mesh-only would keep nothing: add --mesh-save FILE");
-    return mesh->save_file;
+    else if (mesh->save_file && !options->lighting->keep)
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "--lighting %s makes no light mesh for --mesh-save: add "
+                   "--lighting mesh",
+                   options->lighting->name);
+    else
+        return true;
+    return false;
 }
 
 /* `found` is a lighting that has the view. */

@@ -12,12 +12,21 @@
 #include "base/worker.h"
 #include "shade/surface.h"
 
+/* What a method knows after a picture, to be used in the next. */
+struct lighting_kept {
+    void *bytes; /* freed with memory_free; NULL: nothing */
+    size_t size;
+};
+
 struct lighting_options {
     unsigned threads;
     int quality; /* +Q, 0..11 */
     int width;   /* of the picture, pixels; 0: any */
     unsigned long long seed;
-    int attempt; /* 0; then how often `again` was true */
+    int attempt;                      /* 0; then how often `again` was true */
+    bool keep;                        /* `keep` will be called */
+    const struct lighting_kept *kept; /* by the picture before, or NULL; used
+                                       * only if it is of the same scene */
 };
 
 struct show;
@@ -65,6 +74,9 @@ struct lighting {
     bool (*again)(const void *state);
     /* What it took, for --stats; may be NULL. */
     void (*tell)(const void *state, lighting_row *row, void *context);
+    /* What is known by now, for the next picture or for --mesh-save. NULL:
+     * the method has nothing to keep. */
+    struct lighting_kept (*keep)(const void *state);
     /* Where light comes from at any place: the sum of unit directions, each
      * times the brightness of its light. `normal` is that of the surface there,
      * or zero. NULL: the method doesn't know. */

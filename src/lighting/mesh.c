@@ -4,22 +4,27 @@
 #include "base/text.h"
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
-#include "lighting/mesh_views.h"
-#include "lightmesh/indirect.h"
+#include "lighting/mesh_known.h"
 #include "lighting/mesh_report.h"
 #include "lighting/mesh_scalar.h"
+#include "lighting/mesh_views.h"
+#include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
 
 struct mesh_lighting {
     struct lamps lamps;
     struct direct_mesh *direct;
     bool sharp;
-    double spacing;                 /* of mesh points */
-    double size;                    /* across what is seen */
     struct emitters *emitters;      /* with indirect light */
     struct indirect_mesh *indirect; /* or NULL */
     struct scalar_mesh *scalar;     /* of model scalar, in place of them all */
     struct mesh_report report;
+    /* The same, whose lattices are coarser the farther from this picture's
+     * camera; what mesh points hold must not depend on it, only on the
+     * stamp's frame. */
+    struct direct_mesh near_direct;
+    struct indirect_mesh near_indirect;
+    struct mesh_stamp stamp;
 };
 
 /* What a mesh needs where the scene says nothing. */
@@ -76,24 +81,43 @@ static bool mesh_supported(const struct light_mesh_settings *said,
     return !word;
 }
 
-static struct direct_options
-mesh_options(const struct light_mesh_settings *said,
-             const struct outlook *outlook, int attempt)
+static double mesh_finer(const struct light_mesh_settings *said)
 {
-    double quality = said->quality > 0 ? said->quality : 5;
-    double finer = pow(1.3, quality - 5);
+    return pow(1.3, (said->quality > 0 ? said->quality : 5) - 5);
+}
+
+static struct mesh_frame mesh_frame(const struct light_mesh_settings *said,
+                                    const struct camera *camera,
+                                    const struct outlook *outlook, int attempt)
+{
     double spacing = mesh_pixels * outlook->pixel;
     spacing = fmin(fmax(spacing, outlook->size / 256), outlook->size / 24);
-    spacing *= pow(coarser, attempt) / finer;
+    spacing *= pow(coarser, attempt) / mesh_finer(said);
     if (said->density > 0)
         spacing = 1 / said->density;
-    struct direct_options options = {
-        .lattice = { .spacing = spacing, .near = 2 * outlook->distance },
-        .radius = said->radius / spacing,
-        .few = said->shadows == MESH_SHADOWS_SHARP ? SHARP_LAMPS : FEW_LAMPS,
-        .budget = (int)(24 * finer),
+    return (struct mesh_frame){
+        .spacing = spacing,
+        .near = 2 * outlook->distance,
+        .eye = camera->location,
         .centre = outlook->centre,
         .size = outlook->size,
+    };
+}
+
+static struct direct_options
+mesh_options(const struct light_mesh_settings *said,
+             const struct mesh_frame *frame)
+{
+    double finer = mesh_finer(said);
+    struct direct_options options = {
+        .lattice = { .spacing = frame->spacing,
+                     .eye = frame->eye,
+                     .near = frame->near },
+        .radius = said->radius / frame->spacing,
+        .few = said->shadows == MESH_SHADOWS_SHARP ? SHARP_LAMPS : FEW_LAMPS,
+        .budget = (int)(24 * finer),
+        .centre = frame->centre,
+        .size = frame->size,
         .finer = finer,
         .bytes = MESH_BYTES - (said->indirect.on ? INDIRECT_BYTES : 0),
     };
@@ -111,7 +135,7 @@ static void mesh_bounces(struct mesh_lighting *mesh,
         .lattice = direct->lattice,
         .interpolation = direct->interpolation,
         .radius = direct->radius,
-        .bounces = bounces > 0 ? bounces : BOUNCES,
+        .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : BOUNCES,
         .samples = samples > 0 ? samples : (int)(SAMPLES * finer * finer),
         .error = gather_error / finer,
         .bytes = INDIRECT_BYTES,
@@ -131,44 +155,6 @@ static struct scalar_mesh *mesh_literal(const struct lamps *lamps,
     return scalar_mesh_new(lamps, options, said->indirect.on ? samples : 0);
 }
 
-static void *mesh_start(const struct world *world, const struct scene *scene,
-                        const struct lighting_options *options,
-                        struct diag *diag)
-{
-    const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    const struct interpolation *interpolation = mesh_interpolation(said, diag);
-    if (!interpolation || !mesh_supported(said, diag))
-        return NULL;
-    struct mesh_lighting *mesh = memory_new(sizeof *mesh);
-    struct outlook outlook = outlook_of(world, scene, options->width);
-    struct direct_options direct =
-        mesh_options(said, &outlook, options->attempt);
-    if (options->attempt == 0)
-        ambient_dropped(scene, "mesh", diag);
-    direct.interpolation = interpolation;
-    direct.lattice.eye = scene->camera.location;
-    lattice_set_regions(&direct.lattice, said->regions.items,
-                        said->regions.count);
-    mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
-    mesh->sharp = said->shadows == MESH_SHADOWS_SHARP;
-    if (said->model == MESH_MODEL_SCALAR)
-        mesh->scalar = mesh_literal(&mesh->lamps, said, &direct);
-    else
-        mesh->direct = direct_mesh_new(&mesh->lamps, &direct);
-    if (said->indirect.on && mesh->direct)
-        mesh_bounces(mesh, said, &direct);
-    mesh->report = (struct mesh_report){
-        .direct = mesh->direct,
-        .indirect = mesh->indirect,
-        .scalar = mesh->scalar,
-        .spacing = lattice_spacing(&direct.lattice, direct.lattice.usual),
-        .size = direct.size,
-        .bytes = MESH_BYTES,
-        .again = !(said->density > 0) && options->attempt < ATTEMPTS,
-    };
-    return mesh;
-}
-
 static void mesh_finish(void *state)
 {
     struct mesh_lighting *mesh = state;
@@ -180,6 +166,103 @@ static void mesh_finish(void *state)
     direct_mesh_free(mesh->direct);
     lamps_free(&mesh->lamps);
     memory_free(mesh);
+}
+
+enum { MESHES_MAX = 1 + BOUNCES_MAX };
+
+/* All that hold points, in the order in which files hold them. */
+static size_t mesh_points(const struct mesh_lighting *mesh,
+                          const struct point_mesh *meshes[MESHES_MAX])
+{
+    size_t count = 0;
+    if (mesh->scalar) {
+        meshes[count++] = &mesh->scalar->direct;
+        if (mesh->scalar->samples > 0)
+            meshes[count++] = &mesh->scalar->indirect;
+        return count;
+    }
+    meshes[count++] = &mesh->direct->points;
+    for (struct indirect_mesh *i = mesh->indirect; i; i = i->next)
+        meshes[count++] = &i->points;
+    return count;
+}
+
+/* The meshes, as far as they are known. */
+static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
+                      const struct interpolation *interpolation,
+                      const struct mesh_known *known, struct diag *diag)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    const struct point_mesh *meshes[MESHES_MAX];
+    struct direct_options options = mesh_options(said, &mesh->stamp.frame);
+    options.interpolation = interpolation;
+    lattice_set_regions(&options.lattice, said->regions.items,
+                        said->regions.count);
+    mesh->sharp = said->shadows == MESH_SHADOWS_SHARP;
+    if (said->model == MESH_MODEL_SCALAR) {
+        mesh->scalar = mesh_literal(&mesh->lamps, said, &options);
+    } else {
+        mesh->direct = direct_mesh_new(&mesh->lamps, &options);
+        mesh->near_direct = *mesh->direct;
+        mesh->near_direct.points.lattice.eye = scene->camera.location;
+    }
+    if (said->indirect.on && mesh->direct) {
+        mesh_bounces(mesh, said, &options);
+        mesh->near_indirect = *mesh->indirect;
+        mesh->near_indirect.points.lattice.eye = scene->camera.location;
+    }
+    mesh->report = (struct mesh_report){
+        .direct = mesh->direct,
+        .indirect = mesh->indirect,
+        .scalar = mesh->scalar,
+        .spacing = lattice_spacing(&options.lattice, options.lattice.usual),
+        .size = options.size,
+        .bytes = MESH_BYTES,
+    };
+    return mesh_known_fill(known, meshes, mesh_points(mesh, meshes), diag);
+}
+
+static void *mesh_start(const struct world *world, const struct scene *scene,
+                        const struct lighting_options *options,
+                        struct diag *diag)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    const struct interpolation *interpolation = mesh_interpolation(said, diag);
+    if (!interpolation || !mesh_supported(said, diag))
+        return NULL;
+    struct mesh_lighting *mesh = memory_new(sizeof *mesh);
+    struct outlook outlook = outlook_of(world, scene, options->width);
+    struct mesh_known known;
+    if (options->attempt == 0)
+        ambient_dropped(scene, "mesh", diag);
+    if (options->keep || said->load_file)
+        mesh->stamp = mesh_stamp_new(scene, said->indirect.on, options->quality,
+                                     options->seed);
+    mesh->stamp.frame =
+        mesh_frame(said, &scene->camera, &outlook, options->attempt);
+    mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
+    bool done =
+        mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
+    if (known.found)
+        mesh->stamp = known.file.stamp;
+    done = done && mesh_make(mesh, scene, interpolation, &known, diag);
+    mesh->report.again =
+        !(said->density > 0) && !known.name && options->attempt < ATTEMPTS;
+    mesh_known_end(&known);
+    if (done)
+        return mesh;
+    mesh_finish(mesh);
+    return NULL;
+}
+
+static struct lighting_kept mesh_keep(const void *state)
+{
+    const struct mesh_lighting *mesh = state;
+    const struct point_mesh *meshes[MESHES_MAX];
+    size_t count = mesh_points(mesh, meshes);
+    struct lighting_kept kept;
+    kept.bytes = mesh_file_pack(&mesh->stamp, meshes, count, &kept.size);
+    return kept;
 }
 
 /* What is known of one side of a surface under few lamps. */
@@ -253,7 +336,7 @@ static void mesh_few(const struct mesh_lighting *mesh, struct lamplight *light)
     struct mesh_question question;
     question.light = *light;
     question.light.share = mesh_share;
-    question.direct = mesh->direct;
+    question.direct = &mesh->near_direct;
     question.sharp = mesh->sharp;
     question.half[0].known = question.half[1].known = false;
     const uint64_t *hidden = mesh_hidden(&question);
@@ -280,7 +363,7 @@ static rgb mesh_side(const struct mesh_lighting *mesh,
     const struct surface *surface = asked->surface;
     const struct surface_layer *layer = &surface->layer[0];
     struct mesh_blend blend;
-    point_mesh_blend(&mesh->direct->points, asked->worker, surface->point,
+    point_mesh_blend(&mesh->near_direct.points, asked->worker, surface->point,
                      vec3_scale(surface->normal, sign), &blend);
     struct harmonics around = direct_mesh_light(&blend);
     double brilliance = layer->finish->brilliance;
@@ -313,8 +396,9 @@ static rgb mesh_indirect(const struct mesh_lighting *mesh,
     const struct surface_layer *layer = &surface->layer[0];
     if (layer->finish->diffuse == 0)
         return rgb_grey(0);
-    return indirect_mesh_irradiance(mesh->indirect, worker, surface->point,
-                                    surface->normal, layer->normal);
+    return indirect_mesh_irradiance(&mesh->near_indirect, worker,
+                                    surface->point, surface->normal,
+                                    layer->normal);
 }
 
 static struct diffuse_light mesh_illuminate(const void *state,
@@ -390,5 +474,6 @@ const struct lighting mesh_lighting = {
     .sound = mesh_sound,
     .again = mesh_again,
     .tell = mesh_tell,
+    .keep = mesh_keep,
     .views = mesh_views,
 };

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdatomic.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -26,7 +27,7 @@ struct table {
     struct table_place *places;
     size_t mask;
     char *records;
-    size_t stride, capacity;
+    size_t record_size, stride, capacity;
     atomic_size_t used;
     atomic_bool overflown;
     /* A bit for the hash of each key without room: how many they are follows
@@ -39,6 +40,7 @@ struct table *table_new(size_t record_size, size_t bytes)
 {
     struct table *table = memory_new(sizeof *table);
     size_t places = 64;
+    table->record_size = record_size;
     table->stride = (sizeof(struct table_head) + record_size + 7) & ~(size_t)7;
     table->capacity =
         bytes / (table->stride + 2 * sizeof(struct table_place)) + 1;
@@ -153,6 +155,42 @@ double table_wanted(const struct table *table)
         zeros += 64 - (size_t)__builtin_popcountll(table->sketch[i]);
     double share = (double)(zeros > 0 ? zeros : 1) / SKETCH_BITS;
     return (double)table_count(table) - SKETCH_BITS * log(share);
+}
+
+void table_insert(struct table *table, uint64_t key, uint64_t hash,
+                  const void *record)
+{
+    void *own;
+    if (table_find(table, key, hash, &own) != TABLE_MINE)
+        return;
+    memcpy(own, record, table->record_size);
+    table_publish(table, own);
+}
+
+static int entry_order(const void *a, const void *b)
+{
+    const struct table_entry *x = a, *y = b;
+    return (x->key > y->key) - (x->key < y->key);
+}
+
+size_t table_entries(const struct table *table, struct table_entry *entries)
+{
+    size_t count = 0;
+    for (size_t i = 0; i <= table->mask; i++) {
+        const struct table_place *place = &table->places[i];
+        uint32_t number = atomic_load(&place->number);
+        if (number)
+            entries[count++] =
+                (struct table_entry){ atomic_load(&place->key),
+                                      table_record(table, number) };
+    }
+    qsort(entries, count, sizeof *entries, entry_order);
+    return count;
+}
+
+size_t table_record_size(const struct table *table)
+{
+    return table->record_size;
 }
 
 const void *table_at(const struct table *table, size_t number, uint64_t *key)

@@ -36,6 +36,21 @@ void table_want(struct table *table, uint64_t key, uint64_t hash);
 /* About how many records were asked for, those included that had no room. */
 double table_wanted(const struct table *table);
 
+/* A record that is already known. Without room for it nothing happens. */
+void table_insert(struct table *table, uint64_t key, uint64_t hash,
+                  const void *record);
+
+/* All published records by increasing key, table_count of them at most, into
+ * `entries`; how many. Not while others fill the table. */
+struct table_entry {
+    uint64_t key;
+    const void *record;
+};
+size_t table_entries(const struct table *table, struct table_entry *entries);
+
+/* Bytes of a record. */
+size_t table_record_size(const struct table *table);
+
 /* Published record `number`, from 0 to below table_count, and its key; NULL if
  * it isn't. Their order is chance. */
 const void *table_at(const struct table *table, size_t number, uint64_t *key);

@@ -1,0 +1,78 @@
+/* Words are mixed in one after the other, by SplitMix64's finaliser (Steele,
+ * Lea and Flood 2014). See hash.h. */
+#include "base/hash.h"
+
+#include <string.h>
+
+#include "base/random.h"
+#include "base/rgb.h"
+
+uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count)
+{
+    const char *from = bytes;
+    uint64_t word;
+    for (; count >= sizeof word; count -= sizeof word, from += sizeof word) {
+        memcpy(&word, from, sizeof word);
+        hash = random_mix(hash ^ random_mix(word));
+    }
+    word = 0;
+    if (count)
+        memcpy(&word, from, count);
+    return random_key(random_key(hash, word), count);
+}
+
+uint64_t hash_numbers(uint64_t hash, const double *numbers, size_t count)
+{
+    return hash_bytes(hash, numbers, count * sizeof *numbers);
+}
+
+uint64_t hash_text(uint64_t hash, const char *text)
+{
+    return text ? hash_bytes(hash, text, strlen(text)) : random_mix(hash);
+}
+
+static uint64_t hash_field(uint64_t hash, enum field_kind kind, const void *at)
+{
+    const struct terms *terms = at;
+    const struct points *points = at;
+    switch (kind) {
+    case FIELD_FLOAT:
+        return hash_numbers(hash, at, 1);
+    case FIELD_INTEGER:
+    case FIELD_CHOICE:
+        return hash_bytes(hash, at, sizeof(int));
+    case FIELD_BOOL:
+    case FIELD_FLAG:
+        return random_key(hash, *(const bool *)at);
+    case FIELD_VECTOR2:
+        return hash_numbers(hash, at, 2);
+    case FIELD_VECTOR:
+    case FIELD_RGB:
+        return hash_numbers(hash, at, 3);
+    case FIELD_VECTOR5:
+    case FIELD_COLOUR:
+        return hash_numbers(hash, at, 5);
+    case FIELD_TERMS:
+        return hash_numbers(hash, terms->values, terms->count);
+    case FIELD_NAME:
+        return hash_text(hash, *(const char *const *)at);
+    case FIELD_POINTS:
+        return hash_bytes(hash, points->items,
+                          points->count * sizeof *points->items);
+    }
+    return hash;
+}
+
+_Static_assert(sizeof(vec3) == 3 * sizeof(double) &&
+                   sizeof(rgb) == 3 * sizeof(double) &&
+                   sizeof(colour) == 5 * sizeof(double),
+               "vectors and colours are rows of numbers");
+
+uint64_t hash_fields(uint64_t hash, const struct field *table,
+                     const void *values)
+{
+    for (; table && table->name; table++)
+        hash =
+            hash_field(hash, table->kind, (const char *)values + table->offset);
+    return hash;
+}

@@ -1,0 +1,88 @@
+/* See mesh_known.h. */
+#include "lighting/mesh_known.h"
+
+#include "text/source.h"
+
+/* How much nearer to each other, or farther, points may be than wanted. */
+static const double nearer_most = 3, farther_most = 1.5;
+
+/* The picture before may fill so much of a table, lest the pictures of a long
+ * way have no room at its end. */
+static const double full_before = 0.5;
+
+static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
+                      const struct lighting_kept *kept)
+{
+    char text[200];
+    if (!kept || !kept->bytes ||
+        !mesh_file_open(&known->file, kept->bytes, kept->size, text,
+                        sizeof text) ||
+        !mesh_stamp_same(&known->file.stamp, wanted, text, sizeof text))
+        return false;
+    double ratio = known->file.stamp.frame.spacing / wanted->frame.spacing;
+    return ratio <= farther_most && ratio * nearer_most >= 1;
+}
+
+static bool file_find(struct mesh_known *known, const struct mesh_stamp *wanted,
+                      struct diag *diag)
+{
+    const char *problem = NULL;
+    char text[300];
+    known->arena = arena_new(0);
+    const struct source *source =
+        source_read(known->arena, known->name, span_none(), &problem);
+    if (!source) {
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   "can't read the light mesh '%s': %s", known->name, problem);
+        return false;
+    }
+    if (!mesh_file_open(&known->file, source->text, source->length, text,
+                        sizeof text)) {
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   "can't use the light mesh '%s': %s; make one with "
+                   "--mesh-save FILE",
+                   known->name, text);
+        return false;
+    }
+    if (mesh_stamp_same(&known->file.stamp, wanted, text, sizeof text))
+        return true;
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "the light mesh '%s' is stale: %s; make it again with "
+               "--mesh-save FILE",
+               known->name, text);
+    return false;
+}
+
+bool mesh_known_find(struct mesh_known *known, const struct mesh_stamp *wanted,
+                     const struct lighting_options *options, const char *file,
+                     struct diag *diag)
+{
+    *known = (struct mesh_known){ 0 };
+    if (options->attempt == 0)
+        known->found = kept_find(known, wanted, options->kept);
+    if (known->found || !file)
+        return true;
+    known->name = file;
+    known->found = file_find(known, wanted, diag);
+    return known->found;
+}
+
+bool mesh_known_fill(const struct mesh_known *known,
+                     const struct point_mesh *const *meshes, size_t count,
+                     struct diag *diag)
+{
+    if (!known->found || mesh_file_fill(&known->file, meshes, count,
+                                        known->name ? 1 : full_before))
+        return true;
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "can't use the light mesh '%s': its points hold something else; "
+               "make it again with --mesh-save FILE",
+               known->name ? known->name : "of the picture before");
+    return false;
+}
+
+void mesh_known_end(struct mesh_known *known)
+{
+    if (known->arena)
+        arena_free(known->arena);
+}

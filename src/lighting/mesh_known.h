@@ -1,0 +1,34 @@
+/* What a light mesh knows before its picture begins: from the picture before
+ * or from a file. */
+#ifndef LIGHTING_MESH_KNOWN_H
+#define LIGHTING_MESH_KNOWN_H
+
+#include "lighting/lighting.h"
+#include "lightmesh/mesh_file.h"
+
+struct point_mesh;
+
+struct mesh_known {
+    struct mesh_file file;
+    bool found;
+    const char *name; /* of the file; NULL: the picture before */
+    struct arena *arena;
+};
+
+/* Looks for a mesh made of what `wanted` says. The picture before is taken only
+ * if its points are about as near to each other as wanted, a file however near
+ * they are. Returns false after an error was printed: there is a file, and it
+ * is not such a mesh. To be ended in any case. */
+bool mesh_known_find(struct mesh_known *known, const struct mesh_stamp *wanted,
+                     const struct lighting_options *options, const char *file,
+                     struct diag *diag);
+
+/* Into meshes made with known->file.stamp.frame, if something was found.
+ * Returns false after an error was printed. */
+bool mesh_known_fill(const struct mesh_known *known,
+                     const struct point_mesh *const *meshes, size_t count,
+                     struct diag *diag);
+
+void mesh_known_end(struct mesh_known *known);
+
+#endif

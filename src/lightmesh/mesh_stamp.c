@@ -1,0 +1,152 @@
+/* See mesh_stamp.h. Settings are kept as text, so that a message can name the
+ * one that has changed. */
+#include "lightmesh/mesh_stamp.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/hash.h"
+
+static void settings_add(char *settings, const char *name, const char *value)
+{
+    size_t length = strlen(settings);
+    snprintf(settings + length, MESH_SETTINGS_SIZE - length, "%s %s\n", name,
+             value);
+}
+
+static void settings_number(char *settings, const char *name, double value)
+{
+    char text[40];
+    snprintf(text, sizeof text, "%.17g", value);
+    settings_add(settings, name, text);
+}
+
+static void settings_fields(char *settings, const struct field *table,
+                            const struct settings *said)
+{
+    for (; table->name; table++) {
+        const void *at = (const char *)said + table->offset;
+        const char *word = "";
+        if (table->kind == FIELD_FLOAT)
+            settings_number(settings, table->name, *(const double *)at);
+        else if (table->kind == FIELD_INTEGER)
+            settings_number(settings, table->name, *(const int *)at);
+        else if (table->kind == FIELD_CHOICE)
+            settings_add(settings, table->name,
+                         table->choices[*(const int *)at]);
+        else if (table->kind == FIELD_NAME && *(const char *const *)at)
+            word = *(const char *const *)at;
+        if (table->kind == FIELD_NAME)
+            settings_add(settings, table->name, word);
+    }
+}
+
+static uint64_t regions_hash(const struct light_mesh_settings *mesh)
+{
+    uint64_t hash = 0;
+    for (size_t i = 0; i < mesh->regions.count; i++) {
+        const struct mesh_region *region = &mesh->regions.items[i];
+        const double numbers[] = { region->low.x,  region->low.y,
+                                   region->low.z,  region->high.x,
+                                   region->high.y, region->high.z,
+                                   region->factor };
+        hash = hash_numbers(hash, numbers, 7);
+    }
+    return hash;
+}
+
+struct mesh_stamp mesh_stamp_new(const struct scene *scene, bool indirect,
+                                 int quality, unsigned long long seed)
+{
+    struct mesh_stamp stamp = { .scene = scene_fingerprint(scene, indirect) };
+    const struct settings *said = &scene->settings;
+    char regions[24];
+    settings_fields(stamp.settings, light_mesh_fields, said);
+    snprintf(regions, sizeof regions, "%016llx",
+             (unsigned long long)regions_hash(&said->light_mesh));
+    settings_add(stamp.settings, "region", regions);
+    settings_add(stamp.settings, "indirect", indirect ? "on" : "off");
+    if (indirect)
+        settings_fields(stamp.settings, indirect_fields, said);
+    settings_number(stamp.settings, "+Q", quality);
+    settings_number(stamp.settings, "seed", (double)seed);
+    return stamp;
+}
+
+/* A value that was not said, in words. */
+static const char *value_words(const char *value)
+{
+    return *value == '\0' || strcmp(value, "0") == 0 ? "the default" : value;
+}
+
+static bool settings_same(const char *name, const char *made, const char *now,
+                          char *text, size_t size)
+{
+    if (strcmp(made, now) == 0)
+        return true;
+    /* What the mesh has is good enough for who wants none in particular. */
+    if (strcmp(name, "density") == 0 && strcmp(now, "0") == 0)
+        return true;
+    if (strcmp(name, "region") == 0)
+        snprintf(text, size, "the regions have changed");
+    else
+        snprintf(text, size, "it was made with %s %s, not with %s", name,
+                 value_words(made), value_words(now));
+    return false;
+}
+
+/* The next line "name value" of *from, cut in two; false after the last. */
+static bool settings_line(const char **from, char line[MESH_SETTINGS_SIZE],
+                          const char **value)
+{
+    size_t length = strcspn(*from, "\n");
+    memcpy(line, *from, length);
+    line[length] = '\0';
+    *from += length;
+    *from += **from != '\0';
+    size_t name = strcspn(line, " ");
+    *value = line + name;
+    if (line[name])
+        (*value)++;
+    line[name] = '\0';
+    return length > 0;
+}
+
+static bool stamp_settings_same(const struct mesh_stamp *made,
+                                const struct mesh_stamp *now, char *text,
+                                size_t size)
+{
+    char name[2][MESH_SETTINGS_SIZE];
+    const char *at[2] = { made->settings, now->settings }, *value[2];
+    for (;;) {
+        bool more = settings_line(&at[0], name[0], &value[0]);
+        bool wanted = settings_line(&at[1], name[1], &value[1]);
+        if (!more && !wanted)
+            return true;
+        if (strcmp(name[0], name[1]) != 0) {
+            snprintf(text, size, "it was made with other settings");
+            return false;
+        }
+        if (!settings_same(name[0], value[0], value[1], text, size))
+            return false;
+    }
+}
+
+bool mesh_stamp_same(const struct mesh_stamp *made,
+                     const struct mesh_stamp *now, char *text, size_t size)
+{
+    const char *changed = NULL;
+    if (made->scene.surroundings != now->scene.surroundings)
+        changed = "the background, the sky or the fog has changed";
+    if (made->scene.textures != now->scene.textures)
+        changed = "the textures have changed";
+    if (made->scene.lights != now->scene.lights)
+        changed = "the lights have changed";
+    if (made->scene.objects != now->scene.objects)
+        changed = "the objects have changed";
+    if (!stamp_settings_same(made, now, text, size))
+        return false;
+    if (changed)
+        snprintf(text, size, "%s", changed);
+    return !changed;
+}

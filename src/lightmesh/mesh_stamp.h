@@ -1,0 +1,39 @@
+/* What a light mesh was made of and with, to tell whether it is still true. */
+#ifndef LIGHTMESH_MESH_STAMP_H
+#define LIGHTMESH_MESH_STAMP_H
+
+#include "scene/fingerprint.h"
+
+/* To be changed with whatever changes what mesh points hold or where they are:
+ * meshes of another glim are then refused. */
+enum { MESH_VERSION = 1 };
+
+enum { MESH_SETTINGS_SIZE = 1024 };
+
+/* Where mesh points are, as the first picture's camera had it; later ones keep
+ * to it, or they could use no point of the first. */
+struct mesh_frame {
+    double spacing; /* of mesh points, > 0 */
+    double near;    /* struct lattice */
+    vec3 eye;
+    vec3 centre; /* of what is seen */
+    double size;
+};
+
+struct mesh_stamp {
+    struct mesh_frame frame;
+    struct fingerprint scene;
+    char settings[MESH_SETTINGS_SIZE]; /* lines "name value" */
+};
+
+/* The settings that count and the scene, in which nothing but the camera may
+ * change; the frame is the caller's. `indirect`: light of surfaces, too. */
+struct mesh_stamp mesh_stamp_new(const struct scene *scene, bool indirect,
+                                 int quality, unsigned long long seed);
+
+/* Whether a mesh that was made with `made` is that of `now`. If not, what has
+ * changed in text[size]: "the lights have changed". */
+bool mesh_stamp_same(const struct mesh_stamp *made,
+                     const struct mesh_stamp *now, char *text, size_t size);
+
+#endif

@@ -1,0 +1,341 @@
+/* A walk through everything that the scene holds: see fingerprint.h. Structs
+ * are hashed member by member, as they have padding and pointers. */
+#include "scene/fingerprint.h"
+
+#include "base/hash.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "image/image.h"
+#include "scene/light.h"
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+
+/* Hashes of what is shared by many objects, by its address. */
+struct known {
+    const void *at; /* NULL: free */
+    uint64_t hash;
+};
+
+struct walk {
+    struct fingerprint found;
+    bool colours;
+    struct known
+        *known; /* open addressing; a power of two, at most half full */
+    size_t count, capacity;
+};
+
+static struct known *known_place(const struct walk *walk, const void *at)
+{
+    size_t mask = walk->capacity - 1;
+    size_t i = random_mix((uint64_t)(uintptr_t)at) & mask;
+    while (walk->known[i].at && walk->known[i].at != at)
+        i = (i + 1) & mask;
+    return &walk->known[i];
+}
+
+static const uint64_t *known_find(const struct walk *walk, const void *at)
+{
+    const struct known *place = known_place(walk, at);
+    return place->at ? &place->hash : NULL;
+}
+
+static uint64_t known_add(struct walk *walk, const void *at, uint64_t hash)
+{
+    if (2 * (walk->count + 1) > walk->capacity) {
+        struct walk larger = *walk;
+        larger.capacity *= 2;
+        larger.known = memory_new(larger.capacity * sizeof *larger.known);
+        for (size_t i = 0; i < walk->capacity; i++)
+            if (walk->known[i].at)
+                *known_place(&larger, walk->known[i].at) = walk->known[i];
+        memory_free(walk->known);
+        *walk = larger;
+    }
+    struct known *place = known_place(walk, at);
+    walk->count += !place->at;
+    *place = (struct known){ at, hash };
+    return hash;
+}
+
+static uint64_t hash_affine(uint64_t hash, const affine *map)
+{
+    return hash_numbers(hash, &map->m[0][0], 12);
+}
+
+static uint64_t hash_vector(uint64_t hash, vec3 v)
+{
+    return hash_numbers(hash, (const double[]){ v.x, v.y, v.z }, 3);
+}
+
+static uint64_t hash_rgb(uint64_t hash, rgb c)
+{
+    return hash_numbers(hash, (const double[]){ c.r, c.g, c.b }, 3);
+}
+
+static uint64_t hash_colour(uint64_t hash, colour c)
+{
+    const double numbers[] = { c.r, c.g, c.b, c.filter, c.transmit };
+    return hash_numbers(hash, numbers, 5);
+}
+
+static uint64_t pattern_hash(uint64_t hash, const struct pattern *pattern)
+{
+    const struct pattern_kind *kind = pattern->kind;
+    const struct turbulence *turbulence = &pattern->turbulence;
+    const double numbers[] = {
+        pattern->wave,        pattern->exponent,    pattern->frequency,
+        pattern->phase,       pattern->turbulent,   turbulence->octaves,
+        turbulence->omega,    turbulence->lambda,   turbulence->amount.x,
+        turbulence->amount.y, turbulence->amount.z,
+    };
+    hash = hash_affine(hash, &pattern->inverse);
+    hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
+    if (!kind)
+        return hash;
+    hash = hash_text(hash, kind->name);
+    hash = hash_fields(hash, kind->arguments, pattern->parameters);
+    return hash_fields(hash, kind->items, pattern->parameters);
+}
+
+static uint64_t image_hash(struct walk *walk, const struct image *image)
+{
+    const uint64_t *known = known_find(walk, image);
+    if (known)
+        return *known;
+    uint64_t hash =
+        hash_numbers(0, (const double[]){ image->width, image->height }, 2);
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    hash = hash_bytes(hash, image->pixels, pixels * 4 * sizeof(float));
+    return known_add(walk, image, hash);
+}
+
+static uint64_t pigment_hash(struct walk *walk, uint64_t hash,
+                             const struct pigment *pigment)
+{
+    const struct image_map *image = pigment->image;
+    hash = pattern_hash(random_key(hash, pigment->kind), &pigment->pattern);
+    hash = hash_colour(hash, pigment->colour);
+    if (pigment->has_quick_colour)
+        hash = hash_colour(hash, pigment->quick_colour);
+    if (image) {
+        const double numbers[] = { image->projection, image->interpolation,
+                                   image->once, image->filter_all,
+                                   image->transmit_all };
+        hash = hash_numbers(hash, numbers, 5);
+        hash = random_key(hash, image_hash(walk, image->image));
+    }
+    if (!pigment->map)
+        return hash;
+    for (size_t i = 0; i < pigment->map->count; i++) {
+        const struct blend_entry *entry = &pigment->map->entries[i];
+        hash = hash_colour(hash_numbers(hash, &entry->value, 1), entry->colour);
+        if (entry->pigment)
+            hash = pigment_hash(walk, hash, entry->pigment);
+    }
+    return random_key(hash, pigment->map->count);
+}
+
+static uint64_t finish_hash(uint64_t hash, const struct finish *f)
+{
+    const struct reflection *r = &f->reflection;
+    const double numbers[] = {
+        f->diffuse,         f->diffuse_back, f->diffuse_albedo,
+        f->brilliance,      f->phong,        f->phong_size,
+        f->phong_albedo,    f->specular,     f->roughness,
+        f->specular_albedo, f->metallic,     f->crand,
+        f->conserve_energy, f->ior,          r->falloff,
+        r->exponent,        r->metallic,     r->fresnel,
+    };
+    hash = hash_rgb(hash_rgb(hash, f->ambient), f->emission);
+    hash = hash_rgb(hash_rgb(hash, r->minimum), r->maximum);
+    return hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
+}
+
+static uint64_t normal_hash(uint64_t hash, const struct normal *normal)
+{
+    hash = pattern_hash(hash, &normal->pattern);
+    return hash_numbers(
+        hash, (const double[]){ normal->amount, normal->accuracy }, 2);
+}
+
+static uint64_t texture_hash(struct walk *walk, const struct texture *texture)
+{
+    const uint64_t *known = known_find(walk, texture);
+    if (known)
+        return *known;
+    uint64_t hash = random_mix(texture->count);
+    if (!walk->colours && texture_is_opaque(texture))
+        return known_add(walk, texture, 0);
+    for (size_t i = 0; i < texture->count; i++) {
+        const struct layer *layer = &texture->layers[i];
+        hash = pigment_hash(walk, hash, layer->pigment);
+        hash = finish_hash(hash, layer->finish);
+        if (layer->normal)
+            hash = normal_hash(hash, layer->normal);
+    }
+    return known_add(walk, texture, hash);
+}
+
+/* Of textures that don't count not even the places do. */
+static void walk_texture(struct walk *walk, const struct texture *texture,
+                         const affine *place)
+{
+    uint64_t *textures = &walk->found.textures;
+    uint64_t hash = texture_hash(walk, texture);
+    *textures = random_key(*textures, hash);
+    if (hash)
+        *textures = hash_affine(*textures, place);
+}
+
+static uint64_t mesh_hash(struct walk *walk, const struct mesh *mesh)
+{
+    const uint64_t *known = known_find(walk, mesh);
+    if (known)
+        return *known;
+    uint64_t hash = hash_vector(random_mix(mesh->solid), mesh->inside_vector);
+    hash = hash_bytes(hash, mesh->vertices,
+                      mesh->vertex_count * sizeof *mesh->vertices);
+    hash = hash_bytes(hash, mesh->normals,
+                      mesh->normal_count * sizeof *mesh->normals);
+    hash = hash_bytes(hash, mesh->triangles,
+                      mesh->triangle_count * sizeof *mesh->triangles);
+    return known_add(walk, mesh, hash);
+}
+
+static void walk_material(struct walk *walk, const struct object *object,
+                          affine outer)
+{
+    affine place = affine_compose(outer, object->texture_transform);
+    const struct interior *interior = object->interior;
+    const struct mesh *mesh = object->mesh;
+    if (object->texture)
+        walk_texture(walk, object->texture, &place);
+    for (size_t i = 0; mesh && i < mesh->texture_count; i++)
+        walk_texture(walk, mesh->textures[i], &place);
+    if (!interior)
+        return;
+    uint64_t *textures = &walk->found.textures;
+    const double numbers[] = { interior->ior, interior->fade_distance,
+                               interior->fade_power };
+    *textures = hash_numbers(*textures, numbers, 3);
+    *textures = hash_rgb(*textures, interior->fade_colour);
+}
+
+static uint64_t light_hash(uint64_t hash, const struct light *light)
+{
+    const double numbers[] = {
+        light->kind,
+        light->parallel,
+        light->radius,
+        light->falloff,
+        light->tightness,
+        light->fade_distance,
+        light->fade_power,
+        light->shadowless,
+        light->media_attenuation,
+        light->area,
+        light->size1,
+        light->size2,
+        light->adaptive,
+        light->circular,
+        light->orient,
+        light->jitter,
+        light->area_illumination,
+    };
+    hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
+    hash = hash_vector(hash_vector(hash, light->location), light->point_at);
+    hash = hash_vector(hash_vector(hash, light->axis1), light->axis2);
+    return hash_rgb(hash, light->colour);
+}
+
+static uint64_t shape_hash(struct walk *walk, const struct object *object)
+{
+    const unsigned flags =
+        (unsigned)object->kind << 7 | (unsigned)object->inverse << 6 |
+        (unsigned)object->hollow << 5 | (unsigned)object->has_hollow << 4 |
+        (unsigned)object->no_shadow << 3 | (unsigned)object->no_image << 2 |
+        (unsigned)object->no_reflection << 1 |
+        (unsigned)object->double_illuminate;
+    const double counts[] = { flags, (double)object->child_count,
+                              (double)object->clip_count,
+                              (double)object->bound_count };
+    uint64_t hash = hash_numbers(0, counts, 4);
+    if (object->kind == OBJECT_MESH)
+        return random_key(hash, mesh_hash(walk, object->mesh));
+    if (object->kind != OBJECT_SHAPE)
+        return hash;
+    hash = hash_text(hash, object->primitive->name);
+    hash = hash_fields(hash, object->primitive->arguments, object->shape);
+    return hash_fields(hash, object->primitive->items, object->shape);
+}
+
+static void walk_object(struct walk *walk, const struct object *object,
+                        affine outer);
+
+static void walk_clips(struct walk *walk, const struct clip *clips,
+                       size_t count, affine outer)
+{
+    for (size_t i = 0; i < count; i++)
+        walk_object(walk, clips[i].object,
+                    affine_compose(outer, clips[i].transform));
+}
+
+/* `outer` takes the space around the object to the world's. */
+static void walk_object(struct walk *walk, const struct object *object,
+                        affine outer)
+{
+    affine place = affine_compose(outer, object->transform);
+    struct fingerprint *found = &walk->found;
+    if (object->kind == OBJECT_LIGHT) {
+        struct light light = light_moved(object->light, &place);
+        found->lights = light_hash(found->lights, &light);
+        if (light.looks_like)
+            walk_object(walk, light.looks_like, place);
+        return;
+    }
+    found->objects = random_key(found->objects, shape_hash(walk, object));
+    found->objects = hash_affine(found->objects, &place);
+    walk_material(walk, object, outer);
+    for (size_t i = 0; i < object->child_count; i++)
+        walk_object(walk, object->children[i], place);
+    walk_clips(walk, object->clips, object->clip_count, outer);
+    walk_clips(walk, object->bounds, object->bound_count, outer);
+}
+
+/* Fog weakens lamps, too. */
+static uint64_t fogs_hash(const struct scene *scene)
+{
+    uint64_t hash = random_mix(scene->fogs.count);
+    for (size_t i = 0; i < scene->fogs.count; i++) {
+        const struct fog *fog = &scene->fogs.items[i];
+        const double numbers[] = { fog->distance, fog->ground, fog->offset,
+                                   fog->altitude };
+        hash = hash_colour(hash_numbers(hash, numbers, 4), fog->colour);
+        hash = hash_vector(hash, fog->up);
+    }
+    return hash;
+}
+
+static uint64_t sky_hash(struct walk *walk, const struct scene *scene)
+{
+    uint64_t hash = hash_colour(0, scene->background);
+    const struct sky_sphere *sky = scene->sky;
+    for (size_t i = 0; sky && i < sky->count; i++)
+        hash =
+            hash_rgb(pigment_hash(walk, hash, sky->pigments[i]), sky->emission);
+    return hash;
+}
+
+struct fingerprint scene_fingerprint(const struct scene *scene, bool colours)
+{
+    struct walk walk = { .colours = colours, .capacity = 256 };
+    walk.known = memory_new(walk.capacity * sizeof *walk.known);
+    for (size_t i = 0; i < scene->objects.count; i++)
+        walk_object(&walk, scene->objects.items[i], affine_identity());
+    walk.found.surroundings = fogs_hash(scene);
+    if (colours)
+        walk.found.surroundings =
+            random_key(walk.found.surroundings, sky_hash(&walk, scene));
+    memory_free(walk.known);
+    return walk.found;
+}
