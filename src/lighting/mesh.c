@@ -92,11 +92,12 @@ static struct mesh_frame mesh_frame(const struct light_mesh_settings *said,
 {
     double spacing = mesh_pixels * outlook->pixel;
     spacing = fmin(fmax(spacing, outlook->size / 256), outlook->size / 24);
-    spacing *= pow(coarser, attempt) / mesh_finer(said);
+    spacing /= mesh_finer(said);
     if (said->density > 0)
         spacing = 1 / said->density;
     return (struct mesh_frame){
-        .spacing = spacing,
+        .spacing = spacing * pow(coarser, attempt),
+        .wanted = spacing,
         .near = 2 * outlook->distance,
         .eye = camera->location,
         .centre = outlook->centre,

@@ -19,7 +19,7 @@ static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                         sizeof text) ||
         !mesh_stamp_same(&known->file.stamp, wanted, text, sizeof text))
         return false;
-    double ratio = known->file.stamp.frame.spacing / wanted->frame.spacing;
+    double ratio = known->file.stamp.frame.wanted / wanted->frame.wanted;
     return ratio <= farther_most && ratio * nearer_most >= 1;
 }
 

@@ -13,7 +13,7 @@ static const char file_mark[16] = "glim light mesh\n";
 
 enum {
     BYTE_ORDER_MARK = 0x01020304,
-    FRAME_NUMBERS = 9,
+    FRAME_NUMBERS = 10,
     TABLES = 2, /* of a mesh */
     HEAD_SIZE =
         16 + 4 + 4 + 8 + FRAME_NUMBERS * 8 + 4 * 8 + MESH_SETTINGS_SIZE + 8,
@@ -56,9 +56,10 @@ static void put_head(char **to, const struct mesh_stamp *stamp, size_t size,
 {
     const uint32_t words[2] = { MESH_VERSION, BYTE_ORDER_MARK };
     const struct mesh_frame *f = &stamp->frame;
-    const double frame[FRAME_NUMBERS] = { f->spacing,  f->near,     f->eye.x,
-                                          f->eye.y,    f->eye.z,    f->centre.x,
-                                          f->centre.y, f->centre.z, f->size };
+    const double frame[FRAME_NUMBERS] = { f->spacing,  f->wanted,   f->near,
+                                          f->eye.x,    f->eye.y,    f->eye.z,
+                                          f->centre.x, f->centre.y, f->centre.z,
+                                          f->size };
     put(to, file_mark, sizeof file_mark);
     put(to, words, sizeof words);
     put_number(to, size);
@@ -146,10 +147,11 @@ static void take_stamp(const char **from, struct mesh_stamp *stamp)
     double frame[FRAME_NUMBERS];
     take(from, frame, sizeof frame);
     f->spacing = frame[0];
-    f->near = frame[1];
-    f->eye = vec3_make(frame[2], frame[3], frame[4]);
-    f->centre = vec3_make(frame[5], frame[6], frame[7]);
-    f->size = frame[8];
+    f->wanted = frame[1];
+    f->near = frame[2];
+    f->eye = vec3_make(frame[3], frame[4], frame[5]);
+    f->centre = vec3_make(frame[6], frame[7], frame[8]);
+    f->size = frame[9];
     stamp->scene.objects = take_number(from);
     stamp->scene.textures = take_number(from);
     stamp->scene.lights = take_number(from);
@@ -163,7 +165,7 @@ static bool stamp_possible(const struct mesh_stamp *stamp)
     const struct mesh_frame *f = &stamp->frame;
     const char *settings = stamp->settings;
     double sum = f->eye.x + f->eye.y + f->eye.z + f->centre.x + f->centre.y +
-                 f->centre.z + f->near + f->size;
+                 f->centre.z + f->near + f->size + f->wanted;
     if (!(f->spacing > 0 && f->near >= 0 && f->size >= 0) || !isfinite(sum) ||
         !isfinite(f->spacing) || !memchr(settings, 0, MESH_SETTINGS_SIZE))
         return false;

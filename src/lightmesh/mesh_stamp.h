@@ -14,6 +14,7 @@ enum { MESH_SETTINGS_SIZE = 1024 };
  * to it, or they could use no point of the first. */
 struct mesh_frame {
     double spacing; /* of mesh points, > 0 */
+    double wanted;  /* the same, had there been memory enough for it */
     double near;    /* struct lattice */
     vec3 eye;
     vec3 centre; /* of what is seen */

@@ -102,7 +102,7 @@ static void test_changed(void **state)
         char text[200], *bytes = memory_new(size);
         memcpy(bytes, whole, size);
         /* Numbers rather than the text of settings. */
-        size_t at = i % 4 ? random_mix(i) % size : 24 + random_mix(i) % 96;
+        size_t at = i % 4 ? random_mix(i) % size : 24 + random_mix(i) % 104;
         bytes[at] ^= (char)(1 << random_mix(i + 5000) % 8);
         assert_false(mesh_file_open(&file, bytes, size, text, sizeof text));
         size_t cut = i % 2 ? size : size - 8 * (random_mix(i + 9000) % 20);
