@@ -410,8 +410,12 @@ static bool options_resolve_lighting(struct option_reader *reader)
     const char *save = options->light.skeleton.save_file;
     const char *wanted = options->show ? options->show : "skeleton";
     const struct lighting *found = NULL;
+    bool keeps = options->light.light_mesh.save_file;
     for (size_t i = 0; (options->show || save) && lighting_at(i); i++)
         if (!found && lighting_view(lighting_at(i), wanted))
+            found = lighting_at(i);
+    for (size_t i = 0; keeps && lighting_at(i); i++)
+        if (!found && lighting_at(i)->keep)
             found = lighting_at(i);
     if (!options->lighting)
         options->lighting = found ? found : lighting_at(0);
@@ -440,7 +444,7 @@ static bool options_resolve(struct option_reader *reader)
     if (options_answers(options))
         return true;
     if (!options_find_input(reader) || !options_resolve_picture(reader) ||
-        !options_resolve_mesh(reader) || !options_resolve_lighting(reader) ||
+        !options_resolve_lighting(reader) || !options_resolve_mesh(reader) ||
         !options_name_output(reader))
         return false;
     options_resolve_scene(reader);
