@@ -155,9 +155,11 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
                                         int bounce)
 {
     struct indirect_mesh *mesh = memory_new(sizeof *mesh);
+    mesh->direct = *direct;
+    mesh->direct.points.interpolation = interpolation_find("nearest");
     mesh->gather = (struct gather){
         .lamps = direct->lamps,
-        .direct = direct,
+        .direct = &mesh->direct,
         .emitters = emitters,
         .close = options->close,
         .close_context = options->close_context,
@@ -182,6 +184,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     };
     if (bounce > 1) {
         mesh->points.lattice.spacing *= 2;
+        mesh->points.interpolation = mesh->direct.points.interpolation;
         mesh->samples = mesh->samples / LATER_SHARE;
         mesh->error *= 2;
     }

@@ -3,7 +3,8 @@
  * (4), as spherical harmonics. One mesh for each bounce: the first is lit by
  * the direct mesh and the second, that by the third, the last by the direct
  * one alone. Each is made, point by point, only where the one before asks;
- * meshes of later bounces are coarser, since less depends on them.
+ * meshes of later bounces are coarser, since less depends on them. A gather
+ * ray takes the nearest point: many rays are an interpolation of their own.
  *
  * Light of surfaces that glow is found by gather rays and by picking points on
  * them, weighted by the balance heuristic (Veach 1997, section 9.2). */
@@ -28,6 +29,7 @@ struct indirect_options {
 
 struct indirect_mesh {
     struct gather gather;
+    struct direct_mesh direct; /* a view of the given one, nearest points */
     struct point_mesh points;
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
     int samples, lone_samples;
