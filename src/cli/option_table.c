@@ -173,6 +173,8 @@ static const struct option table[] = {
           "rays that gather it at a mesh point"),
     LIGHT("Mesh_Bounces", "mesh-bounces", indirect_fields, "bounces", "n",
           "from surface to surface"),
+    LIGHT("Mesh_Skeleton", "mesh-skeleton", indirect_fields, "skeleton",
+          "bool", "the skeleton's light ends the last of them (on)"),
     LIGHT("Mesh_Save", "mesh-save", light_option_fields, "save", "file",
           "write the mesh here when the picture is done"),
     LIGHT("Mesh_Load", "mesh-load", light_option_fields, "load", "file",

@@ -10,6 +10,7 @@
 #include "lighting/mesh_views.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
+#include "lighting/void_skeleton.h"
 
 struct mesh_lighting {
     struct lamps lamps;
@@ -18,6 +19,7 @@ struct mesh_lighting {
     struct emitters *emitters;      /* with indirect light */
     struct indirect_mesh *indirect; /* or NULL */
     struct scalar_mesh *scalar;     /* of model scalar, in place of them all */
+    struct void_skeleton close;     /* what ends its bounces, if asked for */
     struct mesh_report report;
     /* The same, whose lattices are coarser the farther from this picture's
      * camera; what mesh points hold must not depend on it, only on the
@@ -35,8 +37,9 @@ enum {
     INDIRECT_BYTES = 40 * 1000 * 1000, /* of them, with indirect light */
     ATTEMPTS = 12,                     /* to choose a spacing that fits */
     BOUNCES = 6,
-    SAMPLES = 512, /* gather rays of a mesh point */
     SCALAR_SAMPLES = 100,
+    CLOSED_BOUNCES = 3, /* when the skeleton knows the rest */
+    SAMPLES = 256,      /* gather rays of a mesh point */
 };
 
 /* Gathering stops when the halves of the samples differ by less. */
@@ -125,21 +128,31 @@ mesh_options(const struct light_mesh_settings *said,
     return options;
 }
 
+static rgb mesh_close(const void *context, struct worker *worker, vec3 place,
+                      vec3 normal)
+{
+    return skeleton_indirect(context, worker, place, normal);
+}
+
 /* Indirect light, with the lattice and the interpolation of the direct. */
 static void mesh_bounces(struct mesh_lighting *mesh,
                          const struct light_mesh_settings *said,
                          const struct direct_options *direct)
 {
+    const struct skeleton *skeleton = mesh->close.skeleton;
+    int usual = skeleton ? CLOSED_BOUNCES : BOUNCES;
     int samples = said->indirect.samples, bounces = said->indirect.bounces;
     double finer = direct->finer;
     struct indirect_options options = {
         .lattice = direct->lattice,
         .interpolation = direct->interpolation,
         .radius = direct->radius,
-        .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : BOUNCES,
+        .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
         .samples = samples > 0 ? samples : (int)(SAMPLES * finer * finer),
         .error = gather_error / finer,
         .bytes = INDIRECT_BYTES,
+        .close = skeleton ? mesh_close : NULL,
+        .close_context = skeleton,
     };
     mesh->emitters = emitters_new(mesh->lamps.world);
     mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters, &options);
@@ -163,6 +176,7 @@ static void mesh_finish(void *state)
         return;
     scalar_mesh_free(mesh->scalar);
     indirect_mesh_free(mesh->indirect);
+    void_skeleton_free(&mesh->close);
     emitters_free(mesh->emitters);
     direct_mesh_free(mesh->direct);
     lamps_free(&mesh->lamps);
@@ -246,6 +260,10 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
         mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
     if (known.found)
         mesh->stamp = known.file.stamp;
+    if (said->indirect.on && said->indirect.skeleton &&
+        said->model != MESH_MODEL_SCALAR)
+        done = done && void_skeleton_make(&mesh->close, world, scene, NULL,
+                                          options, diag);
     done = done && mesh_make(mesh, scene, interpolation, &known, diag);
     mesh->report.again =
         !(said->density > 0) && !known.name && options->attempt < ATTEMPTS;

@@ -31,6 +31,9 @@ static void settings_fields(char *settings, const struct field *table,
             settings_number(settings, table->name, *(const double *)at);
         else if (table->kind == FIELD_INTEGER)
             settings_number(settings, table->name, *(const int *)at);
+        else if (table->kind == FIELD_BOOL)
+            settings_add(settings, table->name,
+                         *(const bool *)at ? "on" : "off");
         else if (table->kind == FIELD_CHOICE)
             settings_add(settings, table->name,
                          table->choices[*(const int *)at]);
@@ -68,6 +71,8 @@ struct mesh_stamp mesh_stamp_new(const struct scene *scene, bool indirect,
     settings_add(stamp.settings, "indirect", indirect ? "on" : "off");
     if (indirect)
         settings_fields(stamp.settings, indirect_fields, said);
+    if (indirect && said->light_mesh.indirect.skeleton)
+        settings_fields(stamp.settings, skeleton_fields, said);
     settings_number(stamp.settings, "+Q", quality);
     settings_number(stamp.settings, "seed", (double)seed);
     return stamp;

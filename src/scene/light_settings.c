@@ -49,12 +49,15 @@ const struct field light_mesh_fields[] = {
     { NULL },
 };
 
-/* indirect_value = "samples" float | "bounces" float . */
+/* indirect_value = "samples" float | "bounces" float
+ *                | "skeleton" [bool] . */
 const struct field indirect_fields[] = {
     COUNT("samples", light_mesh.indirect.samples, 1, 1000000,
           "rays that gather light at a mesh point"),
-    COUNT("bounces", light_mesh.indirect.bounces, 1, 100,
+    COUNT("bounces", light_mesh.indirect.bounces, 1, 20,
           "from surface to surface"),
+    { "skeleton", FIELD_BOOL, AT(light_mesh.indirect.skeleton), 0, 0,
+      "the skeleton's light ends the last bounce (on)" },
     { NULL },
 };
 

@@ -39,6 +39,7 @@ struct light_mesh_settings {
         bool on;     /* also by radiosity {} */
         int samples; /* gather rays of a mesh point */
         int bounces;
+        bool skeleton; /* the skeleton's light ends the last bounce */
     } indirect;
     struct {
         struct mesh_region *items;
