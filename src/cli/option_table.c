@@ -188,6 +188,8 @@ static const struct option table[] = {
     LIGHT("Skeleton_Save", "skeleton-save", light_option_fields,
           "skeleton_save", "file",
           "write the skeleton and its light here: .ply, .obj or .csv"),
+    LIGHT("Guide", "guide", light_option_fields, "guide", "name",
+          "with --lighting path: skeleton, where to look for light (off)"),
 
     GROUP("Scene"),
     VALUE(NULL, "Declare", set_declare, "name=value",

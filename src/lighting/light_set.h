@@ -3,8 +3,9 @@
 #ifndef LIGHTING_LIGHT_SET_H
 #define LIGHTING_LIGHT_SET_H
 
-#include "shade/emitters.h"
+#include "lighting/guide.h"
 #include "lighting/lighting.h"
+#include "shade/emitters.h"
 #include "shade/lamp.h"
 
 struct light_set {
@@ -12,6 +13,7 @@ struct light_set {
     double *sums; /* of the lamps' brightness, up to and with each */
     size_t count;
     struct emitters *emitters;
+    struct guide *guide; /* or NULL */
     uint64_t seed;
 };
 

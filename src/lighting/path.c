@@ -6,6 +6,18 @@
 #include "lighting/light_set.h"
 #include "shade/area.h"
 
+static void path_finish(void *state)
+{
+    struct light_set *set = state;
+    if (!set)
+        return;
+    guide_free(set->guide);
+    emitters_free(set->emitters);
+    memory_free(set->sums);
+    memory_free(set->lamps);
+    memory_free(set);
+}
+
 static void *path_start(const struct world *world, const struct scene *scene,
                         const struct lighting_options *options,
                         struct diag *diag)
@@ -13,8 +25,6 @@ static void *path_start(const struct world *world, const struct scene *scene,
     struct light_set *set = memory_new(sizeof *set);
     const struct light *lights = world_lights(world, &set->count);
     double sum = 0;
-    (void)scene;
-    (void)diag;
     set->seed = options->seed;
     set->lamps = memory_new(set->count * sizeof *set->lamps);
     set->sums = memory_new(set->count * sizeof *set->sums);
@@ -24,18 +34,13 @@ static void *path_start(const struct world *world, const struct scene *scene,
         set->sums[i] = sum += isfinite(glow) ? glow : 0;
     }
     set->emitters = emitters_new(world);
-    return set;
-}
-
-static void path_finish(void *state)
-{
-    struct light_set *set = state;
-    if (!set)
-        return;
-    emitters_free(set->emitters);
-    memory_free(set->sums);
-    memory_free(set->lamps);
-    memory_free(set);
+    if (scene->settings.skeleton.guide == PATH_GUIDE_OFF)
+        return set;
+    set->guide = guide_new(world, scene, options, diag);
+    if (set->guide)
+        return set;
+    path_finish(set);
+    return NULL;
 }
 
 /* Round lights are ellipses with the axes as diameters; a side of one point

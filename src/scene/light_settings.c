@@ -26,6 +26,12 @@ static const char *const shadows_choices[] = {
     NULL,
 };
 
+static const char *const guide_choices[] = {
+    [PATH_GUIDE_OFF] = "off",
+    [PATH_GUIDE_SKELETON] = "skeleton",
+    NULL,
+};
+
 /* mesh_value = "quality" float | "density" float | "radius" float
  *            | "interpolation" name | "model" ( "directional" | "scalar" )
  *            | "shadows" ( "soft" | "sharp" ) | "threshold" float
@@ -73,6 +79,8 @@ const struct field skeleton_fields[] = {
 const struct field light_option_fields[] = {
     { "indirect", FIELD_BOOL, AT(light_mesh.indirect.on) },
     { "save", FIELD_NAME, AT(light_mesh.save_file) },
+    { "guide", FIELD_CHOICE, AT(skeleton.guide), 0, 0, NULL, false,
+      guide_choices },
     { "load", FIELD_NAME, AT(light_mesh.load_file) },
     { "only", FIELD_FLAG, AT(light_mesh.only) },
     { "skeleton_save", FIELD_NAME, AT(skeleton.save_file) },

@@ -50,11 +50,17 @@ struct light_mesh_settings {
     bool only; /* --mesh-only: the mesh is wanted, no picture */
 };
 
+enum path_guide {
+    PATH_GUIDE_OFF,
+    PATH_GUIDE_SKELETON, /* lighting/guide.h */
+};
+
 /* skeleton {} */
 struct skeleton_settings {
     int resolution;        /* voxels along the longest side, 128 */
     const char *heuristic; /* a name in skeleton/heuristic/list.h, or NULL */
     const char *save_file; /* or NULL; never by a scene */
+    enum path_guide guide; /* of --lighting path */
 };
 
 struct settings;

@@ -98,6 +98,18 @@ static void stream_add(struct skeleton_light *light, rgb arriving,
         vec3_along(light->stream, direction, rgb_brightness(arriving));
 }
 
+rgb stream_hidden(const struct skeleton *skeleton,
+                  const struct skeleton_lamp *lamp,
+                  const struct skeleton_point *point, stream_follow *follow,
+                  struct stream_way *way)
+{
+    *way = (struct stream_way){ 0 };
+    if (!lamp->paths || isinf(lamp->paths->distance[point->node]))
+        return rgb_grey(0);
+    *way = follow(skeleton, lamp, point);
+    return stream_law(skeleton, lamp, way);
+}
+
 /* Light that comes round corners is spread wide: a surface gets (1 + n.d) / 2
  * of it (A2). */
 struct skeleton_light stream_gather(const struct skeleton *skeleton,
@@ -114,10 +126,8 @@ struct skeleton_light stream_gather(const struct skeleton *skeleton,
             stream_add(&light, direct, view.direction);
             continue;
         }
-        if (!lamp->paths || isinf(lamp->paths->distance[point->node]))
-            continue;
-        struct stream_way way = follow(skeleton, lamp, point);
-        rgb arriving = stream_law(skeleton, lamp, &way);
+        struct stream_way way;
+        rgb arriving = stream_hidden(skeleton, lamp, point, follow, &way);
         double wrap = (1 + vec3_dot(point->normal, way.direction)) / 2;
         stream_add(&light, arriving, way.direction);
         light.hidden = rgb_add(light.hidden, arriving);

@@ -18,6 +18,13 @@ typedef struct stream_way stream_follow(const struct skeleton *skeleton,
                                         const struct skeleton_lamp *lamp,
                                         const struct skeleton_point *point);
 
+/* What comes to a facing surface by the way from a lamp that isn't seen, and
+ * the way; black where no way leads. */
+rgb stream_hidden(const struct skeleton *skeleton,
+                  const struct skeleton_lamp *lamp,
+                  const struct skeleton_point *point, stream_follow *follow,
+                  struct stream_way *way);
+
 /* The light of all lamps: of those that the point sees, what they give (A3);
  * of the others what comes by the way that `follow` finds. */
 struct skeleton_light stream_gather(const struct skeleton *skeleton,

@@ -128,14 +128,18 @@ static rgb lamp_resampled(const struct question *q, double which)
     return rgb_scale(rgb_mul(kept.light, seen), scale);
 }
 
-static rgb lamps_light(const struct question *q, bool every)
+rgb direct_lamps(const struct tracer *tracer, struct worker *worker,
+                 const struct receiver *receiver, const struct draws *draws,
+                 bool every)
 {
+    struct question question = { tracer, tracer->lighting_state, worker,
+                                 receiver, draws };
     rgb sum = rgb_grey(0);
-    size_t count = q->set->count;
+    size_t count = question.set->count;
     if (count > (every ? LAMPS_ALL : 1))
-        return lamp_resampled(q, draw_unit(q->draws, SLOT_LAMP));
+        return lamp_resampled(&question, draw_unit(draws, SLOT_LAMP));
     for (size_t i = 0; i < count; i++)
-        sum = rgb_add(sum, lamp_light(q, i));
+        sum = rgb_add(sum, lamp_light(&question, i));
     return sum;
 }
 
@@ -226,30 +230,24 @@ static rgb emitter_seen(const struct question *q,
     return sum;
 }
 
-static rgb emitters_light(const struct question *q)
+rgb direct_emitters(const struct tracer *tracer, struct worker *worker,
+                    const struct receiver *receiver, const struct draws *draws)
 {
-    const struct receiver *receiver = q->receiver;
+    struct question question = { tracer, tracer->lighting_state, worker,
+                                 receiver, draws };
+    const struct emitters *emitters = question.set->emitters;
     struct emitter_pick pick;
     double u[2];
-    if (!emitters_any(q->set->emitters))
+    if (!emitters_any(emitters))
         return rgb_grey(0);
-    draw_pair(q->draws, SLOT_EMITTER_PLACE, u);
-    if (!emitters_pick(q->set->emitters, receiver->point,
-                       draw_unit(q->draws, SLOT_EMITTER), u, &pick))
+    draw_pair(draws, SLOT_EMITTER_PLACE, u);
+    if (!emitters_pick(emitters, receiver->point,
+                       draw_unit(draws, SLOT_EMITTER), u, &pick))
         return rgb_grey(0);
     rgb share =
         receiver->response(receiver->context, pick.direction, false, true);
     if (rgb_peak(share) == 0)
         return share;
-    return rgb_scale(rgb_mul(share, emitter_seen(q, &pick)),
+    return rgb_scale(rgb_mul(share, emitter_seen(&question, &pick)),
                      1 / (WARP_PI * pick.density));
-}
-
-rgb direct_light(const struct tracer *tracer, struct worker *worker,
-                 const struct receiver *receiver, const struct draws *draws,
-                 bool every)
-{
-    struct question question = { tracer, tracer->lighting_state, worker,
-                                 receiver, draws };
-    return rgb_add(lamps_light(&question, every), emitters_light(&question));
 }

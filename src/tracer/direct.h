@@ -29,11 +29,14 @@ struct receiver {
 const struct interiors *receiver_inside(const struct receiver *receiver,
                                         vec3 direction);
 
-/* An unbiased estimate of it. `every`: all lamps are asked if they are few, and
- * not one of them chosen. */
-rgb direct_light(const struct tracer *tracer, struct worker *worker,
+/* Unbiased estimates of it: of lamps, without a look at receiver->density
+ * (`every`: all are asked if they are few, and not one of them chosen), and of
+ * what glows. */
+rgb direct_lamps(const struct tracer *tracer, struct worker *worker,
                  const struct receiver *receiver, const struct draws *draws,
                  bool every);
+rgb direct_emitters(const struct tracer *tracer, struct worker *worker,
+                    const struct receiver *receiver, const struct draws *draws);
 
 /* The weight of a ray of `density` that `from` scattered and that met something
  * glowing at `at`. */

@@ -7,6 +7,9 @@
 #include "base/warp.h"
 #include "shade/finish.h"
 
+/* Lobes up to this power are as good as diffuse. */
+static const double wide_most = 2;
+
 static void lobes_add(struct lobes *lobes, vec3 axis, double power,
                       double share, bool halfway)
 {
@@ -66,6 +69,35 @@ void lobes_fill(struct lobes *lobes, const struct surface *surface)
     }
     for (int i = 0; i < lobes->count; i++)
         lobes->at[i].share /= lobes->total;
+}
+
+void lobes_fill_plate(struct lobes *lobes, vec3 normal)
+{
+    lobes->view = normal;
+    lobes->count = 0;
+    lobes->total = 0;
+    lobes_add(lobes, normal, 1, 1, false);
+}
+
+void lobes_guide(struct lobes *lobes, const struct guide *guide, vec3 point,
+                 vec3 normal)
+{
+    struct guide_aim aim;
+    double wide = 0, sum = 0;
+    if (!guide)
+        return;
+    guide_look(guide, point, normal, &aim);
+    for (int i = 0; i < lobes->count; i++)
+        if (!lobes->at[i].halfway && lobes->at[i].power <= wide_most)
+            wide += lobes->at[i].share;
+    for (int i = 0; i < aim.count; i++)
+        sum += aim.at[i].chance;
+    for (int i = 0; i < lobes->count; i++)
+        lobes->at[i].share *= 1 - wide * sum;
+    for (int i = 0; i < aim.count && lobes->count < LOBES_MAX; i++)
+        lobes->at[lobes->count++] =
+            (struct lobe){ aim.at[i].axis, aim.at[i].power,
+                           wide * aim.at[i].chance, false };
 }
 
 static vec3 lobe_sample(const struct lobe *lobe, vec3 view, const double u[2])

@@ -6,9 +6,10 @@
 #ifndef TRACER_LOBES_H
 #define TRACER_LOBES_H
 
+#include "lighting/guide.h"
 #include "shade/surface.h"
 
-enum { LOBES_MAX = 4 * TEXTURE_LAYERS };
+enum { LOBES_MAX = 4 * TEXTURE_LAYERS + GUIDE_TARGETS };
 
 struct lobe {
     vec3 axis;
@@ -26,6 +27,14 @@ struct lobes {
 };
 
 void lobes_fill(struct lobes *lobes, const struct surface *surface);
+
+/* The lobe of a plate that light falls on. */
+void lobes_fill_plate(struct lobes *lobes, vec3 normal);
+
+/* Adds lobes to where light is expected (NULL: nothing is known of it), which
+ * take part of the diffuse ones' chance. */
+void lobes_guide(struct lobes *lobes, const struct guide *guide, vec3 point,
+                 vec3 normal);
 
 /* A direction by three numbers in [0,1), and the density of all lobes for a
  * direction, per solid angle. There must be lobes. */

@@ -7,9 +7,13 @@
 #include "shade/shadow.h"
 #include "tracer/crossing.h"
 #include "tracer/direct.h"
+#include "tracer/lobes.h"
 #include "tracer/walk.h"
 
-enum { SLOT_START = 1 << 20 }; /* of draws; the rest belongs to direct.c */
+enum {
+    SLOT_START = 1 << 20,
+    SLOT_LOBE
+}; /* of draws; the rest belongs to direct.c */
 
 struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
                             double x, double y, const struct draws *draws)
@@ -32,16 +36,15 @@ struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
 static rgb plate_response(const void *context, vec3 direction, bool lamp,
                           bool highlights)
 {
-    const vec3 *normal = context;
+    const struct lobes *lobes = context;
     (void)lamp;
     (void)highlights;
-    return rgb_grey(fmax(vec3_dot(*normal, direction), 0));
+    return rgb_grey(fmax(vec3_dot(lobes->view, direction), 0));
 }
 
 static double plate_density(const void *context, vec3 direction)
 {
-    const vec3 *normal = context;
-    return warp_lobe_density(vec3_dot(*normal, direction), 1);
+    return lobes_density(context, direction);
 }
 
 /* The light field: light counts alike from everywhere. */
@@ -62,30 +65,56 @@ static double speck_density(const void *context, vec3 direction)
     return 1 / (4 * WARP_PI);
 }
 
-/* One sample. The ray's share is its response over pi times its density: 1 for
- * a plate, 4 for a speck. */
-static rgb probe_sample(const struct tracer *tracer, struct worker *worker,
-                        const struct receiver *receiver, const vec3 *normal,
-                        const struct draws *draws)
+/* Who asks, and the lobes of a plate: they change from sample to sample. */
+struct probe {
+    struct receiver receiver;
+    struct interiors inside;
+    const vec3 *normal; /* NULL: a speck */
+    struct lobes lobes;
+};
+
+static vec3 probe_direction(const struct probe *probe,
+                            const struct draws *draws)
 {
+    double u[2];
+    draw_pair(draws, SLOT_START, u);
+    return probe->normal
+               ? lobes_sample(&probe->lobes, draw_unit(draws, SLOT_LOBE), u)
+               : warp_sphere(u);
+}
+
+/* One sample. */
+static rgb probe_sample(const struct tracer *tracer, struct worker *worker,
+                        struct probe *probe, const struct draws *draws)
+{
+    const struct receiver *receiver = &probe->receiver;
+    const struct light_set *set = tracer->lighting_state;
+    rgb light = direct_lamps(tracer, worker, receiver, draws, true);
+    if (probe->normal) {
+        lobes_fill_plate(&probe->lobes, *probe->normal);
+        if (rgb_peak(light) == 0)
+            lobes_guide(&probe->lobes, set->guide, receiver->point,
+                        *probe->normal);
+    }
+    light = rgb_add(light, direct_emitters(tracer, worker, receiver, draws));
+    vec3 direction = probe_direction(probe, draws);
+    rgb share = receiver->response(receiver->context, direction, false, true);
     struct walk walk = { .tracer = tracer,
                          .worker = worker,
                          .draws = draws_within(draws, SLOT_START),
+                         .ray = { receiver->point, direction },
                          .kind = RAY_REFLECTION,
                          .level = 1,
                          .weight = 1,
+                         .density =
+                             receiver->density(receiver->context, direction),
                          .from = receiver->point,
                          .share = { 1, 1, 1 } };
-    double u[2];
-    draw_pair(draws, SLOT_START, u);
-    vec3 direction = normal ? warp_lobe(u, *normal, 1) : warp_sphere(u);
-    walk.ray = (struct ray){ receiver->point, direction };
-    walk.density = receiver->density(receiver->context, direction);
     interiors_copy(&walk.inside, receiver->inside);
-    rgb light = direct_light(tracer, worker, receiver, draws, true);
-    if (walk.density > 0)
-        light =
-            rgb_add_scaled(light, walk_follow(&walk).colour, normal ? 1 : 4);
+    if (walk.density > 0 && rgb_peak(share) > 0) {
+        share = rgb_scale(share, 1 / (WARP_PI * walk.density));
+        light = rgb_add(light, rgb_mul(share, walk_follow(&walk).colour));
+    }
     arena_reset(worker->scratch);
     return light;
 }
@@ -109,24 +138,24 @@ struct path_light path_irradiance(const struct tracer *tracer,
                                   const vec3 *normal, unsigned samples,
                                   uint64_t seed)
 {
-    struct interiors inside;
-    struct receiver receiver = {
+    struct probe probe = { .normal = normal };
+    probe.receiver = (struct receiver){
         .point = point,
-        .inside = &inside,
-        .behind = &inside,
+        .inside = &probe.inside,
+        .behind = &probe.inside,
         .response = normal ? plate_response : speck_response,
         .density = normal ? plate_density : speck_density,
-        .context = normal,
+        .context = &probe.lobes,
     };
     rgb sum = rgb_grey(0), squares = rgb_grey(0);
     double n = samples ? samples : 1;
     /* A point lies on a surface, or a hair beside it. */
     vec3 above =
         normal ? vec3_along(point, *normal, surface_offset(point)) : point;
-    tracer_inside(tracer, above, &inside);
+    tracer_inside(tracer, above, &probe.inside);
     for (unsigned i = 0; i < (unsigned)n && !worker_stopped(worker); i++) {
         struct draws draws = { key_of(point, seed), i };
-        rgb light = probe_sample(tracer, worker, &receiver, normal, &draws);
+        rgb light = probe_sample(tracer, worker, &probe, &draws);
         sum = rgb_add(sum, light);
         squares = rgb_add(squares, rgb_mul(light, light));
     }

@@ -189,7 +189,14 @@ static bool walk_scatters(const struct walk *walk)
     return walk->tracer->quality >= QUALITY_FOG;
 }
 
-static void walk_direct(struct walk *walk, const struct meeting *meeting)
+/* Where lamps are seen other light comes from all around. */
+static const struct guide *walk_guide(const struct walk *walk, rgb lamps)
+{
+    const struct light_set *set = walk->tracer->lighting_state;
+    return rgb_peak(lamps) > 0 ? NULL : set->guide;
+}
+
+static void walk_direct(struct walk *walk, struct meeting *meeting)
 {
     const struct crossing *crossing = &meeting->crossing;
     struct scatterer scatterer = { &crossing->surface, &meeting->lobes,
@@ -203,8 +210,13 @@ static void walk_direct(struct walk *walk, const struct meeting *meeting)
         .density = scatterer_density,
         .context = &scatterer,
     };
-    walk_gather(walk, direct_light(walk->tracer, walk->worker, &receiver,
-                                   &meeting->draws, walk->split));
+    rgb lamps = direct_lamps(walk->tracer, walk->worker, &receiver,
+                             &meeting->draws, walk->split);
+    lobes_guide(&meeting->lobes, walk_guide(walk, lamps), receiver.point,
+                receiver.normal);
+    walk_gather(walk, lamps);
+    walk_gather(walk, direct_emitters(walk->tracer, walk->worker, &receiver,
+                                      &meeting->draws));
 }
 
 /* On into a direction that the surface scatters to, with `scale`. False if it

@@ -1,0 +1,35 @@
+/* Where to look for light that doesn't come straight: skeleton-guided sampling
+ * (Biri and Chaussard, "Skeleton based importance sampling for path tracing",
+ * Eurographics 2012 short papers). At each node of the skeleton of the void the
+ * way that light takes is known; what is visible of it has a centre, and from
+ * every point nearby light is looked for in a lobe around that direction. */
+#ifndef LIGHTING_GUIDE_H
+#define LIGHTING_GUIDE_H
+
+#include "lighting/lighting.h"
+
+enum { GUIDE_TARGETS = 4 }; /* at a point; the strongest */
+
+/* Lobes: directions to be drawn with density (power + 1)/(2 pi) cos^power
+ * around the axis, this often; the rest of the chance is the caller's. */
+struct guide_aim {
+    int count;
+    struct guide_lobe {
+        vec3 axis; /* unit, in front of the surface */
+        double power, chance;
+    } at[GUIDE_TARGETS];
+};
+
+/* NULL after an error was printed. Free with guide_free; the same for any
+ * number of threads. */
+struct guide *guide_new(const struct world *world, const struct scene *scene,
+                        const struct lighting_options *options,
+                        struct diag *diag);
+void guide_free(struct guide *guide);
+
+/* The lobes of a point of a surface; may be none. Depends on the point and its
+ * unit normal alone. */
+void guide_look(const struct guide *guide, vec3 point, vec3 normal,
+                struct guide_aim *aim);
+
+#endif
