@@ -11,7 +11,10 @@
 #include "skeleton/stream.h"
 #include "skeleton/void.h"
 
-enum { HIDDEN_MOST = 8 }; /* nodes in a row, after which none is looked for */
+enum {
+    LAMPS_MOST = 256, /* each may need ways of its own */
+    HIDDEN_MOST = 8,  /* nodes in a row, after which none is looked for */
+};
 
 /* How often a lobe is used where all light comes from one side, and its s. */
 static const double chance_most = 0.5, lobe_power = 4;
@@ -139,6 +142,15 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
                         const struct lighting_options *options,
                         struct diag *diag)
 {
+    size_t lamps;
+    world_lights(world, &lamps);
+    if (lamps > LAMPS_MOST) {
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   "--guide skeleton is for up to %d lamps, here are %zu: "
+                   "leave it out",
+                   LAMPS_MOST, lamps);
+        return NULL;
+    }
     struct guide *guide = memory_new(sizeof *guide);
     struct skeleton_options wanted = {
         .heuristic = heuristic_find("forward"),

@@ -5,6 +5,7 @@
 #include "base/draw.h"
 #include "base/warp.h"
 #include "scene/material.h"
+#include "scene_world.h"
 #include "tracer/lobes.h"
 
 enum { NET = 256, STEPS = 400 };
@@ -164,6 +165,51 @@ static void surfaces_scatter_what_they_answer(void **state)
     }
 }
 
+static const char two_rooms[] =
+    "#default { finish { ambient 0 diffuse .7 } }\n"
+    "camera { location <4.9, 1.2, .2> look_at <3.5, .6, 2> }\n"
+    "light_source { <1, 1.5, .6>, <8, 7, 6> }\n"
+    "light_source { <.4, .5, 2>, <1, 2, 3> }\n"
+    "difference {\n"
+    "box { <-.2, -.2, -.2>, <5.2, 2.2, 3.2> }\n"
+    "box { <0, 0, 0>, <2, 2, 3> }\n"
+    "box { <1.9, 0, 2>, <3.1, 1.6, 2.8> }\n"
+    "box { <3, 0, 0>, <5, 2, 3> } pigment { rgb .8 } }\n";
+
+/* Round a corner there are lobes towards the light, which the density knows:
+ * with the wrong normalisation, (s + 2)/(2 pi), it would not sum to 1. */
+static void guided_lobes_are_whole(void **state)
+{
+    struct scene_world *all = scene_world_new(two_rooms);
+    struct lighting_options options = { .threads = 2 };
+    all->scene->settings.skeleton.resolution = 48;
+    struct guide *guide =
+        guide_new(all->world, all->scene, &options, &all->diag);
+    (void)state;
+    assert_non_null(guide);
+    for (int i = 0; i < 5; i++) {
+        vec3 point = vec3_make(3.3 + 0.3 * i, 0, 0.5), up = { 0, 1, 0 };
+        struct lobes lobes;
+        lobes_fill_plate(&lobes, up);
+        lobes_guide(&lobes, guide, point, up);
+        assert_in_range(lobes.count, 2, 3);
+        assert_true(lobes.at[1].axis.y > 0 && lobes.at[1].axis.x < 0);
+        assert_true(fabs(integral(surface_density, &lobes) - 1) < 2e-3);
+        double drawn = 0;
+        for (uint32_t k = 0; k < 65536; k++) {
+            struct draws draws = { 9, k };
+            double u[2];
+            draw_pair(&draws, 0, u);
+            vec3 d = lobes_sample(&lobes, draw_unit(&draws, 1), u);
+            drawn +=
+                fmax(d.y, 0) / (WARP_PI * lobes_density(&lobes, d) * 65536);
+        }
+        assert_true(fabs(drawn - 1) < 1e-2);
+    }
+    guide_free(guide);
+    scene_world_free(all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -173,6 +219,7 @@ int main(void)
         cmocka_unit_test(lobe_densities_are_whole),
         cmocka_unit_test(lobes_are_drawn_by_density),
         cmocka_unit_test(surfaces_scatter_what_they_answer),
+        cmocka_unit_test(guided_lobes_are_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
