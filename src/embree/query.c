@@ -226,6 +226,24 @@ static vec3 leaf_normal(const struct leaf *leaf, vec3 point,
     return object->primitive->normal(object->shape, point, hit);
 }
 
+/* The normal of a triangle whose interpolated one is known; of other shapes
+ * they are the same. */
+static void describe_face(const struct leaf *leaf, const struct hit *hit,
+                          struct intersection *out)
+{
+    const struct object *object = leaf->object;
+    out->face = out->normal;
+    if (object->kind != OBJECT_MESH ||
+        object->mesh->triangles[hit->part].normal[0] == MESH_NONE)
+        return;
+    vec3 face = mesh_face(object->mesh, (size_t)hit->part);
+    if (leaf->moved)
+        face = affine_normal(&leaf->to_object, face);
+    face = unit(face);
+    if (vec3_dot(face, face) > 0)
+        out->face = vec3_dot(face, out->normal) < 0 ? vec3_negate(face) : face;
+}
+
 static void describe_texture(const struct leaf *leaf, const struct hit *hit,
                              struct intersection *out)
 {
@@ -256,5 +274,6 @@ void query_describe(const struct query *query, const struct leaf *leaf,
     if (!(vec3_dot(normal, normal) > 0))
         normal = vec3_negate(query->ray.direction);
     out->normal = leaf->inverse ? vec3_negate(normal) : normal;
+    describe_face(leaf, hit, out);
     describe_texture(leaf, hit, out);
 }

@@ -33,6 +33,7 @@ struct intersection {
     vec3 point;
     vec3 normal; /* unit, interpolated on meshes; outward, which for a leaf
                   * turned inside out is into the shape */
+    vec3 face;   /* unit, the true one of the triangle, on the normal's side */
     const struct leaf *leaf;
     const struct texture *texture; /* the leaf's, or the triangle's own */
     const affine *to_texture, *from_texture; /* world <-> its space */

@@ -305,7 +305,7 @@ static const struct mesh_half *mesh_half(struct mesh_question *question,
 {
     struct mesh_half *half = &question->half[side];
     const struct surface *surface = question->light.surface;
-    vec3 normal = side ? vec3_negate(surface->normal) : surface->normal;
+    vec3 normal = side ? vec3_negate(surface->side) : surface->side;
     if (half->known)
         return half;
     half->known = true;
@@ -323,7 +323,7 @@ static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
     if (lamp->light->shadowless)
         return rgb_grey(1);
     const struct mesh_half *half = mesh_half(
-        question, vec3_dot(view->direction, light->surface->normal) < 0);
+        question, vec3_dot(view->direction, light->surface->side) < 0);
     const struct direct_verdict *verdict = &half->verdict;
     bool lit = few_has(verdict->lit, number);
     bool certain = (lit || few_has(verdict->dark, number)) &&
@@ -383,7 +383,7 @@ static rgb mesh_side(const struct mesh_lighting *mesh,
     const struct surface_layer *layer = &surface->layer[0];
     struct mesh_blend blend;
     point_mesh_blend(&mesh->near_direct.points, asked->worker, surface->point,
-                     vec3_scale(surface->normal, sign), &blend);
+                     vec3_scale(surface->side, sign), &blend);
     struct harmonics around = direct_mesh_light(&blend);
     double brilliance = layer->finish->brilliance;
     if (sign > 0)
@@ -416,7 +416,7 @@ static rgb mesh_indirect(const struct mesh_lighting *mesh,
     if (layer->finish->diffuse == 0)
         return rgb_grey(0);
     return indirect_mesh_irradiance(&mesh->near_indirect, worker,
-                                    surface->point, surface->normal,
+                                    surface->point, surface->side,
                                     layer->normal);
 }
 

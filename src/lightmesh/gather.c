@@ -29,7 +29,7 @@ static rgb gathering_follow(struct gathering *gathering,
 static rgb gather_irradiance(const struct gather *gather, struct worker *worker,
                              const struct surface *surface, vec3 normal)
 {
-    vec3 place = surface->point, side = surface->normal;
+    vec3 place = surface->point, side = surface->side;
     rgb light =
         direct_mesh_irradiance(gather->direct, worker, place, side, normal);
     if (gather->indirect)

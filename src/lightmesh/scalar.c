@@ -55,7 +55,7 @@ static rgb points_mean(const struct point_mesh *points, struct worker *worker,
 {
     struct mesh_blend blend;
     rgb sum = rgb_grey(0);
-    point_mesh_blend(points, worker, surface->point, surface->normal, &blend);
+    point_mesh_blend(points, worker, surface->point, surface->side, &blend);
     for (int i = 0; i < blend.count; i++) {
         const struct scalar_record *record = blend.at[i].payload;
         sum = rgb_add_scaled(sum, rgb_make(record->r, record->g, record->b),

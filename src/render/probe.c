@@ -74,6 +74,7 @@ static void question_init(struct probe_question *q, const struct probing *all,
     q->at = (struct intersection){ .t = 0,
                                    .point = place,
                                    .normal = normal,
+                                   .face = normal,
                                    .leaf = leaf,
                                    .texture = leaf->texture,
                                    .to_texture = &leaf->to_texture,
@@ -83,6 +84,7 @@ static void question_init(struct probe_question *q, const struct probing *all,
     q->surface.view = normal;
     q->surface.inside = &q->inside;
     q->surface.normal = normal;
+    q->surface.side = normal;
     q->surface.count = 1;
     q->surface.layer[0] = (struct surface_layer){
         .finish = leaf->texture->layers[0].finish,

@@ -121,15 +121,20 @@ void mesh_refine(const struct mesh *mesh, size_t index, const struct ray *ray,
                       vec3_dot(vec3_cross(ab, p), normal) / area };
 }
 
+vec3 mesh_face(const struct mesh *mesh, size_t index)
+{
+    const uint32_t *p = mesh->triangles[index].vertex;
+    vec3 a = mesh->vertices[p[0]];
+    return vec3_cross(vec3_sub(mesh->vertices[p[1]], a),
+                      vec3_sub(mesh->vertices[p[2]], a));
+}
+
 vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v)
 {
     const struct mesh_triangle *triangle = &mesh->triangles[index];
-    const uint32_t *n = triangle->normal, *p = triangle->vertex;
-    if (n[0] == MESH_NONE) {
-        vec3 a = mesh->vertices[p[0]];
-        return vec3_cross(vec3_sub(mesh->vertices[p[1]], a),
-                          vec3_sub(mesh->vertices[p[2]], a));
-    }
+    const uint32_t *n = triangle->normal;
+    if (n[0] == MESH_NONE)
+        return mesh_face(mesh, index);
     vec3 normal = vec3_scale(mesh->normals[n[0]], 1 - u - v);
     normal = vec3_along(normal, mesh->normals[n[1]], u);
     normal = vec3_along(normal, mesh->normals[n[2]], v);

@@ -53,6 +53,9 @@ bool mesh_intersect(const struct mesh *mesh, size_t index,
 void mesh_refine(const struct mesh *mesh, size_t index, const struct ray *ray,
                  struct hit *hit);
 
+/* The flat normal, any length. */
+vec3 mesh_face(const struct mesh *mesh, size_t index);
+
 /* The interpolated or flat normal, any length. */
 vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v);
 

@@ -33,6 +33,7 @@ struct surface {
     vec3 view;                      /* unit, to the viewer */
     const struct interiors *inside; /* what the viewer's ray came through */
     vec3 normal; /* unit, unperturbed, turned towards the viewer */
+    vec3 side;   /* unit, not even interpolated, likewise */
     int count;   /* layers that can be seen: those below are hidden */
     struct surface_layer layer[TEXTURE_LAYERS]; /* top first */
     rgb through; /* what all layers let pass; black when the last is hidden */

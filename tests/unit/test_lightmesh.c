@@ -9,6 +9,7 @@
 #include "lightmesh/lattice.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/table.h"
+#include "scene_world.h"
 
 static void test_table(void **state)
 {
@@ -140,12 +141,39 @@ static void test_obstacles(void **state)
     assert_true(obstacles_clear(&map, vec3_make(0.3, 2, 0.2)));
 }
 
+/* Which side of a smooth triangle a lamp is on is told by the triangle, also
+ * when that is moved and mirrored; it faces z = -1, its normals lean. */
+static void test_smooth_side(void **state)
+{
+    static const char *const moves[] = { "", "scale <1, 1, -1>",
+                                         "scale <-2, 3, 1>" };
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        char text[512];
+        struct intersection at;
+        struct ray ray = { { 0.1, 0.1, -5 }, { 0, 0, 1 } };
+        snprintf(text, sizeof text,
+                 "smooth_triangle { <-1, -1, 0>, <1, 0, -1>, <1, -1, 0>, "
+                 "<1, 0.3, -1>, <0, 2, 0>, <1, 0, -1> %s }",
+                 moves[i]);
+        struct scene_world *all = scene_world_new(text);
+        assert_true(world_closest(all->world, &ray, 0, RAY_CAMERA, &at));
+        assert_true(fabs(at.face.z) > 1 - 1e-9);
+        assert_true(fabs(at.normal.z) < 0.95);
+        assert_true(vec3_dot(at.face, at.normal) > 0);
+        scene_world_free(all);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_table),         cmocka_unit_test(test_lattice),
-        cmocka_unit_test(test_interpolation), cmocka_unit_test(test_harmonics),
+        cmocka_unit_test(test_table),
+        cmocka_unit_test(test_lattice),
+        cmocka_unit_test(test_interpolation),
+        cmocka_unit_test(test_harmonics),
         cmocka_unit_test(test_obstacles),
+        cmocka_unit_test(test_smooth_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
