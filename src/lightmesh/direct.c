@@ -119,6 +119,12 @@ static void fill_harmonics(const void *context, struct worker *worker,
         add_pick(mesh, worker, site, &picks[i], payload);
 }
 
+static double harmonics_amount(const void *payload)
+{
+    const struct harmonics *light = payload;
+    return (double)(light->r[0] + light->g[0] + light->b[0]);
+}
+
 struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
                                     const struct direct_options *options)
 {
@@ -138,6 +144,7 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
                                       : options->interpolation->radius,
         .payload_size = mesh->many ? sizeof(struct harmonics) : few_bytes(mesh),
         .full = memory_new(sizeof(atomic_bool)),
+        .amount = mesh->many ? harmonics_amount : NULL,
         .fill = mesh->many ? fill_harmonics : fill_shares,
         .context = mesh,
     };

@@ -21,6 +21,10 @@ static const double rise_full = 0.2;
 /* How far obstacles are looked for, in spacings. */
 static const double reach = 2.5;
 
+/* Points whose amounts of light differ by less than this factor are about
+ * alike. */
+static const double alike = 3;
+
 /* What stands around points is kept apart from what they know: many are found
  * to be hidden, and then need know nothing. */
 void point_mesh_start(struct point_mesh *mesh, size_t bytes)
@@ -185,18 +189,26 @@ static double seeker_rise(const struct seeker *seeker, vec3 from,
     return t >= 1 ? 1 : t * t * (3 - 2 * t);
 }
 
-/* Adds the points of one level, whose weights are to sum to `share`. */
-static void seek_level(struct seeker *seeker, double share)
+/* Mesh points of one level that are before the surface. */
+struct candidates {
+    int count;
+    struct {
+        struct lattice_point point;
+        vec3 place;
+        double weight;
+    } at[INTERPOLATION_POINTS];
+};
+
+static void seek_candidates(const struct seeker *seeker,
+                            struct candidates *candidates)
 {
     const struct point_mesh *mesh = seeker->mesh;
-    struct mesh_blend *blend = seeker->blend;
     struct mesh_weight weights[INTERPOLATION_POINTS];
     double spacing = lattice_spacing(&mesh->lattice, seeker->level);
     vec3 lifted = vec3_along(seeker->place, seeker->normal, lift * spacing);
     vec3 at = lattice_units(&mesh->lattice, seeker->level, lifted);
     int count = mesh->interpolation->weights(at, mesh->radius, weights);
-    int first = blend->count;
-    double sum = 0;
+    candidates->count = 0;
     for (int i = 0; i < count; i++) {
         struct lattice_point point;
         point.level = seeker->level;
@@ -205,15 +217,66 @@ static void seek_level(struct seeker *seeker, double share)
         double weight = weights[i].weight * seeker_rise(seeker, from, spacing);
         if (weight <= 0)
             continue;
-        if (!seeker_sees(seeker, &point, from))
+        candidates->at[candidates->count].point = point;
+        candidates->at[candidates->count].place = from;
+        candidates->at[candidates->count++].weight = weight;
+    }
+}
+
+/* Adds all candidates if they know about the same: then it doesn't matter
+ * which of them see the place. Returns false, having added none, if not. */
+static bool seek_alike(struct seeker *seeker,
+                       const struct candidates *candidates)
+{
+    const struct point_mesh *mesh = seeker->mesh;
+    struct mesh_blend *blend = seeker->blend;
+    double least = HUGE_VAL, most = 0;
+    if (!mesh->amount || mesh->interpolation->single)
+        return false;
+    for (int i = 0; i < candidates->count; i++) {
+        const void *payload =
+            payload_get(mesh, seeker->worker, &candidates->at[i].point);
+        double amount = mesh->amount(payload);
+        least = fmin(least, amount);
+        most = fmax(most, amount);
+        if (most > alike * least)
+            return false;
+        blend->at[blend->count + i].payload = payload;
+        blend->at[blend->count + i].weight = candidates->at[i].weight;
+    }
+    blend->count += candidates->count;
+    return true;
+}
+
+static void seek_seen(struct seeker *seeker,
+                      const struct candidates *candidates)
+{
+    const struct point_mesh *mesh = seeker->mesh;
+    struct mesh_blend *blend = seeker->blend;
+    for (int i = 0; i < candidates->count; i++) {
+        const struct lattice_point *point = &candidates->at[i].point;
+        if (!seeker_sees(seeker, point, candidates->at[i].place))
             continue;
         blend->at[blend->count].payload =
-            payload_get(mesh, seeker->worker, &point);
-        blend->at[blend->count++].weight = weight;
-        sum += weight;
+            payload_get(mesh, seeker->worker, point);
+        blend->at[blend->count++].weight = candidates->at[i].weight;
         if (mesh->interpolation->single)
             break;
     }
+}
+
+/* Adds the points of one level, whose weights are to sum to `share`. */
+static void seek_level(struct seeker *seeker, double share)
+{
+    struct mesh_blend *blend = seeker->blend;
+    struct candidates candidates;
+    int first = blend->count;
+    double sum = 0;
+    seek_candidates(seeker, &candidates);
+    if (!seek_alike(seeker, &candidates))
+        seek_seen(seeker, &candidates);
+    for (int i = first; i < blend->count; i++)
+        sum += blend->at[i].weight;
     for (int i = first; i < blend->count; i++)
         blend->at[i].weight *= share / sum;
 }
@@ -244,19 +307,11 @@ static void seek_here(struct seeker *seeker)
 static void seek_count(struct seeker *seeker)
 {
     const struct point_mesh *mesh = seeker->mesh;
-    struct mesh_weight weights[INTERPOLATION_POINTS];
-    double spacing = lattice_spacing(&mesh->lattice, seeker->level);
-    vec3 lifted = vec3_along(seeker->place, seeker->normal, lift * spacing);
-    vec3 at = lattice_units(&mesh->lattice, seeker->level, lifted);
-    int count = mesh->interpolation->weights(at, mesh->radius, weights);
-    for (int i = 0; i < count; i++) {
-        struct lattice_point point;
-        point.level = seeker->level;
-        memcpy(point.at, weights[i].at, sizeof point.at);
-        vec3 from = lattice_place(&mesh->lattice, &point);
-        uint64_t key = lattice_key(&point);
-        if (seeker_rise(seeker, from, spacing) > 0)
-            table_want(mesh->table, key, lattice_hash(key));
+    struct candidates candidates;
+    seek_candidates(seeker, &candidates);
+    for (int i = 0; i < candidates.count; i++) {
+        uint64_t key = lattice_key(&candidates.at[i].point);
+        table_want(mesh->table, key, lattice_hash(key));
     }
     seeker->blend->count = 1;
     seeker->blend->at[0].payload =

@@ -33,6 +33,9 @@ struct mesh_site {
 typedef void mesh_fill(const void *context, struct worker *worker,
                        const struct mesh_site *site, void *payload);
 
+/* How much light a payload knows of. */
+typedef double mesh_amount(const void *payload);
+
 /* What was done for a mesh. */
 struct point_mesh_work {
     atomic_ullong rays;        /* without those that ask other meshes */
@@ -51,6 +54,7 @@ struct point_mesh {
     atomic_bool *full; /* shared with other meshes; see point_mesh_crowding */
     size_t payload_size;
     mesh_fill *fill;
+    mesh_amount *amount; /* NULL: points are never taken for alike */
     const void *context;
 };
 
