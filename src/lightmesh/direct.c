@@ -125,6 +125,14 @@ static double harmonics_amount(const void *payload)
     return (double)(light->r[0] + light->g[0] + light->b[0]);
 }
 
+/* The more lamps, the more rays a mesh saves: part of that is given back to be
+ * right. */
+static int direct_budget(size_t lamps, int budget)
+{
+    double more = fmin(fmax((double)lamps / 100, 1), 4);
+    return (int)fmin(more * budget, PICKS_MAX);
+}
+
 struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
                                     const struct direct_options *options)
 {
@@ -133,7 +141,7 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
     mesh->many = lamps->count > (size_t)options->few;
     if (lamps->count > FEW_MAX)
         mesh->many = true;
-    mesh->budget = options->budget < PICKS_MAX ? options->budget : PICKS_MAX;
+    mesh->budget = direct_budget(lamps->count, options->budget);
     if (mesh->many)
         mesh->tree = light_tree_new(lamps, options->centre, options->size);
     mesh->points = (struct point_mesh){
