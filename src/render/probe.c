@@ -100,14 +100,15 @@ static void question_cosine(void *context, const struct light_sample *sample)
 {
     struct probe_question *q = context;
     double cosine = vec3_dot(sample->direction, q->surface.normal);
-    if (cosine > 0)
+    if (cosine > 0 && !sample->diffused)
         q->light = rgb_add(q->light, rgb_scale(sample->colour, cosine));
 }
 
 static void question_plain(void *context, const struct light_sample *sample)
 {
     struct probe_question *q = context;
-    q->light = rgb_add(q->light, sample->colour);
+    if (!sample->diffused)
+        q->light = rgb_add(q->light, sample->colour);
 }
 
 static void question_nothing(void *context, const struct light_sample *sample)
