@@ -58,8 +58,10 @@ static rgb points_mean(const struct point_mesh *points, struct worker *worker,
     point_mesh_blend(points, worker, surface->point, surface->side, &blend);
     for (int i = 0; i < blend.count; i++) {
         const struct scalar_record *record = blend.at[i].payload;
-        sum = rgb_add_scaled(sum, rgb_make(record->r, record->g, record->b),
-                             blend.at[i].weight);
+        sum = rgb_add_scaled(
+            sum,
+            rgb_make((double)record->r, (double)record->g, (double)record->b),
+            blend.at[i].weight);
     }
     return sum;
 }
