@@ -42,6 +42,10 @@ enum {
     SAMPLES = 256,      /* gather rays of a mesh point */
 };
 
+/* Mesh points whose visible shares of an area light differ by less are in one
+ * penumbra, and may be interpolated. */
+static const double wide_penumbra = 0.04;
+
 /* Gathering stops when the halves of the samples differ by less. */
 static const double gather_error = 0.03;
 
@@ -315,6 +319,17 @@ static const struct mesh_half *mesh_half(struct mesh_question *question,
     return half;
 }
 
+/* Whether points that differ about a lamp call for shadow rays. Of a lamp with
+ * a size not where its penumbra is wide. */
+static bool mesh_disputes(const struct mesh_question *question,
+                          const struct mesh_half *half, const struct lamp *lamp)
+{
+    if (question->sharp || !lamps_soft(question->light.lamps, lamp))
+        return question->sharp;
+    return direct_mesh_spread(question->direct, &half->blend, lamp->number) >
+           wide_penumbra;
+}
+
 static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
                       const struct lamp_view *view)
 {
@@ -328,7 +343,8 @@ static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
     bool lit = few_has(verdict->lit, number);
     bool certain = (lit || few_has(verdict->dark, number)) &&
                    direct_mesh_agrees(&half->blend);
-    if (question->sharp && !certain && !few_has(verdict->faint, number))
+    if (!certain && !few_has(verdict->faint, number) &&
+        mesh_disputes(question, half, lamp))
         return lamplight_trace(light, lamp, view);
     return lit ? rgb_grey(1)
                : direct_mesh_share(question->direct, &half->blend, number);
