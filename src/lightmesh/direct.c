@@ -15,7 +15,10 @@ enum { AGREEING_POINTS = 3 };
 
 /* The error that lamps whose light is faint may make together in sharp
  * shadows, relative to all light. */
-static const double faint_error = 0.08;
+static const double faint_error = 0.13;
+
+/* So few lamps are all settled. */
+enum { FAINT_FROM = 24 };
 
 /* A mesh point under few lamps keeps the sets of struct direct_verdict, each
  * of so many words, then the shares. */
@@ -78,7 +81,7 @@ static void fill_shares(const void *context, struct worker *worker,
         if ((share[0] | share[1] | share[2]) == 0)
             dark[i / 64] |= bit;
     }
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; count > FAINT_FROM && i < count; i++)
         if (light[i] * sqrt((double)count) < faint_error * sum)
             faint[i / 64] |= 1ull << (i % 64);
 }
