@@ -12,7 +12,7 @@ static void *rays_start(const struct world *world, const struct scene *scene,
     if (scene->settings.radiosity)
         diag_print(diag, DIAG_WARNING, span_none(), NULL,
                    "--lighting rays ignores the scene's radiosity: to follow "
-                   "light on from surface to surface type --lighting path");
+                   "light on from surface to surface type --lighting mesh");
     *lamps = lamps_new(world, scene, options->quality, options->seed);
     return lamps;
 }
