@@ -2,6 +2,9 @@
  * A lone triangle is a mesh of one. */
 #include "parse/mesh_builder.h"
 #include "parse/rules.h"
+#include "parse/stream.h"
+#include "parse/symbol.h"
+#include "token/triangles.h"
 
 /* How many of the last textures a triangle's is compared with, so that a
  * texture used by many triangles is kept once. */
@@ -113,6 +116,85 @@ static bool parse_mesh_triangle(struct parser *p, struct mesh_builder *b)
            block_end(p, open, mesh_triangle_body(p, b, smooth));
 }
 
+/* The texture of triangle i of the run: most often a name that stands for one;
+ * anything else is read as if it stood alone. */
+static bool run_texture(struct parser *p, const struct triangle_run *run,
+                        size_t i, struct span span,
+                        const struct texture **texture)
+{
+    const struct triangle_paint *paint = &run->paints[i];
+    const struct symbol *symbol = symbol_lookup(p, paint->texture);
+    if (symbol && symbol->value.kind == VALUE_TEXTURE && !symbol->deprecated) {
+        *texture = symbol->value.texture;
+        return true;
+    }
+    const struct token_list *list =
+        lexer_run_part(p->arena, p->words, span.source,
+                       span.offset + paint->start, span.offset + paint->end);
+    if (!stream_push_range(p, list, 0, list->count - 1, NULL, span_none()))
+        return false;
+    bool ok = parse_texture(p, texture);
+    stream_pop_range(p);
+    return ok;
+}
+
+/* Room for a run's share of a list, which still grows by doubling. */
+#define RUN_RESERVE(p, list, more)                                             \
+    ((list)->count + (more) > (list)->capacity                                 \
+         ? (void)ARRAY_RESERVE((p)->scene_arena, (list),                       \
+                               (list)->count * 2 + (more))                     \
+         : (void)0)
+
+static void run_add_points(struct parser *p, struct mesh_builder *b,
+                           const struct triangle_run *run)
+{
+    const double(*from)[3] = (const double(*)[3])run->vectors;
+    size_t count = 3 * run->count;
+    RUN_RESERVE(p, &b->vertices, count);
+    if (run->smooth)
+        RUN_RESERVE(p, &b->normals, count);
+    for (size_t i = 0; i < count; i++, from++) {
+        *ARRAY_PUSH(p->scene_arena, &b->vertices) =
+            vec3_make((*from)[0], (*from)[1], (*from)[2]);
+        if (!run->smooth)
+            continue;
+        from++;
+        *ARRAY_PUSH(p->scene_arena, &b->normals) =
+            vec3_make((*from)[0], (*from)[1], (*from)[2]);
+    }
+}
+
+/* Triangles that the lexer cut at once. */
+static bool mesh_take_run(struct parser *p, struct mesh_builder *b)
+{
+    const struct triangle_run *run = stream_next(p).triangles;
+    struct span span = p->last_span;
+    uint32_t vertex = (uint32_t)b->vertices.count;
+    uint32_t normal = (uint32_t)b->normals.count;
+    if (!mesh_check_room(p, b->vertices.count + 3 * run->count))
+        return false;
+    run_add_points(p, b, run);
+    RUN_RESERVE(p, &b->triangles, run->count);
+    for (size_t i = 0; i < run->count; i++) {
+        struct mesh_triangle triangle = {
+            .normal = { MESH_NONE, MESH_NONE, MESH_NONE }, .texture = MESH_NONE
+        };
+        const struct texture *texture;
+        for (uint32_t k = 0; k < 3; k++) {
+            triangle.vertex[k] = vertex++;
+            if (run->smooth)
+                triangle.normal[k] = normal++;
+        }
+        if (run->paints[i].texture) {
+            if (!run_texture(p, run, i, span, &texture))
+                return false;
+            triangle.texture = mesh_texture_index(p, b, texture);
+        }
+        *ARRAY_PUSH(p->scene_arena, &b->triangles) = triangle;
+    }
+    return true;
+}
+
 static struct object *mesh_object(struct parser *p, struct span span,
                                   struct mesh **mesh)
 {
@@ -190,7 +272,8 @@ bool parse_smooth_triangle(struct parser *p, struct object **out)
 static bool at_mesh_triangle(struct parser *p)
 {
     enum keyword keyword = stream_keyword(p);
-    return keyword == KEYWORD_TRIANGLE || keyword == KEYWORD_SMOOTH_TRIANGLE;
+    return keyword == KEYWORD_TRIANGLE || keyword == KEYWORD_SMOOTH_TRIANGLE ||
+           stream_peek(p)->kind == TOKEN_TRIANGLES;
 }
 
 /* mesh = "mesh" "{" {mesh_triangle} {"inside_vector" vector | modifier} "}" .
@@ -209,7 +292,9 @@ bool parse_mesh(struct parser *p, struct object **out)
     if (!block_begin(p, &open))
         return false;
     while (ok && at_mesh_triangle(p))
-        ok = parse_mesh_triangle(p, &builder);
+        ok = stream_peek(p)->kind == TOKEN_TRIANGLES
+                 ? mesh_take_run(p, &builder)
+                 : parse_mesh_triangle(p, &builder);
     ok = ok && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;

@@ -2,7 +2,7 @@
 #include "token/lexer.h"
 
 #include "base/array.h"
-#include "token/numbers.h"
+#include "token/triangles.h"
 
 /* A longer word is an error in POV-Ray too, even in skipped text. */
 enum { LEXER_WORD_LIMIT = 200 };
@@ -16,6 +16,7 @@ struct lexer {
         struct token *items;
         size_t count, capacity;
     } tokens;
+    struct triangle_bench bench;
 };
 
 static bool is_digit(char c)
@@ -146,6 +147,31 @@ static void lexer_list(struct lexer *lexer)
         return;
     lexer->at = start + length;
     lexer_push(lexer, TOKEN_NUMBERS, start, lexer->at)->numbers = list;
+}
+
+/* Whether the last token is `mesh {` or triangles cut at once: whatever reads
+ * the next expects more of them. */
+static bool lexer_in_mesh(const struct lexer *lexer)
+{
+    const struct token *end = lexer->tokens.items + lexer->tokens.count;
+    if (lexer->tokens.count > 0 && end[-1].kind == TOKEN_TRIANGLES)
+        return true;
+    return lexer->tokens.count > 1 && end[-1].kind == TOKEN_LBRACE &&
+           end[-2].kind == TOKEN_WORD && end[-2].word->keyword == KEYWORD_MESH;
+}
+
+/* Triangles of a mesh, as one token if they are plain. */
+static bool lexer_triangles(struct lexer *lexer)
+{
+    size_t start = lexer->at, length;
+    const struct triangle_run *run =
+        triangles_cut(lexer->arena, lexer->words, &lexer->bench,
+                      lexer->text + start, &length);
+    if (!run)
+        return false;
+    lexer->at = start + length;
+    lexer_push(lexer, TOKEN_TRIANGLES, start, lexer->at)->triangles = run;
+    return true;
 }
 
 /* word = (letter | "_") {letter | digit | "_"} . */
@@ -313,9 +339,11 @@ static void lexer_foreign(struct lexer *lexer)
 static void lexer_token(struct lexer *lexer)
 {
     const char *here = lexer->text + lexer->at;
-    if (is_word_start(*here))
-        lexer_word(lexer, TOKEN_WORD, lexer->at);
-    else if (is_digit(*here) || (*here == '.' && is_digit(here[1])))
+    if (is_word_start(*here)) {
+        if ((*here != 't' && *here != 's') || !lexer_in_mesh(lexer) ||
+            !lexer_triangles(lexer))
+            lexer_word(lexer, TOKEN_WORD, lexer->at);
+    } else if (is_digit(*here) || (*here == '.' && is_digit(here[1])))
         lexer_number(lexer);
     else if (*here == '"')
         lexer_string(lexer);
@@ -329,14 +357,16 @@ static void lexer_token(struct lexer *lexer)
         lexer_punctuation(lexer);
 }
 
-const struct token_list *lexer_run(struct arena *arena,
-                                   struct word_table *words,
-                                   const struct source *source)
+const struct token_list *lexer_run_part(struct arena *arena,
+                                        struct word_table *words,
+                                        const struct source *source,
+                                        size_t start, size_t end)
 {
     struct lexer lexer = { .arena = arena,
                            .words = words,
                            .text = source->text,
-                           .length = source->length };
+                           .length = end,
+                           .at = start };
     while (lexer.at < lexer.length && !arena_over_limit(arena)) {
         if (is_space(lexer.text[lexer.at]))
             lexer.at++;
@@ -349,4 +379,11 @@ const struct token_list *lexer_run(struct arena *arena,
     list->tokens = lexer.tokens.items;
     list->count = lexer.tokens.count;
     return list;
+}
+
+const struct token_list *lexer_run(struct arena *arena,
+                                   struct word_table *words,
+                                   const struct source *source)
+{
+    return lexer_run_part(arena, words, source, 0, source->length);
 }

@@ -12,4 +12,10 @@ const struct token_list *lexer_run(struct arena *arena,
                                    struct word_table *words,
                                    const struct source *source);
 
+/* Only the text from `start` to `end`, which cuts no token. */
+const struct token_list *lexer_run_part(struct arena *arena,
+                                        struct word_table *words,
+                                        const struct source *source,
+                                        size_t start, size_t end);
+
 #endif

@@ -1,8 +1,6 @@
 /* Long plain lists: see numbers.h. */
 #include "token/numbers.h"
 
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -15,71 +13,70 @@ static bool is_digit(char c)
 }
 
 /* Exact for up to 15 digits and small exponents: both operands are then exact
- * doubles and one division rounds once (Clinger 1990). strtod for the rest. */
-static double number_value(const char *start, const char *end)
+ * doubles and one division rounds once (Clinger 1990). */
+static double number_exact(uint64_t mantissa, size_t decimals)
 {
-    static const double powers[] = { 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,
-                                     1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                     1e12, 1e13, 1e14, 1e15, 1e16, 1e17,
-                                     1e18, 1e19, 1e20, 1e21, 1e22 };
-    uint64_t mantissa = 0;
-    unsigned digits = 0, decimals = 0;
-    bool point = false;
-    const char *p = start;
-    for (; p < end && (is_digit(*p) || *p == '.'); p++) {
-        if (*p == '.') {
-            point = true;
-            continue;
-        }
-        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
-        decimals += point;
-        if (++digits > 15)
-            break;
-    }
-    if (p == end && decimals <= 22)
-        return (double)mantissa / powers[decimals];
-    return strtod(start, NULL);
+    static const double powers[] = { 1e0,  1e1,  1e2,  1e3, 1e4,  1e5,
+                                     1e6,  1e7,  1e8,  1e9, 1e10, 1e11,
+                                     1e12, 1e13, 1e14, 1e15 };
+    return (double)mantissa / powers[decimals];
+}
+
+static const char *number_digits(const char *p, uint64_t *mantissa)
+{
+    for (; is_digit(*p); p++)
+        *mantissa = *mantissa * 10 + (uint64_t)(*p - '0');
+    return p;
+}
+
+/* The end of the exponent at p, or p if there is none. */
+static const char *number_exponent(const char *p)
+{
+    const char *q = p + 1;
+    if (*p != 'e' && *p != 'E')
+        return p;
+    q += *q == '+' || *q == '-';
+    if (!is_digit(*q))
+        return p;
+    while (is_digit(*q))
+        q++;
+    return q;
 }
 
 /* number = (digit {digit} ["." {digit}] | "." digit {digit}) [exponent] .
  * exponent = ("e" | "E") ["+" | "-"] digit {digit} . */
 double number_read(const char *text, const char **end)
 {
-    const char *p = text;
-    while (is_digit(*p))
-        p++;
+    uint64_t mantissa = 0;
+    const char *p = number_digits(text, &mantissa);
+    size_t digits = (size_t)(p - text), decimals = 0;
     if (*p == '.' && (p > text || is_digit(p[1]))) {
-        p++;
-        while (is_digit(*p))
-            p++;
-    }
-    if (p > text && (*p == 'e' || *p == 'E')) {
-        const char *q = p + 1;
-        q += *q == '+' || *q == '-';
-        if (is_digit(*q)) {
-            while (is_digit(*q))
-                q++;
-            p = q;
-        }
+        const char *point = p + 1;
+        p = number_digits(point, &mantissa);
+        decimals = (size_t)(p - point);
     }
     *end = p;
-    return p > text ? number_value(text, p) : 0;
+    if (p == text)
+        return 0;
+    *end = number_exponent(p);
+    if (*end == p && digits + decimals <= 15)
+        return number_exact(mantissa, decimals);
+    return strtod(text, NULL);
 }
 
-static const char *skip_space(const char *p)
+const char *numbers_skip_space(const char *p)
 {
     while (*p == ' ' || (*p >= '\t' && *p <= '\r'))
         p++;
     return p;
 }
 
-/* Takes the character and the space around it. */
-static bool take(const char **at, char c)
+bool numbers_take(const char **at, char c)
 {
-    const char *p = skip_space(*at);
+    const char *p = numbers_skip_space(*at);
     if (*p != c)
         return false;
-    *at = skip_space(p + 1);
+    *at = numbers_skip_space(p + 1);
     return true;
 }
 
@@ -94,11 +91,12 @@ static bool take_number(const char **at, double *value)
     return end > start && *end != '.';
 }
 
-static bool take_vector(const char **at, double *v)
+bool numbers_take_vector(const char **at, double v[3])
 {
-    return take(at, '<') && take_number(at, &v[0]) && take(at, ',') &&
-           take_number(at, &v[1]) && take(at, ',') && take_number(at, &v[2]) &&
-           take(at, '>');
+    return numbers_take(at, '<') && take_number(at, &v[0]) &&
+           numbers_take(at, ',') && take_number(at, &v[1]) &&
+           numbers_take(at, ',') && take_number(at, &v[2]) &&
+           numbers_take(at, '>');
 }
 
 const struct number_list *numbers_cut(struct arena *arena, const char *text,
@@ -110,16 +108,17 @@ const struct number_list *numbers_cut(struct arena *arena, const char *text,
     } vectors = { 0 };
     const char *at = text;
     double said, v[3];
-    if (!take(&at, '{') || !take_number(&at, &said) || !(said >= NUMBERS_LEAST))
+    if (!numbers_take(&at, '{') || !take_number(&at, &said) ||
+        !(said >= NUMBERS_LEAST))
         return NULL;
-    take(&at, ',');
+    numbers_take(&at, ',');
     size_t room = size / SHORTEST_VECTOR;
     ARRAY_RESERVE(arena, &vectors, said < (double)room ? (size_t)said : room);
-    while (*at == '<' && take_vector(&at, v)) {
+    while (*at == '<' && numbers_take_vector(&at, v)) {
         double *out = *ARRAY_PUSH(arena, &vectors);
         for (int i = 0; i < 3; i++)
             out[i] = v[i];
-        take(&at, ',');
+        numbers_take(&at, ',');
         if (arena_over_limit(arena))
             return NULL;
     }

@@ -3,7 +3,9 @@
 #ifndef TOKEN_NUMBERS_H
 #define TOKEN_NUMBERS_H
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "base/arena.h"
 
@@ -26,5 +28,12 @@ const struct number_list *numbers_cut(struct arena *arena, const char *text,
 /* The number at `text`, unsigned; *end is put behind it, or at `text` if
  * there is none. */
 double number_read(const char *text, const char **end);
+
+/* For lists that are cut at once, of text ending in NUL. */
+const char *numbers_skip_space(const char *text);
+/* Takes the character and the space around it, if it is next. */
+bool numbers_take(const char **at, char c);
+/* Takes <a, b, c> and the space around it; false if it isn't one. */
+bool numbers_take_vector(const char **at, double v[3]);
 
 #endif

@@ -22,6 +22,8 @@ const char *token_kind_name(enum token_kind kind)
         return "a directive";
     case TOKEN_NUMBERS:
         return "a list of vectors";
+    case TOKEN_TRIANGLES:
+        return "triangles";
     case TOKEN_BAD:
         return "an illegal character";
 #define X(name, spelling)                                                      \

@@ -40,6 +40,7 @@ enum token_kind {
     TOKEN_DIRECTIVE, /* '#' and the word after it */
     TOKEN_BAD,       /* an error kept until somebody reads the token */
     TOKEN_NUMBERS,   /* a long list of vectors with its braces: numbers.h */
+    TOKEN_TRIANGLES, /* of a mesh, one after the other: triangles.h */
 #define X(name, spelling) TOKEN_##name,
     TOKEN_PUNCTUATION(X)
 #undef X
@@ -62,6 +63,7 @@ struct token {
         double number;
         const struct word *word; /* TOKEN_WORD, TOKEN_DIRECTIVE */
         const struct number_list *numbers;
+        const struct triangle_run *triangles;
         const char *text; /* TOKEN_STRING: escapes resolved.
                            * TOKEN_BAD: what is wrong */
     };

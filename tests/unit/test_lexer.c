@@ -7,7 +7,7 @@
 
 #include "text/diag.h"
 #include "token/lexer.h"
-#include "token/numbers.h"
+#include "token/triangles.h"
 
 struct fixture {
     struct arena *arena;
@@ -128,6 +128,57 @@ static void other_lists_are_ordinary_tokens(void **state)
     }
 }
 
+static void plain_triangles_are_one_token(void **state)
+{
+    const struct token_list *list = lex(
+        *state, "mesh { // leaves\n"
+                "triangle { <0,-1.5,2>, <3 , 4,5> <6,7,8> texture { Leaf } }\n"
+                "triangle{<0,0,0>,<1,0,0>,<0,1,0>}\n"
+                "smooth_triangle { <1,2,3>, <4,5,6>, <7,8,9>, <10,11,12>, "
+                "<13,14,15>, <16,17,18> } }");
+    assert_int_equal(list->count, 6);
+    assert_int_equal(list->tokens[2].kind, TOKEN_TRIANGLES);
+    const struct triangle_run *run = list->tokens[2].triangles;
+    assert_false(run->smooth);
+    assert_int_equal(run->count, 2);
+    assert_true(run->vectors[0][1] == -1.5 && run->vectors[1][0] == 3);
+    assert_true(run->vectors[5][1] == 1);
+    assert_string_equal(run->paints[0].texture->text, "Leaf");
+    const char *text = list->source->text + list->tokens[2].offset;
+    assert_memory_equal(text + run->paints[0].start, "texture { Leaf }", 16);
+    assert_int_equal(run->paints[0].end - run->paints[0].start, 16);
+    assert_null(run->paints[1].texture);
+    run = list->tokens[3].triangles;
+    assert_true(run->smooth && run->count == 1 && run->vectors[5][2] == 18);
+}
+
+/* Outside a mesh, and from the first that is not plain on. */
+static void other_triangles_are_ordinary_tokens(void **state)
+{
+    static const char plain[] = "triangle { <0,0,0>, <1,0,0>, <0,1,0> }";
+    static const char *const other[] = {
+        "triangle { <0,0,0>*2, <1,0,0>, <0,1,0> }",
+        "triangle { <0,0,x>, <1,0,0>, <0,1,0> }",
+        "triangle { <0,0>, <1,0,0>, <0,1,0> }",
+        "triangle { <0,0,0>, <1,0,0>, <0,1,0> texture { A[1] } }",
+        "triangle { <0,0,0>, <1,0,0>, <0,1,0> texture { } }",
+        "triangle { <0,0,0>, <1,0,0>, <0,1,0> texture { A } texture { A } }",
+        "triangle { <0,0,0>, <1,0,0>",
+        "triangles { <0,0,0>, <1,0,0>, <0,1,0> }",
+    };
+    struct fixture *fixture = *state;
+    const struct token_list *list = lex(*state, plain);
+    assert_int_equal(list->tokens[0].kind, TOKEN_WORD);
+    for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
+        list = lex(*state, arena_printf(fixture->arena, "mesh { %s %s }", plain,
+                                        other[i]));
+        assert_int_equal(list->tokens[2].kind, TOKEN_TRIANGLES);
+        assert_int_equal(list->tokens[2].triangles->count, 1);
+        assert_int_equal(list->tokens[3].kind, TOKEN_WORD);
+        assert_int_equal(list->tokens[4].kind, TOKEN_LBRACE);
+    }
+}
+
 static void strings_resolve_escapes(void **state)
 {
     const struct token_list *list =
@@ -215,6 +266,8 @@ int main(void)
         cmocka_unit_test(numbers_are_exact),
         cmocka_unit_test(long_plain_lists_are_one_token),
         cmocka_unit_test(other_lists_are_ordinary_tokens),
+        cmocka_unit_test(plain_triangles_are_one_token),
+        cmocka_unit_test(other_triangles_are_ordinary_tokens),
         cmocka_unit_test(strings_resolve_escapes),
         cmocka_unit_test(spellings_share_keywords),
         cmocka_unit_test(lines_end_in_all_ways),
