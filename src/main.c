@@ -7,6 +7,7 @@
 #include "cli/probe_file.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
+#include "lighting/names.h"
 
 enum status { DONE = 0, FAILED = 1, INTERRUPTED = 2 };
 
@@ -174,9 +175,10 @@ static bool frame_make(struct work *work, const struct parse_options *parse,
     if (scene)
         light_said_apply(&options->light_said, &options->light,
                          &scene->settings);
-    if (!scene || options->action == ACTION_CHECK) {
+    bool good = scene && names_good(&scene->settings, &work->diag);
+    if (!good || options->action == ACTION_CHECK) {
         scene_free(scene);
-        return scene;
+        return good;
     }
     stats_lap(&stats, &stats.parsing);
     bool done = frame_render(work, scene, name, &stats);
@@ -245,7 +247,9 @@ static enum status work_run(struct work *work, struct arena *arena)
         !probe_file_read(&work->points, work->options.probe, arena,
                          &work->diag))
         return FAILED;
-    if (!picture_can_be(work->options.light.light_mesh.save_file, &work->diag))
+    if (!picture_can_be(work->options.light.light_mesh.save_file,
+                        &work->diag) ||
+        !picture_can_be(work->options.light.skeleton.save_file, &work->diag))
         return FAILED;
     for (int i = 0; i < frames_count(frames); i++) {
         enum status status = atomic_load(work->stop)

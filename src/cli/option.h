@@ -6,6 +6,11 @@
 #include "base/array.h"
 #include "cli/options.h"
 
+struct option_typed {
+    const struct option *option;
+    const char *shown;
+};
+
 /* What is known while options are read. */
 struct option_reader {
     struct options *options;
@@ -23,6 +28,11 @@ struct option_reader {
         size_t count, capacity;
     } declares;
     const char *output; /* as +O says */
+    /* Settings of the command line that not every lighting uses. */
+    struct {
+        struct option_typed *items;
+        size_t count, capacity;
+    } typed;
 };
 
 /* One `+Xvalue`, `Key=value` or `--word=value`. */
@@ -50,7 +60,8 @@ struct option {
     double minimum, maximum;
     const struct field *fields; /* set_light: its row of this table */
     const char *field;
-    const char *also;     /* a switch's value belongs to this key */
+    const char *of;   /* the lightings that use it, with blanks; NULL: all */
+    const char *also; /* a switch's value belongs to this key */
     const char *argument; /* what the value is called in lists; in brackets
                            * when it may be left out; NULL: takes none */
     const char *help;     /* with the default in parentheses */

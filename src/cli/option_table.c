@@ -48,11 +48,15 @@
         .word = w, .set = setter, .offset = number, .argument = value,         \
         .help = text                                                           \
     }
-#define LIGHT(k, w, table, name, value, text)                                  \
+#define LIGHT_OF(lightings, k, w, table, name, value, text)                    \
     {                                                                          \
-        .key = k, .word = w, .set = set_light, .fields = table, .field = name, \
-        .argument = value, .help = text                                        \
+        .key = k, .word = w, .set = set_light, .of = lightings,                \
+        .fields = table, .field = name, .argument = value, .help = text        \
     }
+#define LIGHT(k, w, table, name, value, text)                                  \
+    LIGHT_OF("mesh", k, w, table, name, value, text)
+#define VOID(k, w, table, name, value, text)                                   \
+    LIGHT_OF("skeleton mesh path", k, w, table, name, value, text)
 #define NOTHING(l, k) VALUE(l, k, set_ignored, "", "")
 #define CONSOLE(l, k, setter, field, file, text)                               \
     {                                                                          \
@@ -130,17 +134,17 @@ static const struct option table[] = {
     WORD("show", set_text, AT(show), "name",
          "draw what the lighting knows over the picture: skeleton, "
          "skeleton:irradiance, stream, mesh, mesh:indirect"),
-    { .key = "Samples", .word = "samples", .set = set_integer,
+    { .key = "Samples", .word = "samples", .of = "path", .set = set_integer,
       .offset = AT(samples), .minimum = 1, .maximum = OPTIONS_SAMPLE_LIMIT,
       .argument = "n",
       .help = "with --lighting path: of each pixel, +A or not (64; with a "
               "target as many as it takes, up to 65536)" },
-    { .key = "Target_Error", .word = "target-error", .set = set_number,
+    { .key = "Target_Error", .word = "target-error", .of = "path", .set = set_number,
       .offset = AT(render.target_error), .minimum = 0, .maximum = 1,
       .argument = "n",
       .help = "with --lighting path: enough when the estimated relative "
               "error is n (0: never)" },
-    { .key = "Target_Time", .word = "target-time", .set = set_number,
+    { .key = "Target_Time", .word = "target-time", .of = "path", .set = set_number,
       .offset = AT(render.target_time), .minimum = 0, .maximum = 1e9,
       .argument = "seconds",
       .help = "with --lighting path: enough after that time (0: never)" },
@@ -175,20 +179,20 @@ static const struct option table[] = {
           "from surface to surface"),
     LIGHT("Mesh_Skeleton", "mesh-skeleton", indirect_fields, "skeleton",
           "bool", "the skeleton's light ends the last of them (on)"),
-    LIGHT("Mesh_Save", "mesh-save", light_option_fields, "save", "file",
+    LIGHT_OF(NULL, "Mesh_Save", "mesh-save", light_option_fields, "save", "file",
           "write the mesh here when the picture is done"),
     LIGHT("Mesh_Load", "mesh-load", light_option_fields, "load", "file",
           "begin with this mesh"),
-    LIGHT(NULL, "mesh-only", light_option_fields, "only", NULL,
+    LIGHT_OF(NULL, NULL, "mesh-only", light_option_fields, "only", NULL,
           "make the mesh for --mesh-save and write no picture"),
-    LIGHT("Skeleton_Resolution", "skeleton-resolution", skeleton_fields,
+    VOID("Skeleton_Resolution", "skeleton-resolution", skeleton_fields,
           "resolution", "n", "voxels along the scene's longest side (128)"),
-    LIGHT("Skeleton_Heuristic", "skeleton-heuristic", skeleton_fields,
+    VOID("Skeleton_Heuristic", "skeleton-heuristic", skeleton_fields,
           "heuristic", "name", "how light is estimated along the skeleton"),
-    LIGHT("Skeleton_Save", "skeleton-save", light_option_fields,
+    LIGHT_OF(NULL, "Skeleton_Save", "skeleton-save", light_option_fields,
           "skeleton_save", "file",
           "write the skeleton and its light here: .ply, .obj or .csv"),
-    LIGHT("Guide", "guide", light_option_fields, "guide", "name",
+    LIGHT_OF("path", "Guide", "guide", light_option_fields, "guide", "name",
           "with --lighting path: skeleton, where to look for light (off)"),
 
     GROUP("Scene"),

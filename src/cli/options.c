@@ -74,6 +74,17 @@ bool option_unknown(struct option_reader *reader, const struct setting *setting,
     return false;
 }
 
+/* Applies a setting by its key or word. */
+static bool option_apply(struct option_reader *reader,
+                         const struct option *option,
+                         const struct setting *setting)
+{
+    if (option->of && !setting->span.source)
+        *ARRAY_PUSH(reader->arena, &reader->typed) =
+            (struct option_typed){ option, setting->shown };
+    return option->set(reader, option, setting);
+}
+
 static bool option_read_word(struct option_reader *reader,
                              struct setting setting)
 {
@@ -89,7 +100,7 @@ static bool option_read_word(struct option_reader *reader,
         return option_fail(reader, &setting, "--%s takes no value",
                            option->word);
     setting.by_key = true;
-    return option->set(reader, option, &setting);
+    return option_apply(reader, option, &setting);
 }
 
 static bool option_read_letters(struct option_reader *reader,
@@ -120,7 +131,7 @@ static bool option_read_key(struct option_reader *reader,
         return option_unknown(reader, &setting,
                               setting.span.source ? key : setting.shown);
     setting.by_key = true;
-    return option->set(reader, option, &setting);
+    return option_apply(reader, option, &setting);
 }
 
 static bool option_is_scene(const char *name)
@@ -358,6 +369,22 @@ static void options_resolve_scene(struct option_reader *reader)
     parse->clock = parse->clock_on ? options->clock : 0;
 }
 
+/* Warns of what was typed for another lighting than the one that is used. */
+static void options_tell_unused(struct option_reader *reader)
+{
+    const char *used = reader->options->lighting->name;
+    for (size_t i = 0; i < reader->typed.count; i++) {
+        const char *of = reader->typed.items[i].option->of;
+        const char *found = strstr(of, used);
+        size_t length = found ? strlen(used) : strcspn(of, " ");
+        if (found && (found[length] == '\0' || found[length] == ' '))
+            continue;
+        diag_print(reader->diag, DIAG_WARNING, span_none(), NULL,
+                   "--lighting %s does not use '%s': type --lighting %.*s",
+                   used, reader->typed.items[i].shown, (int)length, of);
+    }
+}
+
 static bool options_resolve_mesh(struct option_reader *reader)
 {
     const struct options *options = reader->options;
@@ -391,9 +418,10 @@ static bool options_resolve_show(struct option_reader *reader,
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
                    "there is no '%s' to show: type %s", options->show,
                    nearest.best ? nearest.best : "skeleton");
-    else if (options->probe)
+    else if (options->probe || options->light.light_mesh.only)
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
-                   "--show draws over a picture, and --probe makes none");
+                   "--show draws over a picture, and %s makes none",
+                   options->probe ? "--probe" : "--mesh-only");
     else if (!lighting_view(options->lighting, options->show))
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
                    "--lighting %s has no '%s' to show: type --lighting %s",
@@ -447,6 +475,8 @@ static bool options_resolve(struct option_reader *reader)
         !options_resolve_lighting(reader) || !options_resolve_mesh(reader) ||
         !options_name_output(reader))
         return false;
+    if (options->action == ACTION_RENDER)
+        options_tell_unused(reader);
     options_resolve_scene(reader);
     const char *problem = frames_resolve(&options->frames, reader->arena);
     if (problem)

@@ -64,13 +64,15 @@ bool picture_show(struct image *image, const struct options *options,
     struct output_space space =
         picture_space(options, &tracer->scene->settings);
     render.stop = stop;
-    lighting_view(tracer->lighting, options->show)
-        ->give(tracer->lighting_state, &show);
+    const struct lighting_view *view =
+        lighting_view(tracer->lighting, options->show);
+    view->give(tracer->lighting_state, &show);
     bool done = overlay_draw(tracer, &render, &show, space.working_gamma, image,
                              &range);
     if (done && !range.known)
         diag_print(diag, DIAG_MESSAGE, span_none(), NULL,
-                   "%s: there is nothing to show\n", options->show);
+                   "%s: there is nothing to show%s%s\n", options->show,
+                   view->needs ? ": add " : "", view->needs ? view->needs : "");
     else if (done)
         diag_print(diag, DIAG_MESSAGE, span_none(), NULL,
                    "%s: %s from %.3g (blue) to %.3g (red)\n", options->show,

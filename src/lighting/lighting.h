@@ -37,6 +37,7 @@ struct lighting_view {
     const char *help;
     /* Its points and lines, once the picture is done (lighting/show.h). */
     void (*give)(const void *state, struct show *show);
+    const char *needs; /* what to type if there are none; or NULL */
 };
 
 /* Takes one light_sample. */

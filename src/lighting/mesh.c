@@ -1,13 +1,13 @@
 /* Light meshes (Debelov and Sevastyanov 2002): lamps are asked from mesh
  * points, which surfaces then share. There is no ambient term. */
 #include "base/memory.h"
-#include "base/text.h"
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_report.h"
 #include "lighting/mesh_scalar.h"
 #include "lighting/mesh_views.h"
+#include "lighting/names.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
 #include "lighting/void_skeleton.h"
@@ -54,24 +54,6 @@ static const double coarser = 1.4142135623730951;
 
 /* Pixels from mesh point to mesh point. */
 static const double mesh_pixels = 20;
-
-static const struct interpolation *
-mesh_interpolation(const struct light_mesh_settings *said, struct diag *diag)
-{
-    const struct interpolation *found = interpolation_at(0);
-    if (said->interpolation)
-        found = interpolation_find(said->interpolation);
-    if (found)
-        return found;
-    struct text_nearest nearest = text_nearest_start(said->interpolation);
-    for (size_t i = 0; interpolation_at(i); i++)
-        text_nearest_try(&nearest, interpolation_at(i)->name);
-    diag_print(diag, DIAG_ERROR, span_none(), NULL,
-               "there is no interpolation '%s' of light meshes: type %s",
-               said->interpolation,
-               nearest.best ? nearest.best : interpolation_at(0)->name);
-    return NULL;
-}
 
 static bool mesh_supported(const struct light_mesh_settings *said,
                            struct diag *diag)
@@ -246,7 +228,8 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
                         struct diag *diag)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    const struct interpolation *interpolation = mesh_interpolation(said, diag);
+    const struct interpolation *interpolation =
+        names_interpolation(&scene->settings, diag);
     if (!interpolation || !mesh_supported(said, diag))
         return NULL;
     struct mesh_lighting *mesh = memory_new(sizeof *mesh);
@@ -485,18 +468,25 @@ static void mesh_tell(const void *state, lighting_row *row, void *context)
 static void mesh_give_direct(const void *state, struct show *show)
 {
     const struct mesh_lighting *mesh = state;
-    mesh_show_direct(mesh->direct, show);
+    if (mesh->scalar)
+        mesh_show_scalar(&mesh->scalar->direct, show);
+    else
+        mesh_show_direct(mesh->direct, show);
 }
 
 static void mesh_give_indirect(const void *state, struct show *show)
 {
     const struct mesh_lighting *mesh = state;
-    mesh_show_indirect(mesh->indirect, show);
+    if (mesh->scalar && mesh->scalar->samples > 0)
+        mesh_show_scalar(&mesh->scalar->indirect, show);
+    else
+        mesh_show_indirect(mesh->indirect, show);
 }
 
 static const struct lighting_view mesh_views[] = {
     { "mesh", "mesh points, by the light of lamps", mesh_give_direct },
-    { "mesh:indirect", "by the light of surfaces", mesh_give_indirect },
+    { "mesh:indirect", "by the light of surfaces", mesh_give_indirect,
+      "--mesh-indirect on" },
     { NULL, NULL, NULL },
 };
 

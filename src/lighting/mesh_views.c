@@ -5,9 +5,15 @@
 
 /* Who asks for the points. */
 struct mesh_viewer {
-    const struct direct_mesh *direct; /* NULL: payloads are harmonics */
+    const struct direct_mesh *direct; /* NULL: the payloads are others */
+    rgb (*light)(const void *payload);
     struct show *show;
 };
+
+static rgb harmonics_light(const void *payload)
+{
+    return harmonics_total(payload);
+}
 
 static void mesh_viewer_take(void *context, vec3 place, const void *payload)
 {
@@ -15,7 +21,7 @@ static void mesh_viewer_take(void *context, vec3 place, const void *payload)
     struct show *show = viewer->show;
     rgb light = viewer->direct
                     ? direct_mesh_arriving(viewer->direct, place, payload)
-                    : harmonics_total(payload);
+                    : viewer->light(payload);
     *ARRAY_PUSH(show->arena, &show->points) =
         (struct show_point){ place, rgb_brightness(light) };
 }
@@ -30,13 +36,19 @@ static void mesh_show(const struct point_mesh *points,
 
 void mesh_show_direct(const struct direct_mesh *mesh, struct show *show)
 {
-    struct mesh_viewer viewer = { mesh, show };
+    struct mesh_viewer viewer = { .direct = mesh, .show = show };
     mesh_show(&mesh->points, &viewer);
+}
+
+void mesh_show_scalar(const struct point_mesh *points, struct show *show)
+{
+    struct mesh_viewer viewer = { .light = scalar_held, .show = show };
+    mesh_show(points, &viewer);
 }
 
 void mesh_show_indirect(const struct indirect_mesh *mesh, struct show *show)
 {
-    struct mesh_viewer viewer = { NULL, show };
+    struct mesh_viewer viewer = { .light = harmonics_light, .show = show };
     if (mesh)
         mesh_show(&mesh->points, &viewer);
 }

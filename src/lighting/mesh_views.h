@@ -4,9 +4,13 @@
 
 #include "lighting/show.h"
 #include "lightmesh/indirect.h"
+#include "lightmesh/scalar.h"
 
 /* By the light of lamps that reaches them. */
 void mesh_show_direct(const struct direct_mesh *mesh, struct show *show);
+
+/* Those of model scalar, by what they hold. */
+void mesh_show_scalar(const struct point_mesh *points, struct show *show);
 
 /* By the light of surfaces that reaches them, of the first bounce; `mesh` may
  * be NULL. */

@@ -1,26 +1,8 @@
 /* Void and skeleton: see void_skeleton.h. */
 #include "lighting/void_skeleton.h"
 
-#include "base/text.h"
-#include "skeleton/heuristic.h"
+#include "lighting/names.h"
 #include "skeleton/void.h"
-
-/* NULL after an error. */
-static const struct heuristic *heuristic_named(const char *name,
-                                               struct diag *diag)
-{
-    const struct heuristic *found =
-        name ? heuristic_find(name) : heuristic_at(0);
-    if (found)
-        return found;
-    struct text_nearest nearest = text_nearest_start(name);
-    for (size_t i = 0; heuristic_at(i); i++)
-        text_nearest_try(&nearest, heuristic_at(i)->name);
-    diag_print(diag, DIAG_ERROR, span_none(), NULL,
-               "there is no heuristic '%s' of skeletons: type %s", name,
-               nearest.best ? nearest.best : heuristic_at(0)->name);
-    return NULL;
-}
 
 bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
                         const struct scene *scene, const char *heuristic,
@@ -29,8 +11,8 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
 {
     const struct skeleton_settings *said = &scene->settings.skeleton;
     struct skeleton_options wanted = {
-        .heuristic =
-            heuristic_named(heuristic ? heuristic : said->heuristic, diag),
+        .heuristic = heuristic ? heuristic_find(heuristic)
+                               : names_heuristic(&scene->settings, diag),
         .seed = options->seed,
         .threads = options->threads,
     };

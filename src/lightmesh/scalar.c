@@ -20,6 +20,12 @@ static void record_set(void *payload, rgb light)
                                       (float)light.b };
 }
 
+rgb scalar_held(const void *payload)
+{
+    const struct scalar_record *record = payload;
+    return rgb_make((double)record->r, (double)record->g, (double)record->b);
+}
+
 rgb scalar_lamp(const struct lamp *lamp, vec3 point, vec3 *direction)
 {
     struct lamp_view view;
@@ -57,11 +63,8 @@ static rgb points_mean(const struct point_mesh *points, struct worker *worker,
     rgb sum = rgb_grey(0);
     point_mesh_blend(points, worker, surface->point, surface->side, &blend);
     for (int i = 0; i < blend.count; i++) {
-        const struct scalar_record *record = blend.at[i].payload;
-        sum = rgb_add_scaled(
-            sum,
-            rgb_make((double)record->r, (double)record->g, (double)record->b),
-            blend.at[i].weight);
+        sum = rgb_add_scaled(sum, scalar_held(blend.at[i].payload),
+                             blend.at[i].weight);
     }
     return sum;
 }

@@ -38,6 +38,9 @@ void scalar_mesh_free(struct scalar_mesh *mesh);
 /* E_i / phi1(r_i(y)), of (1) and (2); *direction is the way to the lamp. */
 rgb scalar_lamp(const struct lamp *lamp, vec3 point, vec3 *direction);
 
+/* What a point of either mesh holds. */
+rgb scalar_held(const void *payload);
+
 /* DirectLight(x), (1). */
 rgb scalar_direct(const struct scalar_mesh *mesh, struct worker *worker,
                   vec3 place);

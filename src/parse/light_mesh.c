@@ -22,6 +22,8 @@ static bool light_field(struct parser *p, const struct field *table,
 {
     const struct field *field = accept_field(p, table);
     *found = field;
+    if (field)
+        light_place(&p->scene->settings, field, stream_span(p));
     return !field || parse_field(p, field, &p->scene->settings);
 }
 

@@ -96,9 +96,20 @@ void light_said_add(struct light_said *said, const struct field *field)
         said->fields[said->count++] = field;
 }
 
+void light_place(struct settings *settings, const struct field *field,
+                 struct span place)
+{
+    if (field->offset == AT(light_mesh.interpolation))
+        settings->light_mesh.interpolation_place = place;
+    else if (field->offset == AT(skeleton.heuristic))
+        settings->skeleton.heuristic_place = place;
+}
+
 void light_said_apply(const struct light_said *said,
                       const struct settings *values, struct settings *settings)
 {
-    for (size_t i = 0; i < said->count; i++)
+    for (size_t i = 0; i < said->count; i++) {
         field_copy(said->fields[i], settings, values);
+        light_place(settings, said->fields[i], span_none());
+    }
 }

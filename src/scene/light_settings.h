@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "base/field.h"
+#include "text/source.h"
 
 /* A part of space that wants a denser mesh. */
 struct mesh_region {
@@ -31,6 +32,7 @@ struct light_mesh_settings {
     double density;            /* mesh points for one unit of length, > 0 */
     double radius;             /* of interpolation, units, > 0 */
     const char *interpolation; /* a name in lightmesh/interpolation/list.h */
+    struct span interpolation_place; /* nowhere if an option says it */
     enum mesh_model model;
     enum mesh_shadows shadows;
     double threshold; /* adaptive: neighbours may differ by so much, 0..1 */
@@ -59,8 +61,9 @@ enum path_guide {
 struct skeleton_settings {
     int resolution;        /* voxels along the longest side, 128 */
     const char *heuristic; /* a name in skeleton/heuristic/list.h, or NULL */
-    const char *save_file; /* or NULL; never by a scene */
-    enum path_guide guide; /* of --lighting path */
+    struct span heuristic_place; /* nowhere if an option says it */
+    const char *save_file;       /* or NULL; never by a scene */
+    enum path_guide guide;       /* of --lighting path */
 };
 
 struct settings;
@@ -69,6 +72,10 @@ struct settings;
  * the command line says. Their offsets are into struct settings. */
 extern const struct field light_mesh_fields[], indirect_fields[],
     skeleton_fields[], light_option_fields[];
+
+/* Notes where the value of a field stands, if anybody wants to know. */
+void light_place(struct settings *settings, const struct field *field,
+                 struct span place);
 
 /* What options say, which wins over the scene. */
 enum { LIGHT_SAID_LIMIT = 32 };
