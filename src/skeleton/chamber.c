@@ -1,20 +1,14 @@
 /* Chambers: see chamber.h. A watershed of the nodes' radii: nodes from the
  * widest to the narrowest flood basins; where two basins meet at a node that
  * is narrower than `constriction` times the smaller one's widest, there is a
- * door between them, else they are one. Then each basin is cut into rings
- * around its widest node by distance along the skeleton. */
+ * door between them, else they are one. */
 #include "skeleton/chamber.h"
 
 #include <stdlib.h>
 
 #include "base/memory.h"
-#include "skeleton/paths.h"
 
 static const double constriction = 0.75;
-/* Half a ring, in radii of the widest node; of 0.8 to 1.25 the one that was
- * closest to path in examples/light. */
-static const double ring_width = 1.1;
-
 struct ranked {
     double radius;
     uint32_t node;
@@ -101,34 +95,12 @@ static uint32_t *basins_new(const struct graph *graph)
     return up;
 }
 
-/* Which ring around its basin's widest node each node is in. */
-static uint32_t *rings_new(const struct graph *graph, const uint32_t *basin)
-{
-    struct arena *arena = arena_new(0);
-    uint32_t *rings = memory_new(graph->count * sizeof *rings);
-    uint32_t *peaks = ARENA_ARRAY(arena, uint32_t, graph->count);
-    struct paths_from from = { .sources = peaks, .group = basin };
-    for (size_t i = 0; i < graph->count; i++)
-        if (basin[i] == i)
-            peaks[from.count++] = (uint32_t)i;
-    const struct paths *paths = paths_new(arena, graph, &from);
-    for (size_t i = 0; i < graph->count; i++) {
-        double width = ring_width * graph->nodes[basin[i]].radius;
-        double far = ((double)paths->distance[i] - width) / (2 * width);
-        rings[i] = far < 0 ? 0 : 1 + (uint32_t)far;
-    }
-    arena_free(arena);
-    return rings;
-}
-
-/* Connected nodes of one basin and one ring are a chamber. */
 struct chambers *chambers_new(struct arena *arena, const struct graph *graph)
 {
     struct chambers *chambers = ARENA_NEW(arena, struct chambers);
-    uint32_t *basin = basins_new(graph), *ring = rings_new(graph, basin);
+    uint32_t *basin = basins_new(graph);
     chambers->of_node = ARENA_ARRAY(arena, uint32_t, graph->count);
-    chambers->count = graph_label(graph, basin, ring, chambers->of_node);
-    memory_free(ring);
+    chambers->count = graph_label(graph, basin, NULL, chambers->of_node);
     memory_free(basin);
     return chambers;
 }

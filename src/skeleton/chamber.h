@@ -1,5 +1,4 @@
-/* The skeleton cut into chambers: rooms end at their doors, corridors are cut
- * into pieces about as long as wide. Within one, light is taken to be even. */
+/* The skeleton cut into chambers: rooms end at their doors. */
 #ifndef SKELETON_CHAMBER_H
 #define SKELETON_CHAMBER_H
 

@@ -1,14 +1,14 @@
-/* The energy balance between chambers. Each is taken for an integrating sphere
- * (Sumpner 1892: E = rho Phi / (S (1 - rho))), and what one sends another goes
- * through the opening between them:
+/* The energy balance between zones: pieces of wall that each send out their
+ * light evenly (radiosity). Zone i with the area S_i, the mean albedo rho_i and
+ * the own light Q_i (direct light that it reflects at first, and emission) gets
  *
- *   (S_i (1 - rho_i) + sum_j A_ij + A_i,sky) E_i =
- *                                   Q_i + sum_j A_ij E_j + A_i,sky E_sky
+ *   S_i E_i = sum_j A_ij B_j + A_i,sky E_sky,    B_j = rho_j E_j + Q_j / S_j
  *
- * S: area of the walls, rho: their mean albedo, A: area of openings, Q: light
- * that the walls send out at first: direct light they reflect and their own.
- * E is the indirect irradiance. Units are POV-Ray's, without pi: a wall sends
- * out albedo * irradiance, and E is also the mean radiance that comes in. */
+ * where A_ij = A_ji is the area of i times the share of j in what it sees, and
+ * A_ii what is left of S_i. One zone alone is an integrating sphere (Sumpner
+ * 1892: E = rho Phi / (S (1 - rho))). E is the indirect irradiance. Units are
+ * POV-Ray's, without pi: a wall sends out albedo * irradiance, and E is also
+ * the mean radiance that comes in. */
 #ifndef SKELETON_ENCLOSURE_H
 #define SKELETON_ENCLOSURE_H
 
@@ -17,16 +17,19 @@
 #include "base/arena.h"
 #include "base/rgb.h"
 
-struct chamber {
-    double area;   /* of the walls */
-    rgb absorbing; /* sum of area * (1 - albedo) */
-    rgb source;    /* Q */
-    double sky;    /* area that is open to the sky */
-    rgb sky_light; /* sum of area * mean radiance of the sky there */
-    rgb light;     /* E, by enclosure_solve */
+struct zone {
+    double area;
+    rgb reflecting; /* sum of area * albedo */
+    rgb source;     /* Q */
+    double sky;     /* of the area, what sees the sky */
+    rgb sky_light;  /* sum of that area * radiance of the sky there */
+    rgb light;      /* E, by enclosure_solve */
+    rgb sent;       /* B, by enclosure_solve */
+    double whole;   /* the area, or more if others see more of it */
+    double self;    /* A_ii */
 };
 
-/* An opening; each pair of chambers once or more. */
+/* A_ij; each pair of zones once or more. */
 struct opening {
     uint32_t a, b;
     double area;
@@ -34,7 +37,7 @@ struct opening {
 
 struct enclosure {
     struct arena *arena;
-    struct chamber *chambers;
+    struct zone *zones;
     size_t count;
     struct {
         struct opening *items;
@@ -42,20 +45,25 @@ struct enclosure {
     } openings;
 };
 
-/* Empty chambers, in the arena. */
+/* Zones without walls, in the arena. */
 struct enclosure *enclosure_new(struct arena *arena, size_t count);
 
 /* A piece of wall: `direct` is the irradiance it gets from lamps, `emission`
  * what it sends out by itself. */
-void enclosure_wall(struct enclosure *enclosure, uint32_t chamber, double area,
+void enclosure_wall(struct enclosure *enclosure, uint32_t zone, double area,
                     rgb albedo, rgb direct, rgb emission);
 
 void enclosure_open(struct enclosure *enclosure, uint32_t a, uint32_t b,
                     double area);
 
-/* An opening to a sky of this mean radiance. */
-void enclosure_sky(struct enclosure *enclosure, uint32_t chamber, double area,
+/* Part of the zone's area that sees the sky, of this mean radiance. */
+void enclosure_sky(struct enclosure *enclosure, uint32_t zone, double area,
                    rgb radiance);
+
+/* For openings and sky that were measured, those of zones to themselves among
+ * them: scales them until each zone sees as much as its area is, what i sees of
+ * j still being what j sees of i (Sinkhorn and Knopp 1967). */
+void enclosure_even_out(struct enclosure *enclosure);
 
 /* Merges openings of the same pair, and solves by Gauss-Seidel until no light
  * changes by more than 1e-6 of itself. Returns the number of rounds. */

@@ -28,7 +28,6 @@ struct skeleton_light *skeleton_field(const struct skeleton *skeleton)
     size_t count = skeleton->graph->count;
     struct field_work work = { .skeleton = skeleton };
     work.light = memory_new(count * sizeof *work.light);
-    parallel_run(skeleton->threads ? skeleton->threads : 1, count, NULL,
-                 field_node, &work);
+    parallel_run(skeleton->threads, count, NULL, field_node, &work);
     return work.light;
 }

@@ -15,8 +15,8 @@
 enum {
     SHADOW_RAYS = 400 * 1000, /* in all, about */
     LAMP_LOOKS = 8 * 1000 * 1000,
-    SKY_RAYS = 256, /* for each of the six sides */
-    CHUNK = 256     /* patches that a thread does at once */
+    BEYOND_LAMPS = 8, /* asked at a point outside of the grid */
+    CHUNK = 256       /* patches that a thread does at once */
 };
 
 struct patches_task {
@@ -155,26 +155,11 @@ static rgb patch_direct(const struct patches_task *task,
     return sum;
 }
 
-/* The six sides of a voxel: 0 -x, 1 +x, 2 -y ... */
-static vec3 side_direction(int side)
+/* The true normal on the side that the void is on. */
+static vec3 patch_faces(const struct wall_point *wall)
 {
-    double sign = side % 2 ? 1 : -1;
-    return vec3_make(side / 2 == 0 ? sign : 0, side / 2 == 1 ? sign : 0,
-                     side / 2 == 2 ? sign : 0);
-}
-
-/* A ray through a random point of the side, from the voxel's middle plane. */
-static struct ray side_ray(const struct voxels *v, const int place[3], int side,
-                           uint64_t key)
-{
-    double a = random_unit(random_key(key, 3));
-    double b = random_unit(random_key(key, 4));
-    vec3 within = side / 2 == 0   ? vec3_make(0.5, a, b)
-                  : side / 2 == 1 ? vec3_make(a, 0.5, b)
-                                  : vec3_make(a, b, 0.5);
-    vec3 at = vec3_add(vec3_make(place[0], place[1], place[2]), within);
-    return (struct ray){ vec3_along(v->origin, at, v->edge),
-                         side_direction(side) };
+    vec3 face = wall->at.face;
+    return vec3_dot(face, wall->direction) > 0 ? vec3_negate(face) : face;
 }
 
 static void patch_fill(const struct patches_task *task, size_t number)
@@ -185,6 +170,8 @@ static void patch_fill(const struct patches_task *task, size_t number)
     struct patch_point point;
     point.at = wall->at;
     patch_look(&point, wall->direction);
+    patch->point = wall->at.point;
+    patch->normal = patch_faces(wall);
     patch->voxel = (uint32_t)wall->voxel;
     patch->area = (float)wall->area;
     patch->albedo = patch_light(point.albedo);
@@ -204,31 +191,6 @@ static void fill_task(void *context, size_t item, unsigned thread)
         patch_fill(task, i);
 }
 
-/* A void voxel of the border on this side, or false. */
-static bool border_voxel(const struct voxels *v, int side, uint64_t key,
-                         int place[3])
-{
-    for (int axis = 0; axis < 3; axis++)
-        place[axis] =
-            (int)(random_unit(random_key(key, (uint64_t)axis)) * v->size[axis]);
-    place[side / 2] = side % 2 ? v->size[side / 2] - 1 : 0;
-    return v->empty[voxels_index(v, place[0], place[1], place[2])];
-}
-
-/* Cosine-weighted around an axis (Malley's method). */
-static vec3 cosine_direction(int side, uint64_t key)
-{
-    double u = random_unit(random_key(key, 11));
-    double angle =
-        2 * 3.14159265358979323846 * random_unit(random_key(key, 12));
-    double r = sqrt(u), height = sqrt(1 - u);
-    vec3 along = side_direction(side);
-    vec3 a = side_direction((side + 2) % 6), b = side_direction((side + 4) % 6);
-    vec3 flat =
-        vec3_add(vec3_scale(a, r * cos(angle)), vec3_scale(b, r * sin(angle)));
-    return vec3_along(flat, along, height);
-}
-
 static rgb sky_radiance(const struct scene *scene, vec3 direction)
 {
     struct veil veil = sky_veil(scene, direction);
@@ -237,35 +199,18 @@ static rgb sky_radiance(const struct scene *scene, vec3 direction)
     return rgb_add(veil.light, rgb_mul(veil.through, back));
 }
 
-/* What comes in on one side: the sky, or infinite things out there, by the
- * light of lamps and of the sky above. */
-static void sky_task(void *context, size_t item, unsigned thread)
+rgb patches_beyond(const struct patches_scene *from, vec3 direction,
+                   const struct intersection *at, uint64_t key)
 {
-    const struct patches_task *task = context;
-    int side = (int)item, place[3];
-    rgb sum = rgb_grey(0);
-    size_t count = 0;
-    (void)thread;
-    for (uint64_t i = 0; i < SKY_RAYS; i++) {
-        uint64_t key = random_key(random_key(task->from->seed, ~item), i);
-        struct patch_point point;
-        if (!border_voxel(task->voxels, side, key, place))
-            continue;
-        struct ray ray = side_ray(task->voxels, place, side, key);
-        ray.direction = cosine_direction(side, key);
-        rgb light = sky_radiance(task->from->scene, ray.direction);
-        if (world_closest(task->from->world, &ray, 0, RAY_REFLECTION,
-                          &point.at)) {
-            patch_look(&point, ray.direction);
-            light = sky_radiance(task->from->scene, point.surface.normal);
-            light = rgb_add(light, patch_direct(task, &point, key));
-            light = rgb_add(rgb_mul(point.albedo, light), point.emission);
-        }
-        sum = rgb_add(sum, light);
-        count++;
-    }
-    if (count > 0)
-        task->patches->sky[side] = rgb_scale(sum, 1.0 / (double)count);
+    struct patches_task task = { .from = from, .lamps_each = BEYOND_LAMPS };
+    struct patch_point point;
+    if (!at)
+        return sky_radiance(from->scene, direction);
+    point.at = *at;
+    patch_look(&point, direction);
+    rgb light = sky_radiance(from->scene, point.surface.normal);
+    light = rgb_add(light, patch_direct(&task, &point, key));
+    return rgb_add(rgb_mul(point.albedo, light), point.emission);
 }
 
 struct patches *patches_new(const struct voxels *voxels,
@@ -285,7 +230,6 @@ struct patches *patches_new(const struct voxels *voxels,
     patches->items = memory_new(count * sizeof *patches->items);
     parallel_run(from->threads, (count + CHUNK - 1) / CHUNK, NULL, fill_task,
                  &task);
-    parallel_run(from->threads, 6, NULL, sky_task, &task);
     memory_free(points);
     return patches;
 }

@@ -14,6 +14,7 @@ struct patch_light {
 };
 
 struct wall_patch {
+    vec3 point, normal;                  /* unit, into the void */
     uint32_t voxel;                      /* the void before it */
     float area;                          /* world units squared */
     struct patch_light albedo, emission; /* times irradiance; by itself */
@@ -23,9 +24,6 @@ struct wall_patch {
 struct patches {
     struct wall_patch *items;
     size_t count;
-    /* Mean radiance that comes in through the open border of the grid, for a
-     * face that looks to -x, +x, -y, +y, -z, +z. */
-    rgb sky[6];
 };
 
 /* What the light of walls is asked of. */
@@ -36,12 +34,19 @@ struct patches_scene {
     size_t lamp_count;
     uint64_t seed;
     unsigned threads;
+    const atomic_int *stop; /* non-zero: leave off; NULL: never */
 };
 
 /* The same for any number of threads; freed by patches_free. */
 struct patches *patches_new(const struct voxels *voxels,
                             const struct patches_scene *from);
 void patches_free(struct patches *patches);
+
+/* The light that comes along a ray from outside of the voxels: of the sky, or
+ * of what the ray meets there (`at`; NULL: nothing) by the light of lamps and
+ * of the sky above it. */
+rgb patches_beyond(const struct patches_scene *from, vec3 direction,
+                   const struct intersection *at, uint64_t key);
 
 static inline rgb patch_rgb(struct patch_light light)
 {

@@ -192,7 +192,8 @@ struct skeleton *skeleton_new(const struct world *world,
     skeleton->scene = scene;
     skeleton->voxels = voxels;
     skeleton->seed = options->seed;
-    skeleton->threads = options->threads;
+    skeleton->threads = options->threads ? options->threads : 1;
+    skeleton->stop = options->stop;
     skeleton->heuristic =
         options->heuristic ? options->heuristic : heuristic_at(0);
     skeleton_thin(skeleton);

@@ -37,6 +37,7 @@ struct skeleton {
     void *state; /* of the heuristic */
     uint64_t seed;
     unsigned threads;
+    const atomic_int *stop;
     int rounds; /* of the collapse */
 };
 
@@ -44,6 +45,7 @@ struct skeleton_options {
     const struct heuristic *heuristic; /* NULL: the default */
     uint64_t seed;
     unsigned threads;
+    const atomic_int *stop; /* non-zero: leave off; NULL: never */
 };
 
 /* From the voxels of the scene, which must outlive it, as must the world. */
@@ -64,7 +66,6 @@ struct skeleton_point {
 /* In POV-Ray's units: irradiance without pi. */
 struct skeleton_light {
     rgb arriving; /* of all lamps, on a surface that faces the stream */
-    rgb hidden;   /* the part of it that comes from lamps the point can't see */
     vec3 stream;  /* where light comes from: the sum of unit directions, each
                    * times the brightness of its light */
     rgb indirect; /* irradiance of the surface but for the direct light of lamps

@@ -126,11 +126,12 @@ struct skeleton_light stream_gather(const struct skeleton *skeleton,
             stream_add(&light, direct, view.direction);
             continue;
         }
+        if (!follow)
+            continue;
         struct stream_way way;
         rgb arriving = stream_hidden(skeleton, lamp, point, follow, &way);
         double wrap = (1 + vec3_dot(point->normal, way.direction)) / 2;
         stream_add(&light, arriving, way.direction);
-        light.hidden = rgb_add(light.hidden, arriving);
         light.indirect = rgb_add_scaled(light.indirect, arriving, wrap);
     }
     return light;

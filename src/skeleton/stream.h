@@ -26,7 +26,7 @@ rgb stream_hidden(const struct skeleton *skeleton,
                   struct stream_way *way);
 
 /* The light of all lamps: of those that the point sees, what they give (A3);
- * of the others what comes by the way that `follow` finds. */
+ * of the others what comes by the way that `follow` finds (NULL: nothing). */
 struct skeleton_light stream_gather(const struct skeleton *skeleton,
                                     struct worker *worker,
                                     const struct skeleton_point *point,

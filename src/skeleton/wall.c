@@ -55,10 +55,10 @@ static void row_add(struct row *row, const struct wall_point *point)
     row->points[row->count++] = *point;
 }
 
-static bool is_wall(const struct wall_work *work, const struct intersection *at)
+bool wall_stops(const uint8_t *marks, const struct intersection *at)
 {
     if (at->texture == at->leaf->texture)
-        return work->marks[at->leaf->number] != 0;
+        return marks[at->leaf->number] != 0;
     return !at->leaf->no_shadow &&
            rgb_brightness(surface_transmittance(at)) <= 0.5;
 }
@@ -139,7 +139,7 @@ static void measure_line(const struct line *line)
             break;
         tmin = at.t + offset;
         line->row->crossings++;
-        if (!is_wall(work, &at))
+        if (!wall_stops(work->marks, &at))
             continue;
         if (begun)
             measure_side(line, &before, at.t);

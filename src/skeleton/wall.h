@@ -13,6 +13,10 @@ struct wall_point {
     struct intersection at;
 };
 
+/* Whether what a ray met is a wall: matter (skeleton/matter.h) that stops
+ * light there. */
+bool wall_stops(const uint8_t *marks, const struct intersection *at);
+
 /* Areas are those of the true surfaces: right in the sum over many points (0.5
  * % over a hundred voxels), not for each voxel. The array is for memory_free;
  * the same for any number of threads. */

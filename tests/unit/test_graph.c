@@ -1,5 +1,5 @@
-/* skeleton/graph, paths, chamber and enclosure: voids whose skeleton is known,
- * and enclosures whose light is. */
+/* skeleton/graph, paths, chamber, pieces and enclosure: voids whose skeleton is
+ * known, and enclosures whose light is. */
 #include <math.h>
 
 #include "harness.h"
@@ -9,6 +9,7 @@
 #include "skeleton/enclosure.h"
 #include "skeleton/opening.h"
 #include "skeleton/paths.h"
+#include "skeleton/pieces.h"
 #include "voids.h"
 
 static void assert_close(double value, double wanted, double tolerance)
@@ -137,8 +138,36 @@ static void chambers_end_at_doors(void **state)
     fixture_free(&f);
 }
 
+/* Of a long corridor every piece is a cell or less, within its chamber, and all
+ * of the void is in one. */
+static void pieces_fill_the_void(void **state)
+{
+    (void)state;
+    struct fixture f = fixture_new(&void_u, false);
+    const struct voxels *v = &f.voxels;
+    struct pieces *p = pieces_new(f.arena, v, f.nearest, f.graph);
+    uint32_t least = PIECE_NONE, most = 0;
+    for (size_t i = 0; i < voxels_count(v); i++) {
+        int at[3];
+        voxels_place(v, i, at);
+        assert_int_equal(p->of_voxel[i] == PIECE_NONE, !v->empty[i]);
+        if (!v->empty[i])
+            continue;
+        const struct piece_cells *c = &p->cells[p->chamber[p->of_voxel[i]]];
+        for (int axis = 0; axis < 3; axis++)
+            assert_true(c->low[axis] <= at[axis] && at[axis] < c->high[axis]);
+        least = p->of_voxel[i] < least ? p->of_voxel[i] : least;
+        most = p->of_voxel[i] > most ? p->of_voxel[i] : most;
+    }
+    assert_int_equal(least, 0);
+    assert_int_equal(most + 1, p->count);
+    /* 24 voxels wide, three arms of about 90, cells of about 9. */
+    assert_in_range(p->count, 180, 320);
+    fixture_free(&f);
+}
+
 /* Sumpner: E = rho Phi / (S (1 - rho)). */
-static void one_chamber(void **state)
+static void one_zone(void **state)
 {
     (void)state;
     struct arena *arena = arena_new(0);
@@ -147,9 +176,9 @@ static void one_chamber(void **state)
     enclosure_wall(e, 0, 3, albedo, rgb_grey(2), rgb_grey(0));
     enclosure_wall(e, 0, 5, albedo, rgb_grey(0), rgb_grey(0));
     enclosure_solve(e);
-    assert_close(e->chambers[0].light.r, 0.2 * 6 / (8 * 0.8), 1e-9);
-    assert_close(e->chambers[0].light.g, 0.5 * 6 / (8 * 0.5), 1e-9);
-    assert_close(e->chambers[0].light.b, 0.8 * 6 / (8 * 0.2), 1e-9);
+    assert_close(e->zones[0].light.r, 0.2 * 6 / (8 * 0.8), 1e-9);
+    assert_close(e->zones[0].light.g, 0.5 * 6 / (8 * 0.5), 1e-9);
+    assert_close(e->zones[0].light.b, 0.8 * 6 / (8 * 0.2), 1e-9);
     arena_free(arena);
 }
 
@@ -173,16 +202,41 @@ static void energy_is_kept(void **state)
     in += 2 * 0.7;
     int rounds = enclosure_solve(e);
     for (size_t i = 0; i < 40; i++) {
-        const struct chamber *c = &e->chambers[i];
-        assert_true(c->light.r > 0);
-        out += (c->absorbing.r + c->sky) * c->light.r;
+        const struct zone *z = &e->zones[i];
+        assert_true(z->light.r > 0);
+        out += (z->whole - z->reflecting.r) * z->light.r + z->sky * z->sent.r;
     }
     assert_close(out / in, 1, 1e-4);
     assert_in_range(rounds, 2, 1000);
     arena_free(arena);
 }
 
-/* A chamber without walls, one that nothing gets into, none at all; walls that
+/* Measured openings are evened out: six sides of a cube that see each other by
+ * a fifth, give or take a tenth, and one that also sees the sky. */
+static void zones_see_their_area(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    struct enclosure *e = enclosure_new(arena, 6);
+    for (uint32_t i = 0; i < 6; i++) {
+        enclosure_wall(e, i, 4, rgb_grey(0.5), rgb_grey(i), rgb_grey(0));
+        for (uint32_t k = 0; k < i; k++)
+            enclosure_open(e, i, k, 0.8 * (i + k == 4 ? 1.1 : 0.95));
+    }
+    enclosure_open(e, 1, 1, 0.1);
+    enclosure_sky(e, 3, 0.5, rgb_grey(1));
+    enclosure_even_out(e);
+    enclosure_solve(e);
+    for (int i = 0; i < 6; i++) {
+        assert_close(e->zones[i].whole, 4, 0.001);
+        assert_true(i == 1 || e->zones[i].self < 0.001);
+    }
+    assert_true(e->zones[1].self > 0.05);
+    assert_true(e->zones[3].sky > 0.4);
+    arena_free(arena);
+}
+
+/* A zone without walls, one that nothing gets into, none at all; walls that
  * swallow nothing. All have finite light. */
 static void odd_enclosures(void **state)
 {
@@ -193,8 +247,8 @@ static void odd_enclosures(void **state)
     enclosure_open(e, 0, 1, 1);
     enclosure_solve(e);
     for (int i = 0; i < 3; i++)
-        assert_true(isfinite(e->chambers[i].light.r));
-    assert_true(e->chambers[2].light.r == 0);
+        assert_true(isfinite(e->zones[i].light.r));
+    assert_true(e->zones[2].light.r == 0);
     e = enclosure_new(arena, 0);
     enclosure_solve(e);
     arena_free(arena);
@@ -206,8 +260,10 @@ int main(void)
         cmocka_unit_test(nodes_stay_in_the_void),
         cmocka_unit_test(paths_along_the_u),
         cmocka_unit_test(chambers_end_at_doors),
-        cmocka_unit_test(one_chamber),
+        cmocka_unit_test(pieces_fill_the_void),
+        cmocka_unit_test(one_zone),
         cmocka_unit_test(energy_is_kept),
+        cmocka_unit_test(zones_see_their_area),
         cmocka_unit_test(odd_enclosures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

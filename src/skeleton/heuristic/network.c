@@ -1,168 +1,85 @@
-/* The network heuristic: the skeleton's chambers exchange light through their
- * openings until all is in balance (enclosure.h; coupled rooms in acoustics do
- * the same). What lamps give to walls is asked by shadow rays from points of
- * all patches. Between chambers light changes over the width of the opening. */
+/* The network heuristic: pieces of the skeleton's chambers exchange light until
+ * all is in balance (enclosure.h), each by the six ways its walls face. What
+ * lamps give to walls is asked by shadow rays from points of all patches, what
+ * walls see of each other by rays between them (exchange.h). A surface gets the
+ * light of the walls around it that face as it does; light from one piece to
+ * the next changes linearly over the width of a cell. */
+#include "base/draw.h"
 #include "base/memory.h"
-#include "skeleton/chamber.h"
-#include "skeleton/enclosure.h"
+#include "base/warp.h"
+#include "shade/surface.h"
+#include "skeleton/exchange.h"
 #include "skeleton/heuristic.h"
 #include "skeleton/stream.h"
-#include "skeleton/patches.h"
+
+enum { LOOKS = 128 }; /* rays that tell where light comes from */
+
+/* Irradiance by the side that a surface faces. */
+struct side_light {
+    rgb side[SIDES];
+    bool known[SIDES]; /* whether there is such a wall */
+    rgb mean;          /* of all walls */
+};
 
 struct network {
     struct arena *arena;
-    const struct chambers *chambers;
+    struct sight sight;
+    const struct pieces *pieces;
     const struct enclosure *enclosure;
-    rgb *light; /* indirect irradiance at each node */
+    struct side_light *light; /* of each piece */
 };
 
-static void network_walls(struct network *network, struct enclosure *enclosure,
-                          const struct skeleton *skeleton,
-                          const struct patches *patches)
+/* The light of a piece: of its walls. */
+static struct side_light network_piece(const struct enclosure *enclosure,
+                                       uint32_t piece)
 {
-    for (size_t i = 0; i < patches->count; i++) {
-        const struct wall_patch *patch = &patches->items[i];
-        uint32_t node = skeleton->nearest[patch->voxel];
-        if (node != GRAPH_NONE)
-            enclosure_wall(enclosure, network->chambers->of_node[node],
-                           (double)patch->area, patch_rgb(patch->albedo),
-                           patch_rgb(patch->direct),
-                           patch_rgb(patch->emission));
+    struct side_light light = { .mean = rgb_grey(0) };
+    double area = 0;
+    for (int side = 0; side < SIDES; side++) {
+        const struct zone *zone = &enclosure->zones[zone_of(piece, side)];
+        light.side[side] = zone->light;
+        light.known[side] = zone->area > 0;
+        light.mean = rgb_add_scaled(light.mean, zone->light, zone->area);
+        area += zone->area;
     }
+    light.mean = rgb_scale(light.mean, area > 0 ? 1 / area : 0);
+    return light;
 }
 
-/* The face of a void voxel on one side: open to another chamber or the sky. */
-static void network_face(struct network *network, struct enclosure *enclosure,
-                         const struct skeleton *skeleton, const rgb *sky,
-                         size_t voxel, size_t next)
+static void network_solve(struct network *network,
+                          const struct skeleton *skeleton)
 {
-    const uint32_t *nearest = skeleton->nearest;
-    const uint32_t *chamber = network->chambers->of_node;
-    double area = skeleton->voxels->edge * skeleton->voxels->edge;
-    if (nearest[voxel] == GRAPH_NONE)
-        return;
-    uint32_t here = chamber[nearest[voxel]];
-    if (sky)
-        enclosure_sky(enclosure, here, area, *sky);
-    else if (nearest[next] != GRAPH_NONE && chamber[nearest[next]] != here)
-        enclosure_open(enclosure, here, chamber[nearest[next]], area);
-}
-
-static void network_openings(struct network *network,
-                             struct enclosure *enclosure,
-                             const struct skeleton *skeleton,
-                             const struct patches *patches)
-{
-    const struct voxels *v = skeleton->voxels;
-    for (int z = 0; z < v->size[2]; z++)
-        for (int y = 0; y < v->size[1]; y++)
-            for (int x = 0; x < v->size[0]; x++) {
-                int place[3] = { x, y, z };
-                size_t voxel = voxels_index(v, x, y, z), stride = 1;
-                for (int axis = 0; axis < 3; axis++) {
-                    bool last = place[axis] + 1 == v->size[axis];
-                    if (place[axis] == 0)
-                        network_face(network, enclosure, skeleton,
-                                     &patches->sky[2 * axis], voxel, 0);
-                    network_face(network, enclosure, skeleton,
-                                 last ? &patches->sky[2 * axis + 1] : NULL,
-                                 voxel, voxel + stride);
-                    stride *= (size_t)v->size[axis];
-                }
-            }
-}
-
-/* The mean of logarithms; of nothing and something, half of it. */
-static double mixed(double a, double b, double share)
-{
-    if (!(a > 0) || !(b > 0))
-        return (1 - share) * a + share * b;
-    return a * pow(b / a, share);
-}
-
-/* At an opening this chamber and the next weigh the same; as far from it as it
- * is wide, only this one counts. Light falls off by a factor for each length of
- * the way, so between the two it is their logarithms that are mixed. */
-static rgb network_blend(const struct network *network,
-                         const struct skeleton *skeleton, uint32_t border,
-                         rgb own, double distance)
-{
-    const struct graph *graph = skeleton->graph;
-    const uint32_t *chamber = network->chambers->of_node;
-    double share = 1 - distance / graph->nodes[border].radius, weight = 1;
-    rgb sum = own;
-    for (uint32_t k = graph->first[border];
-         share > 0 && k < graph->first[border + 1]; k++) {
-        uint32_t next = chamber[graph->neighbours[k]];
-        rgb there = network->enclosure->chambers[next].light;
-        if (next == chamber[border])
-            continue;
-        weight += share;
-        sum = rgb_make(mixed(sum.r, there.r, share / weight),
-                       mixed(sum.g, there.g, share / weight),
-                       mixed(sum.b, there.b, share / weight));
-    }
-    return sum;
-}
-
-static bool node_is_border(const struct graph *graph, const uint32_t *chamber,
-                           uint32_t node)
-{
-    for (uint32_t k = graph->first[node]; k < graph->first[node + 1]; k++)
-        if (chamber[graph->neighbours[k]] != chamber[node])
-            return true;
-    return false;
-}
-
-/* The light of each node: its chamber's, and that beyond the closest opening.
- */
-static void network_spread(struct network *network,
-                           const struct skeleton *skeleton)
-{
-    const struct graph *graph = skeleton->graph;
-    const uint32_t *chamber = network->chambers->of_node;
-    struct arena *scratch = arena_new(0);
-    uint32_t *borders = ARENA_ARRAY(scratch, uint32_t, graph->count);
-    struct paths_from from = { .sources = borders, .group = chamber };
-    for (size_t i = 0; i < graph->count; i++)
-        if (node_is_border(graph, chamber, (uint32_t)i))
-            borders[from.count++] = (uint32_t)i;
-    const struct paths *paths = paths_new(scratch, graph, &from);
-    for (size_t i = 0; i < graph->count; i++) {
-        rgb own = network->enclosure->chambers[chamber[i]].light;
-        network->light[i] = own;
-        if (isfinite(paths->distance[i]))
-            network->light[i] = network_blend(network, skeleton,
-                                              stream_source(paths, (uint32_t)i),
-                                              own, (double)paths->distance[i]);
-    }
-    arena_free(scratch);
+    const struct patches_scene *scene = &network->sight.scene;
+    size_t count = network->pieces->count;
+    struct patches *patches = patches_new(skeleton->voxels, scene);
+    struct enclosure *enclosure = enclosure_new(network->arena, SIDES * count);
+    exchange_measure(&network->sight, patches, enclosure);
+    patches_free(patches);
+    enclosure_solve(enclosure);
+    network->enclosure = enclosure;
+    network->light = ARENA_ARRAY(network->arena, struct side_light, count);
+    for (uint32_t i = 0; i < count; i++)
+        network->light[i] = network_piece(enclosure, i);
 }
 
 static void *network_start(const struct skeleton *skeleton)
 {
     struct arena *arena = arena_new(0);
     struct network *network = ARENA_NEW(arena, struct network);
-    struct patches_scene from = {
+    struct patches_scene scene = {
         .world = skeleton->world,
         .scene = skeleton->scene,
         .lamps = skeleton->plain_lamps,
         .lamp_count = skeleton->lamp_count,
         .seed = skeleton->seed,
         .threads = skeleton->threads,
+        .stop = skeleton->stop,
     };
-    struct patches *patches = patches_new(skeleton->voxels, &from);
     network->arena = arena;
-    network->chambers = chambers_new(arena, skeleton->graph);
-    struct enclosure *enclosure =
-        enclosure_new(arena, network->chambers->count);
-    network->enclosure = enclosure;
-    network->light = ARENA_ARRAY(arena, rgb, skeleton->graph->count);
-    network_walls(network, enclosure, skeleton, patches);
-    network_openings(network, enclosure, skeleton, patches);
-    patches_free(patches);
-    enclosure_solve(enclosure);
-    network_spread(network, skeleton);
+    network->pieces =
+        pieces_new(arena, skeleton->voxels, skeleton->nearest, skeleton->graph);
+    network->sight = sight_new(arena, skeleton, network->pieces, &scene);
+    network_solve(network, skeleton);
     return network;
 }
 
@@ -172,55 +89,136 @@ static void network_finish(void *state)
     arena_free(network->arena);
 }
 
-/* The mean over the nodes of the void voxels around the point, each by its
- * share (trilinear). */
+/* Light of walls that face as the normal does: sides weigh as much as it is
+ * towards them, in all 1 if there are such walls. Returns the weight. */
+static double side_add(const struct side_light *light, vec3 normal,
+                       double weight, rgb *sum)
+{
+    double total = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        double n = vec3_component(normal, axis);
+        int side = 2 * axis + (n < 0);
+        if (n == 0 || !light->known[side])
+            continue;
+        total += weight * n * n;
+        *sum = rgb_add_scaled(*sum, light->side[side], weight * n * n);
+    }
+    return total;
+}
+
+/* The piece that is so many voxels away, if there is nothing but void between;
+ * or PIECE_NONE. */
+static uint32_t piece_seen(const struct pieces *pieces, const struct voxels *v,
+                           const double from[3], const double by[3])
+{
+    double most = fmax(fabs(by[0]), fmax(fabs(by[1]), fabs(by[2])));
+    int steps = (int)most + 1, at[3];
+    uint32_t piece = PIECE_NONE;
+    for (int i = 0; i <= steps; i++) {
+        for (int axis = 0; axis < 3; axis++)
+            at[axis] = (int)floor(from[axis] + by[axis] * i / steps);
+        if (!voxels_holds(v, at))
+            return PIECE_NONE;
+        piece = pieces->of_voxel[voxels_index(v, at[0], at[1], at[2])];
+        if (piece == PIECE_NONE)
+            return PIECE_NONE;
+    }
+    return piece;
+}
+
+/* The mean over the cells around the point, each by its share (trilinear). */
 static rgb network_indirect(const struct skeleton *skeleton,
                             const struct skeleton_point *point)
 {
     const struct network *network = skeleton->state;
+    const struct pieces *pieces = network->pieces;
     const struct voxels *v = skeleton->voxels;
-    vec3 middle =
-        vec3_sub(vec3_scale(vec3_sub(point->around, v->origin), 1 / v->edge),
-                 vec3_make(0.5, 0.5, 0.5));
-    int low[3] = { (int)floor(middle.x), (int)floor(middle.y),
-                   (int)floor(middle.z) };
-    double part[3] = { middle.x - low[0], middle.y - low[1],
-                       middle.z - low[2] };
-    double total = 0;
+    vec3 place = vec3_scale(vec3_sub(point->around, v->origin), 1 / v->edge);
+    double from[3] = { place.x, place.y, place.z }, by[3] = { 0 };
+    double part[3], step[3], total = 0;
+    uint32_t own = piece_seen(pieces, v, from, by);
     rgb sum = rgb_grey(0);
+    if (own == PIECE_NONE)
+        return sum;
+    const struct piece_cells *cells = &pieces->cells[pieces->chamber[own]];
+    for (int axis = 0; axis < 3; axis++) {
+        double at = (from[axis] - cells->low[axis]) / cells->size[axis];
+        double off = at - floor(at) - 0.5;
+        part[axis] = fabs(off);
+        step[axis] = copysign(cells->size[axis] / 2, off);
+    }
     for (int corner = 0; corner < 8; corner++) {
         double weight = 1;
-        int at[3];
         for (int axis = 0; axis < 3; axis++) {
-            int up = corner >> axis & 1;
-            at[axis] = low[axis] + up;
-            weight *= up ? part[axis] : 1 - part[axis];
+            bool next = corner >> axis & 1;
+            by[axis] = next ? step[axis] : 0;
+            weight *= next ? part[axis] : 1 - part[axis];
         }
-        uint32_t node = skeleton_node(skeleton, at);
-        if (node == GRAPH_NONE || !(weight > 0))
-            continue;
-        sum = rgb_add_scaled(sum, network->light[node], weight);
-        total += weight;
+        uint32_t piece = corner ? piece_seen(pieces, v, from, by) : own;
+        if (piece != PIECE_NONE)
+            total +=
+                side_add(&network->light[piece], point->normal, weight, &sum);
     }
-    return total > 0 ? rgb_scale(sum, 1 / total) : network->light[point->node];
+    return total > 0 ? rgb_scale(sum, 1 / total) : network->light[own].mean;
 }
 
-/* Directions are those of the forward heuristic. */
+/* A ray from the point, above the surface if it is on one, and what it meets.
+ */
+static rgb network_look(const struct skeleton *skeleton,
+                        const struct skeleton_point *point, uint32_t number,
+                        vec3 *direction)
+{
+    const struct network *network = skeleton->state;
+    struct draws draws = { random_key(skeleton->seed, point->node), number };
+    double u[2];
+    rgb light = rgb_grey(0);
+    draw_pair(&draws, 0, u);
+    struct ray ray = { point->position, warp_sphere(u) };
+    double below = vec3_dot(ray.direction, point->normal);
+    if (below < 0)
+        ray.direction = vec3_along(ray.direction, point->normal, -2 * below);
+    *direction = ray.direction;
+    uint32_t zone = sight_zone(&network->sight, &ray,
+                               random_key(draws.key, number), &light);
+    return zone < ZONE_SKY ? network->enclosure->zones[zone].sent : light;
+}
+
+/* The vector irradiance of walls and sky: 1/pi of the integral over all
+ * directions of radiance * direction (stream); and what a surface gets that
+ * faces it. */
+static rgb network_stream(const struct skeleton *skeleton,
+                          const struct skeleton_point *point, vec3 *stream)
+{
+    rgb radiance[LOOKS], sum = rgb_grey(0);
+    vec3 direction[LOOKS];
+    bool surface = vec3_dot(point->normal, point->normal) > 0;
+    double weight = (surface ? 2.0 : 4.0) / LOOKS;
+    for (uint32_t i = 0; i < LOOKS; i++) {
+        radiance[i] = network_look(skeleton, point, i, &direction[i]);
+        *stream = vec3_along(*stream, direction[i],
+                             weight * rgb_brightness(radiance[i]));
+    }
+    vec3 facing = vec3_normalise(*stream);
+    for (int i = 0; i < LOOKS; i++)
+        sum = rgb_add_scaled(sum, radiance[i],
+                             weight * fmax(0, vec3_dot(direction[i], facing)));
+    return sum;
+}
+
 static struct skeleton_light network_answer(const struct skeleton *skeleton,
                                             struct worker *worker,
                                             const struct skeleton_point *point)
 {
-    struct skeleton_light light =
-        stream_gather(skeleton, worker, point, stream_forward);
-    light.arriving = rgb_sub(light.arriving, light.hidden);
+    struct skeleton_light light = stream_gather(skeleton, worker, point, NULL);
+    rgb facing = network_stream(skeleton, point, &light.stream);
+    light.arriving = rgb_add(light.arriving, facing);
     light.indirect = network_indirect(skeleton, point);
-    light.arriving = rgb_add(light.arriving, light.indirect);
     return light;
 }
 
 const struct heuristic network_heuristic = {
     .name = "network",
-    .help = "by the balance of light between the chambers of the void",
+    .help = "by the balance of light between the walls of the void",
     .start = network_start,
     .finish = network_finish,
     .answer = network_answer,

@@ -1,0 +1,228 @@
+/* Pieces of the void: see pieces.h. Connected parts are found as sets of voxels
+ * joined in raster order (union-find). */
+#include "skeleton/pieces.h"
+
+#include "base/memory.h"
+
+enum {
+    FINEST = 32,        /* the least width is so small a part of the grid */
+    PIECES_MOST = 4000, /* if there are more, they are cut coarser, */
+    COARSER = 6         /* so often at most */
+};
+
+/* The side of a cell, in radii of the chamber's widest node. Of 0.7 to 2 the
+ * one that was closest to path in examples/light. */
+static const double cell_width = 0.75;
+
+struct cutting {
+    const struct voxels *voxels;
+    const uint32_t *nearest;
+    const struct graph *graph;
+    const struct chambers *chambers;
+    struct pieces *pieces;
+    uint32_t *cell;  /* of each voxel, its chamber; then its cell, counted over
+                      * all chambers */
+    uint32_t *up;    /* trees of voxels: up leads to an earlier one */
+    uint32_t *first; /* the first cell of each chamber */
+};
+
+static void cells_bound(struct cutting *cutting)
+{
+    const uint32_t *chamber = cutting->cell;
+    const int *size = cutting->voxels->size;
+    size_t voxel = 0;
+    for (size_t i = 0; i < cutting->chambers->count; i++)
+        for (int axis = 0; axis < 3; axis++) {
+            cutting->pieces->cells[i].low[axis] = size[axis];
+            cutting->pieces->cells[i].high[axis] = 0;
+        }
+    for (int z = 0; z < size[2]; z++)
+        for (int y = 0; y < size[1]; y++)
+            for (int x = 0; x < size[0]; x++, voxel++) {
+                if (chamber[voxel] == PIECE_NONE)
+                    continue;
+                int at[3] = { x, y, z };
+                struct piece_cells *cells =
+                    &cutting->pieces->cells[chamber[voxel]];
+                for (int axis = 0; axis < 3; axis++) {
+                    if (at[axis] < cells->low[axis])
+                        cells->low[axis] = at[axis];
+                    if (at[axis] >= cells->high[axis])
+                        cells->high[axis] = at[axis] + 1;
+                }
+            }
+}
+
+/* Equal cells along each axis, of about the wanted size; returns how many. */
+static uint32_t cells_count(struct piece_cells *cells, double wanted)
+{
+    uint32_t all = 1;
+    for (int axis = 0; axis < 3; axis++) {
+        int extent = cells->high[axis] - cells->low[axis];
+        if (extent <= 0)
+            return 0;
+        int count = (int)(extent / wanted + 0.5);
+        cells->count[axis] = count > 1 ? count : 1;
+        cells->size[axis] = (double)extent / cells->count[axis];
+        all *= (uint32_t)cells->count[axis];
+    }
+    return all;
+}
+
+static uint32_t cell_at(const struct piece_cells *cells, int x, int y, int z)
+{
+    int i = (int)((x - cells->low[0] + 0.5) / cells->size[0]);
+    int j = (int)((y - cells->low[1] + 0.5) / cells->size[1]);
+    int k = (int)((z - cells->low[2] + 0.5) / cells->size[2]);
+    return (uint32_t)((k * cells->count[1] + j) * cells->count[0] + i);
+}
+
+/* Turns the chamber of each voxel into its cell. */
+static void cutting_cells(struct cutting *cutting)
+{
+    const int *size = cutting->voxels->size;
+    uint32_t *at = cutting->cell;
+    for (int z = 0; z < size[2]; z++)
+        for (int y = 0; y < size[1]; y++)
+            for (int x = 0; x < size[0]; x++, at++)
+                if (*at != PIECE_NONE)
+                    *at = cutting->first[*at] +
+                          cell_at(&cutting->pieces->cells[*at], x, y, z);
+}
+
+static uint32_t root_of(uint32_t *up, uint32_t voxel)
+{
+    while (up[voxel] != voxel) {
+        up[voxel] = up[up[voxel]];
+        voxel = up[voxel];
+    }
+    return voxel;
+}
+
+static void cutting_join(struct cutting *cutting, size_t voxel, size_t before)
+{
+    if (cutting->cell[before] != cutting->cell[voxel])
+        return;
+    uint32_t a = root_of(cutting->up, (uint32_t)voxel);
+    uint32_t b = root_of(cutting->up, (uint32_t)before);
+    if (a < b)
+        cutting->up[b] = a;
+    else
+        cutting->up[a] = b;
+}
+
+static void cutting_connect(struct cutting *cutting)
+{
+    const int *size = cutting->voxels->size;
+    size_t rows = (size_t)size[0], slices = rows * (size_t)size[1], voxel = 0;
+    for (int z = 0; z < size[2]; z++)
+        for (int y = 0; y < size[1]; y++)
+            for (int x = 0; x < size[0]; x++, voxel++) {
+                cutting->up[voxel] = (uint32_t)voxel;
+                if (cutting->cell[voxel] == PIECE_NONE)
+                    continue;
+                if (x > 0)
+                    cutting_join(cutting, voxel, voxel - 1);
+                if (y > 0)
+                    cutting_join(cutting, voxel, voxel - rows);
+                if (z > 0)
+                    cutting_join(cutting, voxel, voxel - slices);
+            }
+}
+
+/* The radius of the widest node of each chamber, in voxels. */
+static double *chambers_width(const struct cutting *cutting)
+{
+    const struct chambers *chambers = cutting->chambers;
+    double *width = memory_new(chambers->count * sizeof *width);
+    for (size_t i = 0; i < cutting->graph->count; i++) {
+        uint32_t chamber = chambers->of_node[i];
+        width[chamber] = fmax(width[chamber], cutting->graph->nodes[i].radius /
+                                                  cutting->voxels->edge);
+    }
+    return width;
+}
+
+/* Cells of all chambers, so many of their radii wide. Where numbers of cells
+ * overflow neighbours still hardly ever agree. */
+static void cutting_plan(struct cutting *cutting, double radii)
+{
+    const int *size = cutting->voxels->size;
+    double *width = chambers_width(cutting), longest = 0;
+    uint32_t first = 0;
+    for (int axis = 0; axis < 3; axis++)
+        longest = fmax(longest, size[axis]);
+    for (size_t i = 0; i < cutting->chambers->count; i++) {
+        double wanted = fmax(longest / FINEST, width[i]) * radii;
+        cutting->first[i] = first;
+        first += cells_count(&cutting->pieces->cells[i], wanted);
+    }
+    memory_free(width);
+}
+
+/* Numbers the pieces by their first voxels. */
+static void cutting_number(struct cutting *cutting)
+{
+    struct pieces *pieces = cutting->pieces;
+    size_t count = voxels_count(cutting->voxels);
+    pieces->count = 0;
+    for (size_t i = 0; i < count; i++) {
+        uint32_t root = root_of(cutting->up, (uint32_t)i);
+        if (cutting->cell[i] == PIECE_NONE)
+            pieces->of_voxel[i] = PIECE_NONE;
+        else if (root == i)
+            pieces->of_voxel[i] = (uint32_t)pieces->count++;
+        else
+            pieces->of_voxel[i] = pieces->of_voxel[root];
+    }
+}
+
+static uint32_t voxel_chamber(const struct cutting *cutting, size_t voxel)
+{
+    uint32_t node = cutting->nearest[voxel];
+    return node == GRAPH_NONE ? PIECE_NONE : cutting->chambers->of_node[node];
+}
+
+static void cutting_cut(struct cutting *cutting, double radii)
+{
+    size_t count = voxels_count(cutting->voxels);
+    for (size_t i = 0; i < count; i++)
+        cutting->cell[i] = voxel_chamber(cutting, i);
+    cells_bound(cutting);
+    cutting_plan(cutting, radii);
+    cutting_cells(cutting);
+    cutting_connect(cutting);
+    cutting_number(cutting);
+}
+
+struct pieces *pieces_new(struct arena *arena, const struct voxels *voxels,
+                          const uint32_t *nearest, const struct graph *graph)
+{
+    struct pieces *pieces = ARENA_NEW(arena, struct pieces);
+    const struct chambers *chambers = chambers_new(arena, graph);
+    size_t count = voxels_count(voxels);
+    struct cutting cutting = {
+        .voxels = voxels,
+        .nearest = nearest,
+        .graph = graph,
+        .chambers = chambers,
+        .pieces = pieces,
+        .cell = memory_new(count * sizeof *cutting.cell),
+        .up = memory_new(count * sizeof *cutting.up),
+        .first = memory_new(chambers->count * sizeof *cutting.first),
+    };
+    double radii = cell_width;
+    pieces->cells = ARENA_ARRAY(arena, struct piece_cells, chambers->count);
+    pieces->of_voxel = ARENA_ARRAY(arena, uint32_t, count);
+    cutting_cut(&cutting, radii);
+    for (int i = 0; i < COARSER && pieces->count > PIECES_MOST; i++)
+        cutting_cut(&cutting, radii *= 1.5);
+    pieces->chamber = ARENA_ARRAY(arena, uint32_t, pieces->count);
+    for (size_t i = 0; i < count; i++)
+        if (pieces->of_voxel[i] != PIECE_NONE)
+            pieces->chamber[pieces->of_voxel[i]] = voxel_chamber(&cutting, i);
+    memory_free(cutting.cell);
+    memory_free(cutting.up);
+    memory_free(cutting.first);
+    return pieces;
+}

@@ -1,0 +1,67 @@
+/* Rays to zones: see sight.h. */
+#include "skeleton/sight.h"
+
+#include "shade/shadow.h"
+#include "skeleton/matter.h"
+#include "skeleton/wall.h"
+
+enum { CROSSINGS = 16 }; /* of things that a ray passes through, at most */
+
+int side_of(vec3 normal)
+{
+    int axis = 0;
+    for (int i = 1; i < 3; i++)
+        if (fabs(vec3_component(normal, i)) >
+            fabs(vec3_component(normal, axis)))
+            axis = i;
+    return 2 * axis + (vec3_component(normal, axis) < 0);
+}
+
+struct sight sight_new(struct arena *arena, const struct skeleton *skeleton,
+                       const struct pieces *pieces,
+                       const struct patches_scene *scene)
+{
+    struct box3 space = voxels_box(skeleton->voxels);
+    return (struct sight){ skeleton, pieces, *scene,
+                           matter_marks(skeleton->world, space, arena) };
+}
+
+/* The first wall that a ray meets; what lets light pass is none. */
+static bool sight_wall(const struct sight *sight, const struct ray *ray,
+                       struct intersection *at)
+{
+    double tmin = surface_offset(ray->origin);
+    for (int i = 0; i < CROSSINGS; i++) {
+        if (!world_closest(sight->skeleton->world, ray, tmin, RAY_REFLECTION,
+                           at))
+            return false;
+        if (wall_stops(sight->marks, at))
+            return true;
+        tmin = at->t + surface_offset(at->point);
+    }
+    return false;
+}
+
+uint32_t sight_zone(const struct sight *sight, const struct ray *ray,
+                    uint64_t key, rgb *beyond)
+{
+    const struct skeleton *skeleton = sight->skeleton;
+    const struct voxels *v = skeleton->voxels;
+    struct intersection at;
+    int place[3];
+    bool met = sight_wall(sight, ray, &at);
+    if (!met || !voxels_find(v, at.point, place)) {
+        *beyond = patches_beyond(&sight->scene, ray->direction,
+                                 met ? &at : NULL, key);
+        return ZONE_SKY;
+    }
+    vec3 face = at.face;
+    if (vec3_dot(face, ray->direction) > 0)
+        face = vec3_negate(face);
+    struct skeleton_point point = skeleton_find(skeleton, at.point, face);
+    if (point.node == GRAPH_NONE || !voxels_find(v, point.around, place))
+        return ZONE_NONE;
+    size_t voxel = voxels_index(v, place[0], place[1], place[2]);
+    uint32_t piece = sight->pieces->of_voxel[voxel];
+    return piece == PIECE_NONE ? ZONE_NONE : zone_of(piece, side_of(face));
+}

@@ -1,0 +1,41 @@
+/* What rays in the void meet: zones. The walls of pieces are sorted by which of
+ * the six ways they face: a piece and a side are a zone. */
+#ifndef SKELETON_SIGHT_H
+#define SKELETON_SIGHT_H
+
+#include "skeleton/patches.h"
+#include "skeleton/pieces.h"
+#include "skeleton/skeleton.h"
+
+/* The sides: 0 faces +x, 1 -x, 2 +y ... */
+enum { SIDES = 6 };
+
+#define ZONE_NONE UINT32_MAX       /* a wall that no piece is before */
+#define ZONE_SKY  (UINT32_MAX - 1) /* out of the grid */
+
+static inline uint32_t zone_of(uint32_t piece, int side)
+{
+    return SIDES * piece + (uint32_t)side;
+}
+
+/* The side that a normal is closest to. */
+int side_of(vec3 normal);
+
+struct sight {
+    const struct skeleton *skeleton;
+    const struct pieces *pieces;
+    struct patches_scene scene;
+    const uint8_t *marks; /* of what is matter, skeleton/matter.h */
+};
+
+/* `marks` are made in the arena. */
+struct sight sight_new(struct arena *arena, const struct skeleton *skeleton,
+                       const struct pieces *pieces,
+                       const struct patches_scene *scene);
+
+/* The zone that a ray meets. ZONE_SKY: it leaves the grid, and *beyond is the
+ * radiance of what it meets there; `key` names its random numbers. */
+uint32_t sight_zone(const struct sight *sight, const struct ray *ray,
+                    uint64_t key, rgb *beyond);
+
+#endif
