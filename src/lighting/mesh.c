@@ -38,8 +38,9 @@ enum {
     ATTEMPTS = 12,                     /* to choose a spacing that fits */
     BOUNCES = 6,
     SCALAR_SAMPLES = 100,
-    CLOSED_BOUNCES = 3, /* when the skeleton knows the rest */
-    SAMPLES = 256,      /* gather rays of a mesh point */
+    CLOSED_BOUNCES = 3,    /* when the skeleton knows the rest */
+    CLOSE_RESOLUTION = 64, /* of that, which later bounces blur */
+    SAMPLES = 256,         /* gather rays of a mesh point */
 };
 
 /* Mesh points whose visible shares of an area light differ by less are in one
@@ -250,7 +251,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     if (said->indirect.on && said->indirect.skeleton &&
         said->model != MESH_MODEL_SCALAR)
         done = done && void_skeleton_make(&mesh->close, world, scene, NULL,
-                                          options, diag);
+                                          CLOSE_RESOLUTION, options, diag);
     done = done && mesh_make(mesh, scene, interpolation, &known, diag);
     mesh->report.again =
         !(said->density > 0) && !known.name && options->attempt < ATTEMPTS;

@@ -6,7 +6,7 @@
 
 bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
                         const struct scene *scene, const char *heuristic,
-                        const struct lighting_options *options,
+                        int resolution, const struct lighting_options *options,
                         struct diag *diag)
 {
     const struct skeleton_settings *said = &scene->settings.skeleton;
@@ -17,9 +17,11 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
         .threads = options->threads,
     };
     *made = (struct void_skeleton){ NULL, NULL };
+    if (said->resolution > 0)
+        resolution = said->resolution;
     if (wanted.heuristic)
         made->space =
-            void_new(scene, world, said->resolution, options->threads, diag);
+            void_new(scene, world, resolution, options->threads, diag);
     if (made->space)
         made->skeleton =
             skeleton_new(world, scene, &made->space->voxels, &wanted);

@@ -5,7 +5,6 @@
 #include "base/random.h"
 #include "lightmesh/light_tree.h"
 #include "lightmesh/table.h"
-#include "shade/area.h"
 
 /* A visible share as it is kept, three for each lamp. */
 enum { SHARE_ONE = 65535 };
@@ -94,14 +93,9 @@ static void add_pick(const struct direct_mesh *mesh, struct worker *worker,
 {
     const struct lamp *lamp = pick->lamp;
     struct lamp_target target = { .point = site->place };
-    vec3 location = lamp->light->location;
-    if (lamps_soft(mesh->lamps, lamp)) {
-        struct area_grid grid = area_grid_new(lamp, site->place, 0);
-        uint64_t key = random_key(site->key, (uint64_t)lamp->number);
-        location =
-            area_grid_point(&grid, (int)(random_unit(key) * lamp->light->size1),
-                            (int)(random_unit(key + 1) * lamp->light->size2));
-    }
+    uint64_t key = random_key(site->key, (uint64_t)lamp->number);
+    double u[2] = { random_unit(key), random_unit(key + 1) };
+    vec3 location = lamps_location(mesh->lamps, lamp, site->place, u);
     if (!lamp_look(lamp, location, site->place, &target.view))
         return;
     rgb arriving =
@@ -235,15 +229,13 @@ struct harmonics direct_mesh_light(const struct mesh_blend *blend)
     return sum;
 }
 
-rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
-                           struct worker *worker, vec3 place, vec3 side,
-                           vec3 normal)
+static rgb blend_irradiance(const struct direct_mesh *mesh,
+                            const struct mesh_blend *blend, vec3 place,
+                            vec3 normal)
 {
-    struct mesh_blend blend;
     rgb sum = rgb_grey(0);
-    point_mesh_blend(&mesh->points, worker, place, side, &blend);
     if (mesh->many) {
-        struct harmonics light = direct_mesh_light(&blend);
+        struct harmonics light = direct_mesh_light(blend);
         return harmonics_irradiance(&light, normal, 1);
     }
     for (size_t i = 0; i < mesh->lamps->count; i++) {
@@ -255,10 +247,30 @@ rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
         if (cosine <= 0)
             continue;
         rgb light = rgb_mul(lamp->light->colour,
-                            direct_mesh_share(mesh, &blend, (int)i));
+                            direct_mesh_share(mesh, blend, (int)i));
         sum = rgb_add_scaled(sum, light, cosine * view.attenuation);
     }
     return sum;
+}
+
+rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
+                           struct worker *worker, vec3 place, vec3 side,
+                           vec3 normal)
+{
+    struct mesh_blend blend;
+    point_mesh_blend(&mesh->points, worker, place, side, &blend);
+    return blend_irradiance(mesh, &blend, place, normal);
+}
+
+rgb direct_mesh_nearest(const struct direct_mesh *mesh, struct worker *worker,
+                        vec3 place, vec3 side, vec3 normal, vec3 jitter)
+{
+    const void *payload =
+        point_mesh_nearest(&mesh->points, worker, place, side, jitter);
+    if (!payload)
+        return direct_mesh_irradiance(mesh, worker, place, side, normal);
+    struct mesh_blend blend = { .count = 1, .at = { { payload, 1 } } };
+    return blend_irradiance(mesh, &blend, place, normal);
 }
 
 rgb direct_mesh_arriving(const struct direct_mesh *mesh, vec3 place,

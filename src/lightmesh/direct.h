@@ -85,4 +85,8 @@ rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
                            struct worker *worker, vec3 place, vec3 side,
                            vec3 normal);
 
+/* The same by one mesh point, see point_mesh_nearest. */
+rgb direct_mesh_nearest(const struct direct_mesh *mesh, struct worker *worker,
+                        vec3 place, vec3 side, vec3 normal, vec3 jitter);
+
 #endif

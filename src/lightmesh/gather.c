@@ -9,6 +9,7 @@
 enum {
     PANES_MAX = 64,  /* that a ray passes straight through */
     MIRRORS_MAX = 3, /* on one way */
+    LAMPS_ASKED = 4, /* by shadow rays: more are the direct mesh's */
 };
 
 /* What counts for less than this is left off. */
@@ -18,6 +19,7 @@ static const double least = 0.02;
 struct gathering {
     const struct gather *gather;
     struct worker *worker;
+    const struct draws *draws;
     struct ray ray;
     rgb share; /* of what it meets next */
     int mirrors;
@@ -26,18 +28,72 @@ struct gathering {
 static rgb gathering_follow(struct gathering *gathering,
                             struct intersection *at, rgb *glow);
 
-static rgb gather_irradiance(const struct gather *gather, struct worker *worker,
-                             const struct surface *surface, vec3 normal)
+static vec3 gathering_jitter(const struct gathering *gathering)
 {
+    double u[2];
+    draw_pair(gathering->draws, GATHER_NEAR, u);
+    return vec3_make(u[0] - 0.5, u[1] - 0.5,
+                     draw_unit(gathering->draws, GATHER_HIGH) - 0.5);
+}
+
+/* A lamp's light on a place. */
+static rgb gathering_lamp(const struct gathering *gathering,
+                          const struct lamp *lamp, vec3 place, vec3 normal)
+{
+    const struct lamps *lamps = gathering->gather->lamps;
+    struct lamp_target target = { .point = place };
+    struct lamp_view view;
+    double u[2];
+    if (!lamp_look(lamp, lamp->light->location, place, &view))
+        return rgb_grey(0);
+    double cosine = vec3_dot(view.direction, normal);
+    if (cosine <= 0)
+        return rgb_grey(0);
+    target.view = view;
+    if (lamps_soft(lamps, lamp)) {
+        draw_pair(gathering->draws, GATHER_LAMP, u);
+        lamp_look(lamp, lamps_location(lamps, lamp, place, u), place,
+                  &target.view);
+    }
+    rgb share = lamps_share_point(lamps, lamp, gathering->worker, &target);
+    return rgb_scale(rgb_mul(lamp->light->colour, share),
+                     cosine * view.attenuation);
+}
+
+/* Light of lamps: so few of them a shadow ray asks at less cost than mesh
+ * points that only this ray may need. */
+static rgb gathering_direct(const struct gathering *gathering,
+                            const struct surface *surface, vec3 normal)
+{
+    const struct lamps *lamps = gathering->gather->lamps;
+    rgb light = rgb_grey(0);
+    if (lamps->count > LAMPS_ASKED)
+        return direct_mesh_nearest(gathering->gather->direct, gathering->worker,
+                                   surface->point, surface->side, normal,
+                                   gathering_jitter(gathering));
+    for (size_t i = 0; i < lamps->count; i++)
+        light = rgb_add(light, gathering_lamp(gathering, &lamps->items[i],
+                                              surface->point, normal));
+    return light;
+}
+
+static rgb gathering_irradiance(const struct gathering *gathering,
+                                const struct surface *surface, vec3 normal)
+{
+    const struct gather *gather = gathering->gather;
+    struct worker *worker = gathering->worker;
     vec3 place = surface->point, side = surface->side;
-    rgb light =
-        direct_mesh_irradiance(gather->direct, worker, place, side, normal);
-    if (gather->indirect)
-        return rgb_add(light, indirect_mesh_irradiance(gather->indirect, worker,
-                                                       place, side, normal));
+    rgb light = gathering_direct(gathering, surface, normal), more;
+    if (gather->indirect &&
+        indirect_mesh_nearest(gather->indirect, worker, place, side, normal,
+                              gathering_jitter(gathering), &more))
+        return rgb_add(light, more);
     if (gather->close)
         return rgb_add(
             light, gather->close(gather->close_context, worker, place, normal));
+    if (gather->indirect)
+        return rgb_add(light, indirect_mesh_irradiance(gather->indirect, worker,
+                                                       place, side, normal));
     return light;
 }
 
@@ -52,8 +108,7 @@ static rgb gathering_shade(const struct gathering *gathering,
         const struct surface_layer *layer = &surface->layer[i];
         bool same = known && vec3_dot(*known, layer->normal) >= 1;
         if (layer->finish->diffuse > 0 && !same) {
-            arriving = gather_irradiance(gathering->gather, gathering->worker,
-                                         surface, layer->normal);
+            arriving = gathering_irradiance(gathering, surface, layer->normal);
             known = &layer->normal;
         }
         rgb sent = finish_glow(layer, rgb_grey(0), arriving);
@@ -150,11 +205,13 @@ static rgb gathering_follow(struct gathering *gathering,
 }
 
 rgb gather_radiance(const struct gather *gather, struct worker *worker,
-                    const struct ray *ray, struct intersection *at, rgb *glow)
+                    const struct ray *ray, const struct draws *draws,
+                    struct intersection *at, rgb *glow)
 {
     struct gathering gathering = {
         .gather = gather,
         .worker = worker,
+        .draws = draws,
         .ray = *ray,
         .share = rgb_grey(1),
     };

@@ -5,14 +5,15 @@
 #ifndef LIGHTMESH_GATHER_H
 #define LIGHTMESH_GATHER_H
 
+#include "base/draw.h"
 #include "lightmesh/direct.h"
 #include "shade/emitters.h"
 
 struct indirect_mesh;
 struct surface;
 
-/* The irradiance of light from everywhere that ends a row of bounces; NULL
- * ends it in the dark. */
+/* The irradiance of light from everywhere that ends a row of bounces, and
+ * stands in where a place sees no mesh point; NULL ends it in the dark. */
 typedef rgb gather_close(const void *context, struct worker *worker, vec3 place,
                          vec3 normal);
 
@@ -21,8 +22,18 @@ struct gather {
     const struct direct_mesh *direct;
     const struct indirect_mesh *indirect; /* of one bounce less, or NULL */
     const struct emitters *emitters;
-    gather_close *close; /* if there is no `indirect` */
+    gather_close *close;
     const void *close_context;
+};
+
+/* What is drawn for a gather ray. */
+enum gather_slot {
+    GATHER_DIRECTION,
+    GATHER_WHICH, /* of what glows */
+    GATHER_WHERE,
+    GATHER_LAMP, /* where on an area light */
+    GATHER_NEAR, /* which mesh points near by */
+    GATHER_HIGH,
 };
 
 /* The surface that a gather ray met; `at` must stay as long. Of `gather` only
@@ -30,11 +41,12 @@ struct gather {
 void gather_surface(const struct gather *gather, const struct ray *ray,
                     const struct intersection *at, struct surface *surface);
 
-/* Radiance along the ray, of which *glow is what its first surface has of its
- * own; *at is where (at->leaf NULL: nowhere). Mirrors and panes are
- * followed. */
+/* Radiance along the ray, sample `draws`, of which *glow is what its first
+ * surface has of its own; *at is where (at->leaf NULL: nowhere). Mirrors and
+ * panes are followed. */
 rgb gather_radiance(const struct gather *gather, struct worker *worker,
-                    const struct ray *ray, struct intersection *at, rgb *glow);
+                    const struct ray *ray, const struct draws *draws,
+                    struct intersection *at, rgb *glow);
 
 /* What glows of itself at the first surface along the ray, alone. */
 rgb gather_glow(const struct gather *gather, struct worker *worker,

@@ -11,10 +11,9 @@ enum {
     FIRST_SAMPLES = 64, /* a mesh point's least, of kept points */
     LONE_SAMPLES = 32,  /* of places that are their own mesh point */
     LONE_SHARE = 8,     /* such places of later bounces gather fewer each */
-    LATER_SHARE = 4,    /* later bounces gather so many times fewer */
+    HIT_LEVELS = 1,     /* direct light on what they meet is coarser */
+    LATER_SHARE = 8,    /* later bounces gather so many times fewer */
 };
-
-enum { SLOT_DIRECTION, SLOT_WHICH, SLOT_WHERE };
 
 /* A mesh point that gathers. */
 struct gatherer {
@@ -48,12 +47,13 @@ static void gatherer_look(const struct gatherer *gatherer,
     double density = site_density(site), u[2];
     struct intersection at;
     rgb glow;
-    draw_pair(draws, SLOT_DIRECTION, u);
+    draw_pair(draws, GATHER_DIRECTION, u);
     struct ray ray = { site->place, warp_sphere(u) };
     double behind = site->lone ? vec3_dot(ray.direction, site->normal) : 0;
     if (behind < 0)
         ray.direction = vec3_along(ray.direction, site->normal, -2 * behind);
-    rgb radiance = gather_radiance(gather, gatherer->worker, &ray, &at, &glow);
+    rgb radiance =
+        gather_radiance(gather, gatherer->worker, &ray, draws, &at, &glow);
     if (at.leaf && rgb_peak(glow) > 0 && emitters_any(gather->emitters)) {
         double other =
             emitters_density(gather->emitters, ray.origin, ray.direction, &at);
@@ -68,10 +68,10 @@ static void gatherer_pick(const struct gatherer *gatherer,
                           const struct draws *draws, struct harmonics *light)
 {
     const struct gather *gather = &gatherer->mesh->gather;
-    double which = draw_unit(draws, SLOT_WHICH), u[2];
+    double which = draw_unit(draws, GATHER_WHICH), u[2];
     struct emitter_pick pick;
     struct intersection at;
-    draw_pair(draws, SLOT_WHERE, u);
+    draw_pair(draws, GATHER_WHERE, u);
     if (!emitters_pick(gather->emitters, gatherer->site->place, which, u,
                        &pick))
         return;
@@ -93,6 +93,20 @@ static void harmonics_scale(struct harmonics *light, float factor)
     *light = sum;
 }
 
+/* All mesh points look in the same directions, but for the corners of a cell,
+ * which have eight parts of one large set: neighbours don't differ by chance,
+ * and between them a place has a set as large. */
+static struct draws gatherer_draws(const struct gatherer *gatherer,
+                                   uint32_t sample)
+{
+    const struct mesh_site *site = gatherer->site;
+    if (site->lone)
+        return (struct draws){ site->key, sample };
+    uint32_t part = (uint32_t)(site->dither * 8);
+    return (struct draws){ gatherer->mesh->gather.lamps->seed,
+                           part * gatherer->mesh->set + sample };
+}
+
 /* The mean of samples first..end-1. */
 static struct harmonics gatherer_mean(const struct gatherer *gatherer,
                                       uint32_t first, uint32_t end)
@@ -100,7 +114,7 @@ static struct harmonics gatherer_mean(const struct gatherer *gatherer,
     struct harmonics light = { { 0 }, { 0 }, { 0 } };
     bool picks = emitters_any(gatherer->mesh->gather.emitters);
     for (uint32_t i = first; i < end; i++) {
-        struct draws draws = { gatherer->site->key, i };
+        struct draws draws = gatherer_draws(gatherer, i);
         if (worker_stopped(gatherer->worker))
             break;
         gatherer_look(gatherer, &draws, &light);
@@ -156,7 +170,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
 {
     struct indirect_mesh *mesh = memory_new(sizeof *mesh);
     mesh->direct = *direct;
-    mesh->direct.points.interpolation = interpolation_find("nearest");
+    mesh->direct.points.lattice.usual += HIT_LEVELS;
     mesh->gather = (struct gather){
         .lamps = direct->lamps,
         .direct = &mesh->direct,
@@ -183,13 +197,14 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .context = mesh,
     };
     if (bounce > 1) {
-        mesh->points.lattice.spacing *= 2;
-        mesh->points.interpolation = mesh->direct.points.interpolation;
-        mesh->samples = mesh->samples / LATER_SHARE;
+        mesh->points.lattice.spacing *= bounce > 2 ? 4 : 2;
+        mesh->samples /= LATER_SHARE;
         mesh->error *= 2;
     }
     if (mesh->samples < 1)
         mesh->samples = 1;
+    for (mesh->set = 1; mesh->set < (uint32_t)mesh->samples;)
+        mesh->set *= 2;
     point_mesh_start(&mesh->points, options->bytes /
                                         ((size_t)options->bounces + 3) *
                                         (bounce > 1 ? 1 : 4));
@@ -231,4 +246,15 @@ rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
     for (int i = 0; i < blend.count; i++)
         harmonics_mix(&sum, blend.at[i].payload, (float)blend.at[i].weight);
     return harmonics_irradiance(&sum, normal, 1);
+}
+
+bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
+                           struct worker *worker, vec3 place, vec3 side,
+                           vec3 normal, vec3 jitter, rgb *light)
+{
+    const struct harmonics *nearest =
+        point_mesh_nearest(&mesh->points, worker, place, side, jitter);
+    if (nearest)
+        *light = harmonics_irradiance(nearest, normal, 1);
+    return nearest;
 }

@@ -4,7 +4,7 @@
  * the direct mesh and the second, that by the third, the last by the direct
  * one alone. Each is made, point by point, only where the one before asks;
  * meshes of later bounces are coarser, since less depends on them. A gather
- * ray takes the nearest point: many rays are an interpolation of their own.
+ * ray takes one point near by: many rays are an interpolation of their own.
  *
  * Light of surfaces that glow is found by gather rays and by picking points on
  * them, weighted by the balance heuristic (Veach 1997, section 9.2). */
@@ -29,10 +29,11 @@ struct indirect_options {
 
 struct indirect_mesh {
     struct gather gather;
-    struct direct_mesh direct; /* a view of the given one, nearest points */
+    struct direct_mesh direct; /* a coarser view of the given one */
     struct point_mesh points;
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
     int samples, lone_samples;
+    uint32_t set; /* what a mesh point has of the directions of its cell */
     double error;
 };
 
@@ -47,5 +48,11 @@ void indirect_mesh_free(struct indirect_mesh *mesh);
 rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
                              struct worker *worker, vec3 place, vec3 side,
                              vec3 normal);
+
+/* The same in *light by one mesh point, see point_mesh_nearest; false if none
+ * sees the place. */
+bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
+                           struct worker *worker, vec3 place, vec3 side,
+                           vec3 normal, vec3 jitter, rgb *light);
 
 #endif

@@ -18,6 +18,9 @@ static const double lift = 0.3;
  * they come and go smoothly where it is curved. */
 static const double rise_full = 0.2;
 
+/* A nearest point is at least so far before the surface, in spacings. */
+static const double nearest_rise = 0.1;
+
 /* How far obstacles are looked for, in spacings. */
 static const double reach = 2.5;
 
@@ -341,6 +344,60 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     }
     if (blend->count == 0)
         seek_here(&seeker);
+}
+
+/* The corners of a cell, roughly from near to far: those reached from the
+ * nearest by steps along axes, the first of which costs least. */
+static void nearest_corners(vec3 at, struct lattice_point corner[8])
+{
+    double t[3] = { at.x - floor(at.x), at.y - floor(at.y),
+                    at.z - floor(at.z) };
+    int low[3] = { (int)floor(at.x), (int)floor(at.y), (int)floor(at.z) };
+    int axis[3] = { 0, 1, 2 };
+    for (int i = 1; i < 3; i++)
+        for (int j = i;
+             j > 0 && fabs(t[axis[j]] - 0.5) < fabs(t[axis[j - 1]] - 0.5);
+             j--) {
+            int swap = axis[j];
+            axis[j] = axis[j - 1];
+            axis[j - 1] = swap;
+        }
+    for (int steps = 0; steps < 8; steps++)
+        for (int i = 0; i < 3; i++) {
+            int up = t[axis[i]] >= 0.5, step = steps >> i & 1;
+            corner[steps].at[axis[i]] = low[axis[i]] + (up ^ step);
+        }
+}
+
+const void *point_mesh_nearest(const struct point_mesh *mesh,
+                               struct worker *worker, vec3 place, vec3 normal,
+                               vec3 jitter)
+{
+    double coarse;
+    struct lattice_point corner[8];
+    struct seeker seeker = { mesh, worker, place, normal, 0, NULL };
+    seeker.level = lattice_level(&mesh->lattice, place, &coarse);
+    if (atomic_load_explicit(mesh->full, memory_order_relaxed))
+        return NULL;
+    if (coarse > 0.5)
+        seeker.level++;
+    double spacing = lattice_spacing(&mesh->lattice, seeker.level);
+    vec3 lifted = vec3_along(place, normal, lift * spacing);
+    vec3 at = lattice_units(&mesh->lattice, seeker.level, lifted);
+    nearest_corners(vec3_add(at, jitter), corner);
+    for (int traced = 0; traced < 2; traced++)
+        for (int i = 0; i < 8; i++) {
+            corner[i].level = seeker.level;
+            vec3 from = lattice_place(&mesh->lattice, &corner[i]);
+            vec3 offset = vec3_sub(place, from);
+            if (-vec3_dot(offset, normal) < nearest_rise * spacing)
+                continue;
+            if (traced ? seeker_sees(&seeker, &corner[i], from)
+                       : obstacles_clear(around_get(mesh, worker, &corner[i]),
+                                         offset))
+                return payload_get(mesh, worker, &corner[i]);
+        }
+    return NULL;
 }
 
 void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,

@@ -96,4 +96,12 @@ void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
                       vec3 place, vec3 normal, struct mesh_blend *blend);
 
+/* The payload of the nearest mesh point that sees the place, or NULL. Cheap,
+ * for places of which many are looked at together: with `jitter` uniform in
+ * [-0.5,0.5)^3 the mean of many is the trilinear interpolation, where all of a
+ * cell's corners are of use. */
+const void *point_mesh_nearest(const struct point_mesh *mesh,
+                               struct worker *worker, vec3 place, vec3 normal,
+                               vec3 jitter);
+
 #endif

@@ -26,6 +26,11 @@ void lamps_free(struct lamps *lamps);
 /* Whether the quality asks for the lamp's true, soft shadow. */
 bool lamps_soft(const struct lamps *lamps, const struct lamp *lamp);
 
+/* Where the lamp's light comes from: its location, or one point of an area
+ * light's grid as `point` sees it, drawn by two numbers in [0,1). */
+vec3 lamps_location(const struct lamps *lamps, const struct lamp *lamp,
+                    vec3 point, const double u[2]);
+
 /* A point that looks at a lamp. */
 struct lamp_target {
     vec3 point;
