@@ -96,16 +96,23 @@ static void help_print(void)
     help_print_options();
 }
 
-/* A cell of an mdoc list, with what roff would take for markup escaped. */
+enum { MAN_COLUMNS = 72 }; /* of a line, not counting what is escaped */
+
+/* A cell of an mdoc list in lines, with what roff would take for markup
+ * escaped. */
 static void help_man_text(const char *text)
 {
-    for (; *text; text++)
-        if (*text == '\\')
-            printf("\\e");
-        else if (*text == '-')
-            printf("\\-");
+    size_t column = 0;
+    for (; *text; text++, column++) {
+        bool ends =
+            *text == ' ' && column + strcspn(text + 1, " ") >= MAN_COLUMNS;
+        if (ends)
+            column = 0;
+        if (*text == '\\' || *text == '-')
+            printf("\\%c", *text == '-' ? '-' : 'e');
         else
-            putchar(*text);
+            putchar(ends ? '\n' : *text);
+    }
 }
 
 static void help_man_option(const struct option *option)

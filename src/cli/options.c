@@ -438,7 +438,8 @@ static bool options_resolve_lighting(struct option_reader *reader)
     const char *save = options->light.skeleton.save_file;
     const char *wanted = options->show ? options->show : "skeleton";
     const struct lighting *found = NULL;
-    bool keeps = options->light.light_mesh.save_file;
+    bool keeps = options->light.light_mesh.save_file ||
+                 options->light.light_mesh.load_file;
     for (size_t i = 0; (options->show || save) && lighting_at(i); i++)
         if (!found && lighting_view(lighting_at(i), wanted))
             found = lighting_at(i);
