@@ -91,6 +91,8 @@ bool picture_write(struct image *image, const struct options *options,
     struct image_format format = options_format(options);
     if (space.keep_numbers) /* POV-Ray then heeds no File_Gamma (measured) */
         format.gamma = 0;
+    if (options->file_type == 'N')
+        space.bits = format.bits;
     output_convert(image, &space, options->render.threads);
     char why[256];
     if (image_write(image, name, &format, why, sizeof why))

@@ -4,6 +4,8 @@
 #include "base/parallel.h"
 #include "image/tone.h"
 
+enum { TABLE_WORTH = 30000 }; /* pixels; a table costs 10,000 powers */
+
 /* The largest half; floats beyond it would become infinite in an EXR. */
 static const double largest = 65504;
 
@@ -20,8 +22,25 @@ static void output_grey(double c[3])
     c[0] = c[1] = c[2] = 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2];
 }
 
-static void output_pixel(float *pixel, const struct output_space *space)
+struct conversion {
+    struct image *image;
+    const struct output_space *space;
+    const struct tone_table *table; /* or NULL */
+};
+
+/* Light in 0..1 as a number of an integer file. */
+static double output_number(double light, const struct conversion *conversion)
 {
+    const struct output_space *space = conversion->space;
+    const struct tone_table *table = conversion->table;
+    if (table)
+        return (float)tone_table_level(table, light) / (float)table->top;
+    return tone_encode(light, space->keep_numbers ? 0 : space->file_gamma);
+}
+
+static void output_pixel(float *pixel, const struct conversion *conversion)
+{
+    const struct output_space *space = conversion->space;
     double alpha = output_clamp((double)pixel[3], 0, 1);
     double c[3] = { (double)pixel[0], (double)pixel[1], (double)pixel[2] };
     double gamma = space->keep_numbers ? 0 : space->working_gamma;
@@ -37,17 +56,11 @@ static void output_pixel(float *pixel, const struct output_space *space)
             c[i] =
                 output_clamp(c[i], space->no_negative ? 0 : -largest, largest);
         else
-            c[i] = tone_encode(output_clamp(c[i], 0, 1),
-                               space->keep_numbers ? 0 : space->file_gamma);
+            c[i] = output_number(output_clamp(c[i], 0, 1), conversion);
         pixel[i] = (float)c[i];
     }
     pixel[3] = (float)alpha;
 }
-
-struct conversion {
-    struct image *image;
-    const struct output_space *space;
-};
 
 static void output_row(void *context, size_t row, unsigned thread)
 {
@@ -55,12 +68,20 @@ static void output_row(void *context, size_t row, unsigned thread)
     const struct image *image = conversion->image;
     (void)thread;
     for (int x = 0; x < image->width; x++)
-        output_pixel(image_pixel(image, x, (int)row), conversion->space);
+        output_pixel(image_pixel(image, x, (int)row), conversion);
 }
 
 void output_convert(struct image *image, const struct output_space *space,
                     unsigned threads)
 {
-    struct conversion conversion = { image, space };
+    struct conversion conversion = { image, space, NULL };
+    struct tone_table table;
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    if (space->bits > 0 && space->bits <= 8 && !space->linear_file &&
+        pixels >= TABLE_WORTH) {
+        tone_table_fill(&table, space->keep_numbers ? 0 : space->file_gamma,
+                        (1u << space->bits) - 1);
+        conversion.table = &table;
+    }
     parallel_run(threads, (size_t)image->height, NULL, output_row, &conversion);
 }

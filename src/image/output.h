@@ -15,11 +15,13 @@ struct output_space {
     double file_gamma; /* of the others; 0: sRGB */
     bool alpha;        /* the file has opacity; else the picture is on black */
     bool grey;         /* all three channels become the luminance */
+    int bits;          /* of a PNG: its numbers may be rounded; 0: exact */
 };
 
 /* Turns the picture into the file's numbers, in place. Integer files get
  * colours not premultiplied, as PNG wants them, in 0..1; float files get
- * finite numbers. NaN becomes 0. */
+ * finite numbers. NaN becomes 0. Of many numbers with up to 8 bits each is
+ * made the level that it will be rounded to. */
 void output_convert(struct image *image, const struct output_space *space,
                     unsigned threads);
 

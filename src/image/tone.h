@@ -12,4 +12,31 @@ double tone_srgb_decode(double encoded);
 double tone_encode(double linear, double gamma);
 double tone_decode(double encoded, double gamma);
 
+/* Rounds v in 0..1 to one of 0..top, up to 65535; NaN is 0. In floats, where
+ * 0.9 * 255 is 229.5 and goes up, as in POV-Ray. */
+unsigned tone_level(float v, unsigned top);
+
+enum { TONE_TOP = 255, TONE_PARTS = 2048 };
+
+/* tone_level(tone_encode(linear, gamma), top) without computing a power for
+ * each number: where the levels begin, found with those functions. */
+struct tone_table {
+    unsigned top;
+    double begin[TONE_TOP + 1];          /* of each level */
+    unsigned char level[TONE_PARTS + 1]; /* at each 1/2048 */
+};
+
+/* For `top` of 1..255. */
+void tone_table_fill(struct tone_table *table, double gamma, unsigned top);
+
+/* The level of light in 0..1. */
+static inline unsigned tone_table_level(const struct tone_table *table,
+                                        double linear)
+{
+    unsigned level = table->level[(unsigned)(linear * TONE_PARTS)];
+    while (level < table->top && linear >= table->begin[level + 1])
+        level++;
+    return level;
+}
+
 #endif

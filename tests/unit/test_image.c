@@ -49,6 +49,50 @@ static void curves_are_those_of_the_standard(void **state)
     assert_float_equal(tone_encode(-3, 1), -3, 0);
 }
 
+static void assert_level(const struct tone_table *table, double gamma,
+                         double light)
+{
+    unsigned exact = tone_level((float)tone_encode(light, gamma), table->top);
+    assert_int_equal(tone_table_level(table, light), exact);
+}
+
+static void tables_of_levels_are_exact(void **state)
+{
+    static const double gammas[] = { 0, 1, 2.2, 0.5 };
+    static const unsigned tops[] = { 1, 31, 255 };
+    struct tone_table table;
+    (void)state;
+    for (size_t g = 0; g < 4; g++)
+        for (size_t t = 0; t < 3; t++) {
+            tone_table_fill(&table, gammas[g], tops[t]);
+            for (int i = 0; i <= 5000; i++)
+                assert_level(&table, gammas[g], i / 5000.0);
+            for (unsigned i = 1; i <= tops[t]; i++) {
+                assert_level(&table, gammas[g], table.begin[i]);
+                assert_level(&table, gammas[g], nextafter(table.begin[i], 0));
+            }
+        }
+}
+
+/* A large picture's numbers are made levels by a table. */
+static void large_pictures_have_the_same_levels(void **state)
+{
+    struct output_space exact = { .working_gamma = 1 }, table = exact;
+    struct image *a = image_new(300, 200), *b = image_new(300, 200);
+    table.bits = 8;
+    (void)state;
+    for (int i = 0; i < 300 * 200 * 4; i++)
+        a->pixels[i] = b->pixels[i] = (float)(i * 1.1 / (300 * 200 * 4) - 0.05);
+    a->pixels[0] = b->pixels[0] = NAN;
+    output_convert(a, &exact, 2);
+    output_convert(b, &table, 2);
+    for (int i = 0; i < 300 * 200 * 4; i++)
+        assert_int_equal(tone_level(a->pixels[i], 255),
+                         tone_level(b->pixels[i], 255));
+    image_free(a);
+    image_free(b);
+}
+
 /* One pixel through output_convert. */
 static struct image *convert(const float pixel[4], struct output_space space)
 {
@@ -314,6 +358,8 @@ static void files_cut_short_are_noticed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tables_of_levels_are_exact),
+        cmocka_unit_test(large_pictures_have_the_same_levels),
         cmocka_unit_test(curves_are_those_of_the_standard),
         cmocka_unit_test(linear_scenes_are_encoded),
         cmocka_unit_test(gamma_scenes_are_decoded_first),
