@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "scene/mesh.h"
 
@@ -38,18 +39,21 @@ static float embree_far(const struct query *query, double t)
 static void solid_intersect(const struct RTCIntersectFunctionNArguments *a)
 {
     const struct geometry *geometry = a->geometryUserPtr;
-    struct query *query = (struct query *)a->context;
-    struct RTCRayHit *rayhit = (struct RTCRayHit *)a->rayhit;
-    double before = query->tmax;
-    if (a->valid[0] != -1)
-        return;
-    query_solid(query, geometry->solids.items[a->primID]);
-    if (query->tmax < before) {
-        float far = embree_far(query, query->tmax);
-        if (far < rayhit->ray.tfar)
-            rayhit->ray.tfar = far;
-        rayhit->hit.geomID = a->geomID;
-        rayhit->hit.primID = a->primID;
+    float *tfar = (float *)a->rayhit + LANE_TFAR * a->N;
+    unsigned *hit = (unsigned *)a->rayhit + LANE_HIT * a->N;
+    for (unsigned i = 0; i < a->N; i++) {
+        if (a->valid[i] != -1)
+            continue;
+        struct query *query = query_lane(a->context, a->rayhit, a->N, i);
+        double before = query->tmax;
+        query_solid(query, geometry->solids.items[a->primID]);
+        if (query->tmax < before) {
+            float far = embree_far(query, query->tmax);
+            if (far < tfar[i])
+                tfar[i] = far;
+            hit[LANE_GEOMETRY * a->N + i] = a->geomID;
+            hit[LANE_PRIMITIVE * a->N + i] = a->primID;
+        }
     }
 }
 
@@ -207,6 +211,8 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
     }
     rtcSetDeviceErrorFunction(geometry->device, embree_error, geometry);
     geometry->scene = rtcNewScene(geometry->device);
+    /* Solids are looked at ray by ray all the same. */
+    geometry->packets = flat->triangle_count > geometry->solids.count;
     choose_build(geometry, flat->triangle_count, camera_rays);
     add_solids(geometry, flat->arena);
     bool good = triangles_add(&geometry->triangles, flat, geometry->device,
@@ -274,4 +280,41 @@ void geometry_trace(const struct geometry *geometry, struct query *query)
     rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(geometry->scene, &query->embree, &rayhit);
+}
+
+static void trace_packet(const struct geometry *geometry, struct query *queries,
+                         const bool *wanted, unsigned count)
+{
+    _Alignas(64) float packet[sizeof(struct RTCRayHit16) / sizeof(float)];
+    _Alignas(64) int valid[GEOMETRY_RAYS] = { 0 };
+    unsigned *hit = (unsigned *)packet + LANE_HIT * GEOMETRY_RAYS;
+    memset(packet, 0, sizeof packet);
+    for (unsigned i = 0; i < count; i++) {
+        struct RTCRay ray;
+        if (!wanted[i] || !embree_ray(geometry, &queries[i], &ray))
+            continue;
+        ray.id = i;
+        valid[i] = -1;
+        for (unsigned k = 0; k < LANE_HIT; k++)
+            memcpy(packet + k * GEOMETRY_RAYS + i, (const float *)&ray + k,
+                   sizeof *packet);
+        hit[LANE_GEOMETRY * GEOMETRY_RAYS + i] = RTC_INVALID_GEOMETRY_ID;
+        hit[LANE_INSTANCE * GEOMETRY_RAYS + i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcInitIntersectContext(&queries->embree);
+    queries->embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, geometry->scene, &queries->embree,
+                   (struct RTCRayHit16 *)packet);
+}
+
+void geometry_trace_many(const struct geometry *geometry, struct query *queries,
+                         const bool *wanted, unsigned count)
+{
+    if (geometry->packets) {
+        trace_packet(geometry, queries, wanted, count);
+        return;
+    }
+    for (unsigned i = 0; i < count; i++)
+        if (wanted[i])
+            geometry_trace(geometry, &queries[i]);
 }

@@ -14,6 +14,7 @@ struct geometry {
     vec3 centre;              /* Embree's origin, in the world */
     struct box3 bounds;       /* of all there is; empty: nothing */
     double scale; /* the largest coordinate of a triangle, from the centre */
+    bool packets; /* rays close together are worth tracing together */
     struct diag *diag; /* while building */
     bool failed;
 };
@@ -27,5 +28,12 @@ void geometry_free(struct geometry *geometry, struct flat *flat);
 
 /* Sends the query's ray through; the results are in the query. */
 void geometry_trace(const struct geometry *geometry, struct query *query);
+
+enum { GEOMETRY_RAYS = 16 };
+
+/* The same for up to so many rays close together, those that are `wanted`; none
+ * may be an occlusion. */
+void geometry_trace_many(const struct geometry *geometry, struct query *queries,
+                         const bool *wanted, unsigned count);
 
 #endif

@@ -1,6 +1,8 @@
 /* A ray on its way through the world, with the exact ray and the best crossing
  * so far. Embree hands it to the callbacks as the extended context of a
- * traversal, so that its own float ray decides nothing but where to look. */
+ * traversal, so that its own float ray decides nothing but where to look. Of
+ * rays that are traced together it hands on the first of an array: the id of
+ * Embree's ray says which is meant. */
 #ifndef EMBREE_QUERY_H
 #define EMBREE_QUERY_H
 
@@ -34,6 +36,19 @@ struct query {
     } recent[QUERY_RECENT]; /* triangles told, against telling them twice */
     unsigned recent_count;
 };
+
+/* Embree's packets of N rays and their hits are arrays of N of each of these
+ * words, one array after the other; those of a single ray are plain structs,
+ * which is the same for N = 1. */
+enum { LANE_TFAR = 8, LANE_ID = 10, LANE_HIT = 12 }; /* of a ray */
+enum { LANE_PRIMITIVE = 5, LANE_GEOMETRY = 6, LANE_INSTANCE = 7 }; /* a hit */
+
+/* The query of ray i of N. */
+static inline struct query *query_lane(struct RTCIntersectContext *context,
+                                       const void *rays, unsigned n, unsigned i)
+{
+    return (struct query *)context + ((const unsigned *)rays)[LANE_ID * n + i];
+}
 
 /* Whether the ray sees the leaf at all. */
 bool query_sees(const struct query *query, const struct leaf *leaf);

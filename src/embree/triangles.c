@@ -4,32 +4,36 @@
 
 #include "scene/mesh.h"
 
-float triangles_float(double value)
-{
-    return (float)(value > 1e30 ? 1e30 : value < -1e30 ? -1e30 : value);
-}
-
-/* All rays are single: Embree's arrays of one are plain structs. */
-static struct triangle_ref locate(const struct RTCFilterFunctionNArguments *a)
+/* What ray i of the packet hits. */
+static struct triangle_ref locate(const struct RTCFilterFunctionNArguments *a,
+                                  unsigned i)
 {
     const struct triangle_set *set = a->geometryUserPtr;
-    const struct RTCHit *hit = (const struct RTCHit *)a->hit;
+    const unsigned *hit = (const unsigned *)a->hit;
+    unsigned primitive = hit[LANE_PRIMITIVE * a->N + i];
     if (set->refs)
-        return set->refs[hit->primID];
-    return (struct triangle_ref){ set->leaves[hit->instID[0]], hit->primID };
+        return set->refs[primitive];
+    return (struct triangle_ref){ set->leaves[hit[LANE_INSTANCE * a->N + i]],
+                                  primitive };
 }
 
 static void nearest_filter(const struct RTCFilterFunctionNArguments *a)
 {
-    struct query *query = (struct query *)a->context;
-    struct triangle_ref ref = locate(a);
-    struct hit hit;
-    if (query_sees(query, ref.leaf) &&
-        query_triangle(query, ref.leaf, ref.triangle, &hit))
-        query_take_triangle(query, ref.leaf, &hit);
-    else
-        a->valid[0] = 0;
+    for (unsigned i = 0; i < a->N; i++) {
+        if (a->valid[i] != -1)
+            continue;
+        struct query *query = query_lane(a->context, a->ray, a->N, i);
+        struct triangle_ref ref = locate(a, i);
+        struct hit hit;
+        if (query_sees(query, ref.leaf) &&
+            query_triangle(query, ref.leaf, ref.triangle, &hit))
+            query_take_triangle(query, ref.leaf, &hit);
+        else
+            a->valid[i] = 0;
+    }
 }
+
+/* Rays that look for any crossing are single. */
 
 /* Whether Embree's t is clear of both ends of the ray. */
 static bool surely_between(const struct query *query,
@@ -48,7 +52,7 @@ static void plain_shadow_filter(const struct RTCFilterFunctionNArguments *a)
         query->blocked = true;
         return;
     }
-    struct triangle_ref ref = locate(a);
+    struct triangle_ref ref = locate(a, 0);
     if (query_triangle(query, ref.leaf, ref.triangle, &hit))
         query->blocked = true;
     else
@@ -58,7 +62,7 @@ static void plain_shadow_filter(const struct RTCFilterFunctionNArguments *a)
 static void shadow_filter(const struct RTCFilterFunctionNArguments *a)
 {
     struct query *query = (struct query *)a->context;
-    struct triangle_ref ref = locate(a);
+    struct triangle_ref ref = locate(a, 0);
     struct hit hit;
     if (!query_sees(query, ref.leaf) ||
         !query_triangle(query, ref.leaf, ref.triangle, &hit) ||

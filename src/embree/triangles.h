@@ -42,6 +42,9 @@ bool triangles_add(struct triangles *triangles, struct flat *flat,
 void triangles_free(struct flat *flat);
 
 /* Saturating: Embree ignores what is beyond 1.8e18. */
-float triangles_float(double value);
+static inline float triangles_float(double value)
+{
+    return (float)(value > 1e30 ? 1e30 : value < -1e30 ? -1e30 : value);
+}
 
 #endif

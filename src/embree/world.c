@@ -93,6 +93,31 @@ bool world_closest(const struct world *world, const struct ray *ray,
     return world_within(world, ray, tmin, world_limit, kind, out);
 }
 
+void world_closest_many(const struct world *world, const struct ray *rays,
+                        const double *tmin, unsigned count, enum ray_kind kind,
+                        struct intersection *out, bool *met)
+{
+    struct query queries[WORLD_RAYS];
+    size_t solids = world->flat.solids.count;
+    _Static_assert((int)WORLD_RAYS == (int)GEOMETRY_RAYS, "one packet");
+    for (unsigned i = 0; i < count; i++) {
+        queries[i].occlusion = false;
+        queries[i].kind = kind;
+        met[i] = query_begin(&queries[i], &rays[i], tmin[i], world_limit);
+        if (met[i])
+            trace_unbounded(world, &queries[i], 0, world->shape_count);
+    }
+    geometry_trace_many(&world->geometry, queries, met, count);
+    for (unsigned i = 0; i < count; i++) {
+        struct query *query = &queries[i];
+        if (met[i])
+            trace_unbounded(world, query, world->shape_count, solids);
+        met[i] = met[i] && query->leaf;
+        if (met[i])
+            query_describe(query, query->leaf, &query->hit, &out[i]);
+    }
+}
+
 bool world_within(const struct world *world, const struct ray *ray, double tmin,
                   double tmax, enum ray_kind kind, struct intersection *out)
 {

@@ -26,14 +26,22 @@ struct rendering {
     size_t tiles_total; /* of all passes */
 };
 
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
 static void tile_first(struct rendering *rendering, struct thread_state *thread,
                        struct area tile)
 {
-    for (int y = tile.top; y < tile.bottom; y++)
-        for (int x = tile.left; x < tile.right; x++) {
+    const int edge = SAMPLER_BLOCK;
+    for (int y = tile.top; y < tile.bottom; y += edge)
+        for (int x = tile.left; x < tile.right; x += edge) {
+            struct area block = { x, y, smaller(x + edge, tile.right),
+                                  smaller(y + edge, tile.bottom) };
             if (worker_stopped(&thread->worker))
                 return;
-            sampler_first(&rendering->sampler, &thread->worker, x, y);
+            sampler_first(&rendering->sampler, &thread->worker, block);
         }
 }
 
@@ -42,11 +50,6 @@ static void tile_pixels(struct rendering *rendering,
 {
     sampler_tile(&rendering->sampler, &thread->worker, tile, thread->scratch,
                  rendering->image);
-}
-
-static int smaller(int a, int b)
-{
-    return a < b ? a : b;
 }
 
 static void render_tile(void *context, size_t item, unsigned number)

@@ -87,6 +87,14 @@ void sampler_free(struct sampler *sampler)
     sampler->grid = NULL;
 }
 
+static void sampler_take(const struct radiance *seen, float out[4])
+{
+    out[0] = (float)seen->colour.r;
+    out[1] = (float)seen->colour.g;
+    out[2] = (float)seen->colour.b;
+    out[3] = (float)seen->opacity;
+}
+
 /* What the camera sees at (x, y) in pixels from the top left. */
 static void sampler_see(const struct sampler *sampler, struct worker *worker,
                         double x, double y, float out[4])
@@ -95,10 +103,7 @@ static void sampler_see(const struct sampler *sampler, struct worker *worker,
     struct radiance seen = tracer_camera(
         sampler->tracer, worker, x / options->width, y / options->height);
     arena_reset(worker->scratch);
-    out[0] = (float)seen.colour.r;
-    out[1] = (float)seen.colour.g;
-    out[2] = (float)seen.colour.b;
-    out[3] = (float)seen.opacity;
+    sampler_take(&seen, out);
 }
 
 static float *sampler_place(const struct sampler *sampler, int x, int y)
@@ -109,11 +114,27 @@ static float *sampler_place(const struct sampler *sampler, int x, int y)
     return sampler->grid + (row * columns + column) * 4;
 }
 
-void sampler_first(struct sampler *sampler, struct worker *worker, int x, int y)
+void sampler_first(struct sampler *sampler, struct worker *worker,
+                   struct area block)
 {
+    const struct render_options *options = sampler->options;
     double middle = sampler_corners(sampler) ? 0 : 0.5;
-    sampler_see(sampler, worker, x + middle, y + middle,
-                sampler_place(sampler, x, y));
+    double places[SAMPLER_BLOCK * SAMPLER_BLOCK][2];
+    struct radiance seen[SAMPLER_BLOCK * SAMPLER_BLOCK];
+    unsigned count = 0;
+    _Static_assert(SAMPLER_BLOCK * SAMPLER_BLOCK <= (int)WORLD_RAYS,
+                   "a packet");
+    for (int y = block.top; y < block.bottom; y++)
+        for (int x = block.left; x < block.right; x++) {
+            places[count][0] = (x + middle) / options->width;
+            places[count++][1] = (y + middle) / options->height;
+        }
+    tracer_camera_many(sampler->tracer, worker, (const double(*)[2])places,
+                       count, seen);
+    count = 0;
+    for (int y = block.top; y < block.bottom; y++)
+        for (int x = block.left; x < block.right; x++)
+            sampler_take(&seen[count++], sampler_place(sampler, x, y));
 }
 
 static double perceived(float value, double exponent)

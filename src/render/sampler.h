@@ -30,9 +30,10 @@ struct sampler sampler_new(const struct tracer *tracer,
                            const struct render_options *options);
 void sampler_free(struct sampler *sampler);
 
-/* Fills place (x, y) of the grid. */
-void sampler_first(struct sampler *sampler, struct worker *worker, int x,
-                   int y);
+/* Fills places of the grid, an area of at most SAMPLER_BLOCK by as many. */
+enum { SAMPLER_BLOCK = 4 };
+void sampler_first(struct sampler *sampler, struct worker *worker,
+                   struct area block);
 
 /* Makes the wanted pixels of one tile (its left and top as sampler.tiled has
  * them) from the first samples and, where they differ, more of them. `scratch`

@@ -113,14 +113,20 @@ void tracer_ready(struct tracer *tracer)
         tracer->ready = !world_may_contain(tracer->world, origins);
 }
 
-struct ray tracer_start(const struct tracer *tracer, struct worker *worker,
-                        double x, double y, struct interiors *inside)
+void tracer_enter(const struct tracer *tracer, struct worker *worker,
+                  vec3 origin, struct interiors *inside)
 {
-    struct ray ray = camera_ray(&tracer->scene->camera, x, y);
     worker->counters.camera_rays++;
     if (tracer->ready)
         interiors_copy(inside, &tracer->start);
     else
-        tracer_inside(tracer, ray.origin, inside);
+        tracer_inside(tracer, origin, inside);
+}
+
+struct ray tracer_start(const struct tracer *tracer, struct worker *worker,
+                        double x, double y, struct interiors *inside)
+{
+    struct ray ray = camera_ray(&tracer->scene->camera, x, y);
+    tracer_enter(tracer, worker, ray.origin, inside);
     return ray;
 }

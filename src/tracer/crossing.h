@@ -46,6 +46,10 @@ rgb tracer_background(const struct tracer *tracer, vec3 direction,
 struct ray tracer_start(const struct tracer *tracer, struct worker *worker,
                         double x, double y, struct interiors *inside);
 
+/* What a camera ray from there starts in; counted. */
+void tracer_enter(const struct tracer *tracer, struct worker *worker,
+                  vec3 origin, struct interiors *inside);
+
 /* What a point is inside of. */
 void tracer_inside(const struct tracer *tracer, vec3 point,
                    struct interiors *inside);

@@ -192,43 +192,87 @@ static bool path_cross(struct path *path, struct crossing *crossing)
     return path->level < tracer_levels(tracer) && path_pass(path, crossing);
 }
 
-/* Follows the ray to its end. */
-static struct radiance path_follow(struct path *path)
+static bool path_meet(struct path *path, struct intersection *at)
+{
+    return world_closest(path->tracer->world, &path->ray,
+                         surface_offset(path->ray.origin), path->kind, at);
+}
+
+/* Follows the ray to its end, from what it meets first, which is known. */
+static struct radiance path_go_on(struct path *path, struct crossing *crossing,
+                                  bool met)
 {
     const struct tracer *tracer = path->tracer;
-    struct crossing crossing;
     path->share = rgb_grey(1);
     path->clear = 1;
     path->light = rgb_grey(0);
     for (int i = 0; i < SURFACES_MAX; i++) {
         if (worker_stopped(path->worker))
             break;
-        double offset = surface_offset(path->ray.origin);
-        bool met = world_closest(tracer->world, &path->ray, offset, path->kind,
-                                 &crossing.at);
-        path_fog(path, met ? crossing.at.t : (double)INFINITY);
+        path_fog(path, met ? crossing->at.t : (double)INFINITY);
         if (!met) {
             double clear;
             path_gather(path, tracer_background(tracer, path->ray.direction,
                                                 path->straight, &clear));
             return (struct radiance){ path->light, 1 - path->clear * clear };
         }
-        if (!path_cross(path, &crossing))
+        if (!path_cross(path, crossing))
             break;
+        met = path_meet(path, &crossing->at);
     }
     return (struct radiance){ path->light, 1 };
+}
+
+static struct radiance path_follow(struct path *path)
+{
+    struct crossing crossing;
+    bool met = path_meet(path, &crossing.at);
+    return path_go_on(path, &crossing, met);
+}
+
+static void path_start(struct path *path, const struct tracer *tracer,
+                       struct worker *worker, struct ray ray)
+{
+    path->tracer = tracer;
+    path->worker = worker;
+    path->ray = ray;
+    path->kind = RAY_CAMERA;
+    path->level = 1;
+    path->weight = 1;
+    path->straight = true;
+    tracer_enter(tracer, worker, ray.origin, &path->inside);
 }
 
 struct radiance tracer_camera(const struct tracer *tracer,
                               struct worker *worker, double x, double y)
 {
     struct path path;
-    path.tracer = tracer;
-    path.worker = worker;
-    path.ray = tracer_start(tracer, worker, x, y, &path.inside);
-    path.kind = RAY_CAMERA;
-    path.level = 1;
-    path.weight = 1;
-    path.straight = true;
+    path_start(&path, tracer, worker, camera_ray(&tracer->scene->camera, x, y));
     return path_follow(&path);
+}
+
+void tracer_camera_many(const struct tracer *tracer, struct worker *worker,
+                        const double (*places)[2], unsigned count,
+                        struct radiance *out)
+{
+    struct ray rays[WORLD_RAYS] = { 0 };
+    double offsets[WORLD_RAYS] = { 0 };
+    struct intersection at[WORLD_RAYS];
+    bool met[WORLD_RAYS];
+    for (unsigned i = 0; i < count; i++) {
+        rays[i] =
+            camera_ray(&tracer->scene->camera, places[i][0], places[i][1]);
+        offsets[i] = surface_offset(rays[i].origin);
+    }
+    world_closest_many(tracer->world, rays, offsets, count, RAY_CAMERA, at,
+                       met);
+    for (unsigned i = 0; i < count; i++) {
+        struct path path;
+        struct crossing crossing;
+        path_start(&path, tracer, worker, rays[i]);
+        if (met[i])
+            crossing.at = at[i];
+        out[i] = path_go_on(&path, &crossing, met[i]);
+        arena_reset(worker->scratch);
+    }
 }

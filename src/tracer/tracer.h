@@ -32,4 +32,10 @@ struct radiance {
 struct radiance tracer_camera(const struct tracer *tracer,
                               struct worker *worker, double x, double y);
 
+/* The same at up to WORLD_RAYS places, quicker where they are neighbours. The
+ * worker's scratch memory is reset after each. */
+void tracer_camera_many(const struct tracer *tracer, struct worker *worker,
+                        const double (*places)[2], unsigned count,
+                        struct radiance *out);
+
 #endif

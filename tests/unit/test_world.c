@@ -603,6 +603,63 @@ static void endless_scenes_are_refused(void **state)
     }
 }
 
+/* Up to 16 rays close together, one of them no ray, find what each finds by
+ * itself. Returns how many met something. */
+static int expect_the_same(const struct world *world, struct dice *dice)
+{
+    struct ray rays[WORLD_RAYS], first = random_ray(dice);
+    struct intersection at[WORLD_RAYS], alone;
+    double tmin[WORLD_RAYS];
+    bool met[WORLD_RAYS];
+    unsigned count = 1 + (unsigned)dice_between(dice, 0, WORLD_RAYS - 1e-9);
+    int hits = 0;
+    for (unsigned i = 0; i < count; i++) {
+        rays[i] = first;
+        tmin[i] = dice_between(dice, 0, 1);
+        rays[i].direction =
+            vec3_normalise(vec3_add(first.direction, dice_point(dice, 0.05)));
+    }
+    rays[count / 2].direction.x = NAN;
+    world_closest_many(world, rays, tmin, count, RAY_CAMERA, at, met);
+    for (unsigned i = 0; i < count; i++) {
+        bool hit = world_closest(world, &rays[i], tmin[i], RAY_CAMERA, &alone);
+        assert_int_equal(met[i], hit);
+        hits += hit;
+        if (hit)
+            assert_true(at[i].t == alone.t && at[i].leaf == alone.leaf &&
+                        at[i].normal.x == alone.normal.x);
+    }
+    return hits;
+}
+
+static void rays_together_are_as_alone(void **state)
+{
+    (void)state;
+    struct dice dice = { 11 };
+    for (int trial = 0; trial < 4; trial++) {
+        struct scene *scene = scene_new(0);
+        struct diag diag = { .out = NULL };
+        /* Copied, shared by instances, hidden from the camera; solids. */
+        const struct mesh *small = random_mesh(scene, &dice, 60);
+        const struct mesh *big = random_mesh(scene, &dice, 1500);
+        for (int i = 0; i < 5; i++) {
+            struct object *mesh = mesh_object(scene, i < 3 ? big : small);
+            mesh->no_image = i == 3;
+            move_at_random(scene, mesh, &dice);
+            scene_add(scene, mesh);
+        }
+        for (int i = 0; i < 6 * trial; i++)
+            scene_add(scene, random_shape(scene, &dice));
+        struct world *world = world_new(scene, 1, 0, &diag);
+        int hits = 0;
+        for (int i = 0; i < 500; i++)
+            hits += expect_the_same(world, &dice);
+        assert_true(hits > 500);
+        world_free(world);
+        scene_free(scene);
+    }
+}
+
 /* Rays along planes, on surfaces, of no length, beyond the world. */
 static void odd_rays_do_no_harm(void **state)
 {
@@ -643,6 +700,7 @@ int main(void)
         cmocka_unit_test(polyhedra_are_bounded),
         cmocka_unit_test(bounds_hide_what_misses_them),
         cmocka_unit_test(endless_scenes_are_refused),
+        cmocka_unit_test(rays_together_are_as_alone),
         cmocka_unit_test(odd_rays_do_no_harm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
