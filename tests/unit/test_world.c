@@ -609,7 +609,7 @@ static int expect_the_same(const struct world *world, struct dice *dice)
 {
     struct ray rays[WORLD_RAYS], first = random_ray(dice);
     struct intersection at[WORLD_RAYS], alone;
-    double tmin[WORLD_RAYS];
+    double tmin[WORLD_RAYS] = { 0 };
     bool met[WORLD_RAYS];
     unsigned count = 1 + (unsigned)dice_between(dice, 0, WORLD_RAYS - 1e-9);
     int hits = 0;
