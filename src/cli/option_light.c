@@ -83,6 +83,6 @@ bool set_light(struct option_reader *reader, const struct option *option,
     const struct field *field = field_find(option->fields, option->field);
     if (!light_read(reader, option, setting, field))
         return false;
-    light_said_add(&reader->options->light_said, field);
+    light_said_add(&reader->options->light_said, field, setting->value_span);
     return true;
 }

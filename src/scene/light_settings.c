@@ -87,13 +87,17 @@ const struct field light_option_fields[] = {
     { NULL },
 };
 
-void light_said_add(struct light_said *said, const struct field *field)
+void light_said_add(struct light_said *said, const struct field *field,
+                    struct span place)
 {
-    for (size_t i = 0; i < said->count; i++)
-        if (said->fields[i] == field)
-            return;
-    if (said->count < LIGHT_SAID_LIMIT)
-        said->fields[said->count++] = field;
+    size_t i = 0;
+    while (i < said->count && said->fields[i] != field)
+        i++;
+    if (i == LIGHT_SAID_LIMIT)
+        return;
+    said->fields[i] = field;
+    said->places[i] = place;
+    said->count += i == said->count;
 }
 
 void light_place(struct settings *settings, const struct field *field,
@@ -110,6 +114,6 @@ void light_said_apply(const struct light_said *said,
 {
     for (size_t i = 0; i < said->count; i++) {
         field_copy(said->fields[i], settings, values);
-        light_place(settings, said->fields[i], span_none());
+        light_place(settings, said->fields[i], said->places[i]);
     }
 }

@@ -32,7 +32,7 @@ struct light_mesh_settings {
     double density;            /* mesh points for one unit of length, > 0 */
     double radius;             /* of interpolation, units, > 0 */
     const char *interpolation; /* a name in lightmesh/interpolation/list.h */
-    struct span interpolation_place; /* nowhere if an option says it */
+    struct span interpolation_place; /* nowhere: on the command line */
     enum mesh_model model;
     enum mesh_shadows shadows;
     double threshold; /* adaptive: neighbours may differ by so much, 0..1 */
@@ -61,7 +61,7 @@ enum path_guide {
 struct skeleton_settings {
     int resolution;        /* voxels along the longest side, 128 */
     const char *heuristic; /* a name in skeleton/heuristic/list.h, or NULL */
-    struct span heuristic_place; /* nowhere if an option says it */
+    struct span heuristic_place; /* nowhere: on the command line */
     const char *save_file;       /* or NULL; never by a scene */
     enum path_guide guide;       /* of --lighting path */
 };
@@ -82,11 +82,13 @@ enum { LIGHT_SAID_LIMIT = 32 };
 
 struct light_said {
     const struct field *fields[LIGHT_SAID_LIMIT]; /* each once */
+    struct span places[LIGHT_SAID_LIMIT];         /* in INI files, or nowhere */
     size_t count;
 };
 
-/* Notes that the field was said. */
-void light_said_add(struct light_said *said, const struct field *field);
+/* Notes that the field was said, and where. */
+void light_said_add(struct light_said *said, const struct field *field,
+                    struct span place);
 
 /* Puts what was said, kept in `values`, into `settings`. */
 void light_said_apply(const struct light_said *said,
