@@ -38,8 +38,8 @@ enum {
     ATTEMPTS = 12,                     /* to choose a spacing that fits */
     BOUNCES = 6,
     SCALAR_SAMPLES = 100,
-    CLOSED_BOUNCES = 3,    /* when the skeleton knows the rest */
-    CLOSE_RESOLUTION = 64, /* of that, which later bounces blur */
+    CLOSED_BOUNCES = 1,    /* when the skeleton knows the rest */
+    CLOSE_RESOLUTION = 64, /* of that, which gathering blurs */
     SAMPLES = 256,         /* gather rays of a mesh point */
 };
 
