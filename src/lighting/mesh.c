@@ -116,9 +116,9 @@ mesh_options(const struct light_mesh_settings *said,
 }
 
 static rgb mesh_close(const void *context, struct worker *worker, vec3 place,
-                      vec3 normal)
+                      vec3 normal, double draw)
 {
-    return skeleton_indirect(context, worker, place, normal);
+    return skeleton_indirect(context, worker, place, normal, &draw);
 }
 
 /* Indirect light, with the lattice and the interpolation of the direct. */

@@ -90,7 +90,8 @@ static rgb gathering_irradiance(const struct gathering *gathering,
         return rgb_add(light, more);
     if (gather->close)
         return rgb_add(
-            light, gather->close(gather->close_context, worker, place, normal));
+            light, gather->close(gather->close_context, worker, place, normal,
+                                 draw_unit(gathering->draws, GATHER_NEAR)));
     if (gather->indirect)
         return rgb_add(light, indirect_mesh_irradiance(gather->indirect, worker,
                                                        place, side, normal));

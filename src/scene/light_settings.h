@@ -59,7 +59,7 @@ enum path_guide {
 
 /* skeleton {} */
 struct skeleton_settings {
-    int resolution;        /* voxels along the longest side, 128 */
+    int resolution;        /* voxels along the longest side, 0: not said */
     const char *heuristic; /* a name in skeleton/heuristic/list.h, or NULL */
     struct span heuristic_place; /* nowhere: on the command line */
     const char *save_file;       /* or NULL; never by a scene */

@@ -16,7 +16,6 @@ struct scene *scene_new(size_t memory_limit)
         .max_trace_level = 5,
         .adc_bailout = 1.0 / 255,
         .light_mesh = { .quality = 5, .indirect.skeleton = true },
-        .skeleton = { .resolution = 128 },
     };
     return scene;
 }

@@ -95,7 +95,8 @@ struct skeleton_point skeleton_find(const struct skeleton *skeleton,
                                     vec3 position, vec3 normal)
 {
     static const double steps[] = { 0.5, 1, 1.5, 2, 3 };
-    struct skeleton_point point = { position, normal, position, GRAPH_NONE };
+    struct skeleton_point point = { position, normal, position, GRAPH_NONE,
+                                    NULL };
     for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
         int place[3];
         point.around =
@@ -223,9 +224,10 @@ struct skeleton_light skeleton_light(const struct skeleton *skeleton,
 }
 
 rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
-                      vec3 position, vec3 normal)
+                      vec3 position, vec3 normal, const double *draw)
 {
     struct skeleton_point point = skeleton_find(skeleton, position, normal);
+    point.draw = draw;
     if (point.node == GRAPH_NONE)
         return rgb_grey(0);
     if (skeleton->heuristic->indirect)

@@ -61,6 +61,9 @@ struct skeleton_point {
     vec3 normal;   /* unit, into the void; zero: of no surface */
     vec3 around;   /* a place in the void before it */
     uint32_t node; /* the closest to that; GRAPH_NONE: there is no void */
+    /* A number in [0,1) by which one place is drawn of those whose light is
+     * mixed, the mean of many being the mixture; NULL: all count. */
+    const double *draw;
 };
 
 /* In POV-Ray's units: irradiance without pi. */
@@ -84,8 +87,9 @@ struct skeleton_light skeleton_light(const struct skeleton *skeleton,
                                      struct worker *worker, vec3 position,
                                      vec3 normal);
 
-/* Its `indirect` alone, which may be much cheaper. */
+/* Its `indirect` alone, which may be much cheaper; `draw` as in struct
+ * skeleton_point, may be NULL. */
 rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
-                      vec3 position, vec3 normal);
+                      vec3 position, vec3 normal, const double *draw);
 
 #endif

@@ -501,7 +501,7 @@ static void light_meshes_and_skeletons(void **state)
     assert_false(r.scene->settings.light_mesh.indirect.on);
     assert_false(r.scene->settings.radiosity);
     assert_number(r.scene->settings.light_mesh.quality, 5);
-    assert_int_equal(r.scene->settings.skeleton.resolution, 128);
+    assert_int_equal(r.scene->settings.skeleton.resolution, 0);
     scene_end(&r);
 }
 

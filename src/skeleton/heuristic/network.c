@@ -126,7 +126,21 @@ static uint32_t piece_seen(const struct pieces *pieces, const struct voxels *v,
     return piece;
 }
 
-/* The mean over the cells around the point, each by its share (trilinear). */
+/* One of a cell's corners, each by its share. */
+static int corner_drawn(const double part[3], double draw)
+{
+    int corner = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        bool next = draw < part[axis];
+        corner |= next ? 1 << axis : 0;
+        draw =
+            next ? draw / part[axis] : (draw - part[axis]) / (1 - part[axis]);
+    }
+    return corner;
+}
+
+/* The mean over the cells around the point, each by its share (trilinear), or
+ * one of them. */
 static rgb network_indirect(const struct skeleton *skeleton,
                             const struct skeleton_point *point)
 {
@@ -147,7 +161,9 @@ static rgb network_indirect(const struct skeleton *skeleton,
         part[axis] = fabs(off);
         step[axis] = copysign(cells->size[axis] / 2, off);
     }
-    for (int corner = 0; corner < 8; corner++) {
+    int first = point->draw ? corner_drawn(part, *point->draw) : 0;
+    int end = point->draw ? first + 1 : 8;
+    for (int corner = first; corner < end; corner++) {
         double weight = 1;
         for (int axis = 0; axis < 3; axis++) {
             bool next = corner >> axis & 1;
@@ -159,6 +175,8 @@ static rgb network_indirect(const struct skeleton *skeleton,
             total +=
                 side_add(&network->light[piece], point->normal, weight, &sum);
     }
+    if (!(total > 0))
+        total = side_add(&network->light[own], point->normal, 1, &sum);
     return total > 0 ? rgb_scale(sum, 1 / total) : network->light[own].mean;
 }
 
