@@ -155,6 +155,7 @@ static bool frame_render(struct work *work, const struct scene *scene,
     struct lighting_options light = { .threads = options->render.threads,
                                       .width = options->render.width,
                                       .quality = options->quality,
+                                      .stop = work->stop,
                                       .keep = work_keeps(work),
                                       .kept = &work->kept };
     bool done = false;

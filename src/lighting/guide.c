@@ -156,6 +156,7 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
         .heuristic = heuristic_find("forward"),
         .seed = options->seed,
         .threads = options->threads,
+        .stop = options->stop,
     };
     guide->space = void_new(scene, world, scene->settings.skeleton.resolution,
                             options->threads, diag);
@@ -165,6 +166,10 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
     }
     guide->skeleton =
         skeleton_new(world, scene, &guide->space->voxels, &wanted);
+    if (!guide->skeleton) {
+        guide_free(guide);
+        return NULL;
+    }
     size_t nodes = guide->skeleton->graph->count;
     guide->nodes = memory_new(nodes * sizeof *guide->nodes);
     guide_find_entrances(guide);

@@ -23,6 +23,7 @@ struct lighting_options {
     int quality; /* +Q, 0..11 */
     int width;   /* of the picture, pixels; 0: any */
     unsigned long long seed;
+    const atomic_int *stop;           /* non-zero: leave off; NULL: never */
     int attempt;                      /* 0; then how often `again` was true */
     bool keep;                        /* `keep` will be called */
     const struct lighting_kept *kept; /* by the picture before, or NULL; used
@@ -59,7 +60,8 @@ struct lighting {
     /* The tracer follows whole paths, sample by sample (tracer/path.h), and
      * never asks illuminate, which is NULL. */
     bool whole_paths;
-    /* State for one picture, or NULL after an error was printed. */
+    /* State for one picture, or NULL after an error was printed, or when it was
+     * stopped. */
     void *(*start)(const struct world *world, const struct scene *scene,
                    const struct lighting_options *options, struct diag *diag);
     void (*finish)(void *state);

@@ -58,6 +58,8 @@ void skeleton_show_light(const struct skeleton *skeleton, struct show *show)
 {
     const struct graph *graph = skeleton->graph;
     struct skeleton_light *light = skeleton_field(skeleton);
+    if (!light)
+        return;
     double *numbers = field_brightness(light, graph->count, show);
     show_arcs(graph, numbers, show);
     memory_free(numbers);
@@ -104,6 +106,8 @@ void skeleton_show_stream(const struct skeleton *skeleton, struct show *show)
 {
     const struct graph *graph = skeleton->graph;
     struct skeleton_light *light = skeleton_field(skeleton);
+    if (!light)
+        return;
     double *numbers = field_brightness(light, graph->count, show);
     uint8_t *taken = memory_new(voxels_count(skeleton->voxels));
     struct ramp_range range = { .logarithmic = true };

@@ -15,6 +15,7 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
                                : names_heuristic(&scene->settings, diag),
         .seed = options->seed,
         .threads = options->threads,
+        .stop = options->stop,
     };
     *made = (struct void_skeleton){ NULL, NULL };
     if (said->resolution > 0)
@@ -25,7 +26,7 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
     if (made->space)
         made->skeleton =
             skeleton_new(world, scene, &made->space->voxels, &wanted);
-    return made->space;
+    return made->skeleton;
 }
 
 void void_skeleton_free(struct void_skeleton *made)

@@ -15,8 +15,8 @@ struct void_skeleton {
 
 /* As the scene's skeleton {} says, with `heuristic` or, if NULL, the one that
  * it names; `resolution` voxels along the longest side if it says nothing, 0:
- * as many as skeletons have that are shown. False after an error was printed.
- * Frees with void_skeleton_free. */
+ * as many as skeletons have that are shown. False after an error was printed,
+ * or when it was stopped. Frees with void_skeleton_free. */
 bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
                         const struct scene *scene, const char *heuristic,
                         int resolution, const struct lighting_options *options,

@@ -308,7 +308,8 @@ int complex_collapse(struct complex *complex, const struct voxels *voxels,
         .known = memory_new(complex->count),
     };
     collapse_begin(&collapse);
-    while (collapse_round(&collapse))
+    while (!(maps && maps->stop && atomic_load(maps->stop)) &&
+           collapse_round(&collapse))
         continue;
     collapse_end(&collapse);
     return collapse.round;

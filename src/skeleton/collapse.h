@@ -4,6 +4,8 @@
 #ifndef SKELETON_COLLAPSE_H
 #define SKELETON_COLLAPSE_H
 
+#include <stdatomic.h>
+
 #include "skeleton/complex.h"
 
 /* What decides which branches stay, one number for each voxel (chessboard
@@ -12,6 +14,7 @@
 struct collapse_maps {
     const uint16_t *distance; /* to the nearest matter */
     const uint16_t *opening;  /* of the largest cube of void around it */
+    const atomic_int *stop;   /* non-zero: leave off; NULL: never */
 };
 
 /* Removes cells until only curves and points are left. Keeps what collapses

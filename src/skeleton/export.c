@@ -160,6 +160,8 @@ bool skeleton_save(const struct skeleton *skeleton, const char *path,
     bool done = false;
     if (write) {
         struct skeleton_light *light = skeleton_field(skeleton);
+        if (!light)
+            return false;
         struct export out = { .text = writer_new(),
                               .skeleton = skeleton,
                               .light = light,

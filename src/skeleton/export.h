@@ -10,7 +10,7 @@ bool skeleton_can_save(const char *path);
 
 /* Writes the graph with the light of its nodes, in one step: .ply and .obj
  * (ASCII), .csv (a line for each node). Returns false after an error was
- * printed. */
+ * printed, or when it was stopped. */
 bool skeleton_save(const struct skeleton *skeleton, const char *path,
                    struct diag *diag);
 

@@ -28,6 +28,9 @@ struct skeleton_light *skeleton_field(const struct skeleton *skeleton)
     size_t count = skeleton->graph->count;
     struct field_work work = { .skeleton = skeleton };
     work.light = memory_new(count * sizeof *work.light);
-    parallel_run(skeleton->threads, count, NULL, field_node, &work);
-    return work.light;
+    if (parallel_run(skeleton->threads, count, skeleton->stop, field_node,
+                     &work))
+        return work.light;
+    memory_free(work.light);
+    return NULL;
 }

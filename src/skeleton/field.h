@@ -6,7 +6,8 @@
 #include "skeleton/skeleton.h"
 
 /* Of each node, what reaches a surface that faces the light there; to be freed
- * with memory_free. The same for any number of threads. */
+ * with memory_free. NULL if it was stopped. The same for any number of threads.
+ */
 struct skeleton_light *skeleton_field(const struct skeleton *skeleton);
 
 #endif

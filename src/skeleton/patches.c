@@ -228,8 +228,8 @@ struct patches *patches_new(const struct voxels *voxels,
     task.share = looks > LAMP_LOOKS ? LAMP_LOOKS / looks : 1;
     patches->count = count;
     patches->items = memory_new(count * sizeof *patches->items);
-    parallel_run(from->threads, (count + CHUNK - 1) / CHUNK, NULL, fill_task,
-                 &task);
+    parallel_run(from->threads, (count + CHUNK - 1) / CHUNK, from->stop,
+                 fill_task, &task);
     memory_free(points);
     return patches;
 }

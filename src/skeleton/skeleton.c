@@ -2,28 +2,30 @@
 #include "skeleton/skeleton.h"
 
 #include "base/memory.h"
-#include "shade/shadow.h"
 #include "skeleton/collapse.h"
 #include "skeleton/distance.h"
+#include "skeleton/entrance.h"
 #include "skeleton/heuristic.h"
 #include "skeleton/opening.h"
 
-enum { SEARCH = 3 }; /* voxels around a lamp that stands in matter */
-
-/* The complex lives no longer than it must. */
-static void skeleton_thin(struct skeleton *skeleton)
+/* The complex lives no longer than it must. False if it was stopped. */
+static bool skeleton_thin(struct skeleton *skeleton)
 {
     const struct voxels *v = skeleton->voxels;
     struct complex *complex = complex_new(v);
     size_t count = voxels_count(v);
     uint16_t *distance = memory_new(count * sizeof *distance);
     uint16_t *opening = memory_new(count * sizeof *opening);
-    struct collapse_maps maps = { distance, opening };
+    struct collapse_maps maps = { distance, opening, skeleton->stop };
     distance_chessboard(v, OUTSIDE_VOID, distance);
     opening_chessboard(v, distance, skeleton->threads, opening);
     skeleton->rounds = complex_collapse(complex, v, &maps);
     memory_free(distance);
     memory_free(opening);
+    if (skeleton_stopped(skeleton)) {
+        complex_free(complex);
+        return false;
+    }
     int32_t *squared = memory_new(count * sizeof *squared);
     distance_squared(v, OUTSIDE_VOID, skeleton->threads, squared);
     skeleton->graph = graph_new(skeleton->arena, complex, v, squared);
@@ -31,6 +33,7 @@ static void skeleton_thin(struct skeleton *skeleton)
     skeleton->nearest = ARENA_ARRAY(skeleton->arena, uint32_t, count);
     graph_nearest(complex, v, skeleton->nearest);
     complex_free(complex);
+    return true;
 }
 
 uint32_t skeleton_node(const struct skeleton *skeleton, const int place[3])
@@ -63,10 +66,8 @@ static vec3 voxel_middle(const struct voxels *v, const int place[3])
     return vec3_along(v->origin, at, v->edge);
 }
 
-/* The closest voxel with a node, `reach` voxels around; of those the one most
- * in the direction of the normal. */
-static bool skeleton_search(const struct skeleton *skeleton, int reach,
-                            struct skeleton_point *point)
+bool skeleton_search(const struct skeleton *skeleton, int reach,
+                     struct skeleton_point *point)
 {
     const struct voxels *v = skeleton->voxels;
     int middle[3], place[3];
@@ -110,77 +111,6 @@ struct skeleton_point skeleton_find(const struct skeleton *skeleton,
     return point;
 }
 
-/* Whether the lamp lights a node. */
-static bool node_is_lit(const struct skeleton *skeleton,
-                        const struct lamp *lamp, uint32_t node)
-{
-    struct worker worker = { 0 };
-    struct lamp_view view;
-    vec3 position = skeleton->graph->nodes[node].position;
-    if (!lamp_look(lamp, lamp->light->location, position, &view))
-        return false;
-    struct shadow_path path = { .point = position,
-                                .direction = view.direction,
-                                .distance = view.distance,
-                                .light = lamp->number };
-    return lamp->light->shadowless ||
-           rgb_peak(shadow_visibility(skeleton->world, &worker, &path)) > 0;
-}
-
-/* From outside light comes in at all nodes that see the lamp. */
-static void lamp_enter(struct skeleton *skeleton, struct skeleton_lamp *lamp)
-{
-    size_t nodes = skeleton->graph->count;
-    uint32_t *sources = memory_new(nodes * sizeof *sources);
-    struct paths_from from = { .sources = sources };
-    for (uint32_t i = 0; i < nodes; i++)
-        if (node_is_lit(skeleton, lamp->lamp, i))
-            sources[from.count++] = i;
-    if (from.count > 0)
-        lamp->paths = paths_new(skeleton->arena, skeleton->graph, &from);
-    memory_free(sources);
-}
-
-/* The node of a lamp that stands in the void, or GRAPH_NONE. */
-static uint32_t lamp_node(const struct skeleton *skeleton,
-                          const struct lamp *lamp)
-{
-    struct skeleton_point point = { .position = lamp->light->location,
-                                    .node = GRAPH_NONE };
-    if (lamp_is_parallel(lamp))
-        return GRAPH_NONE;
-    if (!skeleton_search(skeleton, 0, &point))
-        skeleton_search(skeleton, SEARCH, &point);
-    return point.node;
-}
-
-static void skeleton_light_up(struct skeleton *skeleton)
-{
-    size_t nodes = skeleton->graph->count;
-    const struct light *lights =
-        world_lights(skeleton->world, &skeleton->lamp_count);
-    size_t count = skeleton->lamp_count;
-    const struct paths **known = memory_new(nodes * sizeof(struct paths *));
-    skeleton->lamps = ARENA_ARRAY(skeleton->arena, struct skeleton_lamp, count);
-    skeleton->plain_lamps = ARENA_ARRAY(skeleton->arena, struct lamp, count);
-    for (size_t i = 0; i < count; i++) {
-        struct skeleton_lamp *lamp = &skeleton->lamps[i];
-        lamp->lamp = &skeleton->plain_lamps[i];
-        skeleton->plain_lamps[i] = lamp_new(&lights[i], (int)i);
-        uint32_t node = lamp_node(skeleton, lamp->lamp);
-        struct paths_from from = { .sources = &node, .count = 1 };
-        lamp->within = node != GRAPH_NONE;
-        if (!lamp->within) {
-            lamp_enter(skeleton, lamp);
-            continue;
-        }
-        if (!known[node])
-            known[node] = paths_new(skeleton->arena, skeleton->graph, &from);
-        lamp->paths = known[node];
-    }
-    memory_free(known);
-}
-
 struct skeleton *skeleton_new(const struct world *world,
                               const struct scene *scene,
                               const struct voxels *voxels,
@@ -197,10 +127,15 @@ struct skeleton *skeleton_new(const struct world *world,
     skeleton->stop = options->stop;
     skeleton->heuristic =
         options->heuristic ? options->heuristic : heuristic_at(0);
-    skeleton_thin(skeleton);
-    skeleton_light_up(skeleton);
-    if (skeleton->heuristic->start)
-        skeleton->state = skeleton->heuristic->start(skeleton);
+    if (skeleton_thin(skeleton)) {
+        skeleton_light_up(skeleton, skeleton->heuristic->ways);
+        if (skeleton->heuristic->start)
+            skeleton->state = skeleton->heuristic->start(skeleton);
+    }
+    if (skeleton_stopped(skeleton)) {
+        skeleton_free(skeleton);
+        return NULL;
+    }
     return skeleton;
 }
 
@@ -208,7 +143,7 @@ void skeleton_free(struct skeleton *skeleton)
 {
     if (!skeleton)
         return;
-    if (skeleton->heuristic->finish)
+    if (skeleton->state && skeleton->heuristic->finish)
         skeleton->heuristic->finish(skeleton->state);
     arena_free(skeleton->arena);
 }

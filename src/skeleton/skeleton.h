@@ -16,11 +16,19 @@ struct heuristic;
 /* How the light of one lamp comes into the void. */
 struct skeleton_lamp {
     const struct lamp *lamp;
-    /* Shared by lamps that enter at the same node; NULL: it never comes. */
+    /* Shared by lamps that enter at the same node, or, of many, close by. NULL:
+     * it never comes, or the heuristic asks for no ways. */
     const struct paths *paths;
-    /* It stands in the void, at the source of the paths. Else it shines in from
+    /* It stands in the void, by the source of the paths. Else it shines in from
      * outside, and the sources are the nodes that see it. */
     bool within;
+};
+
+/* What a lamp is about, to choose among many. */
+struct lamp_gist {
+    float x, y, z;
+    float brightness;
+    float fading; /* 1/D^2: it has half of it left at the distance D; or 0 */
 };
 
 struct skeleton {
@@ -32,6 +40,7 @@ struct skeleton {
     uint32_t *nearest; /* node of each voxel, GRAPH_NONE: none */
     struct lamp *plain_lamps;
     struct skeleton_lamp *lamps;
+    struct lamp_gist *gists;
     size_t lamp_count;
     const struct heuristic *heuristic;
     void *state; /* of the heuristic */
@@ -41,6 +50,12 @@ struct skeleton {
     int rounds; /* of the collapse */
 };
 
+static inline bool skeleton_stopped(const struct skeleton *skeleton)
+{
+    return skeleton->stop &&
+           atomic_load_explicit(skeleton->stop, memory_order_relaxed);
+}
+
 struct skeleton_options {
     const struct heuristic *heuristic; /* NULL: the default */
     uint64_t seed;
@@ -48,7 +63,8 @@ struct skeleton_options {
     const atomic_int *stop; /* non-zero: leave off; NULL: never */
 };
 
-/* From the voxels of the scene, which must outlive it, as must the world. */
+/* From the voxels of the scene, which must outlive it, as must the world. NULL
+ * if it was stopped. */
 struct skeleton *skeleton_new(const struct world *world,
                               const struct scene *scene,
                               const struct voxels *voxels,
@@ -74,6 +90,12 @@ struct skeleton_light {
     rgb indirect; /* irradiance of the surface but for the direct light of lamps
                    * that are seen from it */
 };
+
+/* The closest voxel with a node, `reach` voxels around a place; of those the
+ * one most in the direction of the normal. Sets around and node; false if there
+ * is none. */
+bool skeleton_search(const struct skeleton *skeleton, int reach,
+                     struct skeleton_point *point);
 
 /* Finds the void before a point. */
 struct skeleton_point skeleton_find(const struct skeleton *skeleton,

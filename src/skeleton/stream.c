@@ -4,8 +4,12 @@
  * law of attenuation (A15). */
 #include "skeleton/stream.h"
 
+#include "base/memory.h"
+#include "base/random.h"
 #include "shade/shadow.h"
 #include "shade/surface.h"
+
+enum { LAMPS_ASKED = 128 }; /* of many, at a point */
 
 /* Whatever lets some light pass is no obstacle. */
 static bool stream_passes(void *context, const struct intersection *at)
@@ -110,31 +114,93 @@ rgb stream_hidden(const struct skeleton *skeleton,
     return stream_law(skeleton, lamp, way);
 }
 
-/* Light that comes round corners is spread wide: a surface gets (1 + n.d) / 2
- * of it (A2). */
+/* A gathering at a point. */
+struct gathering {
+    const struct skeleton *skeleton;
+    struct worker *worker;
+    const struct skeleton_point *point;
+    stream_follow *follow;
+    struct skeleton_light light;
+};
+
+/* One lamp, so many times. Light that comes round corners is spread wide: a
+ * surface gets (1 + n.d) / 2 of it (A2). */
+static void gather_lamp(struct gathering *gathering, size_t number,
+                        double times)
+{
+    const struct skeleton_lamp *lamp = &gathering->skeleton->lamps[number];
+    const struct skeleton_point *point = gathering->point;
+    struct lamp_view view;
+    struct stream_way way;
+    rgb direct = stream_direct(gathering->skeleton, gathering->worker, lamp,
+                               point, &view);
+    if (rgb_peak(direct) > 0) {
+        stream_add(&gathering->light, rgb_scale(direct, times), view.direction);
+        return;
+    }
+    if (!gathering->follow)
+        return;
+    rgb arriving = rgb_scale(stream_hidden(gathering->skeleton, lamp, point,
+                                           gathering->follow, &way),
+                             times);
+    double wrap = (1 + vec3_dot(point->normal, way.direction)) / 2;
+    stream_add(&gathering->light, arriving, way.direction);
+    gathering->light.indirect =
+        rgb_add_scaled(gathering->light.indirect, arriving, wrap);
+}
+
+/* About what each lamp gives at its distance, wherever it looks; returns the
+ * sum. */
+static double lamps_weigh(const struct skeleton *skeleton, vec3 position,
+                          float *weights)
+{
+    float x = (float)position.x, y = (float)position.y, z = (float)position.z;
+    double total = 0;
+    for (size_t i = 0; i < skeleton->lamp_count; i++) {
+        const struct lamp_gist *lamp = &skeleton->gists[i];
+        float dx = lamp->x - x, dy = lamp->y - y, dz = lamp->z - z;
+        float squares = dx * dx + dy * dy + dz * dz;
+        weights[i] = lamp->brightness / (1 + squares * lamp->fading);
+    }
+    for (size_t i = 0; i < skeleton->lamp_count; i++)
+        total += (double)weights[i];
+    return total;
+}
+
+/* Some lamps for all, chosen in proportion to their weights, each as often as
+ * makes up for it. */
+static void gather_some(struct gathering *gathering)
+{
+    const struct skeleton *skeleton = gathering->skeleton;
+    const struct skeleton_point *point = gathering->point;
+    float *weights = memory_new(skeleton->lamp_count * sizeof *weights);
+    double total = lamps_weigh(skeleton, point->position, weights), before = 0;
+    double step = total / LAMPS_ASKED;
+    double next = step * random_unit(random_key(skeleton->seed, point->node));
+    for (size_t i = 0; i < skeleton->lamp_count && total > 0; i++) {
+        double weight = (double)weights[i];
+        int draws = 0;
+        for (; next < before + weight; next += step)
+            draws++;
+        if (draws > 0)
+            gather_lamp(gathering, i, draws * step / weight);
+        before += weight;
+    }
+    memory_free(weights);
+}
+
 struct skeleton_light stream_gather(const struct skeleton *skeleton,
                                     struct worker *worker,
                                     const struct skeleton_point *point,
                                     stream_follow *follow)
 {
-    struct skeleton_light light = { { 0 } };
-    for (size_t i = 0; i < skeleton->lamp_count; i++) {
-        const struct skeleton_lamp *lamp = &skeleton->lamps[i];
-        struct lamp_view view;
-        rgb direct = stream_direct(skeleton, worker, lamp, point, &view);
-        if (rgb_peak(direct) > 0) {
-            stream_add(&light, direct, view.direction);
-            continue;
-        }
-        if (!follow)
-            continue;
-        struct stream_way way;
-        rgb arriving = stream_hidden(skeleton, lamp, point, follow, &way);
-        double wrap = (1 + vec3_dot(point->normal, way.direction)) / 2;
-        stream_add(&light, arriving, way.direction);
-        light.indirect = rgb_add_scaled(light.indirect, arriving, wrap);
-    }
-    return light;
+    struct gathering gathering = { skeleton, worker, point, follow, { { 0 } } };
+    if (skeleton->lamp_count > LAMPS_ASKED)
+        gather_some(&gathering);
+    else
+        for (size_t i = 0; i < skeleton->lamp_count; i++)
+            gather_lamp(&gathering, i, 1);
+    return gathering.light;
 }
 
 /* Towards the way ahead, as far as the ball of void is wide. */

@@ -25,8 +25,9 @@ rgb stream_hidden(const struct skeleton *skeleton,
                   const struct skeleton_point *point, stream_follow *follow,
                   struct stream_way *way);
 
-/* The light of all lamps: of those that the point sees, what they give (A3);
- * of the others what comes by the way that `follow` finds (NULL: nothing). */
+/* The light of all lamps (an estimate from some, where they are many): of those
+ * that the point sees, what they give (A3); of the others what comes by the way
+ * that `follow` finds (NULL: nothing). */
 struct skeleton_light stream_gather(const struct skeleton *skeleton,
                                     struct worker *worker,
                                     const struct skeleton_point *point,

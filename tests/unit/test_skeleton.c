@@ -46,14 +46,14 @@ static void print_scene(char *at, const struct void_case *what,
     at -= 2;
     at += sprintf(at, " pigment { rgb %s } finish { ambient 0 diffuse 1 } }\n",
                   albedo);
-    assert_true(at - start < 8192);
+    assert_true(at - start < 128 * 1024);
 }
 
 static struct fixture *fixture_new(const struct void_case *what,
                                    const char *albedo, const char *lights,
                                    const char *heuristic, unsigned threads)
 {
-    static char text[8192];
+    static char text[128 * 1024];
     struct parse_options parse = { .image_width = 3, .image_height = 3 };
     struct arena *arena = arena_new(0);
     struct fixture *f = ARENA_NEW(arena, struct fixture);
@@ -208,6 +208,45 @@ static void threads_change_nothing(void **state)
     assert_memory_equal(&light[0], &light[1], sizeof light[0]);
 }
 
+/* Of 600 lamps some are asked, at some of the walls; where all stand together
+ * the estimate is close. */
+static void lamps_in_one_place_are_one(void **state)
+{
+    static char many[64 * 1024];
+    char *at = many;
+    (void)state;
+    for (int k = 0; k < 600; k++)
+        at += sprintf(at, "light_source { <2,2.6,2> rgb 1 fade_distance 1 "
+                          "fade_power 2 }\n");
+    static const char one[] = "light_source { <2,2.6,2> rgb 600 fade_distance "
+                              "1 fade_power 2 }\n";
+    static const char *const names[] = { "network", "forward" };
+    for (int i = 0; i < 2; i++) {
+        struct fixture *f = fixture_new(&void_rooms, ".5", many, names[i], 2);
+        struct fixture *g = fixture_new(&void_rooms, ".5", one, names[i], 2);
+        for (double z = 1; z < 9; z += 3) {
+            struct skeleton_light light = ask(f, 5, 0.2, z, up);
+            struct skeleton_light same = ask(g, 5, 0.2, z, up);
+            assert_near(light.stream.x, same.stream.x, 0.15);
+            assert_near(light.arriving.g, same.arriving.g, 0.15);
+        }
+        fixture_free(f);
+        fixture_free(g);
+    }
+}
+
+/* Somebody who doesn't want it any more gets none. */
+static void a_stop_is_heard(void **state)
+{
+    (void)state;
+    struct fixture *f =
+        fixture_new(&void_box, ".5", LAMP("3, 3, 3"), "forward", 1);
+    atomic_int stop = 1;
+    struct skeleton_options options = { .threads = 2, .stop = &stop };
+    assert_null(skeleton_new(f->world, f->scene, &f->voxels, &options));
+    fixture_free(f);
+}
+
 /* Points that no void is near are dark, not an error. */
 static void far_away_is_dark(void **state)
 {
@@ -225,6 +264,8 @@ int main(void)
         cmocka_unit_test(box_is_an_integrating_sphere),
         cmocka_unit_test(rooms_get_darker),
         cmocka_unit_test(many_lamps_are_drawn),
+        cmocka_unit_test(lamps_in_one_place_are_one),
+        cmocka_unit_test(a_stop_is_heard),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(far_away_is_dark),
     };
