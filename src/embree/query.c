@@ -267,6 +267,7 @@ void query_describe(const struct query *query, const struct leaf *leaf,
     out->t = hit->t;
     out->point = ray_point(&query->ray, hit->t);
     out->leaf = leaf;
+    out->part = hit->part;
     vec3 normal = leaf_normal(leaf, out->point, hit);
     if (leaf->moved)
         normal = affine_normal(&leaf->to_object, normal);

@@ -35,6 +35,7 @@ struct intersection {
                   * turned inside out is into the shape */
     vec3 face;   /* unit, the true one of the triangle, on the normal's side */
     const struct leaf *leaf;
+    int part;                      /* of a mesh: the triangle */
     const struct texture *texture; /* the leaf's, or the triangle's own */
     const affine *to_texture, *from_texture; /* world <-> its space */
 };

@@ -8,6 +8,7 @@
 #include "lighting/mesh_scalar.h"
 #include "lighting/mesh_views.h"
 #include "lighting/names.h"
+#include "lightmesh/facet_mesh.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
 #include "lighting/void_skeleton.h"
@@ -170,7 +171,7 @@ static void mesh_finish(void *state)
     memory_free(mesh);
 }
 
-enum { MESHES_MAX = 1 + BOUNCES_MAX };
+enum { MESHES_MAX = 2 + BOUNCES_MAX };
 
 /* All that hold points, in the order in which files hold them. */
 static size_t mesh_points(const struct mesh_lighting *mesh,
@@ -184,6 +185,8 @@ static size_t mesh_points(const struct mesh_lighting *mesh,
         return count;
     }
     meshes[count++] = &mesh->direct->points;
+    if (mesh->direct->facets)
+        meshes[count++] = &mesh->direct->facets->points;
     for (struct indirect_mesh *i = mesh->indirect; i; i = i->next)
         meshes[count++] = &i->points;
     return count;
@@ -364,14 +367,58 @@ static void mesh_few(const struct mesh_lighting *mesh, struct lamplight *light)
             lamplight_give(&question.light, &mesh->lamps.items[i]);
 }
 
-/* Highlights of many lamps are those of one, where most of the light is. */
-static void mesh_shine(const struct lamplight *asked,
-                       const struct harmonics *around)
+static bool mesh_shines(const struct surface *surface)
 {
-    struct light_sample sample = { .highlights = true, .diffused = true };
-    sample.direction = harmonics_direction(around, &sample.colour);
-    if (rgb_peak(sample.colour) > 0)
+    for (int i = 0; i < surface->count; i++) {
+        const struct finish *finish = surface->layer[i].finish;
+        if (finish->phong != 0 || finish->specular != 0)
+            return true;
+    }
+    return false;
+}
+
+/* Highlights of many lamps are those of one, where most of the light is. */
+static void mesh_shine(const struct lamplight *asked, vec3 direction, rgb light)
+{
+    struct light_sample sample = { .direction = direction,
+                                   .colour = light,
+                                   .highlights = true,
+                                   .diffused = true };
+    if (rgb_peak(light) > 0)
         asked->visit(asked->context, &sample);
+}
+
+/* The light of lamps on one side of a surface, and where most of it comes from.
+ */
+struct mesh_light {
+    rgb light, from_there;
+    vec3 direction;
+};
+
+static struct mesh_light mesh_light(const struct mesh_lighting *mesh,
+                                    const struct lamplight *asked, vec3 side,
+                                    vec3 normal)
+{
+    const struct direct_mesh *direct = &mesh->near_direct;
+    const struct surface *surface = asked->surface;
+    double brilliance = surface->layer[0].finish->brilliance;
+    struct facet_question question = { &direct->points.lattice, surface->at,
+                                       side };
+    struct facet_light own;
+    struct mesh_light light;
+    if (direct->facets &&
+        facet_mesh_light(direct->facets, asked->worker, &question, &own)) {
+        light.light = facet_light_irradiance(&own, side, normal, brilliance);
+        light.direction = facet_light_direction(&own, &light.from_there);
+        return light;
+    }
+    struct mesh_blend blend;
+    point_mesh_blend(&direct->points, asked->worker, surface->point, side,
+                     &blend);
+    struct harmonics around = direct_mesh_light(&blend);
+    light.light = harmonics_irradiance(&around, normal, brilliance);
+    light.direction = harmonics_direction(&around, &light.from_there);
+    return light;
 }
 
 /* What the lamps in front of the surface, or behind it, give its first layer,
@@ -381,17 +428,14 @@ static rgb mesh_side(const struct mesh_lighting *mesh,
 {
     const struct surface *surface = asked->surface;
     const struct surface_layer *layer = &surface->layer[0];
-    struct mesh_blend blend;
-    point_mesh_blend(&mesh->near_direct.points, asked->worker, surface->point,
-                     vec3_scale(surface->side, sign), &blend);
-    struct harmonics around = direct_mesh_light(&blend);
     double brilliance = layer->finish->brilliance;
-    if (sign > 0)
-        mesh_shine(asked, &around);
+    struct mesh_light light =
+        mesh_light(mesh, asked, vec3_scale(surface->side, sign),
+                   vec3_scale(layer->normal, sign));
+    if (sign > 0 && mesh_shines(surface))
+        mesh_shine(asked, light.direction, light.from_there);
     double albedo = layer->finish->diffuse_albedo ? (brilliance + 1) / 2 : 1;
-    rgb light = harmonics_irradiance(&around, vec3_scale(layer->normal, sign),
-                                     brilliance);
-    return rgb_scale(light, albedo);
+    return rgb_scale(light.light, albedo);
 }
 
 static rgb mesh_many(const struct mesh_lighting *mesh,

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "lightmesh/facet_mesh.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/table.h"
 
@@ -10,21 +11,42 @@
  * a mesh is full: a spacing that fits is larger than the count says. */
 static const double margin = 1.15;
 
-/* The direct mesh is number 0, then bounce by bounce; NULL past the end. */
+static const struct facet_mesh *report_facets(const struct mesh_report *report)
+{
+    return report->direct ? report->direct->facets : NULL;
+}
+
+/* The direct mesh is number 0, then come its points on surfaces, if there are,
+ * then bounce by bounce; NULL past the end. */
 static const struct point_mesh *report_mesh(const struct mesh_report *report,
                                             int number)
 {
     const struct indirect_mesh *bounce = report->indirect;
     const struct scalar_mesh *scalar = report->scalar;
+    const struct facet_mesh *facets = report_facets(report);
     if (scalar && number == 1 && scalar->samples)
         return &scalar->indirect;
     if (scalar)
         return number == 0 ? &scalar->direct : NULL;
     if (number == 0)
         return &report->direct->points;
+    if (facets && number-- == 1)
+        return &facets->points;
     for (; bounce && number > 1; number--)
         bounce = bounce->next;
     return bounce ? &bounce->points : NULL;
+}
+
+static void report_name(const struct mesh_report *report, int number,
+                        char name[24])
+{
+    int bounce = number - (report_facets(report) ? 1 : 0);
+    if (number == 0)
+        snprintf(name, 24, "direct");
+    else if (bounce == 0)
+        snprintf(name, 24, "surface");
+    else
+        snprintf(name, 24, "bounce %d", bounce);
 }
 
 bool mesh_report_again(const struct mesh_report *report)
@@ -61,9 +83,8 @@ void mesh_report_tell(const struct mesh_report *report, lighting_row *row,
     row(context, "mesh density", 1 / report->spacing, "per unit");
     row(context, "mesh possible", pow(report->size / report->spacing, 3), "");
     for (int i = 0; (mesh = report_mesh(report, i)); i++) {
-        char kind[24] = "direct", name[40];
-        if (i > 0)
-            snprintf(kind, sizeof kind, "bounce %d", i);
+        char kind[24], name[40];
+        report_name(report, i, kind);
         snprintf(name, sizeof name, "%s points", kind);
         row(context, name, (double)table_count(mesh->table), "");
         snprintf(name, sizeof name, "%s alone", kind);

@@ -1,6 +1,7 @@
 /* Mesh points to be shown: see mesh_views.h. */
 #include "lighting/mesh_views.h"
 
+#include "lightmesh/facet_mesh.h"
 #include "shade/surface.h"
 
 /* Who asks for the points. */
@@ -34,10 +35,18 @@ static void mesh_show(const struct point_mesh *points,
     point_mesh_each(points, mesh_viewer_take, viewer);
 }
 
+static rgb facet_light(const void *payload)
+{
+    return facet_light_total(payload);
+}
+
 void mesh_show_direct(const struct direct_mesh *mesh, struct show *show)
 {
     struct mesh_viewer viewer = { .direct = mesh, .show = show };
+    struct mesh_viewer facets = { .light = facet_light, .show = show };
     mesh_show(&mesh->points, &viewer);
+    if (mesh->facets)
+        mesh_show(&mesh->facets->points, &facets);
 }
 
 void mesh_show_scalar(const struct point_mesh *points, struct show *show)

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "lightmesh/facet_mesh.h"
 #include "lightmesh/light_tree.h"
 #include "lightmesh/table.h"
 
@@ -15,6 +16,9 @@ enum { AGREEING_POINTS = 3 };
 /* The error that lamps whose light is faint may make together in sharp
  * shadows, relative to all light. */
 static const double faint_error = 0.13;
+
+/* Of the memory, one part in so many is for points on triangles. */
+enum { FACET_SHARE = 3 };
 
 /* So few lamps are all settled. */
 enum { FAINT_FROM = 24 };
@@ -130,6 +134,13 @@ static int direct_budget(size_t lamps, int budget)
     return (int)fmin(more * budget, PICKS_MAX);
 }
 
+/* Likewise; but on a leaf the light changes more than more lamps could tell. */
+static int facet_budget(size_t lamps, int budget)
+{
+    double more = fmin(fmax((double)lamps / 100, 1), 4);
+    return (int)(sqrt(more) * budget);
+}
+
 struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
                                     const struct direct_options *options)
 {
@@ -153,7 +164,15 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
         .fill = mesh->many ? fill_harmonics : fill_shares,
         .context = mesh,
     };
-    point_mesh_start(&mesh->points, options->bytes);
+    size_t bytes = options->bytes;
+    if (mesh->many && options->interpolation == interpolation_at(0) &&
+        world_triangle_count(lamps->world) > 0) {
+        bytes -= bytes / FACET_SHARE;
+        mesh->facets = facet_mesh_new(
+            lamps, mesh->tree, facet_budget(lamps->count, options->budget),
+            mesh->points.full, options->bytes / FACET_SHARE);
+    }
+    point_mesh_start(&mesh->points, bytes);
     return mesh;
 }
 
@@ -161,6 +180,7 @@ void direct_mesh_free(struct direct_mesh *mesh)
 {
     if (!mesh)
         return;
+    facet_mesh_free(mesh->facets);
     point_mesh_free(&mesh->points);
     light_tree_free(mesh->tree);
     memory_free(mesh->points.full);

@@ -10,6 +10,8 @@
 #include "lightmesh/point_mesh.h"
 #include "shade/lamps.h"
 
+struct facet_light;
+struct facet_mesh;
 struct light_tree;
 
 enum {
@@ -25,9 +27,10 @@ static inline bool few_has(const uint64_t set[FEW_WORDS], int number)
 struct direct_mesh {
     const struct lamps *lamps;
     struct point_mesh points;
-    bool many;               /* lamps: harmonics instead of shares */
-    int budget;              /* lamps that a mesh point asks, if many */
-    struct light_tree *tree; /* if many */
+    bool many;                 /* lamps: harmonics instead of shares */
+    int budget;                /* lamps that a mesh point asks, if many */
+    struct light_tree *tree;   /* if many */
+    struct facet_mesh *facets; /* points on triangles; NULL: there are none */
 };
 
 struct direct_options {

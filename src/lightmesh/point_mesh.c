@@ -108,25 +108,38 @@ static const struct obstacles *around_get(const struct point_mesh *mesh,
     return record;
 }
 
-/* Fills, and counts what that took without what other meshes did for it: that
- * they have counted. */
-static void site_fill(const struct point_mesh *mesh, struct worker *worker,
-                      const struct mesh_site *site, void *payload)
+struct mesh_watch mesh_watch_start(const struct worker *worker)
 {
-    unsigned long long rays = worker->counters.mesh_rays,
-                       before = worker->counters.shadow_rays;
-    double seconds = worker->counters.mesh_seconds, start = clock_seconds();
-    mesh->fill(mesh->context, worker, site, payload);
-    unsigned long long others = worker->counters.mesh_rays - rays;
-    double their_seconds = worker->counters.mesh_seconds - seconds;
-    rays = worker->counters.shadow_rays - before - others;
-    seconds = clock_seconds() - start - their_seconds;
+    return (struct mesh_watch){
+        .rays = worker->counters.shadow_rays,
+        .others = worker->counters.mesh_rays,
+        .seconds = worker->counters.mesh_seconds,
+        .start = clock_seconds(),
+    };
+}
+
+void mesh_watch_stop(const struct mesh_watch *watch,
+                     const struct point_mesh *mesh, struct worker *worker)
+{
+    unsigned long long others = worker->counters.mesh_rays - watch->others;
+    unsigned long long rays =
+        worker->counters.shadow_rays - watch->rays - others;
+    double their_seconds = worker->counters.mesh_seconds - watch->seconds;
+    double seconds = clock_seconds() - watch->start - their_seconds;
     worker->counters.mesh_rays += rays;
     worker->counters.mesh_seconds += seconds;
     atomic_fetch_add_explicit(&mesh->work->rays, rays, memory_order_relaxed);
     atomic_fetch_add_explicit(&mesh->work->nanoseconds,
                               (unsigned long long)(fmax(seconds, 0) * 1e9),
                               memory_order_relaxed);
+}
+
+static void site_fill(const struct point_mesh *mesh, struct worker *worker,
+                      const struct mesh_site *site, void *payload)
+{
+    struct mesh_watch watch = mesh_watch_start(worker);
+    mesh->fill(mesh->context, worker, site, payload);
+    mesh_watch_stop(&watch, mesh, worker);
 }
 
 static const void *payload_get(const struct point_mesh *mesh,
@@ -400,6 +413,16 @@ const void *point_mesh_nearest(const struct point_mesh *mesh,
     return NULL;
 }
 
+static bool point_place(const struct point_mesh *mesh, uint64_t key,
+                        vec3 *place)
+{
+    struct lattice_point point = lattice_named(key);
+    if (mesh->place)
+        return mesh->place(mesh->context, key, place);
+    *place = lattice_place(&mesh->lattice, &point);
+    return true;
+}
+
 void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
                      void *context)
 {
@@ -407,10 +430,8 @@ void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
     for (size_t i = 0; i < count; i++) {
         uint64_t key;
         const void *payload = table_at(mesh->table, i, &key);
-        struct lattice_point point;
-        if (!payload)
-            continue;
-        point = lattice_named(key);
-        visit(context, lattice_place(&mesh->lattice, &point), payload);
+        vec3 place;
+        if (payload && point_place(mesh, key, &place))
+            visit(context, place, payload);
     }
 }

@@ -55,8 +55,22 @@ struct point_mesh {
     size_t payload_size;
     mesh_fill *fill;
     mesh_amount *amount; /* NULL: points are never taken for alike */
+    /* The place of the point of this key, false if there is none; NULL: they
+     * are the lattice's. */
+    bool (*place)(const void *context, uint64_t key, vec3 *place);
     const void *context;
 };
+
+/* Counts what is done for a point of a mesh, without what other meshes did for
+ * it: that they have counted. */
+struct mesh_watch {
+    unsigned long long rays, others;
+    double seconds, start;
+};
+
+struct mesh_watch mesh_watch_start(const struct worker *worker);
+void mesh_watch_stop(const struct mesh_watch *watch,
+                     const struct point_mesh *mesh, struct worker *worker);
 
 enum { BLEND_POINTS = 2 * INTERPOLATION_POINTS };
 

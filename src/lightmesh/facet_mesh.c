@@ -1,0 +1,413 @@
+/* Points on triangles: see facet_mesh.h. */
+#include "lightmesh/facet_mesh.h"
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "lightmesh/obstacles.h"
+#include "lightmesh/table.h"
+
+/* Square roots of areas, in spacings of the lattice: smaller triangles have no
+ * points of their own, those that share corners with others not below ... */
+static const double smallest = 0.05, smallest_shared = 2;
+
+/* Narrower triangles, relative to their longest edge, would have points nearer
+ * to each other than is any use ... */
+static const double narrowest = 0.2;
+
+/* ... but for a chain of points along the middle, if they are at least so long
+ * and between so wide, in spacings. */
+static const double chain_long = 2, chain_thin = 0.1, chain_wide = 1.5;
+
+/* How far points are from each other, in spacings: those of a leaf, of larger
+ * triangles, of chains. */
+static const double apart_alone = 0.7, apart_shared = 1.4, apart_chain = 3;
+
+/* How much of the way to the next point the rays of a point begin on; of a
+ * triangle that has but one, how much of the triangle. */
+static const double spread = 0.5, spread_single = 0.94;
+
+/* Lamps that a point asks, relative to the budget. The shadow of leaves on the
+ * ground is seen better than the leaves' own. */
+static const double asked_cell = 0.6, asked_shared = 4;
+
+/* A triangle with one point that is smaller, in spacings, has a smaller budget.
+ */
+static const double full_size = 0.3;
+
+/* Points whose amounts of light differ by less than this factor are about
+ * alike: no matter then which of them see the place. */
+static const double alike = 3;
+
+/* How high above the surface it is asked whether they do, in spacings. */
+static const double lift = 0.05;
+
+enum { DIVISION_MAX = 13, FOUND_MAX = 6 };
+
+enum facet_kind {
+    FACET_NONE, /* has no points of its own */
+    FACET_SINGLE,
+    FACET_CHAIN, /* points from the shortest edge to the opposite corner */
+    FACET_CELLS, /* points where the edges are halved again and again */
+};
+
+/* A mesh point on a triangle. Its numbers i, j count from corner 0 to 1 and to
+ * 2, in a chain from the apex; 2^division are an edge. */
+struct facet_point {
+    uint32_t triangle;
+    bool back;
+    enum facet_kind kind;
+    int division, i, j;
+};
+
+/* 1 bit that says it is a key, 27, 1, 2, 4, 2 x 14. */
+static uint64_t point_key(const struct facet_point *point)
+{
+    uint64_t key = 1ull << 27 | point->triangle;
+    key = key << 1 | point->back;
+    key = key << 2 | (uint64_t)point->kind;
+    key = key << 4 | (uint64_t)point->division;
+    key = key << 14 | (uint64_t)point->i;
+    return key << 14 | (uint64_t)point->j;
+}
+
+static struct facet_point point_named(uint64_t key)
+{
+    return (struct facet_point){
+        .triangle = (uint32_t)(key >> 35 & ((1 << 27) - 1)),
+        .back = key >> 34 & 1,
+        .kind = (enum facet_kind)(key >> 32 & 3),
+        .division = (int)(key >> 28 & 15),
+        .i = (int)(key >> 14 & ((1 << 14) - 1)),
+        .j = (int)(key & ((1 << 14) - 1)),
+    };
+}
+
+/* The corners of a cell have different thirds (three colours are enough for
+ * triangles), within the third a number of their neighbourhood. */
+static double point_dither(const struct facet_point *point)
+{
+    struct facet_point block = *point;
+    int third = (point->i + 2 * point->j) % 3;
+    block.i /= 3;
+    block.j /= 3;
+    return (third + random_unit(point_key(&block))) / 3;
+}
+
+/* Where a point is: in the middle of a triangle *wide times as large as the
+ * facet, in which its rays begin, and which lies within it. */
+static vec3 point_place(const struct facet *facet,
+                        const struct facet_point *point, double *wide)
+{
+    double n = 1 << point->division, share[3] = { 0, 0, 0 };
+    *wide = point->kind == FACET_SINGLE ? spread_single : spread / n;
+    if (point->kind == FACET_CELLS) {
+        share[1] = point->i / n;
+        share[2] = point->j / n;
+    } else {
+        int apex = facet->apex;
+        double along = point->kind == FACET_CHAIN ? 1 - point->i / n : 1 / 3.0;
+        share[apex] = along;
+        share[(apex + 1) % 3] = share[(apex + 2) % 3] = (1 - along) / 2;
+    }
+    double u = share[1] * (1 - *wide) + *wide / 3;
+    double v = share[2] * (1 - *wide) + *wide / 3;
+    return facet_place(facet, u, v);
+}
+
+static bool facet_point_place(const void *context, uint64_t key, vec3 *place)
+{
+    const struct facet_mesh *mesh = context;
+    struct facet_point point = point_named(key);
+    struct facet facet;
+    double wide;
+    if (!facets_at(mesh->facets, point.triangle, &facet))
+        return false;
+    *place = point_place(&facet, &point, &wide);
+    return true;
+}
+
+struct facet_mesh *facet_mesh_new(const struct lamps *lamps,
+                                  const struct light_tree *tree, int budget,
+                                  atomic_bool *full, size_t bytes)
+{
+    struct facet_mesh *mesh = memory_new(sizeof *mesh);
+    mesh->facets = facets_new(lamps->world);
+    mesh->lamps = facet_lamps_new(lamps, tree);
+    mesh->budget = budget;
+    mesh->points = (struct point_mesh){
+        .world = lamps->world,
+        .payload_size = sizeof(struct facet_light),
+        .full = full,
+        .place = facet_point_place,
+        .context = mesh,
+        .around = table_new(sizeof(struct obstacles), 0),
+        .table = table_new(sizeof(struct facet_light), bytes),
+        .work = memory_new(sizeof *mesh->points.work),
+    };
+    return mesh;
+}
+
+void facet_mesh_free(struct facet_mesh *mesh)
+{
+    if (!mesh)
+        return;
+    point_mesh_free(&mesh->points);
+    facet_lamps_free(mesh->lamps);
+    facets_free(mesh->facets);
+    memory_free(mesh);
+}
+
+/* A surface point that looks for its mesh points. */
+struct facet_seeker {
+    const struct facet_mesh *mesh;
+    struct worker *worker;
+    const struct facet_question *question;
+    struct facet facet;
+    enum facet_kind kind;
+    bool back;
+    double spacing; /* of the lattice */
+    double u, v;    /* where it is on the triangle */
+    int count;
+    struct {
+        const struct facet_light *light;
+        vec3 place;
+        double weight;
+    } at[FOUND_MAX];
+};
+
+static int seeker_budget(const struct facet_seeker *seeker,
+                         enum facet_kind kind)
+{
+    double budget = seeker->mesh->budget;
+    if (kind == FACET_SINGLE)
+        budget *= fmin(seeker->facet.size / (full_size * seeker->spacing), 1);
+    else if (kind == FACET_CELLS)
+        budget *= seeker->facet.alone ? asked_cell : asked_shared;
+    return (int)fmax(budget, 1);
+}
+
+static void seeker_fill(const struct facet_seeker *seeker,
+                        const struct facet_point *point, vec3 place,
+                        double wide, struct facet_light *light)
+{
+    const struct facet *facet = &seeker->facet;
+    struct mesh_watch watch = mesh_watch_start(seeker->worker);
+    struct facet_site site = {
+        .place = place,
+        .normal = seeker->back ? vec3_negate(facet->normal) : facet->normal,
+        .budget = seeker_budget(seeker, point->kind),
+        .key = random_mix(point_key(point)),
+        .dither = point_dither(point),
+    };
+    for (int k = 0; k < 2; k++)
+        site.edge[k] =
+            vec3_scale(vec3_sub(facet->corner[k + 1], facet->corner[0]), wide);
+    facet_lamps_ask(seeker->mesh->lamps, seeker->worker, &site, light);
+    mesh_watch_stop(&watch, &seeker->mesh->points, seeker->worker);
+}
+
+/* The point's record, or one of the worker's own. Of a mesh that is full, a
+ * black one: the point is only counted. */
+static const struct facet_light *seeker_get(const struct facet_seeker *seeker,
+                                            const struct facet_point *point,
+                                            vec3 place, double wide)
+{
+    const struct point_mesh *points = &seeker->mesh->points;
+    uint64_t key = point_key(point), hash = lattice_hash(key);
+    void *record;
+    if (atomic_load_explicit(points->full, memory_order_relaxed)) {
+        table_want(points->table, key, hash);
+        return arena_alloc(seeker->worker->scratch, points->payload_size);
+    }
+    enum table_state state = table_find(points->table, key, hash, &record);
+    if (state == TABLE_READY)
+        return record;
+    if (state == TABLE_NONE && table_overflown(points->table))
+        atomic_store_explicit(points->full, true, memory_order_relaxed);
+    if (state == TABLE_NONE)
+        record = arena_alloc(seeker->worker->scratch, points->payload_size);
+    seeker_fill(seeker, point, place, wide, record);
+    if (state == TABLE_MINE)
+        table_publish(points->table, record);
+    return record;
+}
+
+static void seeker_take(struct facet_seeker *seeker,
+                        const struct facet_point *point, double weight)
+{
+    double wide;
+    if (weight <= 0)
+        return;
+    vec3 place = point_place(&seeker->facet, point, &wide);
+    seeker->at[seeker->count].light = seeker_get(seeker, point, place, wide);
+    seeker->at[seeker->count].place = place;
+    seeker->at[seeker->count++].weight = weight;
+}
+
+/* The two points of a chain between which the place is. */
+static void seek_chain(struct facet_seeker *seeker, struct facet_point *point,
+                       double share)
+{
+    int n = 1 << point->division;
+    double along[3] = { 1 - seeker->u - seeker->v, seeker->u, seeker->v };
+    double x = (1 - along[seeker->facet.apex]) * n;
+    point->i = (int)fmin(fmax(x, 0), n - 1);
+    x = fmin(fmax(x - point->i, 0), 1);
+    seeker_take(seeker, point, share * (1 - x));
+    point->i++;
+    seeker_take(seeker, point, share * x);
+}
+
+/* The three corners of the cell, with barycentric weights. */
+static void seek_cell(struct facet_seeker *seeker, struct facet_point *point,
+                      double share)
+{
+    int n = 1 << point->division;
+    double x = seeker->u * n, y = seeker->v * n;
+    int i = (int)fmin(x, n - 1), j = (int)fmin(y, n - 1 - i);
+    x -= i;
+    y -= j;
+    bool upper = x + y > 1 && i + j < n - 1;
+    double weight[3] = { x, y, 1 - x - y };
+    if (upper) {
+        weight[0] = 1 - y;
+        weight[1] = 1 - x;
+        weight[2] = x + y - 1;
+    }
+    for (int k = 0; k < 3; k++) {
+        point->i = i + (k == 0 || (upper && k == 2));
+        point->j = j + (k == 1 || (upper && k == 2));
+        seeker_take(seeker, point, share * weight[k]);
+    }
+}
+
+/* A negative division leaves one point. */
+static void seek_points(struct facet_seeker *seeker, int division, double share)
+{
+    struct facet_point point = {
+        .triangle = seeker->facet.number,
+        .back = seeker->back,
+        .kind = division < 0 ? FACET_SINGLE : seeker->kind,
+        .division = division < 0 ? 0 : division,
+    };
+    if (point.kind == FACET_CHAIN)
+        seek_chain(seeker, &point, share);
+    else if (point.kind == FACET_CELLS)
+        seek_cell(seeker, &point, share);
+    else
+        seeker_take(seeker, &point, share);
+}
+
+static bool anything(void *context, const struct intersection *at)
+{
+    (void)context;
+    (void)at;
+    return true;
+}
+
+static bool seeker_sees(const struct facet_seeker *seeker, vec3 place)
+{
+    vec3 up = vec3_scale(seeker->question->side, lift * seeker->spacing);
+    vec3 offset = vec3_sub(place, seeker->question->at->point);
+    double length = vec3_length(offset);
+    if (!(length > 0))
+        return true;
+    struct ray ray = { vec3_add(seeker->question->at->point, up),
+                       vec3_scale(offset, 1 / length) };
+    seeker->worker->counters.shadow_rays++;
+    return !world_occluded(seeker->mesh->points.world, &ray, 0, length, -1,
+                           anything, NULL);
+}
+
+/* Whether it doesn't matter which of the points see the place. */
+static bool seeker_trusts(const struct facet_seeker *seeker)
+{
+    double least = HUGE_VAL, most = 0;
+    for (int i = 0; i < seeker->count; i++) {
+        double amount = facet_light_amount(seeker->at[i].light);
+        least = fmin(least, amount);
+        most = fmax(most, amount);
+    }
+    return seeker->facet.alone || most <= alike * least;
+}
+
+static bool seeker_blend(const struct facet_seeker *seeker,
+                         struct facet_light *light)
+{
+    bool trusts = seeker_trusts(seeker), seen[FOUND_MAX];
+    double sum = 0;
+    for (int i = 0; i < seeker->count; i++) {
+        seen[i] = trusts || seeker_sees(seeker, seeker->at[i].place);
+        sum += seen[i] ? seeker->at[i].weight : 0;
+    }
+    if (!(sum > 1e-6))
+        return false;
+    *light = (struct facet_light){ { 0 }, { 0 }, { 0 } };
+    for (int i = 0; i < seeker->count; i++)
+        if (seen[i])
+            facet_light_mix(light, seeker->at[i].light,
+                            seeker->at[i].weight / sum);
+    return true;
+}
+
+static enum facet_kind facet_kind(const struct facet *facet, double spacing)
+{
+    double cells = facet->size / spacing, length = facet->longest / spacing;
+    double width = 2 * cells * cells / length;
+    if (facet->alone && cells < smallest)
+        return FACET_NONE;
+    if (length > chain_long && width > chain_thin && width < chain_wide)
+        return FACET_CHAIN;
+    if (facet->alone)
+        return width < narrowest * length ? FACET_SINGLE : FACET_CELLS;
+    return width < narrowest * length || cells < smallest_shared ? FACET_NONE
+                                                                 : FACET_CELLS;
+}
+
+/* How often the edges are halved; below 0: one point is enough. */
+static int seeker_division(const struct facet_seeker *seeker)
+{
+    const struct facet *facet = &seeker->facet;
+    double edge = facet->longest, apart = apart_chain;
+    if (seeker->kind == FACET_SINGLE)
+        return -1;
+    if (seeker->kind == FACET_CELLS) {
+        edge = 1.5 * facet->size; /* of an equilateral triangle */
+        apart = facet->alone ? apart_alone : apart_shared;
+    }
+    double exact = log2(edge / (apart * seeker->spacing));
+    return (int)fmin(fmax(floor(exact + 0.5), -1), DIVISION_MAX);
+}
+
+bool facet_mesh_light(const struct facet_mesh *mesh, struct worker *worker,
+                      const struct facet_question *question,
+                      struct facet_light *light)
+{
+    struct facet_seeker seeker;
+    double coarse;
+    seeker.mesh = mesh;
+    seeker.worker = worker;
+    seeker.question = question;
+    seeker.count = 0;
+    if (!facets_find(mesh->facets, question->at, &seeker.facet))
+        return false;
+    vec3 middle = facet_place(&seeker.facet, 1 / 3.0, 1 / 3.0);
+    int level = lattice_level(question->lattice, middle, &coarse);
+    seeker.spacing = lattice_spacing(question->lattice, level);
+    seeker.kind = facet_kind(&seeker.facet, seeker.spacing);
+    if (seeker.kind == FACET_NONE)
+        return false;
+    if (!seeker.facet.alone) {
+        level = lattice_level(question->lattice, question->at->point, &coarse);
+        seeker.spacing = lattice_spacing(question->lattice, level);
+    }
+    seeker.back = vec3_dot(question->side, seeker.facet.normal) < 0;
+    facet_locate(&seeker.facet, question->at->point, &seeker.u, &seeker.v);
+    int division = seeker_division(&seeker);
+    if (division < 0)
+        coarse = 0;
+    seek_points(&seeker, division, 1 - coarse);
+    if (coarse > 0)
+        seek_points(&seeker, division - 1, coarse);
+    return seeker_blend(&seeker, light);
+}
