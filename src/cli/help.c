@@ -7,8 +7,10 @@
 #include "base/text.h"
 #include "cli/output_name.h"
 #include "lighting/lighting.h"
+#include "lightmesh/interpolation.h"
 #include "scene/pattern.h"
 #include "scene/primitive.h"
+#include "skeleton/heuristic.h"
 #include "token/word.h"
 
 enum { HELP_COLUMN = 34, HELP_WIDTH = 79 };
@@ -183,17 +185,19 @@ static void help_print_man(void)
     }
 }
 
-static void help_list_primitives(void)
-{
-    for (size_t i = 0; primitive_at(i); i++)
-        printf("%-20s %s\n", primitive_at(i)->name, primitive_at(i)->help);
-}
+/* Names and help of all plug-ins of a kind. */
+#define LIST(kind)                                                             \
+    static void help_list_##kind(void)                                         \
+    {                                                                          \
+        for (size_t i = 0; kind##_at(i); i++)                                  \
+            printf("%-20s %s\n", kind##_at(i)->name, kind##_at(i)->help);      \
+    }
 
-static void help_list_lightings(void)
-{
-    for (size_t i = 0; lighting_at(i); i++)
-        printf("%-20s %s\n", lighting_at(i)->name, lighting_at(i)->help);
-}
+LIST(primitive)
+LIST(pattern)
+LIST(lighting)
+LIST(interpolation)
+LIST(heuristic)
 
 static void help_list_formats(void)
 {
@@ -215,20 +219,16 @@ static void help_list_keywords(void)
     arena_free(arena);
 }
 
-static void help_list_patterns(void)
-{
-    for (size_t i = 0; pattern_at(i); i++)
-        printf("%-20s %s\n", pattern_at(i)->name, pattern_at(i)->help);
-}
-
 static const struct list {
     const char *name;
     void (*print)(void);
 } lists[] = {
-    { "primitives", help_list_primitives },
-    { "patterns", help_list_patterns },
+    { "primitives", help_list_primitive },
+    { "patterns", help_list_pattern },
     { "keywords", help_list_keywords },
-    { "lightings", help_list_lightings },
+    { "lightings", help_list_lighting },
+    { "interpolations", help_list_interpolation },
+    { "heuristics", help_list_heuristic },
     { "formats", help_list_formats },
     { "options", help_print_options },
 };
