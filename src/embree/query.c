@@ -22,6 +22,7 @@ bool query_take(struct query *query, const struct leaf *leaf,
         query->tmax = hit->t;
         query->leaf = leaf;
         query->hit = *hit;
+        query->rough = false;
         return false;
     }
     if (leaf->opaque) {
@@ -177,30 +178,54 @@ bool query_solid(struct query *query, const struct solid *solid)
 }
 
 bool query_triangle(const struct query *query, const struct leaf *leaf,
-                    uint32_t triangle, struct hit *hit)
+                    uint32_t triangle, double *t)
 {
     const struct mesh *mesh = leaf->object->mesh;
     if (leaf->moved) {
         struct ray ray = ray_into(&leaf->to_object, &query->ray);
-        mesh_refine(mesh, triangle, &ray, hit);
+        *t = mesh_distance(mesh, triangle, &ray);
     } else {
-        mesh_refine(mesh, triangle, &query->ray, hit);
+        *t = mesh_distance(mesh, triangle, &query->ray);
     }
-    return query_wants(query, leaf, hit->t);
+    return query_wants(query, leaf, *t);
+}
+
+/* Only smooth triangles need more than t. */
+static void hit_finish(const struct query *query, const struct leaf *leaf,
+                       struct hit *hit)
+{
+    const struct mesh *mesh = leaf->object->mesh;
+    size_t triangle = (size_t)hit->part;
+    if (mesh->triangles[triangle].normal[0] == MESH_NONE)
+        return;
+    struct ray ray =
+        leaf->moved ? ray_into(&leaf->to_object, &query->ray) : query->ray;
+    mesh_refine(mesh, triangle, &ray, hit);
+}
+
+void query_finish(struct query *query)
+{
+    if (query->rough)
+        hit_finish(query, query->leaf, &query->hit);
+    query->rough = false;
 }
 
 bool query_take_triangle(struct query *query, const struct leaf *leaf,
-                         const struct hit *hit)
+                         uint32_t triangle, double t)
 {
+    struct hit hit = { t, (int)triangle, 0, 0 };
     if (query->occlusion && !leaf->opaque) {
         for (unsigned i = 0; i < query->recent_count && i < QUERY_RECENT; i++)
             if (query->recent[i].leaf == leaf &&
-                fabs(query->recent[i].t - hit->t) <= 1e-9 * (1 + hit->t))
+                fabs(query->recent[i].t - t) <= 1e-9 * (1 + t))
                 return false;
         query->recent[query->recent_count % QUERY_RECENT].leaf = leaf;
-        query->recent[query->recent_count++ % QUERY_RECENT].t = hit->t;
+        query->recent[query->recent_count++ % QUERY_RECENT].t = t;
+        hit_finish(query, leaf, &hit);
     }
-    return query_take(query, leaf, hit);
+    bool over = query_take(query, leaf, &hit);
+    query->rough = true;
+    return over;
 }
 
 /* Scaled first where tiny or huge vectors would lose their length. */

@@ -25,6 +25,7 @@ struct query {
     enum ray_kind kind; /* nearest: */
     const struct leaf *leaf;
     struct hit hit;
+    bool rough; /* the hit's u and v are still to be found */
 
     int light; /* occlusion: */
     world_filter *filter;
@@ -62,14 +63,17 @@ bool query_take(struct query *query, const struct leaf *leaf,
 bool query_solid(struct query *query, const struct solid *solid);
 
 /* The exact crossing of a triangle that Embree says is hit: its plane decides
- * t, and u, v. False if it is not within tmin and tmax. */
+ * t. False if it is not within tmin and tmax. */
 bool query_triangle(const struct query *query, const struct leaf *leaf,
-                    uint32_t triangle, struct hit *hit);
+                    uint32_t triangle, double *t);
 
 /* As query_take for a triangle, which Embree may offer more than once or, where
  * two share an edge, both of them. */
 bool query_take_triangle(struct query *query, const struct leaf *leaf,
-                         const struct hit *hit);
+                         uint32_t triangle, double t);
+
+/* Fills in what is left out of query->hit. */
+void query_finish(struct query *query);
 
 /* Everything about the crossing, for the one who asked. */
 void query_describe(const struct query *query, const struct leaf *leaf,

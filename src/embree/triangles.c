@@ -24,10 +24,10 @@ static void nearest_filter(const struct RTCFilterFunctionNArguments *a)
             continue;
         struct query *query = query_lane(a->context, a->ray, a->N, i);
         struct triangle_ref ref = locate(a, i);
-        struct hit hit;
+        double t;
         if (query_sees(query, ref.leaf) &&
-            query_triangle(query, ref.leaf, ref.triangle, &hit))
-            query_take_triangle(query, ref.leaf, &hit);
+            query_triangle(query, ref.leaf, ref.triangle, &t))
+            query_take_triangle(query, ref.leaf, ref.triangle, t);
         else
             a->valid[i] = 0;
     }
@@ -47,13 +47,13 @@ static bool surely_between(const struct query *query,
 static void plain_shadow_filter(const struct RTCFilterFunctionNArguments *a)
 {
     struct query *query = (struct query *)a->context;
-    struct hit hit;
+    double t;
     if (surely_between(query, a)) {
         query->blocked = true;
         return;
     }
     struct triangle_ref ref = locate(a, 0);
-    if (query_triangle(query, ref.leaf, ref.triangle, &hit))
+    if (query_triangle(query, ref.leaf, ref.triangle, &t))
         query->blocked = true;
     else
         a->valid[0] = 0;
@@ -63,10 +63,10 @@ static void shadow_filter(const struct RTCFilterFunctionNArguments *a)
 {
     struct query *query = (struct query *)a->context;
     struct triangle_ref ref = locate(a, 0);
-    struct hit hit;
+    double t;
     if (!query_sees(query, ref.leaf) ||
-        !query_triangle(query, ref.leaf, ref.triangle, &hit) ||
-        !query_take_triangle(query, ref.leaf, &hit))
+        !query_triangle(query, ref.leaf, ref.triangle, &t) ||
+        !query_take_triangle(query, ref.leaf, ref.triangle, t))
         a->valid[0] = 0;
 }
 

@@ -82,9 +82,16 @@ static bool query_begin(struct query *query, const struct ray *ray, double tmin,
     query->tmin = tmin;
     query->tmax = tmax;
     query->leaf = NULL;
+    query->rough = false;
     query->blocked = false;
     query->recent_count = 0;
     return tmin < tmax;
+}
+
+static void describe_nearest(struct query *query, struct intersection *out)
+{
+    query_finish(query);
+    query_describe(query, query->leaf, &query->hit, out);
 }
 
 bool world_closest(const struct world *world, const struct ray *ray,
@@ -114,7 +121,7 @@ void world_closest_many(const struct world *world, const struct ray *rays,
             trace_unbounded(world, query, world->shape_count, solids);
         met[i] = met[i] && query->leaf;
         if (met[i])
-            query_describe(query, query->leaf, &query->hit, &out[i]);
+            describe_nearest(query, &out[i]);
     }
 }
 
@@ -132,7 +139,7 @@ bool world_within(const struct world *world, const struct ray *ray, double tmin,
     trace_unbounded(world, &query, world->shape_count, count);
     if (!query.leaf)
         return false;
-    query_describe(&query, query.leaf, &query.hit, out);
+    describe_nearest(&query, out);
     return true;
 }
 

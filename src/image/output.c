@@ -47,8 +47,10 @@ static void output_pixel(float *pixel, const struct conversion *conversion)
     /* POV-Ray undoes the premultiplication in the working space, yet decodes
      * premultiplied numbers for float files. */
     bool straight = space->alpha && !space->linear_file && alpha > 0;
-    for (int i = 0; i < 3; i++)
-        c[i] = tone_decode(straight ? c[i] / alpha : c[i], gamma);
+    for (int i = 0; straight && i < 3; i++)
+        c[i] /= alpha;
+    for (int i = 0; gamma != 1 && i < 3; i++)
+        c[i] = tone_decode(c[i], gamma);
     if (space->grey)
         output_grey(c);
     for (int i = 0; i < 3; i++) {

@@ -36,11 +36,6 @@ double tone_decode(double encoded, double gamma)
     return encoded > 0 ? pow(encoded, gamma) : 0;
 }
 
-unsigned tone_level(float v, unsigned top)
-{
-    return v > 0 ? (unsigned)((v < 1 ? v : 1) * (float)top + 0.5f) : 0;
-}
-
 static bool reaches(double linear, double gamma, unsigned level, unsigned top)
 {
     return tone_level((float)tone_encode(linear, gamma), top) >= level;

@@ -14,7 +14,10 @@ double tone_decode(double encoded, double gamma);
 
 /* Rounds v in 0..1 to one of 0..top, up to 65535; NaN is 0. In floats, where
  * 0.9 * 255 is 229.5 and goes up, as in POV-Ray. */
-unsigned tone_level(float v, unsigned top);
+static inline unsigned tone_level(float v, unsigned top)
+{
+    return v > 0 ? (unsigned)((v < 1 ? v : 1) * (float)top + 0.5f) : 0;
+}
 
 enum { TONE_TOP = 255, TONE_PARTS = 2048 };
 

@@ -141,7 +141,7 @@ bool render_run(const struct tracer *tracer,
     if (tracer->lighting->whole_paths)
         return passes_run(&ready, options, image, stats);
     struct rendering rendering = {
-        .sampler = sampler_new(&ready, options),
+        .sampler = sampler_new(&ready, options, image),
         .options = options,
         .image = image,
     };

@@ -56,7 +56,8 @@ static struct area centres_tiled(const struct render_options *options)
 /* Method 1 compares with the pixels to the left and above, outside the picture
  * too, as POV-Ray does. */
 struct sampler sampler_new(const struct tracer *tracer,
-                           const struct render_options *options)
+                           const struct render_options *options,
+                           struct image *image)
 {
     struct sampler sampler = { .tracer = tracer, .options = options };
     struct area wanted = { options->column_start, options->row_start,
@@ -77,13 +78,18 @@ struct sampler sampler_new(const struct tracer *tracer,
     }
     size_t columns = (size_t)(sampler.first.right - sampler.first.left);
     size_t rows = (size_t)(sampler.first.bottom - sampler.first.top);
-    sampler.grid = memory_new(columns * rows * 4 * sizeof *sampler.grid);
+    sampler.direct = !options->antialias && columns == (size_t)image->width &&
+                     rows == (size_t)image->height;
+    sampler.grid = sampler.direct
+                       ? image->pixels
+                       : memory_new(columns * rows * 4 * sizeof *sampler.grid);
     return sampler;
 }
 
 void sampler_free(struct sampler *sampler)
 {
-    memory_free(sampler->grid);
+    if (!sampler->direct)
+        memory_free(sampler->grid);
     sampler->grid = NULL;
 }
 
@@ -324,6 +330,8 @@ void sampler_tile(const struct sampler *sampler, struct worker *worker,
                   struct area tile, float *scratch, struct image *image)
 {
     struct centres centres = { sampler, worker, tile, scratch };
+    if (sampler->direct)
+        return;
     if (sampler_centres(sampler))
         centres_tile(&centres);
     const struct area *wanted = &sampler->wanted;

@@ -23,11 +23,13 @@ struct sampler {
     struct area tiled;  /* wanted pixels and those that decide about them */
     int tile;           /* edge of a tile */
     float *grid;
+    bool direct; /* the grid is the picture itself: nothing is sampled again */
 };
 
-/* Frees with sampler_free. */
+/* For sampler_tile into `image`. Frees with sampler_free. */
 struct sampler sampler_new(const struct tracer *tracer,
-                           const struct render_options *options);
+                           const struct render_options *options,
+                           struct image *image);
 void sampler_free(struct sampler *sampler);
 
 /* Fills places of the grid, an area of at most SAMPLER_BLOCK by as many. */

@@ -105,6 +105,15 @@ bool mesh_intersect(const struct mesh *mesh, size_t index,
     return true;
 }
 
+double mesh_distance(const struct mesh *mesh, size_t index,
+                     const struct ray *ray)
+{
+    const uint32_t *vertex = mesh->triangles[index].vertex;
+    vec3 a = vec3_sub(mesh->vertices[vertex[0]], ray->origin);
+    vec3 normal = mesh_face(mesh, index);
+    return vec3_dot(normal, a) / vec3_dot(normal, ray->direction);
+}
+
 void mesh_refine(const struct mesh *mesh, size_t index, const struct ray *ray,
                  struct hit *hit)
 {

@@ -48,8 +48,10 @@ bool mesh_intersect(const struct mesh *mesh, size_t index,
                     const struct ray *ray, struct hit *hit);
 
 /* The crossing of the ray with the triangle's plane, which the caller knows to
- * be within the triangle or as good as: t is not finite if the ray is in the
- * plane. */
+ * be within the triangle or as good as: t alone, which is not finite if the ray
+ * is in the plane; or u, v, too. */
+double mesh_distance(const struct mesh *mesh, size_t index,
+                     const struct ray *ray);
 void mesh_refine(const struct mesh *mesh, size_t index, const struct ray *ray,
                  struct hit *hit);
 
