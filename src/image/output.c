@@ -34,7 +34,7 @@ static double output_number(double light, const struct conversion *conversion)
     const struct output_space *space = conversion->space;
     const struct tone_table *table = conversion->table;
     if (table)
-        return (float)tone_table_level(table, light) / (float)table->top;
+        return tone_table_level(table, light) / (double)table->top;
     return tone_encode(light, space->keep_numbers ? 0 : space->file_gamma);
 }
 
