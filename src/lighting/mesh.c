@@ -405,11 +405,13 @@ static struct mesh_light mesh_light(const struct mesh_lighting *mesh,
     struct facet_question question = { &direct->points.lattice, surface->at,
                                        side };
     struct facet_light own;
-    struct mesh_light light;
+    struct mesh_light light = { .from_there = rgb_grey(0) };
+    bool shines = mesh_shines(surface);
     if (direct->facets &&
         facet_mesh_light(direct->facets, asked->worker, &question, &own)) {
         light.light = facet_light_irradiance(&own, side, normal, brilliance);
-        light.direction = facet_light_direction(&own, &light.from_there);
+        if (shines)
+            light.direction = facet_light_direction(&own, &light.from_there);
         return light;
     }
     struct mesh_blend blend;
@@ -417,7 +419,8 @@ static struct mesh_light mesh_light(const struct mesh_lighting *mesh,
                      &blend);
     struct harmonics around = direct_mesh_light(&blend);
     light.light = harmonics_irradiance(&around, normal, brilliance);
-    light.direction = harmonics_direction(&around, &light.from_there);
+    if (shines)
+        light.direction = harmonics_direction(&around, &light.from_there);
     return light;
 }
 
@@ -432,7 +435,7 @@ static rgb mesh_side(const struct mesh_lighting *mesh,
     struct mesh_light light =
         mesh_light(mesh, asked, vec3_scale(surface->side, sign),
                    vec3_scale(layer->normal, sign));
-    if (sign > 0 && mesh_shines(surface))
+    if (sign > 0)
         mesh_shine(asked, light.direction, light.from_there);
     double albedo = layer->finish->diffuse_albedo ? (brilliance + 1) / 2 : 1;
     return rgb_scale(light.light, albedo);

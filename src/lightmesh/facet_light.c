@@ -14,19 +14,16 @@ enum { CERTAIN_ROUNDS = 4 };
 /* Cosine of the angle up to which a normal is the true one. */
 static const double untilted = 1 - 1e-9;
 
-/* What is needed of a lamp to leave it out, without a look at the lamp. */
-struct facet_lamp {
-    vec3 location;
-    const struct lamp *lamp;
-    double strength;
-    bool plain; /* shines alike everywhere */
-    bool parallel;
-};
-
+/* The lamps in the order of their tree, in which those near each other are
+ * neighbours: then the rays of a site, so many lamps apart, go everywhere. */
 struct facet_lamps {
     const struct lamps *lamps;
     const struct light_tree *tree;
-    struct facet_lamp *items;
+    size_t count;
+    const struct lamp **items;
+    double *x, *y, *z, *strength;
+    uint32_t *place; /* by number: where in these arrays */
+    bool plain;      /* all of them shine alike everywhere */
 };
 
 /* A lamp, or one that stands for a cluster, before the surface. */
@@ -36,26 +33,44 @@ struct facet_pick {
     double amount; /* of light that it could give */
 };
 
-static struct facet_lamp facet_lamp_new(const struct lamp *lamp)
+static bool lamp_plain(const struct lamp *lamp)
+{
+    return lamp->light->kind == LIGHT_POINT && !lamp->fades &&
+           !lamp_is_parallel(lamp);
+}
+
+static void lamps_take(struct facet_lamps *own, size_t i,
+                       const struct lamp *lamp)
 {
     rgb c = lamp->light->colour;
-    return (struct facet_lamp){
-        .location = lamp->light->location,
-        .lamp = lamp,
-        .strength = (fabs(c.r) + fabs(c.g) + fabs(c.b)) / 3,
-        .plain = lamp->light->kind == LIGHT_POINT && !lamp->fades,
-        .parallel = lamp_is_parallel(lamp),
-    };
+    own->items[i] = lamp;
+    own->x[i] = lamp->light->location.x;
+    own->y[i] = lamp->light->location.y;
+    own->z[i] = lamp->light->location.z;
+    own->strength[i] = (fabs(c.r) + fabs(c.g) + fabs(c.b)) / 3;
+    own->place[lamp->number] = (uint32_t)i;
+    own->plain = own->plain && lamp_plain(lamp);
 }
 
 struct facet_lamps *facet_lamps_new(const struct lamps *lamps,
                                     const struct light_tree *tree)
 {
     struct facet_lamps *own = memory_new(sizeof *own);
-    *own = (struct facet_lamps){ .lamps = lamps, .tree = tree };
-    own->items = memory_new((lamps->count + 1) * sizeof *own->items);
-    for (size_t i = 0; i < lamps->count; i++)
-        own->items[i] = facet_lamp_new(&lamps->items[i]);
+    size_t count = light_tree_count(tree), bytes = count * sizeof(double);
+    *own = (struct facet_lamps){
+        .lamps = lamps,
+        .tree = tree,
+        .count = count,
+        .items = memory_new(count * sizeof *own->items),
+        .x = memory_new(bytes),
+        .y = memory_new(bytes),
+        .z = memory_new(bytes),
+        .strength = memory_new(bytes),
+        .place = memory_new(lamps->count * sizeof *own->place),
+        .plain = true,
+    };
+    for (size_t i = 0; i < count; i++)
+        lamps_take(own, i, light_tree_lamp(tree, i));
     return own;
 }
 
@@ -64,53 +79,73 @@ void facet_lamps_free(struct facet_lamps *lamps)
     if (!lamps)
         return;
     memory_free(lamps->items);
+    memory_free(lamps->x);
+    memory_free(lamps->y);
+    memory_free(lamps->z);
+    memory_free(lamps->strength);
+    memory_free(lamps->place);
     memory_free(lamps);
 }
 
-/* The light that a lamp would give if nothing stood between; 0 or less: none.
- */
-static double lamp_amount(const struct facet_lamp *lamp,
-                          const struct facet_site *site)
+/* The light that lamps would give if nothing stood between; not above 0: none.
+ * Without branches, of lamps that shine alike everywhere. */
+static void plain_amounts(const struct facet_lamps *lamps,
+                          const struct facet_site *site, size_t first,
+                          size_t count, double amount[])
 {
-    vec3 offset = vec3_sub(lamp->location, site->place);
-    double rise = vec3_dot(offset, site->normal);
+    vec3 p = site->place, n = site->normal;
+    const double *x = lamps->x + first, *y = lamps->y + first;
+    const double *z = lamps->z + first, *strength = lamps->strength + first;
+    for (size_t i = 0; i < count; i++) {
+        double a = x[i] - p.x, b = y[i] - p.y, c = z[i] - p.z;
+        double rise = a * n.x + b * n.y + c * n.z;
+        amount[i] = strength[i] * rise / sqrt(a * a + b * b + c * c);
+    }
+}
+
+static double lamp_amount(const struct facet_lamps *lamps,
+                          const struct facet_site *site, size_t i)
+{
+    const struct lamp *lamp = lamps->items[i];
     struct lamp_view view;
-    if (!lamp->parallel && rise <= 0)
+    if (!lamp_look(lamp, lamp->light->location, site->place, &view))
         return 0;
-    if (lamp->plain && !lamp->parallel)
-        return lamp->strength * rise / vec3_length(offset);
-    if (!lamp_look(lamp->lamp, lamp->location, site->place, &view))
-        return 0;
-    return lamp->strength * view.attenuation *
+    return lamps->strength[i] * view.attenuation *
            vec3_dot(view.direction, site->normal);
 }
 
 static void picks_add(struct facet_pick picks[], int *count,
-                      const struct facet_lamp *lamp, double weight,
-                      const struct facet_site *site)
+                      const struct lamp *lamp, double weight, double amount)
 {
-    double amount = weight * lamp_amount(lamp, site);
-    if (amount > 0 && isfinite(amount))
-        picks[(*count)++] = (struct facet_pick){ lamp->lamp, weight, amount };
+    picks[*count] = (struct facet_pick){ lamp, weight, amount };
+    *count += amount > 0 && amount < HUGE_VAL;
 }
 
+/* At most ALL_LAMPS, and room for one more. */
 static int picks_find(const struct facet_lamps *lamps,
-                      const struct facet_site *site,
-                      struct facet_pick picks[ALL_LAMPS])
+                      const struct facet_site *site, struct facet_pick picks[])
 {
+    double amount[ALL_LAMPS];
     int count = 0;
-    size_t all = lamps->lamps->count;
-    if (all <= ALL_LAMPS) {
-        for (size_t i = 0; i < all; i++)
-            picks_add(picks, &count, &lamps->items[i], 1, site);
+    if (lamps->count <= ALL_LAMPS) {
+        plain_amounts(lamps, site, 0, lamps->count, amount);
+        for (size_t i = 0; !lamps->plain && i < lamps->count; i++)
+            if (!lamp_plain(lamps->items[i]))
+                amount[i] = lamp_amount(lamps, site, i);
+        for (size_t i = 0; i < lamps->count; i++)
+            picks_add(picks, &count, lamps->items[i], 1, amount[i]);
         return count;
     }
     struct light_pick clusters[CLUSTERS];
     int found = light_tree_pick(lamps->tree, site->place, site->dither,
                                 CLUSTERS, clusters);
-    for (int i = 0; i < found; i++)
-        picks_add(picks, &count, &lamps->items[clusters[i].lamp->number],
-                  clusters[i].weight, site);
+    for (int i = 0; i < found; i++) {
+        const struct lamp *lamp = clusters[i].lamp;
+        double weight = clusters[i].weight;
+        picks_add(picks, &count, lamp, weight,
+                  weight *
+                      lamp_amount(lamps, site, lamps->place[lamp->number]));
+    }
     return count;
 }
 
@@ -184,7 +219,7 @@ static void pick_ask(const struct facet_lamps *lamps, struct worker *worker,
 void facet_lamps_ask(const struct facet_lamps *lamps, struct worker *worker,
                      const struct facet_site *site, struct facet_light *light)
 {
-    struct facet_pick picks[ALL_LAMPS];
+    struct facet_pick picks[ALL_LAMPS + 1];
     int count = picks_find(lamps, site, picks);
     double step = picks_step(picks, count, site->budget), at = site->dither;
     for (int i = 0; i < count; i++) {

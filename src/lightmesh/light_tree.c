@@ -140,6 +140,16 @@ void light_tree_free(struct light_tree *tree)
     memory_free(tree);
 }
 
+size_t light_tree_count(const struct light_tree *tree)
+{
+    return tree->count;
+}
+
+const struct lamp *light_tree_lamp(const struct light_tree *tree, size_t i)
+{
+    return tree->places[i].lamp;
+}
+
 /* A cut under way: nodes with how much splitting them would help. */
 struct light_cut {
     int count;

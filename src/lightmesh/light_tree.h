@@ -24,6 +24,11 @@ struct light_tree *light_tree_new(const struct lamps *lamps, vec3 centre,
                                   double size);
 void light_tree_free(struct light_tree *tree);
 
+/* The lamps that give light, in the tree's order: neighbours are near each
+ * other. */
+size_t light_tree_count(const struct light_tree *tree);
+const struct lamp *light_tree_lamp(const struct light_tree *tree, size_t i);
+
 /* At most `budget` picks (1..PICKS_MAX) for a point; returns how many. `dither`
  * in [0,1) chooses within the clusters; points near each other should have
  * numbers that are far apart. */
