@@ -7,8 +7,9 @@
 #include "base/random.h"
 #include "scene/mesh.h"
 
-/* So many triangles are not sorted: they are too small to be of use. */
-enum { FACETS_MAX = 1000000 };
+/* Of more triangles none are found to be alone: most are too small to be of
+ * use, and sorting them takes memory. */
+enum { FACETS_MAX = 250000 };
 
 /* How many triangles have a corner at a place, by a hash of it. */
 struct corner {

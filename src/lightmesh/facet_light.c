@@ -154,6 +154,7 @@ static int picks_find(const struct facet_lamps *lamps,
 static double picks_step(const struct facet_pick picks[], int count, int budget)
 {
     double step = 0;
+    int before = -1;
     for (int round = 0; count > budget && round < CERTAIN_ROUNDS; round++) {
         double rest = 0;
         int certain = 0;
@@ -162,8 +163,9 @@ static double picks_step(const struct facet_pick picks[], int count, int budget)
                 certain++;
             else
                 rest += picks[i].amount;
-        if (certain >= budget)
+        if (certain >= budget || certain == before)
             break;
+        before = certain;
         step = rest / (budget - certain);
     }
     return step;
