@@ -42,7 +42,11 @@ enum {
     CLOSED_BOUNCES = 1,    /* when the skeleton knows the rest */
     CLOSE_RESOLUTION = 64, /* of that, which gathering blurs */
     SAMPLES = 256,         /* gather rays of a mesh point */
+    ADAPTIVE_LEVELS = 2,
 };
+
+/* Where mesh points differ by more, adaptive meshes have finer ones. */
+static const double adaptive_threshold = 0.2;
 
 /* Mesh points whose visible shares of an area light differ by less are in one
  * penumbra, and may be interpolated. */
@@ -56,21 +60,6 @@ static const double coarser = 1.4142135623730951;
 
 /* Pixels from mesh point to mesh point. */
 static const double mesh_pixels = 20;
-
-static bool mesh_supported(const struct light_mesh_settings *said,
-                           struct diag *diag)
-{
-    const char *word = said->threshold > 0 ? "threshold"
-                       : said->levels > 0  ? "levels"
-                                           : NULL;
-    if (word)
-        diag_print(diag, DIAG_ERROR, span_none(), NULL,
-                   "'%s': glim does not refine light meshes by themselves yet: "
-                   "leave it out, and say a 'density', or a 'region' that "
-                   "needs a denser mesh",
-                   word);
-    return !word;
-}
 
 static double mesh_finer(const struct light_mesh_settings *said)
 {
@@ -96,6 +85,16 @@ static struct mesh_frame mesh_frame(const struct light_mesh_settings *said,
     };
 }
 
+/* Levels are none unless they, or a threshold, are said. */
+static struct refinement mesh_refinement(const struct light_mesh_settings *said)
+{
+    int levels = said->threshold > 0 ? ADAPTIVE_LEVELS : 0;
+    return (struct refinement){
+        .levels = said->levels > 0 ? said->levels : levels,
+        .threshold = said->threshold > 0 ? said->threshold : adaptive_threshold,
+    };
+}
+
 static struct direct_options
 mesh_options(const struct light_mesh_settings *said,
              const struct mesh_frame *frame)
@@ -106,6 +105,7 @@ mesh_options(const struct light_mesh_settings *said,
                      .eye = frame->eye,
                      .near = frame->near },
         .radius = said->radius / frame->spacing,
+        .refinement = mesh_refinement(said),
         .few = said->shadows == MESH_SHADOWS_SHARP ? SHARP_LAMPS : FEW_LAMPS,
         .budget = (int)(24 * finer),
         .centre = frame->centre,
@@ -135,6 +135,7 @@ static void mesh_bounces(struct mesh_lighting *mesh,
         .lattice = direct->lattice,
         .interpolation = direct->interpolation,
         .radius = direct->radius,
+        .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
         .samples = samples > 0 ? samples : (int)(SAMPLES * finer * finer),
         .error = gather_error / finer,
@@ -203,6 +204,7 @@ static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     options.interpolation = interpolation;
     lattice_set_regions(&options.lattice, said->regions.items,
                         said->regions.count);
+    lattice_make_finer(&options.lattice, options.refinement.levels);
     mesh->sharp = said->shadows == MESH_SHADOWS_SHARP;
     if (said->model == MESH_MODEL_SCALAR) {
         mesh->scalar = mesh_literal(&mesh->lamps, said, &options);
@@ -234,7 +236,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     const struct interpolation *interpolation =
         names_interpolation(&scene->settings, diag);
-    if (!interpolation || !mesh_supported(said, diag))
+    if (!interpolation)
         return NULL;
     struct mesh_lighting *mesh = memory_new(sizeof *mesh);
     struct outlook outlook = outlook_of(world, scene, options->width);

@@ -87,6 +87,8 @@ void mesh_report_tell(const struct mesh_report *report, lighting_row *row,
         report_name(report, i, kind);
         snprintf(name, sizeof name, "%s points", kind);
         row(context, name, (double)table_count(mesh->table), "");
+        snprintf(name, sizeof name, "%s refined", kind);
+        row(context, name, (double)point_mesh_refined(mesh), "");
         snprintf(name, sizeof name, "%s alone", kind);
         row(context, name, (double)atomic_load(&mesh->work->lone), "");
         snprintf(name, sizeof name, "%s rays", kind);

@@ -120,6 +120,56 @@ static void fill_harmonics(const void *context, struct worker *worker,
         add_pick(mesh, worker, site, &picks[i], payload);
 }
 
+rgb direct_mesh_share(const struct direct_mesh *mesh,
+                      const struct mesh_blend *blend, int number)
+{
+    rgb sum = rgb_grey(0);
+    for (int i = 0; i < blend->count; i++) {
+        const uint16_t *share =
+            few_share(mesh, blend->at[i].payload, (size_t)number);
+        rgb seen = rgb_make(share[0], share[1], share[2]);
+        sum = rgb_add_scaled(sum, seen, blend->at[i].weight);
+    }
+    return rgb_scale(sum, 1.0 / SHARE_ONE);
+}
+
+/* Few lamps: their light on a surface. */
+static rgb shares_irradiance(const struct direct_mesh *mesh,
+                             const struct mesh_blend *blend, vec3 place,
+                             vec3 normal)
+{
+    rgb sum = rgb_grey(0);
+    for (size_t i = 0; i < mesh->lamps->count; i++) {
+        const struct lamp *lamp = &mesh->lamps->items[i];
+        struct lamp_view view;
+        if (!lamp_look(lamp, lamp->light->location, place, &view))
+            continue;
+        double cosine = vec3_dot(view.direction, normal);
+        if (cosine <= 0)
+            continue;
+        rgb light = rgb_mul(lamp->light->colour,
+                            direct_mesh_share(mesh, blend, (int)i));
+        sum = rgb_add_scaled(sum, light, cosine * view.attenuation);
+    }
+    return sum;
+}
+
+/* One mesh point, without touching the room for others. */
+static void blend_alone(struct mesh_blend *blend, const void *payload)
+{
+    blend->count = 1;
+    blend->at[0].payload = payload;
+    blend->at[0].weight = 1;
+}
+
+static rgb shares_light(const void *context, vec3 place, vec3 normal,
+                        const void *payload)
+{
+    struct mesh_blend here;
+    blend_alone(&here, payload);
+    return shares_irradiance(context, &here, place, normal);
+}
+
 static double harmonics_amount(const void *payload)
 {
     const struct harmonics *light = payload;
@@ -161,6 +211,8 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
         .payload_size = mesh->many ? sizeof(struct harmonics) : few_bytes(mesh),
         .full = memory_new(sizeof(atomic_bool)),
         .amount = mesh->many ? harmonics_amount : NULL,
+        .refinement = options->refinement,
+        .light = mesh->many ? harmonics_received : shares_light,
         .fill = mesh->many ? fill_harmonics : fill_shares,
         .context = mesh,
     };
@@ -185,19 +237,6 @@ void direct_mesh_free(struct direct_mesh *mesh)
     light_tree_free(mesh->tree);
     memory_free(mesh->points.full);
     memory_free(mesh);
-}
-
-rgb direct_mesh_share(const struct direct_mesh *mesh,
-                      const struct mesh_blend *blend, int number)
-{
-    rgb sum = rgb_grey(0);
-    for (int i = 0; i < blend->count; i++) {
-        const uint16_t *share =
-            few_share(mesh, blend->at[i].payload, (size_t)number);
-        rgb seen = rgb_make(share[0], share[1], share[2]);
-        sum = rgb_add_scaled(sum, seen, blend->at[i].weight);
-    }
-    return rgb_scale(sum, 1.0 / SHARE_ONE);
 }
 
 double direct_mesh_spread(const struct direct_mesh *mesh,
@@ -253,24 +292,11 @@ static rgb blend_irradiance(const struct direct_mesh *mesh,
                             const struct mesh_blend *blend, vec3 place,
                             vec3 normal)
 {
-    rgb sum = rgb_grey(0);
     if (mesh->many) {
         struct harmonics light = direct_mesh_light(blend);
         return harmonics_irradiance(&light, normal, 1);
     }
-    for (size_t i = 0; i < mesh->lamps->count; i++) {
-        const struct lamp *lamp = &mesh->lamps->items[i];
-        struct lamp_view view;
-        if (!lamp_look(lamp, lamp->light->location, place, &view))
-            continue;
-        double cosine = vec3_dot(view.direction, normal);
-        if (cosine <= 0)
-            continue;
-        rgb light = rgb_mul(lamp->light->colour,
-                            direct_mesh_share(mesh, blend, (int)i));
-        sum = rgb_add_scaled(sum, light, cosine * view.attenuation);
-    }
-    return sum;
+    return shares_irradiance(mesh, blend, place, normal);
 }
 
 rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
@@ -289,15 +315,17 @@ rgb direct_mesh_nearest(const struct direct_mesh *mesh, struct worker *worker,
         point_mesh_nearest(&mesh->points, worker, place, side, jitter);
     if (!payload)
         return direct_mesh_irradiance(mesh, worker, place, side, normal);
-    struct mesh_blend blend = { .count = 1, .at = { { payload, 1 } } };
+    struct mesh_blend blend;
+    blend_alone(&blend, payload);
     return blend_irradiance(mesh, &blend, place, normal);
 }
 
 rgb direct_mesh_arriving(const struct direct_mesh *mesh, vec3 place,
                          const void *payload)
 {
-    struct mesh_blend here = { .count = 1, .at = { { payload, 1 } } };
+    struct mesh_blend here;
     rgb sum = rgb_grey(0);
+    blend_alone(&here, payload);
     if (mesh->many)
         return harmonics_total(payload);
     for (size_t i = 0; i < mesh->lamps->count; i++) {

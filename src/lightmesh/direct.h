@@ -37,10 +37,11 @@ struct direct_options {
     struct lattice lattice;
     const struct interpolation *interpolation;
     double radius; /* of interpolation, in spacings; 0: its own */
-    int few;       /* more lamps than this are many; at most FEW_MAX */
-    int budget;    /* lamps that a mesh point asks, of 100 */
-    double finer;  /* than quality 5: a factor */
-    vec3 centre;   /* of what is seen */
+    struct refinement refinement;
+    int few;      /* more lamps than this are many; at most FEW_MAX */
+    int budget;   /* lamps that a mesh point asks, of 100 */
+    double finer; /* than quality 5: a factor */
+    vec3 centre;  /* of what is seen */
     double size;
     size_t bytes; /* of memory */
 };

@@ -21,6 +21,14 @@ rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
     return rgb_make(fmax(light.r, 0), fmax(light.g, 0), fmax(light.b, 0));
 }
 
+rgb harmonics_received(const void *context, vec3 place, vec3 normal,
+                       const void *harmonics)
+{
+    (void)context;
+    (void)place;
+    return harmonics_irradiance(harmonics, normal, 1);
+}
+
 /* Order 1 is the vector sum of the light, x, y and z in places 3, 1 and 2. */
 static vec3 harmonics_vector(const float order[HARMONICS])
 {

@@ -62,6 +62,11 @@ rgb harmonics_total(const struct harmonics *harmonics);
 rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
                          double brilliance);
 
+/* The same of a mesh point's payload, for Lambert's law: a mesh_alone
+ * (point_mesh.h). */
+rgb harmonics_received(const void *context, vec3 place, vec3 normal,
+                       const void *harmonics);
+
 /* The light as if it came from one direction, the one where most of it comes
  * from: a unit vector, or zero if there is none. What comes from all sides
  * alike is no part of *light. */

@@ -193,10 +193,13 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
                                       : options->interpolation->radius,
         .payload_size = sizeof(struct harmonics),
         .full = direct->points.full,
+        .refinement = options->refinement,
+        .light = harmonics_received,
         .fill = fill_gather,
         .context = mesh,
     };
     if (bounce > 1) {
+        mesh->points.refinement.levels = 0;
         mesh->points.lattice.spacing *= bounce > 2 ? 4 : 2;
         mesh->samples /= LATER_SHARE;
         mesh->error *= 2;

@@ -16,7 +16,8 @@
 enum { BOUNCES_MAX = 20 };
 
 struct indirect_options {
-    struct lattice lattice; /* of the first bounce */
+    struct lattice lattice;       /* of the first bounce */
+    struct refinement refinement; /* likewise */
     const struct interpolation *interpolation;
     double radius;       /* of interpolation, in spacings; 0: its own */
     int bounces;         /* 1..BOUNCES_MAX */

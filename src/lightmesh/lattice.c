@@ -3,13 +3,31 @@
 
 #include "base/random.h"
 
-/* Irrational looking, so that no cell boundary lies in a wall for long. */
-static const vec3 lattice_shift = { 0.3719, 0.4142, 0.2817 };
+/* Where the origin lies in its cell of the usual level, less 1/3: irrational
+ * looking, so that no cell boundary lies in a wall for long. */
+static const vec3 lattice_shift = { 0.0386, 0.0809, -0.0516 };
 
 static const double lattice_rim = (1 << 18) - 64;
 
 /* From here on the next level is blended in, as a share of the logarithm. */
 static const double blend_start = 0.75;
+
+/* Halving 1/3 gives 2/3 if the origin's cell is the second half of the coarser
+ * one, and halving 2/3 gives 1/3 if it is the first: so, by turns, the levels
+ * nest, and on none does the origin come near a mesh point. */
+static int lattice_half(const struct lattice *lattice, int level)
+{
+    return (level - lattice->usual) & 1 ? 0 : 1;
+}
+
+static vec3 lattice_origin(const struct lattice *lattice, int level)
+{
+    double third = (2 - lattice_half(lattice, level)) / 3.0;
+    double finer = ldexp(1, lattice->usual - level);
+    return vec3_make(third + lattice_shift.x * finer,
+                     third + lattice_shift.y * finer,
+                     third + lattice_shift.z * finer);
+}
 
 static double region_levels(const struct mesh_region *region)
 {
@@ -24,6 +42,12 @@ void lattice_set_regions(struct lattice *lattice,
     for (size_t i = 0; i < count; i++)
         lattice->usual = (int)fmax(lattice->usual, region_levels(&regions[i]));
     lattice->spacing /= (double)(1ull << lattice->usual);
+}
+
+void lattice_make_finer(struct lattice *lattice, int levels)
+{
+    lattice->usual += levels;
+    lattice->spacing /= (double)(1ull << levels);
 }
 
 /* Distance to the region from outside; from inside, to the nearest side, and
@@ -87,7 +111,7 @@ static double rim(double x)
 vec3 lattice_units(const struct lattice *lattice, int level, vec3 place)
 {
     vec3 at = vec3_scale(place, 1 / lattice_spacing(lattice, level));
-    at = vec3_add(at, lattice_shift);
+    at = vec3_add(at, lattice_origin(lattice, level));
     return vec3_make(rim(at.x), rim(at.y), rim(at.z));
 }
 
@@ -95,8 +119,22 @@ vec3 lattice_place(const struct lattice *lattice,
                    const struct lattice_point *point)
 {
     vec3 at = vec3_make(point->at[0], point->at[1], point->at[2]);
-    return vec3_scale(vec3_sub(at, lattice_shift),
+    return vec3_scale(vec3_sub(at, lattice_origin(lattice, point->level)),
                       lattice_spacing(lattice, point->level));
+}
+
+struct lattice_point lattice_coarsest(const struct lattice *lattice,
+                                      const struct lattice_point *point)
+{
+    struct lattice_point coarsest = *point;
+    for (; coarsest.level < LATTICE_LEVELS - 1; coarsest.level++) {
+        int half = lattice_half(lattice, coarsest.level), *at = coarsest.at;
+        if ((at[0] + half) & 1 || (at[1] + half) & 1 || (at[2] + half) & 1)
+            break;
+        for (int axis = 0; axis < 3; axis++)
+            at[axis] = (at[axis] + half) / 2;
+    }
+    return coarsest;
 }
 
 /* 1 bit that says it is a key, 5 of level, 3 times 19, biased. */

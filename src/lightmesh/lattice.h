@@ -1,7 +1,9 @@
 /* Where mesh points are: regular lattices in space, each level twice as coarse
  * as the one before. A lattice point is named by its level and three integers,
  * packed into a key; everything a mesh knows of it is a function of that name
- * alone, so any thread may find it out.
+ * alone, so any thread may find it out. Levels nest: each point of a level is
+ * one of the level before too, and has the name of the coarsest that has it
+ * wherever points of several levels are kept together.
  *
  * The level that a place uses grows with its distance from the camera, so that
  * a cell covers about the same number of pixels everywhere and a plane that
@@ -22,7 +24,7 @@ struct lattice {
     double near;    /* up to this distance level `usual`; 0: everywhere */
     const struct mesh_region *regions;
     size_t region_count;
-    int usual; /* level without regions: those finer are theirs */
+    int usual; /* level without regions: those finer are theirs, or unused */
 };
 
 struct lattice_point {
@@ -41,6 +43,9 @@ static inline double lattice_spacing(const struct lattice *lattice, int level)
 void lattice_set_regions(struct lattice *lattice,
                          const struct mesh_region *regions, size_t count);
 
+/* Makes room for so many levels below those that lattice_level gives. */
+void lattice_make_finer(struct lattice *lattice, int levels);
+
 /* The levels that a place uses: the returned one, and the next coarser one
  * with weight *blend, which is 0 but near the change from one to the other. */
 int lattice_level(const struct lattice *lattice, vec3 place, double *blend);
@@ -53,6 +58,10 @@ vec3 lattice_units(const struct lattice *lattice, int level, vec3 place);
 /* The place of a lattice point. */
 vec3 lattice_place(const struct lattice *lattice,
                    const struct lattice_point *point);
+
+/* The same point on the coarsest level that has it. */
+struct lattice_point lattice_coarsest(const struct lattice *lattice,
+                                      const struct lattice_point *point);
 
 /* Its name as a number, never 0. Neighbours have names that are near each
  * other in lattice_hash. */

@@ -76,6 +76,16 @@ static double site_dither(const struct lattice_point *point)
     return (eighth + random_unit(lattice_key(&block))) / 8;
 }
 
+/* The name under which a point's payload is kept: that of all levels if they
+ * are mixed. What is around a point is looked for as far as its level says. */
+static struct lattice_point point_shared(const struct point_mesh *mesh,
+                                         const struct lattice_point *point)
+{
+    if (mesh->refinement.levels == 0)
+        return *point;
+    return lattice_coarsest(&mesh->lattice, point);
+}
+
 /* A record of a table, or else zeroed scratch of the worker's: to be filled
  * unless TABLE_READY, and published if TABLE_MINE. */
 static enum table_state record_get(const struct point_mesh *mesh,
@@ -146,15 +156,16 @@ static const void *payload_get(const struct point_mesh *mesh,
                                struct worker *worker,
                                const struct lattice_point *point)
 {
+    struct lattice_point shared = point_shared(mesh, point);
     void *record;
-    enum table_state state = record_get(mesh, mesh->table, worker, point,
+    enum table_state state = record_get(mesh, mesh->table, worker, &shared,
                                         mesh->payload_size, &record);
     if (state == TABLE_READY)
         return record;
     struct mesh_site site = {
-        .place = lattice_place(&mesh->lattice, point),
-        .key = lattice_key(point),
-        .dither = site_dither(point),
+        .place = lattice_place(&mesh->lattice, &shared),
+        .key = lattice_key(&shared),
+        .dither = site_dither(&shared),
     };
     site_fill(mesh, worker, &site, record);
     if (state == TABLE_MINE)
@@ -174,7 +185,7 @@ struct seeker {
     const struct point_mesh *mesh;
     struct worker *worker;
     vec3 place, normal;
-    int level;
+    int level, finer; /* levels that may follow it */
     struct mesh_blend *blend;
 };
 
@@ -281,20 +292,82 @@ static void seek_seen(struct seeker *seeker,
     }
 }
 
-/* Adds the points of one level, whose weights are to sum to `share`. */
-static void seek_level(struct seeker *seeker, double share)
+/* Adds the points of one level, whose weights sum to 1. Returns the share of
+ * those that can't see the place. */
+static double seek_points(struct seeker *seeker)
 {
     struct mesh_blend *blend = seeker->blend;
     struct candidates candidates;
     int first = blend->count;
-    double sum = 0;
+    double sum = 0, all = 0;
     seek_candidates(seeker, &candidates);
     if (!seek_alike(seeker, &candidates))
         seek_seen(seeker, &candidates);
+    for (int i = 0; i < candidates.count; i++)
+        all += candidates.at[i].weight;
     for (int i = first; i < blend->count; i++)
         sum += blend->at[i].weight;
     for (int i = first; i < blend->count; i++)
-        blend->at[i].weight *= share / sum;
+        blend->at[i].weight /= sum;
+    return all > 0 ? 1 - sum / all : 0;
+}
+
+/* The share of the next finer level where this one gave the points from number
+ * `first` of the blend on: all if there are none. */
+static double seek_finer(const struct seeker *seeker, int first, double hidden)
+{
+    const struct point_mesh *mesh = seeker->mesh;
+    const struct mesh_blend *blend = seeker->blend;
+    struct refine_views views;
+    if (seeker->finer == 0 || seeker->level == 0 ||
+        blend->count > BLEND_POINTS - 2 * INTERPOLATION_POINTS)
+        return 0;
+    if (blend->count == first)
+        return 1;
+    views.count = blend->count - first;
+    views.hidden = mesh->interpolation->single ? 0 : hidden;
+    for (int i = 0; i < views.count; i++) {
+        const void *payload = blend->at[first + i].payload;
+        views.at[i].weight = blend->at[first + i].weight;
+        views.at[i].light =
+            mesh->light(mesh->context, seeker->place, seeker->normal, payload);
+    }
+    return refine_share(&mesh->refinement, refine_difference(&views));
+}
+
+/* Gives the points first..middle-1 of a blend one share, those after them the
+ * other; points of no share are left out. */
+static void blend_share(struct mesh_blend *blend, int first, int middle,
+                        double before, double after)
+{
+    int count = first;
+    for (int i = first; i < blend->count; i++) {
+        double share = i < middle ? before : after;
+        if (share <= 0)
+            continue;
+        blend->at[count].payload = blend->at[i].payload;
+        blend->at[count++].weight = blend->at[i].weight * share;
+    }
+    blend->count = count;
+}
+
+/* Adds the points of one level and, where those differ, of finer ones: their
+ * weights sum to `share`. */
+static void seek_level(struct seeker seeker, double share)
+{
+    struct mesh_blend *blend = seeker.blend;
+    int first = blend->count;
+    double hidden = seek_points(&seeker);
+    double finer = seek_finer(&seeker, first, hidden);
+    int middle = blend->count;
+    if (finer > 0) {
+        seeker.level--;
+        seeker.finer--;
+        seek_level(seeker, 1);
+    }
+    if (blend->count == middle)
+        finer = 0;
+    blend_share(blend, first, middle, share * (1 - finer), share * finer);
 }
 
 /* The place as a mesh point of its own. */
@@ -319,41 +392,54 @@ static void seek_here(struct seeker *seeker)
     seeker->blend->at[0].weight = 1;
 }
 
-/* Counts the points of one level as if they were asked for, and is black. */
-static void seek_count(struct seeker *seeker)
+/* Counts the points of all levels as if they were asked for, and is black:
+ * whether they differ isn't known any more, so that this is the most there
+ * may be. */
+static void seek_count(struct seeker seeker)
 {
-    const struct point_mesh *mesh = seeker->mesh;
+    const struct point_mesh *mesh = seeker.mesh;
     struct candidates candidates;
-    seek_candidates(seeker, &candidates);
-    for (int i = 0; i < candidates.count; i++) {
-        uint64_t key = lattice_key(&candidates.at[i].point);
-        table_want(mesh->table, key, lattice_hash(key));
+    for (int i = 0; i <= seeker.finer && i <= seeker.level; i++) {
+        struct seeker at = seeker;
+        at.level -= i;
+        seek_candidates(&at, &candidates);
+        for (int k = 0; k < candidates.count; k++) {
+            struct lattice_point point =
+                point_shared(mesh, &candidates.at[k].point);
+            uint64_t key = lattice_key(&point);
+            table_want(mesh->table, key, lattice_hash(key));
+        }
     }
-    seeker->blend->count = 1;
-    seeker->blend->at[0].payload =
-        arena_alloc(seeker->worker->scratch, mesh->payload_size);
-    seeker->blend->at[0].weight = 1;
+    seeker.blend->count = 1;
+    seeker.blend->at[0].payload =
+        arena_alloc(seeker.worker->scratch, mesh->payload_size);
+    seeker.blend->at[0].weight = 1;
 }
 
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
                       vec3 place, vec3 normal, struct mesh_blend *blend)
 {
-    struct seeker seeker = { mesh, worker, place, normal, 0, blend };
+    struct seeker seeker = { .mesh = mesh,
+                             .worker = worker,
+                             .place = place,
+                             .normal = normal,
+                             .finer = mesh->refinement.levels,
+                             .blend = blend };
     double coarse;
     seeker.level = lattice_level(&mesh->lattice, place, &coarse);
     blend->count = 0;
     if (atomic_load_explicit(mesh->full, memory_order_relaxed)) {
-        seek_count(&seeker);
+        seek_count(seeker);
         return;
     }
-    seek_level(&seeker, 1 - coarse);
+    seek_level(seeker, 1);
     if (coarse > 0) {
         int fine = blend->count;
         seeker.level++;
-        seek_level(&seeker, fine ? coarse : 1);
+        seek_level(seeker, 1);
         if (blend->count == fine)
-            for (int i = 0; i < fine; i++)
-                blend->at[i].weight /= 1 - coarse;
+            coarse = 0;
+        blend_share(blend, 0, fine, 1 - coarse, fine ? coarse : 1);
     }
     if (blend->count == 0)
         seek_here(&seeker);
@@ -388,7 +474,9 @@ const void *point_mesh_nearest(const struct point_mesh *mesh,
 {
     double coarse;
     struct lattice_point corner[8];
-    struct seeker seeker = { mesh, worker, place, normal, 0, NULL };
+    struct seeker seeker = {
+        .mesh = mesh, .worker = worker, .place = place, .normal = normal
+    };
     seeker.level = lattice_level(&mesh->lattice, place, &coarse);
     if (atomic_load_explicit(mesh->full, memory_order_relaxed))
         return NULL;
@@ -434,4 +522,21 @@ void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
         if (payload && point_place(mesh, key, &place))
             visit(context, place, payload);
     }
+}
+
+size_t point_mesh_refined(const struct point_mesh *mesh)
+{
+    size_t count = table_count(mesh->table), refined = 0;
+    if (mesh->refinement.levels == 0)
+        return 0;
+    for (size_t i = 0; i < count; i++) {
+        uint64_t key;
+        double coarser;
+        if (!table_at(mesh->table, i, &key))
+            continue;
+        struct lattice_point point = lattice_named(key);
+        vec3 place = lattice_place(&mesh->lattice, &point);
+        refined += point.level < lattice_level(&mesh->lattice, place, &coarser);
+    }
+    return refined;
 }

@@ -15,6 +15,7 @@
 #include "embree/world.h"
 #include "lightmesh/interpolation.h"
 #include "lightmesh/lattice.h"
+#include "lightmesh/refine.h"
 
 struct table;
 
@@ -36,6 +37,10 @@ typedef void mesh_fill(const void *context, struct worker *worker,
 /* How much light a payload knows of. */
 typedef double mesh_amount(const void *payload);
 
+/* The light on a surface if all mesh points around were like this one. */
+typedef rgb mesh_alone(const void *context, vec3 place, vec3 normal,
+                       const void *payload);
+
 /* What was done for a mesh. */
 struct point_mesh_work {
     atomic_ullong rays;        /* without those that ask other meshes */
@@ -54,7 +59,9 @@ struct point_mesh {
     atomic_bool *full; /* shared with other meshes; see point_mesh_crowding */
     size_t payload_size;
     mesh_fill *fill;
-    mesh_amount *amount; /* NULL: points are never taken for alike */
+    mesh_amount *amount;          /* NULL: points are never taken for alike */
+    struct refinement refinement; /* from what lattice_level says */
+    mesh_alone *light;            /* NULL: there must be none */
     /* The place of the point of this key, false if there is none; NULL: they
      * are the lattice's. */
     bool (*place)(const void *context, uint64_t key, vec3 *place);
@@ -72,7 +79,7 @@ struct mesh_watch mesh_watch_start(const struct worker *worker);
 void mesh_watch_stop(const struct mesh_watch *watch,
                      const struct point_mesh *mesh, struct worker *worker);
 
-enum { BLEND_POINTS = 2 * INTERPOLATION_POINTS };
+enum { BLEND_POINTS = 4 * INTERPOLATION_POINTS };
 
 /* What a place takes from mesh points. */
 struct mesh_blend {
@@ -104,6 +111,9 @@ typedef void mesh_visit(void *context, vec3 place, const void *payload);
  * Which they are doesn't depend on threads. */
 void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
                      void *context);
+
+/* About how many known points are there only because others differed. */
+size_t point_mesh_refined(const struct point_mesh *mesh);
 
 /* The mesh points that light `place`, on a surface whose true normal, turned
  * to the lit side, is `normal`. */

@@ -113,6 +113,15 @@ rgb scalar_indirect_mean(const struct scalar_mesh *mesh, struct worker *worker,
                          : rgb_grey(0);
 }
 
+static rgb record_light(const void *context, vec3 place, vec3 normal,
+                        const void *payload)
+{
+    (void)context;
+    (void)place;
+    (void)normal;
+    return scalar_held(payload);
+}
+
 static void fill_direct(const void *context, struct worker *worker,
                         const struct mesh_site *site, void *payload)
 {
@@ -136,6 +145,8 @@ static struct point_mesh scalar_points(const struct scalar_mesh *mesh,
         .interpolation = options->interpolation,
         .radius = options->radius > 0 ? options->radius : own,
         .payload_size = sizeof(struct scalar_record),
+        .refinement = options->refinement,
+        .light = record_light,
         .context = mesh,
     };
 }

@@ -49,9 +49,9 @@ const struct field light_mesh_fields[] = {
     { "shadows", FIELD_CHOICE, AT(light_mesh.shadows), 0, 0,
       "soft, or sharp where lights are points", false, shadows_choices },
     NUMBER("threshold", light_mesh.threshold, 1e-4, 1,
-           "new points where neighbours differ by more"),
-    COUNT("levels", light_mesh.levels, 1, 16,
-          "how often the distance of points may be halved for that"),
+           "new points where neighbours differ by more, 0.2"),
+    COUNT("levels", light_mesh.levels, 1, 6,
+          "how often the distance of points is halved for that, 2"),
     { NULL },
 };
 

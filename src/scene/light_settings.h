@@ -36,7 +36,8 @@ struct light_mesh_settings {
     enum mesh_model model;
     enum mesh_shadows shadows;
     double threshold; /* adaptive: neighbours may differ by so much, 0..1 */
-    int levels;       /* adaptive: how often a cell may be halved */
+    int levels;       /* adaptive: how often a cell may be halved; both 0: only
+                       * as indirect light needs it */
     struct {
         bool on;     /* also by radiosity {} */
         int samples; /* gather rays of a mesh point */
