@@ -28,6 +28,13 @@ struct gathering {
 static rgb gathering_follow(struct gathering *gathering,
                             struct intersection *at, rgb *glow);
 
+/* Quick, for what need not be spread evenly. */
+static double gathering_chance(const struct gathering *gathering)
+{
+    const struct draws *draws = gathering->draws;
+    return random_unit(draws->key ^ random_mix(draws->index));
+}
+
 static vec3 gathering_jitter(const struct gathering *gathering)
 {
     double u[2];
@@ -89,9 +96,9 @@ static rgb gathering_irradiance(const struct gathering *gathering,
                               gathering_jitter(gathering), &more))
         return rgb_add(light, more);
     if (gather->close)
-        return rgb_add(
-            light, gather->close(gather->close_context, worker, place, normal,
-                                 draw_unit(gathering->draws, GATHER_NEAR)));
+        return rgb_add(light,
+                       gather->close(gather->close_context, worker, place,
+                                     normal, gathering_chance(gathering)));
     if (gather->indirect)
         return rgb_add(light, indirect_mesh_irradiance(gather->indirect, worker,
                                                        place, side, normal));

@@ -13,6 +13,7 @@ enum {
     LONE_SHARE = 8,     /* such places of later bounces gather fewer each */
     HIT_LEVELS = 1,     /* direct light on what they meet is coarser */
     LATER_SHARE = 8,    /* later bounces gather so many times fewer */
+    WAYS_MOST = 65536,  /* directions that are kept */
 };
 
 /* A mesh point that gathers. */
@@ -38,20 +39,35 @@ static void light_add(struct harmonics *light, vec3 direction, rgb radiance,
         harmonics_add(light, direction, rgb_scale(radiance, weight));
 }
 
+static vec3 way_drawn(uint64_t key, uint32_t index)
+{
+    struct draws draws = { key, index };
+    double u[2];
+    draw_pair(&draws, GATHER_DIRECTION, u);
+    return warp_sphere(u);
+}
+
+static vec3 gatherer_way(const struct gatherer *gatherer,
+                         const struct draws *draws)
+{
+    const struct mesh_site *site = gatherer->site;
+    if (!site->lone && gatherer->mesh->ways)
+        return gatherer->mesh->ways[draws->index];
+    vec3 way = way_drawn(draws->key, draws->index);
+    double behind = site->lone ? vec3_dot(way, site->normal) : 0;
+    return behind < 0 ? vec3_along(way, site->normal, -2 * behind) : way;
+}
+
 /* One gather ray. What glows counts by how likely it is to be found so. */
 static void gatherer_look(const struct gatherer *gatherer,
                           const struct draws *draws, struct harmonics *light)
 {
     const struct gather *gather = &gatherer->mesh->gather;
     const struct mesh_site *site = gatherer->site;
-    double density = site_density(site), u[2];
+    double density = site_density(site);
     struct intersection at;
     rgb glow;
-    draw_pair(draws, GATHER_DIRECTION, u);
-    struct ray ray = { site->place, warp_sphere(u) };
-    double behind = site->lone ? vec3_dot(ray.direction, site->normal) : 0;
-    if (behind < 0)
-        ray.direction = vec3_along(ray.direction, site->normal, -2 * behind);
+    struct ray ray = { site->place, gatherer_way(gatherer, draws) };
     rgb radiance =
         gather_radiance(gather, gatherer->worker, &ray, draws, &at, &glow);
     if (at.leaf && rgb_peak(glow) > 0 && emitters_any(gather->emitters)) {
@@ -163,6 +179,19 @@ static void fill_gather(const void *context, struct worker *worker,
     *(struct harmonics *)payload = light;
 }
 
+/* All mesh points look along the same ways: they are drawn once. */
+static void mesh_ways(struct indirect_mesh *mesh)
+{
+    for (mesh->set = 1; mesh->set < (uint32_t)mesh->samples;)
+        mesh->set *= 2;
+    uint32_t count = 8 * mesh->set;
+    if (count > WAYS_MOST)
+        return;
+    mesh->ways = memory_new(count * sizeof *mesh->ways);
+    for (uint32_t i = 0; i < count; i++)
+        mesh->ways[i] = way_drawn(mesh->gather.lamps->seed, i);
+}
+
 static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
                                         const struct emitters *emitters,
                                         const struct indirect_options *options,
@@ -206,8 +235,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     }
     if (mesh->samples < 1)
         mesh->samples = 1;
-    for (mesh->set = 1; mesh->set < (uint32_t)mesh->samples;)
-        mesh->set *= 2;
+    mesh_ways(mesh);
     point_mesh_start(&mesh->points, options->bytes /
                                         ((size_t)options->bounces + 3) *
                                         (bounce > 1 ? 1 : 4));
@@ -234,6 +262,7 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
     while (mesh) {
         struct indirect_mesh *next = mesh->next;
         point_mesh_free(&mesh->points);
+        memory_free(mesh->ways);
         memory_free(mesh);
         mesh = next;
     }

@@ -34,7 +34,8 @@ struct indirect_mesh {
     struct point_mesh points;
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
     int samples, lone_samples;
-    uint32_t set; /* what a mesh point has of the directions of its cell */
+    uint32_t set; /* how many a mesh point has of its cell's directions */
+    vec3 *ways;   /* those directions; NULL: too many to be kept */
     double error;
 };
 
