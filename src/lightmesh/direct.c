@@ -217,8 +217,7 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
         .context = mesh,
     };
     size_t bytes = options->bytes;
-    if (mesh->many && options->interpolation == interpolation_at(0) &&
-        world_triangle_count(lamps->world) > 0) {
+    if (mesh->many && options->interpolation == interpolation_at(0)) {
         bytes -= bytes / FACET_SHARE;
         mesh->facets = facet_mesh_new(
             lamps, mesh->tree, facet_budget(lamps->count, options->budget),

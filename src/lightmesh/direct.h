@@ -30,7 +30,7 @@ struct direct_mesh {
     bool many;                 /* lamps: harmonics instead of shares */
     int budget;                /* lamps that a mesh point asks, if many */
     struct light_tree *tree;   /* if many */
-    struct facet_mesh *facets; /* points on triangles; NULL: there are none */
+    struct facet_mesh *facets; /* points on surfaces; or NULL */
 };
 
 struct direct_options {

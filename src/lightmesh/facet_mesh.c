@@ -6,20 +6,21 @@
 #include "lightmesh/obstacles.h"
 #include "lightmesh/table.h"
 
-/* Square roots of areas, in spacings of the lattice: smaller triangles have no
- * points of their own, those that share corners with others not below ... */
-static const double smallest = 0.05, smallest_shared = 2;
+/* Square roots of areas, in spacings of the lattice: smaller pieces have no
+ * points of their own, if they are triangles that stand alone, or share corners
+ * with others, or parallelograms. */
+static const double smallest = 0.05, smallest_shared = 2, smallest_square = 1;
 
-/* Narrower triangles, relative to their longest edge, would have points nearer
- * to each other than is any use ... */
+/* Narrower pieces, relative to their longest edge, would have points nearer to
+ * each other than is any use ... */
 static const double narrowest = 0.2;
 
-/* ... but for a chain of points along the middle, if they are at least so long
+/* ... but for a chain of points along the middle of triangles at least so long
  * and between so wide, in spacings. */
 static const double chain_long = 2, chain_thin = 0.1, chain_wide = 1.5;
 
-/* How far points are from each other, in spacings: those of a leaf, of larger
- * triangles, of chains. */
+/* How far points are from each other, in spacings: those of a leaf, of other
+ * pieces, of chains. */
 static const double apart_alone = 0.7, apart_shared = 1.4, apart_chain = 3;
 
 /* How much of the way to the next point the rays of a point begin on; of a
@@ -41,7 +42,7 @@ static const double alike = 3;
 /* How high above the surface it is asked whether they do, in spacings. */
 static const double lift = 0.05;
 
-enum { DIVISION_MAX = 13, FOUND_MAX = 6 };
+enum { SQUARE_DIVISION = 1, DIVISION_MAX = 13, FOUND_MAX = 6 };
 
 enum facet_kind {
     FACET_NONE, /* has no points of its own */
@@ -109,8 +110,9 @@ static vec3 point_place(const struct facet *facet,
         share[apex] = along;
         share[(apex + 1) % 3] = share[(apex + 2) % 3] = (1 - along) / 2;
     }
-    double u = share[1] * (1 - *wide) + *wide / 3;
-    double v = share[2] * (1 - *wide) + *wide / 3;
+    double inside = facet->square ? 1 - 2 * *wide : 1 - *wide;
+    double u = share[1] * inside + *wide / 3;
+    double v = share[2] * inside + *wide / 3;
     return facet_place(facet, u, v);
 }
 
@@ -356,6 +358,10 @@ static enum facet_kind facet_kind(const struct facet *facet, double spacing)
     double width = 2 * cells * cells / length;
     if (facet->alone && cells < smallest)
         return FACET_NONE;
+    if (facet->square)
+        return width < narrowest * length || cells < smallest_square
+                   ? FACET_NONE
+                   : FACET_CELLS;
     if (length > chain_long && width > chain_thin && width < chain_wide)
         return FACET_CHAIN;
     if (facet->alone)
@@ -364,7 +370,8 @@ static enum facet_kind facet_kind(const struct facet *facet, double spacing)
                                                                  : FACET_CELLS;
 }
 
-/* How often the edges are halved; below 0: one point is enough. */
+/* How often the edges are halved; below 0: one point is enough. Those of a
+ * parallelogram, which are twice as long as it is, at least once. */
 static int seeker_division(const struct facet_seeker *seeker)
 {
     const struct facet *facet = &seeker->facet;
@@ -376,7 +383,8 @@ static int seeker_division(const struct facet_seeker *seeker)
         apart = facet->alone ? apart_alone : apart_shared;
     }
     double exact = log2(edge / (apart * seeker->spacing));
-    return (int)fmin(fmax(floor(exact + 0.5), -1), DIVISION_MAX);
+    int least = facet->square ? SQUARE_DIVISION : -1;
+    return (int)fmin(fmax(floor(exact + 0.5), least), DIVISION_MAX);
 }
 
 bool facet_mesh_light(const struct facet_mesh *mesh, struct worker *worker,
@@ -404,7 +412,7 @@ bool facet_mesh_light(const struct facet_mesh *mesh, struct worker *worker,
     seeker.back = vec3_dot(question->side, seeker.facet.normal) < 0;
     facet_locate(&seeker.facet, question->at->point, &seeker.u, &seeker.v);
     int division = seeker_division(&seeker);
-    if (division < 0)
+    if (division < (seeker.facet.square ? SQUARE_DIVISION + 1 : 0))
         coarse = 0;
     seek_points(&seeker, division, 1 - coarse);
     if (coarse > 0)

@@ -1,14 +1,14 @@
 /* Mesh points on surfaces. Section 1.6 of the light-mesh paper leaves open
  * where mesh points are. Those of a lattice in space see what a surface near
  * them sees only if nothing near is small: between leaves the light changes
- * from one to the next, and a point in the air knows of none. Here large flat
- * triangles have a lattice of points of their own, and small ones that stand
- * alone have three points, or one. All of them know only the lamps in front of
- * them, half of all, and need not be asked what hides them from the surface
- * they lie on.
+ * from one to the next, and a point in the air knows of none. Here the sides of
+ * boxes and large flat triangles have a lattice of points of their own, and
+ * small triangles that stand alone have three points, or one. All of them know
+ * only the lamps in front of them, half of all, and see what is there and not
+ * what is a step away: shadows begin where things stand, and walls are smooth.
  *
- * A point is named by its triangle, the side, how often the triangle's edges
- * are halved, and two integers; everything a mesh knows of it is a function of
+ * A point is named by its piece of surface, the side, how often its edges are
+ * halved, and two integers; everything a mesh knows of it is a function of
  * that name alone. */
 #ifndef LIGHTMESH_FACET_MESH_H
 #define LIGHTMESH_FACET_MESH_H
@@ -38,7 +38,7 @@ struct facet_question {
     vec3 side; /* the true normal, turned to the lit side */
 };
 
-/* The light at a surface point. False if it lies on no triangle that has mesh
+/* The light at a surface point. False if it lies on no piece that has mesh
  * points of its own, or none of these sees it. */
 bool facet_mesh_light(const struct facet_mesh *mesh, struct worker *worker,
                       const struct facet_question *question,

@@ -76,7 +76,7 @@ static void test_alone(void **state)
                   "box { <-3,-1,-3>, <-2,0,-2> }");
     const double x[] = { 0.2, 0.8, 4.2, 7.2, 6.9, 9.2, -2.5 };
     const double z[] = { 0.2, 0.8, 0.2, -0.2, 5, 0.2, -2.5 };
-    const bool found[] = { true, true, true, true, true, false, false };
+    const bool found[] = { true, true, true, true, true, false, true };
     /* The fourth and fifth share the corner <7,0,0>. */
     const bool alone[] = { false, false, true, false, false, false, false };
     struct facets *facets = facets_new(stage.all->world);
@@ -198,9 +198,11 @@ static void test_mesh(void **state)
         "       triangle { <-9,0,-9>, <9,0,-9>, <0,-9,-9> } }",
         "triangle { <-9,0,-0.1>, <9,0,-0.1>, <9,0,0.1> }",
         "triangle { <-0.2,0,-0.2>, <0.2,0,-0.2>, <0,0,0.2> }",
+        "union { box { <-3.5,-1,-3>, <4,0,2> } sphere { -2*y, 1 } }",
+        "box { <-0.8,-1,-0.4>, <0.5,0,0.7> }",
     };
-    const double reach[] = { 3, 3, 5, 0.05 };
-    for (int k = 0; k < 4; k++) {
+    const double reach[] = { 3, 3, 5, 0.05, 3.4, 0.5 };
+    for (int k = 0; k < 6; k++) {
         struct stage stage = stage_new(scenes[k]);
         atomic_bool full = false;
         struct facet_mesh *mesh =
