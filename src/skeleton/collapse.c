@@ -71,22 +71,34 @@ static struct cell_list *collapse_list(struct collapse *collapse, cell c)
     }
 }
 
-/* How many cells of one dimension more have f, up to two; *only is one. */
+/* By the axes of a cell: of the byte of its lattice point, the bits of the
+ * cells above it. */
+static const uint8_t above_bits[8] = {
+    1 << 1 | 1 << 2 | 1 << 4, /* a point: edges along x, y, z */
+    1 << 3 | 1 << 5,          /* x: squares xy, xz */
+    1 << 3 | 1 << 6,          1 << 7, 1 << 5 | 1 << 6, 1 << 7, 1 << 7, 0,
+};
+
+/* How many cells of one dimension more have f, up to two; *only is one. Those
+ * on the upper side are in the same byte. */
 static int cofaces(const struct complex *complex, cell f, cell *only)
 {
+    const uint8_t *cells = complex->cells;
+    unsigned upper = cells[f >> 3] & above_bits[f & 7];
     int count = 0;
-    for (int axis = 0; axis < 3 && count < 2; axis++) {
-        if (f >> axis & 1)
+    if (upper & (upper - 1))
+        return 2;
+    if (upper) {
+        *only = (f & ~7u) + (cell)__builtin_ctz(upper);
+        count = 1;
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        cell below = cell_below(complex, f, axis);
+        if (f >> axis & 1 || !complex_has(cells, below))
             continue;
-        cell above = cell_above(f, axis), below = cell_below(complex, f, axis);
-        if (complex_has(complex->cells, above)) {
-            count++;
-            *only = above;
-        }
-        if (complex_has(complex->cells, below)) {
-            count++;
-            *only = below;
-        }
+        if (++count == 2)
+            return 2;
+        *only = below;
     }
     return count;
 }
@@ -268,13 +280,23 @@ static bool collapse_round(struct collapse *collapse)
     return any;
 }
 
+/* Whether all around a lattice point is void: nothing of it is free. */
+static bool is_inner(const struct complex *complex, size_t i)
+{
+    const uint8_t *cells = complex->cells;
+    return (cells[i] & cells[i - complex->stride[0] / 8] &
+            cells[i - complex->stride[1] / 8] &
+            cells[i - complex->stride[2] / 8]) == 0xff;
+}
+
 /* Everything that is free as it begins. */
 static void collapse_begin(struct collapse *collapse)
 {
     const struct complex *complex = collapse->complex;
     cell g;
     for (size_t i = 0; i < complex->count; i++)
-        for (cell axes = 0; complex->cells[i] && axes < 7; axes++) {
+        for (cell axes = 0;
+             complex->cells[i] && axes < 7 && !is_inner(complex, i); axes++) {
             cell f = (cell)(8 * i) + axes;
             if (collapse_free(collapse, f, &g))
                 list_add(&collapse->candidates, f);

@@ -10,7 +10,7 @@
 #include "base/warp.h"
 
 enum {
-    RAYS = 300 * 1000, /* in all, about */
+    RAYS = 200 * 1000, /* in all, about */
     RAYS_LEAST = 16,   /* of a zone */
     RAYS_MOST = 1024,
 };

@@ -212,6 +212,7 @@ struct pieces *pieces_new(struct arena *arena, const struct voxels *voxels,
         .first = memory_new(chambers->count * sizeof *cutting.first),
     };
     double radii = cell_width;
+    pieces->chambers = chambers->count;
     pieces->cells = ARENA_ARRAY(arena, struct piece_cells, chambers->count);
     pieces->of_voxel = ARENA_ARRAY(arena, uint32_t, count);
     cutting_cut(&cutting, radii);

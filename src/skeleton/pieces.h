@@ -16,7 +16,7 @@ struct piece_cells {
 };
 
 struct pieces {
-    size_t count;
+    size_t count, chambers;
     uint32_t *of_voxel;        /* PIECE_NONE: matter, or no node gets there */
     uint32_t *chamber;         /* of each piece */
     struct piece_cells *cells; /* of each chamber */

@@ -59,10 +59,15 @@ static void voxel_at(const struct voxels *v, vec3 point, int place[3])
     place[2] = voxel_coordinate(at.z);
 }
 
-/* The middle of a voxel. */
-static vec3 voxel_middle(const struct voxels *v, const int place[3])
+/* The point of a voxel, not quite its border, that is closest to a point. */
+static vec3 voxel_closest(const struct voxels *v, const int place[3],
+                          vec3 point)
 {
-    vec3 at = vec3_make(place[0] + 0.5, place[1] + 0.5, place[2] + 0.5);
+    const vec3 margin = { 0.01, 0.01, 0.01 }, whole = { 1, 1, 1 };
+    vec3 corner = vec3_make(place[0], place[1], place[2]);
+    vec3 at = vec3_scale(vec3_sub(point, v->origin), 1 / v->edge);
+    at = vec3_max(at, vec3_add(corner, margin));
+    at = vec3_min(at, vec3_sub(vec3_add(corner, whole), margin));
     return vec3_along(v->origin, at, v->edge);
 }
 
@@ -87,7 +92,7 @@ bool skeleton_search(const struct skeleton *skeleton, int reach,
                     continue;
                 best = cost;
                 point->node = node;
-                point->around = voxel_middle(v, place);
+                point->around = voxel_closest(v, place, point->position);
             }
     return point->node != GRAPH_NONE;
 }
@@ -107,7 +112,9 @@ struct skeleton_point skeleton_find(const struct skeleton *skeleton,
         if (point.node != GRAPH_NONE)
             return point;
     }
-    skeleton_search(skeleton, 1, &point);
+    for (int reach = 1; reach <= 2; reach++)
+        if (skeleton_search(skeleton, reach, &point))
+            break;
     return point;
 }
 

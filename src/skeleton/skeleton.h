@@ -97,7 +97,7 @@ struct skeleton_light {
 bool skeleton_search(const struct skeleton *skeleton, int reach,
                      struct skeleton_point *point);
 
-/* Finds the void before a point. */
+/* Finds the void before a point, or else beside it, within two voxels. */
 struct skeleton_point skeleton_find(const struct skeleton *skeleton,
                                     vec3 position, vec3 normal);
 

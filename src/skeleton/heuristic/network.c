@@ -46,6 +46,33 @@ static struct side_light network_piece(const struct enclosure *enclosure,
     return light;
 }
 
+/* Pieces without any walls have the mean light of their chambers' walls. */
+static void network_fill(struct network *network)
+{
+    const struct pieces *pieces = network->pieces;
+    struct {
+        rgb light;
+        double area;
+    } *chambers = memory_new(pieces->chambers * sizeof *chambers);
+    for (size_t i = 0; i < SIDES * pieces->count; i++) {
+        const struct zone *zone = &network->enclosure->zones[i];
+        uint32_t chamber = pieces->chamber[i / SIDES];
+        chambers[chamber].light =
+            rgb_add_scaled(chambers[chamber].light, zone->light, zone->area);
+        chambers[chamber].area += zone->area;
+    }
+    for (size_t i = 0; i < pieces->count; i++) {
+        uint32_t chamber = pieces->chamber[i];
+        bool any = false;
+        for (int side = 0; side < SIDES; side++)
+            any |= network->light[i].known[side];
+        if (!any && chambers[chamber].area > 0)
+            network->light[i].mean =
+                rgb_scale(chambers[chamber].light, 1 / chambers[chamber].area);
+    }
+    memory_free(chambers);
+}
+
 static void network_solve(struct network *network,
                           const struct skeleton *skeleton)
 {
@@ -60,6 +87,7 @@ static void network_solve(struct network *network,
     network->light = ARENA_ARRAY(network->arena, struct side_light, count);
     for (uint32_t i = 0; i < count; i++)
         network->light[i] = network_piece(enclosure, i);
+    network_fill(network);
 }
 
 static void *network_start(const struct skeleton *skeleton)
@@ -139,6 +167,26 @@ static int corner_drawn(const double part[3], double draw)
     return corner;
 }
 
+/* Where no wall of the cells around faces that way: those a cell away on all
+ * sides; or the mean of all walls. */
+static rgb network_beside(const struct skeleton *skeleton, uint32_t own,
+                          const double from[3], vec3 normal)
+{
+    const struct network *network = skeleton->state;
+    const struct pieces *pieces = network->pieces;
+    const struct piece_cells *cells = &pieces->cells[pieces->chamber[own]];
+    double total = 0;
+    rgb sum = rgb_grey(0);
+    for (int side = 0; side < SIDES; side++) {
+        double by[3] = { 0 }, size = cells->size[side / 2];
+        by[side / 2] = side % 2 ? -size : size;
+        uint32_t piece = piece_seen(pieces, skeleton->voxels, from, by);
+        if (piece != PIECE_NONE)
+            total += side_add(&network->light[piece], normal, 1, &sum);
+    }
+    return total > 0 ? rgb_scale(sum, 1 / total) : network->light[own].mean;
+}
+
 /* The mean over the cells around the point, each by its share (trilinear), or
  * one of them. */
 static rgb network_indirect(const struct skeleton *skeleton,
@@ -156,8 +204,10 @@ static rgb network_indirect(const struct skeleton *skeleton,
         return sum;
     const struct piece_cells *cells = &pieces->cells[pieces->chamber[own]];
     for (int axis = 0; axis < 3; axis++) {
-        double at = (from[axis] - cells->low[axis]) / cells->size[axis];
-        double off = at - floor(at) - 0.5;
+        double size = cells->size[axis];
+        double at = (from[axis] - cells->low[axis]) / size;
+        double voxel = (floor(from[axis]) + 0.5 - cells->low[axis]) / size;
+        double off = at - floor(voxel) - 0.5;
         part[axis] = fabs(off);
         step[axis] = copysign(cells->size[axis] / 2, off);
     }
@@ -177,7 +227,8 @@ static rgb network_indirect(const struct skeleton *skeleton,
     }
     if (!(total > 0))
         total = side_add(&network->light[own], point->normal, 1, &sum);
-    return total > 0 ? rgb_scale(sum, 1 / total) : network->light[own].mean;
+    return total > 0 ? rgb_scale(sum, 1 / total)
+                     : network_beside(skeleton, own, from, point->normal);
 }
 
 /* A ray from the point, above the surface if it is on one, and what it meets.
