@@ -12,9 +12,11 @@
  * use, and sorting them takes memory. */
 enum { FACETS_MAX = 250000 };
 
-/* How many triangles have a corner at a place, by a hash of it. */
+/* How many triangles have a corner at a place, by half of a hash of it: that
+ * two places have the same takes a chance in thousands, and a leaf then has
+ * the lattice's light. */
 struct corner {
-    uint64_t key; /* 0: free */
+    uint32_t key; /* 0: free */
     uint32_t count;
 };
 
@@ -91,8 +93,8 @@ static uint64_t corner_key(vec3 place)
 
 static struct corner *corner_find(const struct facets *facets, uint64_t key)
 {
-    size_t i = key >> 1 & facets->mask;
-    while (facets->corners[i].key && facets->corners[i].key != key)
+    size_t i = key >> 32 & facets->mask;
+    while (facets->corners[i].key && facets->corners[i].key != (uint32_t)key)
         i = (i + 1) & facets->mask;
     return &facets->corners[i];
 }
@@ -115,7 +117,7 @@ static void take_leaf(struct facets *facets, const struct leaf *leaf)
     for (size_t i = 0; i < 3 * count; i++) {
         uint64_t key = corner_key(leaf_corner(leaf, i / 3, (int)(i % 3)));
         struct corner *corner = corner_find(facets, key);
-        corner->key = key;
+        corner->key = (uint32_t)key;
         corner->count++;
     }
 }
