@@ -11,6 +11,10 @@
  * with others, or parallelograms. */
 static const double smallest = 0.05, smallest_shared = 2, smallest_square = 1;
 
+/* Longest edge, in the lattice's least spacings: of larger pieces the edges
+ * can't be halved often enough. */
+static const double largest = 4096;
+
 /* Narrower pieces, relative to their longest edge, would have points nearer to
  * each other than is any use ... */
 static const double narrowest = 0.2;
@@ -403,7 +407,8 @@ bool facet_mesh_light(const struct facet_mesh *mesh, struct worker *worker,
     int level = lattice_level(question->lattice, middle, &coarse);
     seeker.spacing = lattice_spacing(question->lattice, level);
     seeker.kind = facet_kind(&seeker.facet, seeker.spacing);
-    if (seeker.kind == FACET_NONE)
+    if (seeker.kind == FACET_NONE ||
+        seeker.facet.longest > largest * lattice_spacing(question->lattice, 0))
         return false;
     if (!seeker.facet.alone) {
         level = lattice_level(question->lattice, question->at->point, &coarse);

@@ -237,12 +237,33 @@ static void test_mesh(void **state)
     }
 }
 
+/* A floor too large to have points as near to each other as they should be is
+ * left to the lattice. */
+static void test_too_large(void **state)
+{
+    (void)state;
+    struct stage stage = stage_new("box { <-1e6,-1,-1e6>, <1e6,0,1e6> }");
+    atomic_bool full = false;
+    struct facet_mesh *mesh =
+        facet_mesh_new(&stage.lamps, stage.tree, LAMPS, &full, 1000000);
+    struct intersection at =
+        look(&stage, vec3_make(0, 9, 0), vec3_make(1, 0, 0));
+    struct lattice lattice = { .spacing = 0.5 };
+    struct facet_question question = { &lattice, &at, { 0, 1, 0 } };
+    struct facet_light light;
+    assert_false(facet_mesh_light(mesh, &stage.worker, &question, &light));
+    lattice.spacing = 5000;
+    assert_true(facet_mesh_light(mesh, &stage.worker, &question, &light));
+    facet_mesh_free(mesh);
+    stage_free(&stage);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_alone),    cmocka_unit_test(test_unshadowed),
         cmocka_unit_test(test_unbiased), cmocka_unit_test(test_tilted),
-        cmocka_unit_test(test_mesh),
+        cmocka_unit_test(test_mesh),     cmocka_unit_test(test_too_large),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
