@@ -3,8 +3,9 @@
 
 bool mesh_degenerate(vec3 a, vec3 b, vec3 c)
 {
-    double area = vec3_length(vec3_cross(vec3_sub(b, a), vec3_sub(c, a)));
-    return !(area > 0) || !isfinite(area);
+    vec3 face = vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
+    double square = vec3_dot(face, face);
+    return !(square > 0) || !isfinite(square);
 }
 
 static bool triangle_valid(const struct mesh *mesh,
@@ -42,9 +43,17 @@ static void triangle_flatten(const struct mesh *mesh,
 static struct box3 mesh_find_bounds(const struct mesh *mesh)
 {
     struct box3 box = box3_empty();
-    for (size_t i = 0; i < mesh->triangle_count; i++)
-        for (int k = 0; k < 3; k++)
-            box = box3_add(box, mesh->vertices[mesh->triangles[i].vertex[k]]);
+    vec3 *low = &box.low, *high = &box.high;
+    for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
+        vec3 p = mesh->vertices[mesh->triangles[i / 3].vertex[i % 3]];
+        /* Plain comparisons: fmin is a call each time. */
+        *low =
+            vec3_make(p.x < low->x ? p.x : low->x, p.y < low->y ? p.y : low->y,
+                      p.z < low->z ? p.z : low->z);
+        *high = vec3_make(p.x > high->x ? p.x : high->x,
+                          p.y > high->y ? p.y : high->y,
+                          p.z > high->z ? p.z : high->z);
+    }
     return box;
 }
 
