@@ -20,6 +20,8 @@ struct heuristic {
     /* The answer's `indirect`, if that alone is cheaper; or NULL. */
     rgb (*indirect)(const struct skeleton *skeleton,
                     const struct skeleton_point *point);
+    /* What a surface outside of the grid gets besides; NULL: nothing. */
+    rgb (*outside)(const struct skeleton *skeleton, vec3 normal);
 };
 
 /* By name, or NULL; by number, or NULL past the end. The first is the

@@ -155,13 +155,25 @@ void skeleton_free(struct skeleton *skeleton)
     arena_free(skeleton->arena);
 }
 
+/* The light without the void's. */
+static rgb light_outside(const struct skeleton *skeleton, vec3 position,
+                         vec3 normal)
+{
+    const struct heuristic *heuristic = skeleton->heuristic;
+    int place[3];
+    if (!heuristic->outside || voxels_find(skeleton->voxels, position, place))
+        return rgb_grey(0);
+    return heuristic->outside(skeleton, normal);
+}
+
 struct skeleton_light skeleton_light(const struct skeleton *skeleton,
                                      struct worker *worker, vec3 position,
                                      vec3 normal)
 {
     struct skeleton_point point = skeleton_find(skeleton, position, normal);
     if (point.node == GRAPH_NONE)
-        return (struct skeleton_light){ { 0 } };
+        return (struct skeleton_light){ .indirect = light_outside(
+                                            skeleton, position, normal) };
     return skeleton->heuristic->answer(skeleton, worker, &point);
 }
 
@@ -171,7 +183,7 @@ rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
     struct skeleton_point point = skeleton_find(skeleton, position, normal);
     point.draw = draw;
     if (point.node == GRAPH_NONE)
-        return rgb_grey(0);
+        return light_outside(skeleton, position, normal);
     if (skeleton->heuristic->indirect)
         return skeleton->heuristic->indirect(skeleton, &point);
     return skeleton->heuristic->answer(skeleton, worker, &point).indirect;

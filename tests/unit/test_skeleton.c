@@ -258,6 +258,19 @@ static void far_away_is_dark(void **state)
     fixture_free(f);
 }
 
+/* Outside of the grid there is the sky. */
+static void the_sky_is_outside(void **state)
+{
+    (void)state;
+    struct fixture *f = fixture_new(
+        &void_box, ".5", "background { rgb <.3, .4, .6> }", "network", 1);
+    rgb outside = ask(f, -3, -3, 2, up).indirect;
+    assert_near(outside.r, 0.3, 1e-6);
+    assert_near(outside.b, 0.6, 1e-6);
+    assert_true(ask(f, 3, 0.2, 3, up).indirect.g == 0);
+    fixture_free(f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -268,6 +281,7 @@ int main(void)
         cmocka_unit_test(a_stop_is_heard),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(far_away_is_dark),
+        cmocka_unit_test(the_sky_is_outside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,6 +7,7 @@
 #include "base/draw.h"
 #include "base/memory.h"
 #include "base/warp.h"
+#include "shade/background.h"
 #include "shade/surface.h"
 #include "skeleton/exchange.h"
 #include "skeleton/heuristic.h"
@@ -27,6 +28,7 @@ struct network {
     const struct pieces *pieces;
     const struct enclosure *enclosure;
     struct side_light *light; /* of each piece */
+    rgb sky[SIDES];           /* irradiance of the open sky */
 };
 
 /* The light of a piece: of its walls. */
@@ -90,6 +92,26 @@ static void network_solve(struct network *network,
     network_fill(network);
 }
 
+static vec3 side_normal(int side)
+{
+    double sign = side % 2 ? -1 : 1;
+    return vec3_make(side / 2 == 0 ? sign : 0, side / 2 == 1 ? sign : 0,
+                     side / 2 == 2 ? sign : 0);
+}
+
+static rgb sky_irradiance(const struct skeleton *skeleton, int side)
+{
+    rgb sum = rgb_grey(0);
+    for (uint32_t i = 0; i < LOOKS; i++) {
+        struct draws draws = { random_key(skeleton->seed, (uint64_t)side), i };
+        double u[2];
+        draw_pair(&draws, 0, u);
+        vec3 direction = warp_lobe(u, side_normal(side), 1);
+        sum = rgb_add(sum, background_light(skeleton->scene, direction));
+    }
+    return rgb_scale(sum, 1.0 / LOOKS);
+}
+
 static void *network_start(const struct skeleton *skeleton)
 {
     struct arena *arena = arena_new(0);
@@ -108,6 +130,8 @@ static void *network_start(const struct skeleton *skeleton)
         pieces_new(arena, skeleton->voxels, skeleton->nearest, skeleton->graph);
     network->sight = sight_new(arena, skeleton, network->pieces, &scene);
     network_solve(network, skeleton);
+    for (int side = 0; side < SIDES; side++)
+        network->sky[side] = sky_irradiance(skeleton, side);
     return network;
 }
 
@@ -132,6 +156,17 @@ static double side_add(const struct side_light *light, vec3 normal,
         *sum = rgb_add_scaled(*sum, light->side[side], weight * n * n);
     }
     return total;
+}
+
+static rgb network_outside(const struct skeleton *skeleton, vec3 normal)
+{
+    const struct network *network = skeleton->state;
+    rgb sum = rgb_grey(0);
+    for (int axis = 0; axis < 3; axis++) {
+        double n = vec3_component(normal, axis);
+        sum = rgb_add_scaled(sum, network->sky[2 * axis + (n < 0)], n * n);
+    }
+    return sum;
 }
 
 /* The piece that is so many voxels away, if there is nothing but void between;
@@ -292,4 +327,5 @@ const struct heuristic network_heuristic = {
     .finish = network_finish,
     .answer = network_answer,
     .indirect = network_indirect,
+    .outside = network_outside,
 };
