@@ -8,7 +8,7 @@
 struct heuristic {
     const char *name;
     const char *help;
-    bool ways; /* it follows the light of lamps: skeleton->lamps have paths */
+    bool wayless; /* it follows no lamp's light: their paths are NULL */
     /* What it finds out once: skeleton->state. NULL: nothing. */
     void *(*start)(const struct skeleton *skeleton);
     void (*finish)(void *state);

@@ -59,6 +59,5 @@ static struct skeleton_light backward_answer(const struct skeleton *skeleton,
 const struct heuristic backward_heuristic = {
     .name = "backward",
     .help = "by the way to the lamp, straightened as far as one can see",
-    .ways = true,
     .answer = backward_answer,
 };

@@ -16,6 +16,5 @@ static struct skeleton_light forward_answer(const struct skeleton *skeleton,
 const struct heuristic forward_heuristic = {
     .name = "forward",
     .help = "by the length of the way from the lamp and its narrowest place",
-    .ways = true,
     .answer = forward_answer,
 };

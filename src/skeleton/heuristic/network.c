@@ -323,6 +323,7 @@ static struct skeleton_light network_answer(const struct skeleton *skeleton,
 const struct heuristic network_heuristic = {
     .name = "network",
     .help = "by the balance of light between the walls of the void",
+    .wayless = true,
     .start = network_start,
     .finish = network_finish,
     .answer = network_answer,
