@@ -141,21 +141,23 @@ static struct harmonics gatherer_mean(const struct gatherer *gatherer,
     return light;
 }
 
-/* About how far two halves are apart, relative to the light there is: four
- * coefficients say how strong it is and where from. */
-static double halves_error(const struct harmonics *a, const struct harmonics *b)
+/* About how far two halves are apart, relative to the light there is, that of
+ * lamps included: four coefficients say how strong it is and where from. */
+static double halves_error(const struct harmonics *a, const struct harmonics *b,
+                           const struct harmonics *lamps)
 {
     double apart = 0, whole = 0;
     for (int i = 0; i < 4; i++) {
         double x = (double)(a->r[i] + a->g[i] + a->b[i]);
         double y = (double)(b->r[i] + b->g[i] + b->b[i]);
         apart += (x - y) * (x - y);
-        whole += (x + y) * (x + y);
+        double z = (double)(lamps->r[i] + lamps->g[i] + lamps->b[i]);
+        whole += (x + y + 2 * z) * (x + y + 2 * z);
     }
     return whole > 0 ? sqrt(apart / whole) : 0;
 }
 
-/* Samples are doubled until both halves agree. */
+/* Samples are doubled until both halves agree, beside the lamps' light. */
 static void fill_gather(const void *context, struct worker *worker,
                         const struct mesh_site *site, void *payload)
 {
@@ -167,9 +169,12 @@ static void fill_gather(const void *context, struct worker *worker,
     if (count > most)
         count = most;
     struct harmonics light = gatherer_mean(&gatherer, 0, count);
+    struct harmonics lamps = { { 0 }, { 0 }, { 0 } };
+    if (2 * count <= most)
+        direct_mesh_around(&mesh->direct, worker, site, &lamps);
     while (2 * count <= most && !worker_stopped(worker)) {
         struct harmonics more = gatherer_mean(&gatherer, count, 2 * count);
-        double error = halves_error(&light, &more);
+        double error = halves_error(&light, &more, &lamps);
         harmonics_scale(&light, 0.5f);
         harmonics_mix(&light, &more, 0.5f);
         count *= 2;

@@ -61,9 +61,13 @@ method_find() {
 # knows it; prints "CPU WALL MEMORY"; what the program said is in PICTURE.log
 picture_run() {
     method_find "$1" || return
-    log=$5.log
+    log=$5.log across=${3%%x*} down=${3#*x} samples=-A
+    case $3$lighting in
+    *x*x*path) ;;
+    *x*x*) samples="+A0.0 +AM1 +R${3##*x} -J" ;;
+    esac
     set -- $options $(scene_options "$2") +I"$(scene_file "$2")" +O"$5" \
-        +"$4" +W"${3%x*}" +H"${3#*x}" +WT"$THREADS" -A -D -V
+        +"$4" +W"$across" +H"${down%x*}" +WT"$THREADS" $samples -D -V
     if ! $work/measure "$log" "$command" "$@"; then
         echo "bench: failed: $command $*" >&2
         [ -s "$log" ] && tail -20 "$log" >&2 ||
