@@ -319,6 +319,14 @@ static bool mesh_disputes(const struct mesh_question *question,
            wide_penumbra;
 }
 
+static rgb mesh_settle(const struct lamplight *light, const struct lamp *lamp,
+                       const struct lamp_view *view)
+{
+    const struct surface *surface = light->surface;
+    struct lamp_target target = { surface->point, surface->inside, *view };
+    return lamps_share_fine(light->lamps, lamp, light->worker, &target);
+}
+
 static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
                       const struct lamp_view *view)
 {
@@ -334,7 +342,7 @@ static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
                    direct_mesh_agrees(&half->blend);
     if (!certain && !few_has(verdict->faint, number) &&
         mesh_disputes(question, half, lamp))
-        return lamplight_trace(light, lamp, view);
+        return mesh_settle(light, lamp, view);
     return lit ? rgb_grey(1)
                : direct_mesh_share(question->direct, &half->blend, number);
 }

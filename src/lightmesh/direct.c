@@ -57,7 +57,7 @@ static double fill_share(const struct direct_mesh *mesh, struct worker *worker,
     struct lamp_target target = { .point = site->place };
     bool there =
         lamp_look(lamp, lamp->light->location, site->place, &target.view);
-    rgb seen = lamps_share(mesh->lamps, lamp, worker, &target);
+    rgb seen = lamps_share_fine(mesh->lamps, lamp, worker, &target);
     share[0] = share_pack(seen.r);
     share[1] = share_pack(seen.g);
     share[2] = share_pack(seen.b);

@@ -9,6 +9,10 @@
  * their edges. A point that has lost its place is seen again. */
 enum { AREA_PLACES = 512 };
 
+/* Of refined grids: the most steps along a side, and where the light isn't
+ * adaptive. */
+enum { AREA_STEPS = 64, AREA_ADAPTIVE = 2 };
+
 struct area_walk {
     const struct area_grid *grid;
     rgb light; /* unshadowed */
@@ -47,7 +51,14 @@ struct area_grid area_grid_new(const struct lamp *lamp, vec3 point,
                                uint64_t seed)
 {
     const struct light *light = lamp->light;
-    struct area_grid grid = { light, light->axis1, light->axis2, 0 };
+    struct area_grid grid = {
+        .light = light,
+        .axis1 = light->axis1,
+        .axis2 = light->axis2,
+        .size1 = light->size1,
+        .size2 = light->size2,
+        .adaptive = light->adaptive,
+    };
     if (light->orient)
         area_orient(&grid, point);
     if (light->jitter) {
@@ -57,6 +68,24 @@ struct area_grid area_grid_new(const struct lamp *lamp, vec3 point,
         grid.key = random_key(key, bits_of(point.z)) | 1;
     }
     return grid;
+}
+
+/* At least twice as many steps, a power of two: halves of such sides always
+ * share a point. */
+static int side_refined(int size)
+{
+    int steps = 1;
+    while (steps < 2 * (size - 1) && steps < AREA_STEPS)
+        steps *= 2;
+    return size > 1 && size <= AREA_STEPS ? steps + 1 : size;
+}
+
+void area_grid_refine(struct area_grid *grid)
+{
+    grid->size1 = side_refined(grid->size1);
+    grid->size2 = side_refined(grid->size2);
+    if (grid->adaptive < 0)
+        grid->adaptive = AREA_ADAPTIVE;
 }
 
 /* The square [-1/2,1/2]^2 pressed into the disc in it along the radii, moved
@@ -82,8 +111,8 @@ vec3 area_grid_point(const struct area_grid *grid, int i, int j)
         x += random_unit(key) - 0.5;
         y += random_unit(key + 1) - 0.5;
     }
-    u = light->size1 > 1 ? x / (light->size1 - 1) - 0.5 : 0;
-    v = light->size2 > 1 ? y / (light->size2 - 1) - 0.5 : 0;
+    u = grid->size1 > 1 ? x / (grid->size1 - 1) - 0.5 : 0;
+    v = grid->size2 > 1 ? y / (grid->size2 - 1) - 0.5 : 0;
     if (light->circular ||
         (light->orient && light->size1 > 1 && light->size2 > 1))
         area_round(&u, &v);
@@ -93,7 +122,7 @@ vec3 area_grid_point(const struct area_grid *grid, int i, int j)
 
 static rgb area_see(struct area_walk *walk, int i, int j)
 {
-    int64_t number = (int64_t)i * walk->grid->light->size2 + j;
+    int64_t number = (int64_t)i * walk->grid->size2 + j;
     size_t place = (size_t)(number % AREA_PLACES);
     if (walk->known[place] != number) {
         vec3 point = area_grid_point(walk->grid, i, j);
@@ -115,13 +144,13 @@ static bool area_agree(const struct area_walk *walk, rgb a, rgb b)
 static rgb area_part_seen(struct area_walk *walk, struct area_part part,
                           int level)
 {
-    const struct light *light = walk->grid->light;
+    const struct area_grid *grid = walk->grid;
     rgb a = area_see(walk, part.i0, part.j0);
     rgb b = area_see(walk, part.i1, part.j0);
     rgb c = area_see(walk, part.i0, part.j1);
     rgb d = area_see(walk, part.i1, part.j1);
     bool wide = part.i1 - part.i0 > 1, high = part.j1 - part.j0 > 1;
-    bool enough = light->adaptive >= 0 && level >= light->adaptive &&
+    bool enough = grid->adaptive >= 0 && level >= grid->adaptive &&
                   area_agree(walk, a, b) && area_agree(walk, a, c) &&
                   area_agree(walk, b, d) && area_agree(walk, c, d);
     if (enough || (!wide && !high))
@@ -147,7 +176,6 @@ static rgb area_part_seen(struct area_walk *walk, struct area_part part,
 rgb area_visibility(const struct area_grid *grid, rgb arriving,
                     area_visit *visit, void *context)
 {
-    const struct light *light = grid->light;
     struct area_walk walk;
     walk.grid = grid;
     walk.light = arriving;
@@ -155,6 +183,5 @@ rgb area_visibility(const struct area_grid *grid, rgb arriving,
     walk.context = context;
     memset(walk.known, -1, sizeof walk.known);
     return area_part_seen(
-        &walk, (struct area_part){ 0, light->size1 - 1, 0, light->size2 - 1 },
-        0);
+        &walk, (struct area_part){ 0, grid->size1 - 1, 0, grid->size2 - 1 }, 0);
 }

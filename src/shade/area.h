@@ -12,6 +12,8 @@
 struct area_grid {
     const struct light *light;
     vec3 axis1, axis2; /* turned to the point if the light says orient */
+    int size1, size2;  /* points along them */
+    int adaptive;      /* as the light's */
     uint64_t key;      /* of the jitter; 0: none */
 };
 
@@ -19,6 +21,11 @@ struct area_grid {
  * to run. */
 struct area_grid area_grid_new(const struct lamp *lamp, vec3 point,
                                uint64_t seed);
+
+/* Makes the grid about twice as fine, so that its mean comes near the true one
+ * over the light's surface: POV-Ray's bisection then gives each point the
+ * light around it. Adaptive, whatever the light says. */
+void area_grid_refine(struct area_grid *grid);
 
 /* Point (i, j) of the grid, 0 <= i < size1, 0 <= j < size2. */
 vec3 area_grid_point(const struct area_grid *grid, int i, int j);

@@ -94,13 +94,28 @@ rgb lamps_share_point(const struct lamps *lamps, const struct lamp *lamp,
     return lamp_trace(&question, view->direction, view->distance);
 }
 
-rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
-                struct worker *worker, const struct lamp_target *target)
+static rgb lamps_share_grid(const struct lamps *lamps, const struct lamp *lamp,
+                            struct worker *worker,
+                            const struct lamp_target *target, bool refined)
 {
     struct lamp_question question = { lamps, lamp, worker, target };
     if (!lamp_casts(lamps, lamp) || !lamps_soft(lamps, lamp))
         return lamps_share_point(lamps, lamp, worker, target);
     struct area_grid grid = area_grid_new(lamp, target->point, lamps->seed);
     rgb arriving = rgb_scale(lamp->light->colour, target->view.attenuation);
+    if (refined)
+        area_grid_refine(&grid);
     return area_visibility(&grid, arriving, lamp_see, &question);
+}
+
+rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
+                struct worker *worker, const struct lamp_target *target)
+{
+    return lamps_share_grid(lamps, lamp, worker, target, false);
+}
+
+rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
+                     struct worker *worker, const struct lamp_target *target)
+{
+    return lamps_share_grid(lamps, lamp, worker, target, true);
 }

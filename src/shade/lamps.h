@@ -43,6 +43,10 @@ struct lamp_target {
 rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
                 struct worker *worker, const struct lamp_target *target);
 
+/* The same by a finer grid of an area light: nearer the true share. */
+rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
+                     struct worker *worker, const struct lamp_target *target);
+
 /* The same for one shadow ray to where target->view looks: a point of the
  * lamp. */
 rgb lamps_share_point(const struct lamps *lamps, const struct lamp *lamp,

@@ -326,6 +326,53 @@ static void test_area_adaptive(void **state)
     }
 }
 
+/* What lies left of a line across the light counts by its length. */
+struct edge {
+    double x;
+    int asked;
+};
+
+static rgb left_of(void *context, vec3 location)
+{
+    struct edge *edge = context;
+    edge->asked++;
+    return rgb_grey(location.x < edge->x);
+}
+
+/* The error is half a step at most, that of sides which aren't halved evenly
+ * by POV-Ray no longer more; rays that all see the same stay few. */
+static void test_area_refined(void **state)
+{
+    (void)state;
+    struct light light = light_default();
+    light.area = true;
+    light.axis1 = vec3_make(1, 0, 0);
+    light.axis2 = vec3_make(0, 1, 0);
+    for (int n = 2; n <= 33; n++) {
+        light.size1 = n;
+        light.size2 = 1;
+        light.adaptive = n % 3 - 1;
+        struct lamp lamp = lamp_new(&light, 0);
+        struct area_grid grid = area_grid_new(&lamp, vec3_make(0, 0, 9), 0);
+        area_grid_refine(&grid);
+        assert_true(grid.size1 >= 2 * n - 1 && grid.size2 == 1);
+        for (double x = -0.52; x < 0.52; x += 0.013) {
+            struct edge edge = { x, 0 };
+            double seen = area_visibility(&grid, rgb_grey(1), left_of, &edge).r;
+            double truth = fmin(fmax(x + 0.5, 0), 1);
+            assert_true(fabs(seen - truth) <= 0.5 / (grid.size1 - 1) + 1e-9);
+        }
+        struct edge edge = { 9, 0 };
+        near(area_visibility(&grid, rgb_grey(1), left_of, &edge).r, 1);
+        assert_true(edge.asked <= 5);
+    }
+    light.size1 = 1000;
+    struct lamp lamp = lamp_new(&light, 0);
+    struct area_grid grid = area_grid_new(&lamp, vec3_make(0, 0, 9), 0);
+    area_grid_refine(&grid);
+    assert_int_equal(grid.size1, 1000);
+}
+
 static void test_area_shapes(void **state)
 {
     (void)state;
@@ -368,6 +415,7 @@ int main(void)
         cmocka_unit_test(test_parallel),
         cmocka_unit_test(test_area_weights),
         cmocka_unit_test(test_area_adaptive),
+        cmocka_unit_test(test_area_refined),
         cmocka_unit_test(test_area_shapes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
