@@ -168,9 +168,9 @@ static const struct option table[] = {
     LIGHT("Mesh_Shadows", "mesh-shadows", light_mesh_fields, "shadows",
           "name", "soft or sharp (soft)"),
     LIGHT("Mesh_Threshold", "mesh-threshold", light_mesh_fields, "threshold",
-          "n", "new points where neighbours differ by more"),
+          "n", "new points where neighbours differ by more (0.2)"),
     LIGHT("Mesh_Levels", "mesh-levels", light_mesh_fields, "levels", "n",
-          "how often the distance of points may be halved for that"),
+          "how often the distance of points is halved for that (2)"),
     LIGHT("Mesh_Indirect", "mesh-indirect", light_option_fields, "indirect",
           "bool", "light from surface to surface (as radiosity{} in the "
           "scene)"),
