@@ -28,6 +28,7 @@ struct target {
 struct node_targets {
     int count;
     struct target at[GUIDE_TARGETS];
+    double light; /* indirect irradiance, the largest of the colours */
 };
 
 struct guide {
@@ -118,6 +119,8 @@ static void node_aim(void *context, size_t item, unsigned thread)
     struct skeleton_point point = { .position = position,
                                     .around = position,
                                     .node = (uint32_t)item };
+    guide->nodes[item].light =
+        rgb_peak(skeleton->heuristic->indirect(skeleton, &point));
     double *strength = memory_new(guide->entrance_count * sizeof *strength);
     double sum = 0;
     vec3 stream = { 0 };
@@ -153,7 +156,7 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
     }
     struct guide *guide = memory_new(sizeof *guide);
     struct skeleton_options wanted = {
-        .heuristic = heuristic_find("forward"),
+        .heuristic = heuristic_find("network"),
         .seed = options->seed,
         .threads = options->threads,
         .stop = options->stop,
@@ -182,9 +185,11 @@ void guide_look(const struct guide *guide, vec3 point, vec3 normal,
 {
     uint32_t node = skeleton_find(guide->skeleton, point, normal).node;
     aim->count = 0;
+    aim->light = 0;
     if (node == GRAPH_NONE)
         return;
     const struct node_targets *targets = &guide->nodes[node];
+    aim->light = targets->light;
     for (int i = 0; i < targets->count; i++) {
         const struct target *target = &targets->at[i];
         vec3 axis = vec3_normalise(vec3_sub(target->place, point));

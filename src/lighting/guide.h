@@ -2,7 +2,9 @@
  * (Biri and Chaussard, "Skeleton based importance sampling for path tracing",
  * Eurographics 2012 short papers). At each node of the skeleton of the void the
  * way that light takes is known; what is visible of it has a centre, and from
- * every point nearby light is looked for in a lobe around that direction. */
+ * every point nearby light is looked for in a lobe around that direction. How
+ * much light there is says the balance of light between chambers (heuristic
+ * network), for roulette and splitting of paths. */
 #ifndef LIGHTING_GUIDE_H
 #define LIGHTING_GUIDE_H
 
@@ -14,6 +16,7 @@ enum { GUIDE_TARGETS = 4 }; /* at a point; the strongest */
  * around the axis, this often; the rest of the chance is the caller's. */
 struct guide_aim {
     int count;
+    double light; /* indirect irradiance, about, the largest of the colours */
     struct guide_lobe {
         vec3 axis; /* unit, in front of the surface */
         double power, chance;
@@ -27,8 +30,8 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
                         struct diag *diag);
 void guide_free(struct guide *guide);
 
-/* The lobes of a point of a surface; may be none. Depends on the point and its
- * unit normal alone. */
+/* What is known of a point of a surface; lobes may be none. Depends on the
+ * point and its unit normal alone. */
 void guide_look(const struct guide *guide, vec3 point, vec3 normal,
                 struct guide_aim *aim);
 

@@ -193,8 +193,9 @@ bool passes_run(const struct tracer *tracer,
                 const struct render_options *options, struct image *image,
                 struct render_stats *stats)
 {
+    struct tracer ready = *tracer;
     struct passes passes = {
-        .tracer = tracer,
+        .tracer = &ready,
         .options = options,
         .threads = options->threads ? options->threads : 1,
         .columns = (size_t)(options->column_end - options->column_start),
@@ -208,6 +209,7 @@ bool passes_run(const struct tracer *tracer,
     passes.workers = memory_new(passes.threads * sizeof *passes.workers);
     for (unsigned i = 0; i < passes.threads; i++)
         worker_start(&passes.workers[i], i, options->stop);
+    path_ready(&ready, &passes.workers[0]);
     bool done = passes_all(&passes);
     if (done)
         passes_show(&passes, image);

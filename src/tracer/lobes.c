@@ -59,6 +59,7 @@ static void lobes_add_highlights(struct lobes *lobes,
 void lobes_fill(struct lobes *lobes, const struct surface *surface)
 {
     lobes->view = surface->view;
+    lobes->light = 0;
     lobes->count = 0;
     lobes->total = 0;
     for (int i = 0; i < surface->count; i++) {
@@ -74,19 +75,23 @@ void lobes_fill(struct lobes *lobes, const struct surface *surface)
 void lobes_fill_plate(struct lobes *lobes, vec3 normal)
 {
     lobes->view = normal;
+    lobes->light = 0;
     lobes->count = 0;
     lobes->total = 0;
     lobes_add(lobes, normal, 1, 1, false);
 }
 
 void lobes_guide(struct lobes *lobes, const struct guide *guide, vec3 point,
-                 vec3 normal)
+                 vec3 normal, bool lit)
 {
     struct guide_aim aim;
     double wide = 0, sum = 0;
     if (!guide)
         return;
     guide_look(guide, point, normal, &aim);
+    lobes->light = aim.light;
+    if (lit)
+        return;
     for (int i = 0; i < lobes->count; i++)
         if (!lobes->at[i].halfway && lobes->at[i].power <= wide_most)
             wide += lobes->at[i].share;

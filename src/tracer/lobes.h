@@ -21,6 +21,7 @@ struct lobe {
 struct lobes {
     vec3 view; /* unit, to the viewer */
     int count;
+    double light; /* indirect irradiance, about; 0: not known */
     double total; /* about the share of light that they scatter, largest of
                    * the colours */
     struct lobe at[LOBES_MAX];
@@ -31,10 +32,11 @@ void lobes_fill(struct lobes *lobes, const struct surface *surface);
 /* The lobe of a plate that light falls on. */
 void lobes_fill_plate(struct lobes *lobes, vec3 normal);
 
-/* Adds lobes to where light is expected (NULL: nothing is known of it), which
- * take part of the diffuse ones' chance. */
+/* Tells about how much indirect light there is, and, unless lamps are seen
+ * (`lit`: then it comes from all around), adds lobes to where it is expected,
+ * which take part of the diffuse ones' chance. NULL: nothing is known. */
 void lobes_guide(struct lobes *lobes, const struct guide *guide, vec3 point,
-                 vec3 normal);
+                 vec3 normal, bool lit);
 
 /* A direction by three numbers in [0,1), and the density of all lobes for a
  * direction, per solid angle. There must be lobes. */

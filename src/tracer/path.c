@@ -11,6 +11,8 @@
 #include "tracer/walk.h"
 
 enum {
+    TYPICAL_EDGE = 16,   /* of the grid of path_ready */
+    TYPICAL_SAMPLES = 4, /* at each of its places */
     SLOT_START = 1 << 20,
     SLOT_LOBE
 }; /* of draws; the rest belongs to direct.c */
@@ -26,10 +28,33 @@ struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
                          .weight = 1,
                          .straight = true,
                          .split = true,
+                         .base = 1,
+                         .copies = 1,
                          .share = { 1, 1, 1 },
                          .clear = 1 };
     walk.ray = tracer_start(tracer, worker, x, y, &walk.inside);
     return walk_follow(&walk);
+}
+
+void path_ready(struct tracer *tracer, struct worker *worker)
+{
+    const struct light_set *set = tracer->lighting_state;
+    double sum = 0, n = TYPICAL_EDGE * TYPICAL_EDGE * TYPICAL_SAMPLES;
+    tracer->typical = 0;
+    if (!set->guide)
+        return;
+    for (int i = 0; i < (int)n; i++) {
+        int place = i / TYPICAL_SAMPLES;
+        struct draws draws = { random_key(set->seed, (uint64_t)place),
+                               (uint32_t)(i % TYPICAL_SAMPLES) };
+        double x = (place % TYPICAL_EDGE + 0.5) / TYPICAL_EDGE;
+        double y = (place / TYPICAL_EDGE + 0.5) / TYPICAL_EDGE;
+        rgb seen = path_camera(tracer, worker, x, y, &draws).colour;
+        if (isfinite(rgb_peak(seen)))
+            sum += fabs(rgb_peak(seen)) / n;
+        arena_reset(worker->scratch);
+    }
+    tracer->typical = sum;
 }
 
 /* Irradiance: light counts by its cosine. */
@@ -94,7 +119,7 @@ static rgb probe_sample(const struct tracer *tracer, struct worker *worker,
         lobes_fill_plate(&probe->lobes, *probe->normal);
         if (rgb_peak(light) == 0)
             lobes_guide(&probe->lobes, set->guide, receiver->point,
-                        *probe->normal);
+                        *probe->normal, false);
     }
     light = rgb_add(light, direct_emitters(tracer, worker, receiver, draws));
     vec3 direction = probe_direction(probe, draws);
@@ -109,6 +134,8 @@ static rgb probe_sample(const struct tracer *tracer, struct worker *worker,
                          .density =
                              receiver->density(receiver->context, direction),
                          .from = receiver->point,
+                         .base = 1,
+                         .copies = 1,
                          .share = { 1, 1, 1 } };
     interiors_copy(&walk.inside, receiver->inside);
     if (walk.density > 0 && rgb_peak(share) > 0) {

@@ -13,6 +13,10 @@
 struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
                             double x, double y, const struct draws *draws);
 
+/* Finds for guided paths how bright the picture is; without it they aim, but
+ * don't split. The worker counts the rays. */
+void path_ready(struct tracer *tracer, struct worker *worker);
+
 /* What reaches a point, direct and indirect. */
 struct path_light {
     rgb mean;

@@ -15,6 +15,7 @@ struct tracer {
     /* By tracer_ready: what camera rays start in, if it is known for all. */
     bool ready;
     struct interiors start;
+    double typical; /* by path_ready: mean light of a pixel; 0: not known */
 };
 
 /* Finds once what all camera rays start in, if they agree; without it each is

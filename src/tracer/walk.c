@@ -13,7 +13,8 @@
  *   points and make none; their light goes straight through what is
  *   transparent, as POV-Ray's does.
  * - A reflection exponent is not linear: it is applied to each sample.
- * - Russian roulette (Arvo and Kirk 1990) ends paths that weigh little. */
+ * - Russian roulette (Arvo and Kirk 1990) ends paths that weigh little; with
+ *   --guide those that are worth little, and splits those worth much. */
 #include "tracer/walk.h"
 
 #include "base/warp.h"
@@ -28,6 +29,8 @@ enum {
     VERTICES_MAX = 2000, /* of a path: for safety alone */
     SPLITS_MAX = 8,      /* where all ways are followed */
     EXPONENTS_MAX = 24,  /* mirrors with an exponent in a row */
+    COPIES_MOST = 16,    /* rays that a surface scatters */
+    COPIES_ALL = 64,     /* of a path, at all its surfaces */
     WAYS_MAX = TEXTURE_LAYERS + 2,
 };
 
@@ -36,11 +39,25 @@ static const double split_least = 1.0 / 32;
 /* So do paths after a scattering. */
 static const double path_least = 1.0 / 4;
 
+/* Of guided paths each ray should bring at least this share of the light of a
+ * pixel, which is a mean of this one and all, of the logarithms 1 to 3: the
+ * error of bright pixels is the larger, that of dark ones seen as easily. Rays
+ * that bring less than worth_least of that are left to roulette, but for
+ * copies_least of them. */
+static const double worth_share = 0.2, worth_least = 0.5, copies_least = 0.05;
+
 /* Layers darker than this are left out. */
 static const double layer_least = 1e-7;
 
 /* What each vertex draws. */
-enum { SLOT_WAY = 16, SLOT_LOBE, SLOT_DIRECTION, SLOT_ROULETTE, SLOT_BRANCH };
+enum {
+    SLOT_WAY = 16,
+    SLOT_LOBE,
+    SLOT_DIRECTION,
+    SLOT_ROULETTE,
+    SLOT_COPY,
+    SLOT_BRANCH
+};
 
 /* Where light may have come from. */
 enum way_kind { WAY_SCATTERED, WAY_MIRRORED, WAY_THROUGH, WAY_TURNED };
@@ -189,11 +206,22 @@ static bool walk_scatters(const struct walk *walk)
     return walk->tracer->quality >= QUALITY_FOG;
 }
 
-/* Where lamps are seen other light comes from all around. */
-static const struct guide *walk_guide(const struct walk *walk, rgb lamps)
+static const struct guide *walk_guide(const struct walk *walk)
 {
     const struct light_set *set = walk->tracer->lighting_state;
-    return rgb_peak(lamps) > 0 ? NULL : set->guide;
+    return set->guide;
+}
+
+/* What a ray should bring, once the path knows how bright its pixel is. */
+static void walk_value(struct walk *walk, const struct meeting *meeting,
+                       rgb lamps)
+{
+    double typical = walk->tracer->typical, light = meeting->lobes.light;
+    if (walk->worth > 0 || !(light > 0))
+        return;
+    double pixel = walk->base * rgb_peak(walk->share) *
+                   (rgb_peak(lamps) + meeting->lobes.total * light);
+    walk->worth = worth_share * sqrt(typical * sqrt(typical * pixel));
 }
 
 static void walk_direct(struct walk *walk, struct meeting *meeting)
@@ -212,8 +240,9 @@ static void walk_direct(struct walk *walk, struct meeting *meeting)
     };
     rgb lamps = direct_lamps(walk->tracer, walk->worker, &receiver,
                              &meeting->draws, walk->split);
-    lobes_guide(&meeting->lobes, walk_guide(walk, lamps), receiver.point,
-                receiver.normal);
+    lobes_guide(&meeting->lobes, walk_guide(walk), receiver.point,
+                receiver.normal, rgb_peak(lamps) > 0);
+    walk_value(walk, meeting, lamps);
     walk_gather(walk, lamps);
     walk_gather(walk, direct_emitters(walk->tracer, walk->worker, &receiver,
                                       &meeting->draws));
@@ -222,13 +251,13 @@ static void walk_direct(struct walk *walk, struct meeting *meeting)
 /* On into a direction that the surface scatters to, with `scale`. False if it
  * swallows the ray. */
 static bool walk_scatter(struct walk *walk, const struct meeting *meeting,
-                         double scale)
+                         const struct draws *draws, double scale)
 {
     const struct crossing *crossing = &meeting->crossing;
     double u[2];
-    draw_pair(&meeting->draws, SLOT_DIRECTION, u);
+    draw_pair(draws, SLOT_DIRECTION, u);
     vec3 direction =
-        lobes_sample(&meeting->lobes, draw_unit(&meeting->draws, SLOT_LOBE), u);
+        lobes_sample(&meeting->lobes, draw_unit(draws, SLOT_LOBE), u);
     double density = lobes_density(&meeting->lobes, direction);
     rgb response = surface_response(&crossing->surface, direction, true);
     if (rgb_peak(response) == 0 || !(density > 0) || !isfinite(density))
@@ -248,13 +277,64 @@ static bool walk_scatter(struct walk *walk, const struct meeting *meeting,
     return true;
 }
 
+/* How many rays the light there is worth: a whole number, or, below 1, the
+ * chance of one. 0: nobody knows. */
+static double walk_copies(const struct walk *walk,
+                          const struct meeting *meeting, double scale)
+{
+    double light = meeting->lobes.total * meeting->lobes.light;
+    double rays =
+        walk->base * rgb_peak(walk->share) * scale * light / walk->worth;
+    if (!(walk->worth > 0) || !(rays > 0) || !isfinite(rays))
+        return 0;
+    if (rays < worth_least)
+        return fmax(rays / worth_least, copies_least);
+    double most = fmin(COPIES_MOST, floor(COPIES_ALL / walk->copies));
+    return fmax(1, floor(fmin(rays, most)));
+}
+
+/* A ray of its own of those that the surface scatters. */
+static void walk_copy(struct walk *walk, const struct meeting *meeting,
+                      const struct draws *draws, double scale)
+{
+    struct walk copy = *walk;
+    copy.base *= rgb_peak(walk->share);
+    copy.draws = draws_within(draws, SLOT_COPY);
+    copy.splits++;
+    copy.share = rgb_grey(1);
+    copy.light = rgb_grey(0);
+    if (walk_scatter(&copy, meeting, draws, scale))
+        walk_gather(walk, walk_follow(&copy).colour);
+}
+
+/* Adjoint-driven Russian roulette and splitting (Vorba and Krivanek 2016): as
+ * many rays as the light there is worth. The copies of all samples together
+ * are as evenly spread as samples are. */
+static bool walk_spread(struct walk *walk, const struct meeting *meeting,
+                        double scale)
+{
+    double copies = walk_copies(walk, meeting, scale);
+    struct draws draws = meeting->draws;
+    if (copies == 0)
+        return walk_scatter(walk, meeting, &draws, scale);
+    walk->judged = true;
+    if (copies < 1 && draw_unit(&draws, SLOT_ROULETTE) >= copies)
+        return false;
+    int count = copies < 1 ? 1 : (int)copies;
+    walk->copies *= count;
+    draws.index *= (uint32_t)count;
+    for (; count > 1; count--, draws.index++)
+        walk_copy(walk, meeting, &draws, scale / copies);
+    walk->draws = draws_within(&draws, SLOT_COPY);
+    return walk_scatter(walk, meeting, &draws, scale / copies);
+}
+
 static bool walk_take(struct walk *walk, const struct meeting *meeting,
                       const struct way *way)
 {
     walk->weight *= rgb_peak(way->weight);
     if (way->kind == WAY_SCATTERED)
-        return walk_scatter(walk, meeting,
-                            way->weight.r / meeting->lobes.total);
+        return walk_spread(walk, meeting, way->weight.r / meeting->lobes.total);
     walk_leave(walk, &meeting->crossing, way);
     return true;
 }
@@ -264,6 +344,7 @@ static void walk_branch(struct walk *walk, const struct meeting *meeting,
                         const struct way *way, int number)
 {
     struct walk branch = *walk;
+    branch.base *= rgb_peak(walk->share);
     struct way taken = *way;
     double exponent = way_exponent(way);
     rgb outside = rgb_grey(1);
@@ -340,7 +421,9 @@ static bool walk_on(struct walk *walk, const struct meeting *meeting)
 static bool walk_survives(struct walk *walk, const struct draws *draws,
                           int vertex)
 {
-    double chance = walk->split ? 1 : rgb_peak(walk->share) / path_least;
+    double chance =
+        walk->split || walk->judged ? 1 : rgb_peak(walk->share) / path_least;
+    walk->judged = false;
     if (vertex > 64)
         chance = fmin(chance, 0.98); /* even where nothing is lost */
     if (chance >= 1)

@@ -24,6 +24,11 @@ struct walk {
                      * or bent since */
     vec3 from;      /* where it was scattered */
 
+    double base;  /* that the share is a part of, in the pixel */
+    double worth; /* guided: what a ray should bring there; 0: unknown */
+    int copies;   /* guided: rays that were made of one */
+    bool judged;  /* by worth, and not by roulette */
+
     rgb share;    /* of what the ray meets next, in its radiance */
     double clear; /* 1 - opacity so far */
     rgb light;    /* gathered */

@@ -191,7 +191,8 @@ static void guided_lobes_are_whole(void **state)
         vec3 point = vec3_make(3.3 + 0.3 * i, 0, 0.5), up = { 0, 1, 0 };
         struct lobes lobes;
         lobes_fill_plate(&lobes, up);
-        lobes_guide(&lobes, guide, point, up);
+        lobes_guide(&lobes, guide, point, up, false);
+        assert_true(lobes.light > 0);
         assert_in_range(lobes.count, 2, 3);
         assert_true(lobes.at[1].axis.y > 0 && lobes.at[1].axis.x < 0);
         assert_true(fabs(integral(surface_density, &lobes) - 1) < 2e-3);
