@@ -180,7 +180,7 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
     return guide;
 }
 
-void guide_look(const struct guide *guide, vec3 point, vec3 normal,
+void guide_look(const struct guide *guide, vec3 point, vec3 normal, bool lit,
                 struct guide_aim *aim)
 {
     uint32_t node = skeleton_find(guide->skeleton, point, normal).node;
@@ -190,7 +190,7 @@ void guide_look(const struct guide *guide, vec3 point, vec3 normal,
         return;
     const struct node_targets *targets = &guide->nodes[node];
     aim->light = targets->light;
-    for (int i = 0; i < targets->count; i++) {
+    for (int i = 0; !lit && i < targets->count; i++) {
         const struct target *target = &targets->at[i];
         vec3 axis = vec3_normalise(vec3_sub(target->place, point));
         if (vec3_dot(axis, normal) > 0)

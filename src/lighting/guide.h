@@ -30,9 +30,10 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
                         struct diag *diag);
 void guide_free(struct guide *guide);
 
-/* What is known of a point of a surface; lobes may be none. Depends on the
+/* What is known of a point of a surface; lobes may be none,
+ * and are none where lamps are seen (`lit`). Depends on the
  * point and its unit normal alone. */
-void guide_look(const struct guide *guide, vec3 point, vec3 normal,
+void guide_look(const struct guide *guide, vec3 point, vec3 normal, bool lit,
                 struct guide_aim *aim);
 
 #endif

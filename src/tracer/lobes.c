@@ -88,9 +88,9 @@ void lobes_guide(struct lobes *lobes, const struct guide *guide, vec3 point,
     double wide = 0, sum = 0;
     if (!guide)
         return;
-    guide_look(guide, point, normal, &aim);
+    guide_look(guide, point, normal, lit, &aim);
     lobes->light = aim.light;
-    if (lit)
+    if (aim.count == 0)
         return;
     for (int i = 0; i < lobes->count; i++)
         if (!lobes->at[i].halfway && lobes->at[i].power <= wide_most)
