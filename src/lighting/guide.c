@@ -160,6 +160,7 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
         .seed = options->seed,
         .threads = options->threads,
         .stop = options->stop,
+        .ways = true,
     };
     guide->space = void_new(scene, world, scene->settings.skeleton.resolution,
                             options->threads, diag);

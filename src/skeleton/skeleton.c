@@ -135,7 +135,8 @@ struct skeleton *skeleton_new(const struct world *world,
     skeleton->heuristic =
         options->heuristic ? options->heuristic : heuristic_at(0);
     if (skeleton_thin(skeleton)) {
-        skeleton_light_up(skeleton, !skeleton->heuristic->wayless);
+        skeleton_light_up(skeleton,
+                          options->ways || !skeleton->heuristic->wayless);
         if (skeleton->heuristic->start)
             skeleton->state = skeleton->heuristic->start(skeleton);
     }

@@ -61,6 +61,7 @@ struct skeleton_options {
     uint64_t seed;
     unsigned threads;
     const atomic_int *stop; /* non-zero: leave off; NULL: never */
+    bool ways; /* lamps have paths, even if the heuristic needs none */
 };
 
 /* From the voxels of the scene, which must outlive it, as must the world. NULL
