@@ -130,7 +130,7 @@ static const struct option table[] = {
             "0: plain colours, 4: shadows, 5: area lights, 6: textures, 8: "
             "reflection and refraction, 9: all (9)"),
     WORD("lighting", set_lighting, 0, "name",
-         "how light is worked out (rays); see --list lightings"),
+         "how light is worked out (mesh); see --list lightings"),
     WORD("show", set_text, AT(show), "name",
          "draw what the lighting knows over the picture: skeleton, "
          "skeleton:irradiance, stream, mesh, mesh:indirect"),
@@ -172,8 +172,7 @@ static const struct option table[] = {
     LIGHT("Mesh_Levels", "mesh-levels", light_mesh_fields, "levels", "n",
           "how often the distance of points is halved for that (2)"),
     LIGHT("Mesh_Indirect", "mesh-indirect", light_option_fields, "indirect",
-          "bool", "light from surface to surface (as radiosity{} in the "
-          "scene)"),
+          "bool", "light from surface to surface (on)"),
     LIGHT("Mesh_Samples", "mesh-samples", indirect_fields, "samples", "n",
           "rays that gather it at a mesh point"),
     LIGHT("Mesh_Bounces", "mesh-bounces", indirect_fields, "bounces", "n",

@@ -15,7 +15,8 @@ struct scene *scene_new(size_t memory_limit)
         .ambient_light = rgb_grey(1),
         .max_trace_level = 5,
         .adc_bailout = 1.0 / 255,
-        .light_mesh = { .quality = 5, .indirect.skeleton = true },
+        .light_mesh = { .quality = 5,
+                        .indirect = { .on = true, .skeleton = true } },
     };
     return scene;
 }

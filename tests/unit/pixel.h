@@ -14,7 +14,7 @@
 struct pixel_options {
     int quality;
     bool alpha;
-    const char *lighting; /* NULL: the first */
+    const char *lighting; /* NULL: rays */
 };
 
 /* Looks along z from (0, 0, -10) unless the scene has a camera. */
@@ -38,7 +38,7 @@ static inline struct radiance pixel_see(const char *scene_text,
     struct world *world = world_new(scene, 1, 0, &diag);
     assert_non_null(world);
     const struct lighting *lighting =
-        options.lighting ? lighting_find(options.lighting) : lighting_at(0);
+        lighting_find(options.lighting ? options.lighting : "rays");
     struct lighting_options light = { .threads = 1,
                                       .quality = options.quality };
     struct tracer tracer = { .scene = scene,

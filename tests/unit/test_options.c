@@ -111,7 +111,7 @@ static void defaults_are_povrays(void **state)
     assert_int_equal(o->quality, 9);
     assert_false(o->frames.animated);
     assert_false(o->parse.clock_on);
-    assert_string_equal(o->lighting->name, "rays");
+    assert_string_equal(o->lighting->name, "mesh");
 }
 
 static void switches_take_either_sign_and_case(void **state)
