@@ -9,9 +9,17 @@
 
 enum { NOTES = 5 }; /* lights that a warning names */
 
-static bool part_is_lit(const struct void_part *part)
+/* A black sky lights nothing; without any lamp that is what was meant. */
+static bool sky_counts(const struct scene *scene,
+                       const struct void_space *space)
 {
-    return part->lights > 0 || part->emitter || part->sky;
+    return space->light_count == 0 || scene->sky ||
+           rgb_peak(colour_rgb(scene->background)) > 0;
+}
+
+static bool part_is_lit(const struct void_part *part, bool sky)
+{
+    return part->lights > 0 || part->emitter || (part->sky && sky);
 }
 
 /* Lights that matter holds light nothing. */
@@ -41,12 +49,13 @@ static void note_lights(const struct void_space *space,
 }
 
 static void warn_of_camera(const struct void_space *space,
+                           const struct scene *scene,
                            const struct light *lights, struct diag *diag)
 {
-    bool found = false;
+    bool found = false, sky = sky_counts(scene, space);
     for (size_t i = 0; i < space->part_count; i++) {
         const struct void_part *part = &space->parts[i];
-        if (part->camera && part_is_lit(part))
+        if (part->camera && part_is_lit(part, sky))
             return;
         found |= part->camera;
     }
@@ -82,7 +91,7 @@ struct void_space *void_new(const struct scene *scene,
     flood_space(&flood, &scene->camera);
     const struct light *lights = world_lights(world, &count);
     warn_of_lights(space, lights, diag);
-    warn_of_camera(space, lights, diag);
+    warn_of_camera(space, scene, lights, diag);
     memory_free(marks);
     arena_free(arena);
     return space;
