@@ -5,6 +5,8 @@
  * goes with how directed the stream of light is. */
 #include "lighting/guide.h"
 
+#include <stdlib.h>
+
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "skeleton/heuristic.h"
@@ -18,6 +20,10 @@ enum {
 
 /* How often a lobe is used where all light comes from one side, and its s. */
 static const double chance_most = 0.5, lobe_power = 4;
+
+/* Where light differs by less, but for a tenth of the nodes at either end, all
+ * paths are worth about the same. */
+static const double even = 8;
 
 struct target {
     vec3 place;
@@ -179,6 +185,25 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
     guide_find_entrances(guide);
     parallel_run(options->threads, nodes, NULL, node_aim, guide);
     return guide;
+}
+
+static int light_order(const void *a, const void *b)
+{
+    const double *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+bool guide_useful(const struct guide *guide)
+{
+    size_t count = guide->skeleton->graph->count;
+    double *light = memory_new((count + 1) * sizeof *light);
+    for (size_t i = 0; i < count; i++)
+        light[i] = guide->nodes[i].light;
+    qsort(light, count, sizeof *light, light_order);
+    size_t tenth = count / 10;
+    bool useful = count > 0 && light[count - 1 - tenth] > even * light[tenth];
+    memory_free(light);
+    return useful;
 }
 
 void guide_look(const struct guide *guide, vec3 point, vec3 normal, bool lit,

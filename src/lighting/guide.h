@@ -30,6 +30,10 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
                         struct diag *diag);
 void guide_free(struct guide *guide);
 
+/* Whether there is more light in some places of the void than in others; if
+ * not, guided paths find it no sooner. */
+bool guide_useful(const struct guide *guide);
+
 /* What is known of a point of a surface; lobes may be none,
  * and are none where lamps are seen (`lit`). Depends on the
  * point and its unit normal alone. */

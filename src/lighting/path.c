@@ -37,10 +37,15 @@ static void *path_start(const struct world *world, const struct scene *scene,
     if (scene->settings.skeleton.guide == PATH_GUIDE_OFF)
         return set;
     set->guide = guide_new(world, scene, options, diag);
-    if (set->guide)
-        return set;
-    path_finish(set);
-    return NULL;
+    if (!set->guide) {
+        path_finish(set);
+        return NULL;
+    }
+    if (!guide_useful(set->guide)) {
+        guide_free(set->guide);
+        set->guide = NULL;
+    }
+    return set;
 }
 
 /* Round lights are ellipses with the axes as diameters; a side of one point
