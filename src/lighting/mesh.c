@@ -41,7 +41,8 @@ enum {
     SCALAR_SAMPLES = 100,
     CLOSED_BOUNCES = 1,    /* when the skeleton knows the rest */
     CLOSE_RESOLUTION = 64, /* of that, which gathering blurs */
-    SAMPLES = 256,         /* gather rays of a mesh point */
+    SAMPLES = 256,         /* gather rays of a mesh point, */
+    ROUGH_SAMPLES = 4,     /* so many times as many where they differ much */
     ADAPTIVE_LEVELS = 2,
 };
 
@@ -131,13 +132,15 @@ static void mesh_bounces(struct mesh_lighting *mesh,
     int usual = skeleton ? CLOSED_BOUNCES : BOUNCES;
     int samples = said->indirect.samples, bounces = said->indirect.bounces;
     double finer = direct->finer;
+    int enough = samples > 0 ? samples : (int)(SAMPLES * finer * finer);
     struct indirect_options options = {
         .lattice = direct->lattice,
         .interpolation = direct->interpolation,
         .radius = direct->radius,
         .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
-        .samples = samples > 0 ? samples : (int)(SAMPLES * finer * finer),
+        .usual = enough,
+        .samples = samples > 0 ? enough : ROUGH_SAMPLES * enough,
         .error = gather_error / finer,
         .bytes = INDIRECT_BYTES,
         .close = skeleton ? mesh_close : NULL,

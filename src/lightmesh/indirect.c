@@ -16,6 +16,9 @@ enum {
     WAYS_MOST = 65536,  /* directions that are kept */
 };
 
+/* Halves are far apart if their error is so many times what is allowed. */
+static const double rough = 2;
+
 /* A mesh point that gathers. */
 struct gatherer {
     const struct indirect_mesh *mesh;
@@ -157,7 +160,9 @@ static double halves_error(const struct harmonics *a, const struct harmonics *b,
     return whole > 0 ? sqrt(apart / whole) : 0;
 }
 
-/* Samples are doubled until both halves agree, beside the lamps' light. */
+/* Samples are doubled until both halves agree, beside the lamps' light; beyond
+ * the usual number only if they are far apart, as where all light comes in by a
+ * door: there the noise would be seen. */
 static void fill_gather(const void *context, struct worker *worker,
                         const struct mesh_site *site, void *payload)
 {
@@ -178,7 +183,7 @@ static void fill_gather(const void *context, struct worker *worker,
         harmonics_scale(&light, 0.5f);
         harmonics_mix(&light, &more, 0.5f);
         count *= 2;
-        if (error < mesh->error)
+        if (error < mesh->error * (count < (uint32_t)mesh->usual ? 1 : rough))
             break;
     }
     *(struct harmonics *)payload = light;
@@ -187,9 +192,10 @@ static void fill_gather(const void *context, struct worker *worker,
 /* All mesh points look along the same ways: they are drawn once. */
 static void mesh_ways(struct indirect_mesh *mesh)
 {
-    for (mesh->set = 1; mesh->set < (uint32_t)mesh->samples;)
+    uint32_t most = (uint32_t)mesh->samples;
+    for (mesh->set = 1; mesh->set < (uint32_t)mesh->usual;)
         mesh->set *= 2;
-    uint32_t count = 8 * mesh->set;
+    uint32_t count = 7 * mesh->set + (most > mesh->set ? most : mesh->set);
     if (count > WAYS_MOST)
         return;
     mesh->ways = memory_new(count * sizeof *mesh->ways);
@@ -213,6 +219,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .close_context = options->close_context,
     };
     mesh->samples = options->samples;
+    mesh->usual = options->usual;
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
         mesh->lone_samples /= LONE_SHARE;
@@ -235,7 +242,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     if (bounce > 1) {
         mesh->points.refinement.levels = 0;
         mesh->points.lattice.spacing *= bounce > 2 ? 4 : 2;
-        mesh->samples /= LATER_SHARE;
+        mesh->samples = mesh->usual /= LATER_SHARE;
         mesh->error *= 2;
     }
     if (mesh->samples < 1)

@@ -21,7 +21,8 @@ struct indirect_options {
     const struct interpolation *interpolation;
     double radius;       /* of interpolation, in spacings; 0: its own */
     int bounces;         /* 1..BOUNCES_MAX */
-    int samples;         /* gather rays of a mesh point at most */
+    int usual, samples;  /* gather rays of a mesh point: at most, and where
+                          * they differ much */
     double error;        /* gathering stops when the relative error is below */
     size_t bytes;        /* of memory, all bounces together */
     gather_close *close; /* what lights the last bounce; may be NULL */
@@ -33,7 +34,7 @@ struct indirect_mesh {
     struct direct_mesh direct; /* a coarser view of the given one */
     struct point_mesh points;
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
-    int samples, lone_samples;
+    int usual, samples, lone_samples;
     uint32_t set; /* how many a mesh point has of its cell's directions */
     vec3 *ways;   /* those directions; NULL: too many to be kept */
     double error;
