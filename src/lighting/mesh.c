@@ -34,8 +34,8 @@ struct mesh_lighting {
 enum {
     FEW_LAMPS = 24,
     SHARP_LAMPS = 1000, /* known one by one for shadows sharp */
-    MESH_BYTES = 60 * 1000 * 1000,
-    INDIRECT_BYTES = 40 * 1000 * 1000, /* of them, with indirect light */
+    MESH_BYTES = 120 * 1000 * 1000,
+    INDIRECT_BYTES = 30 * 1000 * 1000, /* of them, with indirect light */
     ATTEMPTS = 12,                     /* to choose a spacing that fits */
     BOUNCES = 6,
     SCALAR_SAMPLES = 100,
@@ -55,6 +55,9 @@ static const double wide_penumbra = 0.04;
 
 /* Gathering stops when the halves of the samples differ by less. */
 static const double gather_error = 0.03;
+
+/* So many cells of the indirect mesh across what is seen are fine enough. */
+static const double indirect_cells = 40;
 
 /* The next attempt's spacing: half as many points on a surface. */
 static const double coarser = 1.4142135623730951;
@@ -123,7 +126,21 @@ static rgb mesh_close(const void *context, struct worker *worker, vec3 place,
     return skeleton_indirect(context, worker, place, normal, &draw);
 }
 
-/* Indirect light, with the lattice and the interpolation of the direct. */
+/* Shadows may be as fine as pixels; what surfaces give each other is as smooth
+ * as their distances are large, however large the picture is. */
+static struct lattice
+mesh_indirect_lattice(const struct direct_options *direct,
+                      const struct light_mesh_settings *said)
+{
+    struct lattice lattice = direct->lattice;
+    double least = direct->size / (indirect_cells * direct->finer);
+    while (!(said->density > 0) &&
+           lattice_spacing(&lattice, lattice.usual) < least)
+        lattice.spacing *= 2;
+    return lattice;
+}
+
+/* Indirect light, with the interpolation of the direct. */
 static void mesh_bounces(struct mesh_lighting *mesh,
                          const struct light_mesh_settings *said,
                          const struct direct_options *direct)
@@ -134,7 +151,7 @@ static void mesh_bounces(struct mesh_lighting *mesh,
     double finer = direct->finer;
     int enough = samples > 0 ? samples : (int)(SAMPLES * finer * finer);
     struct indirect_options options = {
-        .lattice = direct->lattice,
+        .lattice = mesh_indirect_lattice(direct, said),
         .interpolation = direct->interpolation,
         .radius = direct->radius,
         .refinement = direct->refinement,
