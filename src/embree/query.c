@@ -25,7 +25,7 @@ bool query_take(struct query *query, const struct leaf *leaf,
         query->rough = false;
         return false;
     }
-    if (leaf->opaque) {
+    if (leaf->opaque || !query->filter) {
         query->blocked = true;
     } else {
         struct intersection crossing;

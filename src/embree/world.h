@@ -64,8 +64,8 @@ bool world_within(const struct world *world, const struct ray *ray, double tmin,
 typedef bool world_filter(void *context, const struct intersection *out);
 
 /* Whether an opaque thing lies on the ray between tmin and tmax, or the filter
- * said blocked. no_shadow leaves don't count, nor what looks like light number
- * `light` (-1: none). */
+ * said blocked; without one, NULL, whatever lies there. no_shadow leaves don't
+ * count, nor what looks like light number `light` (-1: none). */
 bool world_occluded(const struct world *world, const struct ray *ray,
                     double tmin, double tmax, int light, world_filter *filter,
                     void *context);

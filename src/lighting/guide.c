@@ -8,10 +8,11 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "base/order.h"
 #include "base/parallel.h"
+#include "lighting/void_skeleton.h"
 #include "skeleton/heuristic.h"
 #include "skeleton/stream.h"
-#include "skeleton/void.h"
 
 enum {
     LAMPS_MOST = 256, /* each may need ways of its own */
@@ -38,9 +39,10 @@ struct node_targets {
 };
 
 struct guide {
-    struct void_space *space;
-    struct skeleton *skeleton;
+    struct void_skeleton made;
+    const struct skeleton *skeleton; /* of `made` */
     struct node_targets *nodes;
+    bool useful; /* else nodes have no targets */
     /* Lamps by where their light comes in: the same paths, the same target. */
     size_t *entrance; /* of each lamp */
     const struct skeleton_lamp **entrances;
@@ -54,8 +56,7 @@ void guide_free(struct guide *guide)
     memory_free(guide->entrances);
     memory_free(guide->entrance);
     memory_free(guide->nodes);
-    skeleton_free(guide->skeleton);
-    void_free(guide->space);
+    void_skeleton_free(&guide->made);
     memory_free(guide);
 }
 
@@ -117,16 +118,20 @@ static void node_choose(struct guide *guide, uint32_t node, double *strength,
     }
 }
 
+static struct skeleton_point node_point(const struct skeleton *skeleton,
+                                        size_t node)
+{
+    vec3 position = skeleton->graph->nodes[node].position;
+    return (struct skeleton_point){ .position = position,
+                                    .around = position,
+                                    .node = (uint32_t)node };
+}
+
 static void node_aim(void *context, size_t item, unsigned thread)
 {
     struct guide *guide = context;
     const struct skeleton *skeleton = guide->skeleton;
-    vec3 position = skeleton->graph->nodes[item].position;
-    struct skeleton_point point = { .position = position,
-                                    .around = position,
-                                    .node = (uint32_t)item };
-    guide->nodes[item].light =
-        rgb_peak(skeleton->heuristic->indirect(skeleton, &point));
+    struct skeleton_point point = node_point(skeleton, item);
     double *strength = memory_new(guide->entrance_count * sizeof *strength);
     double sum = 0;
     vec3 stream = { 0 };
@@ -147,6 +152,27 @@ static void node_aim(void *context, size_t item, unsigned thread)
     memory_free(strength);
 }
 
+/* How much light each node has, and whether that differs. */
+static void guide_find_light(struct guide *guide)
+{
+    const struct skeleton *skeleton = guide->skeleton;
+    size_t count = skeleton->graph->count, tenth = count / 10;
+    double *light = memory_new((count + 1) * sizeof *light);
+    for (size_t i = 0; i < count; i++) {
+        struct skeleton_point point = node_point(skeleton, i);
+        light[i] = rgb_peak(skeleton->heuristic->indirect(skeleton, &point));
+        guide->nodes[i].light = light[i];
+    }
+    qsort(light, count, sizeof *light, order_double);
+    guide->useful = count > 0 && light[count - 1 - tenth] > even * light[tenth];
+    memory_free(light);
+}
+
+bool guide_useful(const struct guide *guide)
+{
+    return guide->useful;
+}
+
 struct guide *guide_new(const struct world *world, const struct scene *scene,
                         const struct lighting_options *options,
                         struct diag *diag)
@@ -161,49 +187,19 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
         return NULL;
     }
     struct guide *guide = memory_new(sizeof *guide);
-    struct skeleton_options wanted = {
-        .heuristic = heuristic_find("network"),
-        .seed = options->seed,
-        .threads = options->threads,
-        .stop = options->stop,
-        .ways = true,
-    };
-    guide->space = void_new(scene, world, scene->settings.skeleton.resolution,
-                            options->threads, diag);
-    if (!guide->space) {
+    struct void_skeleton_wish wish = { .heuristic = "network", .ways = true };
+    if (!void_skeleton_make(&guide->made, world, scene, wish, options, diag)) {
         guide_free(guide);
         return NULL;
     }
-    guide->skeleton =
-        skeleton_new(world, scene, &guide->space->voxels, &wanted);
-    if (!guide->skeleton) {
-        guide_free(guide);
-        return NULL;
-    }
+    guide->skeleton = guide->made.skeleton;
     size_t nodes = guide->skeleton->graph->count;
     guide->nodes = memory_new(nodes * sizeof *guide->nodes);
+    guide_find_light(guide);
     guide_find_entrances(guide);
-    parallel_run(options->threads, nodes, NULL, node_aim, guide);
+    if (guide->useful)
+        parallel_run(options->threads, nodes, NULL, node_aim, guide);
     return guide;
-}
-
-static int light_order(const void *a, const void *b)
-{
-    const double *x = a, *y = b;
-    return (*x > *y) - (*x < *y);
-}
-
-bool guide_useful(const struct guide *guide)
-{
-    size_t count = guide->skeleton->graph->count;
-    double *light = memory_new((count + 1) * sizeof *light);
-    for (size_t i = 0; i < count; i++)
-        light[i] = guide->nodes[i].light;
-    qsort(light, count, sizeof *light, light_order);
-    size_t tenth = count / 10;
-    bool useful = count > 0 && light[count - 1 - tenth] > even * light[tenth];
-    memory_free(light);
-    return useful;
 }
 
 void guide_look(const struct guide *guide, vec3 point, vec3 normal, bool lit,

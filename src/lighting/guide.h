@@ -34,9 +34,8 @@ void guide_free(struct guide *guide);
  * not, guided paths find it no sooner. */
 bool guide_useful(const struct guide *guide);
 
-/* What is known of a point of a surface; lobes may be none,
- * and are none where lamps are seen (`lit`). Depends on the
- * point and its unit normal alone. */
+/* What is known of a point of a surface; lobes may be none, and are none where
+ * lamps are seen (`lit`). Depends on the point and its unit normal alone. */
 void guide_look(const struct guide *guide, vec3 point, vec3 normal, bool lit,
                 struct guide_aim *aim);
 

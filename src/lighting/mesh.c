@@ -259,6 +259,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     if (!interpolation)
         return NULL;
     struct mesh_lighting *mesh = memory_new(sizeof *mesh);
+    struct void_skeleton_wish wish = { .resolution = CLOSE_RESOLUTION };
     struct outlook outlook = outlook_of(world, scene, options->width);
     struct mesh_known known;
     if (options->attempt == 0)
@@ -275,8 +276,8 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
         mesh->stamp = known.file.stamp;
     if (said->indirect.on && said->indirect.skeleton &&
         said->model != MESH_MODEL_SCALAR)
-        done = done && void_skeleton_make(&mesh->close, world, scene, NULL,
-                                          CLOSE_RESOLUTION, options, diag);
+        done = done && void_skeleton_make(&mesh->close, world, scene, wish,
+                                          options, diag);
     done = done && mesh_make(mesh, scene, interpolation, &known, diag);
     mesh->report.again =
         !(said->density > 0) && !known.name && options->attempt < ATTEMPTS;

@@ -30,7 +30,8 @@ static void *skeleton_start(const struct world *world,
     struct skeleton_lighting *lighting = memory_new(sizeof *lighting);
     const char *file = scene->settings.skeleton.save_file;
     lighting->lamps = lamps_new(world, scene, options->quality, options->seed);
-    if (!void_skeleton_make(&lighting->made, world, scene, NULL, 0, options,
+    struct void_skeleton_wish wish = { 0 };
+    if (!void_skeleton_make(&lighting->made, world, scene, wish, options,
                             diag) ||
         (file && !skeleton_save(lighting->made.skeleton, file, diag))) {
         skeleton_finish(lighting);

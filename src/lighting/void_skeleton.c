@@ -5,24 +5,24 @@
 #include "skeleton/void.h"
 
 bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
-                        const struct scene *scene, const char *heuristic,
-                        int resolution, const struct lighting_options *options,
+                        const struct scene *scene,
+                        struct void_skeleton_wish wish,
+                        const struct lighting_options *options,
                         struct diag *diag)
 {
-    const struct skeleton_settings *said = &scene->settings.skeleton;
+    int said = scene->settings.skeleton.resolution;
     struct skeleton_options wanted = {
-        .heuristic = heuristic ? heuristic_find(heuristic)
-                               : names_heuristic(&scene->settings, diag),
+        .heuristic = wish.heuristic ? heuristic_find(wish.heuristic)
+                                    : names_heuristic(&scene->settings, diag),
         .seed = options->seed,
         .threads = options->threads,
         .stop = options->stop,
+        .ways = wish.ways,
     };
     *made = (struct void_skeleton){ NULL, NULL };
-    if (said->resolution > 0)
-        resolution = said->resolution;
     if (wanted.heuristic)
-        made->space =
-            void_new(scene, world, resolution, options->threads, diag);
+        made->space = void_new(scene, world, said > 0 ? said : wish.resolution,
+                               options->threads, diag);
     if (made->space)
         made->skeleton =
             skeleton_new(world, scene, &made->space->voxels, &wanted);

@@ -13,13 +13,20 @@ struct void_skeleton {
     struct skeleton *skeleton;
 };
 
-/* As the scene's skeleton {} says, with `heuristic` or, if NULL, the one that
- * it names; `resolution` voxels along the longest side if it says nothing, 0:
- * as many as skeletons have that are shown. False after an error was printed,
- * or when it was stopped. Frees with void_skeleton_free. */
+/* What a method wants of it. */
+struct void_skeleton_wish {
+    const char *heuristic; /* NULL: the one that the scene names */
+    int resolution;        /* voxels along the longest side if the scene says
+                            * nothing; 0: as skeletons have that are shown */
+    bool ways;             /* of lamps, though the heuristic needs none */
+};
+
+/* As the scene's skeleton {} says, and the wish. False after an error was
+ * printed, or when it was stopped. Frees with void_skeleton_free. */
 bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
-                        const struct scene *scene, const char *heuristic,
-                        int resolution, const struct lighting_options *options,
+                        const struct scene *scene,
+                        struct void_skeleton_wish wish,
+                        const struct lighting_options *options,
                         struct diag *diag);
 void void_skeleton_free(struct void_skeleton *made);
 

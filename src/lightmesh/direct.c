@@ -189,18 +189,10 @@ static double harmonics_amount(const void *payload)
 }
 
 /* The more lamps, the more rays a mesh saves: part of that is given back to be
- * right. */
-static int direct_budget(size_t lamps, int budget)
+ * right. How many times the usual budget. */
+static double budget_factor(size_t lamps)
 {
-    double more = fmin(fmax((double)lamps / 100, 1), 4);
-    return (int)fmin(more * budget, PICKS_MAX);
-}
-
-/* Likewise; but on a leaf the light changes more than more lamps could tell. */
-static int facet_budget(size_t lamps, int budget)
-{
-    double more = fmin(fmax((double)lamps / 100, 1), 4);
-    return (int)(sqrt(more) * budget);
+    return fmin(fmax((double)lamps / 100, 1), 4);
 }
 
 struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
@@ -211,7 +203,8 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
     mesh->many = lamps->count > (size_t)options->few;
     if (lamps->count > FEW_MAX)
         mesh->many = true;
-    mesh->budget = direct_budget(lamps->count, options->budget);
+    double more = budget_factor(lamps->count);
+    mesh->budget = (int)fmin(more * options->budget, PICKS_MAX);
     if (mesh->many)
         mesh->tree = light_tree_new(lamps, options->centre, options->size);
     mesh->points = (struct point_mesh){
@@ -231,8 +224,9 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
     size_t bytes = options->bytes;
     if (mesh->many && options->interpolation == interpolation_at(0)) {
         bytes -= bytes / FACET_SHARE;
+        /* On a leaf the light changes more than more lamps could tell. */
         mesh->facets = facet_mesh_new(
-            lamps, mesh->tree, facet_budget(lamps->count, options->budget),
+            lamps, mesh->tree, (int)(sqrt(more) * options->budget),
             mesh->points.full, options->bytes / FACET_SHARE);
     }
     point_mesh_start(&mesh->points, bytes);

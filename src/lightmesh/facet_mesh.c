@@ -304,13 +304,6 @@ static void seek_points(struct facet_seeker *seeker, int division, double share)
         seeker_take(seeker, &point, share);
 }
 
-static bool anything(void *context, const struct intersection *at)
-{
-    (void)context;
-    (void)at;
-    return true;
-}
-
 static bool seeker_sees(const struct facet_seeker *seeker, vec3 place)
 {
     vec3 up = vec3_scale(seeker->question->side, lift * seeker->spacing);
@@ -322,7 +315,7 @@ static bool seeker_sees(const struct facet_seeker *seeker, vec3 place)
                        vec3_scale(offset, 1 / length) };
     seeker->worker->counters.shadow_rays++;
     return !world_occluded(seeker->mesh->points.world, &ray, 0, length, -1,
-                           anything, NULL);
+                           NULL, NULL);
 }
 
 /* Whether it doesn't matter which of the points see the place. */

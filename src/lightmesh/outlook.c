@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "base/order.h"
+
 enum { OUTLOOK_EDGE = 24, OUTLOOK_RAYS = OUTLOOK_EDGE * OUTLOOK_EDGE };
 
 /* What the rays met. */
@@ -29,12 +31,6 @@ static void outlook_ray(struct outlook_hits *hits, const struct world *world,
     hits->distance[i] = vec3_length(vec3_sub(at.point, camera->location));
 }
 
-static int number_order(const void *a, const void *b)
-{
-    const double *x = a, *y = b;
-    return (*x > *y) - (*x < *y);
-}
-
 static double sorted_at(const double *sorted, int count, double share)
 {
     return sorted[(int)(share * (count - 1))];
@@ -56,13 +52,13 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
     if (count == 0)
         return (struct outlook){ camera->location, 1, 0.01, 0 };
     for (int axis = 0; axis < 3; axis++) {
-        qsort(hits.axis[axis], (size_t)count, sizeof(double), number_order);
+        qsort(hits.axis[axis], (size_t)count, sizeof(double), order_double);
         low[axis] = sorted_at(hits.axis[axis], count, 0.1);
         high[axis] = sorted_at(hits.axis[axis], count, 0.9);
         size = fmax(size, high[axis] - low[axis]);
     }
-    qsort(hits.pixel, (size_t)count, sizeof(double), number_order);
-    qsort(hits.distance, (size_t)count, sizeof(double), number_order);
+    qsort(hits.pixel, (size_t)count, sizeof(double), order_double);
+    qsort(hits.distance, (size_t)count, sizeof(double), order_double);
     double pixel = sorted_at(hits.pixel, count, 0.5);
     struct outlook outlook = {
         .centre = vec3_make((low[0] + high[0]) / 2, (low[1] + high[1]) / 2,

@@ -173,13 +173,6 @@ static const void *payload_get(const struct point_mesh *mesh,
     return record;
 }
 
-static bool anything(void *context, const struct intersection *at)
-{
-    (void)context;
-    (void)at;
-    return true;
-}
-
 /* A surface place that looks for its mesh points. */
 struct seeker {
     const struct point_mesh *mesh;
@@ -201,7 +194,7 @@ static bool seeker_sees(const struct seeker *seeker,
     struct ray ray = { seeker->place, vec3_scale(offset, -1 / length) };
     seeker->worker->counters.shadow_rays++;
     return !world_occluded(seeker->mesh->world, &ray,
-                           surface_offset(seeker->place), length, -1, anything,
+                           surface_offset(seeker->place), length, -1, NULL,
                            NULL);
 }
 

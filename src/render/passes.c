@@ -9,6 +9,7 @@
 
 #include "base/clock.h"
 #include "base/memory.h"
+#include "base/order.h"
 #include "base/parallel.h"
 #include "render/workers.h"
 #include "shade/surface.h"
@@ -107,12 +108,6 @@ static void passes_row(void *context, size_t item, unsigned thread)
         options->progress(options->progress_context, passes_share(passes));
 }
 
-static int error_order(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The mean over the pixels but the worst. */
 static double passes_error(const struct passes *passes)
 {
@@ -130,7 +125,7 @@ static double passes_error(const struct passes *passes)
         passes->errors[i] =
             variance > 0 && level > 0 ? sqrt(variance / (n - 1)) / level : 0;
     }
-    qsort(passes->errors, count, sizeof *passes->errors, error_order);
+    qsort(passes->errors, count, sizeof *passes->errors, order_double);
     size_t kept = count - (size_t)(worst_share * (double)count);
     for (size_t i = 0; i < kept; i++)
         sum += passes->errors[i];

@@ -9,6 +9,7 @@
 #include "base/memory.h"
 
 static const double constriction = 0.75;
+
 struct ranked {
     double radius;
     uint32_t node;

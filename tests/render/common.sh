@@ -41,10 +41,6 @@ export ASAN_OPTIONS UBSAN_OPTIONS TSAN_OPTIONS
 SWITCHES="+FN8 -D -V -P -A -J +WT1 +L$INCLUDES"
 export SWITCHES
 
-as_povray() { # as_povray PROGRAM: what makes it light scenes as POV-Ray does
-    [ "$1" != "$GLIM" ] || echo --lighting rays
-}
-
 need() { # need PROGRAM...: say at once what is missing, not scene by scene
     for needed; do
         command -v "$needed" > /dev/null && continue
