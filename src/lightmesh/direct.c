@@ -224,10 +224,9 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
     size_t bytes = options->bytes;
     if (mesh->many && options->interpolation == interpolation_at(0)) {
         bytes -= bytes / FACET_SHARE;
-        /* On a leaf the light changes more than more lamps could tell. */
-        mesh->facets = facet_mesh_new(
-            lamps, mesh->tree, (int)(sqrt(more) * options->budget),
-            mesh->points.full, options->bytes / FACET_SHARE);
+        mesh->facets =
+            facet_mesh_new(lamps, mesh->tree, (int)(more * options->budget),
+                           mesh->points.full, options->bytes / FACET_SHARE);
     }
     point_mesh_start(&mesh->points, bytes);
     return mesh;
