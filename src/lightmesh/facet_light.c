@@ -21,16 +21,19 @@ struct facet_lamps {
     const struct light_tree *tree;
     size_t count;
     const struct lamp **items;
-    double *x, *y, *z, *strength;
+    float *x, *y, *z, *strength;
     uint32_t *place; /* by number: where in these arrays */
     bool plain;      /* all of them shine alike everywhere */
 };
 
-/* A lamp, or one that stands for a cluster, before the surface. */
-struct facet_pick {
-    const struct lamp *lamp;
-    double weight; /* how many of it there seem to be */
-    double amount; /* of light that it could give */
+/* Lamps before the surface, or those that stand for clusters: how much light
+ * each could give, how many of it there seem to be, its place in the order.
+ * Loops over them are without branches, which chance would decide. */
+struct facet_picks {
+    int count;
+    float amount[ALL_LAMPS + 1];
+    float weight[ALL_LAMPS + 1];
+    uint32_t place[ALL_LAMPS + 1];
 };
 
 static bool lamp_plain(const struct lamp *lamp)
@@ -44,10 +47,10 @@ static void lamps_take(struct facet_lamps *own, size_t i,
 {
     rgb c = lamp->light->colour;
     own->items[i] = lamp;
-    own->x[i] = lamp->light->location.x;
-    own->y[i] = lamp->light->location.y;
-    own->z[i] = lamp->light->location.z;
-    own->strength[i] = (fabs(c.r) + fabs(c.g) + fabs(c.b)) / 3;
+    own->x[i] = (float)lamp->light->location.x;
+    own->y[i] = (float)lamp->light->location.y;
+    own->z[i] = (float)lamp->light->location.z;
+    own->strength[i] = (float)((fabs(c.r) + fabs(c.g) + fabs(c.b)) / 3);
     own->place[lamp->number] = (uint32_t)i;
     own->plain = own->plain && lamp_plain(lamp);
 }
@@ -56,7 +59,7 @@ struct facet_lamps *facet_lamps_new(const struct lamps *lamps,
                                     const struct light_tree *tree)
 {
     struct facet_lamps *own = memory_new(sizeof *own);
-    size_t count = light_tree_count(tree), bytes = count * sizeof(double);
+    size_t count = light_tree_count(tree), bytes = count * sizeof(float);
     *own = (struct facet_lamps){
         .lamps = lamps,
         .tree = tree,
@@ -88,101 +91,145 @@ void facet_lamps_free(struct facet_lamps *lamps)
 }
 
 /* The light that lamps would give if nothing stood between; not above 0: none.
- * Without branches, of lamps that shine alike everywhere. */
+ * Of lamps that shine alike everywhere. */
 static void plain_amounts(const struct facet_lamps *lamps,
-                          const struct facet_site *site, size_t first,
-                          size_t count, double amount[])
+                          const struct facet_site *site, float amount[])
 {
-    vec3 p = site->place, n = site->normal;
-    const double *x = lamps->x + first, *y = lamps->y + first;
-    const double *z = lamps->z + first, *strength = lamps->strength + first;
-    for (size_t i = 0; i < count; i++) {
-        double a = x[i] - p.x, b = y[i] - p.y, c = z[i] - p.z;
-        double rise = a * n.x + b * n.y + c * n.z;
-        amount[i] = strength[i] * rise / sqrt(a * a + b * b + c * c);
+    float px = (float)site->place.x, nx = (float)site->normal.x;
+    float py = (float)site->place.y, ny = (float)site->normal.y;
+    float pz = (float)site->place.z, nz = (float)site->normal.z;
+    const float *x = lamps->x, *y = lamps->y, *z = lamps->z;
+    for (size_t i = 0; i < lamps->count; i++) {
+        float a = x[i] - px, b = y[i] - py, c = z[i] - pz;
+        float rise = a * nx + b * ny + c * nz;
+        amount[i] = lamps->strength[i] * rise / sqrtf(a * a + b * b + c * c);
     }
 }
 
-static double lamp_amount(const struct facet_lamps *lamps,
-                          const struct facet_site *site, size_t i)
+static float lamp_amount(const struct facet_lamps *lamps,
+                         const struct facet_site *site, size_t i)
 {
     const struct lamp *lamp = lamps->items[i];
     struct lamp_view view;
     if (!lamp_look(lamp, lamp->light->location, site->place, &view))
         return 0;
-    return lamps->strength[i] * view.attenuation *
-           vec3_dot(view.direction, site->normal);
+    return lamps->strength[i] *
+           (float)(view.attenuation * vec3_dot(view.direction, site->normal));
 }
 
-static void picks_add(struct facet_pick picks[], int *count,
-                      const struct lamp *lamp, double weight, double amount)
+static void picks_add(struct facet_picks *picks, size_t place, float weight,
+                      float amount)
 {
-    picks[*count] = (struct facet_pick){ lamp, weight, amount };
-    *count += amount > 0 && amount < HUGE_VAL;
+    picks->amount[picks->count] = amount;
+    picks->weight[picks->count] = weight;
+    picks->place[picks->count] = (uint32_t)place;
+    picks->count += amount > 0 && amount < HUGE_VALF;
 }
 
-/* At most ALL_LAMPS, and room for one more. */
-static int picks_find(const struct facet_lamps *lamps,
-                      const struct facet_site *site, struct facet_pick picks[])
+static void picks_find(const struct facet_lamps *lamps,
+                       const struct facet_site *site, struct facet_picks *picks)
 {
-    double amount[ALL_LAMPS];
-    int count = 0;
+    float amount[ALL_LAMPS];
+    picks->count = 0;
     if (lamps->count <= ALL_LAMPS) {
-        plain_amounts(lamps, site, 0, lamps->count, amount);
+        plain_amounts(lamps, site, amount);
         for (size_t i = 0; !lamps->plain && i < lamps->count; i++)
             if (!lamp_plain(lamps->items[i]))
                 amount[i] = lamp_amount(lamps, site, i);
         for (size_t i = 0; i < lamps->count; i++)
-            picks_add(picks, &count, lamps->items[i], 1, amount[i]);
-        return count;
+            picks_add(picks, i, 1, amount[i]);
+        return;
     }
     struct light_pick clusters[CLUSTERS];
     int found = light_tree_pick(lamps->tree, site->place, site->dither,
                                 CLUSTERS, clusters);
     for (int i = 0; i < found; i++) {
-        const struct lamp *lamp = clusters[i].lamp;
-        double weight = clusters[i].weight;
-        picks_add(picks, &count, lamp, weight,
-                  weight *
-                      lamp_amount(lamps, site, lamps->place[lamp->number]));
+        float weight = (float)clusters[i].weight;
+        size_t place = lamps->place[clusters[i].lamp->number];
+        picks_add(picks, place, weight,
+                  weight * lamp_amount(lamps, site, place));
     }
-    return count;
+}
+
+/* How many amounts are at least `step`, and the sum of the others, in several
+ * sums that don't wait for each other. */
+static int picks_count(const struct facet_picks *picks, float step, float *rest)
+{
+    enum { SUMS = 4 };
+    float sum[SUMS] = { 0 };
+    int certain[SUMS] = { 0 }, i = 0;
+    for (; i + SUMS <= picks->count; i += SUMS)
+        for (int k = 0; k < SUMS; k++) {
+            bool enough = picks->amount[i + k] >= step;
+            certain[k] += enough;
+            sum[k] += enough ? 0 : picks->amount[i + k];
+        }
+    for (; i < picks->count; i++) {
+        bool enough = picks->amount[i] >= step;
+        certain[0] += enough;
+        sum[0] += enough ? 0 : picks->amount[i];
+    }
+    *rest = sum[0] + sum[1] + (sum[2] + sum[3]);
+    return certain[0] + certain[1] + certain[2] + certain[3];
 }
 
 /* The amount of light for each ray: lamps that could give as much are asked
- * for certain, of the others as many as are left over. */
-static double picks_step(const struct facet_pick picks[], int count, int budget)
+ * for certain, of the others as many as are left over. 0: all are asked. */
+static float picks_step(const struct facet_picks *picks, int budget)
 {
-    double step = 0;
+    float step = HUGE_VALF;
     int before = -1;
-    for (int round = 0; count > budget && round < CERTAIN_ROUNDS; round++) {
-        double rest = 0;
-        int certain = 0;
-        for (int i = 0; i < count; i++)
-            if (step > 0 && picks[i].amount >= step)
-                certain++;
-            else
-                rest += picks[i].amount;
+    if (picks->count <= budget)
+        return 0;
+    for (int round = 0; round < CERTAIN_ROUNDS; round++) {
+        float rest;
+        int certain = picks_count(picks, step, &rest);
         if (certain >= budget || certain == before)
             break;
         before = certain;
-        step = rest / (budget - certain);
+        step = rest / (float)(budget - certain);
     }
     return step;
 }
 
-/* Where ray `number` of a site begins: a sequence that fills the plane evenly
- * (Roberts 2018), begun at random. */
-static vec3 site_place(const struct facet_site *site, int number)
+/* Keeps those that are asked: of amounts below `step` one in so many, which
+ * then stands for all of them. */
+static void picks_draw(struct facet_picks *picks, float step, double dither)
 {
-    double a = random_unit(site->key) + number * 0.7548776662466927;
-    double b = random_unit(site->key + 1) + number * 0.5698402909980532;
-    a -= floor(a);
-    b -= floor(b);
+    float at = (float)dither, each = step > 0 ? 1 / step : 0;
+    int count = picks->count;
+    picks->count = 0;
+    for (int i = 0; i < count; i++) {
+        float amount = picks->amount[i], stands_for = step / amount;
+        int certain = amount >= step;
+        at += (float)(1 - certain) * amount * each;
+        int drawn = at >= 1;
+        at -= (float)drawn;
+        picks->weight[picks->count] =
+            picks->weight[i] * (stands_for > 1 ? stands_for : 1);
+        picks->place[picks->count] = picks->place[i];
+        picks->count += certain | drawn;
+    }
+}
+
+/* Where the rays of a site begin: a sequence that fills the plane evenly
+ * (Roberts 2018), begun at random. */
+struct facet_start {
+    const struct facet_site *site;
+    double a, b;
+};
+
+static vec3 start_place(const struct facet_start *start, int number)
+{
+    double a = start->a + number * 0.7548776662466927;
+    double b = start->b + number * 0.5698402909980532;
+    a -= (int)a;
+    b -= (int)b;
     if (a + b > 1) {
         a = 1 - a;
         b = 1 - b;
     }
+    const struct facet_site *site = start->site;
     vec3 place = vec3_along(site->place, site->edge[0], a - 1 / 3.0);
     return vec3_along(place, site->edge[1], b - 1 / 3.0);
 }
@@ -195,16 +242,23 @@ static void light_add(float sum[4], vec3 direction, double light)
     sum[3] += (float)light;
 }
 
-static void pick_ask(const struct facet_lamps *lamps, struct worker *worker,
-                     const struct facet_site *site,
-                     const struct facet_pick *pick, int number, double weight,
-                     struct facet_light *light)
+/* The lamp's location, or a point of an area light. */
+static vec3 site_sees(const struct lamps *lamps, const struct facet_site *site,
+                      const struct lamp *lamp, vec3 place)
 {
-    const struct lamp *lamp = pick->lamp;
+    if (!lamps_soft(lamps, lamp))
+        return lamp->light->location;
     uint64_t key = random_key(site->key, (uint64_t)lamp->number);
     const double u[2] = { random_unit(key), random_unit(key + 1) };
-    struct lamp_target target = { .point = site_place(site, number) };
-    vec3 location = lamps_location(lamps->lamps, lamp, target.point, u);
+    return lamps_location(lamps, lamp, place, u);
+}
+
+static void lamp_ask(const struct facet_lamps *lamps, struct worker *worker,
+                     const struct facet_site *site, const struct lamp *lamp,
+                     vec3 place, double weight, struct facet_light *light)
+{
+    struct lamp_target target = { .point = place };
+    vec3 location = site_sees(lamps->lamps, site, lamp, place);
     if (!lamp_look(lamp, location, target.point, &target.view) ||
         vec3_dot(target.view.direction, site->normal) <= 0)
         return;
@@ -221,20 +275,14 @@ static void pick_ask(const struct facet_lamps *lamps, struct worker *worker,
 void facet_lamps_ask(const struct facet_lamps *lamps, struct worker *worker,
                      const struct facet_site *site, struct facet_light *light)
 {
-    struct facet_pick picks[ALL_LAMPS + 1];
-    int count = picks_find(lamps, site, picks);
-    double step = picks_step(picks, count, site->budget), at = site->dither;
-    for (int i = 0; i < count; i++) {
-        double weight = picks[i].weight;
-        if (picks[i].amount < step) {
-            at += picks[i].amount / step;
-            if (at < 1)
-                continue;
-            at -= 1;
-            weight *= step / picks[i].amount;
-        }
-        pick_ask(lamps, worker, site, &picks[i], i, weight, light);
-    }
+    struct facet_picks picks;
+    struct facet_start start = { site, random_unit(site->key),
+                                 random_unit(site->key + 1) };
+    picks_find(lamps, site, &picks);
+    picks_draw(&picks, picks_step(&picks, site->budget), site->dither);
+    for (int i = 0; i < picks.count; i++)
+        lamp_ask(lamps, worker, site, lamps->items[picks.place[i]],
+                 start_place(&start, i), (double)picks.weight[i], light);
 }
 
 void facet_light_mix(struct facet_light *sum, const struct facet_light *from,
