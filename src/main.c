@@ -112,15 +112,19 @@ static void frame_keep(struct work *work, const struct tracer *tracer)
     work->kept = tracer->lighting->keep(tracer->lighting_state);
 }
 
-/* Lights the world; returns whether that is to be tried again. */
+/* Lights the world; returns whether that is to be tried again, and then leaves
+ * the state in light->before. */
 static bool frame_attempt(struct work *work, const struct world *world,
                           const struct scene *scene,
-                          const struct lighting_options *light,
-                          const char *name, struct stats *stats, bool *done)
+                          struct lighting_options *light, const char *name,
+                          struct stats *stats, bool *done)
 {
     const struct options *options = &work->options;
     const struct lighting *lighting = options->lighting;
     void *state = lighting->start(world, scene, light, &work->diag);
+    if (light->before)
+        lighting->finish(light->before);
+    light->before = NULL;
     struct tracer tracer = { .scene = scene,
                              .world = world,
                              .lighting = lighting,
@@ -135,7 +139,9 @@ static bool frame_attempt(struct work *work, const struct world *world,
                  lighting->again && lighting->again(state);
     if (*done)
         frame_keep(work, &tracer);
-    if (state)
+    if (again)
+        light->before = state;
+    else if (state)
         lighting->finish(state);
     return again;
 }

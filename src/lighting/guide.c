@@ -124,6 +124,7 @@ static struct skeleton_point node_point(const struct skeleton *skeleton,
     vec3 position = skeleton->graph->nodes[node].position;
     return (struct skeleton_point){ .position = position,
                                     .around = position,
+                                    .voxel = VOXEL_NONE,
                                     .node = (uint32_t)node };
 }
 
@@ -205,7 +206,7 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
 void guide_look(const struct guide *guide, vec3 point, vec3 normal, bool lit,
                 struct guide_aim *aim)
 {
-    uint32_t node = skeleton_find(guide->skeleton, point, normal).node;
+    uint32_t node = skeleton_find(guide->skeleton, point, normal, point).node;
     aim->count = 0;
     aim->light = 0;
     if (node == GRAPH_NONE)

@@ -25,6 +25,8 @@ struct lighting_options {
     unsigned long long seed;
     const atomic_int *stop;           /* non-zero: leave off; NULL: never */
     int attempt;                      /* 0; then how often `again` was true */
+    void *before;                     /* the state of the attempt before, from
+                                       * which `start` may take; or NULL */
     bool keep;                        /* `keep` will be called */
     const struct lighting_kept *kept; /* by the picture before, or NULL; used
                                        * only if it is of the same scene */

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
+#include "lighting/mesh_close.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_report.h"
 #include "lighting/mesh_scalar.h"
@@ -11,7 +12,6 @@
 #include "lightmesh/facet_mesh.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
-#include "lighting/void_skeleton.h"
 
 struct mesh_lighting {
     struct lamps lamps;
@@ -39,10 +39,9 @@ enum {
     ATTEMPTS = 12,                     /* to choose a spacing that fits */
     BOUNCES = 6,
     SCALAR_SAMPLES = 100,
-    CLOSED_BOUNCES = 1,    /* when the skeleton knows the rest */
-    CLOSE_RESOLUTION = 64, /* of that, which gathering blurs */
-    SAMPLES = 256,         /* gather rays of a mesh point, */
-    ROUGH_SAMPLES = 4,     /* so many times as many where they differ much */
+    CLOSED_BOUNCES = 1, /* when the skeleton knows the rest */
+    SAMPLES = 256,      /* gather rays of a mesh point, */
+    ROUGH_SAMPLES = 4,  /* so many times as many where they differ much */
     ADAPTIVE_LEVELS = 2,
 };
 
@@ -120,12 +119,6 @@ mesh_options(const struct light_mesh_settings *said,
     return options;
 }
 
-static rgb mesh_close(const void *context, struct worker *worker, vec3 place,
-                      vec3 normal, double draw)
-{
-    return skeleton_indirect(context, worker, place, normal, &draw);
-}
-
 /* Shadows may be as fine as pixels; what surfaces give each other is as smooth
  * as their distances are large, however large the picture is. */
 static struct lattice
@@ -160,7 +153,7 @@ static void mesh_bounces(struct mesh_lighting *mesh,
         .samples = samples > 0 ? enough : ROUGH_SAMPLES * enough,
         .error = gather_error / finer,
         .bytes = INDIRECT_BYTES,
-        .close = skeleton ? mesh_close : NULL,
+        .close = skeleton ? mesh_close_light : NULL,
         .close_context = skeleton,
     };
     mesh->emitters = emitters_new(mesh->lamps.world);
@@ -259,7 +252,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     if (!interpolation)
         return NULL;
     struct mesh_lighting *mesh = memory_new(sizeof *mesh);
-    struct void_skeleton_wish wish = { .resolution = CLOSE_RESOLUTION };
+    struct mesh_lighting *before = options->before;
     struct outlook outlook = outlook_of(world, scene, options->width);
     struct mesh_known known;
     if (options->attempt == 0)
@@ -274,10 +267,9 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
         mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
     if (known.found)
         mesh->stamp = known.file.stamp;
-    if (said->indirect.on && said->indirect.skeleton &&
-        said->model != MESH_MODEL_SCALAR)
-        done = done && void_skeleton_make(&mesh->close, world, scene, wish,
-                                          options, diag);
+    done =
+        done && mesh_close_make(&mesh->close, world, scene,
+                                before ? &before->close : NULL, options, diag);
     done = done && mesh_make(mesh, scene, interpolation, &known, diag);
     mesh->report.again =
         !(said->density > 0) && !known.name && options->attempt < ATTEMPTS;

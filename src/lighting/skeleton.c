@@ -59,7 +59,7 @@ static struct diffuse_light skeleton_illuminate(const void *state,
         lamplight_give(&light, &lighting->lamps.items[i]);
     return (struct diffuse_light){ .irradiance = skeleton_indirect(
                                        lighting->made.skeleton, worker,
-                                       surface->point, surface->normal, NULL) };
+                                       surface->point, surface->normal) };
 }
 
 static vec3 skeleton_stream(const void *state, struct worker *worker,

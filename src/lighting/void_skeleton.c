@@ -18,11 +18,12 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
         .threads = options->threads,
         .stop = options->stop,
         .ways = wish.ways,
+        .rays = wish.rays,
     };
     *made = (struct void_skeleton){ NULL, NULL };
     if (wanted.heuristic)
         made->space = void_new(scene, world, said > 0 ? said : wish.resolution,
-                               options->threads, diag);
+                               options->threads, options->stop, diag);
     if (made->space)
         made->skeleton =
             skeleton_new(world, scene, &made->space->voxels, &wanted);

@@ -19,6 +19,7 @@ struct void_skeleton_wish {
     int resolution;        /* voxels along the longest side if the scene says
                             * nothing; 0: as skeletons have that are shown */
     bool ways;             /* of lamps, though the heuristic needs none */
+    size_t rays;           /* as in struct skeleton_options */
 };
 
 /* As the scene's skeleton {} says, and the wish. False after an error was

@@ -28,13 +28,6 @@ struct gathering {
 static rgb gathering_follow(struct gathering *gathering,
                             struct intersection *at, rgb *glow);
 
-/* Quick, for what need not be spread evenly. */
-static double gathering_chance(const struct gathering *gathering)
-{
-    const struct draws *draws = gathering->draws;
-    return random_unit(draws->key ^ random_mix(draws->index));
-}
-
 static vec3 gathering_jitter(const struct gathering *gathering)
 {
     double u[2];
@@ -98,7 +91,7 @@ static rgb gathering_irradiance(const struct gathering *gathering,
     if (gather->close)
         return rgb_add(light,
                        gather->close(gather->close_context, worker, place,
-                                     normal, gathering_chance(gathering)));
+                                     normal, gathering->ray.origin));
     if (gather->indirect)
         return rgb_add(light, indirect_mesh_irradiance(gather->indirect, worker,
                                                        place, side, normal));

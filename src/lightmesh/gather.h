@@ -13,10 +13,11 @@ struct indirect_mesh;
 struct surface;
 
 /* The irradiance of light from everywhere that ends a row of bounces, and
- * stands in where a place sees no mesh point; NULL ends it in the dark. `draw`
- * is uniform in [0,1): only the mean of many answers need be right. */
+ * stands in where a place sees no mesh point; NULL ends it in the dark. Nothing
+ * is between the place and `from`, where its light goes; only the mean of many
+ * answers need be right. */
 typedef rgb gather_close(const void *context, struct worker *worker, vec3 place,
-                         vec3 normal, double draw);
+                         vec3 normal, vec3 from);
 
 struct gather {
     const struct lamps *lamps;

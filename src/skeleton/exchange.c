@@ -10,8 +10,7 @@
 #include "base/warp.h"
 
 enum {
-    RAYS = 200 * 1000, /* in all, about */
-    RAYS_LEAST = 16,   /* of a zone */
+    RAYS_LEAST = 16, /* of a zone */
     RAYS_MOST = 1024,
 };
 
@@ -169,7 +168,7 @@ void exchange_measure(const struct sight *sight, const struct patches *patches,
 {
     struct exchange exchange = { .sight = sight, .patches = patches };
     exchange_sort(&exchange, enclosure->count);
-    size_t rays = RAYS / (exchange.count + 1);
+    size_t rays = sight->skeleton->rays / (exchange.count + 1);
     exchange.rays = rays < RAYS_LEAST  ? RAYS_LEAST
                     : rays > RAYS_MOST ? RAYS_MOST
                                        : rays;

@@ -18,6 +18,7 @@ static void field_node(void *context, size_t item, unsigned thread)
     struct worker worker = { .number = thread, .scratch = arena_new(0) };
     struct skeleton_point point = { .position = place,
                                     .around = place,
+                                    .voxel = VOXEL_NONE,
                                     .node = (uint32_t)item };
     work->light[item] = skeleton->heuristic->answer(skeleton, &worker, &point);
     arena_free(worker.scratch);

@@ -69,7 +69,7 @@ static void spread(struct flood *flood, size_t seed, uint32_t label,
     flood->space->label[seed] = label;
     last->count = 0;
     front_add(last, seed);
-    while (last->count > 0) {
+    while (last->count > 0 && !(flood->stop && atomic_load(flood->stop))) {
         now->count = 0;
         part->volume += last->count;
         for (size_t i = 0; i < last->count; i++)

@@ -20,6 +20,9 @@ struct heuristic {
     /* The answer's `indirect`, if that alone is cheaper; or NULL. */
     rgb (*indirect)(const struct skeleton *skeleton,
                     const struct skeleton_point *point);
+    /* The same for places in one voxel taken together; or NULL. */
+    rgb (*close)(const struct skeleton *skeleton,
+                 const struct skeleton_point *point);
     /* What a surface outside of the grid gets besides; NULL: nothing. */
     rgb (*outside)(const struct skeleton *skeleton, vec3 normal);
 };

@@ -219,7 +219,7 @@ struct patches *patches_new(const struct voxels *voxels,
     struct patches *patches = memory_new(sizeof *patches);
     size_t count;
     struct wall_point *points =
-        wall_points(from->world, voxels, from->threads, &count);
+        wall_points(from->world, voxels, from->threads, from->stop, &count);
     struct patches_task task = {
         .from = from, .voxels = voxels, .patches = patches, .points = points
     };

@@ -2,7 +2,6 @@
 #include "skeleton/sight.h"
 
 #include "shade/shadow.h"
-#include "skeleton/matter.h"
 #include "skeleton/wall.h"
 
 enum { CROSSINGS = 16 }; /* of things that a ray passes through, at most */
@@ -17,15 +16,6 @@ int side_of(vec3 normal)
     return 2 * axis + (vec3_component(normal, axis) < 0);
 }
 
-struct sight sight_new(struct arena *arena, const struct skeleton *skeleton,
-                       const struct pieces *pieces,
-                       const struct patches_scene *scene)
-{
-    struct box3 space = voxels_box(skeleton->voxels);
-    return (struct sight){ skeleton, pieces, *scene,
-                           matter_marks(skeleton->world, space, arena) };
-}
-
 /* The first wall that a ray meets; what lets light pass is none. */
 static bool sight_wall(const struct sight *sight, const struct ray *ray,
                        struct intersection *at)
@@ -35,7 +25,7 @@ static bool sight_wall(const struct sight *sight, const struct ray *ray,
         if (!world_closest(sight->skeleton->world, ray, tmin, RAY_REFLECTION,
                            at))
             return false;
-        if (wall_stops(sight->marks, at))
+        if (wall_stops(sight->skeleton->marks, at))
             return true;
         tmin = at->t + surface_offset(at->point);
     }
@@ -58,10 +48,10 @@ uint32_t sight_zone(const struct sight *sight, const struct ray *ray,
     vec3 face = at.face;
     if (vec3_dot(face, ray->direction) > 0)
         face = vec3_negate(face);
-    struct skeleton_point point = skeleton_find(skeleton, at.point, face);
-    if (point.node == GRAPH_NONE || !voxels_find(v, point.around, place))
+    struct skeleton_point point =
+        skeleton_find(skeleton, at.point, face, ray->origin);
+    if (point.node == GRAPH_NONE)
         return ZONE_NONE;
-    size_t voxel = voxels_index(v, place[0], place[1], place[2]);
-    uint32_t piece = sight->pieces->of_voxel[voxel];
+    uint32_t piece = sight->pieces->of_voxel[point.voxel];
     return piece == PIECE_NONE ? ZONE_NONE : zone_of(piece, side_of(face));
 }

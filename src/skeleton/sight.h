@@ -25,13 +25,7 @@ struct sight {
     const struct skeleton *skeleton;
     const struct pieces *pieces;
     struct patches_scene scene;
-    const uint8_t *marks; /* of what is matter, skeleton/matter.h */
 };
-
-/* `marks` are made in the arena. */
-struct sight sight_new(struct arena *arena, const struct skeleton *skeleton,
-                       const struct pieces *pieces,
-                       const struct patches_scene *scene);
 
 /* The zone that a ray meets. ZONE_SKY: it leaves the grid, and *beyond is the
  * radiance of what it meets there; `key` names its random numbers. */

@@ -6,7 +6,17 @@
 #include "skeleton/distance.h"
 #include "skeleton/entrance.h"
 #include "skeleton/heuristic.h"
+#include "skeleton/matter.h"
 #include "skeleton/opening.h"
+
+enum {
+    WAY_VOXELS = 6,    /* so far void is looked for along a ray, */
+    AROUND_VOXELS = 2, /* and so far around a point: */
+    TRIES = 4,         /* of so many voxels whether the point sees them; of */
+    TRIES_SEEN = 1,    /* fewer if even on a ray to it there was no void */
+    VOXELS_SIDE_MOST = 1 << 20,
+    RAYS = 200 * 1000
+};
 
 /* The complex lives no longer than it must. False if it was stopped. */
 static bool skeleton_thin(struct skeleton *skeleton)
@@ -45,18 +55,13 @@ uint32_t skeleton_node(const struct skeleton *skeleton, const int place[3])
     return skeleton->nearest[voxels_index(v, place[0], place[1], place[2])];
 }
 
-/* Numbers a little too large for any grid, so that they fit in an int. */
-static int voxel_coordinate(double at)
+/* Takes a place for the void before the point, if it is void. */
+static bool point_take(const struct skeleton *skeleton, vec3 place,
+                       struct skeleton_point *point)
 {
-    return (int)floor(fmin(fmax(at, -2), 1 << 20));
-}
-
-static void voxel_at(const struct voxels *v, vec3 point, int place[3])
-{
-    vec3 at = vec3_scale(vec3_sub(point, v->origin), 1 / v->edge);
-    place[0] = voxel_coordinate(at.x);
-    place[1] = voxel_coordinate(at.y);
-    place[2] = voxel_coordinate(at.z);
+    point->around = place;
+    point->voxel = voxels_empty_at(skeleton->voxels, place);
+    return point->voxel != VOXEL_NONE;
 }
 
 /* The point of a voxel, not quite its border, that is closest to a point. */
@@ -71,50 +76,131 @@ static vec3 voxel_closest(const struct voxels *v, const int place[3],
     return vec3_along(v->origin, at, v->edge);
 }
 
+/* Where a search stands: the voxels around a point, from good to bad. */
+struct search {
+    int middle[3], reach;
+    double cost; /* of the last one */
+    int number;
+};
+
+/* The next best voxel with a node after the search's last. */
+static bool search_next(const struct skeleton *skeleton, struct search *search,
+                        struct skeleton_point *point)
+{
+    const struct voxels *v = skeleton->voxels;
+    int reach = search->reach, side = 2 * reach + 1, number = -1;
+    double best = (double)INFINITY;
+    for (int i = 0; i < side * side * side; i++) {
+        int offset[3] = { i % side - reach, i / side % side - reach,
+                          i / side / side - reach };
+        int place[3];
+        for (int axis = 0; axis < 3; axis++)
+            place[axis] = search->middle[axis] + offset[axis];
+        vec3 by = vec3_make(offset[0], offset[1], offset[2]);
+        double cost = vec3_dot(by, by) - reach * vec3_dot(point->normal, by);
+        bool later =
+            cost > search->cost || (cost >= search->cost && i > search->number);
+        if (cost >= best || !later ||
+            skeleton_node(skeleton, place) == GRAPH_NONE)
+            continue;
+        best = cost;
+        number = i;
+        point->voxel = voxels_index(v, place[0], place[1], place[2]);
+        point->node = skeleton->nearest[point->voxel];
+        point->around = voxel_closest(v, place, point->position);
+    }
+    search->cost = best;
+    search->number = number;
+    return number >= 0;
+}
+
+/* A place a little too far out for any grid, so that it fits in an int. */
+static struct search search_begin(const struct skeleton *skeleton, int reach,
+                                  vec3 position)
+{
+    const struct voxels *v = skeleton->voxels;
+    vec3 at = vec3_scale(vec3_sub(position, v->origin), 1 / v->edge);
+    struct search search = { .reach = reach,
+                             .cost = -(double)INFINITY,
+                             .number = -1 };
+    for (int axis = 0; axis < 3; axis++)
+        search.middle[axis] = (int)floor(
+            fmin(fmax(vec3_component(at, axis), -1000), VOXELS_SIDE_MOST));
+    return search;
+}
+
 bool skeleton_search(const struct skeleton *skeleton, int reach,
                      struct skeleton_point *point)
 {
-    const struct voxels *v = skeleton->voxels;
-    int middle[3], place[3];
-    double best = (double)INFINITY;
-    voxel_at(v, point->position, middle);
-    for (int dz = -reach; dz <= reach; dz++)
-        for (int dy = -reach; dy <= reach; dy++)
-            for (int dx = -reach; dx <= reach; dx++) {
-                vec3 offset = vec3_make(dx, dy, dz);
-                double cost = vec3_dot(offset, offset) -
-                              reach * vec3_dot(point->normal, offset);
-                place[0] = middle[0] + dx;
-                place[1] = middle[1] + dy;
-                place[2] = middle[2] + dz;
-                uint32_t node = skeleton_node(skeleton, place);
-                if (node == GRAPH_NONE || cost >= best)
-                    continue;
-                best = cost;
-                point->node = node;
-                point->around = voxel_closest(v, place, point->position);
-            }
-    return point->node != GRAPH_NONE;
+    struct search search = search_begin(skeleton, reach, point->position);
+    return search_next(skeleton, &search, point);
+}
+
+/* The first void on the way to where the point is seen from: on its side of
+ * whatever wall is near. */
+static bool find_on_way(const struct skeleton *skeleton, vec3 from,
+                        struct skeleton_point *point)
+{
+    double edge = skeleton->voxels->edge;
+    vec3 way = vec3_sub(from, point->position);
+    double length = vec3_length(way);
+    for (int i = 1; i <= WAY_VOXELS && i * edge < length; i++)
+        if (point_take(skeleton,
+                       vec3_along(point->position, way, i * edge / length),
+                       point))
+            return true;
+    return false;
+}
+
+/* Void around, to which nothing is in the way. */
+static bool find_around(const struct skeleton *skeleton, int tries,
+                        struct skeleton_point *point)
+{
+    double off = 1e-3 * skeleton->voxels->edge;
+    vec3 eye = vec3_along(point->position, point->normal, off);
+    for (int reach = 1; reach <= AROUND_VOXELS; reach++) {
+        struct search search = search_begin(skeleton, reach, point->position);
+        for (int i = 0; i < tries && search_next(skeleton, &search, point); i++)
+            if (!matter_hides(skeleton->world, skeleton->marks, eye,
+                              point->around))
+                return true;
+    }
+    return false;
+}
+
+/* skeleton_find, but for the node, which not all need. */
+static struct skeleton_point find_void(const struct skeleton *skeleton,
+                                       vec3 position, vec3 normal, vec3 from)
+{
+    static const double steps[] = { 0.5, 1, 1.5 };
+    double edge = skeleton->voxels->edge;
+    struct skeleton_point point = { .position = position, .normal = normal };
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++)
+        if (point_take(skeleton, vec3_along(position, normal, steps[i] * edge),
+                       &point))
+            return point;
+    bool seen =
+        from.x != position.x || from.y != position.y || from.z != position.z;
+    if (find_on_way(skeleton, from, &point) ||
+        find_around(skeleton, seen ? TRIES_SEEN : TRIES, &point))
+        return point;
+    point.around = position;
+    point.voxel = VOXEL_NONE;
+    return point;
+}
+
+static void point_name(const struct skeleton *skeleton,
+                       struct skeleton_point *point)
+{
+    point->node = point->voxel == VOXEL_NONE ? GRAPH_NONE
+                                             : skeleton->nearest[point->voxel];
 }
 
 struct skeleton_point skeleton_find(const struct skeleton *skeleton,
-                                    vec3 position, vec3 normal)
+                                    vec3 position, vec3 normal, vec3 from)
 {
-    static const double steps[] = { 0.5, 1, 1.5, 2, 3 };
-    struct skeleton_point point = { position, normal, position, GRAPH_NONE,
-                                    NULL };
-    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
-        int place[3];
-        point.around =
-            vec3_along(position, normal, steps[i] * skeleton->voxels->edge);
-        voxel_at(skeleton->voxels, point.around, place);
-        point.node = skeleton_node(skeleton, place);
-        if (point.node != GRAPH_NONE)
-            return point;
-    }
-    for (int reach = 1; reach <= 2; reach++)
-        if (skeleton_search(skeleton, reach, &point))
-            break;
+    struct skeleton_point point = find_void(skeleton, position, normal, from);
+    point_name(skeleton, &point);
     return point;
 }
 
@@ -130,10 +216,12 @@ struct skeleton *skeleton_new(const struct world *world,
     skeleton->scene = scene;
     skeleton->voxels = voxels;
     skeleton->seed = options->seed;
+    skeleton->rays = options->rays ? options->rays : RAYS;
     skeleton->threads = options->threads ? options->threads : 1;
     skeleton->stop = options->stop;
     skeleton->heuristic =
         options->heuristic ? options->heuristic : heuristic_at(0);
+    skeleton->marks = matter_marks(world, voxels_box(voxels), arena);
     if (skeleton_thin(skeleton)) {
         skeleton_light_up(skeleton,
                           options->ways || !skeleton->heuristic->wayless);
@@ -171,21 +259,41 @@ struct skeleton_light skeleton_light(const struct skeleton *skeleton,
                                      struct worker *worker, vec3 position,
                                      vec3 normal)
 {
-    struct skeleton_point point = skeleton_find(skeleton, position, normal);
+    struct skeleton_point point =
+        skeleton_find(skeleton, position, normal, position);
     if (point.node == GRAPH_NONE)
         return (struct skeleton_light){ .indirect = light_outside(
                                             skeleton, position, normal) };
     return skeleton->heuristic->answer(skeleton, worker, &point);
 }
 
-rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
-                      vec3 position, vec3 normal, const double *draw)
+/* The cheapest way to the answer's `indirect`. */
+static rgb light_indirect(const struct skeleton *skeleton,
+                          struct worker *worker,
+                          const struct skeleton_point *point)
 {
-    struct skeleton_point point = skeleton_find(skeleton, position, normal);
-    point.draw = draw;
-    if (point.node == GRAPH_NONE)
-        return light_outside(skeleton, position, normal);
+    if (point->node == GRAPH_NONE)
+        return light_outside(skeleton, point->position, point->normal);
     if (skeleton->heuristic->indirect)
-        return skeleton->heuristic->indirect(skeleton, &point);
-    return skeleton->heuristic->answer(skeleton, worker, &point).indirect;
+        return skeleton->heuristic->indirect(skeleton, point);
+    return skeleton->heuristic->answer(skeleton, worker, point).indirect;
+}
+
+rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
+                      vec3 position, vec3 normal)
+{
+    struct skeleton_point point =
+        skeleton_find(skeleton, position, normal, position);
+    return light_indirect(skeleton, worker, &point);
+}
+
+rgb skeleton_close(const struct skeleton *skeleton, struct worker *worker,
+                   vec3 position, vec3 normal, vec3 from)
+{
+    const struct heuristic *heuristic = skeleton->heuristic;
+    struct skeleton_point point = find_void(skeleton, position, normal, from);
+    if (point.voxel != VOXEL_NONE && heuristic->close)
+        return heuristic->close(skeleton, &point);
+    point_name(skeleton, &point);
+    return light_indirect(skeleton, worker, &point);
 }

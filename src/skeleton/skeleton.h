@@ -37,7 +37,8 @@ struct skeleton {
     const struct scene *scene;
     const struct voxels *voxels;
     struct graph *graph;
-    uint32_t *nearest; /* node of each voxel, GRAPH_NONE: none */
+    uint32_t *nearest;    /* node of each voxel, GRAPH_NONE: none */
+    const uint8_t *marks; /* of what is matter, skeleton/matter.h */
     struct lamp *plain_lamps;
     struct skeleton_lamp *lamps;
     struct lamp_gist *gists;
@@ -45,6 +46,7 @@ struct skeleton {
     const struct heuristic *heuristic;
     void *state; /* of the heuristic */
     uint64_t seed;
+    size_t rays; /* that heuristics may send to get started, about */
     unsigned threads;
     const atomic_int *stop;
     int rounds; /* of the collapse */
@@ -61,7 +63,9 @@ struct skeleton_options {
     uint64_t seed;
     unsigned threads;
     const atomic_int *stop; /* non-zero: leave off; NULL: never */
-    bool ways; /* lamps have paths, even if the heuristic needs none */
+    bool ways;   /* lamps have paths, even if the heuristic needs none */
+    size_t rays; /* that the heuristic may send to get started, about; 0: as
+                  * many as answers need that are shown as they are */
 };
 
 /* From the voxels of the scene, which must outlive it, as must the world. NULL
@@ -77,10 +81,8 @@ struct skeleton_point {
     vec3 position;
     vec3 normal;   /* unit, into the void; zero: of no surface */
     vec3 around;   /* a place in the void before it */
+    size_t voxel;  /* that this is in; VOXEL_NONE: there is no void */
     uint32_t node; /* the closest to that; GRAPH_NONE: there is no void */
-    /* A number in [0,1) by which one place is drawn of those whose light is
-     * mixed, the mean of many being the mixture; NULL: all count. */
-    const double *draw;
 };
 
 /* In POV-Ray's units: irradiance without pi. */
@@ -93,14 +95,16 @@ struct skeleton_light {
 };
 
 /* The closest voxel with a node, `reach` voxels around a place; of those the
- * one most in the direction of the normal. Sets around and node; false if there
- * is none. */
+ * one most in the direction of the normal. Sets around, voxel and node; false
+ * if there is none. */
 bool skeleton_search(const struct skeleton *skeleton, int reach,
                      struct skeleton_point *point);
 
-/* Finds the void before a point, or else beside it, within two voxels. */
+/* Finds the void before a point, or else beside it, within two voxels, but not
+ * behind a wall. `from` is a place that sees the point, if one is known, so
+ * that the void may be looked for on the way there; else the point itself. */
 struct skeleton_point skeleton_find(const struct skeleton *skeleton,
-                                    vec3 position, vec3 normal);
+                                    vec3 position, vec3 normal, vec3 from);
 
 /* The node of a voxel, or GRAPH_NONE; `place` may be outside of the grid. */
 uint32_t skeleton_node(const struct skeleton *skeleton, const int place[3]);
@@ -111,9 +115,13 @@ struct skeleton_light skeleton_light(const struct skeleton *skeleton,
                                      struct worker *worker, vec3 position,
                                      vec3 normal);
 
-/* Its `indirect` alone, which may be much cheaper; `draw` as in struct
- * skeleton_point, may be NULL. */
+/* Its `indirect` alone, which may be much cheaper. */
 rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
-                      vec3 position, vec3 normal, const double *draw);
+                      vec3 position, vec3 normal);
+
+/* The same for many rays whose light is mixed anyway: taken to be even within a
+ * voxel. `from` as in skeleton_find. */
+rgb skeleton_close(const struct skeleton *skeleton, struct worker *worker,
+                   vec3 position, vec3 normal, vec3 from);
 
 #endif

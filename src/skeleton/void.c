@@ -68,7 +68,8 @@ static void warn_of_camera(const struct void_space *space,
 
 struct void_space *void_new(const struct scene *scene,
                             const struct world *world, int resolution,
-                            unsigned threads, struct diag *diag)
+                            unsigned threads, const atomic_int *stop,
+                            struct diag *diag)
 {
     struct void_space *space = memory_new(sizeof *space);
     struct voxels *v = &space->voxels;
@@ -80,20 +81,25 @@ struct void_space *void_new(const struct scene *scene,
     struct arena *arena = arena_new(0);
     const uint8_t *leaf_marks = matter_marks(world, voxels_box(v), arena);
     uint8_t *marks = memory_new(count);
-    voxelise(world, v, leaf_marks, threads, marks);
+    voxelise(world, v, leaf_marks, threads, stop, marks);
     v->empty = memory_new(count);
     for (size_t i = 0; i < count; i++)
         v->empty[i] = marks[i] == 0;
     struct flood flood = { .space = space,
                            .world = world,
                            .leaf_marks = leaf_marks,
-                           .voxel_marks = marks };
+                           .voxel_marks = marks,
+                           .stop = stop };
     flood_space(&flood, &scene->camera);
+    memory_free(marks);
+    arena_free(arena);
+    if (stop && atomic_load(stop)) {
+        void_free(space);
+        return NULL;
+    }
     const struct light *lights = world_lights(world, &count);
     warn_of_lights(space, lights, diag);
     warn_of_camera(space, scene, lights, diag);
-    memory_free(marks);
-    arena_free(arena);
     return space;
 }
 

@@ -3,6 +3,8 @@
 #ifndef SKELETON_VOID_H
 #define SKELETON_VOID_H
 
+#include <stdatomic.h>
+
 #include "embree/world.h"
 #include "skeleton/voxels.h"
 
@@ -34,10 +36,12 @@ struct void_space {
 
 /* Voxels and void of a scene; free with void_free. `resolution` as in
  * grid.h. Warns of lights inside matter and of a camera without light. NULL
- * after an error was printed. The same for any number of threads. */
+ * after an error was printed, or once *stop is non-zero (may be NULL). The same
+ * for any number of threads. */
 struct void_space *void_new(const struct scene *scene,
                             const struct world *world, int resolution,
-                            unsigned threads, struct diag *diag);
+                            unsigned threads, const atomic_int *stop,
+                            struct diag *diag);
 void void_free(struct void_space *space);
 
 /* The void voxel that a point of a surface sees, on the side that `normal`

@@ -191,7 +191,8 @@ static void mark_block(void *context, size_t number, unsigned thread)
 }
 
 void voxelise_solids(const struct world *world, const struct voxels *grid,
-                     const uint8_t *marks, unsigned threads, uint8_t *out)
+                     const uint8_t *marks, unsigned threads,
+                     const atomic_int *stop, uint8_t *out)
 {
     struct solid_work work = { arena_new(0), grid, marks, out, { 0 }, { 0 } };
     size_t count = 1;
@@ -200,13 +201,14 @@ void voxelise_solids(const struct world *world, const struct voxels *grid,
         count *= (size_t)work.blocks[i];
     }
     world_visit(world, take_solid, take_no_mesh, &work);
-    parallel_run(threads, count, NULL, mark_block, &work);
+    parallel_run(threads, count, stop, mark_block, &work);
     arena_free(work.arena);
 }
 
 void voxelise(const struct world *world, const struct voxels *grid,
-              const uint8_t *marks, unsigned threads, uint8_t *out)
+              const uint8_t *marks, unsigned threads, const atomic_int *stop,
+              uint8_t *out)
 {
-    voxelise_solids(world, grid, marks, threads, out);
-    voxelise_meshes(world, grid, marks, threads, out);
+    voxelise_solids(world, grid, marks, threads, stop, out);
+    voxelise_meshes(world, grid, marks, threads, stop, out);
 }

@@ -170,7 +170,8 @@ static void mark_chunk(void *context, size_t number, unsigned thread)
 }
 
 void voxelise_meshes(const struct world *world, const struct voxels *grid,
-                     const uint8_t *marks, unsigned threads, uint8_t *out)
+                     const uint8_t *marks, unsigned threads,
+                     const atomic_int *stop, uint8_t *out)
 {
     struct mesh_work work = { .arena = arena_new(0),
                               .grid = grid,
@@ -178,6 +179,6 @@ void voxelise_meshes(const struct world *world, const struct voxels *grid,
                               .space = voxels_box(grid),
                               .out = out };
     world_visit(world, take_no_solid, take_mesh, &work);
-    parallel_run(threads, work.chunks, NULL, mark_chunk, &work);
+    parallel_run(threads, work.chunks, stop, mark_chunk, &work);
     arena_free(work.arena);
 }

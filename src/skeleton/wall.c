@@ -192,7 +192,8 @@ static void measure_row(void *context, size_t number, unsigned thread)
 }
 
 /* All lines so many voxels apart; the number of crossings. */
-static size_t measure(struct wall_work *work, int stride, unsigned threads)
+static size_t measure(struct wall_work *work, int stride, unsigned threads,
+                      const atomic_int *stop)
 {
     size_t crossings = 0;
     work->stride = stride;
@@ -202,7 +203,7 @@ static size_t measure(struct wall_work *work, int stride, unsigned threads)
             (work->voxels->size[(k + 2) % 3] + stride - 1) / stride;
     size_t rows = (size_t)work->first[3];
     work->rows = memory_new(rows * sizeof *work->rows);
-    parallel_run(threads, rows, NULL, measure_row, work);
+    parallel_run(threads, rows, stop, measure_row, work);
     for (size_t i = 0; i < rows; i++)
         crossings += work->rows[i].crossings;
     return crossings;
@@ -232,20 +233,20 @@ static struct wall_point *gather(const struct wall_work *work, size_t *count)
 /* A few lines tell how many may be sent. */
 struct wall_point *wall_points(const struct world *world,
                                const struct voxels *v, unsigned threads,
-                               size_t *count)
+                               const atomic_int *stop, size_t *count)
 {
     struct arena *arena = arena_new(0);
     struct wall_work work = { .world = world, .voxels = v };
     work.marks = matter_marks(world, voxels_box(v), arena);
     int stride = STRIDE_MAX;
-    size_t crossings = measure(&work, stride, threads);
+    size_t crossings = measure(&work, stride, threads, stop);
     while (stride > 1 && crossings * 4 <= ENOUGH) {
         stride /= 2;
         crossings *= 4;
     }
     if (stride < STRIDE_MAX) {
         rows_free(&work);
-        measure(&work, stride, threads);
+        measure(&work, stride, threads, stop);
     }
     struct wall_point *points = gather(&work, count);
     rows_free(&work);

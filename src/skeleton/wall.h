@@ -3,6 +3,8 @@
 #ifndef SKELETON_WALL_H
 #define SKELETON_WALL_H
 
+#include <stdatomic.h>
+
 #include "embree/world.h"
 #include "skeleton/voxels.h"
 
@@ -19,9 +21,10 @@ bool wall_stops(const uint8_t *marks, const struct intersection *at);
 
 /* Areas are those of the true surfaces: right in the sum over many points (0.5
  * % over a hundred voxels), not for each voxel. The array is for memory_free;
- * the same for any number of threads. */
+ * the same for any number of threads; not all of them once *stop is non-zero
+ * (may be NULL). */
 struct wall_point *wall_points(const struct world *world,
                                const struct voxels *v, unsigned threads,
-                               size_t *count);
+                               const atomic_int *stop, size_t *count);
 
 #endif

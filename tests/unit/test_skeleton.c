@@ -5,7 +5,9 @@
 
 #include "harness.h"
 #include "parse/parse.h"
+#include "scene_world.h"
 #include "skeleton/heuristic.h"
+#include "skeleton/void.h"
 #include "voids.h"
 
 struct fixture {
@@ -271,6 +273,50 @@ static void the_sky_is_outside(void **state)
     fixture_free(f);
 }
 
+/* A room with a lamp, and one without that the camera is in. A voxel is 0.28,
+ * the wall between them 0.1: thinner than one, and anywhere in it. */
+static const char two_rooms[] =
+    "difference {\n"
+    "  box { <-4.1,-1.6,-2.1>, <4.1,1.6,2.1> }\n"
+    "  box { <-4,-1.5,-2>, <0.1,1.5,2> } box { <0.2,-1.5,-2>, <4,1.5,2> }\n"
+    "  pigment { rgb 1 } finish { ambient 0 diffuse 0.7 }\n"
+    "}\n"
+    "light_source { <-2,0.5,0>, 1 }\n"
+    "camera { location <2,0,0.5> look_at 0 }\n";
+
+/* Close to the wall void is closest on its other side: no light comes from
+ * there, wherever one asks, and on this side there is. */
+static void light_stays_on_its_side(void **state)
+{
+    (void)state;
+    struct scene_world *all = scene_world_new(two_rooms);
+    struct void_space *space =
+        void_new(all->scene, all->world, 32, 2, NULL, &all->diag);
+    struct skeleton_options options = { .threads = 2 };
+    assert_non_null(space);
+    struct skeleton *skeleton =
+        skeleton_new(all->world, all->scene, &space->voxels, &options);
+    struct worker worker = { 0 };
+    const vec3 dark = { 2, 0, 0 }, bright = { -2, 0, 0 };
+    for (int i = 0; i < 40; i++) {
+        double off = 0.01 + 0.4 * (i % 8) / 8, z = -1.9 + 0.75 * (i / 8);
+        vec3 there = vec3_make(0.2 + off, -1.5, z);
+        vec3 here = vec3_make(0.1 - off, -1.5, z);
+        assert_true(rgb_peak(skeleton_indirect(skeleton, &worker, there, up)) ==
+                    0);
+        assert_true(
+            rgb_peak(skeleton_close(skeleton, &worker, there, up, dark)) == 0);
+        double whole = rgb_peak(skeleton_indirect(skeleton, &worker, here, up));
+        assert_true(whole > 0);
+        assert_near(
+            rgb_peak(skeleton_close(skeleton, &worker, here, up, bright)),
+            whole, 0.25);
+    }
+    skeleton_free(skeleton);
+    void_free(space);
+    scene_world_free(all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -282,6 +328,7 @@ int main(void)
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(far_away_is_dark),
         cmocka_unit_test(the_sky_is_outside),
+        cmocka_unit_test(light_stays_on_its_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -31,7 +31,7 @@ static struct marked marked_new(const char *text, int resolution,
     m.marks = memory_new(voxels_count(&m.grid));
     const uint8_t *leaves =
         matter_marks(all->world, voxels_box(&m.grid), all->arena);
-    voxelise(all->world, &m.grid, leaves, threads, m.marks);
+    voxelise(all->world, &m.grid, leaves, threads, NULL, m.marks);
     return m;
 }
 
@@ -218,7 +218,7 @@ static void shapes_without_a_test_are_searched(void **state)
     size_t count = voxels_count(&m.grid), hits = 0;
     m.marks = memory_new(count);
     voxelise(all->world, &m.grid,
-             matter_marks(all->world, voxels_box(&m.grid), all->arena), 2,
+             matter_marks(all->world, voxels_box(&m.grid), all->arena), 2, NULL,
              m.marks);
     uint8_t *hit = calloc(1, count);
     size_t misses = missed(&m, 20000, hit);
@@ -252,8 +252,8 @@ static struct voided voided_new(const char *text, int resolution,
                                 unsigned threads)
 {
     struct voided v = { .all = scene_world_new(text) };
-    v.space =
-        void_new(v.all->scene, v.all->world, resolution, threads, &v.all->diag);
+    v.space = void_new(v.all->scene, v.all->world, resolution, threads, NULL,
+                       &v.all->diag);
     fflush(v.all->diag.out);
     return v;
 }
@@ -262,6 +262,19 @@ static void voided_free(struct voided *v)
 {
     void_free(v->space);
     scene_world_free(v->all);
+}
+
+/* Somebody who doesn't want it any more gets none. */
+static void a_stop_is_heard(void **state)
+{
+    (void)state;
+    struct scene_world *all = scene_world_new(
+        "sphere { 0, 2 pigment { rgb 0.5 } } light_source { <0,1,0>, 1 }\n");
+    atomic_int stop = 1;
+    assert_null(void_new(all->scene, all->world, 30, 2, &stop, &all->diag));
+    fflush(all->diag.out);
+    assert_string_equal(all->printed, "");
+    scene_world_free(all);
 }
 
 /* Whether the rooms of two_rooms() are in one part of the void. */
@@ -514,6 +527,7 @@ static void points_face_their_void(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_stop_is_heard),
         cmocka_unit_test(marks_hold_all_surfaces),
         cmocka_unit_test(marks_are_not_generous),
         cmocka_unit_test(sphere_marks_are_exact),

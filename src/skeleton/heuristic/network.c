@@ -11,6 +11,7 @@
 #include "shade/surface.h"
 #include "skeleton/exchange.h"
 #include "skeleton/heuristic.h"
+#include "skeleton/shore.h"
 #include "skeleton/stream.h"
 
 enum { LOOKS = 128 }; /* rays that tell where light comes from */
@@ -29,6 +30,7 @@ struct network {
     const struct enclosure *enclosure;
     struct side_light *light; /* of each piece */
     rgb sky[SIDES];           /* irradiance of the open sky */
+    struct shore *shore;      /* of voxels' middles, as far as asked for */
 };
 
 /* The light of a piece: of its walls. */
@@ -128,8 +130,9 @@ static void *network_start(const struct skeleton *skeleton)
     network->arena = arena;
     network->pieces =
         pieces_new(arena, skeleton->voxels, skeleton->nearest, skeleton->graph);
-    network->sight = sight_new(arena, skeleton, network->pieces, &scene);
+    network->sight = (struct sight){ skeleton, network->pieces, scene };
     network_solve(network, skeleton);
+    network->shore = shore_new(skeleton->voxels);
     for (int side = 0; side < SIDES; side++)
         network->sky[side] = sky_irradiance(skeleton, side);
     return network;
@@ -138,6 +141,7 @@ static void *network_start(const struct skeleton *skeleton)
 static void network_finish(void *state)
 {
     struct network *network = state;
+    shore_free(network->shore);
     arena_free(network->arena);
 }
 
@@ -189,19 +193,6 @@ static uint32_t piece_seen(const struct pieces *pieces, const struct voxels *v,
     return piece;
 }
 
-/* One of a cell's corners, each by its share. */
-static int corner_drawn(const double part[3], double draw)
-{
-    int corner = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        bool next = draw < part[axis];
-        corner |= next ? 1 << axis : 0;
-        draw =
-            next ? draw / part[axis] : (draw - part[axis]) / (1 - part[axis]);
-    }
-    return corner;
-}
-
 /* Where no wall of the cells around faces that way: those a cell away on all
  * sides; or the mean of all walls. */
 static rgb network_beside(const struct skeleton *skeleton, uint32_t own,
@@ -222,21 +213,24 @@ static rgb network_beside(const struct skeleton *skeleton, uint32_t own,
     return total > 0 ? rgb_scale(sum, 1 / total) : network->light[own].mean;
 }
 
-/* The mean over the cells around the point, each by its share (trilinear), or
- * one of them. */
-static rgb network_indirect(const struct skeleton *skeleton,
-                            const struct skeleton_point *point)
+/* The cells around a place, each with its share of it (trilinear); first the
+ * one that it is in. Those that aren't seen are PIECE_NONE. */
+struct corners {
+    uint32_t piece[8];
+    double weight[8];
+};
+
+/* False if there is no cell. `from` is in voxels. */
+static bool network_corners(const struct skeleton *skeleton,
+                            const double from[3], struct corners *corners)
 {
     const struct network *network = skeleton->state;
     const struct pieces *pieces = network->pieces;
     const struct voxels *v = skeleton->voxels;
-    vec3 place = vec3_scale(vec3_sub(point->around, v->origin), 1 / v->edge);
-    double from[3] = { place.x, place.y, place.z }, by[3] = { 0 };
-    double part[3], step[3], total = 0;
+    double part[3], step[3], by[3] = { 0 };
     uint32_t own = piece_seen(pieces, v, from, by);
-    rgb sum = rgb_grey(0);
     if (own == PIECE_NONE)
-        return sum;
+        return false;
     const struct piece_cells *cells = &pieces->cells[pieces->chamber[own]];
     for (int axis = 0; axis < 3; axis++) {
         double size = cells->size[axis];
@@ -246,24 +240,85 @@ static rgb network_indirect(const struct skeleton *skeleton,
         part[axis] = fabs(off);
         step[axis] = copysign(cells->size[axis] / 2, off);
     }
-    int first = point->draw ? corner_drawn(part, *point->draw) : 0;
-    int end = point->draw ? first + 1 : 8;
-    for (int corner = first; corner < end; corner++) {
+    for (int corner = 0; corner < 8; corner++) {
         double weight = 1;
         for (int axis = 0; axis < 3; axis++) {
             bool next = corner >> axis & 1;
             by[axis] = next ? step[axis] : 0;
             weight *= next ? part[axis] : 1 - part[axis];
         }
-        uint32_t piece = corner ? piece_seen(pieces, v, from, by) : own;
-        if (piece != PIECE_NONE)
-            total +=
-                side_add(&network->light[piece], point->normal, weight, &sum);
+        corners->weight[corner] = weight;
+        corners->piece[corner] = own;
+        if (corner && weight > 0)
+            corners->piece[corner] = piece_seen(pieces, v, from, by);
     }
+    return true;
+}
+
+/* The mean over the cells around the point, each by its share. */
+static rgb network_indirect(const struct skeleton *skeleton,
+                            const struct skeleton_point *point)
+{
+    const struct network *network = skeleton->state;
+    const struct voxels *v = skeleton->voxels;
+    vec3 place = vec3_scale(vec3_sub(point->around, v->origin), 1 / v->edge);
+    double from[3] = { place.x, place.y, place.z }, total = 0;
+    struct corners corners;
+    rgb sum = rgb_grey(0);
+    if (!network_corners(skeleton, from, &corners))
+        return sum;
+    for (int i = 0; i < 8; i++)
+        if (corners.piece[i] != PIECE_NONE)
+            total += side_add(&network->light[corners.piece[i]], point->normal,
+                              corners.weight[i], &sum);
+    uint32_t own = corners.piece[0];
     if (!(total > 0))
         total = side_add(&network->light[own], point->normal, 1, &sum);
     return total > 0 ? rgb_scale(sum, 1 / total)
                      : network_beside(skeleton, own, from, point->normal);
+}
+
+/* The light of one side of a voxel, at its middle; none if no wall of the cells
+ * around faces that way. */
+static struct shore_light network_voxel(const struct skeleton *skeleton,
+                                        size_t voxel, int side)
+{
+    const struct network *network = skeleton->state;
+    struct shore_light light = { rgb_grey(0), 0 };
+    struct corners corners;
+    int at[3];
+    if (shore_known(network->shore, voxel, side, &light))
+        return light;
+    voxels_place(skeleton->voxels, voxel, at);
+    double from[3] = { at[0] + 0.5, at[1] + 0.5, at[2] + 0.5 };
+    if (network_corners(skeleton, from, &corners))
+        for (int i = 0; i < 8; i++)
+            if (corners.piece[i] != PIECE_NONE)
+                light.weight += side_add(&network->light[corners.piece[i]],
+                                         side_normal(side), corners.weight[i],
+                                         &light.light);
+    if (light.weight > 0)
+        light.light = rgb_scale(light.light, 1 / light.weight);
+    shore_keep(network->shore, voxel, side, &light);
+    return light;
+}
+
+static rgb network_close(const struct skeleton *skeleton,
+                         const struct skeleton_point *point)
+{
+    double total = 0;
+    rgb sum = rgb_grey(0);
+    for (int axis = 0; axis < 3; axis++) {
+        double n = vec3_component(point->normal, axis);
+        if (n == 0)
+            continue;
+        struct shore_light light =
+            network_voxel(skeleton, point->voxel, 2 * axis + (n < 0));
+        total += n * n * light.weight;
+        sum = rgb_add_scaled(sum, light.light, n * n * light.weight);
+    }
+    return total > 0 ? rgb_scale(sum, 1 / total)
+                     : network_indirect(skeleton, point);
 }
 
 /* A ray from the point, above the surface if it is on one, and what it meets.
@@ -328,5 +383,6 @@ const struct heuristic network_heuristic = {
     .finish = network_finish,
     .answer = network_answer,
     .indirect = network_indirect,
+    .close = network_close,
     .outside = network_outside,
 };

@@ -1,0 +1,32 @@
+/* The closing skeleton: see mesh_close.h. */
+#include "lighting/mesh_close.h"
+
+/* Errors at points are not larger with more of either (examples/light). */
+enum {
+    RESOLUTION = 48, /* voxels along the longest side */
+    RAYS = 50000     /* between its walls */
+};
+
+bool mesh_close_make(struct void_skeleton *close, const struct world *world,
+                     const struct scene *scene, struct void_skeleton *before,
+                     const struct lighting_options *options, struct diag *diag)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    const struct void_skeleton none = { NULL, NULL };
+    struct void_skeleton_wish wish = { .resolution = RESOLUTION, .rays = RAYS };
+    *close = none;
+    if (!said->indirect.on || !said->indirect.skeleton ||
+        said->model == MESH_MODEL_SCALAR)
+        return true;
+    if (!before)
+        return void_skeleton_make(close, world, scene, wish, options, diag);
+    *close = *before;
+    *before = none;
+    return true;
+}
+
+rgb mesh_close_light(const void *context, struct worker *worker, vec3 place,
+                     vec3 normal, vec3 from)
+{
+    return skeleton_close(context, worker, place, normal, from);
+}

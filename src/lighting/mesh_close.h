@@ -1,0 +1,19 @@
+/* What ends the bounces of the indirect mesh: the scene's closing skeleton, a
+ * coarse one, since gathering blurs what it says. */
+#ifndef LIGHTING_MESH_CLOSE_H
+#define LIGHTING_MESH_CLOSE_H
+
+#include "lighting/void_skeleton.h"
+
+/* The skeleton, or none if the scene wants none. `before`, that of an attempt
+ * that had too many mesh points, is taken from there (NULL: there was none).
+ * False as of void_skeleton_make. */
+bool mesh_close_make(struct void_skeleton *close, const struct world *world,
+                     const struct scene *scene, struct void_skeleton *before,
+                     const struct lighting_options *options, struct diag *diag);
+
+/* A gather_close; `context` is the skeleton. */
+rgb mesh_close_light(const void *context, struct worker *worker, vec3 place,
+                     vec3 normal, vec3 from);
+
+#endif
