@@ -9,6 +9,7 @@ global_settings {
   #ifdef (Glim)
     light_mesh {
       density 3
+      shadows soft indirect off
       #if (Letter) model scalar #end
     }
   #end

@@ -11,6 +11,7 @@ global_settings {
   #ifdef (Glim)
     light_mesh {
       density 6
+      shadows soft indirect off
       interpolation spherical
       #if (Letter) model scalar #end
     }

@@ -11,6 +11,7 @@ global_settings {
   #ifdef (Glim)
     light_mesh {
       density 5
+      shadows soft indirect off
       #if (Letter) model scalar interpolation spherical #end
     }
   #end

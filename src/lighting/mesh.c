@@ -4,6 +4,7 @@
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
 #include "lighting/mesh_close.h"
+#include "lighting/mesh_few.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_report.h"
 #include "lighting/mesh_scalar.h"
@@ -16,7 +17,7 @@
 struct mesh_lighting {
     struct lamps lamps;
     struct direct_mesh *direct;
-    bool sharp;
+    enum mesh_few_way few;
     struct emitters *emitters;      /* with indirect light */
     struct indirect_mesh *indirect; /* or NULL */
     struct scalar_mesh *scalar;     /* of model scalar, in place of them all */
@@ -33,7 +34,7 @@ struct mesh_lighting {
 /* What a mesh needs where the scene says nothing. */
 enum {
     FEW_LAMPS = 24,
-    SHARP_LAMPS = 1000, /* known one by one for shadows sharp */
+    SHARP_LAMPS = 1000, /* known one by one for shadows sharp, unless few */
     MESH_BYTES = 120 * 1000 * 1000,
     INDIRECT_BYTES = 30 * 1000 * 1000, /* of them, with indirect light */
     ATTEMPTS = 12,                     /* to choose a spacing that fits */
@@ -47,10 +48,6 @@ enum {
 
 /* Where mesh points differ by more, adaptive meshes have finer ones. */
 static const double adaptive_threshold = 0.2;
-
-/* Mesh points whose visible shares of an area light differ by less are in one
- * penumbra, and may be interpolated. */
-static const double wide_penumbra = 0.04;
 
 /* Gathering stops when the halves of the samples differ by less. */
 static const double gather_error = 0.03;
@@ -117,6 +114,15 @@ mesh_options(const struct light_mesh_settings *said,
         .bytes = MESH_BYTES - (said->indirect.on ? INDIRECT_BYTES : 0),
     };
     return options;
+}
+
+/* How lamps are asked that are known one by one. */
+static enum mesh_few_way mesh_few_way(const struct light_mesh_settings *said,
+                                      size_t lamps)
+{
+    if (said->shadows == MESH_SHADOWS_SOFT)
+        return MESH_FEW_BLENDED;
+    return lamps > FEW_LAMPS ? MESH_FEW_SETTLED : MESH_FEW_ASKED;
 }
 
 /* Shadows may be as fine as pixels; what surfaces give each other is as smooth
@@ -218,7 +224,7 @@ static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     lattice_set_regions(&options.lattice, said->regions.items,
                         said->regions.count);
     lattice_make_finer(&options.lattice, options.refinement.levels);
-    mesh->sharp = said->shadows == MESH_SHADOWS_SHARP;
+    mesh->few = mesh_few_way(said, mesh->lamps.count);
     if (said->model == MESH_MODEL_SCALAR) {
         mesh->scalar = mesh_literal(&mesh->lamps, said, &options);
     } else {
@@ -242,6 +248,16 @@ static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     return mesh_known_fill(known, meshes, mesh_points(mesh, meshes), diag);
 }
 
+/* What of `shadows` counts for what mesh points hold: of few lamps, and where
+ * none is asked for, the same. */
+static enum mesh_shadows mesh_held(const struct light_mesh_settings *said,
+                                   size_t lamps)
+{
+    return lamps > FEW_LAMPS && said->shadows == MESH_SHADOWS_SHARP
+               ? MESH_SHADOWS_SHARP
+               : MESH_SHADOWS_SOFT;
+}
+
 static void *mesh_start(const struct world *world, const struct scene *scene,
                         const struct lighting_options *options,
                         struct diag *diag)
@@ -257,12 +273,13 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     struct mesh_known known;
     if (options->attempt == 0)
         ambient_dropped(scene, "mesh", diag);
+    mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     if (options->keep || said->load_file)
-        mesh->stamp = mesh_stamp_new(scene, said->indirect.on, options->quality,
-                                     options->seed);
+        mesh->stamp =
+            mesh_stamp_new(scene, mesh_held(said, mesh->lamps.count),
+                           said->indirect.on, options->quality, options->seed);
     mesh->stamp.frame =
         mesh_frame(said, &scene->camera, &outlook, options->attempt);
-    mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     bool done =
         mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
     if (known.found)
@@ -288,106 +305,6 @@ static struct lighting_kept mesh_keep(const void *state)
     struct lighting_kept kept;
     kept.bytes = mesh_file_pack(&mesh->stamp, meshes, count, &kept.size);
     return kept;
-}
-
-/* What is known of one side of a surface under few lamps. */
-struct mesh_half {
-    bool known;
-    struct mesh_blend blend;
-    struct direct_verdict verdict;
-};
-
-/* A surface under few lamps. The points in front of it and those behind it,
- * looked for when a lamp on that side asks. */
-struct mesh_question {
-    struct lamplight light; /* first: its address is ours */
-    const struct direct_mesh *direct;
-    bool sharp; /* disputed lamps are settled by shadow rays */
-    struct mesh_half half[2];
-};
-
-static const struct mesh_half *mesh_half(struct mesh_question *question,
-                                         int side)
-{
-    struct mesh_half *half = &question->half[side];
-    const struct surface *surface = question->light.surface;
-    vec3 normal = side ? vec3_negate(surface->side) : surface->side;
-    if (half->known)
-        return half;
-    half->known = true;
-    point_mesh_blend(&question->direct->points, question->light.worker,
-                     surface->point, normal, &half->blend);
-    direct_mesh_judge(question->direct, &half->blend, &half->verdict);
-    return half;
-}
-
-/* Whether points that differ about a lamp call for shadow rays. Of a lamp with
- * a size not where its penumbra is wide. */
-static bool mesh_disputes(const struct mesh_question *question,
-                          const struct mesh_half *half, const struct lamp *lamp)
-{
-    if (question->sharp || !lamps_soft(question->light.lamps, lamp))
-        return question->sharp;
-    return direct_mesh_spread(question->direct, &half->blend, lamp->number) >
-           wide_penumbra;
-}
-
-static rgb mesh_settle(const struct lamplight *light, const struct lamp *lamp,
-                       const struct lamp_view *view)
-{
-    const struct surface *surface = light->surface;
-    struct lamp_target target = { surface->point, surface->inside, *view };
-    return lamps_share_fine(light->lamps, lamp, light->worker, &target);
-}
-
-static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
-                      const struct lamp_view *view)
-{
-    struct mesh_question *question = (struct mesh_question *)light;
-    int number = lamp->number;
-    if (lamp->light->shadowless)
-        return rgb_grey(1);
-    const struct mesh_half *half = mesh_half(
-        question, vec3_dot(view->direction, light->surface->side) < 0);
-    const struct direct_verdict *verdict = &half->verdict;
-    bool lit = few_has(verdict->lit, number);
-    bool certain = (lit || few_has(verdict->dark, number)) &&
-                   direct_mesh_agrees(&half->blend);
-    if (!certain && !few_has(verdict->faint, number) &&
-        mesh_disputes(question, half, lamp))
-        return mesh_settle(light, lamp, view);
-    return lit ? rgb_grey(1)
-               : direct_mesh_share(question->direct, &half->blend, number);
-}
-
-/* Lamps that the side seen can't see give nothing, unless the other side
- * counts too. NULL: they may. */
-static const uint64_t *mesh_hidden(struct mesh_question *question)
-{
-    const struct surface *surface = question->light.surface;
-    if (surface->at->leaf->double_illuminate)
-        return NULL;
-    for (int i = 0; i < surface->count; i++)
-        if (surface->layer[i].finish->diffuse_back != 0)
-            return NULL;
-    const struct mesh_half *half = mesh_half(question, 0);
-    return question->sharp && !direct_mesh_agrees(&half->blend)
-               ? NULL
-               : half->verdict.dark;
-}
-
-static void mesh_few(const struct mesh_lighting *mesh, struct lamplight *light)
-{
-    struct mesh_question question;
-    question.light = *light;
-    question.light.share = mesh_share;
-    question.direct = &mesh->near_direct;
-    question.sharp = mesh->sharp;
-    question.half[0].known = question.half[1].known = false;
-    const uint64_t *hidden = mesh_hidden(&question);
-    for (size_t i = 0; i < mesh->lamps.count; i++)
-        if (!hidden || !few_has(hidden, (int)i))
-            lamplight_give(&question.light, &mesh->lamps.items[i]);
 }
 
 static bool mesh_shines(const struct surface *surface)
@@ -511,7 +428,7 @@ static struct diffuse_light mesh_illuminate(const void *state,
     if (mesh->direct->many)
         diffuse.irradiance = mesh_many(mesh, &light);
     else
-        mesh_few(mesh, &light);
+        mesh_few_give(&mesh->near_direct, mesh->few, &light);
     if (mesh->indirect)
         diffuse.irradiance =
             rgb_add(diffuse.irradiance, mesh_indirect(mesh, worker, surface));
@@ -536,6 +453,7 @@ static void mesh_tell(const void *state, lighting_row *row, void *context)
     mesh_report_tell(&mesh->report, row, context);
 }
 
+/* Where no mesh point was asked for a lamp there may be those of surfaces. */
 static void mesh_give_direct(const void *state, struct show *show)
 {
     const struct mesh_lighting *mesh = state;
@@ -543,6 +461,8 @@ static void mesh_give_direct(const void *state, struct show *show)
         mesh_show_scalar(&mesh->scalar->direct, show);
     else
         mesh_show_direct(mesh->direct, show);
+    if (!mesh->scalar && show->points.count == 0)
+        mesh_show_indirect(mesh->indirect, show);
 }
 
 static void mesh_give_indirect(const void *state, struct show *show)
@@ -555,7 +475,8 @@ static void mesh_give_indirect(const void *state, struct show *show)
 }
 
 static const struct lighting_view mesh_views[] = {
-    { "mesh", "mesh points, by the light of lamps", mesh_give_direct },
+    { "mesh", "mesh points, by the light of lamps, or else of surfaces",
+      mesh_give_direct, "--mesh-shadows soft" },
     { "mesh:indirect", "by the light of surfaces", mesh_give_indirect,
       "--mesh-indirect on" },
     { NULL, NULL, NULL },
@@ -563,7 +484,7 @@ static const struct lighting_view mesh_views[] = {
 
 const struct lighting mesh_lighting = {
     .name = "mesh",
-    .help = "light meshes: soft shadows, little work for many lamps",
+    .help = "light meshes: light from surface to surface, and of many lamps",
     .start = mesh_start,
     .finish = mesh_finish,
     .illuminate = mesh_illuminate,

@@ -58,21 +58,23 @@ static uint64_t regions_hash(const struct light_mesh_settings *mesh)
     return hash;
 }
 
-struct mesh_stamp mesh_stamp_new(const struct scene *scene, bool indirect,
+struct mesh_stamp mesh_stamp_new(const struct scene *scene,
+                                 enum mesh_shadows shadows, bool indirect,
                                  int quality, unsigned long long seed)
 {
     struct mesh_stamp stamp = { .scene = scene_fingerprint(scene, indirect) };
-    const struct settings *said = &scene->settings;
+    struct settings said = scene->settings;
     char regions[24];
-    settings_fields(stamp.settings, light_mesh_fields, said);
+    said.light_mesh.shadows = shadows;
+    settings_fields(stamp.settings, light_mesh_fields, &said);
     snprintf(regions, sizeof regions, "%016llx",
-             (unsigned long long)regions_hash(&said->light_mesh));
+             (unsigned long long)regions_hash(&said.light_mesh));
     settings_add(stamp.settings, "region", regions);
     settings_add(stamp.settings, "indirect", indirect ? "on" : "off");
     if (indirect)
-        settings_fields(stamp.settings, indirect_fields, said);
-    if (indirect && said->light_mesh.indirect.skeleton)
-        settings_fields(stamp.settings, skeleton_fields, said);
+        settings_fields(stamp.settings, indirect_fields, &said);
+    if (indirect && said.light_mesh.indirect.skeleton)
+        settings_fields(stamp.settings, skeleton_fields, &said);
     settings_number(stamp.settings, "+Q", quality);
     settings_number(stamp.settings, "seed", (double)seed);
     return stamp;

@@ -28,8 +28,10 @@ struct mesh_stamp {
 };
 
 /* The settings that count and the scene, in which nothing but the camera may
- * change; the frame is the caller's. `indirect`: light of surfaces, too. */
-struct mesh_stamp mesh_stamp_new(const struct scene *scene, bool indirect,
+ * change; the frame is the caller's. `shadows`: what the points hold is for;
+ * `indirect`: light of surfaces, too. */
+struct mesh_stamp mesh_stamp_new(const struct scene *scene,
+                                 enum mesh_shadows shadows, bool indirect,
                                  int quality, unsigned long long seed);
 
 /* Whether a mesh that was made with `made` is that of `now`. If not, what has

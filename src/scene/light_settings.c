@@ -21,6 +21,7 @@ static const char *const model_choices[] = {
 };
 
 static const char *const shadows_choices[] = {
+    [MESH_SHADOWS_AUTO] = "auto",
     [MESH_SHADOWS_SOFT] = "soft",
     [MESH_SHADOWS_SHARP] = "sharp",
     NULL,
@@ -34,8 +35,8 @@ static const char *const guide_choices[] = {
 
 /* mesh_value = "quality" float | "density" float | "radius" float
  *            | "interpolation" name | "model" ( "directional" | "scalar" )
- *            | "shadows" ( "soft" | "sharp" ) | "threshold" float
- *            | "levels" float . */
+ *            | "shadows" ( "auto" | "soft" | "sharp" )
+ *            | "threshold" float | "levels" float . */
 const struct field light_mesh_fields[] = {
     NUMBER("quality", light_mesh.quality, 1, 10, "the knob to turn first, 5"),
     NUMBER("density", light_mesh.density, 1e-6, 1e6,
@@ -47,7 +48,8 @@ const struct field light_mesh_fields[] = {
     { "model", FIELD_CHOICE, AT(light_mesh.model), 0, 0,
       "what a mesh point holds, directional", false, model_choices },
     { "shadows", FIELD_CHOICE, AT(light_mesh.shadows), 0, 0,
-      "soft, or sharp where lights are points", false, shadows_choices },
+      "soft, sharp where lights are points, or auto: sharp under few", false,
+      shadows_choices },
     NUMBER("threshold", light_mesh.threshold, 1e-4, 1,
            "new points where neighbours differ by more, 0.2"),
     COUNT("levels", light_mesh.levels, 1, 6,

@@ -1,7 +1,7 @@
 // area_illumination shades by every lamp, and yet takes the shadow as one
 // number: the plain mean of the cosines of the lamps, times the weighted shadow
 // of area_light.
-// claims: rays mesh
+// claims: rays mesh soft
 //
 // The cosine of a lamp k aside is 4/sqrt(16 + k^2): 1, .970143, .894427, .8,
 // .707107. Lamps, wall and box are those of area_light.pov.

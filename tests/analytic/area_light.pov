@@ -1,7 +1,7 @@
 // The soft shadow of an area light in POV-Ray is a weighted mean of its lamps:
 // the interval is halved again and again, so 5 lamps in a row count 1/8, 1/4,
 // 1/4, 1/4, 1/8. Shading is the centre's.
-// claims: rays mesh
+// claims: rays mesh soft
 //
 // Lamps at x = -2, -1, 0, 1, 2, z = -4; the wall is z = 0. A black box covers
 // x = .1 ... 5 at z = -2, where the ray from lamp l to the point x is at

@@ -1,5 +1,5 @@
 // brilliance b: cos^b instead of cos; with albedo, times (b + 1)/2.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // A parallel light with cosine .8 on the wall, diffuse .5:
 //   b = 3: .5 * .512 = .256    b = 3, albedo: .256 * 2 = .512

@@ -1,7 +1,7 @@
 // How long a ray is inside a solid, read from the light glass absorbs:
 // fade_power 1001 gives exp(-(1 - fade_color) * length/fade_distance), here
 // exp(-length) in red and exp(-length/2) in green, before a wall that glows 1.
-// claims: rays mesh
+// claims: rays mesh soft
 //
 // Lengths along z:
 //   a sphere of radius 1: at its centre 2, at .6 from it 2 * .8 = 1.6;

@@ -1,6 +1,6 @@
 // A cylinder light: the smooth step is over the distance from the axis, and
 // all its rays are parallel to the axis.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // The axis is x = y = 0; radius .5, falloff 1.5, tightness 2. At distance r:
 // s = (1.5 - r)/(1.5 - .5), clamped; s^2 (3 - 2s) * (1 - r/1.5)^2; the wall is

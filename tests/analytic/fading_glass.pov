@@ -1,6 +1,6 @@
 // Interior fading with a power below 1000: T = 1/(1 + (d/D)^P), and the light
 // becomes T + (1 - T) * fade_color of what it was.
-// claims: rays mesh
+// claims: rays mesh soft
 //
 // Slabs 3 thick before a wall that glows 1; D = 2, fade_color <0, .5, .9>.
 //   P = 1: T = 1/2.5 = .4: <.4, .7, .94>

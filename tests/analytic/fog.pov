@@ -1,5 +1,5 @@
 // Fog of type 1: T = exp(-d/distance), colour * T + fog * (1 - T).
-// claims: rays mesh
+// claims: rays mesh soft
 //
 // Glowing walls <.9, .3, .6> at z = -5, 0 and 10, that is 5, 10 and 20 before
 // the camera; fog <.2, .4, .8>, distance 10: T = .606531, .367879, .135335.

@@ -1,5 +1,5 @@
 // fade_distance and fade_power: 2/(1 + (d/D)^p), d the distance of the light.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // Left wall half: D = 2, p = 2, light <-1.6, 0, -2>; right half: D = 3, p = 1,
 // light <1.6, 0, -2>. A box of z <= 0 at x = 0 keeps the halves apart.

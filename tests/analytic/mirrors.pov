@@ -1,5 +1,5 @@
 // Two mirrors face to face: max_trace_level counts the surfaces of a chain.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // The view goes straight back and forth between a wall at z = 0 and one behind
 // the camera. Each glows .2 and reflects .5: .2 (1 + .5 + .25 + ...), of

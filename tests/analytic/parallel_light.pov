@@ -1,6 +1,6 @@
 // A parallel light: everywhere from the same side, and faded by the distance
 // from the plane of the light, not from its place.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // From <3, 0, -4> to <0, 0, 0>: the cosine on the wall z = 0 is .8. The point
 // (x, y, 0) is 5 - .6 x from the light's plane. D = 5, p = 2:

@@ -1,5 +1,5 @@
 // Where a perspective ray goes: angle 60 with right 4/3 and up 1 on 64 x 48.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // |direction| = .5 * (4/3)/tan 30 = 1.154701. The wall z = 5 is met at
 // x = 5 * ((i + .5)/64 - .5) * 1.333333/1.154701 = ((i + .5)/64 - .5) * 5.773503

@@ -1,6 +1,6 @@
 // The reflection block at one angle: a + (b - a)(1 - cos)^k; fresnel;
 // exponent; metallic.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // Mirrors in the plane turned by 60 degrees, so cos = .5 everywhere and all
 // reflect the background, <.8, .4, .2>.

@@ -1,5 +1,5 @@
 // A glass ball, ior 1.5, as a lens.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // A ray at the height b from the centre of a unit ball meets it at sin i = b,
 // goes on at sin t = b/1.5, and leaves turned by 2 (i - t) to the axis, again

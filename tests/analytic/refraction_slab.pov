@@ -1,6 +1,6 @@
 // A slab of glass, ior 1.5, 1 thick, at 45 degrees: it moves the ray aside by
 // sin(i - t)/cos t, and leaves its direction.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // sin t = sin 45/1.5 = .471405, cos t = .881917, sin(45 - t) = .290273; the
 // shift is .329140 along +x (the slab's front normal is (-1, 0, -1)/sqrt 2, so

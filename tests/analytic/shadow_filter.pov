@@ -1,6 +1,6 @@
 // Light through panes: filter colours it, transmit weakens it, a solid pane
 // counts twice, no_shadow not at all.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // A parallel light from <3, 0, -4> meets the wall z = 0 with cosine .8; panes
 // at z = -2 (seen edge on: they are turned along the view) would hide nothing,

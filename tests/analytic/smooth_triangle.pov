@@ -1,6 +1,6 @@
 // A smooth triangle takes its normal from its corners, weighted linearly and
 // then normalised, and that normal decides about light.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // Corners (-2, -2), (2, -2), (0, 2) with normals <-.6, 0, -.8>, <.6, 0, -.8>,
 // <0, .6, -.8>; a parallel light along the view; diffuse 1.

@@ -1,6 +1,6 @@
 // A spotlight: the smooth step is taken between the cosines of falloff and
 // radius, then the power of tightness.
-// claims: rays path mesh
+// claims: rays path mesh soft
 //
 // The light is at <0, 0, -3> and points at the wall z = 0; at distance r from
 // the centre c = 3/sqrt(r^2 + 9). Radius 10, falloff 30, tightness 4: with

@@ -1,6 +1,6 @@
 // Panes before a glowing wall: each multiplies by filter * pigment + transmit,
 // a solid pane twice; its own light is weakened by its opacity.
-// claims: rays mesh
+// claims: rays mesh soft
 //
 // The wall glows <.8, .6, .4>. Left: a disc, rgbft <.5, 1, 0, .5, .25>: factor
 // <.5, .75, .25>, so <.4, .45, .1>, plus its own emission .2 * opacity .25 *

@@ -1,6 +1,5 @@
 // Two lights and a bar that hides each from one strip of the wall.
 // claims: rays path mesh
-// options mesh: --mesh-shadows sharp
 //
 // Lights <-2, 0, -2> (red) and <2, 0, -2> (green), wall z = 0, diffuse 1. The
 // bar spans x = -.3 ... .3, z = -1.2 ... -1. From the green light its edges

@@ -26,7 +26,8 @@ static struct point_mesh mesh_empty(void)
 static struct mesh_stamp stamp_of(const char *text)
 {
     struct scene_world *all = scene_world_new(text);
-    struct mesh_stamp stamp = mesh_stamp_new(all->scene, true, 9, 7);
+    struct mesh_stamp stamp =
+        mesh_stamp_new(all->scene, MESH_SHADOWS_SOFT, true, 9, 7);
     stamp.frame = (struct mesh_frame){ .spacing = 0.5, .near = 3, .size = 4 };
     scene_world_free(all);
     return stamp;

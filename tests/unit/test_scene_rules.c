@@ -500,6 +500,7 @@ static void light_meshes_and_skeletons(void **state)
                    " model directional shadows soft } }");
     assert_false(r.scene->settings.light_mesh.indirect.on);
     assert_false(r.scene->settings.radiosity);
+    assert_int_equal(r.scene->settings.light_mesh.shadows, MESH_SHADOWS_SOFT);
     assert_number(r.scene->settings.light_mesh.quality, 5);
     assert_int_equal(r.scene->settings.skeleton.resolution, 0);
     scene_end(&r);
