@@ -13,6 +13,7 @@ struct world {
     struct flat flat;   /* its solids: the unbounded ones, shapes first */
     size_t shape_count; /* of flat.solids */
     struct geometry geometry;
+    struct shaft_tree *shafts; /* if a light has an area */
 };
 
 /* Single shapes are quick and shorten the ray for what comes after. */
@@ -26,6 +27,14 @@ static void sort_unbounded(struct world *world)
         list->items[i] = list->items[world->shape_count];
         list->items[world->shape_count++] = solid;
     }
+}
+
+static bool any_area(const struct light_list *lights)
+{
+    for (size_t i = 0; i < lights->count; i++)
+        if (lights->items[i].area)
+            return true;
+    return false;
 }
 
 struct world *world_new(const struct scene *scene, unsigned threads,
@@ -42,6 +51,8 @@ struct world *world_new(const struct scene *scene, unsigned threads,
         return NULL;
     }
     sort_unbounded(world);
+    if (any_area(&world->flat.lights))
+        world->shafts = shaft_tree_new(&world->flat, &world->geometry.solids);
     return world;
 }
 
@@ -143,23 +154,55 @@ bool world_within(const struct world *world, const struct ray *ray, double tmin,
     return true;
 }
 
+static bool occlusion_begin(struct query *query, const struct ray *ray,
+                            double tmin, double tmax, int light,
+                            world_filter *filter, void *context)
+{
+    query->occlusion = true;
+    query->light = light;
+    query->filter = filter;
+    query->context = context;
+    return query_begin(query, ray, tmin, fmin(tmax, world_limit));
+}
+
 bool world_occluded(const struct world *world, const struct ray *ray,
                     double tmin, double tmax, int light, world_filter *filter,
                     void *context)
 {
     struct query query;
     size_t count = world->flat.solids.count;
-    query.occlusion = true;
-    query.light = light;
-    query.filter = filter;
-    query.context = context;
-    if (!query_begin(&query, ray, tmin, fmin(tmax, world_limit)))
+    if (!occlusion_begin(&query, ray, tmin, tmax, light, filter, context))
         return false;
     if (trace_unbounded(world, &query, 0, world->shape_count))
         return true;
     geometry_trace(&world->geometry, &query);
     return query.blocked ||
            trace_unbounded(world, &query, world->shape_count, count);
+}
+
+void world_shaft(const struct world *world, const struct shaft_rays *rays,
+                 struct shaft *shaft)
+{
+    shaft->crowded = true;
+    if (world->shafts)
+        shaft_find(world->shafts, rays, shaft);
+}
+
+bool world_occluded_in(const struct world *world, const struct shaft *shaft,
+                       const double place[2], const struct ray *ray,
+                       double tmin, double tmax, int light,
+                       world_filter *filter, void *context)
+{
+    struct query query;
+    if (shaft->crowded)
+        return world_occluded(world, ray, tmin, tmax, light, filter, context);
+    if (!occlusion_begin(&query, ray, tmin, tmax, light, filter, context))
+        return false;
+    for (int i = 0; i < shaft->count; i++)
+        if (shaft_shades(&shaft->at[i], place) &&
+            query_solid(&query, shaft->at[i].solid))
+            return true;
+    return false;
 }
 
 void world_containing(const struct world *world, vec3 point,

@@ -4,6 +4,7 @@
 #ifndef EMBREE_WORLD_H
 #define EMBREE_WORLD_H
 
+#include "embree/shaft.h"
 #include "embree/solid.h"
 #include "scene/light.h"
 #include "scene/scene.h"
@@ -69,6 +70,18 @@ typedef bool world_filter(void *context, const struct intersection *out);
 bool world_occluded(const struct world *world, const struct ray *ray,
                     double tmin, double tmax, int light, world_filter *filter,
                     void *context);
+
+/* What may stand in the way of rays that world_occluded_in is asked about.
+ * Crowded if no light has an area. */
+void world_shaft(const struct world *world, const struct shaft_rays *rays,
+                 struct shaft *shaft);
+
+/* The same as world_occluded, for the ray of the shaft to the place of these
+ * coordinates: the sooner the less there is on the way. */
+bool world_occluded_in(const struct world *world, const struct shaft *shaft,
+                       const double place[2], const struct ray *ray,
+                       double tmin, double tmax, int light,
+                       world_filter *filter, void *context);
 
 /* Calls visit for every leaf whose inside holds the point (CSG and clips
  * respected), in file order: the interiors a camera starts in. */

@@ -7,7 +7,7 @@ rgb lamplight_trace(struct lamplight *light, const struct lamp *lamp,
                     const struct lamp_view *view)
 {
     struct lamp_target target = { light->surface->point, light->surface->inside,
-                                  *view };
+                                  *view, light->surface->at };
     return lamps_share(light->lamps, lamp, light->worker, &target);
 }
 

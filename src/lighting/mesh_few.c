@@ -48,30 +48,29 @@ static bool mesh_disputes(const struct mesh_question *question,
            wide_penumbra;
 }
 
-static rgb mesh_settle(const struct lamplight *light, const struct lamp *lamp,
-                       const struct lamp_view *view)
-{
-    const struct surface *surface = light->surface;
-    struct lamp_target target = { surface->point, surface->inside, *view };
-    return lamps_share_fine(light->lamps, lamp, light->worker, &target);
-}
-
 static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
                       const struct lamp_view *view)
 {
     struct mesh_question *question = (struct mesh_question *)light;
+    const struct surface *surface = light->surface;
+    struct lamp_target target = { surface->point, surface->inside, *view,
+                                  surface->at };
     int number = lamp->number;
+    rgb share;
     if (lamp->light->shadowless)
         return rgb_grey(1);
-    const struct mesh_half *half = mesh_half(
-        question, vec3_dot(view->direction, light->surface->side) < 0);
+    if (lamps_soft(light->lamps, lamp) &&
+        lamps_share_soon(light->lamps, lamp, light->worker, &target, &share))
+        return share;
+    const struct mesh_half *half =
+        mesh_half(question, vec3_dot(view->direction, surface->side) < 0);
     const struct direct_verdict *verdict = &half->verdict;
     bool lit = few_has(verdict->lit, number);
     bool certain = (lit || few_has(verdict->dark, number)) &&
                    direct_mesh_agrees(&half->blend);
     if (!certain && !few_has(verdict->faint, number) &&
         mesh_disputes(question, half, lamp))
-        return mesh_settle(light, lamp, view);
+        return lamps_share_fine(light->lamps, lamp, light->worker, &target);
     return lit ? rgb_grey(1)
                : direct_mesh_share(question->direct, &half->blend, number);
 }
@@ -93,7 +92,8 @@ static const uint64_t *mesh_hidden(struct mesh_question *question)
                : half->verdict.dark;
 }
 
-/* Lamps of a size have wide penumbras, in which mesh points save many rays. */
+/* Lamps of a size have wide penumbras, in which mesh points save many rays
+ * where much stands between. */
 static bool mesh_asked(const struct mesh_question *question,
                        const struct lamp *lamp)
 {
@@ -121,10 +121,12 @@ void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
             lamplight_give(&asked, lamp);
             continue;
         }
-        if (!looked)
+        bool soft = lamps_soft(lamps, lamp);
+        if (!soft && !looked) {
             hidden = mesh_hidden(&question);
-        looked = true;
-        if (!hidden || !few_has(hidden, (int)i))
+            looked = true;
+        }
+        if (soft || !hidden || !few_has(hidden, (int)i))
             lamplight_give(&question.light, lamp);
     }
 }

@@ -7,8 +7,8 @@
 
 /* Who says what of a lamp's light gets to a surface. */
 enum mesh_few_way {
-    MESH_FEW_BLENDED, /* the mesh points around; of area lights shadow rays,
-                       * where these differ much */
+    MESH_FEW_BLENDED, /* the mesh points around; of area lights shadow rays
+                       * where little stands between, or these differ much */
     MESH_FEW_SETTLED, /* shadow rays, of all lamps on which they differ */
     MESH_FEW_ASKED,   /* shadow rays; of area lights as MESH_FEW_BLENDED. Mesh
                        * points do not see what falls between them, and cost

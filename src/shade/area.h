@@ -15,6 +15,7 @@ struct area_grid {
     int size1, size2;  /* points along them */
     int adaptive;      /* as the light's */
     uint64_t key;      /* of the jitter; 0: none */
+    double scale[2];   /* from units of the axes to those of the hull */
 };
 
 /* `seed` sets the jitter, which differs from point to point but not from run
@@ -22,16 +23,28 @@ struct area_grid {
 struct area_grid area_grid_new(const struct lamp *lamp, vec3 point,
                                uint64_t seed);
 
-/* Makes the grid about twice as fine, so that its mean comes near the true one
- * over the light's surface: POV-Ray's bisection then gives each point the
- * light around it. Adaptive, whatever the light says. */
+/* Steps along a side of a refined grid. */
+enum { AREA_FINE = 64 };
+
+/* Makes the grid as fine as area_outline wants it, without jitter. */
 void area_grid_refine(struct area_grid *grid);
 
+/* Half the sides of a parallelogram around the light's location that holds all
+ * points of the grid. */
+void area_grid_hull(const struct area_grid *grid, vec3 half[2]);
+
+/* A point of the grid. */
+struct area_point {
+    vec3 location;
+    double place[2]; /* in that parallelogram, in units of its half sides */
+};
+
 /* Point (i, j) of the grid, 0 <= i < size1, 0 <= j < size2. */
+struct area_point area_grid_at(const struct area_grid *grid, int i, int j);
 vec3 area_grid_point(const struct area_grid *grid, int i, int j);
 
 /* What part of the light comes from a point of the grid. */
-typedef rgb area_visit(void *context, vec3 location);
+typedef rgb area_visit(void *context, const struct area_point *point);
 
 /* The share of the whole light that is seen: not the mean of the points, but
  * POV-Ray's recursive bisection with weights, adaptive if the light says so:
@@ -39,5 +52,13 @@ typedef rgb area_visit(void *context, vec3 location);
  * small. */
 rgb area_visibility(const struct area_grid *grid, rgb arriving,
                     area_visit *visit, void *context);
+
+/* The same for a refined grid, nearer the true share over the light's surface
+ * and with fewer points: what hides part of it is taken to have an outline,
+ * straight within cells of a few steps (marching squares, Lorensen and Cline
+ * 1987, with the outline's places found by bisection). `thorough` if it costs
+ * little to look for thin things where the light seems to be seen. */
+rgb area_outline(const struct area_grid *grid, rgb arriving, bool thorough,
+                 area_visit *visit, void *context);
 
 #endif

@@ -46,37 +46,55 @@ struct lamp_question {
     const struct lamp *lamp;
     struct worker *worker;
     const struct lamp_target *target;
+    const struct shaft *shaft; /* to all of it, or NULL */
+    bool clear;                /* where nothing is in it all light comes */
 };
 
+static bool lamp_fog(const struct lamps *lamps, const struct lamp *lamp)
+{
+    return lamp->light->media_attenuation && lamps->quality >= QUALITY_FOG &&
+           lamps->scene->fogs.count > 0;
+}
+
+/* `place` is one in the question's shaft. */
 static rgb lamp_trace(const struct lamp_question *q, vec3 direction,
-                      double distance)
+                      double distance, const double place[2])
 {
     const struct lamps *lamps = q->lamps;
-    bool fog = q->lamp->light->media_attenuation &&
-               lamps->quality >= QUALITY_FOG && lamps->scene->fogs.count > 0;
     struct shadow_path path = {
         .point = q->target->point,
         .direction = direction,
         .distance = distance,
         .light = q->lamp->number,
         .inside = q->target->inside,
-        .fog = fog ? lamps->scene : NULL,
+        .shaft = q->shaft,
+        .place = { place[0], place[1] },
+        .fog = lamp_fog(lamps, q->lamp) ? lamps->scene : NULL,
     };
     return shadow_visibility(lamps->world, q->worker, &path);
 }
 
-/* Parallel light comes from the grid moved to stand over the point. */
-static rgb lamp_see(void *context, vec3 location)
+/* From the point to a place of the lamp. Parallel light comes from the grid
+ * moved to stand over the point. */
+static vec3 lamp_offset(const struct lamp_question *q, vec3 location)
+{
+    const struct lamp_view *view = &q->target->view;
+    return lamp_is_parallel(q->lamp)
+               ? vec3_along(vec3_sub(location, q->lamp->light->location),
+                            view->direction, view->distance)
+               : vec3_sub(location, q->target->point);
+}
+
+static rgb lamp_see(void *context, const struct area_point *point)
 {
     const struct lamp_question *q = context;
-    const struct lamp_view *view = &q->target->view;
-    vec3 offset = vec3_sub(location, q->target->point);
     if (worker_stopped(q->worker))
         return rgb_grey(0);
-    if (lamp_is_parallel(q->lamp))
-        offset = vec3_along(vec3_sub(location, q->lamp->light->location),
-                            view->direction, view->distance);
-    return lamp_trace(q, vec3_normalise(offset), vec3_length(offset));
+    if (q->clear && shaft_clear(q->shaft, point->place))
+        return rgb_grey(1);
+    vec3 offset = lamp_offset(q, point->location);
+    double length = vec3_length(offset);
+    return lamp_trace(q, vec3_scale(offset, 1 / length), length, point->place);
 }
 
 static bool lamp_casts(const struct lamps *lamps, const struct lamp *lamp)
@@ -88,34 +106,84 @@ rgb lamps_share_point(const struct lamps *lamps, const struct lamp *lamp,
                       struct worker *worker, const struct lamp_target *target)
 {
     const struct lamp_view *view = &target->view;
-    struct lamp_question question = { lamps, lamp, worker, target };
+    struct lamp_question question = {
+        lamps, lamp, worker, target, NULL, false
+    };
     if (!lamp_casts(lamps, lamp))
         return rgb_grey(1);
-    return lamp_trace(&question, view->direction, view->distance);
+    return lamp_trace(&question, view->direction, view->distance,
+                      (const double[2]){ 0, 0 });
 }
 
-static rgb lamps_share_grid(const struct lamps *lamps, const struct lamp *lamp,
-                            struct worker *worker,
-                            const struct lamp_target *target, bool refined)
+/* What stands between, for all places of a lamp with a size. */
+static void lamp_shaft(struct lamp_question *q, const struct area_grid *grid,
+                       struct shaft *shaft)
 {
-    struct lamp_question question = { lamps, lamp, worker, target };
-    if (!lamp_casts(lamps, lamp) || !lamps_soft(lamps, lamp))
-        return lamps_share_point(lamps, lamp, worker, target);
-    struct area_grid grid = area_grid_new(lamp, target->point, lamps->seed);
-    rgb arriving = rgb_scale(lamp->light->colour, target->view.attenuation);
-    if (refined)
+    vec3 point = q->target->point;
+    struct shaft_rays rays = { .from = point, .tmin = shadow_start(point) };
+    rays.middle = vec3_add(point, lamp_offset(q, q->lamp->light->location));
+    area_grid_hull(grid, rays.half);
+    if (q->target->at) {
+        rays.leaf = q->target->at->leaf;
+        rays.normal = q->target->at->face;
+    }
+    world_shaft(q->lamps->world, &rays, shaft);
+    q->shaft = shaft;
+    q->clear = !shaft->crowded && !lamp_fog(q->lamps, q->lamp);
+}
+
+static rgb lamp_share(struct lamp_question *q, const struct area_grid *grid,
+                      bool fine)
+{
+    rgb arriving =
+        rgb_scale(q->lamp->light->colour, q->target->view.attenuation);
+    if (q->clear && q->shaft->count == 0)
+        return rgb_grey(1);
+    return fine ? area_outline(grid, arriving, !q->shaft->crowded, lamp_see, q)
+                : area_visibility(grid, arriving, lamp_see, q);
+}
+
+static bool lamps_share_grid(struct lamp_question *q, bool fine, bool soon,
+                             rgb *share)
+{
+    if (!lamp_casts(q->lamps, q->lamp) || !lamps_soft(q->lamps, q->lamp)) {
+        *share = lamps_share_point(q->lamps, q->lamp, q->worker, q->target);
+        return true;
+    }
+    struct area_grid grid =
+        area_grid_new(q->lamp, q->target->point, q->lamps->seed);
+    struct shaft shaft;
+    if (fine)
         area_grid_refine(&grid);
-    return area_visibility(&grid, arriving, lamp_see, &question);
+    lamp_shaft(q, &grid, &shaft);
+    if (soon && shaft.crowded)
+        return false;
+    *share = lamp_share(q, &grid, fine);
+    return true;
 }
 
 rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
                 struct worker *worker, const struct lamp_target *target)
 {
-    return lamps_share_grid(lamps, lamp, worker, target, false);
+    struct lamp_question q = { lamps, lamp, worker, target, NULL, false };
+    rgb share;
+    lamps_share_grid(&q, false, false, &share);
+    return share;
 }
 
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
                      struct worker *worker, const struct lamp_target *target)
 {
-    return lamps_share_grid(lamps, lamp, worker, target, true);
+    struct lamp_question q = { lamps, lamp, worker, target, NULL, false };
+    rgb share;
+    lamps_share_grid(&q, true, false, &share);
+    return share;
+}
+
+bool lamps_share_soon(const struct lamps *lamps, const struct lamp *lamp,
+                      struct worker *worker, const struct lamp_target *target,
+                      rgb *share)
+{
+    struct lamp_question q = { lamps, lamp, worker, target, NULL, false };
+    return lamps_share_grid(&q, true, true, share);
 }

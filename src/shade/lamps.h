@@ -36,6 +36,7 @@ struct lamp_target {
     vec3 point;
     const struct interiors *inside; /* bodies the point is in; may be NULL */
     struct lamp_view view;          /* of the lamp's centre, by lamp_look */
+    const struct intersection *at;  /* what it is on; NULL: in the open */
 };
 
 /* The share of the lamp's light that is not in shadow, tinted by filters:
@@ -43,9 +44,14 @@ struct lamp_target {
 rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
                 struct worker *worker, const struct lamp_target *target);
 
-/* The same by a finer grid of an area light: nearer the true share. */
+/* The same, nearer the true share of an area light. */
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
                      struct worker *worker, const struct lamp_target *target);
+
+/* The same if little stands between, so that it is soon known; else false. */
+bool lamps_share_soon(const struct lamps *lamps, const struct lamp *lamp,
+                      struct worker *worker, const struct lamp_target *target,
+                      rgb *share);
 
 /* The same for one shadow ray to where target->view looks: a point of the
  * lamp. */

@@ -102,20 +102,35 @@ static rgb shadow_share(const struct shadow_ray *shadow,
     return rgb_mul(share, shadow_fog(path, &inside, from, rest));
 }
 
+double shadow_start(vec3 point)
+{
+    return fmax(shadow_margin, surface_offset(point));
+}
+
+static bool shadow_blocked(const struct world *world,
+                           const struct shadow_path *path, double from,
+                           double to, struct shadow_ray *shadow)
+{
+    struct ray ray = { path->point, path->direction };
+    return path->shaft
+               ? world_occluded_in(world, path->shaft, path->place, &ray, from,
+                                   to, path->light, shadow_filter, shadow)
+               : world_occluded(world, &ray, from, to, path->light,
+                                shadow_filter, shadow);
+}
+
 rgb shadow_visibility(const struct world *world, struct worker *worker,
                       const struct shadow_path *path)
 {
-    double from = fmax(shadow_margin, surface_offset(path->point));
+    double from = shadow_start(path->point);
     double to = path->distance - shadow_margin;
-    struct ray ray = { path->point, path->direction };
     struct shadow_ray shadow;
     if (!(to > from))
         return rgb_grey(1);
     shadow.share = rgb_grey(1);
     shadow.count = 0;
     worker->counters.shadow_rays++;
-    if (world_occluded(world, &ray, from, to, path->light, shadow_filter,
-                       &shadow))
+    if (shadow_blocked(world, path, from, to, &shadow))
         return rgb_grey(0);
     return shadow_share(&shadow, path);
 }

@@ -13,6 +13,8 @@ struct shadow_path {
     double distance;
     int light; /* whose: what looks like it is no obstacle; or -1 */
     const struct interiors *inside; /* bodies the point is in; may be NULL */
+    const struct shaft *shaft;      /* the way is in it; NULL: in none */
+    double place[2];                /* where in it */
     const struct scene *fog; /* whose fogs weaken the light; NULL: none do */
 };
 
@@ -21,6 +23,9 @@ struct shadow_path {
  * leaves room for nothing: white. */
 rgb shadow_visibility(const struct world *world, struct worker *worker,
                       const struct shadow_path *path);
+
+/* How far from its point such a way begins to meet anything. */
+double shadow_start(vec3 point);
 
 /* How far from a surface point the next ray begins to see: POV-Ray's 1e-4
  * (measured), and what single precision needs far from the origin. */

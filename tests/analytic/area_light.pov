@@ -9,10 +9,9 @@
 //   x = 0: lamps 1 and 2 are hidden: 5/8
 //   x = -1: lamp 2: 7/8 * 4/sqrt 17 = .848875
 //   x = -2: none: 4/sqrt 20 = .894427
-// Light meshes look at 9 lamps, those at the ends of which count 1/16: nearer
-// to the light's true share, .55 at x = 0.
-//   x = 0: 4 are hidden, one at the end: 9/16
-//   x = -1: 2: 13/16 * 4/sqrt 17 = .788247
+// Light meshes find where the light is cut, to a 64th of its length.
+//   x = 0: at .2, 35.2/64, taken for 35.5/64 = .554688
+//   x = -1: at 1.2, 51.2/64, taken for 51.5/64: * 4/sqrt 17 = .780662
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location <-.05, .05, -10> right 6.4*x up 4.8*y }

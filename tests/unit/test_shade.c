@@ -257,11 +257,11 @@ struct only {
     int asked;
 };
 
-static rgb only_one(void *context, vec3 location)
+static rgb only_one(void *context, const struct area_point *point)
 {
     struct only *only = context;
     only->asked++;
-    return rgb_grey(fabs(location.x - only->place) < 1e-6);
+    return rgb_grey(fabs(point->location.x - only->place) < 1e-6);
 }
 
 static double weight_of(int n, int i)
@@ -298,10 +298,10 @@ static void test_area_weights(void **state)
             near(weight_of(n, i), 1 / wanted[n - 2][i]);
 }
 
-static rgb all_seen(void *context, vec3 location)
+static rgb all_seen(void *context, const struct area_point *point)
 {
     struct only *only = context;
-    (void)location;
+    (void)point;
     only->asked++;
     return rgb_grey(1);
 }
@@ -326,51 +326,121 @@ static void test_area_adaptive(void **state)
     }
 }
 
-/* What lies left of a line across the light counts by its length. */
+/* What lies on one side of a straight line is seen; what lies on the other has
+ * another colour. */
 struct edge {
-    double x;
+    double across, along, limit;
+    rgb beyond;
     int asked;
 };
 
-static rgb left_of(void *context, vec3 location)
+static rgb edge_seen(void *context, const struct area_point *point)
 {
     struct edge *edge = context;
+    vec3 p = point->location;
     edge->asked++;
-    return rgb_grey(location.x < edge->x);
+    /* Coordinates say where the point is. */
+    near(point->place[0] * 0.501, p.x);
+    return p.x * edge->across + p.y * edge->along < edge->limit ? rgb_grey(1)
+                                                                : edge->beyond;
 }
 
-/* The error is half a step at most, that of sides which aren't halved evenly
- * by POV-Ray no longer more; rays that all see the same stay few. */
-static void test_area_refined(void **state)
+/* The share of the unit square before the line, by many thin strips. */
+static double edge_truth(const struct edge *edge, bool line)
 {
-    (void)state;
+    double sum = 0;
+    for (int k = 0; k < 2000; k++) {
+        double y = line ? 0 : (k + 0.5) / 2000 - 0.5;
+        double end = (edge->limit - y * edge->along) / edge->across;
+        double left = fmin(fmax(end + 0.5, 0), 1);
+        sum += edge->across > 0 ? left : 1 - left;
+    }
+    return sum / 2000;
+}
+
+static struct light unit_light(int columns, int rows, int adaptive)
+{
     struct light light = light_default();
     light.area = true;
     light.axis1 = vec3_make(1, 0, 0);
     light.axis2 = vec3_make(0, 1, 0);
-    for (int n = 2; n <= 33; n++) {
-        light.size1 = n;
-        light.size2 = 1;
-        light.adaptive = n % 3 - 1;
-        struct lamp lamp = lamp_new(&light, 0);
-        struct area_grid grid = area_grid_new(&lamp, vec3_make(0, 0, 9), 0);
-        area_grid_refine(&grid);
-        assert_true(grid.size1 >= 2 * n - 1 && grid.size2 == 1);
-        for (double x = -0.52; x < 0.52; x += 0.013) {
-            struct edge edge = { x, 0 };
-            double seen = area_visibility(&grid, rgb_grey(1), left_of, &edge).r;
-            double truth = fmin(fmax(x + 0.5, 0), 1);
-            assert_true(fabs(seen - truth) <= 0.5 / (grid.size1 - 1) + 1e-9);
-        }
-        struct edge edge = { 9, 0 };
-        near(area_visibility(&grid, rgb_grey(1), left_of, &edge).r, 1);
-        assert_true(edge.asked <= 5);
-    }
-    light.size1 = 1000;
-    struct lamp lamp = lamp_new(&light, 0);
+    light.size1 = columns;
+    light.size2 = rows;
+    light.adaptive = adaptive;
+    return light;
+}
+
+static double outline_share(const struct light *light, area_visit *visit,
+                            void *context)
+{
+    struct lamp lamp = lamp_new(light, 0);
     struct area_grid grid = area_grid_new(&lamp, vec3_make(0, 0, 9), 0);
     area_grid_refine(&grid);
-    assert_int_equal(grid.size1, 1000);
+    return area_outline(&grid, rgb_grey(1), true, visit, context).r;
+}
+
+/* Straight outlines, whatever their angle, are right to half a step, by far
+ * fewer rays than the grid has points; of lights that are lines too. */
+static void test_area_outline(void **state)
+{
+    (void)state;
+    for (int trial = 0; trial < 300; trial++) {
+        double angle = 0.1 * trial, slope = trial % 2 ? 0.7 * sin(angle) : 0;
+        struct light light =
+            unit_light(2 + trial % 32, 1 + trial % 5, trial % 2);
+        struct edge edge = { trial % 3 ? 1 : -1, slope,
+                             0.013 * (trial % 80) - 0.52,
+                             rgb_grey(trial % 7 ? 0 : 0.25), 0 };
+        double truth = edge_truth(&edge, light.size2 == 1);
+        double beyond = edge.beyond.r;
+        double seen = outline_share(&light, edge_seen, &edge);
+        truth = truth + (1 - truth) * beyond;
+        assert_true(fabs(seen - truth) <= 0.5 / AREA_FINE + 1e-3);
+        assert_true(edge.asked <= 70);
+    }
+}
+
+/* A disc before the light, wider than the parts that are looked at. */
+static rgb around_disc(void *context, const struct area_point *point)
+{
+    vec3 p = vec3_sub(point->location, vec3_make(0.05, -0.1, 0));
+    struct only *only = context;
+    only->asked++;
+    return rgb_grey(hypot(p.x, p.y) >= only->place);
+}
+
+static void test_area_outline_of_disc(void **state)
+{
+    (void)state;
+    static const double allowed[] = { 0.025, 0.007, 0.003, 0.003 };
+    for (int adaptive = 1; adaptive <= 4; adaptive++) {
+        struct light light = unit_light(9, 9, adaptive);
+        double sum = 0;
+        int count = 0;
+        for (double r = 0.16; r < 0.4; r += 0.01) {
+            struct only only = { r, 0 };
+            double seen = outline_share(&light, around_disc, &only);
+            double error = seen - (1 - 3.14159265358979 * r * r);
+            assert_true(fabs(error) < allowed[adaptive - 1]);
+            sum += error;
+            count++;
+        }
+        assert_true(fabs(sum) < count * allowed[adaptive - 1] / 3);
+    }
+}
+
+/* Rays that all see the same stay few, however fine the light's grid is. */
+static void test_area_refined(void **state)
+{
+    (void)state;
+    struct light light = unit_light(1000, 17, 1);
+    struct only only = { 0, 0 };
+    near(outline_share(&light, all_seen, &only), 1);
+    assert_int_equal(only.asked, 25);
+    light.size1 = light.size2 = 1;
+    only.asked = 0;
+    near(outline_share(&light, all_seen, &only), 1);
+    assert_int_equal(only.asked, 1);
 }
 
 static void test_area_shapes(void **state)
@@ -415,6 +485,8 @@ int main(void)
         cmocka_unit_test(test_parallel),
         cmocka_unit_test(test_area_weights),
         cmocka_unit_test(test_area_adaptive),
+        cmocka_unit_test(test_area_outline),
+        cmocka_unit_test(test_area_outline_of_disc),
         cmocka_unit_test(test_area_refined),
         cmocka_unit_test(test_area_shapes),
     };

@@ -1,0 +1,157 @@
+/* embree/shaft: rays of a shaft meet what they meet without it. */
+#include "harness.h"
+
+#include "scene_world.h"
+#include "shapes.h"
+
+#define THING "pigment { rgb 1 } "
+
+/* Things of all kinds in a room of planes, and a light with an area, without
+ * which there are no shafts. */
+static const char things[] =
+    "light_source { <0, 3, 0>, 1 area_light x, z, 3, 3\n"
+    "  looks_like { sphere { 0, 0.2 " THING "} } }\n"
+    "plane { y, -2 " THING "}\n"
+    "plane { x, -4 " THING "}\n"
+    "#declare S = seed(5);\n"
+    "#macro P(R) <rand(S) - 0.5, rand(S) - 0.5, rand(S) - 0.5> * 2 * R #end\n"
+    "#macro M() rotate P(180) translate P(3) #end\n"
+    "#for (I, 1, 12)\n"
+    "  sphere { P(3), 0.2 " THING "}\n"
+    "  box { -0.3, 0.3 " THING "M() }\n"
+    "  cylinder { P(3), P(3), 0.1 " THING "}\n"
+    "  cone { 0, 0.3, y, 0 " THING "M() }\n"
+    "  torus { 0.3, 0.1 pigment { rgbt <1, 1, 1, 0.5> } M() }\n"
+    "  difference { sphere { 0, 0.4 } plane { y, 0 } " THING "M() }\n"
+    "  sphere { P(3), 0.3 " THING "no_shadow }\n"
+    "#end\n";
+
+static bool count_filter(void *context, const struct intersection *at)
+{
+    (void)at;
+    ++*(int *)context;
+    return false;
+}
+
+/* Half of them are on surfaces, where most rays begin. */
+static void random_place(const struct world *world, struct dice *dice,
+                         struct shaft_rays *rays)
+{
+    struct ray ray = { rays->from, vec3_normalise(dice_point(dice, 1)) };
+    struct intersection at;
+    if (dice_between(dice, 0, 1) < 0.5 &&
+        world_closest(world, &ray, 0, RAY_CAMERA, &at)) {
+        rays->from = at.point;
+        rays->leaf = at.leaf;
+        rays->normal = at.face;
+    }
+}
+
+static struct shaft_rays random_rays(const struct world *world,
+                                     struct dice *dice)
+{
+    struct shaft_rays rays = {
+        .from = dice_point(dice, 3),
+        .middle = dice_point(dice, 4),
+        .half = { dice_point(dice, 0.5), dice_point(dice, 0.5) },
+        .tmin = 1e-3,
+    };
+    double kind = dice_between(dice, 0, 1);
+    random_place(world, dice, &rays);
+    if (kind < 0.1) /* all in one plane */
+        rays.middle = vec3_add(rays.from, rays.half[0]);
+    else if (kind < 0.2) /* along the axes */
+        rays.half[0] = vec3_make(0.5, 0, 0),
+        rays.half[1] = vec3_make(0, 0, 0.4);
+    else if (kind < 0.3) /* almost a line */
+        rays.half[1] = vec3_scale(rays.half[1], 1e-3);
+    else if (kind < 0.4) /* as from the sun */
+        rays.middle = vec3_scale(rays.middle, 1e4);
+    return rays;
+}
+
+struct seen {
+    int clear, blocked, free, crowded, crossings;
+};
+
+static void look(const struct world *world, const struct shaft_rays *rays,
+                 const struct shaft *shaft, struct dice *dice,
+                 struct seen *seen)
+{
+    double place[2] = { dice_between(dice, -1, 1), dice_between(dice, -1, 1) };
+    vec3 end = vec3_along(vec3_along(rays->middle, rays->half[0], place[0]),
+                          rays->half[1], place[1]);
+    vec3 way = vec3_sub(end, rays->from);
+    struct ray ray = { rays->from, vec3_normalise(way) };
+    double to = vec3_length(way) - 1e-3;
+    int wanted = 0, met = 0;
+    bool blocked =
+        world_occluded(world, &ray, rays->tmin, to, 0, count_filter, &wanted);
+    assert_true(world_occluded_in(world, shaft, place, &ray, rays->tmin, to, 0,
+                                  count_filter, &met) == blocked);
+    if (!blocked)
+        assert_int_equal(met, wanted);
+    if (shaft_clear(shaft, place)) {
+        assert_false(blocked);
+        assert_int_equal(wanted, 0);
+        seen->clear++;
+    }
+    seen->blocked += blocked;
+    seen->free += !blocked;
+    seen->crossings += wanted > 0;
+}
+
+static void rays_in_shafts_are_as_without(void **state)
+{
+    (void)state;
+    struct scene_world *all = scene_world_new(things);
+    struct dice dice = { 17 };
+    struct seen seen = { 0 };
+    for (int trial = 0; trial < 20000; trial++) {
+        struct shaft_rays rays = random_rays(all->world, &dice);
+        struct shaft shaft;
+        world_shaft(all->world, &rays, &shaft);
+        seen.crowded += shaft.crowded;
+        for (int i = 0; i < 8; i++)
+            look(all->world, &rays, &shaft, &dice, &seen);
+    }
+    assert_true(seen.blocked > 30000 && seen.crossings > 1000);
+    assert_true(seen.clear > 4000 && seen.crowded < 8000);
+    scene_world_free(all);
+}
+
+/* Triangles are Embree's; without lights that have an area there is no tree. */
+static void other_shafts_are_crowded(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "light_source { y, 1 area_light x, z, 3, 3 }\n"
+        "mesh { triangle { -x, x, z } " THING "}\n",
+        "light_source { y, 1 } sphere { 0, 1 " THING "}\n",
+    };
+    for (int i = 0; i < 2; i++) {
+        struct scene_world *all = scene_world_new(texts[i]);
+        struct shaft_rays rays = { .from = { 0, -2, 0 },
+                                   .middle = { 0, 2, 0 },
+                                   .half = { { 1, 0, 0 }, { 0, 0, 1 } },
+                                   .tmin = 1e-3 };
+        struct ray ray = { rays.from, { 0, 1, 0 } };
+        double place[2] = { 0, 0 };
+        struct shaft shaft;
+        world_shaft(all->world, &rays, &shaft);
+        assert_true(shaft.crowded);
+        assert_false(shaft_clear(&shaft, place));
+        assert_true(world_occluded_in(all->world, &shaft, place, &ray, 0, 4, -1,
+                                      NULL, NULL));
+        scene_world_free(all);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rays_in_shafts_are_as_without),
+        cmocka_unit_test(other_shafts_are_crowded),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
