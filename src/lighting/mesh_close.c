@@ -4,7 +4,7 @@
 /* Errors at points are not larger with more of either (examples/light). */
 enum {
     RESOLUTION = 48, /* voxels along the longest side */
-    RAYS = 50000     /* between its walls */
+    RAYS = 30000     /* between its walls */
 };
 
 bool mesh_close_make(struct void_skeleton *close, const struct world *world,

@@ -1,6 +1,8 @@
 /* All steps from voxels to answers: see skeleton.h. */
 #include "skeleton/skeleton.h"
 
+#include <string.h>
+
 #include "base/memory.h"
 #include "skeleton/collapse.h"
 #include "skeleton/distance.h"
@@ -12,9 +14,8 @@
 enum {
     WAY_VOXELS = 6,    /* so far void is looked for along a ray, */
     AROUND_VOXELS = 2, /* and so far around a point: */
-    TRIES = 4,         /* of so many voxels whether the point sees them; of */
-    TRIES_SEEN = 1,    /* fewer if even on a ray to it there was no void */
-    VOXELS_SIDE_MOST = 1 << 20,
+    TRIES = 8,         /* of so many voxels whether the point sees them; of */
+    TRIES_SEEN = 2,    /* fewer if even on a ray to it there was no void */
     RAYS = 200 * 1000
 };
 
@@ -76,45 +77,16 @@ static vec3 voxel_closest(const struct voxels *v, const int place[3],
     return vec3_along(v->origin, at, v->edge);
 }
 
-/* Where a search stands: the voxels around a point, from good to bad. */
+/* Where a search stands: the void voxels around a point, from good to bad. */
 struct search {
-    int middle[3], reach;
-    double cost; /* of the last one */
-    int number;
+    int middle[3];
+    int low[3], high[3]; /* of the voxels that it goes through */
+    int reach;
+    double cost; /* of the last one found, */
+    size_t last; /* which is this, or VOXEL_NONE */
 };
 
-/* The next best voxel with a node after the search's last. */
-static bool search_next(const struct skeleton *skeleton, struct search *search,
-                        struct skeleton_point *point)
-{
-    const struct voxels *v = skeleton->voxels;
-    int reach = search->reach, side = 2 * reach + 1, number = -1;
-    double best = (double)INFINITY;
-    for (int i = 0; i < side * side * side; i++) {
-        int offset[3] = { i % side - reach, i / side % side - reach,
-                          i / side / side - reach };
-        int place[3];
-        for (int axis = 0; axis < 3; axis++)
-            place[axis] = search->middle[axis] + offset[axis];
-        vec3 by = vec3_make(offset[0], offset[1], offset[2]);
-        double cost = vec3_dot(by, by) - reach * vec3_dot(point->normal, by);
-        bool later =
-            cost > search->cost || (cost >= search->cost && i > search->number);
-        if (cost >= best || !later ||
-            skeleton_node(skeleton, place) == GRAPH_NONE)
-            continue;
-        best = cost;
-        number = i;
-        point->voxel = voxels_index(v, place[0], place[1], place[2]);
-        point->node = skeleton->nearest[point->voxel];
-        point->around = voxel_closest(v, place, point->position);
-    }
-    search->cost = best;
-    search->number = number;
-    return number >= 0;
-}
-
-/* A place a little too far out for any grid, so that it fits in an int. */
+/* Places too far out for any grid stay so, but fit in an int. */
 static struct search search_begin(const struct skeleton *skeleton, int reach,
                                   vec3 position)
 {
@@ -122,11 +94,51 @@ static struct search search_begin(const struct skeleton *skeleton, int reach,
     vec3 at = vec3_scale(vec3_sub(position, v->origin), 1 / v->edge);
     struct search search = { .reach = reach,
                              .cost = -(double)INFINITY,
-                             .number = -1 };
-    for (int axis = 0; axis < 3; axis++)
-        search.middle[axis] = (int)floor(
-            fmin(fmax(vec3_component(at, axis), -1000), VOXELS_SIDE_MOST));
+                             .last = VOXEL_NONE };
+    for (int axis = 0; axis < 3; axis++) {
+        double place = fmin(fmax(vec3_component(at, axis), -1000), 1 << 20);
+        int middle = (int)floor(place), last = v->size[axis] - 1;
+        search.middle[axis] = middle;
+        search.low[axis] = middle - reach > 0 ? middle - reach : 0;
+        search.high[axis] = middle + reach < last ? middle + reach : last;
+    }
     return search;
+}
+
+/* The next best void voxel after the search's last. */
+static bool search_next(const struct skeleton *skeleton, struct search *search,
+                        struct skeleton_point *point)
+{
+    const struct voxels *v = skeleton->voxels;
+    double best = (double)INFINITY;
+    int at[3], found[3];
+    size_t last = search->last;
+    search->last = VOXEL_NONE;
+    for (at[2] = search->low[2]; at[2] <= search->high[2]; at[2]++)
+        for (at[1] = search->low[1]; at[1] <= search->high[1]; at[1]++)
+            for (at[0] = search->low[0]; at[0] <= search->high[0]; at[0]++) {
+                size_t voxel = voxels_index(v, at[0], at[1], at[2]);
+                if (!v->empty[voxel])
+                    continue;
+                vec3 by = vec3_make(at[0] - search->middle[0],
+                                    at[1] - search->middle[1],
+                                    at[2] - search->middle[2]);
+                double cost = vec3_dot(by, by) -
+                              search->reach * vec3_dot(point->normal, by);
+                if (cost >= best || cost < search->cost ||
+                    (cost <= search->cost && voxel <= last))
+                    continue;
+                best = cost;
+                search->last = voxel;
+                memcpy(found, at, sizeof found);
+            }
+    search->cost = best;
+    point->voxel = search->last;
+    if (search->last == VOXEL_NONE)
+        return false;
+    point->node = skeleton->nearest[point->voxel];
+    point->around = voxel_closest(v, found, point->position);
+    return true;
 }
 
 bool skeleton_search(const struct skeleton *skeleton, int reach,
@@ -158,13 +170,11 @@ static bool find_around(const struct skeleton *skeleton, int tries,
 {
     double off = 1e-3 * skeleton->voxels->edge;
     vec3 eye = vec3_along(point->position, point->normal, off);
-    for (int reach = 1; reach <= AROUND_VOXELS; reach++) {
-        struct search search = search_begin(skeleton, reach, point->position);
-        for (int i = 0; i < tries && search_next(skeleton, &search, point); i++)
-            if (!matter_hides(skeleton->world, skeleton->marks, eye,
-                              point->around))
-                return true;
-    }
+    struct search search =
+        search_begin(skeleton, AROUND_VOXELS, point->position);
+    while (tries-- > 0 && search_next(skeleton, &search, point))
+        if (!matter_hides(skeleton->world, skeleton->marks, eye, point->around))
+            return true;
     return false;
 }
 
