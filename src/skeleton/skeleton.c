@@ -111,7 +111,7 @@ static bool search_next(const struct skeleton *skeleton, struct search *search,
 {
     const struct voxels *v = skeleton->voxels;
     double best = (double)INFINITY;
-    int at[3], found[3];
+    int at[3], found[3] = { 0 };
     size_t last = search->last;
     search->last = VOXEL_NONE;
     for (at[2] = search->low[2]; at[2] <= search->high[2]; at[2]++)
