@@ -1,10 +1,6 @@
 /* Few lamps, each known by itself: see mesh_few.h. */
 #include "lighting/mesh_few.h"
 
-/* Mesh points whose visible shares of an area light differ by less are in one
- * penumbra, and may be interpolated. */
-static const double wide_penumbra = 0.04;
-
 /* What is known of one side of a surface under few lamps. */
 struct mesh_half {
     bool known;
@@ -36,41 +32,32 @@ static const struct mesh_half *mesh_half(struct mesh_question *question,
     return half;
 }
 
-/* Whether points that differ about a lamp call for shadow rays. Of a lamp with
- * a size not where its penumbra is wide. */
-static bool mesh_disputes(const struct mesh_question *question,
-                          const struct mesh_half *half, const struct lamp *lamp)
+/* The lamp asked by the surface itself. */
+static rgb mesh_ask(struct lamplight *light, const struct lamp *lamp,
+                    const struct lamp_view *view)
 {
-    bool sharp = question->way == MESH_FEW_SETTLED;
-    if (sharp || !lamps_soft(question->light.lamps, lamp))
-        return sharp;
-    return direct_mesh_spread(question->direct, &half->blend, lamp->number) >
-           wide_penumbra;
+    const struct surface *surface = light->surface;
+    struct lamp_target target = { surface->point, surface->inside, *view,
+                                  surface->at };
+    return lamps_share_fine(light->lamps, lamp, light->worker, &target);
 }
 
 static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
                       const struct lamp_view *view)
 {
     struct mesh_question *question = (struct mesh_question *)light;
-    const struct surface *surface = light->surface;
-    struct lamp_target target = { surface->point, surface->inside, *view,
-                                  surface->at };
     int number = lamp->number;
-    rgb share;
     if (lamp->light->shadowless)
         return rgb_grey(1);
-    if (lamps_soft(light->lamps, lamp) &&
-        lamps_share_soon(light->lamps, lamp, light->worker, &target, &share))
-        return share;
-    const struct mesh_half *half =
-        mesh_half(question, vec3_dot(view->direction, surface->side) < 0);
+    const struct mesh_half *half = mesh_half(
+        question, vec3_dot(view->direction, light->surface->side) < 0);
     const struct direct_verdict *verdict = &half->verdict;
     bool lit = few_has(verdict->lit, number);
     bool certain = (lit || few_has(verdict->dark, number)) &&
                    direct_mesh_agrees(&half->blend);
-    if (!certain && !few_has(verdict->faint, number) &&
-        mesh_disputes(question, half, lamp))
-        return lamps_share_fine(light->lamps, lamp, light->worker, &target);
+    if (question->way == MESH_FEW_SETTLED && !certain &&
+        !few_has(verdict->faint, number))
+        return mesh_ask(light, lamp, view);
     return lit ? rgb_grey(1)
                : direct_mesh_share(question->direct, &half->blend, number);
 }
@@ -92,13 +79,13 @@ static const uint64_t *mesh_hidden(struct mesh_question *question)
                : half->verdict.dark;
 }
 
-/* Lamps of a size have wide penumbras, in which mesh points save many rays
- * where much stands between. */
+/* Whether the surface asks the lamp itself. */
 static bool mesh_asked(const struct mesh_question *question,
                        const struct lamp *lamp)
 {
-    return question->way == MESH_FEW_ASKED &&
-           !lamps_soft(question->light.lamps, lamp);
+    return question->way == MESH_FEW_ASKED ||
+           (question->way == MESH_FEW_BLENDED &&
+            lamps_soft(question->light.lamps, lamp));
 }
 
 void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
@@ -109,7 +96,7 @@ void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
     struct mesh_question question;
     const uint64_t *hidden = NULL;
     bool looked = false;
-    asked.share = lamplight_trace;
+    asked.share = mesh_ask;
     question.light = *light;
     question.light.share = mesh_share;
     question.direct = mesh;
@@ -121,12 +108,10 @@ void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
             lamplight_give(&asked, lamp);
             continue;
         }
-        bool soft = lamps_soft(lamps, lamp);
-        if (!soft && !looked) {
+        if (!looked)
             hidden = mesh_hidden(&question);
-            looked = true;
-        }
-        if (soft || !hidden || !few_has(hidden, (int)i))
+        looked = true;
+        if (!hidden || !few_has(hidden, (int)i))
             lamplight_give(&question.light, lamp);
     }
 }

@@ -7,12 +7,11 @@
 
 /* Who says what of a lamp's light gets to a surface. */
 enum mesh_few_way {
-    MESH_FEW_BLENDED, /* the mesh points around; of area lights shadow rays
-                       * where little stands between, or these differ much */
-    MESH_FEW_SETTLED, /* shadow rays, of all lamps on which they differ */
-    MESH_FEW_ASKED,   /* shadow rays; of area lights as MESH_FEW_BLENDED. Mesh
-                       * points do not see what falls between them, and cost
-                       * more than two dozen shadow rays */
+    MESH_FEW_BLENDED, /* the mesh points around; of area lights shadow rays,
+                       * which make their shadows soft anyway */
+    MESH_FEW_SETTLED, /* shadow rays, of lamps on which the points differ */
+    MESH_FEW_ASKED,   /* shadow rays. Mesh points do not see what falls between
+                       * them, and cost more than those of two dozen lamps */
 };
 
 /* Visits the lamps' samples. The mesh must not be of many lamps. */

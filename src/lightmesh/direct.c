@@ -243,21 +243,6 @@ void direct_mesh_free(struct direct_mesh *mesh)
     memory_free(mesh);
 }
 
-double direct_mesh_spread(const struct direct_mesh *mesh,
-                          const struct mesh_blend *blend, int number)
-{
-    int least = SHARE_ONE, most = 0;
-    for (int i = 0; i < blend->count; i++) {
-        const uint16_t *share =
-            few_share(mesh, blend->at[i].payload, (size_t)number);
-        for (int k = 0; k < 3; k++) {
-            least = share[k] < least ? share[k] : least;
-            most = share[k] > most ? share[k] : most;
-        }
-    }
-    return (double)(most - least) / SHARE_ONE;
-}
-
 void direct_mesh_judge(const struct direct_mesh *mesh,
                        const struct mesh_blend *blend,
                        struct direct_verdict *verdict)

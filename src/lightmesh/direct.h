@@ -55,10 +55,6 @@ void direct_mesh_free(struct direct_mesh *mesh);
 rgb direct_mesh_share(const struct direct_mesh *mesh,
                       const struct mesh_blend *blend, int number);
 
-/* Few lamps: how far apart the points of a blend are about a lamp's share. */
-double direct_mesh_spread(const struct direct_mesh *mesh,
-                          const struct mesh_blend *blend, int number);
-
 /* What a blend knows of few lamps: sets of their numbers, as bits. */
 struct direct_verdict {
     uint64_t lit[FEW_WORDS];  /* all points see all of the lamp */

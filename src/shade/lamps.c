@@ -143,47 +143,29 @@ static rgb lamp_share(struct lamp_question *q, const struct area_grid *grid,
                 : area_visibility(grid, arriving, lamp_see, q);
 }
 
-static bool lamps_share_grid(struct lamp_question *q, bool fine, bool soon,
-                             rgb *share)
+static rgb lamps_share_grid(struct lamp_question *q, bool fine)
 {
-    if (!lamp_casts(q->lamps, q->lamp) || !lamps_soft(q->lamps, q->lamp)) {
-        *share = lamps_share_point(q->lamps, q->lamp, q->worker, q->target);
-        return true;
-    }
+    if (!lamp_casts(q->lamps, q->lamp) || !lamps_soft(q->lamps, q->lamp))
+        return lamps_share_point(q->lamps, q->lamp, q->worker, q->target);
     struct area_grid grid =
         area_grid_new(q->lamp, q->target->point, q->lamps->seed);
     struct shaft shaft;
     if (fine)
         area_grid_refine(&grid);
     lamp_shaft(q, &grid, &shaft);
-    if (soon && shaft.crowded)
-        return false;
-    *share = lamp_share(q, &grid, fine);
-    return true;
+    return lamp_share(q, &grid, fine);
 }
 
 rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
                 struct worker *worker, const struct lamp_target *target)
 {
     struct lamp_question q = { lamps, lamp, worker, target, NULL, false };
-    rgb share;
-    lamps_share_grid(&q, false, false, &share);
-    return share;
+    return lamps_share_grid(&q, false);
 }
 
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
                      struct worker *worker, const struct lamp_target *target)
 {
     struct lamp_question q = { lamps, lamp, worker, target, NULL, false };
-    rgb share;
-    lamps_share_grid(&q, true, false, &share);
-    return share;
-}
-
-bool lamps_share_soon(const struct lamps *lamps, const struct lamp *lamp,
-                      struct worker *worker, const struct lamp_target *target,
-                      rgb *share)
-{
-    struct lamp_question q = { lamps, lamp, worker, target, NULL, false };
-    return lamps_share_grid(&q, true, true, share);
+    return lamps_share_grid(&q, true);
 }

@@ -48,11 +48,6 @@ rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
                      struct worker *worker, const struct lamp_target *target);
 
-/* The same if little stands between, so that it is soon known; else false. */
-bool lamps_share_soon(const struct lamps *lamps, const struct lamp *lamp,
-                      struct worker *worker, const struct lamp_target *target,
-                      rgb *share);
-
 /* The same for one shadow ray to where target->view looks: a point of the
  * lamp. */
 rgb lamps_share_point(const struct lamps *lamps, const struct lamp *lamp,
