@@ -11,8 +11,11 @@
 struct shaft_item {
     struct box3 box;
     const struct solid *solid;
-    uint32_t code; /* its place on a space-filling curve */
+    double key; /* they are sorted by it */
 };
+
+/* So many items are parted by trying all places. */
+enum { SWEEP_MOST = 128 };
 
 /* In the order in which they are visited: the first child follows. */
 struct shaft_node {
@@ -79,24 +82,90 @@ static uint32_t place_bits(double low, double high, double value)
     return spread_bits((uint32_t)(fmin(fmax(place, 0), 1) * 1023));
 }
 
-static void items_code(struct shaft_tree *tree)
+static vec3 item_middle(const struct shaft_item *item)
 {
-    struct box3 all = box3_empty();
-    for (size_t i = 0; i < tree->item_count; i++)
-        all = box3_union(all, tree->items[i].box);
-    for (size_t i = 0; i < tree->item_count; i++) {
-        struct shaft_item *item = &tree->items[i];
-        vec3 middle = vec3_scale(vec3_add(item->box.low, item->box.high), 0.5);
-        item->code = place_bits(all.low.x, all.high.x, middle.x) |
-                     place_bits(all.low.y, all.high.y, middle.y) << 1 |
-                     place_bits(all.low.z, all.high.z, middle.z) << 2;
-    }
+    return vec3_scale(vec3_add(item->box.low, item->box.high), 0.5);
 }
 
 static int item_order(const void *a, const void *b)
 {
     const struct shaft_item *x = a, *y = b;
-    return (x->code > y->code) - (x->code < y->code);
+    return (x->key > y->key) - (x->key < y->key);
+}
+
+static void items_sort(struct shaft_item *items, size_t count)
+{
+    qsort(items, count, sizeof *items, item_order);
+}
+
+/* Along a space-filling curve (Lauterbach et al. 2009). */
+static void items_sort_along_curve(struct shaft_tree *tree)
+{
+    struct box3 all = box3_empty();
+    for (size_t i = 0; i < tree->item_count; i++)
+        all = box3_union(all, tree->items[i].box);
+    for (size_t i = 0; i < tree->item_count; i++) {
+        vec3 middle = item_middle(&tree->items[i]);
+        tree->items[i].key = place_bits(all.low.x, all.high.x, middle.x) |
+                             place_bits(all.low.y, all.high.y, middle.y) << 1 |
+                             place_bits(all.low.z, all.high.z, middle.z) << 2;
+    }
+    items_sort(tree->items, tree->item_count);
+}
+
+static void items_sort_along_axis(struct shaft_item *items, size_t count,
+                                  int axis)
+{
+    for (size_t i = 0; i < count; i++)
+        items[i].key = vec3_component(item_middle(&items[i]), axis);
+    items_sort(items, count);
+}
+
+static double box_area(struct box3 box)
+{
+    vec3 d = vec3_sub(box.high, box.low);
+    return d.x * d.y + d.y * d.z + d.z * d.x;
+}
+
+/* Sorts them along the axis, and returns how many of the first make the best
+ * first half: boxes are met the more often the larger they are (surface area
+ * heuristic). *cost is what that is worth, the less the better. */
+static size_t items_halve(struct shaft_item *items, size_t count, int axis,
+                          double *cost)
+{
+    double before[SWEEP_MOST];
+    struct box3 box = box3_empty();
+    size_t best = count / 2;
+    items_sort_along_axis(items, count, axis);
+    for (size_t i = 0; i < count; i++) {
+        before[i] = box_area(box) * (double)i;
+        box = box3_union(box, items[i].box);
+    }
+    *cost = HUGE_VAL;
+    box = box3_empty();
+    for (size_t i = count - 1; i > 0; i--) {
+        box = box3_union(box, items[i].box);
+        double sum = before[i] + box_area(box) * (double)(count - i);
+        if (sum < *cost) {
+            *cost = sum;
+            best = i;
+        }
+    }
+    return best;
+}
+
+static size_t items_split(struct shaft_item *items, size_t count)
+{
+    double cost, least = HUGE_VAL;
+    int best = 0;
+    if (count > SWEEP_MOST)
+        return count / 2;
+    for (int axis = 0; axis < 3; axis++) {
+        items_halve(items, count, axis, &cost);
+        best = cost < least ? axis : best;
+        least = fmin(cost, least);
+    }
+    return items_halve(items, count, best, &cost);
 }
 
 static struct box3 build_nodes(struct shaft_tree *tree, size_t first,
@@ -108,7 +177,7 @@ static struct box3 build_nodes(struct shaft_tree *tree, size_t first,
         node->solid = tree->items[first].solid;
         node->box = tree->items[first].box;
     } else {
-        size_t half = count / 2;
+        size_t half = items_split(&tree->items[first], count);
         struct box3 a = build_nodes(tree, first, half);
         struct box3 b = build_nodes(tree, first + half, count - half);
         node->box = box3_union(a, b);
@@ -155,8 +224,7 @@ struct shaft_tree *shaft_tree_new(struct flat *flat,
                                              leaf->object->mesh->bounds)),
                      NULL);
     }
-    items_code(tree);
-    qsort(tree->items, tree->item_count, sizeof *tree->items, item_order);
+    items_sort_along_curve(tree);
     if (tree->item_count > 0)
         build_nodes(tree, 0, tree->item_count);
     return tree;
