@@ -14,8 +14,9 @@ struct shaft_item {
     double key; /* they are sorted by it */
 };
 
-/* So many items are parted by trying all places. */
-enum { SWEEP_MOST = 128 };
+/* So many items are parted by trying all places, unless there are very many,
+ * for that takes its time; of too many there is no tree. */
+enum { SWEEP_MOST = 128, SWEEP_WORTH = 4000, TREE_MOST = 20000 };
 
 /* In the order in which they are visited: the first child follows. */
 struct shaft_node {
@@ -154,11 +155,12 @@ static size_t items_halve(struct shaft_item *items, size_t count, int axis,
     return best;
 }
 
-static size_t items_split(struct shaft_item *items, size_t count)
+static size_t items_split(const struct shaft_tree *tree,
+                          struct shaft_item *items, size_t count)
 {
     double cost, least = HUGE_VAL;
     int best = 0;
-    if (count > SWEEP_MOST)
+    if (count > SWEEP_MOST || tree->item_count > SWEEP_WORTH)
         return count / 2;
     for (int axis = 0; axis < 3; axis++) {
         items_halve(items, count, axis, &cost);
@@ -177,7 +179,7 @@ static struct box3 build_nodes(struct shaft_tree *tree, size_t first,
         node->solid = tree->items[first].solid;
         node->box = tree->items[first].box;
     } else {
-        size_t half = items_split(&tree->items[first], count);
+        size_t half = items_split(tree, &tree->items[first], count);
         struct box3 a = build_nodes(tree, first, half);
         struct box3 b = build_nodes(tree, first + half, count - half);
         node->box = box3_union(a, b);
@@ -209,8 +211,10 @@ struct shaft_tree *shaft_tree_new(struct flat *flat,
                                   const struct solid_list *bounded)
 {
     struct arena *arena = flat->arena;
-    struct shaft_tree *tree = ARENA_NEW(arena, struct shaft_tree);
     size_t room = flat->solids.count + bounded->count + flat->meshes.count;
+    if (room > TREE_MOST)
+        return NULL;
+    struct shaft_tree *tree = ARENA_NEW(arena, struct shaft_tree);
     tree->items = ARENA_ARRAY(arena, struct shaft_item, room);
     tree->endless = ARENA_ARRAY(arena, struct shaft_item, room);
     tree->nodes = ARENA_ARRAY(arena, struct shaft_node, 2 * room);

@@ -53,7 +53,7 @@ static inline bool shaft_clear(const struct shaft *shaft, const double place[2])
 struct shaft_tree;
 
 /* Of all that casts shadows: `bounded` and what is in *flat, in whose arena it
- * is. */
+ * is. NULL if there is so much that most shafts would be crowded. */
 struct shaft_tree *shaft_tree_new(struct flat *flat,
                                   const struct solid_list *bounded);
 

@@ -72,7 +72,7 @@ bool world_occluded(const struct world *world, const struct ray *ray,
                     void *context);
 
 /* What may stand in the way of rays that world_occluded_in is asked about.
- * Crowded if no light has an area. */
+ * Crowded if no light has an area, or there are very many things. */
 void world_shaft(const struct world *world, const struct shaft_rays *rays,
                  struct shaft *shaft);
 
