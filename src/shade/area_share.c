@@ -18,17 +18,12 @@ enum {
     OUTLINE_MORE = 1
 };
 
-/* Outlines are round where chords and those of parts differ by less, and the
- * cubes of their lengths by more. */
-static const double round_difference = 0.15, round_shorter = 0.7;
-
 struct area_walk {
     const struct area_grid *grid;
     rgb light; /* unshadowed */
     area_visit *visit;
     void *context;
-    bool thorough; /* outlines */
-    double cubes;  /* outlines: of the lengths of chords so far, in steps */
+    bool thorough;              /* outlines */
     int64_t known[AREA_PLACES]; /* number of the point, -1: none */
     rgb seen[AREA_PLACES];
 };
@@ -180,27 +175,11 @@ static rgb ring_mean(const struct area_ring *ring, int first, int count)
     return rgb_scale(sum, 1.0 / count);
 }
 
-static void walk_chord(struct area_walk *walk, double x, double y)
-{
-    double square = x * x + y * y;
-    walk->cubes += square * sqrt(square);
-}
-
-static double ring_length(const struct area_ring *ring, int from, int to)
-{
-    return abs(ring->i[to % 4] - ring->i[from % 4]) +
-           abs(ring->j[to % 4] - ring->j[from % 4]);
-}
-
 /* The share of a part that is like its corner k, unlike the next ones. */
 static double ring_triangle(struct area_walk *walk,
                             const struct area_ring *ring, int k)
 {
-    double a = ring_cut(walk, ring, k, k + 1);
-    double b = ring_cut(walk, ring, k, k + 3);
-    walk_chord(walk, a * ring_length(ring, k, k + 1),
-               b * ring_length(ring, k, k + 3));
-    return a * b / 2;
+    return ring_cut(walk, ring, k, k + 1) * ring_cut(walk, ring, k, k + 3) / 2;
 }
 
 /* The share of a part that is like its corners k and the next, unlike the
@@ -208,11 +187,9 @@ static double ring_triangle(struct area_walk *walk,
 static double ring_half(struct area_walk *walk, const struct area_ring *ring,
                         int k)
 {
-    double a = ring_cut(walk, ring, k, k + 3);
-    double b = ring_cut(walk, ring, k + 1, k + 2);
-    walk_chord(walk, ring_length(ring, k, k + 1),
-               (a - b) * ring_length(ring, k, k + 3));
-    return (a + b) / 2;
+    return (ring_cut(walk, ring, k, k + 3) +
+            ring_cut(walk, ring, k + 1, k + 2)) /
+           2;
 }
 
 /* Corners 0 and 2 are like each other and unlike the others: the middle tells
@@ -256,23 +233,6 @@ static rgb outline_cut(struct area_walk *walk, const struct area_corners *at,
                    ring_triangle(walk, &ring, odd));
 }
 
-/* Chords lie inside what is round and leave out an area that grows with the
- * cube of their length: what one leaves out, and those of its parts, is known
- * from how much they differ. Not if they differ by more than roundness. */
-static rgb outline_round(struct area_walk *walk, struct area_part part,
-                         const struct area_corners *at, rgb fine, double parts)
-{
-    walk->cubes = 0;
-    rgb coarse = outline_cut(walk, at, part);
-    rgb more = rgb_sub(fine, coarse);
-    double most = fmax(fabs(more.r), fmax(fabs(more.g), fabs(more.b)));
-    if (most > round_difference || !(parts < round_shorter * walk->cubes))
-        return fine;
-    rgb seen = rgb_add_scaled(fine, more, parts / (walk->cubes - parts));
-    return rgb_make(fmin(fmax(seen.r, 0), 1), fmin(fmax(seen.g, 0), 1),
-                    fmin(fmax(seen.b, 0), 1));
-}
-
 static int outline_cuts(int adaptive)
 {
     int cuts = adaptive < 0 ? OUTLINE_FULL : adaptive + OUTLINE_MORE;
@@ -296,11 +256,7 @@ static rgb outline_part_seen(struct area_walk *walk, struct area_part part,
         return corners_mean(&at);
     if (level >= cuts)
         return outline_cut(walk, &at, part);
-    walk->cubes = 0;
-    rgb fine = area_halves(walk, part, level, outline_part_seen);
-    return level < cuts - 1 || at.agree
-               ? fine
-               : outline_round(walk, part, &at, fine, walk->cubes);
+    return area_halves(walk, part, level, outline_part_seen);
 }
 
 rgb area_outline(const struct area_grid *grid, rgb arriving, bool thorough,
