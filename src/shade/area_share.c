@@ -9,14 +9,8 @@
 enum { AREA_PLACES = 1021 };
 
 /* Of outlines: how often the light is cut in halves each way before parts are
- * cut along them; where it isn't adaptive; and by how much more often than it
- * asks for at least. */
-enum {
-    OUTLINE_LEAST = 2,
-    OUTLINE_MOST = 5,
-    OUTLINE_FULL = 3,
-    OUTLINE_MORE = 1
-};
+ * cut along them; and where it isn't adaptive. */
+enum { OUTLINE_LEAST = 2, OUTLINE_MOST = 5, OUTLINE_FULL = 3 };
 
 struct area_walk {
     const struct area_grid *grid;
@@ -235,7 +229,7 @@ static rgb outline_cut(struct area_walk *walk, const struct area_corners *at,
 
 static int outline_cuts(int adaptive)
 {
-    int cuts = adaptive < 0 ? OUTLINE_FULL : adaptive + OUTLINE_MORE;
+    int cuts = adaptive < 0 ? OUTLINE_FULL : adaptive;
     cuts = cuts > OUTLINE_LEAST ? cuts : OUTLINE_LEAST;
     return cuts < OUTLINE_MOST ? cuts : OUTLINE_MOST;
 }
