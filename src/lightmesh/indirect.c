@@ -8,12 +8,13 @@
 #include "shade/shadow.h"
 
 enum {
-    FIRST_SAMPLES = 64, /* a mesh point's least, of kept points */
-    LONE_SAMPLES = 32,  /* of places that are their own mesh point */
-    LONE_SHARE = 8,     /* such places of later bounces gather fewer each */
-    HIT_LEVELS = 1,     /* direct light on what they meet is coarser */
-    LATER_SHARE = 8,    /* later bounces gather so many times fewer */
-    WAYS_MOST = 65536,  /* directions that are kept */
+    FIRST_SAMPLES = 128, /* a mesh point's least, of kept points */
+    LONE_SAMPLES = 32,   /* of places that are their own mesh point */
+    LONE_SHARE = 8,      /* such places of later bounces gather fewer each */
+    HIT_LEVELS = 1,      /* direct light on what they meet is coarser */
+    WALL_SHARE = 4,      /* of ways into the only wall so many fewer are gone */
+    LATER_SHARE = 8,     /* later bounces gather so many times fewer */
+    WAYS_MOST = 65536,   /* directions that are kept */
 };
 
 /* Halves are far apart if their error is so many times what is allowed. */
@@ -24,12 +25,24 @@ struct gatherer {
     const struct indirect_mesh *mesh;
     struct worker *worker;
     const struct mesh_site *site;
+    uint32_t wall_share; /* of ways into a wall one of so many is gone */
 };
 
-/* All ways are equally likely, on a surface those before it. */
-static double site_density(const struct mesh_site *site)
+/* What came from the only wall near is kept apart: it lights nothing, and is
+ * rougher. */
+struct gathered {
+    struct harmonics light, wall;
+};
+
+/* All ways are equally likely, on a surface those before it; but of those into
+ * the only wall near, which gets nothing from there, few are gone. */
+static double gatherer_density(const struct gatherer *gatherer, vec3 way)
 {
-    return site->lone ? 1 / (2 * WARP_PI) : 1 / (4 * WARP_PI);
+    const struct mesh_site *site = gatherer->site;
+    if (site->lone)
+        return 1 / (2 * WARP_PI);
+    bool wall = vec3_dot(way, site->wall) > 0;
+    return 1 / (4 * WARP_PI) / (wall ? gatherer->wall_share : 1);
 }
 
 /* The mean over a hemisphere weighted with the cosine is 1/pi of the
@@ -63,14 +76,15 @@ static vec3 gatherer_way(const struct gatherer *gatherer,
 
 /* One gather ray. What glows counts by how likely it is to be found so. */
 static void gatherer_look(const struct gatherer *gatherer,
-                          const struct draws *draws, struct harmonics *light)
+                          const struct draws *draws, vec3 way,
+                          struct harmonics *light)
 {
     const struct gather *gather = &gatherer->mesh->gather;
     const struct mesh_site *site = gatherer->site;
-    double density = site_density(site);
+    double density = gatherer_density(gatherer, way);
     struct intersection at;
     rgb glow;
-    struct ray ray = { site->place, gatherer_way(gatherer, draws) };
+    struct ray ray = { site->place, way };
     rgb radiance =
         gather_radiance(gather, gatherer->worker, &ray, draws, &at, &glow);
     if (at.leaf && rgb_peak(glow) > 0 && emitters_any(gather->emitters)) {
@@ -102,7 +116,7 @@ static void gatherer_pick(const struct gatherer *gatherer,
     if (!anywhere && fabs(at.t - pick.distance) > 1e-5 * (1 + at.t))
         return;
     light_add(light, ray.direction, glow,
-              pick.density + site_density(gatherer->site));
+              pick.density + gatherer_density(gatherer, ray.direction));
 }
 
 static void harmonics_scale(struct harmonics *light, float factor)
@@ -127,37 +141,54 @@ static struct draws gatherer_draws(const struct gatherer *gatherer,
 }
 
 /* The mean of samples first..end-1. */
-static struct harmonics gatherer_mean(const struct gatherer *gatherer,
-                                      uint32_t first, uint32_t end)
+static struct gathered gatherer_mean(const struct gatherer *gatherer,
+                                     uint32_t first, uint32_t end)
 {
-    struct harmonics light = { { 0 }, { 0 }, { 0 } };
+    struct gathered sum = { { { 0 }, { 0 }, { 0 } }, { { 0 }, { 0 }, { 0 } } };
     bool picks = emitters_any(gatherer->mesh->gather.emitters);
+    uint32_t wall_end = first + (end - first) / gatherer->wall_share;
     for (uint32_t i = first; i < end; i++) {
         struct draws draws = gatherer_draws(gatherer, i);
+        vec3 way = gatherer_way(gatherer, &draws);
+        bool wall = vec3_dot(way, gatherer->site->wall) > 0;
         if (worker_stopped(gatherer->worker))
             break;
-        gatherer_look(gatherer, &draws, &light);
+        if (!wall || i < wall_end)
+            gatherer_look(gatherer, &draws, way, wall ? &sum.wall : &sum.light);
         if (picks)
-            gatherer_pick(gatherer, &draws, &light);
+            gatherer_pick(gatherer, &draws, &sum.light);
     }
-    harmonics_scale(&light, 1 / (float)(end - first));
-    return light;
+    harmonics_scale(&sum.light, 1 / (float)(end - first));
+    harmonics_scale(&sum.wall, 1 / (float)(end - first));
+    return sum;
 }
 
 /* About how far two halves are apart, relative to the light there is, that of
  * lamps included: four coefficients say how strong it is and where from. */
-static double halves_error(const struct harmonics *a, const struct harmonics *b,
+static double halves_error(const struct gathered *a, const struct gathered *b,
                            const struct harmonics *lamps)
 {
     double apart = 0, whole = 0;
     for (int i = 0; i < 4; i++) {
-        double x = (double)(a->r[i] + a->g[i] + a->b[i]);
-        double y = (double)(b->r[i] + b->g[i] + b->b[i]);
+        const struct harmonics *f = &a->light, *g = &b->light;
+        double x = (double)(f->r[i] + f->g[i] + f->b[i]);
+        double y = (double)(g->r[i] + g->g[i] + g->b[i]);
         apart += (x - y) * (x - y);
+        f = &a->wall, g = &b->wall;
+        x += (double)(f->r[i] + f->g[i] + f->b[i]);
+        y += (double)(g->r[i] + g->g[i] + g->b[i]);
         double z = (double)(lamps->r[i] + lamps->g[i] + lamps->b[i]);
         whole += (x + y + 2 * z) * (x + y + 2 * z);
     }
     return whole > 0 ? sqrt(apart / whole) : 0;
+}
+
+static void gathered_average(struct gathered *sum, const struct gathered *more)
+{
+    harmonics_scale(&sum->light, 0.5f);
+    harmonics_mix(&sum->light, &more->light, 0.5f);
+    harmonics_scale(&sum->wall, 0.5f);
+    harmonics_mix(&sum->wall, &more->wall, 0.5f);
 }
 
 /* Samples are doubled until both halves agree, beside the lamps' light; beyond
@@ -167,26 +198,30 @@ static void fill_gather(const void *context, struct worker *worker,
                         const struct mesh_site *site, void *payload)
 {
     const struct indirect_mesh *mesh = context;
-    struct gatherer gatherer = { mesh, worker, site };
+    struct gatherer gatherer = { mesh, worker, site, WALL_SHARE };
     uint32_t most = (uint32_t)mesh->samples, count = FIRST_SAMPLES / 2;
     if (site->lone && most > (uint32_t)mesh->lone_samples)
         most = (uint32_t)mesh->lone_samples;
+    if (count > (uint32_t)mesh->usual)
+        count = (uint32_t)mesh->usual;
     if (count > most)
         count = most;
-    struct harmonics light = gatherer_mean(&gatherer, 0, count);
+    if (count % WALL_SHARE > 0)
+        gatherer.wall_share = 1;
+    struct gathered light = gatherer_mean(&gatherer, 0, count);
     struct harmonics lamps = { { 0 }, { 0 }, { 0 } };
     if (2 * count <= most)
         direct_mesh_around(&mesh->direct, worker, site, &lamps);
     while (2 * count <= most && !worker_stopped(worker)) {
-        struct harmonics more = gatherer_mean(&gatherer, count, 2 * count);
+        struct gathered more = gatherer_mean(&gatherer, count, 2 * count);
         double error = halves_error(&light, &more, &lamps);
-        harmonics_scale(&light, 0.5f);
-        harmonics_mix(&light, &more, 0.5f);
+        gathered_average(&light, &more);
         count *= 2;
         if (error < mesh->error * (count < (uint32_t)mesh->usual ? 1 : rough))
             break;
     }
-    *(struct harmonics *)payload = light;
+    harmonics_mix(&light.light, &light.wall, 1);
+    *(struct harmonics *)payload = light.light;
 }
 
 /* All mesh points look along the same ways: they are drawn once. */
@@ -237,6 +272,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .refinement = options->refinement,
         .light = harmonics_received,
         .fill = fill_gather,
+        .walled = true,
         .context = mesh,
     };
     if (bounce > 1) {

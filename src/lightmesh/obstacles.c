@@ -1,6 +1,8 @@
 /* Depth maps of 26 directions: see obstacles.h. */
 #include "lightmesh/obstacles.h"
 
+#include <stdlib.h>
+
 /* A surface may be this much nearer than its interpolated distance. */
 static const double plane_tolerance = 0.03;
 
@@ -11,6 +13,12 @@ static int obstacle_number(int x, int y, int z)
     int number = x + 1 + 3 * (y + 1) + 9 * (z + 1);
     return number > 13 ? number - 1 : number;
 }
+
+/* A place as a mesh point sees it. */
+struct obstacle_view {
+    double length; /* to it */
+    vec3 plane;    /* the normal over the distance of its plane, away */
+};
 
 void obstacles_look(struct obstacles *obstacles, const struct world *world,
                     vec3 place, double reach)
@@ -29,17 +37,37 @@ void obstacles_look(struct obstacles *obstacles, const struct world *world,
     }
 }
 
-/* In a corner 1/d is the largest of several planes, so that what lies between
- * three directions is nearer by interpolation than in truth: that a place is
- * before them is sure, that it is behind is not.
- *
- * With |x| >= |y| >= |z|, the direction is (x-y) (1,0,0) + (y-z) (1,1,0) +
- * z (1,1,1), and so is 1/d of a plane. */
-bool obstacles_clear(const struct obstacles *obstacles, vec3 offset)
+/* Whether what stands in a direction leaves the way to the place free: it is
+ * that place's own plane, or behind it, or farther than the place is. */
+static bool obstacle_spares(const struct obstacles *obstacles, const int way[3],
+                            const struct obstacle_view *view)
+{
+    static const double unit[] = { 0, 1, 0.7071067811865476,
+                                   0.5773502691896258 };
+    int axes = abs(way[0]) + abs(way[1]) + abs(way[2]);
+    double near =
+        (double)obstacles->near[obstacle_number(way[0], way[1], way[2])];
+    double along = way[0] * view->plane.x + way[1] * view->plane.y +
+                   way[2] * view->plane.z;
+    return near * view->length < 1 ||
+           near <= along * unit[axes] * (1 + plane_tolerance);
+}
+
+/* 1/d of the place's plane in the direction w is w plane. The offset lies
+ * between three of the directions, of which the first is the axis it is most
+ * along. */
+bool obstacles_clear(const struct obstacles *obstacles, vec3 offset,
+                     vec3 normal)
 {
     double size[3] = { fabs(offset.x), fabs(offset.y), fabs(offset.z) };
     int sign[3] = { offset.x < 0 ? -1 : 1, offset.y < 0 ? -1 : 1,
                     offset.z < 0 ? -1 : 1 };
+    double height = vec3_dot(offset, normal);
+    struct obstacle_view view = {
+        .length = vec3_length(offset),
+        .plane =
+            height < 0 ? vec3_scale(normal, 1 / height) : vec3_make(0, 0, 0),
+    };
     int most = size[0] >= size[1] ? 0 : 1;
     most = size[2] > size[most] ? 2 : most;
     int least = most == 0 ? 1 : 0;
@@ -51,17 +79,73 @@ bool obstacles_clear(const struct obstacles *obstacles, vec3 offset)
     }
     int way[3] = { 0, 0, 0 };
     way[most] = sign[most];
-    double a = (double)obstacles->near[obstacle_number(way[0], way[1], way[2])];
+    if (!obstacle_spares(obstacles, way, &view))
+        return false;
     way[middle] = sign[middle];
-    double b = (double)obstacles->near[obstacle_number(way[0], way[1], way[2])];
+    if (!obstacle_spares(obstacles, way, &view))
+        return false;
     way[least] = sign[least];
-    double c = (double)obstacles->near[obstacle_number(way[0], way[1], way[2])];
-    double length = vec3_length(offset);
-    double nearest = fmax(a, fmax(b, c)), farthest = fmin(a, fmin(b, c));
-    if (nearest * length < 1)
-        return true;
-    double plane = a * (size[most] - size[middle]) +
-                   b * (size[middle] - size[least]) * 1.4142135623730951 +
-                   c * size[least] * 1.7320508075688772;
-    return farthest > 0 && plane < 1 + plane_tolerance;
+    return obstacle_spares(obstacles, way, &view);
+}
+
+/* 1/d times the length of the offset that this is in axes. */
+static double obstacle_slope(const struct obstacles *obstacles,
+                             const int way[3])
+{
+    static const double length[] = { 0, 1, 1.4142135623730951,
+                                     1.7320508075688772 };
+    int axes = abs(way[0]) + abs(way[1]) + abs(way[2]);
+    return length[axes] *
+           (double)obstacles->near[obstacle_number(way[0], way[1], way[2])];
+}
+
+/* 1/d of the plane that is nearest along an axis, linear in the offset: along
+ * other axes it is told by the nearer of two neighbours. */
+static vec3 obstacles_slope(const struct obstacles *obstacles)
+{
+    double slope[3] = { 0, 0, 0 }, most = 0;
+    int way[3] = { 0, 0, 0 }, nearest = 0, sign = 1;
+    for (int i = 0; i < 6; i++) {
+        int axis[3] = { 0, 0, 0 };
+        axis[i / 2] = i % 2 ? 1 : -1;
+        double near = obstacle_slope(obstacles, axis);
+        if (near > most) {
+            most = near;
+            nearest = i / 2;
+            sign = axis[nearest];
+        }
+    }
+    way[nearest] = sign;
+    slope[nearest] = sign * most;
+    for (int i = 1; i < 3; i++) {
+        int axis = (nearest + i) % 3;
+        way[axis] = 1;
+        double up = obstacle_slope(obstacles, way);
+        way[axis] = -1;
+        double down = obstacle_slope(obstacles, way);
+        way[axis] = 0;
+        slope[axis] = up >= down ? up - most : most - down;
+    }
+    return vec3_make(slope[0], slope[1], slope[2]);
+}
+
+vec3 obstacles_plane(const struct obstacles *obstacles, double reach)
+{
+    const vec3 none = { 0, 0, 0 };
+    vec3 slope = obstacles_slope(obstacles);
+    double size = vec3_length(slope), far = 1 / reach;
+    if (size < far)
+        return none;
+    for (int i = 0; i < 27; i++) {
+        int way[3] = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
+        if (i == 13)
+            continue;
+        vec3 offset = vec3_make(way[0], way[1], way[2]);
+        double least = far * vec3_length(offset);
+        double wanted = fmax(vec3_dot(slope, offset), least);
+        double found = fmax(obstacle_slope(obstacles, way), least);
+        if (fabs(found - wanted) > plane_tolerance * size)
+            return none;
+    }
+    return vec3_scale(slope, 1 / size);
 }

@@ -22,8 +22,14 @@ struct obstacles {
 void obstacles_look(struct obstacles *obstacles, const struct world *world,
                     vec3 place, double reach);
 
-/* Whether surely nothing stands on the way, at most `reach` long, from the
- * mesh point along `offset`. False: only a ray can tell. */
-bool obstacles_clear(const struct obstacles *obstacles, vec3 offset);
+/* Whether nothing that was found stands on the way, at most `reach` long, from
+ * the mesh point along `offset` to a place whose normal, on the mesh point's
+ * side, is given. False: only a ray can tell. */
+bool obstacles_clear(const struct obstacles *obstacles, vec3 offset,
+                     vec3 normal);
+
+/* The unit direction into the plane that is all there is nearer than `reach`;
+ * zero if there is more, or nothing. */
+vec3 obstacles_plane(const struct obstacles *obstacles, double reach);
 
 #endif

@@ -24,6 +24,10 @@ static const double nearest_rise = 0.1;
 /* How far obstacles are looked for, in spacings. */
 static const double reach = 2.5;
 
+/* Only what is nearer to a point, in spacings, asks for it: in the corner of a
+ * cell farthest from it. */
+static const double asking = 1.75;
+
 /* Points whose amounts of light differ by less than this factor are about
  * alike. */
 static const double alike = 3;
@@ -167,6 +171,10 @@ static const void *payload_get(const struct point_mesh *mesh,
         .key = lattice_key(&shared),
         .dither = site_dither(&shared),
     };
+    if (mesh->walled)
+        site.wall = obstacles_plane(
+            around_get(mesh, worker, &shared),
+            asking * lattice_spacing(&mesh->lattice, shared.level));
     site_fill(mesh, worker, &site, record);
     if (state == TABLE_MINE)
         table_publish(mesh->table, record);
@@ -188,7 +196,7 @@ static bool seeker_sees(const struct seeker *seeker,
     const struct obstacles *around =
         around_get(seeker->mesh, seeker->worker, point);
     vec3 offset = vec3_sub(seeker->place, from);
-    if (obstacles_clear(around, offset))
+    if (obstacles_clear(around, offset, seeker->normal))
         return true;
     double length = vec3_length(offset);
     struct ray ray = { seeker->place, vec3_scale(offset, -1 / length) };
@@ -488,7 +496,7 @@ const void *point_mesh_nearest(const struct point_mesh *mesh,
                 continue;
             if (traced ? seeker_sees(&seeker, &corner[i], from)
                        : obstacles_clear(around_get(mesh, worker, &corner[i]),
-                                         offset))
+                                         offset, normal))
                 return payload_get(mesh, worker, &corner[i]);
         }
     return NULL;

@@ -28,6 +28,9 @@ struct mesh_site {
      * normal. */
     bool lone;
     vec3 normal;
+    /* The unit direction into the only surface that may ask for it: what comes
+     * from there lights nothing. Zero: there are several, or nobody looked. */
+    vec3 wall;
 };
 
 /* Must depend on the site alone. `payload` is zeroed. */
@@ -59,6 +62,7 @@ struct point_mesh {
     atomic_bool *full; /* shared with other meshes; see point_mesh_crowding */
     size_t payload_size;
     mesh_fill *fill;
+    bool walled;                  /* whether that wants to know about walls */
     mesh_amount *amount;          /* NULL: points are never taken for alike */
     struct refinement refinement; /* from what lattice_level says */
     mesh_alone *light;            /* NULL: there must be none */

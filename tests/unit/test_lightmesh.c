@@ -123,22 +123,55 @@ static void test_harmonics(void **state)
     assert_true(fabs(whole.r - 1) < 1e-5 && fabs(whole.g - 2) < 1e-5);
 }
 
-/* 1/d of a plane is linear between the directions: exact on its surface. */
+/* What the plane `slope` . offset = 1 is like from a mesh point. */
+static void look_at_plane(struct obstacles *map, vec3 slope, double reach)
+{
+    for (int i = 0; i < 27; i++) {
+        vec3 d = vec3_normalise(vec3_make(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+        double near = vec3_dot(slope, d);
+        if (i != 13)
+            map->near[i > 13 ? i - 1 : i] =
+                near * reach > 1 ? (float)near : 0.0f;
+    }
+}
+
+/* A place's own plane doesn't hide it, nor does what is behind that plane or
+ * farther than the place. */
 static void test_obstacles(void **state)
 {
     struct obstacles map;
+    vec3 up = { 0, 1, 0 }, down = { 0.3, -0.7, 0.2 };
     (void)state;
-    for (int i = 0; i < 27; i++) {
-        vec3 d = vec3_normalise(vec3_make(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
-        double away = d.y < 0 ? -d.y / 0.7 : 0; /* the plane y = -0.7 */
-        if (i != 13)
-            map.near[i > 13 ? i - 1 : i] = (float)away;
-    }
-    vec3 down = { 0.3, -0.7, 0.2 };
-    assert_true(obstacles_clear(&map, down));
-    assert_true(obstacles_clear(&map, vec3_scale(down, 0.9)));
-    assert_false(obstacles_clear(&map, vec3_scale(down, 1.1)));
-    assert_true(obstacles_clear(&map, vec3_make(0.3, 2, 0.2)));
+    look_at_plane(&map, vec3_make(0, -1 / 0.7, 0), HUGE_VAL);
+    assert_true(obstacles_clear(&map, down, up));
+    assert_true(obstacles_clear(&map, vec3_scale(down, 0.9), up));
+    assert_false(obstacles_clear(&map, vec3_scale(down, 1.1), up));
+    assert_true(obstacles_clear(&map, vec3_make(0.3, 2, 0.2), up));
+    assert_true(obstacles_clear(&map, vec3_make(3, -0.7, 0.2), up));
+    assert_false(obstacles_clear(&map, vec3_make(3, -0.8, 0.2), up));
+    map.near[13] = 1 / 2.0f; /* a wall at x = 2 */
+    assert_true(obstacles_clear(&map, vec3_make(1.8, -0.7, 0.2), up));
+    assert_false(obstacles_clear(&map, vec3_make(2.5, -0.7, 0.2), up));
+}
+
+/* A plane is told from its corners with others, however it is tilted. */
+static void test_obstacles_plane(void **state)
+{
+    struct obstacles map, other;
+    vec3 slope = { 0.2, -1, 0.3 }, found;
+    (void)state;
+    look_at_plane(&map, slope, 2.5);
+    found = obstacles_plane(&map, 1.75);
+    assert_true(vec3_dot(found, vec3_normalise(slope)) > 1 - 1e-6);
+    found = obstacles_plane(&map, 0.5);
+    assert_true(vec3_dot(found, found) == 0);
+    look_at_plane(&other, vec3_make(-0.5, 0, 0), 2.5);
+    for (int i = 0; i < OBSTACLE_DIRECTIONS; i++)
+        other.near[i] = fmaxf(other.near[i], map.near[i]);
+    assert_true(vec3_dot(obstacles_plane(&other, 1.5), vec3_normalise(slope)) >
+                1 - 1e-6);
+    found = obstacles_plane(&other, 4);
+    assert_true(vec3_dot(found, found) == 0);
 }
 
 /* Which side of a smooth triangle a lamp is on is told by the triangle, also
@@ -173,6 +206,7 @@ int main(void)
         cmocka_unit_test(test_interpolation),
         cmocka_unit_test(test_harmonics),
         cmocka_unit_test(test_obstacles),
+        cmocka_unit_test(test_obstacles_plane),
         cmocka_unit_test(test_smooth_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
