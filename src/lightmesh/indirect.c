@@ -245,7 +245,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
 {
     struct indirect_mesh *mesh = memory_new(sizeof *mesh);
     mesh->direct = *direct;
-    mesh->direct.points.lattice.usual += HIT_LEVELS;
+    mesh->direct.points.lattice.coarser = HIT_LEVELS;
     mesh->gather = (struct gather){
         .lamps = direct->lamps,
         .direct = &mesh->direct,

@@ -91,7 +91,7 @@ int lattice_level(const struct lattice *lattice, vec3 place, double *blend)
         double distance = vec3_length(vec3_sub(place, lattice->eye));
         exact = fmax(log2(distance / lattice->near) + 1, 0);
     }
-    exact += lattice->usual - lattice_finer(lattice, place);
+    exact += lattice->usual + lattice->coarser - lattice_finer(lattice, place);
     if (!(exact > blend_start))
         return 0;
     if (exact >= LATTICE_LEVELS - 1)

@@ -25,6 +25,9 @@ struct lattice {
     const struct mesh_region *regions;
     size_t region_count;
     int usual; /* level without regions: those finer are theirs, or unused */
+    /* Levels more that lattice_level gives. Where points are follows from
+     * `usual`, so that meshes which differ in this alone may share points. */
+    int coarser;
 };
 
 struct lattice_point {

@@ -153,8 +153,10 @@ static void lexer_list(struct lexer *lexer)
  * the next expects more of them. */
 static bool lexer_in_mesh(const struct lexer *lexer)
 {
+    if (lexer->tokens.count == 0)
+        return false;
     const struct token *end = lexer->tokens.items + lexer->tokens.count;
-    if (lexer->tokens.count > 0 && end[-1].kind == TOKEN_TRIANGLES)
+    if (end[-1].kind == TOKEN_TRIANGLES)
         return true;
     return lexer->tokens.count > 1 && end[-1].kind == TOKEN_LBRACE &&
            end[-2].kind == TOKEN_WORD && end[-2].word->keyword == KEYWORD_MESH;

@@ -71,6 +71,12 @@ static void test_lattice(void **state)
     assert_true(fabs(at.x + 7) < 1e-9 && fabs(at.y) < 1e-9);
     assert_true(fabs(at.z - 12) < 1e-9);
     struct lattice_point other = { 1, { -7, 0, 12 } };
+    struct lattice hits = lattice;
+    hits.coarser = 1;
+    assert_int_equal(lattice_level(&hits, vec3_make(0, 4.1, 0), &blend), 2);
+    vec3 moved =
+        vec3_sub(lattice_place(&hits, &point), lattice_place(&lattice, &point));
+    assert_true(vec3_dot(moved, moved) == 0);
     assert_true(lattice_key(&point) != lattice_key(&other));
     struct lattice_point named = lattice_named(lattice_key(&other));
     assert_memory_equal(&named, &other, sizeof named);
