@@ -183,7 +183,7 @@ static bool table_possible(const char **from, const char *end)
         return false;
     uint64_t size = take_number(from), count = take_number(from);
     uint64_t left = (uint64_t)(end - *from);
-    if (size > left || count > left / (8 + size))
+    if (count > 0 && (size > left || count > left / (8 + size)))
         return false;
     for (uint64_t i = 0; i < count; i++, *from += size) {
         uint64_t key = take_number(from);

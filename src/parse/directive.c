@@ -88,12 +88,23 @@ void directive_head_end(struct parser *p, struct directive_head outer)
     p->head_blocks = outer.blocks;
 }
 
+bool directive_condition_end(struct parser *p, struct directive_head outer)
+{
+    struct span inner = p->cursor->called_at;
+    bool here = stream_pop_to(p, p->head);
+    if (!here)
+        error_at(p, inner, NULL,
+                 "the condition of a directive must end where it begins, not "
+                 "in what is included or called here");
+    directive_head_end(p, outer);
+    return here;
+}
+
 bool directive_float(struct parser *p, double *out)
 {
     struct directive_head outer = directive_head_begin(p);
     bool ok = parse_condition(p, out);
-    directive_head_end(p, outer);
-    return ok;
+    return directive_condition_end(p, outer) && ok;
 }
 
 bool directive_string(struct parser *p, const char **out)

@@ -31,6 +31,11 @@ struct directive_head {
 struct directive_head directive_head_begin(struct parser *p);
 void directive_head_end(struct parser *p, struct directive_head outer);
 
+/* The same for one in parentheses: back in the text it began in, where the
+ * directive's block is. False after an error: it ended in a file or a macro
+ * that it called. */
+bool directive_condition_end(struct parser *p, struct directive_head outer);
+
 /* Reads a directive's condition or number without running what follows it. */
 bool directive_float(struct parser *p, double *out);
 bool directive_string(struct parser *p, const char **out);

@@ -90,6 +90,16 @@ void stream_pop_range(struct parser *p)
     p->peeked = false;
 }
 
+bool stream_pop_to(struct parser *p, const struct cursor *cursor)
+{
+    bool found = p->cursor == cursor;
+    while (p->cursor && p->cursor != cursor)
+        stream_pop(p);
+    if (!found)
+        p->peeked = false;
+    return found;
+}
+
 void stream_abort(struct parser *p)
 {
     p->failed = true;

@@ -64,6 +64,10 @@ bool stream_push_range(struct parser *p, const struct token_list *list,
 /* Back to the cursor under a range, whatever is left in it. */
 void stream_pop_range(struct parser *p);
 
+/* Back to a cursor below, whatever is left in those above; true if there were
+ * none. */
+bool stream_pop_to(struct parser *p, const struct cursor *cursor);
+
 /* The tokens after the one peeked, as written, in the current cursor: for
  * fast paths. stream_skip_raw drops the peeked token and n after it. */
 const struct token *stream_raw(struct parser *p, size_t *available);

@@ -96,7 +96,7 @@ static bool for_run(struct parser *p, struct span at)
     struct directive_head outer = directive_head_begin(p);
     struct open_block head = { .kind = BLOCK_FOR, .span = at };
     bool ok = for_head(p, &head);
-    directive_head_end(p, outer);
+    ok = directive_condition_end(p, outer) && ok;
     *directive_open(p, BLOCK_FOR, at) = head;
     directive_block(p)->condition = p->cursor->index;
     if (!ok)
