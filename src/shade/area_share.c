@@ -234,11 +234,12 @@ static int outline_cuts(int adaptive)
     return cuts < OUTLINE_MOST ? cuts : OUTLINE_MOST;
 }
 
-/* Dark parts have holes less often than lit ones have things before them. */
+/* Things before lit parts are smaller than those that leave holes in dark ones.
+ */
 static int outline_least(const struct area_walk *walk, rgb seen)
 {
     int cuts = outline_cuts(walk->grid->adaptive);
-    return walk->thorough && rgb_peak(seen) > 0 ? cuts : cuts - 1;
+    return walk->thorough || rgb_peak(seen) <= 0 ? cuts : cuts - 1;
 }
 
 static rgb outline_part_seen(struct area_walk *walk, struct area_part part,
