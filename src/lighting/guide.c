@@ -17,6 +17,7 @@
 enum {
     LAMPS_MOST = 256, /* each may need ways of its own */
     HIDDEN_MOST = 8,  /* nodes in a row, after which none is looked for */
+    WALL_RAYS = 50000 /* between the skeleton's walls: a guide may be rough */
 };
 
 /* How often a lobe is used where all light comes from one side, and its s. */
@@ -188,7 +189,9 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
         return NULL;
     }
     struct guide *guide = memory_new(sizeof *guide);
-    struct void_skeleton_wish wish = { .heuristic = "network", .ways = true };
+    struct void_skeleton_wish wish = { .heuristic = "network",
+                                       .ways = true,
+                                       .rays = WALL_RAYS };
     if (!void_skeleton_make(&guide->made, world, scene, wish, options, diag)) {
         guide_free(guide);
         return NULL;
