@@ -234,12 +234,15 @@ static int outline_cuts(int adaptive)
     return cuts < OUTLINE_MOST ? cuts : OUTLINE_MOST;
 }
 
-/* Things before lit parts are smaller than those that leave holes in dark ones.
- */
+/* Dark parts are looked at as closely as `adaptive` asks, for there may be gaps
+ * in what hides them; lit ones more closely where it costs little. */
 static int outline_least(const struct area_walk *walk, rgb seen)
 {
-    int cuts = outline_cuts(walk->grid->adaptive);
-    return walk->thorough || rgb_peak(seen) <= 0 ? cuts : cuts - 1;
+    int adaptive = walk->grid->adaptive;
+    int cuts = outline_cuts(adaptive);
+    bool lit = rgb_peak(seen) > 0;
+    bool closely = lit ? walk->thorough : adaptive < 0 || adaptive >= cuts;
+    return closely ? cuts : cuts - 1;
 }
 
 static rgb outline_part_seen(struct area_walk *walk, struct area_part part,
