@@ -3,12 +3,26 @@
 
 #include "shade/area.h"
 
+static struct lamp_target lamplight_target(const struct lamplight *light,
+                                           const struct lamp_view *view)
+{
+    const struct surface *surface = light->surface;
+    return (struct lamp_target){ surface->point, surface->inside, *view,
+                                 surface->at };
+}
+
 rgb lamplight_trace(struct lamplight *light, const struct lamp *lamp,
                     const struct lamp_view *view)
 {
-    struct lamp_target target = { light->surface->point, light->surface->inside,
-                                  *view, light->surface->at };
+    struct lamp_target target = lamplight_target(light, view);
     return lamps_share(light->lamps, lamp, light->worker, &target);
+}
+
+rgb lamplight_trace_fine(struct lamplight *light, const struct lamp *lamp,
+                         const struct lamp_view *view)
+{
+    struct lamp_target target = lamplight_target(light, view);
+    return lamps_share_fine(light->lamps, lamp, light->worker, &target);
 }
 
 static void lamplight_visit(const struct lamplight *light,

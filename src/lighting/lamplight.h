@@ -26,4 +26,8 @@ void lamplight_give(struct lamplight *light, const struct lamp *lamp);
 rgb lamplight_trace(struct lamplight *light, const struct lamp *lamp,
                     const struct lamp_view *view);
 
+/* The same as of lamps_share_fine: nearer the truth for area lights. */
+rgb lamplight_trace_fine(struct lamplight *light, const struct lamp *lamp,
+                         const struct lamp_view *view);
+
 #endif

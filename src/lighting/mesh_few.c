@@ -32,16 +32,6 @@ static const struct mesh_half *mesh_half(struct mesh_question *question,
     return half;
 }
 
-/* The lamp asked by the surface itself. */
-static rgb mesh_ask(struct lamplight *light, const struct lamp *lamp,
-                    const struct lamp_view *view)
-{
-    const struct surface *surface = light->surface;
-    struct lamp_target target = { surface->point, surface->inside, *view,
-                                  surface->at };
-    return lamps_share_fine(light->lamps, lamp, light->worker, &target);
-}
-
 static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
                       const struct lamp_view *view)
 {
@@ -57,7 +47,7 @@ static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
                    direct_mesh_agrees(&half->blend);
     if (question->way == MESH_FEW_SETTLED && !certain &&
         !few_has(verdict->faint, number))
-        return mesh_ask(light, lamp, view);
+        return lamplight_trace_fine(light, lamp, view);
     return lit ? rgb_grey(1)
                : direct_mesh_share(question->direct, &half->blend, number);
 }
@@ -96,7 +86,7 @@ void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
     struct mesh_question question;
     const uint64_t *hidden = NULL;
     bool looked = false;
-    asked.share = mesh_ask;
+    asked.share = lamplight_trace_fine;
     question.light = *light;
     question.light.share = mesh_share;
     question.direct = mesh;

@@ -93,8 +93,8 @@ static rgb lamp_see(void *context, const struct area_point *point)
     if (q->clear && shaft_clear(q->shaft, point->place))
         return rgb_grey(1);
     vec3 offset = lamp_offset(q, point->location);
-    double length = vec3_length(offset);
-    return lamp_trace(q, vec3_scale(offset, 1 / length), length, point->place);
+    return lamp_trace(q, vec3_normalise(offset), vec3_length(offset),
+                      point->place);
 }
 
 static bool lamp_casts(const struct lamps *lamps, const struct lamp *lamp)

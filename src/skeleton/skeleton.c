@@ -47,15 +47,6 @@ static bool skeleton_thin(struct skeleton *skeleton)
     return true;
 }
 
-uint32_t skeleton_node(const struct skeleton *skeleton, const int place[3])
-{
-    const struct voxels *v = skeleton->voxels;
-    for (int axis = 0; axis < 3; axis++)
-        if (place[axis] < 0 || place[axis] >= v->size[axis])
-            return GRAPH_NONE;
-    return skeleton->nearest[voxels_index(v, place[0], place[1], place[2])];
-}
-
 /* Takes a place for the void before the point, if it is void. */
 static bool point_take(const struct skeleton *skeleton, vec3 place,
                        struct skeleton_point *point)

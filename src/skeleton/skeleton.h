@@ -106,9 +106,6 @@ bool skeleton_search(const struct skeleton *skeleton, int reach,
 struct skeleton_point skeleton_find(const struct skeleton *skeleton,
                                     vec3 position, vec3 normal, vec3 from);
 
-/* The node of a voxel, or GRAPH_NONE; `place` may be outside of the grid. */
-uint32_t skeleton_node(const struct skeleton *skeleton, const int place[3]);
-
 /* What the heuristic says. Where the skeleton doesn't reach it is black, and
  * outside of the grid what the sky gives. */
 struct skeleton_light skeleton_light(const struct skeleton *skeleton,

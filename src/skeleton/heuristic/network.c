@@ -255,6 +255,18 @@ static bool network_corners(const struct skeleton *skeleton,
     return true;
 }
 
+/* As side_add, of those that are seen. */
+static double corners_add(const struct network *network,
+                          const struct corners *corners, vec3 normal, rgb *sum)
+{
+    double total = 0;
+    for (int i = 0; i < 8; i++)
+        if (corners->piece[i] != PIECE_NONE)
+            total += side_add(&network->light[corners->piece[i]], normal,
+                              corners->weight[i], sum);
+    return total;
+}
+
 /* The mean over the cells around the point, each by its share. */
 static rgb network_indirect(const struct skeleton *skeleton,
                             const struct skeleton_point *point)
@@ -262,15 +274,12 @@ static rgb network_indirect(const struct skeleton *skeleton,
     const struct network *network = skeleton->state;
     const struct voxels *v = skeleton->voxels;
     vec3 place = vec3_scale(vec3_sub(point->around, v->origin), 1 / v->edge);
-    double from[3] = { place.x, place.y, place.z }, total = 0;
+    double from[3] = { place.x, place.y, place.z };
     struct corners corners;
     rgb sum = rgb_grey(0);
     if (!network_corners(skeleton, from, &corners))
         return sum;
-    for (int i = 0; i < 8; i++)
-        if (corners.piece[i] != PIECE_NONE)
-            total += side_add(&network->light[corners.piece[i]], point->normal,
-                              corners.weight[i], &sum);
+    double total = corners_add(network, &corners, point->normal, &sum);
     uint32_t own = corners.piece[0];
     if (!(total > 0))
         total = side_add(&network->light[own], point->normal, 1, &sum);
@@ -292,11 +301,8 @@ static struct shore_light network_voxel(const struct skeleton *skeleton,
     voxels_place(skeleton->voxels, voxel, at);
     double from[3] = { at[0] + 0.5, at[1] + 0.5, at[2] + 0.5 };
     if (network_corners(skeleton, from, &corners))
-        for (int i = 0; i < 8; i++)
-            if (corners.piece[i] != PIECE_NONE)
-                light.weight += side_add(&network->light[corners.piece[i]],
-                                         side_normal(side), corners.weight[i],
-                                         &light.light);
+        light.weight =
+            corners_add(network, &corners, side_normal(side), &light.light);
     if (light.weight > 0)
         light.light = rgb_scale(light.light, 1 / light.weight);
     shore_keep(network->shore, voxel, side, &light);
