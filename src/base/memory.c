@@ -1,12 +1,21 @@
 /* Allocation that can't return NULL: see memory.h. */
 #include "base/memory.h"
 
+#include <malloc.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
+
+enum {
+    LARGE_PAGE = 2 << 20,
+    HEAP_STEP = 4 * LARGE_PAGE,
+    HEAP_KEPT = 16 * HEAP_STEP, /* free, for what is wanted next */
+};
 
 static _Noreturn void memory_exhausted(size_t size)
 {
@@ -14,11 +23,48 @@ static _Noreturn void memory_exhausted(size_t size)
     exit(1);
 }
 
+/* Pages of the usual size are got from the system one by one, when they are
+ * first touched, which on virtual machines takes longer than to fill them. */
+static void memory_in_large_pages(uintptr_t from, uintptr_t end)
+{
+#ifdef MADV_HUGEPAGE
+    from += LARGE_PAGE - 1;
+    from -= from % LARGE_PAGE;
+    end -= end % LARGE_PAGE;
+    if (end > from)
+        madvise((void *)from, end - from, MADV_HUGEPAGE);
+#else
+    (void)from;
+    (void)end;
+#endif
+}
+
+/* The same for what everybody's heap has grown by, in steps that have room for
+ * large pages and hold all but the largest blocks. */
+static void heap_in_large_pages(void)
+{
+#ifdef __GLIBC__
+    static _Atomic uintptr_t known;
+    uintptr_t end = (uintptr_t)sbrk(0);
+    uintptr_t before = atomic_exchange(&known, end);
+    if (before == 0) {
+        mallopt(M_TOP_PAD, HEAP_STEP);
+        mallopt(M_MMAP_THRESHOLD, HEAP_STEP);
+        mallopt(M_TRIM_THRESHOLD, HEAP_KEPT);
+    } else if (end > before) {
+        memory_in_large_pages(before, end);
+    }
+#endif
+}
+
 void *memory_new(size_t size)
 {
+    heap_in_large_pages();
     void *memory = calloc(1, size ? size : 1);
     if (!memory)
         memory_exhausted(size);
+    if (size >= LARGE_PAGE)
+        memory_in_large_pages((uintptr_t)memory, (uintptr_t)memory + size);
     return memory;
 }
 
