@@ -166,7 +166,7 @@ static const struct option table[] = {
     LIGHT("Mesh_Model", "mesh-model", light_mesh_fields, "model", "name",
           "directional, or scalar as in the paper (directional)"),
     LIGHT("Mesh_Shadows", "mesh-shadows", light_mesh_fields, "shadows",
-          "name", "soft, sharp, or sharp up to 24 lamps (auto)"),
+          "name", "soft, sharp, or what is quick and right (auto)"),
     LIGHT("Mesh_Threshold", "mesh-threshold", light_mesh_fields, "threshold",
           "n", "new points where neighbours differ by more (0.2)"),
     LIGHT("Mesh_Levels", "mesh-levels", light_mesh_fields, "levels", "n",

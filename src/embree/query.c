@@ -29,7 +29,7 @@ bool query_take(struct query *query, const struct leaf *leaf,
         query->blocked = true;
     } else {
         struct intersection crossing;
-        query_describe(query, leaf, hit, &crossing);
+        query_describe(&query->ray, leaf, hit, &crossing);
         query->blocked = query->filter(query->context, &crossing);
     }
     return query->blocked;
@@ -191,22 +191,21 @@ bool query_triangle(const struct query *query, const struct leaf *leaf,
 }
 
 /* Only smooth triangles need more than t. */
-static void hit_finish(const struct query *query, const struct leaf *leaf,
-                       struct hit *hit)
+void query_refine(const struct ray *ray, const struct leaf *leaf,
+                  struct hit *hit)
 {
     const struct mesh *mesh = leaf->object->mesh;
-    size_t triangle = (size_t)hit->part;
-    if (mesh->triangles[triangle].normal[0] == MESH_NONE)
+    if (leaf->object->kind != OBJECT_MESH ||
+        mesh->triangles[hit->part].normal[0] == MESH_NONE)
         return;
-    struct ray ray =
-        leaf->moved ? ray_into(&leaf->to_object, &query->ray) : query->ray;
-    mesh_refine(mesh, triangle, &ray, hit);
+    struct ray there = leaf->moved ? ray_into(&leaf->to_object, ray) : *ray;
+    mesh_refine(mesh, (size_t)hit->part, &there, hit);
 }
 
 void query_finish(struct query *query)
 {
     if (query->rough)
-        hit_finish(query, query->leaf, &query->hit);
+        query_refine(&query->ray, query->leaf, &query->hit);
     query->rough = false;
 }
 
@@ -221,7 +220,7 @@ bool query_take_triangle(struct query *query, const struct leaf *leaf,
                 return false;
         query->recent[query->recent_count % QUERY_RECENT].leaf = leaf;
         query->recent[query->recent_count++ % QUERY_RECENT].t = t;
-        hit_finish(query, leaf, &hit);
+        query_refine(&query->ray, leaf, &hit);
     }
     bool over = query_take(query, leaf, &hit);
     query->rough = true;
@@ -286,11 +285,11 @@ static void describe_texture(const struct leaf *leaf, const struct hit *hit,
     out->from_texture = &leaf->to_world;
 }
 
-void query_describe(const struct query *query, const struct leaf *leaf,
+void query_describe(const struct ray *ray, const struct leaf *leaf,
                     const struct hit *hit, struct intersection *out)
 {
     out->t = hit->t;
-    out->point = ray_point(&query->ray, hit->t);
+    out->point = ray_point(ray, hit->t);
     out->leaf = leaf;
     out->part = hit->part;
     vec3 normal = leaf_normal(leaf, out->point, hit);
@@ -298,7 +297,7 @@ void query_describe(const struct query *query, const struct leaf *leaf,
         normal = affine_normal(&leaf->to_object, normal);
     normal = unit(normal);
     if (!(vec3_dot(normal, normal) > 0))
-        normal = vec3_negate(query->ray.direction);
+        normal = vec3_negate(ray->direction);
     out->normal = leaf->inverse ? vec3_negate(normal) : normal;
     describe_face(leaf, hit, out);
     describe_texture(leaf, hit, out);

@@ -72,11 +72,15 @@ bool query_triangle(const struct query *query, const struct leaf *leaf,
 bool query_take_triangle(struct query *query, const struct leaf *leaf,
                          uint32_t triangle, double t);
 
-/* Fills in what is left out of query->hit. */
+/* Fills in what is left out of the hit of a triangle, u and v. */
+void query_refine(const struct ray *ray, const struct leaf *leaf,
+                  struct hit *hit);
+
+/* The same for query->hit, if it is left out. */
 void query_finish(struct query *query);
 
 /* Everything about the crossing, for the one who asked. */
-void query_describe(const struct query *query, const struct leaf *leaf,
+void query_describe(const struct ray *ray, const struct leaf *leaf,
                     const struct hit *hit, struct intersection *out);
 
 #endif

@@ -102,7 +102,7 @@ static bool query_begin(struct query *query, const struct ray *ray, double tmin,
 static void describe_nearest(struct query *query, struct intersection *out)
 {
     query_finish(query);
-    query_describe(query, query->leaf, &query->hit, out);
+    query_describe(&query->ray, query->leaf, &query->hit, out);
 }
 
 bool world_closest(const struct world *world, const struct ray *ray,
@@ -113,27 +113,36 @@ bool world_closest(const struct world *world, const struct ray *ray,
 
 void world_closest_many(const struct world *world, const struct ray *rays,
                         const double *tmin, unsigned count, enum ray_kind kind,
-                        struct intersection *out, bool *met)
+                        struct world_hit *out)
 {
     struct query queries[WORLD_RAYS];
+    bool good[WORLD_RAYS] = { false };
     size_t solids = world->flat.solids.count;
     _Static_assert((int)WORLD_RAYS == (int)GEOMETRY_RAYS, "one packet");
     for (unsigned i = 0; i < count; i++) {
         queries[i].occlusion = false;
         queries[i].kind = kind;
-        met[i] = query_begin(&queries[i], &rays[i], tmin[i], world_limit);
-        if (met[i])
+        good[i] = query_begin(&queries[i], &rays[i], tmin[i], world_limit);
+        if (good[i])
             trace_unbounded(world, &queries[i], 0, world->shape_count);
     }
-    geometry_trace_many(&world->geometry, queries, met, count);
+    geometry_trace_many(&world->geometry, queries, good, count);
     for (unsigned i = 0; i < count; i++) {
         struct query *query = &queries[i];
-        if (met[i])
+        if (good[i])
             trace_unbounded(world, query, world->shape_count, solids);
-        met[i] = met[i] && query->leaf;
-        if (met[i])
-            describe_nearest(query, &out[i]);
+        out[i].leaf = good[i] ? query->leaf : NULL;
+        out[i].t = query->hit.t;
+        out[i].part = query->hit.part;
     }
+}
+
+void world_describe(const struct ray *ray, const struct world_hit *hit,
+                    struct intersection *out)
+{
+    struct hit found = { hit->t, hit->part, 0, 0 };
+    query_refine(ray, hit->leaf, &found);
+    query_describe(ray, hit->leaf, &found, out);
 }
 
 bool world_within(const struct world *world, const struct ray *ray, double tmin,

@@ -46,14 +46,24 @@ struct intersection {
 bool world_closest(const struct world *world, const struct ray *ray,
                    double tmin, enum ray_kind kind, struct intersection *out);
 
+/* The least there is to know of where a ray meets the scene. */
+struct world_hit {
+    const struct leaf *leaf; /* NULL: nowhere */
+    double t;
+    int part;
+};
+
 enum { WORLD_RAYS = 16 };
 
 /* The same for up to WORLD_RAYS rays, which is twice as quick if they begin
- * and go close together, as those of neighbouring pixels do: out[i] where
- * met[i]. */
+ * and go close together, as those of neighbouring pixels do. */
 void world_closest_many(const struct world *world, const struct ray *rays,
                         const double *tmin, unsigned count, enum ray_kind kind,
-                        struct intersection *out, bool *met);
+                        struct world_hit *out);
+
+/* Everything about a hit of that ray; its leaf must not be NULL. */
+void world_describe(const struct ray *ray, const struct world_hit *hit,
+                    struct intersection *out);
 
 /* The same as world_closest, for crossings up to tmax. */
 bool world_within(const struct world *world, const struct ray *ray, double tmin,

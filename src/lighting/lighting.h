@@ -10,6 +10,7 @@
 #define LIGHTING_LIGHTING_H
 
 #include "base/worker.h"
+#include "shade/first_hits.h"
 #include "shade/surface.h"
 
 /* What a method knows after a picture, to be used in the next. */
@@ -67,8 +68,16 @@ struct lighting {
     void *(*start)(const struct world *world, const struct scene *scene,
                    const struct lighting_options *options, struct diag *diag);
     void (*finish)(void *state);
-    /* Light at a surface point. Must depend on the surface alone, not on the
-     * worker or on what was asked before. */
+    /* Whether the method wants to know what the camera sees first at all places
+     * of a grid (whose `at` is not there yet) before it lights any of it; then
+     * `prepare` is called, once, with a worker for each thread. It may leave
+     * off when they are told to stop. NULL: never. */
+    bool (*foresees)(void *state, const struct first_hits *grid);
+    void (*prepare)(void *state, const struct first_hits *hits,
+                    struct worker *const *workers, unsigned threads);
+    /* Light at a surface point. Must depend on the surface, and on what the
+     * camera was said to see near it, alone: not on the worker or on what was
+     * asked before. */
     struct diffuse_light (*illuminate)(const void *state, struct worker *worker,
                                        const struct surface *surface,
                                        light_visit *visit, void *context);

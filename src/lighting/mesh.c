@@ -6,6 +6,7 @@
 #include "lighting/mesh_close.h"
 #include "lighting/mesh_few.h"
 #include "lighting/mesh_known.h"
+#include "lighting/mesh_pixels.h"
 #include "lighting/mesh_report.h"
 #include "lighting/mesh_scalar.h"
 #include "lighting/mesh_views.h"
@@ -22,6 +23,7 @@ struct mesh_lighting {
     struct indirect_mesh *indirect; /* or NULL */
     struct scalar_mesh *scalar;     /* of model scalar, in place of them all */
     struct void_skeleton close;     /* what ends its bounces, if asked for */
+    struct mesh_pixels pixels;      /* of many lamps in one picture */
     struct mesh_report report;
     /* The same, whose lattices are coarser the farther from this picture's
      * camera; what mesh points hold must not depend on it, only on the
@@ -182,6 +184,7 @@ static void mesh_finish(void *state)
     struct mesh_lighting *mesh = state;
     if (!mesh)
         return;
+    mesh_pixels_free(&mesh->pixels);
     scalar_mesh_free(mesh->scalar);
     indirect_mesh_free(mesh->indirect);
     void_skeleton_free(&mesh->close);
@@ -212,6 +215,15 @@ static size_t mesh_points(const struct mesh_lighting *mesh,
     return count;
 }
 
+/* Whether it was said what the points in space are to be, or where they go or
+ * come from: then they light the picture. */
+static bool mesh_is_said(const struct light_mesh_settings *said)
+{
+    return said->shadows != MESH_SHADOWS_AUTO || said->density > 0 ||
+           said->radius > 0 || said->levels > 0 || said->threshold > 0 ||
+           said->regions.count > 0 || said->save_file || said->load_file;
+}
+
 /* The meshes, as far as they are known. */
 static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
                       const struct interpolation *interpolation,
@@ -237,6 +249,9 @@ static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
         mesh->near_indirect = *mesh->indirect;
         mesh->near_indirect.points.lattice.eye = scene->camera.location;
     }
+    mesh->pixels = mesh_pixels_new(&mesh->lamps, scene, mesh_finer(said));
+    mesh->pixels.off = mesh->pixels.off || !mesh->direct ||
+                       !mesh->direct->facets || mesh_is_said(said);
     mesh->report = (struct mesh_report){
         .direct = mesh->direct,
         .indirect = mesh->indirect,
@@ -335,6 +350,17 @@ struct mesh_light {
     vec3 direction;
 };
 
+/* What the picture's own points know of the side that the camera sees. */
+static bool mesh_pixel_light(const struct mesh_lighting *mesh,
+                             const struct surface *surface, vec3 side,
+                             struct facet_light *light)
+{
+    return mesh->pixels.mesh && surface->place &&
+           vec3_dot(side, surface->side) > 0 &&
+           pixel_mesh_light(mesh->pixels.mesh, surface->place, surface->at,
+                            side, light);
+}
+
 static struct mesh_light mesh_light(const struct mesh_lighting *mesh,
                                     const struct lamplight *asked, vec3 side,
                                     vec3 normal)
@@ -347,8 +373,9 @@ static struct mesh_light mesh_light(const struct mesh_lighting *mesh,
     struct facet_light own;
     struct mesh_light light = { .from_there = rgb_grey(0) };
     bool shines = mesh_shines(surface);
-    if (direct->facets &&
-        facet_mesh_light(direct->facets, asked->worker, &question, &own)) {
+    if (mesh_pixel_light(mesh, surface, side, &own) ||
+        (direct->facets &&
+         facet_mesh_light(direct->facets, asked->worker, &question, &own))) {
         light.light = facet_light_irradiance(&own, side, normal, brilliance);
         if (shines)
             light.direction = facet_light_direction(&own, &light.from_there);
@@ -435,6 +462,20 @@ static struct diffuse_light mesh_illuminate(const void *state,
     return diffuse;
 }
 
+static bool mesh_foresees(void *state, const struct first_hits *grid)
+{
+    struct mesh_lighting *mesh = state;
+    return mesh_pixels_wanted(&mesh->pixels, grid);
+}
+
+static void mesh_look_ahead(void *state, const struct first_hits *hits,
+                            struct worker *const *workers, unsigned threads)
+{
+    struct mesh_lighting *mesh = state;
+    mesh_pixels_make(&mesh->pixels, hits, workers, threads);
+    mesh->report.pixels = mesh->pixels.mesh;
+}
+
 static bool mesh_sound(const void *state, struct diag *diag)
 {
     const struct mesh_lighting *mesh = state;
@@ -460,7 +501,7 @@ static void mesh_give_direct(const void *state, struct show *show)
     if (mesh->scalar)
         mesh_show_scalar(&mesh->scalar->direct, show);
     else
-        mesh_show_direct(mesh->direct, show);
+        mesh_show_direct(mesh->direct, mesh->pixels.mesh, show);
     if (!mesh->scalar && show->points.count == 0)
         mesh_show_indirect(mesh->indirect, show);
 }
@@ -487,6 +528,8 @@ const struct lighting mesh_lighting = {
     .help = "light meshes: light from surface to surface, and of many lamps",
     .start = mesh_start,
     .finish = mesh_finish,
+    .foresees = mesh_foresees,
+    .prepare = mesh_look_ahead,
     .illuminate = mesh_illuminate,
     .sound = mesh_sound,
     .again = mesh_again,

@@ -97,6 +97,11 @@ void mesh_report_tell(const struct mesh_report *report, lighting_row *row,
         bytes += (double)point_mesh_bytes(mesh);
         seconds += (double)atomic_load(&mesh->work->nanoseconds) * 1e-9;
     }
+    if (report->pixels) {
+        row(context, "pixel points", (double)pixel_mesh_count(report->pixels),
+            "");
+        bytes += (double)pixel_mesh_bytes(report->pixels);
+    }
     row(context, "mesh sight rays", around * OBSTACLE_DIRECTIONS, "");
     row(context, "mesh memory", bytes * 1e-6, "MB");
     row(context, "mesh time", seconds, "s of all threads");

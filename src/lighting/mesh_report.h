@@ -5,12 +5,14 @@
 
 #include "lighting/lighting.h"
 #include "lightmesh/indirect.h"
+#include "lightmesh/pixel_mesh.h"
 #include "lightmesh/scalar.h"
 
 struct mesh_report {
     const struct direct_mesh *direct;
     const struct indirect_mesh *indirect; /* or NULL */
     const struct scalar_mesh *scalar;     /* or NULL: in place of the two */
+    const struct pixel_mesh *pixels;      /* or NULL */
     double spacing;                       /* of mesh points */
     double size;                          /* across what is seen */
     size_t bytes;                         /* that all meshes may have */

@@ -40,13 +40,22 @@ static rgb facet_light(const void *payload)
     return facet_light_total(payload);
 }
 
-void mesh_show_direct(const struct direct_mesh *mesh, struct show *show)
+static void mesh_viewer_pixel(void *context, vec3 place,
+                              const struct facet_light *light)
+{
+    mesh_viewer_take(context, place, light);
+}
+
+void mesh_show_direct(const struct direct_mesh *mesh,
+                      const struct pixel_mesh *pixels, struct show *show)
 {
     struct mesh_viewer viewer = { .direct = mesh, .show = show };
     struct mesh_viewer facets = { .light = facet_light, .show = show };
     mesh_show(&mesh->points, &viewer);
     if (mesh->facets)
         mesh_show(&mesh->facets->points, &facets);
+    if (pixels)
+        pixel_mesh_each(pixels, mesh_viewer_pixel, &facets);
 }
 
 void mesh_show_scalar(const struct point_mesh *points, struct show *show)

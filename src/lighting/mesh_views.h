@@ -4,10 +4,12 @@
 
 #include "lighting/show.h"
 #include "lightmesh/indirect.h"
+#include "lightmesh/pixel_mesh.h"
 #include "lightmesh/scalar.h"
 
-/* By the light of lamps that reaches them. */
-void mesh_show_direct(const struct direct_mesh *mesh, struct show *show);
+/* By the light of lamps that reaches them; `pixels` may be NULL. */
+void mesh_show_direct(const struct direct_mesh *mesh,
+                      const struct pixel_mesh *pixels, struct show *show);
 
 /* Those of model scalar, by what they hold. */
 void mesh_show_scalar(const struct point_mesh *points, struct show *show);

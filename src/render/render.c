@@ -7,6 +7,7 @@
 #include "render/passes.h"
 #include "render/sampler.h"
 #include "render/workers.h"
+#include "shade/surface.h"
 
 struct thread_state {
     struct worker worker;
@@ -23,7 +24,8 @@ struct rendering {
     void (*work)(struct rendering *rendering, struct thread_state *thread,
                  struct area tile);
     atomic_size_t tiles_done;
-    size_t tiles_total; /* of all passes */
+    size_t tiles_total;     /* of all passes */
+    struct first_hits hits; /* while they are used */
 };
 
 static int smaller(int a, int b)
@@ -31,18 +33,39 @@ static int smaller(int a, int b)
     return a < b ? a : b;
 }
 
+/* The part of a tile that is `number` blocks to the right and down. False past
+ * the end. */
+static bool tile_block(struct area tile, int number, struct area *block)
+{
+    const int edge = SAMPLER_BLOCK;
+    int across = (tile.right - tile.left + edge - 1) / edge;
+    int x = tile.left + number % across * edge;
+    int y = tile.top + number / across * edge;
+    *block = (struct area){ x, y, smaller(x + edge, tile.right),
+                            smaller(y + edge, tile.bottom) };
+    return y < tile.bottom;
+}
+
+static void tile_meet(struct rendering *rendering, struct thread_state *thread,
+                      struct area tile)
+{
+    struct area block;
+    for (int i = 0; tile_block(tile, i, &block); i++) {
+        if (worker_stopped(&thread->worker))
+            return;
+        sampler_meet(&rendering->sampler, &rendering->hits, block);
+    }
+}
+
 static void tile_first(struct rendering *rendering, struct thread_state *thread,
                        struct area tile)
 {
-    const int edge = SAMPLER_BLOCK;
-    for (int y = tile.top; y < tile.bottom; y += edge)
-        for (int x = tile.left; x < tile.right; x += edge) {
-            struct area block = { x, y, smaller(x + edge, tile.right),
-                                  smaller(y + edge, tile.bottom) };
-            if (worker_stopped(&thread->worker))
-                return;
-            sampler_first(&rendering->sampler, &thread->worker, block);
-        }
+    struct area block;
+    for (int i = 0; tile_block(tile, i, &block); i++) {
+        if (worker_stopped(&thread->worker))
+            return;
+        sampler_first(&rendering->sampler, &thread->worker, block);
+    }
 }
 
 static void tile_pixels(struct rendering *rendering,
@@ -126,11 +149,57 @@ double render_camera_rays(const struct render_options *options)
     return columns * rows * (options->antialias ? 2 : 1);
 }
 
+/* Shows the lighting what the camera sees first, if it wants to know. */
+static bool render_foresee(struct rendering *rendering,
+                           const struct tracer *tracer, unsigned threads)
+{
+    const struct lighting *lighting = tracer->lighting;
+    struct first_hits *hits = &rendering->hits;
+    *hits = sampler_grid(&rendering->sampler);
+    if (!lighting->foresees || tracer->quality < QUALITY_LIT ||
+        !lighting->foresees(tracer->lighting_state, hits))
+        return true;
+    struct area all = sampler_foreseen(&rendering->sampler);
+    size_t places = (size_t)hits->columns * (size_t)hits->rows;
+    hits->at = memory_new(places * sizeof *hits->at);
+    rendering->tiles_total += tiles_in(rendering, all);
+    if (!render_pass(rendering, all, tile_meet))
+        return false;
+    struct worker **workers = memory_new(threads * sizeof(void *));
+    for (unsigned i = 0; i < threads; i++)
+        workers[i] = &rendering->threads[i].worker;
+    lighting->prepare(tracer->lighting_state, hits, workers, threads);
+    memory_free(workers);
+    rendering->sampler.hits = hits;
+    return true;
+}
+
+static bool render_tiles(const struct tracer *tracer,
+                         const struct render_options *options,
+                         struct image *image, struct render_stats *stats)
+{
+    unsigned threads = options->threads ? options->threads : 1;
+    struct rendering rendering = {
+        .sampler = sampler_new(tracer, options, image),
+        .options = options,
+        .image = image,
+    };
+    rendering.tiles_total = tiles_in(&rendering, rendering.sampler.first) +
+                            tiles_in(&rendering, rendering.sampler.tiled);
+    threads_start(&rendering, threads);
+    bool done = render_foresee(&rendering, tracer, threads) &&
+                render_pass(&rendering, rendering.sampler.first, tile_first) &&
+                render_pass(&rendering, rendering.sampler.tiled, tile_pixels);
+    threads_end(&rendering, threads, stats);
+    sampler_free(&rendering.sampler);
+    memory_free(rendering.hits.at);
+    return done;
+}
+
 bool render_run(const struct tracer *tracer,
                 const struct render_options *options, struct image *image,
                 struct render_stats *stats)
 {
-    unsigned threads = options->threads ? options->threads : 1;
     if (stats)
         *stats = (struct render_stats){ 0 };
     if (options->column_end <= options->column_start ||
@@ -138,19 +207,7 @@ bool render_run(const struct tracer *tracer,
         return true;
     struct tracer ready = *tracer;
     tracer_ready(&ready);
-    if (tracer->lighting->whole_paths)
-        return passes_run(&ready, options, image, stats);
-    struct rendering rendering = {
-        .sampler = sampler_new(&ready, options, image),
-        .options = options,
-        .image = image,
-    };
-    rendering.tiles_total = tiles_in(&rendering, rendering.sampler.first) +
-                            tiles_in(&rendering, rendering.sampler.tiled);
-    threads_start(&rendering, threads);
-    bool done = render_pass(&rendering, rendering.sampler.first, tile_first) &&
-                render_pass(&rendering, rendering.sampler.tiled, tile_pixels);
-    threads_end(&rendering, threads, stats);
-    sampler_free(&rendering.sampler);
-    return done;
+    return tracer->lighting->whole_paths
+               ? passes_run(&ready, options, image, stats)
+               : render_tiles(&ready, options, image, stats);
 }

@@ -120,26 +120,87 @@ static float *sampler_place(const struct sampler *sampler, int x, int y)
     return sampler->grid + (row * columns + column) * 4;
 }
 
-void sampler_first(struct sampler *sampler, struct worker *worker,
-                   struct area block)
+struct area sampler_foreseen(const struct sampler *sampler)
 {
     const struct render_options *options = sampler->options;
-    double middle = sampler_corners(sampler) ? 0 : 0.5;
+    const struct area *first = &sampler->first;
+    const int apron = FIRST_HITS_APRON, beyond = FIRST_HITS_BEYOND;
+    return (struct area){
+        .left = larger(first->left - apron, -beyond),
+        .top = larger(first->top - apron, -beyond),
+        .right = smaller(first->right + apron, options->width + beyond),
+        .bottom = smaller(first->bottom + apron, options->height + beyond),
+    };
+}
+
+struct first_hits sampler_grid(const struct sampler *sampler)
+{
+    struct area area = sampler_foreseen(sampler);
+    return (struct first_hits){
+        .width = sampler->options->width,
+        .height = sampler->options->height,
+        .left = area.left,
+        .top = area.top,
+        .columns = area.right - area.left,
+        .rows = area.bottom - area.top,
+        .middle = sampler_corners(sampler) ? 0 : 0.5,
+    };
+}
+
+/* Places of the grid close together. */
+struct sampler_block {
+    unsigned count;
     double places[SAMPLER_BLOCK * SAMPLER_BLOCK][2];
-    struct radiance seen[SAMPLER_BLOCK * SAMPLER_BLOCK];
-    unsigned count = 0;
+    struct world_hit hits[SAMPLER_BLOCK * SAMPLER_BLOCK];
+};
+
+static void block_start(struct sampler_block *block,
+                        const struct first_hits *grid, struct area area)
+{
     _Static_assert(SAMPLER_BLOCK * SAMPLER_BLOCK <= (int)WORLD_RAYS,
                    "a packet");
-    for (int y = block.top; y < block.bottom; y++)
-        for (int x = block.left; x < block.right; x++) {
-            places[count][0] = (x + middle) / options->width;
-            places[count++][1] = (y + middle) / options->height;
-        }
-    tracer_camera_many(sampler->tracer, worker, (const double(*)[2])places,
-                       count, seen);
+    for (int y = area.top; y < area.bottom; y++)
+        for (int x = area.left; x < area.right; x++)
+            first_hits_place(grid, x, y, block->places[block->count++]);
+}
+
+static void block_meet(const struct sampler *sampler,
+                       struct sampler_block *block)
+{
+    tracer_meet_many(sampler->tracer, (const double(*)[2])block->places,
+                     block->count, block->hits);
+}
+
+void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
+                  struct area area)
+{
+    struct sampler_block block = { .count = 0 };
+    unsigned count = 0;
+    block_start(&block, hits, area);
+    block_meet(sampler, &block);
+    for (int y = area.top; y < area.bottom; y++)
+        for (int x = area.left; x < area.right; x++)
+            *first_hits_at(hits, x, y) = block.hits[count++];
+}
+
+void sampler_first(struct sampler *sampler, struct worker *worker,
+                   struct area area)
+{
+    struct first_hits grid = sampler_grid(sampler);
+    struct sampler_block block = { .count = 0 };
+    struct radiance seen[SAMPLER_BLOCK * SAMPLER_BLOCK];
+    unsigned count = 0;
+    block_start(&block, &grid, area);
+    if (!sampler->hits)
+        block_meet(sampler, &block);
+    for (int y = area.top; sampler->hits && y < area.bottom; y++)
+        for (int x = area.left; x < area.right; x++)
+            block.hits[count++] = *first_hits_at(sampler->hits, x, y);
+    tracer_see_many(sampler->tracer, worker, (const double(*)[2])block.places,
+                    block.hits, block.count, seen);
     count = 0;
-    for (int y = block.top; y < block.bottom; y++)
-        for (int x = block.left; x < block.right; x++)
+    for (int y = area.top; y < area.bottom; y++)
+        for (int x = area.left; x < area.right; x++)
             sampler_take(&seen[count++], sampler_place(sampler, x, y));
 }
 

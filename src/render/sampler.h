@@ -23,6 +23,7 @@ struct sampler {
     struct area tiled;  /* wanted pixels and those that decide about them */
     int tile;           /* edge of a tile */
     float *grid;
+    const struct first_hits *hits; /* at the grid's places, if known; or NULL */
     bool direct; /* the grid is the picture itself: nothing is sampled again */
 };
 
@@ -31,6 +32,14 @@ struct sampler sampler_new(const struct tracer *tracer,
                            const struct render_options *options,
                            struct image *image);
 void sampler_free(struct sampler *sampler);
+
+/* The grid with its apron (shade/first_hits.h), nothing known of it yet. */
+struct area sampler_foreseen(const struct sampler *sampler);
+struct first_hits sampler_grid(const struct sampler *sampler);
+
+/* What the camera sees first at some of its places; areas as below. */
+void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
+                  struct area block);
 
 /* Fills places of the grid, an area of at most SAMPLER_BLOCK by as many. */
 enum { SAMPLER_BLOCK = 4 };

@@ -22,7 +22,8 @@ enum mesh_model {
 };
 
 enum mesh_shadows {
-    MESH_SHADOWS_AUTO,  /* sharp under few lamps, soft under many */
+    MESH_SHADOWS_AUTO,  /* sharp under few lamps, under many nearly so where it
+                         * is quick, else soft */
     MESH_SHADOWS_SOFT,  /* as soft as the interpolation makes them */
     MESH_SHADOWS_SHARP, /* of points, by shadow rays: few lamps are all asked,
                          * of many those on which neighbours disagree */

@@ -30,7 +30,9 @@ struct surface_layer {
 struct surface {
     const struct intersection *at;
     vec3 point;
-    vec3 view;                      /* unit, to the viewer */
+    const double *place; /* where in the picture the camera sees it, (x, y) in
+                          * [0,1]; NULL: not at first sight */
+    vec3 view;           /* unit, to the viewer */
     const struct interiors *inside; /* what the viewer's ray came through */
     vec3 normal; /* unit, unperturbed, turned towards the viewer */
     vec3 side;   /* unit, not even interpolated, likewise */

@@ -30,6 +30,8 @@ struct path {
     double weight; /* in the pixel, for adc_bailout */
     bool straight; /* the camera's line of sight: its opacity counts */
     struct interiors inside;
+    const double *place; /* in the picture, of a camera ray that has met nothing
+                          * yet; else NULL */
 
     rgb share;    /* of what the ray meets next, in its radiance */
     double clear; /* 1 - opacity so far */
@@ -109,6 +111,7 @@ static rgb path_mirror(const struct path *path, const struct crossing *crossing,
     branch.level = path->level + 1;
     branch.weight = weight;
     branch.straight = false;
+    branch.place = NULL;
     interiors_copy(&branch.inside, &path->inside);
     path->worker->counters.secondary_rays++;
     rgb light = path_follow(&branch).colour;
@@ -184,6 +187,8 @@ static bool path_cross(struct path *path, struct crossing *crossing)
     const struct settings *settings = &tracer->scene->settings;
     crossing_fill(crossing, tracer, path->ray.direction, &path->inside,
                   settings->adc_bailout);
+    crossing->surface.place = path->place;
+    path->place = NULL;
     if (tracer->quality < QUALITY_LIT) {
         path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));
         return false;
@@ -231,48 +236,61 @@ static struct radiance path_follow(struct path *path)
 }
 
 static void path_start(struct path *path, const struct tracer *tracer,
-                       struct worker *worker, struct ray ray)
+                       struct worker *worker, const double place[2])
 {
     path->tracer = tracer;
     path->worker = worker;
-    path->ray = ray;
+    path->ray = camera_ray(&tracer->scene->camera, place[0], place[1]);
+    path->place = place;
     path->kind = RAY_CAMERA;
     path->level = 1;
     path->weight = 1;
     path->straight = true;
-    tracer_enter(tracer, worker, ray.origin, &path->inside);
+    tracer_enter(tracer, worker, path->ray.origin, &path->inside);
 }
 
 struct radiance tracer_camera(const struct tracer *tracer,
                               struct worker *worker, double x, double y)
 {
     struct path path;
-    path_start(&path, tracer, worker, camera_ray(&tracer->scene->camera, x, y));
+    const double place[2] = { x, y };
+    path_start(&path, tracer, worker, place);
     return path_follow(&path);
+}
+
+void tracer_meet_many(const struct tracer *tracer, const double (*places)[2],
+                      unsigned count, struct world_hit *hits)
+{
+    struct ray rays[WORLD_RAYS] = { 0 };
+    double offsets[WORLD_RAYS] = { 0 };
+    for (unsigned i = 0; i < count; i++) {
+        rays[i] =
+            camera_ray(&tracer->scene->camera, places[i][0], places[i][1]);
+        offsets[i] = surface_offset(rays[i].origin);
+    }
+    world_closest_many(tracer->world, rays, offsets, count, RAY_CAMERA, hits);
+}
+
+void tracer_see_many(const struct tracer *tracer, struct worker *worker,
+                     const double (*places)[2], const struct world_hit *hits,
+                     unsigned count, struct radiance *out)
+{
+    for (unsigned i = 0; i < count; i++) {
+        struct path path;
+        struct crossing crossing;
+        path_start(&path, tracer, worker, places[i]);
+        if (hits[i].leaf)
+            world_describe(&path.ray, &hits[i], &crossing.at);
+        out[i] = path_go_on(&path, &crossing, hits[i].leaf);
+        arena_reset(worker->scratch);
+    }
 }
 
 void tracer_camera_many(const struct tracer *tracer, struct worker *worker,
                         const double (*places)[2], unsigned count,
                         struct radiance *out)
 {
-    struct ray rays[WORLD_RAYS] = { 0 };
-    double offsets[WORLD_RAYS] = { 0 };
-    struct intersection at[WORLD_RAYS];
-    bool met[WORLD_RAYS];
-    for (unsigned i = 0; i < count; i++) {
-        rays[i] =
-            camera_ray(&tracer->scene->camera, places[i][0], places[i][1]);
-        offsets[i] = surface_offset(rays[i].origin);
-    }
-    world_closest_many(tracer->world, rays, offsets, count, RAY_CAMERA, at,
-                       met);
-    for (unsigned i = 0; i < count; i++) {
-        struct path path;
-        struct crossing crossing;
-        path_start(&path, tracer, worker, rays[i]);
-        if (met[i])
-            crossing.at = at[i];
-        out[i] = path_go_on(&path, &crossing, met[i]);
-        arena_reset(worker->scratch);
-    }
+    struct world_hit hits[WORLD_RAYS];
+    tracer_meet_many(tracer, places, count, hits);
+    tracer_see_many(tracer, worker, places, hits, count, out);
 }

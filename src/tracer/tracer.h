@@ -39,4 +39,12 @@ void tracer_camera_many(const struct tracer *tracer, struct worker *worker,
                         const double (*places)[2], unsigned count,
                         struct radiance *out);
 
+/* The two halves of it: what is met first at each place, and what is seen then.
+ */
+void tracer_meet_many(const struct tracer *tracer, const double (*places)[2],
+                      unsigned count, struct world_hit *hits);
+void tracer_see_many(const struct tracer *tracer, struct worker *worker,
+                     const double (*places)[2], const struct world_hit *hits,
+                     unsigned count, struct radiance *out);
+
 #endif

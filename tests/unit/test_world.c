@@ -608,9 +608,9 @@ static void endless_scenes_are_refused(void **state)
 static int expect_the_same(const struct world *world, struct dice *dice)
 {
     struct ray rays[WORLD_RAYS], first = random_ray(dice);
-    struct intersection at[WORLD_RAYS], alone;
+    struct world_hit hit[WORLD_RAYS];
+    struct intersection at, alone;
     double tmin[WORLD_RAYS] = { 0 };
-    bool met[WORLD_RAYS];
     unsigned count = 1 + (unsigned)dice_between(dice, 0, WORLD_RAYS - 1e-9);
     int hits = 0;
     for (unsigned i = 0; i < count; i++) {
@@ -620,14 +620,16 @@ static int expect_the_same(const struct world *world, struct dice *dice)
             vec3_normalise(vec3_add(first.direction, dice_point(dice, 0.05)));
     }
     rays[count / 2].direction.x = NAN;
-    world_closest_many(world, rays, tmin, count, RAY_CAMERA, at, met);
+    world_closest_many(world, rays, tmin, count, RAY_CAMERA, hit);
     for (unsigned i = 0; i < count; i++) {
-        bool hit = world_closest(world, &rays[i], tmin[i], RAY_CAMERA, &alone);
-        assert_int_equal(met[i], hit);
-        hits += hit;
-        if (hit)
-            assert_true(at[i].t == alone.t && at[i].leaf == alone.leaf &&
-                        at[i].normal.x == alone.normal.x);
+        bool met = world_closest(world, &rays[i], tmin[i], RAY_CAMERA, &alone);
+        assert_int_equal(hit[i].leaf != NULL, met);
+        hits += met;
+        if (!met)
+            continue;
+        world_describe(&rays[i], &hit[i], &at);
+        assert_true(at.t == alone.t && at.leaf == alone.leaf &&
+                    at.normal.x == alone.normal.x);
     }
     return hits;
 }

@@ -1,0 +1,29 @@
+/* When many lamps are asked from the picture's own points (pixel_mesh.h), and
+ * when from those in space. */
+#ifndef LIGHTING_MESH_PIXELS_H
+#define LIGHTING_MESH_PIXELS_H
+
+#include "lightmesh/pixel_mesh.h"
+#include "scene/light_settings.h"
+
+struct mesh_pixels {
+    bool off; /* they can't be, or something was said of the mesh itself */
+    double finer;
+    const struct lamps *lamps;
+    const struct scene *scene;
+    struct casters casters;
+    struct pixel_mesh *mesh; /* or NULL */
+};
+
+/* `finer` as quality asks for. */
+struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
+                                   const struct scene *scene, double finer);
+void mesh_pixels_free(struct mesh_pixels *pixels);
+
+/* As foresees and prepare of lighting/lighting.h. */
+bool mesh_pixels_wanted(struct mesh_pixels *pixels,
+                        const struct first_hits *grid);
+void mesh_pixels_make(struct mesh_pixels *pixels, const struct first_hits *hits,
+                      struct worker *const *workers, unsigned threads);
+
+#endif

@@ -1,0 +1,36 @@
+/* What the camera sees first at the places of a grid over the picture: for
+ * lighting methods that want to know all of it before any of it is lit. */
+#ifndef SHADE_FIRST_HITS_H
+#define SHADE_FIRST_HITS_H
+
+#include "embree/world.h"
+
+/* The grid reaches so far beyond what is wanted of the picture, and a little
+ * beyond the picture itself: what is said of a place may depend on what is so
+ * near to it, and is then the same for every part of a picture. */
+enum { FIRST_HITS_APRON = 17, FIRST_HITS_BEYOND = 4 };
+
+struct first_hits {
+    int width, height; /* of the picture, pixels */
+    int left, top;     /* pixel of the first place; may be -1 */
+    int columns, rows;
+    double middle;        /* where in their pixels the places are, both ways */
+    struct world_hit *at; /* row by row */
+};
+
+static inline struct world_hit *first_hits_at(const struct first_hits *hits,
+                                              int x, int y)
+{
+    size_t row = (size_t)(y - hits->top), column = (size_t)(x - hits->left);
+    return &hits->at[row * (size_t)hits->columns + column];
+}
+
+/* Where in the picture a place is, as camera_ray has it. */
+static inline void first_hits_place(const struct first_hits *hits, int x, int y,
+                                    double place[2])
+{
+    place[0] = (x + hits->middle) / hits->width;
+    place[1] = (y + hits->middle) / hits->height;
+}
+
+#endif
