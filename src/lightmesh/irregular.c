@@ -443,13 +443,10 @@ static void sight_fill(const struct irregular *own,
     memset(sight->lit, 0, bytes);
     memset(sight->doubt, 0, bytes);
     for (uint32_t i = 0; i < own->first[own->cell_count]; i++) {
-        uint32_t word = own->number[i] / 64;
-        uint64_t bit = 1ull << (own->number[i] % 64);
-        if (own->hidden[i])
-            continue;
-        sight->lit[word] |= bit;
-        if (own->doubt[i])
-            sight->doubt[word] |= bit;
+        uint32_t word = own->number[i] / 64, bit = own->number[i] % 64;
+        uint64_t seen = ~(uint32_t)own->hidden[i] & 1;
+        sight->lit[word] |= seen << bit;
+        sight->doubt[word] |= (seen & (uint32_t)own->doubt[i]) << bit;
     }
 }
 

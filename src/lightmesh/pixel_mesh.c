@@ -89,9 +89,10 @@ static void choose_row(void *context, size_t row, unsigned thread)
     const struct first_hits *hits = &mesh->hits;
     int y = hits->top + (int)row;
     (void)thread;
-    for (int x = hits->left; x < hits->left + hits->columns; x++)
-        if (stagger_level(mesh->stagger, x, y) == mesh->level &&
-            first_hits_at(hits, x, y)->leaf && !pixel_is_served(mesh, x, y))
+    int x = stagger_first(mesh->stagger, mesh->level, hits->left, y);
+    int step = stagger_step(mesh->stagger, mesh->level);
+    for (; x < hits->left + hits->columns; x += step)
+        if (first_hits_at(hits, x, y)->leaf && !pixel_is_served(mesh, x, y))
             *number_at(mesh, x, y) = 0;
 }
 

@@ -36,6 +36,20 @@ int stagger_level(const struct stagger *stagger, int x, int y)
     return class == 0 ? 0 : stagger->depth - __builtin_ctz((unsigned)class);
 }
 
+int stagger_step(const struct stagger *stagger, int level)
+{
+    return level == 0 ? stagger->apart : stagger->apart >> (level - 1);
+}
+
+/* Classes of a level are those in the middle between two of the ones before. */
+int stagger_first(const struct stagger *stagger, int level, int from, int y)
+{
+    int step = stagger_step(stagger, level);
+    int class = stagger_class(stagger, from, y);
+    int wanted = level == 0 ? 0 : step / 2;
+    return from + ((wanted - class) & (step - 1));
+}
+
 const struct servers *stagger_servers(const struct stagger *stagger, int x,
                                       int y)
 {

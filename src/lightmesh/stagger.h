@@ -38,6 +38,11 @@ void stagger_free(struct stagger *stagger);
  * negative. */
 int stagger_level(const struct stagger *stagger, int x, int y);
 
+/* The first x from `from` on with that level in row y, and how far apart they
+ * are. */
+int stagger_first(const struct stagger *stagger, int level, int from, int y);
+int stagger_step(const struct stagger *stagger, int level);
+
 const struct servers *stagger_servers(const struct stagger *stagger, int x,
                                       int y);
 
