@@ -249,9 +249,6 @@ static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
         mesh->near_indirect = *mesh->indirect;
         mesh->near_indirect.points.lattice.eye = scene->camera.location;
     }
-    mesh->pixels = mesh_pixels_new(&mesh->lamps, scene, mesh_finer(said));
-    mesh->pixels.off = mesh->pixels.off || !mesh->direct ||
-                       !mesh->direct->facets || mesh_is_said(said);
     mesh->report = (struct mesh_report){
         .direct = mesh->direct,
         .indirect = mesh->indirect,
@@ -261,6 +258,22 @@ static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
         .bytes = MESH_BYTES,
     };
     return mesh_known_fill(known, meshes, mesh_points(mesh, meshes), diag);
+}
+
+/* Few lamps that surfaces ask themselves may look at pixels, and many if
+ * nothing is said of the mesh that else would know of them. */
+static struct mesh_pixels mesh_looks(const struct mesh_lighting *mesh,
+                                     const struct scene *scene, double pixel)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    const struct direct_mesh *direct = mesh->direct;
+    struct mesh_pixels pixels =
+        mesh_pixels_new(&mesh->lamps, scene, mesh_finer(said), pixel);
+    pixels.each = direct && !direct->many;
+    bool asks = pixels.each ? mesh->few == MESH_FEW_ASKED
+                            : direct && direct->facets && !mesh_is_said(said);
+    pixels.off = pixels.off || !asks;
+    return pixels;
 }
 
 /* What of `shadows` counts for what mesh points hold: of few lamps, and where
@@ -303,6 +316,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
         done && mesh_close_make(&mesh->close, world, scene,
                                 before ? &before->close : NULL, options, diag);
     done = done && mesh_make(mesh, scene, interpolation, &known, diag);
+    mesh->pixels = mesh_looks(mesh, scene, outlook.pixel);
     mesh->report.again =
         !(said->density > 0) && !known.name && options->attempt < ATTEMPTS;
     mesh_known_end(&known);
@@ -455,7 +469,7 @@ static struct diffuse_light mesh_illuminate(const void *state,
     if (mesh->direct->many)
         diffuse.irradiance = mesh_many(mesh, &light);
     else
-        mesh_few_give(&mesh->near_direct, mesh->few, &light);
+        mesh_few_give(&mesh->near_direct, mesh->few, mesh->pixels.mesh, &light);
     if (mesh->indirect)
         diffuse.irradiance =
             rgb_add(diffuse.irradiance, mesh_indirect(mesh, worker, surface));

@@ -52,6 +52,26 @@ static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
                : direct_mesh_share(question->direct, &half->blend, number);
 }
 
+/* A surface that asks lamps itself, what points of the picture know left out.
+ */
+struct mesh_asker {
+    struct lamplight light; /* first: its address is ours */
+    const struct pixel_mesh *pixels;
+};
+
+static rgb mesh_asker_share(struct lamplight *light, const struct lamp *lamp,
+                            const struct lamp_view *view)
+{
+    const struct mesh_asker *asker = (const struct mesh_asker *)light;
+    const struct surface *surface = light->surface;
+    bool shines;
+    if (asker->pixels && surface->place &&
+        vec3_dot(view->direction, surface->side) > 0 &&
+        pixel_mesh_sees(asker->pixels, surface->place, lamp, &shines))
+        return rgb_grey(shines ? 1 : 0);
+    return lamplight_trace_fine(light, lamp, view);
+}
+
 /* Lamps that the side seen can't see give nothing, unless the other side
  * counts too. NULL: they may. */
 static const uint64_t *mesh_hidden(struct mesh_question *question)
@@ -79,14 +99,15 @@ static bool mesh_asked(const struct mesh_question *question,
 }
 
 void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
+                   const struct pixel_mesh *pixels,
                    const struct lamplight *light)
 {
     const struct lamps *lamps = light->lamps;
-    struct lamplight asked = *light;
+    struct mesh_asker asker = { *light, pixels };
     struct mesh_question question;
     const uint64_t *hidden = NULL;
     bool looked = false;
-    asked.share = lamplight_trace_fine;
+    asker.light.share = mesh_asker_share;
     question.light = *light;
     question.light.share = mesh_share;
     question.direct = mesh;
@@ -95,7 +116,7 @@ void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
     for (size_t i = 0; i < lamps->count; i++) {
         const struct lamp *lamp = &lamps->items[i];
         if (mesh_asked(&question, lamp)) {
-            lamplight_give(&asked, lamp);
+            lamplight_give(&asker.light, lamp);
             continue;
         }
         if (!looked)

@@ -4,6 +4,7 @@
 
 #include "lighting/lamplight.h"
 #include "lightmesh/direct.h"
+#include "lightmesh/pixel_mesh.h"
 
 /* Who says what of a lamp's light gets to a surface. */
 enum mesh_few_way {
@@ -14,8 +15,10 @@ enum mesh_few_way {
                        * them, and cost more than those of two dozen lamps */
 };
 
-/* Visits the lamps' samples. The mesh must not be of many lamps. */
+/* Visits the lamps' samples. The mesh must not be of many lamps. `pixels`, if
+ * they are not NULL, know each lamp, and what they know is not asked. */
 void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
+                   const struct pixel_mesh *pixels,
                    const struct lamplight *light);
 
 #endif

@@ -1,6 +1,7 @@
 /* Mesh points of the picture: see mesh_pixels.h. */
 #include "lighting/mesh_pixels.h"
 
+#include "base/memory.h"
 #include "lightmesh/stagger.h"
 #include "shade/surface.h"
 
@@ -23,6 +24,14 @@ static const double lamp_triangle = 26e-9, lamp_point = 15e-9, ray = 0.3e-6;
 static const double space_pixel = 0.8e-6, exact_worth = 3;
 static const double more_lamps = 100, more_most = 4;
 
+/* Shadow rays begin so far above a surface, and of what is nearer than part of
+ * a pixel no shadow is seen. */
+static const double usual_detail = 1e-3, pixel_detail = 0.1;
+
+/* Of few lamps, which surfaces else ask by rays: it is to be so much quicker.
+ */
+static const double rays_share = 0.25;
+
 /* Of pairs of points and lamps those that a ray may have to decide: half of the
  * lamps are behind the surface, and lines are longer than ways. */
 static const double asked_most = 0.3;
@@ -37,25 +46,46 @@ static int pixels_apart(const struct mesh_pixels *pixels)
 {
     double lamps = (double)pixels->lamps->count;
     double apart = lamps / (lamps_apart * lamps_more(pixels));
+    if (pixels->each)
+        return 1;
     return stagger_apart(apart / (pixels->finer * pixels->finer));
 }
 
 struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
-                                   const struct scene *scene, double finer)
+                                   const struct scene *scene, double finer,
+                                   double pixel)
 {
-    struct mesh_pixels pixels = { .lamps = lamps,
-                                  .scene = scene,
-                                  .finer = finer };
-    pixels.off = lamps->quality < QUALITY_SHADOWS;
-    for (size_t i = 0; !pixels.off && i < lamps->count; i++)
-        pixels.off = !lamp_sights_take(lamps, &lamps->items[i]);
-    return pixels;
+    return (struct mesh_pixels){
+        .off = lamps->quality < QUALITY_SHADOWS,
+        .finer = finer,
+        .detail = fmax(usual_detail, pixel * pixel_detail),
+        .lamps = lamps,
+        .scene = scene,
+    };
 }
 
 void mesh_pixels_free(struct mesh_pixels *pixels)
 {
     pixel_mesh_free(pixels->mesh);
     casters_free(&pixels->casters);
+    memory_free(pixels->takes);
+}
+
+/* Takes the world apart, and asks which lamps can look at it: all of them, or
+ * at least one if each is known. */
+static bool pixels_start(struct mesh_pixels *pixels)
+{
+    const struct lamps *lamps = pixels->lamps;
+    size_t taken = 0;
+    if (!casters_new(&pixels->casters, lamps->world))
+        return false;
+    pixels->takes = memory_new(lamps->count * sizeof *pixels->takes);
+    for (size_t i = 0; i < lamps->count; i++) {
+        pixels->takes[i] = lamp_sights_take(lamps, &lamps->items[i],
+                                            &pixels->casters, pixels->detail);
+        taken += pixels->takes[i];
+    }
+    return taken > 0 && (pixels->each || taken == lamps->count);
 }
 
 /* All figures are of the whole picture, though not all of it may be wanted. */
@@ -67,7 +97,8 @@ static double pixels_places(const struct first_hits *grid)
 static double pixels_points(const struct mesh_pixels *pixels,
                             const struct first_hits *grid)
 {
-    return points_share * pixels_places(grid) / pixels_apart(pixels);
+    double each = pixels->each ? 1 : points_share / pixels_apart(pixels);
+    return each * pixels_places(grid);
 }
 
 /* Seconds that it would take. */
@@ -87,6 +118,9 @@ static double pixels_cost(const struct mesh_pixels *pixels,
 static double pixels_worth(const struct mesh_pixels *pixels,
                            const struct first_hits *grid)
 {
+    if (pixels->each)
+        return pixels_places(grid) * (double)pixels->lamps->count * ray *
+               rays_share;
     return exact_worth * pixels_places(grid) * space_pixel *
            lamps_more(pixels) * pixels->finer;
 }
@@ -101,8 +135,7 @@ bool mesh_pixels_wanted(struct mesh_pixels *pixels,
         pixels_points(pixels, grid) * lamps > most_pairs ||
         (double)world_triangle_count(world) * lamps * lamp_triangle > worth)
         return false;
-    casters_free(&pixels->casters);
-    pixels->off = !casters_new(&pixels->casters, world);
+    pixels->off = pixels->takes || !pixels_start(pixels);
     return !pixels->off && pixels_cost(pixels, grid) <= worth;
 }
 
@@ -112,9 +145,10 @@ void mesh_pixels_make(struct mesh_pixels *pixels, const struct first_hits *hits,
     struct pixel_mesh_options options = {
         .casters = &pixels->casters,
         .lamps = pixels->lamps,
+        .takes = pixels->takes,
         .camera = &pixels->scene->camera,
         .apart = pixels_apart(pixels),
+        .each = pixels->each,
     };
-    pixel_mesh_free(pixels->mesh);
     pixels->mesh = pixel_mesh_new(&options, hits, workers, threads);
 }

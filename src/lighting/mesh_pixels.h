@@ -7,17 +7,21 @@
 #include "scene/light_settings.h"
 
 struct mesh_pixels {
-    bool off; /* they can't be, or something was said of the mesh itself */
-    double finer;
+    bool off;      /* they can't be, or something was said of the mesh itself */
+    bool each;     /* few lamps: pixels know each of them, and are all points */
+    double finer;  /* as quality asks for */
+    double detail; /* what is nearer to a surface may be lost */
     const struct lamps *lamps;
     const struct scene *scene;
     struct casters casters;
+    bool *takes;             /* by lamp: it can look at many points at once */
     struct pixel_mesh *mesh; /* or NULL */
 };
 
-/* `finer` as quality asks for. */
+/* `pixel` is the size of what one shows, in the world. */
 struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
-                                   const struct scene *scene, double finer);
+                                   const struct scene *scene, double finer,
+                                   double pixel);
 void mesh_pixels_free(struct mesh_pixels *pixels);
 
 /* As foresees and prepare of lighting/lighting.h. */

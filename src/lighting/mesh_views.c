@@ -54,7 +54,7 @@ void mesh_show_direct(const struct direct_mesh *mesh,
     mesh_show(&mesh->points, &viewer);
     if (mesh->facets)
         mesh_show(&mesh->facets->points, &facets);
-    if (pixels)
+    if (pixels && mesh->many)
         pixel_mesh_each(pixels, mesh_viewer_pixel, &facets);
 }
 

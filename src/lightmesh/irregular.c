@@ -54,9 +54,11 @@ struct irregular_batch {
     int32_t low[2][LANES], high[2][LANES];
 };
 
-double irregular_margin(double reach)
+double irregular_margin(const struct casters *casters, vec3 location)
 {
-    return 4e-6 * reach;
+    vec3 at = vec3_sub(location, casters->centre);
+    double reach = fmax(fabs(at.x), fmax(fabs(at.y), fabs(at.z)));
+    return 4e-6 * fmax(reach, casters->size);
 }
 
 static int edge_for(size_t points)
@@ -455,11 +457,10 @@ void irregular_look(struct irregular *irregular, vec3 location, bool shadows,
 {
     const struct casters *casters = irregular->casters;
     vec3 at = vec3_sub(location, casters->centre);
-    double reach = fmax(fabs(at.x), fmax(fabs(at.y), fabs(at.z)));
     struct irregular_view view = {
         .irregular = irregular,
         .at = { (float)at.x, (float)at.y, (float)at.z },
-        .margin = (float)irregular_margin(fmax(reach, casters->size)),
+        .margin = (float)irregular_margin(casters, location),
         .shadows = shadows,
     };
     for (int k = 0; k < 3; k++) {

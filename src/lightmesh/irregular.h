@@ -43,8 +43,7 @@ struct irregular_sight {
 void irregular_look(struct irregular *irregular, vec3 location, bool shadows,
                     const struct irregular_sight *sight);
 
-/* What may separate a surface from itself by rounding, `reach` from the centre.
- */
-double irregular_margin(double reach);
+/* How far rounding may take a surface from itself, seen from a lamp there. */
+double irregular_margin(const struct casters *casters, vec3 location);
 
 #endif

@@ -19,15 +19,18 @@ struct sights {
     struct facet_light *light;
     size_t words;
     uint64_t *within[CASTER_SPACES]; /* a bit for each point */
-    uint64_t *lit;                   /* by lamp: the same */
+    uint64_t *lit;                   /* by lamp: the same, to be found */
+    const uint64_t *seen;            /* by lamp: the same, found */
     uint64_t *doubt;                 /* by thread: the same */
     struct irregular **looking;      /* by thread */
 };
 
-bool lamp_sights_take(const struct lamps *lamps, const struct lamp *lamp)
+bool lamp_sights_take(const struct lamps *lamps, const struct lamp *lamp,
+                      const struct casters *casters, double detail)
 {
     return lamp->light->kind != LIGHT_CYLINDER && !lamp_is_parallel(lamp) &&
-           !lamps_soft(lamps, lamp) && !lamp->light->media_attenuation;
+           !lamps_soft(lamps, lamp) && !lamp->light->media_attenuation &&
+           irregular_margin(casters, lamp->light->location) <= detail;
 }
 
 static vec3 point_vector(float *const from[3], size_t number)
@@ -116,6 +119,8 @@ static void look_lamp(void *context, size_t number, unsigned thread)
 {
     struct sights *own = context;
     const struct lamp *lamp = &own->options->lamps->items[number];
+    if (!own->options->takes[number])
+        return;
     struct irregular_sight sight = { own->lit + number * own->words,
                                      own->doubt + thread * own->words };
     struct irregular **looking = &own->looking[thread];
@@ -206,7 +211,7 @@ LANES_INLINE void word_sum(struct sights *own, size_t word)
     struct word_sums sums;
     memset(&sums, 0, sizeof sums);
     for (size_t i = 0; i < lamps->count; i++) {
-        uint64_t lit = own->lit[i * own->words + word];
+        uint64_t lit = own->seen[i * own->words + word];
         if (lit)
             word_add(own, word, &lamps->items[i], lit, &sums);
     }
@@ -234,20 +239,18 @@ static void sum_word(void *context, size_t word, unsigned thread)
         word_sum(context, word);
 }
 
-/* Bits of half spaces, and room for those of lamps. */
+/* Bits of half spaces, and room for what threads need. */
 static void sights_start(struct sights *own)
 {
-    size_t lamps = own->options->lamps->count;
-    int spaces = own->options->casters->space_count;
+    const struct lamp_sights_options *options = own->options;
+    int spaces = options->casters->space_count;
     for (int k = 0; k < spaces; k++)
         own->within[k] = memory_new(own->words * sizeof(uint64_t));
     if (spaces > 0)
-        parallel_run(own->options->threads, own->words,
-                     own->options->workers[0]->stop, place_word, own);
-    own->lit = memory_new(lamps * own->words * sizeof *own->lit);
-    own->doubt =
-        memory_new(own->options->threads * own->words * sizeof *own->doubt);
-    own->looking = memory_new(own->options->threads * sizeof(void *));
+        parallel_run(options->threads, own->words, options->workers[0]->stop,
+                     place_word, own);
+    own->doubt = memory_new(options->threads * own->words * sizeof *own->doubt);
+    own->looking = memory_new(options->threads * sizeof(void *));
 }
 
 static void sights_end(struct sights *own)
@@ -256,23 +259,32 @@ static void sights_end(struct sights *own)
         irregular_free(own->looking[i]);
     memory_free(own->looking);
     memory_free(own->doubt);
-    memory_free(own->lit);
     for (int k = 0; k < own->options->casters->space_count; k++)
         memory_free(own->within[k]);
 }
 
-void lamp_sights_sum(const struct lamp_sights_options *options,
-                     struct facet_light *light)
+void lamp_sights_look(const struct lamp_sights_options *options, uint64_t *lit)
 {
-    const atomic_int *stop = options->workers[0]->stop;
     struct sights own = {
         .options = options,
-        .light = light,
         .words = irregular_padded(options->points->count) / WORD,
+        .lit = lit,
     };
     sights_start(&own);
-    parallel_run(options->threads, options->lamps->count, stop, look_lamp,
-                 &own);
-    parallel_run(options->threads, own.words, stop, sum_word, &own);
+    parallel_run(options->threads, options->lamps->count,
+                 options->workers[0]->stop, look_lamp, &own);
     sights_end(&own);
+}
+
+void lamp_sights_sum(const struct lamp_sights_options *options,
+                     const uint64_t *lit, struct facet_light *light)
+{
+    struct sights own = {
+        .options = options,
+        .words = irregular_padded(options->points->count) / WORD,
+        .seen = lit,
+        .light = light,
+    };
+    parallel_run(options->threads, own.words, options->workers[0]->stop,
+                 sum_word, &own);
 }

@@ -30,8 +30,9 @@ struct pixel_mesh {
     int32_t *number;   /* by place: of its point; -1: it is none */
     size_t *row_first; /* by row: number of its first point */
     struct irregular_points points;
-    float *room; /* for them */
-    struct facet_light *light;
+    float *room;                   /* for them */
+    struct facet_light *light;     /* of points, or NULL, and else: */
+    uint64_t *lit;                 /* by lamp: a bit for each point */
     struct worker *const *workers; /* while it is made */
     unsigned threads;
 };
@@ -170,13 +171,20 @@ static void points_ask(struct pixel_mesh *mesh)
     struct lamp_sights_options sights = {
         .casters = mesh->options.casters,
         .lamps = mesh->options.lamps,
+        .takes = mesh->options.takes,
         .points = &mesh->points,
         .workers = mesh->workers,
         .threads = mesh->threads,
     };
     size_t padded = irregular_padded(mesh->points.count);
+    mesh->lit = memory_new(mesh->options.lamps->count * padded / 8);
+    lamp_sights_look(&sights, mesh->lit);
+    if (mesh->options.each)
+        return;
     mesh->light = memory_new(padded * sizeof *mesh->light);
-    lamp_sights_sum(&sights, mesh->light);
+    lamp_sights_sum(&sights, mesh->lit, mesh->light);
+    memory_free(mesh->lit);
+    mesh->lit = NULL;
 }
 
 struct pixel_mesh *pixel_mesh_new(const struct pixel_mesh_options *options,
@@ -204,6 +212,7 @@ void pixel_mesh_free(struct pixel_mesh *mesh)
     memory_free(mesh->row_first);
     memory_free(mesh->room);
     memory_free(mesh->light);
+    memory_free(mesh->lit);
     memory_free(mesh);
 }
 
@@ -297,28 +306,51 @@ static bool surface_blend(const struct pixel_mesh *mesh,
     return true;
 }
 
+/* The point at this very place of the grid; -1: there is none. */
+static int32_t point_at(const struct pixel_mesh *mesh, double x, double y)
+{
+    int i = (int)floor(x + 0.5), j = (int)floor(y + 0.5);
+    bool there = grid_has(&mesh->hits, i, j) && fabs(x - i) < same_place &&
+                 fabs(y - j) < same_place;
+    return there ? *number_at(mesh, i, j) : -1;
+}
+
+static void grid_place(const struct first_hits *hits, const double place[2],
+                       double *x, double *y)
+{
+    *x = place[0] * hits->width - hits->middle;
+    *y = place[1] * hits->height - hits->middle;
+}
+
 bool pixel_mesh_light(const struct pixel_mesh *mesh, const double place[2],
                       const struct intersection *at, vec3 side,
                       struct facet_light *light)
 {
-    const struct first_hits *hits = &mesh->hits;
-    double x = place[0] * hits->width - hits->middle;
-    double y = place[1] * hits->height - hits->middle;
-    int i = (int)floor(x + 0.5), j = (int)floor(y + 0.5);
-    if (!grid_has(hits, i, j))
-        return false;
-    int32_t own = *number_at(mesh, i, j);
-    if (own >= 0 && fabs(x - i) < same_place && fabs(y - j) < same_place) {
+    struct seen_surface seen;
+    grid_place(&mesh->hits, place, &seen.x, &seen.y);
+    int32_t own = point_at(mesh, seen.x, seen.y);
+    if (own >= 0) {
         *light = mesh->light[own];
         return true;
     }
-    struct seen_surface seen;
-    seen.x = x;
-    seen.y = y;
     seen.at = at;
     seen.side = side;
     seen.count = 0;
     return surface_blend(mesh, &seen, light);
+}
+
+bool pixel_mesh_sees(const struct pixel_mesh *mesh, const double place[2],
+                     const struct lamp *lamp, bool *shines)
+{
+    double x, y;
+    grid_place(&mesh->hits, place, &x, &y);
+    int32_t own = point_at(mesh, x, y);
+    if (own < 0 || !mesh->options.takes[lamp->number])
+        return false;
+    size_t words = irregular_padded(mesh->points.count) / 64;
+    size_t word = (size_t)lamp->number * words + (size_t)own / 64;
+    *shines = mesh->lit[word] >> (own % 64) & 1;
+    return true;
 }
 
 size_t pixel_mesh_count(const struct pixel_mesh *mesh)

@@ -17,14 +17,17 @@
 
 struct pixel_mesh_options {
     const struct casters *casters;
-    const struct lamps *lamps; /* all of them lamp_sights_take */
+    const struct lamps *lamps;
+    const bool *takes; /* by lamp: what lamp_sights_take says */
     const struct camera *camera;
     int apart; /* of so many pixels one is a point: as stagger_apart has it */
+    bool each; /* points know each lamp, and not the sum: all must be taken for
+                * that */
 };
 
-/* Casters, lamps and camera must outlive it, hits->at and the workers, one for
- * each thread, last as long as pixel_mesh_light is called. Of no use once they
- * are told to stop. Frees with pixel_mesh_free. */
+/* Casters, lamps, takes and camera must outlive it, hits->at and the workers,
+ * one for each thread, last as long as pixel_mesh_light is called. Of no use
+ * once they are told to stop. Frees with pixel_mesh_free. */
 struct pixel_mesh;
 struct pixel_mesh *pixel_mesh_new(const struct pixel_mesh_options *options,
                                   const struct first_hits *hits,
@@ -38,6 +41,12 @@ void pixel_mesh_free(struct pixel_mesh *mesh);
 bool pixel_mesh_light(const struct pixel_mesh *mesh, const double place[2],
                       const struct intersection *at, vec3 side,
                       struct facet_light *light);
+
+/* Of a mesh that knows each lamp: whether this one shines on the surface that
+ * the camera sees at a place. False if there is no point at that very place, or
+ * the lamp can't look at many. */
+bool pixel_mesh_sees(const struct pixel_mesh *mesh, const double place[2],
+                     const struct lamp *lamp, bool *shines);
 
 /* How many points there are, and what memory they took, in bytes. */
 size_t pixel_mesh_count(const struct pixel_mesh *mesh);

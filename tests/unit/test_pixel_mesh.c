@@ -46,6 +46,7 @@ struct stage {
     struct scene_world *all;
     struct lamps lamps;
     struct casters casters;
+    bool takes[64];
     struct worker workers[THREADS], *pointers[THREADS];
     struct first_hits hits;
 };
@@ -75,6 +76,8 @@ static void stage_start(struct stage *stage, const char *text)
     stage->all = scene_world_new(text);
     stage->lamps = lamps_new(stage->all->world, stage->all->scene, 9, 0);
     assert_true(casters_new(&stage->casters, stage->all->world));
+    for (size_t i = 0; i < stage->lamps.count; i++)
+        stage->takes[i] = true;
     for (int i = 0; i < THREADS; i++) {
         stage->workers[i] = (struct worker){ .scratch = arena_new(0) };
         stage->pointers[i] = &stage->workers[i];
@@ -98,6 +101,7 @@ static struct pixel_mesh *stage_mesh(struct stage *stage, int apart,
     struct pixel_mesh_options options = {
         .casters = &stage->casters,
         .lamps = &stage->lamps,
+        .takes = stage->takes,
         .camera = &stage->all->scene->camera,
         .apart = apart,
     };
@@ -264,25 +268,79 @@ static void test_what_is_taken_apart(void **state)
 static void test_what_lamps_can(void **state)
 {
     static const char *const lights[] = {
-        "",
-        "spotlight point_at x",
-        "shadowless",
-        "fade_distance 1",
-        "parallel",
-        "cylinder point_at x",
-        "area_light x, y, 3, 3",
-        "media_attenuation on",
+        "9*y rgb 1",
+        "9*y spotlight point_at x",
+        "9*y shadowless",
+        "9*y fade_distance 1",
+        "249*y",
+        "251*y",
+        "9*y parallel",
+        "9*y cylinder point_at x",
+        "9*y area_light x, y, 3, 3",
+        "9*y media_attenuation on",
     };
     (void)state;
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 10; i++) {
         char text[200];
-        snprintf(text, sizeof text, "light_source { 9*y rgb 1 %s }", lights[i]);
+        snprintf(text, sizeof text, "light_source { %s }", lights[i]);
         struct scene_world *all = scene_world_new(text);
         struct lamps lamps = lamps_new(all->world, all->scene, 9, 0);
-        assert_int_equal(lamp_sights_take(&lamps, &lamps.items[0]), i < 4);
+        struct casters casters;
+        assert_true(casters_new(&casters, all->world));
+        assert_int_equal(
+            lamp_sights_take(&lamps, &lamps.items[0], &casters, 1e-3), i < 5);
+        casters_free(&casters);
         lamps_free(&lamps);
         scene_world_free(all);
     }
+}
+
+/* Points that know each lamp say the same as those that know the sum. */
+static void test_each_lamp(void **state)
+{
+    struct stage stage;
+    (void)state;
+    stage_start(&stage, leaves);
+    stage.takes[3] = false;
+    struct pixel_mesh_options options = {
+        .casters = &stage.casters,
+        .lamps = &stage.lamps,
+        .takes = stage.takes,
+        .camera = &stage.all->scene->camera,
+        .apart = 1,
+        .each = true,
+    };
+    struct pixel_mesh *mesh =
+        pixel_mesh_new(&options, &stage.hits, stage.pointers, 2);
+    for (int y = 0; y < HEIGHT; y += 5)
+        for (int x = 0; x < WIDTH; x += 5) {
+            double place[2];
+            struct intersection at;
+            vec3 side;
+            int wrong = 0;
+            if (!stage_meet(&stage, x, y, place, &at, &side))
+                continue;
+            for (size_t i = 0; i < stage.lamps.count; i++) {
+                const struct lamp *lamp = &stage.lamps.items[i];
+                struct lamp_target target = { .point = at.point };
+                bool shines = false;
+                assert_int_equal(pixel_mesh_sees(mesh, place, lamp, &shines),
+                                 i != 3);
+                lamp_look(lamp, lamp->light->location, at.point, &target.view);
+                if (i == 3 || vec3_dot(target.view.direction, side) <= 0)
+                    continue;
+                rgb share = lamps_share_point(&stage.lamps, lamp,
+                                              &stage.workers[0], &target);
+                wrong += shines != (share.r > 0);
+            }
+            assert_in_range(wrong, 0, 1);
+            place[0] += 0.3 / WIDTH;
+            bool shines;
+            assert_false(
+                pixel_mesh_sees(mesh, place, &stage.lamps.items[0], &shines));
+        }
+    pixel_mesh_free(mesh);
+    stage_end(&stage);
 }
 
 int main(void)
@@ -293,6 +351,7 @@ int main(void)
         cmocka_unit_test(test_parts_and_threads),
         cmocka_unit_test(test_what_is_taken_apart),
         cmocka_unit_test(test_what_lamps_can),
+        cmocka_unit_test(test_each_lamp),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
