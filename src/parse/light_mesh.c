@@ -172,7 +172,8 @@ static bool parse_radiosity_value(struct parser *p)
 }
 
 /* radiosity = "radiosity" "{" {radiosity_value} "}" .
- * Asks for interreflection; how POV-Ray is to find it means nothing here. */
+ * Asks for interreflection, which there is unless 'indirect off' is said,
+ * before or after; how POV-Ray is to find it means nothing here. */
 bool parse_radiosity(struct parser *p)
 {
     struct span open, first = span_none(), span = stream_span(p);
@@ -192,6 +193,5 @@ bool parse_radiosity(struct parser *p)
                    "glim does not use the values in 'radiosity'; its own are "
                    "said like this");
     p->scene->settings.radiosity = true;
-    p->scene->settings.light_mesh.indirect.on = true;
     return true;
 }
