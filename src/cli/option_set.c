@@ -74,8 +74,9 @@ static bool option_in_range(struct option_reader *reader,
         return true;
     if (option->minimum <= -1e300)
         return option_fail(reader, setting, "%s is too large", option->key);
-    return option_fail(reader, setting, "%s must be from %.10g to %.10g",
-                       option->key, option->minimum, option->maximum);
+    return option_fail(reader, setting, "%s must be from %s to %s", option->key,
+                       NUMBER_TEXT(option->minimum),
+                       NUMBER_TEXT(option->maximum));
 }
 
 bool set_number(struct option_reader *reader, const struct option *option,

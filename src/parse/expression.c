@@ -4,6 +4,7 @@
 
 #include <limits.h>
 
+#include "base/text.h"
 #include "parse/array.h"
 #include "parse/function.h"
 #include "parse/stream.h"
@@ -68,7 +69,8 @@ bool parse_integer(struct parser *p, int *out)
         return false;
     if (!(fabs(number) < INT_MAX))
         return error_at(p, span_join(start, p->last_span), NULL,
-                        "expected a whole number, found %g", number);
+                        "expected a whole number, found %s",
+                        NUMBER_TEXT(number));
     *out = (int)lround(number);
     return true;
 }
@@ -95,10 +97,36 @@ static bool at_number(struct parser *p)
     return value && value->kind == VALUE_FLOAT;
 }
 
+/* Whether the next token is on, off ... mistyped, rather than an item of the
+ * block mistyped; reports. Which of both is told from what comes after it:
+ * items have blocks and values. */
+static bool bool_mistyped(struct parser *p)
+{
+    static const char *const words[] = { "off",   "on",  "true",
+                                         "false", "yes", "no" };
+    size_t available;
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved ||
+        symbol_lookup(p, token->word))
+        return false;
+    struct text_nearest nearest = text_nearest_start(token->word->text);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        text_nearest_try(&nearest, words[i]);
+    const struct token *after = stream_raw(p, &available);
+    if (!nearest.best ||
+        (available && after->kind != TOKEN_RBRACE && after->kind != TOKEN_WORD))
+        return false;
+    error_at(p, stream_span(p), nearest.best,
+             "expected 'on' or 'off', found '%s'", token->word->text);
+    return true;
+}
+
 /* bool = [operation] . */
 bool parse_bool(struct parser *p, bool *out)
 {
     double number = 1;
+    if (bool_mistyped(p))
+        return false;
     if (at_number(p) && !parse_float(p, &number))
         return false;
     *out = operator_truth(number);
