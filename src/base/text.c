@@ -64,14 +64,14 @@ void text_nearest_try(struct text_nearest *nearest, const char *candidate)
     size_t length = strlen(nearest->word), other = strlen(candidate);
     size_t apart = length > other ? length - other : other - length;
     /* One that is as near may still be better. */
-    unsigned most = nearest->best_distance;
-    if (!nearest->best || text_begins_like(nearest->best, nearest->word) ||
-        !text_begins_like(candidate, nearest->word))
-        most--;
-    if (apart > most)
+    bool equal_counts = nearest->best &&
+                        !text_begins_like(nearest->best, nearest->word) &&
+                        text_begins_like(candidate, nearest->word);
+    unsigned limit = nearest->best_distance + equal_counts;
+    if (apart >= limit)
         return;
     unsigned distance = text_distance(nearest->word, candidate);
-    if (distance <= most && distance < length) {
+    if (distance < limit && distance < length) {
         nearest->best = candidate;
         nearest->best_distance = distance;
     }

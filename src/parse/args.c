@@ -190,11 +190,34 @@ static bool field_chosen(struct parser *p, const struct field *field, int *out)
                     choices, word);
 }
 
+/* The error where a value is left out names what it is for. */
+static bool field_missing(struct parser *p, const struct field *field)
+{
+    static const char *const kinds[] = {
+        [FIELD_FLOAT] = "a number",   [FIELD_INTEGER] = "a number",
+        [FIELD_VECTOR2] = "a vector", [FIELD_VECTOR] = "a vector",
+        [FIELD_VECTOR5] = "a vector", [FIELD_COLOUR] = "a colour",
+        [FIELD_RGB] = "a colour",
+    };
+    const struct token *token = stream_peek(p);
+    bool begins_none = token->kind == TOKEN_RBRACE;
+    if (token->kind == TOKEN_WORD && token->word->reserved)
+        begins_none = !at_expression(p) && !at_colour(p);
+    if (!begins_none || field->kind >= sizeof kinds / sizeof *kinds ||
+        !kinds[field->kind])
+        return false;
+    error_expected(p, arena_printf(p->arena, "%s for '%s'", kinds[field->kind],
+                                   field->name));
+    return true;
+}
+
 bool parse_field(struct parser *p, const struct field *field, void *base)
 {
     void *at = (char *)base + field->offset;
     struct cursor *outer;
     colour c;
+    if (field_missing(p, field))
+        return false;
     switch (field->kind) {
     case FIELD_FLOAT:
         return field_float(p, field, at);

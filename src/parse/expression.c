@@ -203,9 +203,33 @@ bool parse_components(struct parser *p, double *out, int size)
     return true;
 }
 
+/* A name without quotes where a string is wanted; reports and takes it. */
+static bool string_unquoted(struct parser *p)
+{
+    const struct token *token = stream_peek_infix(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved ||
+        symbol_lookup(p, token->word))
+        return false;
+    struct span span = p->token_span;
+    span.length =
+        (uint32_t)strcspn(span.source->text + span.offset, " \t\r\n;,(){}\"");
+    const char *text = arena_printf(p->arena, "%.*s", (int)span.length,
+                                    span.source->text + span.offset);
+    error_at(p, span, arena_printf(p->arena, "\"%s\"", text),
+             "expected a string, found '%s', without quotes", text);
+    do
+        stream_next(p);
+    while (stream_peek_infix(p)->kind != TOKEN_END &&
+           p->token_span.source == span.source &&
+           p->token_span.offset < span.offset + span.length);
+    return true;
+}
+
 bool parse_string(struct parser *p, const char **out)
 {
     struct value value;
+    if (string_unquoted(p))
+        return false;
     struct span start = stream_span(p);
     return parse_operand(p, "a string", &value) &&
            value_to_text(p, start, &value, out);

@@ -171,7 +171,7 @@ static bool image_open(struct parser *p, const struct image_request *request)
 {
     const char *path = file_find(p, request->name, NULL);
     if (!path)
-        return error_at(p, request->span, file_hint(p),
+        return error_at(p, request->span, file_hint(p, request->name),
                         "can't find the image '%s'", request->name);
     request->map->image = image_find(p, path, request);
     return request->map->image != NULL;

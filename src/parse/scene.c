@@ -201,7 +201,7 @@ static bool scene_object(struct parser *p)
     return true;
 }
 
-static bool at_scene_item(struct parser *p)
+bool at_scene_item(struct parser *p)
 {
     switch (stream_keyword(p)) {
     case KEYWORD_CAMERA:

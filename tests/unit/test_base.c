@@ -130,6 +130,10 @@ static void text_distance_counts_edits(void **state)
     text_nearest_try(&nearest, "off");
     text_nearest_try(&nearest, "or");
     assert_string_equal(nearest.best, "off");
+    nearest = text_nearest_start("Colors"); /* none is nearer than the same */
+    text_nearest_try(&nearest, "colors");
+    text_nearest_try(&nearest, "golds");
+    assert_string_equal(nearest.best, "colors");
 }
 
 static void text_numbers_are_written_out(void **state)
