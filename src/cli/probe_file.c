@@ -230,7 +230,10 @@ bool probe_file_write(const struct probe_file *points,
     }
     bool done = writer_save(&table, name, why, sizeof why);
     if (!done)
-        diag_print(diag, DIAG_ERROR, span_none(), NULL, "can't write '%s': %s",
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   strcmp(name, "-") == 0
+                       ? "can't write standard output: %.0s%s"
+                       : "can't write '%s': %s",
                    name, why);
     writer_free(&table);
     return done;
