@@ -203,7 +203,8 @@ bool parse_components(struct parser *p, double *out, int size)
     return true;
 }
 
-/* A name without quotes where a string is wanted; reports and takes it. */
+/* The name of a file, told by its dot, without quotes where a string is wanted;
+ * reports and takes it. */
 static bool string_unquoted(struct parser *p)
 {
     const struct token *token = stream_peek_infix(p);
@@ -215,6 +216,8 @@ static bool string_unquoted(struct parser *p)
         (uint32_t)strcspn(span.source->text + span.offset, " \t\r\n;,(){}\"");
     const char *text = arena_printf(p->arena, "%.*s", (int)span.length,
                                     span.source->text + span.offset);
+    if (!strchr(text, '.'))
+        return false;
     error_at(p, span, arena_printf(p->arena, "\"%s\"", text),
              "expected a string, found '%s', without quotes", text);
     do

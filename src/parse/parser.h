@@ -69,8 +69,7 @@ struct parser {
     bool failed;    /* gave up: the stream only gives TOKEN_END from now on */
     double version; /* #version in force */
     bool version_said;
-    bool has_camera; /* one was said: the next takes its place */
-    struct {         /* #default: what new things start from */
+    struct { /* #default: what new things start from */
         const struct pigment *pigment;
         const struct normal *normal;
         const struct finish *finish;

@@ -158,10 +158,10 @@ static bool scene_camera(struct parser *p)
     struct span span = stream_span(p);
     if (!parse_camera(p, &camera))
         return false;
-    if (p->has_camera)
+    if (p->scene->camera_said)
         warning_at(p, span, NULL,
                    "a second camera: the one before it is not used");
-    p->has_camera = true;
+    p->scene->camera_said = true;
     p->scene->camera = camera;
     return true;
 }

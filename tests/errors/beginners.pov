@@ -16,3 +16,5 @@ Sphere { 0, 1 }
 Ball()
 global_settings { light_mesh { samples 3 } }
 global_settings { light_mesh { region { 0, 1 facter 2 } } }
+sphere { 0, 1 pigment { image_map { pgn "a.png" } } }
+sphere { 0, 1 pigment { image_map { png a.png } } }
