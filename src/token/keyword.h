@@ -24,6 +24,7 @@
     X(AMBIENT, "ambient")                                                      \
     X(AMBIENT_LIGHT, "ambient_light")                                          \
     X(ANGLE, "angle")                                                          \
+    X(AOI, "aoi")                                                              \
     X(APERTURE, "aperture")                                                    \
     X(APPEND, "append")                                                        \
     X(ARC_ANGLE, "arc_angle")                                                  \
@@ -282,6 +283,7 @@
     X(PARAMETRIC, "parametric")                                                \
     X(PASS_THROUGH, "pass_through")                                            \
     X(PATTERN, "pattern")                                                      \
+    X(PAVEMENT, "pavement")                                                    \
     X(PERSPECTIVE, "perspective")                                              \
     X(PGM, "pgm")                                                              \
     X(PHASE, "phase")                                                          \
@@ -362,7 +364,6 @@
     X(SPACING, "spacing")                                                      \
     X(SPECULAR, "specular")                                                    \
     X(SPHERE_SWEEP, "sphere_sweep")                                            \
-    X(SPHERICAL, "spherical")                                                  \
     X(SPIRAL1, "spiral1")                                                      \
     X(SPIRAL2, "spiral2")                                                      \
     X(SPLINE, "spline")                                                        \
@@ -370,6 +371,7 @@
     X(SPOTLIGHT, "spotlight")                                                  \
     X(SQR, "sqr")                                                              \
     X(SQRT, "sqrt")                                                            \
+    X(SQUARE, "square")                                                        \
     X(SRGB, "srgb")                                                            \
     X(SRGBF, "srgbf")                                                          \
     X(SRGBFT, "srgbft")                                                        \
@@ -413,6 +415,7 @@
     X(TRANSMIT, "transmit")                                                    \
     X(TRIANGLE, "triangle")                                                    \
     X(TRIANGLE_WAVE, "triangle_wave")                                          \
+    X(TRIANGULAR, "triangular")                                                \
     X(TRUE, "true")                                                            \
     X(TTF, "ttf")                                                              \
     X(TURB_DEPTH, "turb_depth")                                                \
