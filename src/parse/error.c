@@ -261,10 +261,18 @@ bool error_unknown_item(struct parser *p, const char *block,
         return error_no_item(p, block);
     if (error_product(p))
         return false;
-    error_at(p, p->token_span, error_meant(p, token->word, fields),
-             token->word->reserved ? "'%s' is not allowed in %s"
-                                   : "unknown item '%s' in %s",
-             token->word->text, error_block(p, block));
+    const struct word *word = token->word;
+    const char *belongs = item_belongs(p, word, block);
+    const char *kind = error_kind(p);
+    if (kind)
+        error_at(p, p->token_span, belongs, "'%s', %s, is not allowed in %s",
+                 word->text, kind, error_block(p, block));
+    else
+        error_at(p, p->token_span,
+                 belongs ? belongs : error_meant(p, word, fields),
+                 word->reserved ? "'%s' is not allowed in %s"
+                                : "unknown item '%s' in %s",
+                 word->text, error_block(p, block));
     note_unclosed(p);
     return false;
 }

@@ -203,23 +203,36 @@ bool parse_components(struct parser *p, double *out, int size)
     return true;
 }
 
-/* The name of a file, told by its dot, without quotes where a string is wanted;
- * reports and takes it. */
-static bool string_unquoted(struct parser *p)
+/* The length of the name of a file without quotes, told by its dot, or of a
+ * string in single quotes; 0: the next token begins neither. */
+static size_t string_misquoted(struct parser *p)
 {
     const struct token *token = stream_peek_infix(p);
-    if (token->kind != TOKEN_WORD || token->word->reserved ||
-        symbol_lookup(p, token->word))
-        return false;
+    if (token->kind == TOKEN_END)
+        return 0;
+    const char *text = p->token_span.source->text + p->token_span.offset;
+    size_t inside = *text == '\'' ? strcspn(text + 1, "'\n") : 0;
+    if (inside && text[1 + inside] == '\'')
+        return inside + 2;
+    size_t length = strcspn(text, " \t\r\n;,(){}\"");
+    bool name = token->kind == TOKEN_WORD && !token->word->reserved &&
+                !symbol_lookup(p, token->word);
+    return name && memchr(text, '.', length) ? length : 0;
+}
+
+/* Reports and takes it. */
+static bool string_unquoted(struct parser *p)
+{
+    size_t length = string_misquoted(p);
     struct span span = p->token_span;
-    span.length =
-        (uint32_t)strcspn(span.source->text + span.offset, " \t\r\n;,(){}\"");
-    const char *text = arena_printf(p->arena, "%.*s", (int)span.length,
-                                    span.source->text + span.offset);
-    if (!strchr(text, '.'))
+    if (length == 0)
         return false;
+    const char *text = span.source->text + span.offset;
+    bool quoted = *text == '\'';
+    span.length = (uint32_t)length;
+    text = arena_copy_text(p->arena, text + quoted, length - 2 * quoted);
     error_at(p, span, arena_printf(p->arena, "\"%s\"", text),
-             "expected a string, found '%s', without quotes", text);
+             "a string stands in double quotes");
     do
         stream_next(p);
     while (stream_peek_infix(p)->kind != TOKEN_END &&

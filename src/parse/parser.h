@@ -191,6 +191,13 @@ const char *file_find(struct parser *p, const char *name,
  * "looked in ., /usr/share/...; +LDIR adds others". */
 const char *file_hint(struct parser *p, const char *name);
 
+/* ---- belongs.c ---- */
+
+/* "finish { phong ... }" for a word that belongs into another block than this
+ * one, "texture { T }" for a declared texture T; or NULL. */
+const char *item_belongs(struct parser *p, const struct word *word,
+                         const char *block);
+
 /* ---- standard.c ---- */
 
 /* '#include "colors.inc"' if that is what declares the name, or NULL. */

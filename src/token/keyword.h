@@ -53,7 +53,6 @@
     X(BLUE, "blue")                                                            \
     X(BLUR_SAMPLES, "blur_samples")                                            \
     X(BOUNDED_BY, "bounded_by")                                                \
-    X(BOXED, "boxed")                                                          \
     X(BREAK, "break")                                                          \
     X(BRICK_SIZE, "brick_size")                                                \
     X(BRIGHTNESS, "brightness")                                                \
@@ -93,7 +92,6 @@
     X(CUBIC_SPLINE, "cubic_spline")                                            \
     X(CUBIC_WAVE, "cubic_wave")                                                \
     X(CUTAWAY_TEXTURES, "cutaway_textures")                                    \
-    X(CYLINDRICAL, "cylindrical")                                              \
     X(DATETIME, "datetime")                                                    \
     X(DEBUG, "debug")                                                          \
     X(DECLARE, "declare")                                                      \
@@ -294,7 +292,6 @@
     X(PIGMENT, "pigment")                                                      \
     X(PIGMENT_MAP, "pigment_map")                                              \
     X(PIGMENT_PATTERN, "pigment_pattern")                                      \
-    X(PLANAR, "planar")                                                        \
     X(PNG, "png")                                                              \
     X(POINT_AT, "point_at")                                                    \
     X(POLARITY, "polarity")                                                    \
