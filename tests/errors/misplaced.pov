@@ -6,3 +6,4 @@ sphere { 0, 1 texture { gradient y } }
 #declare Shiny = finish { phong 1 }
 sphere { 0, 1 Shiny }
 sphere { 0, 1 };
+fog { color rgb 1 }
