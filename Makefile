@@ -76,7 +76,7 @@ $(BUILD)/%.cpp.o: %.cpp
 		-MMD -MP -c -o $@ $<
 
 demo: deps ## build, render an example, say where the picture is
-	@$(MAKE) --no-print-directory $(BUILD)/glim
+	@$(MAKE) --no-print-directory $(PROGRAMS)
 	@tests/tools/demo $(BUILD)/glim
 
 deps: ## install the Debian packages that building needs
@@ -108,6 +108,9 @@ $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/parser.o \
 .SECONDARY:
 
 conformance: all ## every scene of povray-examples by both programs
+	@tests/tools/deps povray povray-includes povray-examples \
+		openimageio-tools
+	@$(MAKE) --no-print-directory $(BUILD)/tests/tools/compare
 	@GLIM=$(abspath $(BUILD)/glim) tests/conformance/run
 
 bench: all ## what light costs, and how right it is, as ratios (BENCH=quick)

@@ -7,6 +7,7 @@
 #include "cli/probe_file.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
+#include "lighting/missing.h"
 #include "lighting/names.h"
 
 enum status { DONE = 0, FAILED = 1, INTERRUPTED = 2 };
@@ -158,6 +159,10 @@ static bool frame_render(struct work *work, const struct scene *scene,
         &work->diag);
     if (!world)
         return false;
+    size_t lights;
+    world_lights(world, &lights);
+    if (!options->probe)
+        missing_tell(scene, lights, &work->diag);
     struct lighting_options light = { .threads = options->render.threads,
                                       .width = options->render.width,
                                       .quality = options->quality,

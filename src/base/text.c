@@ -1,6 +1,8 @@
 /* String helpers: see text.h. */
 #include "base/text.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { LONGEST = 64 };
@@ -50,19 +52,42 @@ struct text_nearest text_nearest_start(const char *word)
     return (struct text_nearest){ word, NULL, limit + 1 };
 }
 
-/* Lengths that differ by as much as the best distance can't be nearer: this
+static bool text_begins_like(const char *a, const char *b)
+{
+    return lower(*a) == lower(*b);
+}
+
+/* Lengths that differ by more than the best distance can't be nearer: this
  * spares nearly all of the 500 reserved words. */
 void text_nearest_try(struct text_nearest *nearest, const char *candidate)
 {
     size_t length = strlen(nearest->word), other = strlen(candidate);
     size_t apart = length > other ? length - other : other - length;
-    if (apart >= nearest->best_distance)
+    /* One that is as near may still be better. */
+    bool equal_counts = nearest->best &&
+                        !text_begins_like(nearest->best, nearest->word) &&
+                        text_begins_like(candidate, nearest->word);
+    unsigned limit = nearest->best_distance + equal_counts;
+    if (apart >= limit)
         return;
     unsigned distance = text_distance(nearest->word, candidate);
-    if (distance < nearest->best_distance && distance < length) {
+    if (distance < limit && distance < length) {
         nearest->best = candidate;
         nearest->best_distance = distance;
     }
+}
+
+const char *text_number(char text[TEXT_NUMBER_SIZE], double number)
+{
+    double size = fabs(number);
+    snprintf(text, TEXT_NUMBER_SIZE, "%.10g", number);
+    if (!strchr(text, 'e') || !(size >= 1e-9 && size < 1e15))
+        return text;
+    int decimals = size < 1 ? 9 - (int)floor(log10(size)) : 0;
+    snprintf(text, TEXT_NUMBER_SIZE, "%.*f", decimals, number);
+    for (size_t last = strlen(text) - 1; decimals && text[last] == '0'; last--)
+        text[last] = '\0';
+    return text;
 }
 
 bool text_equal_nocase(const char *a, const char *b)

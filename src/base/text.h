@@ -9,8 +9,8 @@
  * words over 64 bytes count as wholly different. */
 unsigned text_distance(const char *a, const char *b);
 
-/* For "did you mean": keeps the candidate nearest to `word`. Start with
- * best = NULL, best_distance = a limit (text_distance_limit). */
+/* For "did you mean": keeps the candidate nearest to `word`; of several as near
+ * the first that begins like it, since few mistype the first letter. */
 struct text_nearest {
     const char *word;
     const char *best;
@@ -21,6 +21,14 @@ void text_nearest_try(struct text_nearest *nearest, const char *candidate);
 
 /* Case-insensitive equality of ASCII. */
 bool text_equal_nocase(const char *a, const char *b);
+
+/* A number as people write it, up to 10 digits: 1000000 and 0.000001 rather
+ * than 1e+06 and 1e-06; beyond 1e15 and below 1e-9 with an exponent. Returns
+ * `text`. NUMBER_TEXT does it in the block it stands in. */
+enum { TEXT_NUMBER_SIZE = 32 };
+const char *text_number(char text[TEXT_NUMBER_SIZE], double number);
+#define NUMBER_TEXT(number)                                                    \
+    text_number((char[TEXT_NUMBER_SIZE]){ "" }, (number))
 
 /* FNV-1a, for hash tables and for checksums of configuration. */
 unsigned long long text_hash(const char *text, size_t length);

@@ -2,7 +2,9 @@
  * that are used: nothing can be forgotten. */
 #include "cli/option.h"
 
+#include <errno.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "cli/output_name.h"
@@ -274,6 +276,6 @@ bool options_answer(const struct options *options, struct diag *diag)
     if (fflush(stdout) == 0)
         return true;
     diag_print(diag, DIAG_ERROR, span_none(), NULL,
-               "can't write to standard output");
+               "can't write standard output: %s", strerror(errno));
     return false;
 }

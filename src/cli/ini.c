@@ -281,6 +281,13 @@ static bool ini_missing(struct option_reader *reader, const char *name,
                            "there is no INI file '%s', neither here nor along "
                            "the library path",
                            name);
+    const char *meant = option_meant(reader->arena, name);
+    double number;
+    if (reader->diag->errors > 0 && option_number(name, &number))
+        return false; /* a value of what was reported */
+    if (meant)
+        return option_fail(reader, &plain,
+                           "'%s' is no option like this: type %s", name, meant);
     return option_fail(reader, &plain,
                        "there is no INI file '%s' or '%s.ini', and a scene's "
                        "name ends in .pov",
@@ -298,6 +305,8 @@ bool ini_read(struct option_reader *reader, const char *name,
         section =
             arena_copy_text(reader->arena, name + open + 1, length - open - 2);
         name = arena_copy_text(reader->arena, name, open);
+    } else if (open && open < length && !strchr(name, ']')) {
+        return option_fail(reader, setting, "a ']' is missing at its end");
     }
     const char *path = NULL;
     if (ini_is_named(name))

@@ -28,6 +28,7 @@ struct option_reader {
         size_t count, capacity;
     } declares;
     const char *output; /* as +O says */
+    const char *scene;  /* named on the command line, or NULL */
     /* Settings of the command line that not every lighting uses. */
     struct {
         struct option_typed *items;
@@ -76,8 +77,10 @@ const struct option *option_find_key(const char *key);
 const struct option *option_find_word(const char *word);
 const struct option *option_find_letters(const char *text);
 
-/* How the option is best typed: "Width=n", "--stats"; in the arena. */
-const char *option_spelling(const struct option *option, struct arena *arena);
+/* How the option is typed by its key or its word, which it must have:
+ * "Width=n", "--threads n"; in the arena. */
+const char *option_spelling(const struct option *option, bool word,
+                            struct arena *arena);
 
 /* Reports a setting that is wrong; always returns false. The message should
  * make sense after "'+W0': ". */
@@ -92,6 +95,10 @@ option_warn(struct option_reader *reader, const struct setting *setting,
  * returns false. */
 bool option_unknown(struct option_reader *reader, const struct setting *setting,
                     const char *name);
+
+/* The option that a bare word may have been meant as: "Width", "H10"; in the
+ * arena, or NULL. */
+const char *option_meant(struct arena *arena, const char *text);
 
 /* Applies one token of the command line or of an INI file: +X, -X, --word,
  * Key=value, a scene or an INI file. */

@@ -17,8 +17,9 @@ static bool light_number(struct option_reader *reader,
     if (field->kind == FIELD_INTEGER)
         number = trunc(number);
     if (!(number >= field->minimum && number <= field->maximum))
-        return option_fail(reader, setting, "%s must be from %.10g to %.10g",
-                           option->key, field->minimum, field->maximum);
+        return option_fail(reader, setting, "%s must be from %s to %s",
+                           option->key, NUMBER_TEXT(field->minimum),
+                           NUMBER_TEXT(field->maximum));
     if (field->kind == FIELD_INTEGER)
         *(int *)at = (int)number;
     else

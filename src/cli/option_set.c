@@ -62,8 +62,11 @@ bool option_read_number(struct option_reader *reader,
     if (!setting->by_key && !isdigit((unsigned char)*setting->value) &&
         !strchr("+-.", *setting->value))
         return option_unknown(reader, setting, setting->shown);
-    return option_fail(reader, setting, "%s wants a number, not '%s'",
-                       option->key, setting->value);
+    return option_fail(reader, setting, "%s wants a number, not '%s'%s",
+                       option->key, setting->value,
+                       setting->span.source && strchr(setting->value, '=')
+                           ? "; one Key=value on each line"
+                           : "");
 }
 
 static bool option_in_range(struct option_reader *reader,
@@ -74,8 +77,9 @@ static bool option_in_range(struct option_reader *reader,
         return true;
     if (option->minimum <= -1e300)
         return option_fail(reader, setting, "%s is too large", option->key);
-    return option_fail(reader, setting, "%s must be from %.10g to %.10g",
-                       option->key, option->minimum, option->maximum);
+    return option_fail(reader, setting, "%s must be from %s to %s", option->key,
+                       NUMBER_TEXT(option->minimum),
+                       NUMBER_TEXT(option->maximum));
 }
 
 bool set_number(struct option_reader *reader, const struct option *option,

@@ -129,8 +129,9 @@ static const struct option table[] = {
     INTEGER("Q", "Quality", quality, 0, 11,
             "0: plain colours, 4: shadows, 5: area lights, 6: textures, 8: "
             "reflection and refraction, 9: all (9)"),
-    WORD("lighting", set_lighting, 0, "name",
-         "how light is worked out (mesh); see --list lightings"),
+    { .key = "Lighting", .word = "lighting", .set = set_lighting,
+      .argument = "name",
+      .help = "how light is worked out (mesh); see --list lightings" },
     WORD("show", set_text, AT(show), "name",
          "draw what the lighting knows over the picture: skeleton, "
          "skeleton:irradiance, stream, mesh, mesh:indirect"),
@@ -364,13 +365,13 @@ const struct option *option_find_letters(const char *text)
     return best;
 }
 
-const char *option_spelling(const struct option *option, struct arena *arena)
+const char *option_spelling(const struct option *option, bool word,
+                            struct arena *arena)
 {
-    if (option->word)
-        return arena_printf(arena, "--%s%s%s", option->word,
-                            option->argument ? " " : "",
-                            option->argument ? option->argument : "");
-    if (option->key)
-        return arena_printf(arena, "%s=%s", option->key, option->argument);
-    return arena_printf(arena, "+%s", option->letters);
+    const char *name = word ? option->word : option->key;
+    return arena_printf(arena, "%s%s%s%s", word ? "--" : "", name,
+                        !option->argument ? ""
+                        : word            ? " "
+                                          : "=",
+                        option->argument ? option->argument : "");
 }

@@ -46,34 +46,6 @@ void option_warn(struct option_reader *reader, const struct setting *setting,
     va_end(arguments);
 }
 
-/* Compares with keys, and with words for "--wrod". */
-bool option_unknown(struct option_reader *reader, const struct setting *setting,
-                    const char *name)
-{
-    size_t start = strspn(name, "+-");
-    size_t length = strcspn(name + start, "= \t");
-    const char *rest = name + start + length;
-    struct text_nearest nearest = text_nearest_start(
-        arena_copy_text(reader->arena, name + start, length));
-    bool word = strncmp(name, "--", 2) == 0;
-    for (size_t i = 0; option_at(i); i++) {
-        const char *known = word ? option_at(i)->word : option_at(i)->key;
-        if (known)
-            text_nearest_try(&nearest, known);
-    }
-    const char *hint = NULL;
-    if (nearest.best && setting->span.source)
-        hint = nearest.best;
-    else if (nearest.best)
-        hint = arena_printf(reader->arena, "did you mean '%s%s%s'?",
-                            word ? "--" : "", nearest.best, rest);
-    else if (!setting->span.source)
-        hint = "glim --help lists the options";
-    diag_print(reader->diag, DIAG_ERROR, setting->span, hint,
-               "unknown option '%s'", name);
-    return false;
-}
-
 /* Applies a setting by its key or word. */
 static bool option_apply(struct option_reader *reader,
                          const struct option *option,
@@ -147,6 +119,13 @@ bool option_read(struct option_reader *reader, const struct setting *token)
 {
     const char *text = token->shown;
     if (option_is_scene(text)) {
+        if (reader->scene && strcmp(reader->scene, text) != 0)
+            diag_print(reader->diag, DIAG_WARNING, token->span, NULL,
+                       "'%s' is not rendered: of several scenes the last "
+                       "counts",
+                       reader->scene);
+        if (!token->span.source)
+            reader->scene = text;
         reader->options->input = text;
         return true;
     }
@@ -175,6 +154,13 @@ static bool option_takes_next(const char *argument, const char *next)
     return option->argument[0] != '[' || !strchr("+-", next[0]);
 }
 
+/* --wdith 10: no word about the value of what is no option. */
+static bool option_wastes_next(const char *argument, const char *next)
+{
+    return strncmp(argument, "--", 2) == 0 && next && !strchr(argument, '=') &&
+           !option_find_word(argument + 2) && !strpbrk(next, "+-=./");
+}
+
 static bool options_read_arguments(struct option_reader *reader, int argc,
                                    char **argv)
 {
@@ -194,7 +180,9 @@ static bool options_read_arguments(struct option_reader *reader, int argc,
             token.shown = arena_printf(reader->arena, "%s=%s", argv[i], next);
             i++;
         }
-        good = option_read(reader, &token) && good;
+        bool known = option_read(reader, &token);
+        i += !known && option_wastes_next(argv[i], next);
+        good = known && good;
     }
     return good;
 }
@@ -238,11 +226,13 @@ static bool options_find_input(struct option_reader *reader)
     options->path = option_search(reader, options->input, extensions);
     if (options->path)
         return true;
+    struct stat status;
+    bool directory = stat(options->input, &status) == 0;
     diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
-               "there is no scene '%s'%s", options->input,
-               reader->library.count
-                   ? ", neither here nor along the library path"
-                   : "");
+               directory ? "'%s' is a directory, not a scene"
+                         : "there is no scene '%s', neither here nor along "
+                           "the library path",
+               options->input);
     return false;
 }
 
@@ -287,9 +277,15 @@ static bool options_name_output(struct option_reader *reader)
         said ? output_type_meant(said, type) : NULL;
     if (meant)
         diag_print(reader->diag, DIAG_WARNING, span_none(), NULL,
-                   "the picture is called '%s', as POV-Ray would; for '%s' "
-                   "add +F%c",
-                   options->output, said, meant->letter);
+                   "the picture is called '%s', as POV-Ray would; for "
+                   "'%.*s%s' add +F%c",
+                   options->output, (int)output_stem(said), said,
+                   meant->extension, meant->letter);
+    else if (said && output_type_lacking(said))
+        diag_print(reader->diag, DIAG_WARNING, span_none(), NULL,
+                   "the picture is called '%s': glim does not write %s, but "
+                   "what --list formats shows",
+                   options->output, output_type_lacking(said));
     return true;
 }
 

@@ -38,6 +38,19 @@ const struct output_type *output_type_meant(const char *name,
         if (text_equal_nocase(extension, types[i].extension) &&
             strcmp(types[i].extension, type->extension) != 0)
             return &types[i];
+    if (text_equal_nocase(extension, ".jpeg") && type->letter != 'J')
+        return output_type_find('J');
+    return NULL;
+}
+
+const char *output_type_lacking(const char *name)
+{
+    static const char *const lacking[] = { ".gif", ".tif",  ".tiff", ".webp",
+                                           ".jp2", ".avif", ".jxl" };
+    const char *extension = name + output_stem(name);
+    for (size_t i = 0; i < sizeof lacking / sizeof *lacking; i++)
+        if (text_equal_nocase(extension, lacking[i]))
+            return lacking[i];
     return NULL;
 }
 

@@ -22,6 +22,10 @@ const struct output_type *output_type_at(size_t index);
 const struct output_type *output_type_meant(const char *name,
                                             const struct output_type *type);
 
+/* The picture extension that ends `name` and that glim does not write, or
+ * NULL. */
+const char *output_type_lacking(const char *name);
+
 /* Length of the name without its extension: "dir.d/a.b.png" -> 9. A dot that
  * begins the last part is no extension. */
 size_t output_stem(const char *name);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/writer.h"
 
 /* Beyond it nothing is hit (embree/world.h). */
@@ -80,8 +81,8 @@ static bool line_number(struct line *line)
         line_fail(line, length, "expected a number, found '%.*s'",
                   length > 40 ? 40 : (int)length, line_text(line));
     else if (!(fabs(number) <= PLACE_LIMIT))
-        line_fail(line, length, "%s is too far: glim sees up to %g units", word,
-                  PLACE_LIMIT);
+        line_fail(line, length, "%s is too far: glim sees up to %s units", word,
+                  NUMBER_TEXT(PLACE_LIMIT));
     if (line->bad)
         return false;
     line->numbers[line->count++] = number;
@@ -229,7 +230,10 @@ bool probe_file_write(const struct probe_file *points,
     }
     bool done = writer_save(&table, name, why, sizeof why);
     if (!done)
-        diag_print(diag, DIAG_ERROR, span_none(), NULL, "can't write '%s': %s",
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   strcmp(name, "-") == 0
+                       ? "can't write standard output: %.0s%s"
+                       : "can't write '%s': %s",
                    name, why);
     writer_free(&table);
     return done;

@@ -155,8 +155,9 @@ static bool choices_set_number(struct choices_reader *reader,
         return choices_fail(reader, "--%s wants a number, not '%s'", row->word,
                             value);
     if (!(number >= row->minimum && number <= row->maximum))
-        return choices_fail(reader, "--%s must be from %g to %g, not %s",
-                            row->word, row->minimum, row->maximum, value);
+        return choices_fail(reader, "--%s must be from %s to %s, not %s",
+                            row->word, NUMBER_TEXT(row->minimum),
+                            NUMBER_TEXT(row->maximum), value);
     *(double *)((char *)reader->choices + row->offset) = number;
     return true;
 }

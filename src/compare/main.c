@@ -1,6 +1,8 @@
 /* glim-compare: two pictures, or a scene drawn by POV-Ray and by glim ->
  * figures, a heat map, a strip, an exit status. */
+#include <errno.h>
 #include <math.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "cli/interrupt.h"
@@ -127,12 +129,13 @@ static enum status pictures_compare(struct image *const image[2],
     bool written = maps_write(&pair, &flip, choices, diag);
     report_print(&report, choices);
     bool told = fflush(stdout) == 0; /* before the verdict on stderr */
+    const char *why = strerror(errno);
     bool alike = report_alike(&report, choices, diag);
     plane_free(&flip);
     pair_free(&pair);
     if (!told) {
         diag_print(diag, DIAG_ERROR, span_none(), NULL,
-                   "can't write to standard output");
+                   "can't write standard output: %s", why);
         return TROUBLE;
     }
     return !written ? TROUBLE : alike ? ALIKE : DIFFERENT;

@@ -1,59 +1,27 @@
-/* Looks for finishes with ambient light: see ambient.h. */
+/* Looks for finishes that glow by ambient light: see ambient.h. */
 #include "lighting/ambient.h"
 
-#include "scene/mesh.h"
+#include "lighting/finishes.h"
 
-enum { NODES_MAX = 100 * 1000 }; /* declared objects may be used very often */
-
-static bool rgb_same(rgb a, rgb b)
+/* Most ambient light stands for that of other surfaces, which the method finds
+ * by itself. More than finishes have anyway, and than they would scatter in
+ * surroundings half as bright as white: then the surface is to glow. */
+static bool ambient_glows(const struct finish *finish,
+                          const struct settings *settings)
 {
-    return a.r == b.r && a.g == b.g && a.b == b.b;
-}
-
-static bool texture_glows(const struct texture *texture)
-{
-    rgb usual = finish_default().ambient;
-    for (size_t i = 0; texture && i < texture->count; i++) {
-        rgb ambient = texture->layers[i].finish->ambient;
-        if (rgb_peak(ambient) > 0 && !rgb_same(ambient, usual))
-            return true;
-    }
-    return false;
-}
-
-static const struct object *ambient_find(const struct object *object, int *left)
-{
-    if (--*left < 0)
-        return NULL;
-    if (texture_glows(object->texture))
-        return object;
-    if (object->kind == OBJECT_MESH)
-        for (size_t i = 0; i < object->mesh->texture_count; i++)
-            if (texture_glows(object->mesh->textures[i]))
-                return object;
-    for (size_t i = 0; i < object->child_count; i++) {
-        const struct object *found = ambient_find(object->children[i], left);
-        if (found)
-            return found;
-    }
-    return NULL;
+    double ambient =
+        rgb_peak(rgb_mul(finish->ambient, settings->ambient_light));
+    return ambient > rgb_peak(finish_default().ambient) &&
+           ambient > 0.5 * finish->diffuse;
 }
 
 void ambient_dropped(const struct scene *scene, const char *method,
                      struct diag *diag)
 {
-    int left = NODES_MAX;
-    if (rgb_peak(scene->settings.ambient_light) == 0)
-        return;
-    for (size_t i = 0; i < scene->objects.count; i++) {
-        const struct object *found =
-            ambient_find(scene->objects.items[i], &left);
-        if (!found)
-            continue;
+    const struct object *found = finishes_find(scene, ambient_glows);
+    if (found)
         diag_print(diag, DIAG_WARNING, found->span, NULL,
                    "'--lighting %s' has no ambient light: for surfaces that "
                    "glow, write 'emission' in place of 'ambient'",
                    method);
-        return;
-    }
 }

@@ -5,8 +5,8 @@
 #include "scene/scene.h"
 #include "text/diag.h"
 
-/* One warning if a finish of the scene asks for ambient light, other than what
- * finishes have by themselves, that this method drops. */
+/* One warning if a finish of the scene has so much ambient light, which this
+ * method drops, that it is meant to glow. */
 void ambient_dropped(const struct scene *scene, const char *method,
                      struct diag *diag);
 

@@ -3,9 +3,11 @@
 #include "lightmesh/mesh_stamp.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/hash.h"
+#include "base/text.h"
 
 static void settings_add(char *settings, const char *name, const char *value)
 {
@@ -80,10 +82,29 @@ struct mesh_stamp mesh_stamp_new(const struct scene *scene,
     return stamp;
 }
 
-/* A value that was not said, in words. */
-static const char *value_words(const char *value)
+/* Whether the value is what stands for one that was not said. */
+static bool value_unsaid(const char *value)
 {
-    return *value == '\0' || strcmp(value, "0") == 0 ? "the default" : value;
+    return *value == '\0' || strcmp(value, "0") == 0;
+}
+
+/* A number without the digits that only keep it exact. */
+static const char *value_words(const char *value, char text[TEXT_NUMBER_SIZE])
+{
+    char *end;
+    double number = strtod(value, &end);
+    return *value && !*end ? text_number(text, number) : value;
+}
+
+static void settings_differ(const char *name, const char *made, const char *now,
+                            char *text, size_t size)
+{
+    bool unsaid = value_unsaid(made);
+    char number[2][TEXT_NUMBER_SIZE];
+    snprintf(text, size, "it was made with %s%s%s%s, not with %s",
+             unsaid ? "the default " : "", name, unsaid ? "" : " ",
+             unsaid ? "" : value_words(made, number[0]),
+             value_unsaid(now) ? "the default" : value_words(now, number[1]));
 }
 
 static bool settings_same(const char *name, const char *made, const char *now,
@@ -97,8 +118,7 @@ static bool settings_same(const char *name, const char *made, const char *now,
     if (strcmp(name, "region") == 0)
         snprintf(text, size, "the regions have changed");
     else
-        snprintf(text, size, "it was made with %s %s, not with %s", name,
-                 value_words(made), value_words(now));
+        settings_differ(name, made, now, text, size);
     return false;
 }
 

@@ -16,11 +16,13 @@ static bool field_has_range(const struct field *field)
 static const char *field_range(struct parser *p, const struct field *field)
 {
     if (field->maximum >= HUGE_VAL)
-        return arena_printf(p->arena, "at least %g", field->minimum);
+        return arena_printf(p->arena, "at least %s",
+                            NUMBER_TEXT(field->minimum));
     if (field->minimum <= -HUGE_VAL)
-        return arena_printf(p->arena, "at most %g", field->maximum);
-    return arena_printf(p->arena, "from %g to %g", field->minimum,
-                        field->maximum);
+        return arena_printf(p->arena, "at most %s",
+                            NUMBER_TEXT(field->maximum));
+    return arena_printf(p->arena, "from %s to %s", NUMBER_TEXT(field->minimum),
+                        NUMBER_TEXT(field->maximum));
 }
 
 static bool field_check(struct parser *p, const struct field *field,
@@ -33,8 +35,8 @@ static bool field_check(struct parser *p, const struct field *field,
     if (!field_has_range(field) ||
         (number >= field->minimum && number <= field->maximum))
         return true;
-    return error_at(p, span, NULL, "'%s' must be %s, found %g", field->name,
-                    field_range(p, field), number);
+    return error_at(p, span, NULL, "'%s' must be %s, found %s", field->name,
+                    field_range(p, field), NUMBER_TEXT(number));
 }
 
 static bool field_check_all(struct parser *p, const struct field *field,
@@ -131,15 +133,15 @@ static bool parse_points(struct parser *p, const struct field *field,
         return false;
     if (!(count >= 0 && count <= POINTS_LIMIT))
         return error_at(p, start, NULL,
-                        "the number of points must be from 0 to %d, found %g",
-                        POINTS_LIMIT, count);
+                        "the number of points must be from 0 to %d, found %s",
+                        POINTS_LIMIT, NUMBER_TEXT(count));
     while (values.count < (size_t)count) {
         vec3 point;
         accept(p, TOKEN_COMMA);
         if (stream_peek(p)->kind == TOKEN_RBRACE)
             return error_at(p, start, NULL,
-                            "%g points are announced here, but only %zu follow",
-                            count, values.count);
+                            "%s points are announced here, but only %zu follow",
+                            NUMBER_TEXT(count), values.count);
         if (!field_vector(p, field, &point))
             return false;
         *ARRAY_PUSH(p->scene_arena, &values) = point;
@@ -188,11 +190,34 @@ static bool field_chosen(struct parser *p, const struct field *field, int *out)
                     choices, word);
 }
 
+/* The error where a value is left out names what it is for. */
+static bool field_missing(struct parser *p, const struct field *field)
+{
+    static const char *const kinds[] = {
+        [FIELD_FLOAT] = "a number",   [FIELD_INTEGER] = "a number",
+        [FIELD_VECTOR2] = "a vector", [FIELD_VECTOR] = "a vector",
+        [FIELD_VECTOR5] = "a vector", [FIELD_COLOUR] = "a colour",
+        [FIELD_RGB] = "a colour",
+    };
+    const struct token *token = stream_peek(p);
+    bool begins_none = token->kind == TOKEN_RBRACE;
+    if (token->kind == TOKEN_WORD && token->word->reserved)
+        begins_none = !at_expression(p) && !at_colour(p);
+    if (!begins_none || field->kind >= sizeof kinds / sizeof *kinds ||
+        !kinds[field->kind])
+        return false;
+    error_expected(p, arena_printf(p->arena, "%s for '%s'", kinds[field->kind],
+                                   field->name));
+    return true;
+}
+
 bool parse_field(struct parser *p, const struct field *field, void *base)
 {
     void *at = (char *)base + field->offset;
     struct cursor *outer;
     colour c;
+    if (field_missing(p, field))
+        return false;
     switch (field->kind) {
     case FIELD_FLOAT:
         return field_float(p, field, at);

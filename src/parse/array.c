@@ -1,6 +1,7 @@
 /* Arrays: see array.h. */
 #include "parse/array.h"
 
+#include "base/text.h"
 #include "parse/expression.h"
 #include "parse/stream.h"
 
@@ -70,11 +71,11 @@ static bool array_index(struct parser *p, int size, size_t *index)
     number = floor(number + OPERATOR_EPSILON);
     if (!(number >= 0 && number < size))
         return error_at(p, start, NULL,
-                        size == 1 ? "this subscript is %g, but the only "
+                        size == 1 ? "this subscript is %s, but the only "
                                     "element has number %d"
-                                  : "this subscript is %g, but elements are "
+                                  : "this subscript is %s, but elements are "
                                     "numbered from 0 to %d",
-                        number, size - 1);
+                        NUMBER_TEXT(number), size - 1);
     *index = (size_t)number;
     return true;
 }
@@ -206,8 +207,8 @@ static bool array_add_dimension(struct parser *p, struct array *array)
                         ARRAY_DIMENSIONS);
     if (!(number >= 1))
         return error_at(p, start, NULL,
-                        "the size of an array must be at least 1, found %g",
-                        number);
+                        "the size of an array must be at least 1, found %s",
+                        NUMBER_TEXT(number));
     if (number * (double)array->count >= ARRAY_LIMIT + 1.0)
         return error_at(p, start, NULL,
                         "an array has %d elements at most, glim's limit",

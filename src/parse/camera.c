@@ -34,7 +34,6 @@ static const struct unsupported_word camera_unsupported[] = {
     { KEYWORD_NORMAL, "a camera's 'normal'" },
     { KEYWORD_OMNIMAX, "an 'omnimax' camera" },
     { KEYWORD_PANORAMIC, "a 'panoramic' camera" },
-    { KEYWORD_SPHERICAL, "a 'spherical' camera" },
     { KEYWORD_ULTRA_WIDE_ANGLE, "an 'ultra_wide_angle' camera" },
     { KEYWORD_NONE, NULL },
 };
@@ -46,6 +45,8 @@ static bool parse_camera_kind(struct parser *p, struct camera *camera)
         camera->kind = CAMERA_ORTHOGRAPHIC;
     else if (accept_keyword(p, KEYWORD_PERSPECTIVE))
         camera->kind = CAMERA_PERSPECTIVE;
+    if (at_word(p, "spherical"))
+        return error_unsupported(p, stream_span(p), "a 'spherical' camera");
     if (at_word(p, "cylinder"))
         return error_unsupported(p, stream_span(p), "a 'cylinder' camera");
     return check_supported(p, camera_unsupported);
@@ -115,7 +116,8 @@ static bool parse_camera_item(struct parser *p, struct camera_draft *draft)
     if (field)
         return camera_field(p, field, draft);
     if (stream_keyword(p) == KEYWORD_ORTHOGRAPHIC ||
-        stream_keyword(p) == KEYWORD_PERSPECTIVE)
+        stream_keyword(p) == KEYWORD_PERSPECTIVE || at_word(p, "spherical") ||
+        at_word(p, "cylinder"))
         return parse_camera_kind(p, &draft->camera);
     bool ok = parse_focal_blur(p, &found);
     if (ok && !found)

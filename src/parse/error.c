@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "base/text.h"
+#include "parse/expression.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
 #include "parse/unsupported.h"
@@ -116,6 +117,13 @@ static const char *error_found(struct parser *p)
                         span.length > 40 ? "..." : "");
 }
 
+/* What declares a name, or a name that is declared and nearly it. */
+static const char *error_declared(struct parser *p, const char *name)
+{
+    const char *include = standard_include(p, name);
+    return include ? include : symbol_nearest(p, name);
+}
+
 /* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted)
 {
@@ -123,7 +131,7 @@ static bool error_undeclared(struct parser *p, const char *wanted)
     if (token->kind != TOKEN_WORD || token->word->reserved ||
         symbol_lookup(p, token->word))
         return false;
-    error_at(p, p->token_span, symbol_nearest(p, token->word->text),
+    error_at(p, p->token_span, error_declared(p, token->word->text),
              "expected %s, found '%s', which is not declared", wanted,
              token->word->text);
     return true;
@@ -160,28 +168,111 @@ static void error_try_word(void *context, const struct word *word)
     text_nearest_try(context, word->text);
 }
 
+void note_unclosed(struct parser *p)
+{
+    if (p->block_count == 0 || !at_scene_item(p))
+        return;
+    struct span at = p->token_span, open = p->blocks[p->block_count - 1];
+    const char *text = open.source->text;
+    bool apart =
+        at.source != open.source || at.offset < open.offset ||
+        memchr(text + open.offset, '\n', at.offset - open.offset) != NULL;
+    if (apart)
+        note_at(p, open, "the '}' to this '{' may be missing");
+}
+
+static bool error_file_ends(struct parser *p, const char *block)
+{
+    error_at(p, p->token_span, NULL,
+             "the file ends inside '%s'; a '}' is missing", block);
+    if (p->block_count > 0)
+        note_at(p, p->blocks[p->block_count - 1], "to match this '{'");
+    return false;
+}
+
+/* Blocks are named by their keyword, in quotes; the scene is none. */
+static const char *error_block(struct parser *p, const char *block)
+{
+    return p->block_count ? arena_printf(p->arena, "'%s'", block) : block;
+}
+
+/* What stands where no value belongs. */
+static bool error_no_item(struct parser *p, const char *block)
+{
+    enum token_kind kind = p->token.kind;
+    bool comma = kind == TOKEN_COMMA;
+    size_t left;
+    const struct token *next = stream_raw(p, &left);
+    if (comma && left > 0)
+        kind = next->kind;
+    bool values = kind == TOKEN_NUMBER || kind == TOKEN_MINUS ||
+                  kind == TOKEN_LPAREN || kind == TOKEN_LESS;
+    return error_at(p, p->token_span, NULL, "unexpected %s in %s%s",
+                    error_found(p), error_block(p, block),
+                    values  ? "; a vector is written <1, 2, 3>, a product 2*x"
+                    : comma ? "; no comma stands between items"
+                            : "");
+}
+
+/* A number right before x, y or z: 20y is meant as a product. */
+static bool error_product(struct parser *p)
+{
+    struct span number = p->last_span, word = p->token_span;
+    if (!constant_is(p, p->token.word->keyword) ||
+        number.source != word.source ||
+        number.offset + number.length != word.offset ||
+        !strchr("0123456789.", word.source->text[word.offset - 1]))
+        return false;
+    const char *text = number.source->text + number.offset;
+    error_at(p, span_join(number, word),
+             arena_printf(p->arena, "%.*s*%s", (int)number.length, text,
+                          p->token.word->text),
+             "a product wants a '*'");
+    return true;
+}
+
+/* What the word was meant to be. */
+static const char *error_meant(struct parser *p, const struct word *word,
+                               const struct field *fields)
+{
+    struct text_nearest nearest = text_nearest_start(word->text);
+    for (const struct field *f = fields; f && f->name; f++)
+        text_nearest_try(&nearest, f->name);
+    const char *symbol = symbol_nearest(p, word->text);
+    if (symbol)
+        text_nearest_try(&nearest, symbol);
+    if (!word->reserved)
+        word_table_visit(p->words, error_try_word, &nearest);
+    const char *include = NULL;
+    if (!word->reserved && nearest.best_distance > 0)
+        include = standard_include(p, word->text);
+    return include ? include : nearest.best;
+}
+
 bool error_unknown_item(struct parser *p, const char *block,
                         const struct field *fields)
 {
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_END)
-        return error_at(p, p->token_span, NULL,
-                        "the file ends inside '%s'; a '}' is missing", block);
+        return error_file_ends(p, block);
     if (error_follows(p) || unsupported_use(p) || error_is_silent(p))
         return false;
     if (token->kind != TOKEN_WORD)
-        return error_at(p, p->token_span, NULL, "unexpected %s in '%s'",
-                        error_found(p), block);
-    struct text_nearest nearest = text_nearest_start(token->word->text);
-    for (const struct field *f = fields; f && f->name; f++)
-        text_nearest_try(&nearest, f->name);
-    const char *symbol = symbol_nearest(p, token->word->text);
-    if (symbol)
-        text_nearest_try(&nearest, symbol);
-    if (!token->word->reserved)
-        word_table_visit(p->words, error_try_word, &nearest);
-    return error_at(p, p->token_span, nearest.best,
-                    token->word->reserved ? "'%s' is not allowed in '%s'"
-                                          : "unknown item '%s' in '%s'",
-                    token->word->text, block);
+        return error_no_item(p, block);
+    if (error_product(p))
+        return false;
+    const struct word *word = token->word;
+    const char *belongs = item_belongs(p, word, block);
+    const char *kind = error_kind(p);
+    if (kind)
+        error_at(p, p->token_span, belongs, "'%s', %s, is not allowed in %s",
+                 word->text, kind, error_block(p, block));
+    else
+        error_at(p, p->token_span,
+                 belongs ? belongs : error_meant(p, word, fields),
+                 word->reserved ? "'%s' is not allowed in %s"
+                                : "unknown item '%s' in %s",
+                 word->text, error_block(p, block));
+    note_unclosed(p);
+    return false;
 }

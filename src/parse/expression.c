@@ -4,6 +4,7 @@
 
 #include <limits.h>
 
+#include "base/text.h"
 #include "parse/array.h"
 #include "parse/function.h"
 #include "parse/stream.h"
@@ -68,7 +69,8 @@ bool parse_integer(struct parser *p, int *out)
         return false;
     if (!(fabs(number) < INT_MAX))
         return error_at(p, span_join(start, p->last_span), NULL,
-                        "expected a whole number, found %g", number);
+                        "expected a whole number, found %s",
+                        NUMBER_TEXT(number));
     *out = (int)lround(number);
     return true;
 }
@@ -95,10 +97,36 @@ static bool at_number(struct parser *p)
     return value && value->kind == VALUE_FLOAT;
 }
 
+/* Whether the next token is on, off ... mistyped, rather than an item of the
+ * block mistyped; reports. Which of both is told from what comes after it:
+ * items have blocks and values. */
+static bool bool_mistyped(struct parser *p)
+{
+    static const char *const words[] = { "off",   "on",  "true",
+                                         "false", "yes", "no" };
+    size_t available;
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved ||
+        symbol_lookup(p, token->word))
+        return false;
+    struct text_nearest nearest = text_nearest_start(token->word->text);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        text_nearest_try(&nearest, words[i]);
+    const struct token *after = stream_raw(p, &available);
+    if (!nearest.best ||
+        (available && after->kind != TOKEN_RBRACE && after->kind != TOKEN_WORD))
+        return false;
+    error_at(p, stream_span(p), nearest.best,
+             "expected 'on' or 'off', found '%s'", token->word->text);
+    return true;
+}
+
 /* bool = [operation] . */
 bool parse_bool(struct parser *p, bool *out)
 {
     double number = 1;
+    if (bool_mistyped(p))
+        return false;
     if (at_number(p) && !parse_float(p, &number))
         return false;
     *out = operator_truth(number);
@@ -175,9 +203,49 @@ bool parse_components(struct parser *p, double *out, int size)
     return true;
 }
 
+/* The length of the name of a file without quotes, told by its dot, or of a
+ * string in single quotes; 0: the next token begins neither. */
+static size_t string_misquoted(struct parser *p)
+{
+    const struct token *token = stream_peek_infix(p);
+    if (token->kind == TOKEN_END)
+        return 0;
+    const char *text = p->token_span.source->text + p->token_span.offset;
+    size_t inside = *text == '\'' ? strcspn(text + 1, "'\n") : 0;
+    if (inside && text[1 + inside] == '\'')
+        return inside + 2;
+    size_t length = strcspn(text, " \t\r\n;,(){}\"");
+    bool name = token->kind == TOKEN_WORD && !token->word->reserved &&
+                !symbol_lookup(p, token->word);
+    return name && memchr(text, '.', length) ? length : 0;
+}
+
+/* Reports and takes it. */
+static bool string_unquoted(struct parser *p)
+{
+    size_t length = string_misquoted(p);
+    struct span span = p->token_span;
+    if (length == 0)
+        return false;
+    const char *text = span.source->text + span.offset;
+    bool quoted = *text == '\'';
+    span.length = (uint32_t)length;
+    text = arena_copy_text(p->arena, text + quoted, length - 2 * quoted);
+    error_at(p, span, arena_printf(p->arena, "\"%s\"", text),
+             "a string stands in double quotes");
+    do
+        stream_next(p);
+    while (stream_peek_infix(p)->kind != TOKEN_END &&
+           p->token_span.source == span.source &&
+           p->token_span.offset < span.offset + span.length);
+    return true;
+}
+
 bool parse_string(struct parser *p, const char **out)
 {
     struct value value;
+    if (string_unquoted(p))
+        return false;
     struct span start = stream_span(p);
     return parse_operand(p, "a string", &value) &&
            value_to_text(p, start, &value, out);

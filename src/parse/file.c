@@ -1,7 +1,9 @@
 /* Where a scene's files are found: POV-Ray's rule, which does not look beside
  * the file that includes. */
+#include <dirent.h>
 #include <sys/stat.h>
 
+#include "base/text.h"
 #include "parse/parser.h"
 
 static bool file_exists(const char *path)
@@ -38,12 +40,35 @@ const char *file_find(struct parser *p, const char *name, const char *extension)
     return file_search(p, arena_printf(p->arena, "%s%s", name, extension));
 }
 
-const char *file_hint(struct parser *p)
+/* Tries the names in directory `place`, and those in its part `folder`. */
+static void file_try_names(struct parser *p, const char *place,
+                           const char *folder, struct text_nearest *nearest)
+{
+    DIR *directory = opendir(arena_printf(p->arena, "%s/%s", place, folder));
+    struct dirent *entry;
+    while (directory && (entry = readdir(directory)) != NULL)
+        text_nearest_try(nearest, arena_printf(p->arena, "%s", entry->d_name));
+    if (directory)
+        closedir(directory);
+}
+
+const char *file_hint(struct parser *p, const char *name)
 {
     const struct parse_options *options = p->options;
+    const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
+    const char *folder =
+        arena_printf(p->arena, "%.*s", (int)(last - name), name);
+    struct text_nearest nearest = text_nearest_start(last);
     char *list = arena_printf(p->arena, "looked in .");
-    for (size_t i = 0; i < options->include_path_count; i++)
-        list =
-            arena_printf(p->arena, "%s, %s", list, options->include_paths[i]);
+    if (*name != '/')
+        file_try_names(p, ".", folder, &nearest);
+    for (size_t i = 0; i < options->include_path_count; i++) {
+        const char *path = options->include_paths[i];
+        list = arena_printf(p->arena, "%s, %s", list, path);
+        if (*name != '/')
+            file_try_names(p, path, folder, &nearest);
+    }
+    if (nearest.best)
+        return arena_printf(p->arena, "\"%s%s\"", folder, nearest.best);
     return arena_printf(p->arena, "%s; +LDIR adds others", list);
 }

@@ -1,6 +1,7 @@
 /* Functions whose value is a number. Where POV-Ray stops the parse there is
  * an error, where it warns a warning, and its odd values are kept (measured:
  * acos(2) is 0, int(1e30) is -2147483648). */
+#include "base/text.h"
 #include "parse/array.h"
 #include "parse/expression.h"
 #include "parse/function.h"
@@ -58,7 +59,8 @@ void number_sqrt(struct parser *p, const struct call *call,
     double x = argument(call, 0);
     *result = value_float(sqrt(x));
     if (x < 0)
-        call_error(p, call, result, NULL, "%g has no square root", x);
+        call_error(p, call, result, NULL, "%s has no square root",
+                   NUMBER_TEXT(x));
 }
 
 void number_ln(struct parser *p, const struct call *call, struct value *result)
@@ -66,7 +68,8 @@ void number_ln(struct parser *p, const struct call *call, struct value *result)
     double x = argument(call, 0);
     *result = value_float(log(x));
     if (x <= 0)
-        call_error(p, call, result, NULL, "%g has no logarithm", x);
+        call_error(p, call, result, NULL, "%s has no logarithm",
+                   NUMBER_TEXT(x));
 }
 
 void number_log(struct parser *p, const struct call *call, struct value *result)
@@ -74,7 +77,8 @@ void number_log(struct parser *p, const struct call *call, struct value *result)
     double x = argument(call, 0);
     *result = value_float(log10(x));
     if (x <= 0)
-        call_error(p, call, result, NULL, "%g has no logarithm", x);
+        call_error(p, call, result, NULL, "%s has no logarithm",
+                   NUMBER_TEXT(x));
 }
 
 static double number_clamp(struct parser *p, const struct call *call)
@@ -83,7 +87,8 @@ static double number_clamp(struct parser *p, const struct call *call)
     if (x >= -1 && x <= 1)
         return x;
     warning_at(p, call->span, NULL,
-               "%g is outside the range of this function, -1 to 1", x);
+               "%s is outside the range of this function, -1 to 1",
+               NUMBER_TEXT(x));
     return x < 0 ? -1 : 1;
 }
 
@@ -143,7 +148,8 @@ void number_rand(struct parser *p, const struct call *call,
     size_t count = p->randoms ? p->randoms->count : 0;
     if (!(stream > -1 && stream < (double)count)) {
         call_error(p, call, result, "rand(seed(1))",
-                   "rand() wants what seed() gave, found %g", stream);
+                   "rand() wants what seed() gave, found %s",
+                   NUMBER_TEXT(stream));
         return;
     }
     p->changes++;

@@ -171,7 +171,7 @@ static bool image_open(struct parser *p, const struct image_request *request)
 {
     const char *path = file_find(p, request->name, NULL);
     if (!path)
-        return error_at(p, request->span, file_hint(p),
+        return error_at(p, request->span, file_hint(p, request->name),
                         "can't find the image '%s'", request->name);
     request->map->image = image_find(p, path, request);
     return request->map->image != NULL;
@@ -180,14 +180,22 @@ static bool image_open(struct parser *p, const struct image_request *request)
 /* image_type = "gif" | "tga" | "iff" | "ppm" | "pgm" | "png" | "jpeg" | "tiff"
  *            | "sys" | "exr" | "hdr" | "bmp" .
  * The file itself tells its type better. */
-static void parse_image_type(struct parser *p)
+static bool parse_image_type(struct parser *p)
 {
-    static const char *const types[] = { "gif", "tga", "iff",  "ppm",
-                                         "pgm", "png", "jpeg", "tiff",
-                                         "sys", "exr", "hdr",  "bmp" };
-    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-        if (accept_word(p, types[i]))
-            return;
+    static const struct field types[] = {
+        { .name = "gif" },  { .name = "tga" },  { .name = "iff" },
+        { .name = "ppm" },  { .name = "pgm" },  { .name = "png" },
+        { .name = "jpeg" }, { .name = "tiff" }, { .name = "sys" },
+        { .name = "exr" },  { .name = "hdr" },  { .name = "bmp" },
+        { .name = NULL },
+    };
+    size_t left;
+    for (const struct field *type = types; type->name; type++)
+        if (accept_word(p, type->name))
+            return true;
+    bool wrong = stream_peek(p)->kind == TOKEN_WORD && !at_expression(p) &&
+                 stream_raw(p, &left)->kind == TOKEN_STRING;
+    return !wrong || error_unknown_item(p, "image_map", types);
 }
 
 /* map_type = "map_type" float . */
@@ -281,7 +289,8 @@ static bool image_items(struct parser *p, struct image_request *request)
 {
     if (!check_supported(p, image_unsupported))
         return false;
-    parse_image_type(p);
+    if (!parse_image_type(p))
+        return false;
     request->span = stream_span(p);
     if (!parse_string(p, &request->name))
         return false;

@@ -66,6 +66,8 @@ static bool region_items(struct parser *p, struct mesh_region *region)
     const struct field *field = accept_field(p, factor_fields);
     if (field)
         return parse_field(p, field, region);
+    if (stream_peek(p)->kind == TOKEN_WORD)
+        return error_unknown_item(p, "region", factor_fields);
     return error_expected(p, "'factor' and how much denser the mesh is in "
                              "this region");
 }
@@ -104,8 +106,8 @@ static bool parse_mesh_file(struct parser *p)
         return false;
     const char *path = file_find(p, name, NULL);
     if (!path)
-        return error_at(p, span, file_hint(p), "can't find the light mesh '%s'",
-                        name);
+        return error_at(p, span, file_hint(p, name),
+                        "can't find the light mesh '%s'", name);
     p->scene->settings.light_mesh.load_file =
         arena_printf(p->scene_arena, "%s", path);
     return true;
@@ -125,6 +127,9 @@ static bool parse_mesh_item(struct parser *p)
         return parse_region(p);
     if (at_word(p, "load_file") || at_word(p, "save_file"))
         return parse_mesh_file(p);
+    if (at_word(p, "samples") || at_word(p, "bounces"))
+        return error_at(p, stream_span(p), "indirect { samples 200 bounces 3 }",
+                        "this belongs into 'indirect'");
     return error_unknown_item(p, "light_mesh", mesh_names);
 }
 
@@ -172,7 +177,8 @@ static bool parse_radiosity_value(struct parser *p)
 }
 
 /* radiosity = "radiosity" "{" {radiosity_value} "}" .
- * Asks for interreflection; how POV-Ray is to find it means nothing here. */
+ * Asks for interreflection, which there is unless 'indirect off' is said,
+ * before or after; how POV-Ray is to find it means nothing here. */
 bool parse_radiosity(struct parser *p)
 {
     struct span open, first = span_none(), span = stream_span(p);
@@ -192,6 +198,5 @@ bool parse_radiosity(struct parser *p)
                    "glim does not use the values in 'radiosity'; its own are "
                    "said like this");
     p->scene->settings.radiosity = true;
-    p->scene->settings.light_mesh.indirect.on = true;
     return true;
 }

@@ -121,15 +121,19 @@ static bool macro_arguments(struct parser *p, const struct macro *macro,
                             struct value *values)
 {
     struct span open = stream_span(p);
-    if (!expect(p, TOKEN_LPAREN, span_none()))
+    if (!expect(p, TOKEN_LPAREN, span_none())) {
+        note_at(p, macro->span, "macro '%s' is defined here",
+                macro->name->text);
         return false;
+    }
     for (int i = 0; i < macro->parameter_count; i++) {
         if (i > 0)
             accept(p, TOKEN_COMMA);
         if (stream_peek(p)->kind == TOKEN_RPAREN) {
             error_at(p, p->token_span, NULL,
-                     "macro '%s' wants %d arguments, found %d",
-                     macro->name->text, macro->parameter_count, i);
+                     "macro '%s' wants %d argument%s, found %d",
+                     macro->name->text, macro->parameter_count,
+                     macro->parameter_count == 1 ? "" : "s", i);
             note_at(p, macro->span, "it is defined here");
             return false;
         }

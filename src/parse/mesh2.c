@@ -1,6 +1,7 @@
 /* mesh2{}: triangles as lists of points and of indices. Programs write them
  * by the million, so lists of plain numbers are read straight from the tokens.
  */
+#include "base/text.h"
 #include "parse/mesh_builder.h"
 #include "parse/rules.h"
 #include "token/numbers.h"
@@ -40,8 +41,8 @@ static bool plain_count(struct parser *p, const struct number_list *list,
     *count = list->count;
     return list->said == (double)list->count ||
            error_at(p, p->last_span, NULL,
-                    "the list should have %g items, here are %zu", list->said,
-                    list->count);
+                    "the list should have %s items, here are %zu",
+                    NUMBER_TEXT(list->said), list->count);
 }
 
 /* list_count = float [","] .
@@ -177,12 +178,12 @@ static bool list_indices(struct parser *p, struct mesh2 *m, uint32_t *out,
         bool known = v[i] >= 0 && v[i] < (double)count;
         if (!known && m->plain)
             return error_at(p, span, NULL,
-                            "item %zu names number %g of the %s, which are %zu",
-                            m->plain_next, v[i], things, count);
+                            "item %zu names number %s of the %s, which are %zu",
+                            m->plain_next, NUMBER_TEXT(v[i]), things, count);
         if (!known)
             return error_at(p, span, NULL,
-                            "this names number %g of the %s, which are %zu",
-                            v[i], things, count);
+                            "this names number %s of the %s, which are %zu",
+                            NUMBER_TEXT(v[i]), things, count);
         out[i] = (uint32_t)v[i];
     }
     return true;
@@ -207,9 +208,9 @@ static bool parse_face_textures(struct parser *p, const struct mesh2 *m,
     }
     if (!(first >= 0 && first < (double)m->lists.textures.count))
         return error_at(p, span, NULL,
-                        "this names number %g of the texture_list, which has "
+                        "this names number %s of the texture_list, which has "
                         "%zu",
-                        first, m->lists.textures.count);
+                        NUMBER_TEXT(first), m->lists.textures.count);
     *out = (uint32_t)first;
     return true;
 }

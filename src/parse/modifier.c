@@ -274,10 +274,12 @@ static bool modifier_unknown(struct parser *p, const struct modifiers *m)
 {
     if (!check_supported(p, modifier_unsupported))
         return false;
-    if (m->object->child_count && at_object(p))
-        return error_at(p, stream_span(p), NULL,
-                        "the objects of '%s' come before its modifiers",
-                        m->block);
+    if (m->object->child_count && at_object(p)) {
+        error_at(p, stream_span(p), NULL,
+                 "the objects of '%s' come before its modifiers", m->block);
+        note_unclosed(p);
+        return false;
+    }
     return error_unknown_item(p, m->block, modifier_names);
 }
 

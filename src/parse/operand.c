@@ -158,8 +158,14 @@ static bool parse_parentheses(struct parser *p, const char *wanted,
 {
     struct span open = stream_span(p);
     stream_next(p);
-    return parse_operation(p, PRECEDENCE_CONDITION, wanted, value) &&
-           expect(p, TOKEN_RPAREN, open);
+    if (!parse_operation(p, PRECEDENCE_CONDITION, wanted, value))
+        return false;
+    if (stream_peek(p)->kind != TOKEN_COMMA)
+        return expect(p, TOKEN_RPAREN, open);
+    error_at(p, stream_span(p), NULL,
+             "expected ')', found ','; a vector is written <1, 2, 3>");
+    note_at(p, open, "to match this '('");
+    return false;
 }
 
 /* ---- identifiers ---- */

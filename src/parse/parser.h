@@ -56,6 +56,8 @@ struct parser {
     struct span token_span, last_span; /* of it; of the last one taken */
     bool peeked;
     unsigned nesting;
+    struct span blocks[PARSE_NESTING_LIMIT]; /* the '{' of blocks being read */
+    unsigned block_count;
     unsigned declaring; /* #declares being read inside each other */
     const struct unsupported *unsupported; /* met inside a #declare */
     struct span blamed; /* the last token of a value that was reported and
@@ -67,8 +69,7 @@ struct parser {
     bool failed;    /* gave up: the stream only gives TOKEN_END from now on */
     double version; /* #version in force */
     bool version_said;
-    bool has_camera; /* one was said: the next takes its place */
-    struct {         /* #default: what new things start from */
+    struct { /* #default: what new things start from */
         const struct pigment *pigment;
         const struct normal *normal;
         const struct finish *finish;
@@ -136,6 +137,10 @@ bool error_unsupported(struct parser *p, struct span span, const char *feature);
 bool error_unknown_item(struct parser *p, const char *block,
                         const struct field *fields);
 
+/* If the next token is an item of the scene on a later line than the '{' of
+ * the block it is in: a note that the block may lack its '}'. */
+void note_unclosed(struct parser *p);
+
 /* ---- expression.c: values are evaluated as they are read ---- */
 
 bool parse_expression(struct parser *p, struct value *value);
@@ -182,9 +187,21 @@ const struct value *accept_value(struct parser *p, enum value_kind kind);
 const char *file_find(struct parser *p, const char *name,
                       const char *extension);
 
-/* "looked in ., /usr/share/...; +LDIR adds others": the hint for a file that
- * was not found. */
-const char *file_hint(struct parser *p);
+/* The hint for a file that was not found: one with nearly that name, or
+ * "looked in ., /usr/share/...; +LDIR adds others". */
+const char *file_hint(struct parser *p, const char *name);
+
+/* ---- belongs.c ---- */
+
+/* "finish { phong ... }" for a word that belongs into another block than this
+ * one, "texture { T }" for a declared texture T; or NULL. */
+const char *item_belongs(struct parser *p, const struct word *word,
+                         const char *block);
+
+/* ---- standard.c ---- */
+
+/* '#include "colors.inc"' if that is what declares the name, or NULL. */
+const char *standard_include(struct parser *p, const char *name);
 
 /* ---- scene rules: each file has the productions it reads ---- */
 
@@ -192,7 +209,8 @@ const char *file_hint(struct parser *p);
 bool parse_thing(struct parser *p, struct value *value, bool *found);
 
 bool parse_scene_item(struct parser *p); /* scene.c */
-bool at_object(struct parser *p);        /* object.c */
+bool at_scene_item(struct parser *p);
+bool at_object(struct parser *p); /* object.c */
 bool parse_object(struct parser *p, struct object **out);
 bool parse_camera(struct parser *p, struct camera *out);
 bool parse_texture(struct parser *p, const struct texture **out);

@@ -5,6 +5,7 @@
 
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
+    { KEYWORD_AOI, "the 'aoi' pattern" },
     { KEYWORD_AVERAGE, "the 'average' pattern" },
     { KEYWORD_BUMP_MAP, "'bump_map'" },
     { KEYWORD_CELLS, "the 'cells' pattern" },
@@ -16,12 +17,15 @@ static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_MAGNET, "the 'magnet' pattern" },
     { KEYWORD_MANDEL, "the 'mandel' pattern" },
     { KEYWORD_OBJECT, "the 'object' pattern" },
+    { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
     { KEYWORD_PIGMENT_PATTERN, "the 'pigment_pattern' pattern" },
     { KEYWORD_QUILTED, "the 'quilted' pattern" },
     { KEYWORD_SLOPE, "the 'slope' pattern" },
     { KEYWORD_SPIRAL1, "the 'spiral1' pattern" },
     { KEYWORD_SPIRAL2, "the 'spiral2' pattern" },
+    { KEYWORD_SQUARE, "the 'square' pattern" },
     { KEYWORD_TILING, "the 'tiling' pattern" },
+    { KEYWORD_TRIANGULAR, "the 'triangular' pattern" },
     { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
 };
@@ -78,6 +82,8 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
     if (token->kind != TOKEN_WORD)
         return true;
     const struct pattern_kind *kind = pattern_find(token->word->text);
+    if (at_word(p, "cubic")) /* a shape's name as well */
+        return error_unsupported(p, p->token_span, "the 'cubic' pattern");
     if (!kind)
         return check_supported(p, pattern_unsupported);
     *found = true;

@@ -158,10 +158,10 @@ static bool scene_camera(struct parser *p)
     struct span span = stream_span(p);
     if (!parse_camera(p, &camera))
         return false;
-    if (p->has_camera)
+    if (p->scene->camera_said)
         warning_at(p, span, NULL,
                    "a second camera: the one before it is not used");
-    p->has_camera = true;
+    p->scene->camera_said = true;
     p->scene->camera = camera;
     return true;
 }
@@ -184,9 +184,12 @@ static bool scene_sky_sphere(struct parser *p)
 static bool scene_fog(struct parser *p)
 {
     struct fog fog;
+    struct span span = stream_span(p);
     if (!parse_fog(p, &fog))
         return false;
-    if (fog.distance > 0)
+    if (!(fog.distance > 0))
+        warning_at(p, span, "distance 10", "fog without a distance is none");
+    else
         *ARRAY_PUSH(p->scene_arena, &p->scene->fogs) = fog;
     return true;
 }
@@ -201,7 +204,7 @@ static bool scene_object(struct parser *p)
     return true;
 }
 
-static bool at_scene_item(struct parser *p)
+bool at_scene_item(struct parser *p)
 {
     switch (stream_keyword(p)) {
     case KEYWORD_CAMERA:
@@ -241,6 +244,9 @@ static bool scene_unknown(struct parser *p)
                  "this belongs into 'global_settings'");
     else if (kind == TOKEN_WORD)
         error_unknown_item(p, "the scene", NULL);
+    else if (kind == TOKEN_SEMICOLON)
+        error_at(p, stream_span(p), NULL,
+                 "no ';' stands here: it ends #declare, #local and #version");
     else if (kind == TOKEN_RBRACE)
         error_at(p, stream_span(p), NULL, "this '}' closes nothing");
     else

@@ -322,6 +322,7 @@ bool block_begin(struct parser *p, struct span *open)
         stream_abort(p);
         return false;
     }
+    p->blocks[p->block_count++] = *open;
     return true;
 }
 
@@ -344,6 +345,7 @@ bool block_end(struct parser *p, struct span open, bool ok)
     ok = ok && expect(p, TOKEN_RBRACE, open);
     if (!ok)
         block_skip(p);
+    p->block_count--;
     p->nesting--;
     return ok;
 }

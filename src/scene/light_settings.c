@@ -72,7 +72,7 @@ const struct field indirect_fields[] = {
 /* skeleton_value = "resolution" float | "heuristic" name . */
 const struct field skeleton_fields[] = {
     COUNT("resolution", skeleton.resolution, 8, 2048,
-          "voxels along the scene's longest side, 128; ends of bounces 64"),
+          "voxels along the scene's longest side, 128; ends of bounces 48"),
     { "heuristic", FIELD_NAME, AT(skeleton.heuristic), 0, 0,
       "how light is estimated along the skeleton" },
     { NULL },

@@ -42,7 +42,7 @@ struct light_mesh_settings {
     int levels;       /* adaptive: how often a cell may be halved; both 0: only
                        * as indirect light needs it */
     struct {
-        bool on;     /* unless said off; radiosity {} says on */
+        bool on;     /* unless said off, whatever radiosity {} says */
         int samples; /* gather rays of a mesh point */
         int bounces;
         bool skeleton; /* the skeleton's light ends the last bounce */

@@ -48,6 +48,7 @@ struct settings {
 struct scene {
     struct arena *arena;
     struct camera camera;
+    bool camera_said; /* else it is the default one */
     struct settings settings;
     colour background;            /* clear; transmit counts for +UA */
     const struct sky_sphere *sky; /* or NULL */

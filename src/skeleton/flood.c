@@ -166,7 +166,7 @@ static void look_into(struct flood *flood, struct outsider *outsider,
     const struct voxels *v = &flood->space->voxels;
     size_t index = voxels_index(v, at[0], at[1], at[2]);
     uint32_t label = flood->space->label[index];
-    if (!v->empty[index] ||
+    if (!v->empty[index] || label == dark ||
         (label && label <= outsider->seen_count && outsider->seen[label - 1]))
         return;
     if (matter_hides(flood->world, flood->leaf_marks, outsider->place,
@@ -275,6 +275,19 @@ static void flood_from_emitters(struct flood *flood)
     }
 }
 
+/* A glowing body around the camera is a room that it lights, not the dark. */
+static void flood_around(struct flood *flood, vec3 eye)
+{
+    const struct voxels *v = &flood->space->voxels;
+    size_t voxel = seed_voxel(flood, eye);
+    int at[3];
+    if (voxel == VOXEL_NONE || !is_free(flood, voxel))
+        return;
+    voxels_place(v, voxel, at);
+    if (is_inside(flood, voxels_centre(v, at), MATTER_EMITTER))
+        part_of(flood, voxel);
+}
+
 /* The camera, or one of the places that an orthographic one looks from: these
  * may lie within walls and behind them, so only what is `lit` counts at first.
  */
@@ -284,7 +297,8 @@ static void flood_from_eye(struct flood *flood, vec3 eye, bool lit)
     size_t voxel = seed_voxel(flood, eye);
     if (is_outside(flood, eye))
         look_in(flood, eye, add_camera);
-    if (voxel == VOXEL_NONE || (lit && is_free(flood, voxel)))
+    if (voxel == VOXEL_NONE || space->label[voxel] == dark ||
+        (lit && is_free(flood, voxel)))
         return;
     part_of(flood, voxel)->camera = true;
     if (space->camera == VOXEL_NONE)
@@ -320,6 +334,7 @@ void flood_space(struct flood *flood, const struct camera *camera)
     size_t count = voxels_count(&space->voxels);
     space->label = memory_new(count * sizeof *space->label);
     flood_from_lights(flood);
+    flood_around(flood, camera->location);
     flood_from_emitters(flood);
     flood_from_camera(flood, camera);
     for (size_t i = 0; i < count; i++) {

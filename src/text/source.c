@@ -8,6 +8,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+static bool source_is_utf16(const char *text, size_t length)
+{
+    return length >= 2 && (memcmp(text, "\xff\xfe", 2) == 0 ||
+                           memcmp(text, "\xfe\xff", 2) == 0);
+}
+
 static const char *source_skip_bom(const char *text, size_t *length)
 {
     if (*length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
@@ -101,6 +107,10 @@ const struct source *source_read(struct arena *arena, const char *path,
         text = source_slurp(arena, file, expected, pipe, &length, problem);
     if (!standard_input)
         close(file);
+    if (text && source_is_utf16(text, length)) {
+        *problem = "it is UTF-16: keep it as UTF-8 or ASCII";
+        return NULL;
+    }
     if (!text)
         return NULL;
     struct source *source = ARENA_NEW(arena, struct source);

@@ -24,6 +24,7 @@
     X(AMBIENT, "ambient")                                                      \
     X(AMBIENT_LIGHT, "ambient_light")                                          \
     X(ANGLE, "angle")                                                          \
+    X(AOI, "aoi")                                                              \
     X(APERTURE, "aperture")                                                    \
     X(APPEND, "append")                                                        \
     X(ARC_ANGLE, "arc_angle")                                                  \
@@ -52,7 +53,6 @@
     X(BLUE, "blue")                                                            \
     X(BLUR_SAMPLES, "blur_samples")                                            \
     X(BOUNDED_BY, "bounded_by")                                                \
-    X(BOXED, "boxed")                                                          \
     X(BREAK, "break")                                                          \
     X(BRICK_SIZE, "brick_size")                                                \
     X(BRIGHTNESS, "brightness")                                                \
@@ -92,7 +92,6 @@
     X(CUBIC_SPLINE, "cubic_spline")                                            \
     X(CUBIC_WAVE, "cubic_wave")                                                \
     X(CUTAWAY_TEXTURES, "cutaway_textures")                                    \
-    X(CYLINDRICAL, "cylindrical")                                              \
     X(DATETIME, "datetime")                                                    \
     X(DEBUG, "debug")                                                          \
     X(DECLARE, "declare")                                                      \
@@ -282,6 +281,7 @@
     X(PARAMETRIC, "parametric")                                                \
     X(PASS_THROUGH, "pass_through")                                            \
     X(PATTERN, "pattern")                                                      \
+    X(PAVEMENT, "pavement")                                                    \
     X(PERSPECTIVE, "perspective")                                              \
     X(PGM, "pgm")                                                              \
     X(PHASE, "phase")                                                          \
@@ -292,7 +292,6 @@
     X(PIGMENT, "pigment")                                                      \
     X(PIGMENT_MAP, "pigment_map")                                              \
     X(PIGMENT_PATTERN, "pigment_pattern")                                      \
-    X(PLANAR, "planar")                                                        \
     X(PNG, "png")                                                              \
     X(POINT_AT, "point_at")                                                    \
     X(POLARITY, "polarity")                                                    \
@@ -362,7 +361,6 @@
     X(SPACING, "spacing")                                                      \
     X(SPECULAR, "specular")                                                    \
     X(SPHERE_SWEEP, "sphere_sweep")                                            \
-    X(SPHERICAL, "spherical")                                                  \
     X(SPIRAL1, "spiral1")                                                      \
     X(SPIRAL2, "spiral2")                                                      \
     X(SPLINE, "spline")                                                        \
@@ -370,6 +368,7 @@
     X(SPOTLIGHT, "spotlight")                                                  \
     X(SQR, "sqr")                                                              \
     X(SQRT, "sqrt")                                                            \
+    X(SQUARE, "square")                                                        \
     X(SRGB, "srgb")                                                            \
     X(SRGBF, "srgbf")                                                          \
     X(SRGBFT, "srgbft")                                                        \
@@ -413,6 +412,7 @@
     X(TRANSMIT, "transmit")                                                    \
     X(TRIANGLE, "triangle")                                                    \
     X(TRIANGLE_WAVE, "triangle_wave")                                          \
+    X(TRIANGULAR, "triangular")                                                \
     X(TRUE, "true")                                                            \
     X(TTF, "ttf")                                                              \
     X(TURB_DEPTH, "turb_depth")                                                \

@@ -13,3 +13,7 @@ global_settings { skeleton { resolution 1e6 } }
 global_settings { skeleton { heuristics a } }
 global_settings { radiosity { counts 1 } }
 global_settings { lightmesh { } }
+global_settings { light_mesh { indirect of } }
+global_settings { light_mesh { indirect { samples 2000000 skeleton yess } } }
+sphere { 0, 1 hollow flase pigment { rgb 1 } }
+sphere { 0, 1 hollow pigmnt { rgb 1 } }

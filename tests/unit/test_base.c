@@ -125,6 +125,31 @@ static void text_distance_counts_edits(void **state)
     nearest = text_nearest_start("wombat");
     text_nearest_try(&nearest, "sphere");
     assert_null(nearest.best);
+    nearest = text_nearest_start("of"); /* as near to both */
+    text_nearest_try(&nearest, "if");
+    text_nearest_try(&nearest, "off");
+    text_nearest_try(&nearest, "or");
+    assert_string_equal(nearest.best, "off");
+    nearest = text_nearest_start("Colors"); /* none is nearer than the same */
+    text_nearest_try(&nearest, "colors");
+    text_nearest_try(&nearest, "golds");
+    assert_string_equal(nearest.best, "colors");
+}
+
+static void text_numbers_are_written_out(void **state)
+{
+    (void)state;
+    assert_string_equal(NUMBER_TEXT(1e6), "1000000");
+    assert_string_equal(NUMBER_TEXT(-1234567), "-1234567");
+    assert_string_equal(NUMBER_TEXT(123456789012.0), "123456789012");
+    assert_string_equal(NUMBER_TEXT(1e-6), "0.000001");
+    assert_string_equal(NUMBER_TEXT(-1.5e-7), "-0.00000015");
+    assert_string_equal(NUMBER_TEXT(0.1), "0.1");
+    assert_string_equal(NUMBER_TEXT(0.1 + 0.2), "0.3");
+    assert_string_equal(NUMBER_TEXT(0), "0");
+    assert_string_equal(NUMBER_TEXT(1e300), "1e+300");
+    assert_string_equal(NUMBER_TEXT(1e-300), "1e-300");
+    assert_string_equal(NUMBER_TEXT(HUGE_VAL), "inf");
 }
 
 static void mark(void *context, size_t item, unsigned thread)
@@ -155,6 +180,7 @@ int main(void)
         cmocka_unit_test(affine_inverts),
         cmocka_unit_test(affine_box_holds_its_points),
         cmocka_unit_test(text_distance_counts_edits),
+        cmocka_unit_test(text_numbers_are_written_out),
         cmocka_unit_test(parallel_does_each_item_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

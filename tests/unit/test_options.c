@@ -366,6 +366,30 @@ static void errors_say_what_to_type(void **state)
                     "nor along the library path\n");
 }
 
+/* What is meant is found among the options' other names as well. */
+static void errors_know_the_other_names(void **state)
+{
+    (void)state;
+    bad("scene.pov +Wabc",
+        "glim: error: unknown option '+Wabc' (+W wants a number; glim --help "
+        "lists the options)\n");
+    bad("scene.pov --width 10", "glim: error: unknown option '--width' (did "
+                                "you mean 'Width=n'?)\n");
+    bad("scene.pov --width=10", "glim: error: unknown option '--width=10' (did "
+                                "you mean 'Width=10'?)\n");
+    bad("scene.pov Seed=3", "glim: error: unknown option 'Seed=3' (did you "
+                            "mean '--seed=3'?)\n");
+    bad("scene.pov --mesh-shadow sharp",
+        "glim: error: unknown option '--mesh-shadow' (did you mean "
+        "'--mesh-shadows'?)\n");
+    bad("scene.pov H10",
+        "glim: error: 'H10' is no option like this: type +H10\n");
+    bad("scene.pov Width 10",
+        "glim: error: 'Width' is no option like this: type Width=n\n");
+    bad("scene.pov part.ini[low",
+        "glim: error: 'part.ini[low': a ']' is missing at its end\n");
+}
+
 static void ini_errors_point_into_the_file(void **state)
 {
     (void)state;
@@ -376,7 +400,8 @@ static void ini_errors_point_into_the_file(void **state)
                            "      | Width\n");
     put("e.ini", "Width=20 Height=3\n");
     bad("e.ini scene.pov",
-        "e.ini:1:7: error: Width wants a number, not '20 Height=3'\n"
+        "e.ini:1:7: error: Width wants a number, not '20 Height=3'; "
+        "one Key=value on each line\n"
         "    1 | Width=20 Height=3\n"
         "      |       ^~~~~~~~~~~\n");
     put("e.ini", "Output_File_Name=\"a\n");
@@ -495,6 +520,7 @@ int main(void)
         cmocka_unit_test(parts_count_from_one_or_are_shares),
         cmocka_unit_test(frames_are_povrays),
         cmocka_unit_test(errors_say_what_to_type),
+        cmocka_unit_test(errors_know_the_other_names),
         cmocka_unit_test(ini_errors_point_into_the_file),
         cmocka_unit_test(arguments_after_two_dashes_are_scenes),
         cmocka_unit_test(povrays_options_are_accepted),

@@ -515,6 +515,17 @@ static void radiosity_asks_for_interreflection(void **state)
     assert_true(r.scene->settings.radiosity);
     assert_true(r.scene->settings.light_mesh.indirect.on);
     scene_end(&r);
+    /* 'off' is said, the wish is only implied: in either order 'off' wins. */
+    const char *const off[] = {
+        "global_settings { light_mesh { indirect off } radiosity {} }",
+        "global_settings { radiosity {} light_mesh { indirect off } }",
+    };
+    for (size_t i = 0; i < 2; i++) {
+        r = scene_good(off[i]);
+        assert_true(r.scene->settings.radiosity);
+        assert_false(r.scene->settings.light_mesh.indirect.on);
+        scene_end(&r);
+    }
 }
 
 static void unsupported_things_wait_for_their_use(void **state)

@@ -458,6 +458,9 @@ static void odd_scenes_get_a_result_or_a_message(void **state)
           " light_source { 0, 1 }",
           1, NULL },
         { "box { -5, 5 } sphere { 0, 1 finish { emission 1 } }", 1, NULL },
+        { "sphere { 0, 5 finish { emission 1 } } sphere { 0, 1 }", 2, NULL },
+        { "box { -5, 5 finish { emission 1 } } light_source { <9,9,9>, 1 }", 2,
+          NULL },
         { "box { -5, 5 }", 1, "no light gets into the part" },
         { "sphere { 0, 0.1 scale <9,9,1> } #for (I, -99, 99)"
           " box { <-9,-9,I/33>, <9,9,I/33+0.02> } #end"

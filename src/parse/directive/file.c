@@ -42,8 +42,8 @@ static bool include_run(struct parser *p, struct span at)
     struct span where = span_join(at, p->last_span);
     const char *path = file_find(p, name, ".inc");
     if (!path) {
-        error_at(p, where, file_hint(p), "can't find the include file '%s'",
-                 name);
+        error_at(p, where, file_hint(p, name),
+                 "can't find the include file '%s'", name);
         stream_abort(p);
         return false;
     }

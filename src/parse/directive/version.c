@@ -1,4 +1,5 @@
 /* #version and #default. */
+#include "base/text.h"
 #include "parse/directive.h"
 
 /* version_directive = "#version" ["unofficial"] float [";"] . */
@@ -18,9 +19,9 @@ static bool version_run(struct parser *p, struct span at)
         return false;
     if (version > 3.75 || version < 1)
         return error_at(p, span_join(at, p->last_span), "#version 3.7;",
-                        "the scene asks for POV-Ray %g; glim speaks the "
+                        "the scene asks for POV-Ray %s; glim speaks the "
                         "language of 3.7",
-                        version);
+                        NUMBER_TEXT(version));
     p->version = version;
     p->version_said = true;
     return true;

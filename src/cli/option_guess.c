@@ -1,0 +1,93 @@
+/* What was meant by what is no option: for the words of errors. */
+#include "cli/option.h"
+
+#include "base/text.h"
+
+/* Keys are written with '_', words with '-': --output-alpha is near to
+ * Output_Alpha. */
+static const char *guess_dashes(struct arena *arena, const char *name,
+                                char from, char to)
+{
+    char *text = arena_copy_text(arena, name, strlen(name));
+    for (char *c = text; *c; c++)
+        if (*c == from)
+            *c = to;
+    return text;
+}
+
+/* The row whose key, or whose word, is nearest. NULL: none is near. */
+static const struct option *guess_row(struct arena *arena, const char *name,
+                                      bool word)
+{
+    const struct option *best = NULL;
+    struct text_nearest nearest =
+        text_nearest_start(word ? guess_dashes(arena, name, '_', '-')
+                                : guess_dashes(arena, name, '-', '_'));
+    for (size_t i = 0; option_at(i); i++) {
+        const struct option *option = option_at(i);
+        const char *known = word ? option->word : option->key;
+        const char *before = nearest.best;
+        if (known)
+            text_nearest_try(&nearest, known);
+        if (nearest.best != before)
+            best = option;
+    }
+    return best;
+}
+
+/* The option as it should have been typed; `rest` is the value, with its '='
+ * if it had one, or "". */
+static const char *guess_spelling(struct arena *arena, const char *name,
+                                  const char *rest, bool word)
+{
+    const struct option *option = guess_row(arena, name, word);
+    bool other = !option;
+    if (other)
+        option = guess_row(arena, name, !word);
+    if (!option)
+        return NULL;
+    bool by_word = word != other;
+    if (*rest || !other)
+        return arena_printf(arena, "%s%s%s", by_word ? "--" : "",
+                            by_word ? option->word : option->key, rest);
+    return option_spelling(option, by_word, arena);
+}
+
+bool option_unknown(struct option_reader *reader, const struct setting *setting,
+                    const char *name)
+{
+    struct arena *arena = reader->arena;
+    size_t start = strspn(name, "+-"), length = strcspn(name + start, "= \t");
+    const char *plain = arena_copy_text(arena, name + start, length);
+    const char *rest = name + start + length;
+    bool word = strncmp(name, "--", 2) == 0;
+    const char *hint = guess_spelling(arena, plain, rest, word);
+    const struct option *letters =
+        start == 1 ? option_find_letters(name + 1) : NULL;
+    if (hint && !setting->span.source)
+        hint = arena_printf(arena, "did you mean '%s'?", hint);
+    else if (!hint && letters && letters->argument)
+        hint = arena_printf(arena,
+                            "+%s wants a number; glim --help lists the options",
+                            letters->letters);
+    else if (!hint && !setting->span.source)
+        hint = "glim --help lists the options";
+    diag_print(reader->diag, DIAG_ERROR, setting->span, hint,
+               "unknown option '%s'", name);
+    return false;
+}
+
+const char *option_meant(struct arena *arena, const char *text)
+{
+    double number;
+    const struct option *option = option_find_key(text);
+    if (option)
+        return option_spelling(option, false, arena);
+    option = option_find_word(text);
+    if (option)
+        return option_spelling(option, true, arena);
+    option = option_find_letters(text);
+    if (option && option_number(text + strlen(option->letters), &number))
+        return arena_printf(arena, "+%s", text);
+    return NULL;
+}

@@ -1,0 +1,87 @@
+/* Which block an item belongs into that stands in another, for errors. */
+#include "parse/expression.h"
+#include "parse/stream.h"
+#include "scene/pattern.h"
+
+struct owner {
+    const char *block;
+    const char *const *items;
+};
+
+static const char *const camera_items[] = { "angle", "location", "look_at",
+                                            "orthographic", NULL };
+static const char *const finish_items[] = {
+    "ambient",    "brilliance", "conserve_energy", "crand",
+    "diffuse",    "emission",   "metallic",        "phong",
+    "phong_size", "reflection", "roughness",       "specular",
+    NULL
+};
+static const char *const interior_items[] = { "fade_color", "fade_distance",
+                                              "fade_power", "ior", NULL };
+static const char *const light_items[] = { "area_light", "looks_like",
+                                           "point_at",   "shadowless",
+                                           "spotlight",  NULL };
+static const char *const settings_items[] = {
+    "adc_bailout",     "ambient_light", "assumed_gamma",
+    "max_trace_level", "radiosity",     NULL
+};
+
+static const struct owner owners[] = {
+    { "camera", camera_items },
+    { "finish", finish_items },
+    { "interior", interior_items },
+    { "light_source", light_items },
+    { "global_settings", settings_items },
+};
+
+static const char *owner_of(const struct word *word)
+{
+    for (size_t i = 0; i < sizeof owners / sizeof *owners; i++)
+        for (const char *const *item = owners[i].items; *item; item++)
+            if (strcmp(*item, word->text) == 0)
+                return owners[i].block;
+    enum keyword keyword = word->keyword;
+    bool colours = keyword == KEYWORD_COLOUR_MAP ||
+                   keyword == KEYWORD_PIGMENT_MAP ||
+                   keyword == KEYWORD_IMAGE_MAP || colour_begins(keyword);
+    return colours || pattern_find(word->text) ? "pigment" : NULL;
+}
+
+/* What a declared thing stands in; NULL: nothing in particular. */
+static const char *block_of(enum value_kind kind)
+{
+    switch (kind) {
+    case VALUE_OBJECT:
+        return "object";
+    case VALUE_TEXTURE:
+        return "texture";
+    case VALUE_COLOUR:
+    case VALUE_PIGMENT:
+        return "pigment";
+    case VALUE_NORMAL:
+        return "normal";
+    case VALUE_FINISH:
+        return "finish";
+    case VALUE_INTERIOR:
+        return "interior";
+    case VALUE_MATERIAL:
+        return "material";
+    case VALUE_TRANSFORM:
+        return "transform";
+    default:
+        return NULL;
+    }
+}
+
+const char *item_belongs(struct parser *p, const struct word *word,
+                         const char *block)
+{
+    const struct value *value = word->reserved ? NULL : symbol_find(p, word);
+    const char *owner = value ? block_of(value->kind) : NULL;
+    if (word->reserved)
+        owner = owner_of(word);
+    if (!owner || strcmp(owner, block) == 0)
+        return NULL;
+    return arena_printf(p->arena, "%s { %s%s }", owner, word->text,
+                        value ? "" : " ...");
+}

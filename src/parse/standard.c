@@ -1,0 +1,55 @@
+/* POV-Ray's standard include files: which of them declares a name, for the
+ * error of a scene that forgot to include it. */
+#include <ctype.h>
+
+#include "parse/parser.h"
+
+/* Those a scene would include by itself. */
+static const char *const standard_files[] = {
+    "colors.inc",  "textures.inc",  "finish.inc",     "glass.inc",
+    "golds.inc",   "metals.inc",    "stones.inc",     "stones1.inc",
+    "stones2.inc", "woods.inc",     "skies.inc",      "stars.inc",
+    "shapes.inc",  "shapes2.inc",   "shapes3.inc",    "shapesq.inc",
+    "rand.inc",    "math.inc",      "transforms.inc", "strings.inc",
+    "consts.inc",  "functions.inc", "ior.inc",        "arrays.inc",
+};
+
+static bool standard_is_name(char c)
+{
+    return isalnum((unsigned char)c) || c == '_';
+}
+
+/* Whether the text from `at` on is the word, and nothing more. */
+static bool standard_is_word(const char *at, const char *word)
+{
+    size_t length = strlen(word);
+    return strncmp(at, word, length) == 0 && !standard_is_name(at[length]);
+}
+
+static bool standard_declares(const char *text, const char *name)
+{
+    while ((text = strchr(text, '#')) != NULL) {
+        text += 1 + strspn(text + 1, " \t");
+        if (!standard_is_word(text, "declare") &&
+            !standard_is_word(text, "macro"))
+            continue;
+        text += strcspn(text, " \t\n");
+        text += strspn(text, " \t");
+        if (standard_is_word(text, name))
+            return true;
+    }
+    return false;
+}
+
+const char *standard_include(struct parser *p, const char *name)
+{
+    size_t count = sizeof standard_files / sizeof *standard_files;
+    for (size_t i = 0; i < count; i++) {
+        const char *problem, *path = file_find(p, standard_files[i], NULL);
+        const struct source *source =
+            path ? source_read(p->arena, path, span_none(), &problem) : NULL;
+        if (source && standard_declares(source->text, name))
+            return arena_printf(p->arena, "#include \"%s\"", standard_files[i]);
+    }
+    return NULL;
+}

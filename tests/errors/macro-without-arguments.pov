@@ -1,0 +1,2 @@
+#macro Ball(R) sphere { 0, R } #end
+Ball

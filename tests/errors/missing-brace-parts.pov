@@ -1,0 +1,6 @@
+union {
+  sphere { 0, 1 }
+  pigment { rgb 1 }
+
+light_source { 5, 1 }
+sphere { 0, 1 }
