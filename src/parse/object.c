@@ -18,7 +18,6 @@ static const struct unsupported_word object_unsupported[] = {
     { KEYWORD_SOR, "'sor'" },
     { KEYWORD_SPHERE_SWEEP, "'sphere_sweep'" },
     { KEYWORD_SUPERELLIPSOID, "'superellipsoid'" },
-    { KEYWORD_TEXT, "'text'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -53,6 +52,8 @@ static object_rule *object_keyword_rule(enum keyword keyword)
         return parse_triangle;
     case KEYWORD_SMOOTH_TRIANGLE:
         return parse_smooth_triangle;
+    case KEYWORD_TEXT:
+        return parse_text;
     default:
         return NULL;
     }
@@ -179,7 +180,7 @@ static bool parse_object_use(struct parser *p, struct object **out)
 }
 
 /* object = primitive | csg | object_use | mesh | mesh2 | triangle
- *        | smooth_triangle | light_source | OBJECT . */
+ *        | smooth_triangle | text | light_source | OBJECT . */
 bool parse_object(struct parser *p, struct object **out)
 {
     enum keyword keyword = stream_keyword(p);
