@@ -74,6 +74,10 @@ struct parser {
         const struct normal *normal;
         const struct finish *finish;
     } defaults;
+    struct {
+        struct finish **items;
+        size_t count, capacity;
+    } finishes; /* all: the last #version decides how they filter */
     struct image_cache *images;     /* read for image_map; image_map.c */
     struct font_cache *fonts;       /* read for text; text.c */
     struct random_streams *randoms; /* seed(), rand() */

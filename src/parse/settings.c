@@ -175,8 +175,17 @@ enum gamma_kind settings_gamma(const struct parser *p)
     return p->version_said && p->version >= 3.7 ? GAMMA_POWER : GAMMA_NONE;
 }
 
+/* As POV-Ray decides it: by the #version in force at the end, for all. */
+static void settings_filters(struct parser *p)
+{
+    bool old = !p->version_said || p->version < 3.7;
+    for (size_t i = 0; i < p->finishes.count; i++)
+        p->finishes.items[i]->old_filter = old;
+}
+
 void settings_finish(struct parser *p)
 {
+    settings_filters(p);
     if (p->scene->settings.gamma_kind != GAMMA_NONE || p->failed)
         return;
     p->scene->settings.gamma_kind = settings_gamma(p);
@@ -194,6 +203,7 @@ void defaults_init(struct parser *p)
     struct finish *finish = ARENA_NEW(p->scene_arena, struct finish);
     *pigment = pigment_default(p->scene_arena);
     *finish = finish_default();
+    *ARRAY_PUSH(p->arena, &p->finishes) = finish;
     p->defaults.pigment = pigment;
     p->defaults.normal = NULL;
     p->defaults.finish = finish;

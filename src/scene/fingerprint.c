@@ -145,6 +145,7 @@ static uint64_t finish_hash(uint64_t hash, const struct finish *f)
         f->specular_albedo, f->metallic,     f->crand,
         f->conserve_energy, f->ior,          r->falloff,
         r->exponent,        r->metallic,     r->fresnel,
+        f->old_filter,
     };
     hash = hash_rgb(hash_rgb(hash, f->ambient), f->emission);
     hash = hash_rgb(hash_rgb(hash, r->minimum), r->maximum);
