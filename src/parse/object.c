@@ -9,12 +9,10 @@ static const struct unsupported_word object_unsupported[] = {
     { KEYWORD_HEIGHT_FIELD, "'height_field'" },
     { KEYWORD_ISOSURFACE, "'isosurface'" },
     { KEYWORD_JULIA_FRACTAL, "'julia_fractal'" },
-    { KEYWORD_LATHE, "'lathe'" },
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
     { KEYWORD_OVUS, "'ovus'" },
     { KEYWORD_PARAMETRIC, "'parametric'" },
     { KEYWORD_POLYNOMIAL, "'polynomial'" },
-    { KEYWORD_PRISM, "'prism'" },
     { KEYWORD_SOR, "'sor'" },
     { KEYWORD_SPHERE_SWEEP, "'sphere_sweep'" },
     { KEYWORD_SUPERELLIPSOID, "'superellipsoid'" },
@@ -52,6 +50,10 @@ static object_rule *object_keyword_rule(enum keyword keyword)
         return parse_triangle;
     case KEYWORD_SMOOTH_TRIANGLE:
         return parse_smooth_triangle;
+    case KEYWORD_LATHE:
+        return parse_lathe;
+    case KEYWORD_PRISM:
+        return parse_prism;
     case KEYWORD_TEXT:
         return parse_text;
     default:
@@ -180,7 +182,7 @@ static bool parse_object_use(struct parser *p, struct object **out)
 }
 
 /* object = primitive | csg | object_use | mesh | mesh2 | triangle
- *        | smooth_triangle | text | light_source | OBJECT . */
+ *        | smooth_triangle | prism | lathe | text | light_source | OBJECT . */
 bool parse_object(struct parser *p, struct object **out)
 {
     enum keyword keyword = stream_keyword(p);

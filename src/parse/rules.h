@@ -123,6 +123,8 @@ bool parse_smooth_triangle(struct parser *p, struct object **out);
 bool parse_mesh(struct parser *p, struct object **out);
 bool parse_mesh2(struct parser *p, struct object **out);
 bool parse_csg(struct parser *p, struct object **out);
+bool parse_prism(struct parser *p, struct object **out);
+bool parse_lathe(struct parser *p, struct object **out);
 bool parse_text(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 

@@ -37,6 +37,33 @@ struct segment segment_cubic(const double a[2], const double b[2],
     return segment;
 }
 
+struct segment segment_parabola(const double a[2], const double b[2],
+                                const double c[2])
+{
+    struct segment segment = { .end = { c[0], c[1] } };
+    for (int i = 0; i < 2; i++) {
+        double *to = i ? segment.y : segment.x;
+        to[0] = b[i];
+        to[1] = 0.5 * (c[i] - a[i]);
+        to[2] = 0.5 * (a[i] + c[i]) - b[i];
+    }
+    return segment;
+}
+
+struct segment segment_spline(const double a[2], const double b[2],
+                              const double c[2], const double d[2])
+{
+    struct segment segment = { .end = { c[0], c[1] } };
+    for (int i = 0; i < 2; i++) {
+        double *to = i ? segment.y : segment.x;
+        to[0] = b[i];
+        to[1] = 0.5 * (c[i] - a[i]);
+        to[2] = a[i] - 2.5 * b[i] + 2 * c[i] - 0.5 * d[i];
+        to[3] = 0.5 * (d[i] - a[i]) + 1.5 * (b[i] - c[i]);
+    }
+    return segment;
+}
+
 static double cubic_at(const double c[4], double s)
 {
     return ((c[3] * s + c[2]) * s + c[1]) * s + c[0];
@@ -202,8 +229,8 @@ static bool piece_is_right(const struct piece *piece, double x, double y)
 bool outline_covers(const struct outline *outline, double x, double y)
 {
     bool odd = false;
-    if (!(x >= outline->low[0] && x <= outline->high[0] &&
-          y >= outline->low[1] && y <= outline->high[1]))
+    if (!(x <= outline->high[0] && y >= outline->low[1] &&
+          y <= outline->high[1]))
         return false;
     for (size_t i = 0; i < outline->count; i++)
         odd ^= piece_is_right(&outline->pieces[i], x, y);

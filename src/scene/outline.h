@@ -26,6 +26,13 @@ struct segment segment_quadratic(const double a[2], const double b[2],
 struct segment segment_cubic(const double a[2], const double b[2],
                              const double c[2], const double d[2]);
 
+/* From b to c, as POV-Ray's splines go there: the parabola through all three,
+ * with s = -1 at a, and the cubic with the slopes of a-c and b-d. */
+struct segment segment_parabola(const double a[2], const double b[2],
+                                const double c[2]);
+struct segment segment_spline(const double a[2], const double b[2],
+                              const double c[2], const double d[2]);
+
 void segment_point(const struct segment *segment, double s, double point[2]);
 void segment_tangent(const struct segment *segment, double s,
                      double tangent[2]);
@@ -47,6 +54,7 @@ struct outline {
 struct outline outline_new(struct arena *arena, const struct segment *segments,
                            size_t count);
 
+/* Whether an odd number of curves is to the right of the point. */
 bool outline_covers(const struct outline *outline, double x, double y);
 
 /* Calls for each crossing with the line a x + b y + c = 0. */
