@@ -309,10 +309,14 @@ static uint64_t fogs_hash(const struct scene *scene)
     uint64_t hash = random_mix(scene->fogs.count);
     for (size_t i = 0; i < scene->fogs.count; i++) {
         const struct fog *fog = &scene->fogs.items[i];
-        const double numbers[] = { fog->distance, fog->ground, fog->offset,
-                                   fog->altitude };
-        hash = hash_colour(hash_numbers(hash, numbers, 4), fog->colour);
-        hash = hash_vector(hash, fog->up);
+        const struct turbulence *turbulence = &fog->turbulence;
+        const double numbers[] = {
+            fog->distance,     fog->ground,         fog->offset,
+            fog->altitude,     fog->turbulent,      fog->turbulent_share,
+            turbulence->omega, turbulence->octaves, turbulence->lambda,
+        };
+        hash = hash_colour(hash_numbers(hash, numbers, 9), fog->colour);
+        hash = hash_vector(hash_vector(hash, fog->up), turbulence->amount);
     }
     return hash;
 }
