@@ -13,17 +13,17 @@ static double fog_integral(double height)
     return height > 0 ? atan(height) : height;
 }
 
-/* How much of the fog is left at the middle of the way, where noise takes some
- * away: the less, the more there is (measured). */
-static double fog_left(const struct fog *fog, const struct ray *ray, double way,
-                       double depth)
+/* How much of the fog noise at the middle of the way leaves: the more, the
+ * longer the way, also of ground fog that is above most of it (measured). */
+static double fog_left(const struct fog *fog, const struct ray *ray, double way)
 {
     if (!fog->turbulent)
         return 1;
     vec3 middle = vec3_along(ray->origin, ray->direction, way / 2);
     double noise = noise_turbulence(vec3_mul(fog->turbulence.amount, middle),
                                     &fog->turbulence);
-    return 1 - exp(-depth) * fmin(1, noise * fog->turbulent_share);
+    return 1 -
+           exp(-way / fog->distance) * fmin(1, noise * fog->turbulent_share);
 }
 
 /* How much fog a ray meets without turbulence: the mean density times the way,
@@ -57,7 +57,7 @@ struct veil fog_veil(const struct scene *scene, const struct ray *ray,
         rgb tone = colour_rgb(fog->colour);
         rgb tint = rgb_mix(rgb_grey(1), tone, fog->colour.filter);
         double depth = fog_depth(fog, ray, distance);
-        depth *= fog_left(fog, ray, fmin(distance, fog_horizon), depth);
+        depth *= fog_left(fog, ray, fmin(distance, fog_horizon));
         double left = fmax(exp(-depth), fog->colour.transmit);
         veil.light = rgb_add_scaled(veil.light, tone, 1 - left);
         veil.through = rgb_mul(veil.through, rgb_scale(tint, left));

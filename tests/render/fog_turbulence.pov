@@ -10,5 +10,6 @@ background { rgb <.2, .3, .5> }
 fog { distance 12 color rgb <.7, .75, .8> turbulence 9 turb_depth .9 }
 fog { fog_type 2 distance 9 fog_alt .5 fog_offset .5 color rgb <.9, .7, .5>
     turbulence <7, 9, 8> octaves 3 omega .7 lambda 3 }
-box { <-9, 0, 4>, <9, 9, 5> pigment { rgb .05 } }
+box { <-9, 3, 14>, <9, 9, 15> pigment { rgb .05 } }
+box { <-9, 0, 4>, <9, 3, 5> pigment { rgb .05 } }
 plane { y, 0 pigment { rgb .05 } }
