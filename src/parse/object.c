@@ -15,7 +15,6 @@ static const struct unsupported_word object_unsupported[] = {
     { KEYWORD_POLYNOMIAL, "'polynomial'" },
     { KEYWORD_SOR, "'sor'" },
     { KEYWORD_SPHERE_SWEEP, "'sphere_sweep'" },
-    { KEYWORD_SUPERELLIPSOID, "'superellipsoid'" },
     { KEYWORD_NONE, NULL },
 };
 
