@@ -275,6 +275,18 @@ static void flood_from_emitters(struct flood *flood)
     }
 }
 
+/* An eye inside of what glows, as a sky's half space: that is void after all.
+ * (The insides of others may stay free: nobody is there.) */
+static void light_up(struct flood *flood, size_t voxel)
+{
+    struct void_space *space = flood->space;
+    size_t count = voxels_count(&space->voxels);
+    for (size_t i = 0; i < count; i++)
+        if (space->label[i] == dark)
+            space->label[i] = 0;
+    part_of(flood, voxel)->emitter = true;
+}
+
 /* The camera, or one of the places that an orthographic one looks from: these
  * may lie within walls and behind them, so only what is `lit` counts at first.
  */
@@ -286,6 +298,8 @@ static void flood_from_eye(struct flood *flood, vec3 eye, bool lit)
         look_in(flood, eye, add_camera);
     if (voxel == VOXEL_NONE || (lit && is_free(flood, voxel)))
         return;
+    if (space->label[voxel] == dark)
+        light_up(flood, voxel);
     part_of(flood, voxel)->camera = true;
     if (space->camera == VOXEL_NONE)
         space->camera = voxel;
