@@ -165,9 +165,16 @@ static uint64_t texture_hash(struct walk *walk, const struct texture *texture)
     if (known)
         return *known;
     uint64_t hash = random_mix(texture->count);
+    const struct texture_choice *choice = texture->choice;
     if (!walk->colours && texture_is_opaque(texture))
         return known_add(walk, texture, 0);
-    for (size_t i = 0; i < texture->count; i++) {
+    if (choice)
+        hash = pattern_hash(hash, &choice->pattern);
+    for (size_t i = 0; choice && i < choice->count; i++) {
+        hash = hash_numbers(hash, &choice->entries[i].value, 1);
+        hash = random_key(hash, texture_hash(walk, choice->entries[i].texture));
+    }
+    for (size_t i = 0; !choice && i < texture->count; i++) {
         const struct layer *layer = &texture->layers[i];
         hash = pigment_hash(walk, hash, layer->pigment);
         hash = finish_hash(hash, layer->finish);
