@@ -224,8 +224,8 @@ static void walk_material(struct walk *walk, const struct object *object,
         return;
     uint64_t *textures = &walk->found.textures;
     const double numbers[] = { interior->ior, interior->fade_distance,
-                               interior->fade_power };
-    *textures = hash_numbers(*textures, numbers, 3);
+                               interior->fade_power, interior->caustics };
+    *textures = hash_numbers(*textures, numbers, 4);
     *textures = hash_rgb(*textures, interior->fade_colour);
 }
 

@@ -152,6 +152,7 @@ struct interior {
     double fade_distance; /* 0: none */
     double fade_power;    /* 0: none */
     rgb fade_colour;      /* black */
+    double caustics;      /* pretended, in shadows: shade/shadow.c; 0: none */
 };
 
 struct material {
