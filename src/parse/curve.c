@@ -136,37 +136,6 @@ static struct terms curve_terms(const struct curve_builder *b)
                            b->segments.count * SEGMENT_NUMBERS };
 }
 
-/* The object around the shape: arguments, then modifiers. */
-typedef bool shape_rule(struct parser *p, void *shape);
-
-static bool parse_shape(struct parser *p, struct object **out,
-                        const struct primitive *primitive, shape_rule *rule)
-{
-    struct span open;
-    const char *warning = NULL;
-    stream_next(p);
-    struct object *object =
-        object_new(p->scene_arena, OBJECT_SHAPE, p->last_span);
-    void *shape = arena_alloc(p->scene_arena, primitive->size);
-    struct modifiers m = { .object = object,
-                           .block = primitive->name,
-                           .items = primitive->items,
-                           .shape = shape };
-    object->primitive = primitive;
-    object->shape = shape;
-    *out = object;
-    if (!block_begin(p, &open) ||
-        !block_end(p, open, rule(p, shape) && parse_modifiers(p, &m)))
-        return false;
-    primitive->prepare(shape, p->scene_arena, &warning);
-    if (warning) {
-        warning_at(p, object->span, NULL, "'%s' left out: %s", primitive->name,
-                   warning);
-        *out = object_empty(p, object->span);
-    }
-    return true;
-}
-
 /* prism_kind = curve | "linear_sweep" | "conic_sweep" . */
 static bool parse_prism_kind(struct parser *p, struct extrusion *prism,
                              enum curve *curve)

@@ -125,12 +125,18 @@ bool object_adopt(struct parser *p, struct object *object,
 /* A node without any part: what is left out of the picture. */
 struct object *object_empty(struct parser *p, struct span span);
 
+/* An object of a shape whose arguments `rule` reads. */
+typedef bool shape_rule(struct parser *p, void *shape);
+bool parse_shape(struct parser *p, struct object **out,
+                 const struct primitive *primitive, shape_rule *rule);
+
 /* The keyword is next. */
 bool parse_triangle(struct parser *p, struct object **out);
 bool parse_smooth_triangle(struct parser *p, struct object **out);
 bool parse_mesh(struct parser *p, struct object **out);
 bool parse_mesh2(struct parser *p, struct object **out);
 bool parse_csg(struct parser *p, struct object **out);
+bool parse_blob(struct parser *p, struct object **out);
 bool parse_prism(struct parser *p, struct object **out);
 bool parse_lathe(struct parser *p, struct object **out);
 bool parse_text(struct parser *p, struct object **out);
