@@ -44,14 +44,15 @@ static bool crossing_before(const struct shadow_crossing *a,
     return a->t < b->t || (a->t == b->t && a->leaf->number < b->leaf->number);
 }
 
-/* What light gets from `caustics` c at a surface: 1 + |cos|^(45 c) times. */
+/* What light gets from `caustics` c at a surface, bumps and all: 1 + |cos|^(45
+ * c) times. */
 static double shadow_caustics(const struct shadow_ray *shadow,
                               const struct intersection *at)
 {
     const struct interior *interior = at->leaf->interior;
     if (!interior || interior->caustics == 0)
         return 1;
-    double cosine = fabs(vec3_dot(at->normal, shadow->direction));
+    double cosine = fabs(vec3_dot(surface_bumps(at), shadow->direction));
     return 1 + pow(cosine, 45 * interior->caustics);
 }
 

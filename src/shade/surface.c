@@ -162,6 +162,17 @@ rgb surface_transmittance(const struct intersection *at)
                                  affine_point(at->to_texture, at->point));
 }
 
+vec3 surface_bumps(const struct intersection *at)
+{
+    const struct texture *texture = at->texture;
+    struct place place = { .texture = texture,
+                           .point = affine_point(at->to_texture, at->point),
+                           .to = at->to_texture,
+                           .from = at->from_texture };
+    return layer_normal(&texture->layers[texture->count - 1], &place,
+                        at->normal);
+}
+
 bool surface_faces(const struct surface *surface, vec3 direction)
 {
     bool twice = surface->at->leaf->double_illuminate;

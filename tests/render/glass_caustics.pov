@@ -13,4 +13,6 @@ box { -.6, .6 rotate <20, 30, 0> translate <2, 1, .5> pigment { rgbt .9 }
     interior { caustics .1 } }
 cylinder { -.5*x, .5*x, .5 translate <.5, .7, -1.3> pigment { rgbf .9 }
     interior { caustics 3 } }
+disc { <1.6, 1.2, -2>, y, .7 pigment { rgbt .95 }
+    normal { leopard .7 scale .04 } interior { caustics .5 } }
 plane { y, 0 pigment { rgb <.7, .8, .6> } finish { diffuse .7 } }
