@@ -14,6 +14,7 @@ enum field_kind {
     FIELD_BOOL,    /* bool: on/off/yes/no/true/false/number; none means on */
     FIELD_FLAG,    /* bool: the word alone sets it */
     FIELD_VECTOR2, /* double[2] */
+    FIELD_PAIR,    /* double[2], one number after the other: 1, 0.5 */
     FIELD_VECTOR,  /* vec3; a lone float is promoted to all components */
     FIELD_VECTOR5, /* double[5], missing components 0 */
     FIELD_COLOUR,  /* colour */

@@ -45,6 +45,7 @@ static uint64_t hash_field(uint64_t hash, enum field_kind kind, const void *at)
     case FIELD_FLAG:
         return random_key(hash, *(const bool *)at);
     case FIELD_VECTOR2:
+    case FIELD_PAIR:
         return hash_numbers(hash, at, 2);
     case FIELD_VECTOR:
     case FIELD_RGB:

@@ -58,6 +58,11 @@ bool picture_show(struct image *image, const struct options *options,
 {
     if (!options->show)
         return true;
+    if (camera_is_bent(&tracer->scene->camera)) {
+        diag_print(diag, DIAG_WARNING, span_none(), NULL,
+                   "--show draws nothing: this kind of camera bends lines");
+        return true;
+    }
     struct show show = show_new();
     struct ramp_range range;
     struct render_options render = options->render;

@@ -70,6 +70,15 @@ static bool field_components(struct parser *p, const struct field *field,
            field_check_all(p, field, start, out, (size_t)size);
 }
 
+static bool field_pair(struct parser *p, const struct field *field,
+                       double out[2])
+{
+    if (!field_float(p, field, &out[0]))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return field_float(p, field, &out[1]);
+}
+
 static bool field_vector(struct parser *p, const struct field *field, vec3 *out)
 {
     struct span start = stream_span(p);
@@ -228,6 +237,8 @@ bool parse_field(struct parser *p, const struct field *field, void *base)
     case FIELD_FLAG:
         *(bool *)at = true;
         return true;
+    case FIELD_PAIR:
+        return field_pair(p, field, at);
     case FIELD_VECTOR2:
         return field_components(p, field, at, 2);
     case FIELD_VECTOR:

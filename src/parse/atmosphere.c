@@ -27,9 +27,18 @@ static const struct field fog_fields[] = {
     { NULL },
 };
 
-static const struct unsupported_word fog_unsupported[] = {
-    { KEYWORD_TURBULENCE, "'turbulence' in fog" },
-    { KEYWORD_NONE, NULL },
+static const struct field fog_turbulence_fields[] = {
+    { "turbulence", FIELD_VECTOR, offsetof(struct fog, turbulence.amount), 0, 0,
+      "how many features of its noise a unit has" },
+    { "turb_depth", FIELD_FLOAT, offsetof(struct fog, turbulent_share), 0, 0,
+      "how much fog the noise takes away, 0.5" },
+    { "octaves", FIELD_INTEGER, offsetof(struct fog, turbulence.octaves), 1, 10,
+      "of the noise, 6" },
+    { "omega", FIELD_FLOAT, offsetof(struct fog, turbulence.omega), 0, 0,
+      "weight of the next octave, 0.5" },
+    { "lambda", FIELD_FLOAT, offsetof(struct fog, turbulence.lambda), 0, 0,
+      "frequency of the next octave, 2" },
+    { NULL },
 };
 
 /* fog_type = "fog_type" float .
@@ -54,8 +63,20 @@ static bool fog_upwards(struct parser *p, struct fog *fog, struct span span,
            error_at(p, span, "y", "this is no direction");
 }
 
-/* fog_shape = fog_type | "turb_depth" float | "octaves" float | "omega" float
- *           | "lambda" float | "up" vector | transformation .
+/* fog_turbulence = "turbulence" vector | "turb_depth" float
+ *                | "octaves" float | "omega" float | "lambda" float .
+ * Measured: any of these is enough for turbulence. */
+static bool parse_fog_turbulence(struct parser *p, struct fog *fog, bool *found)
+{
+    const struct field *field = accept_field(p, fog_turbulence_fields);
+    *found = field;
+    if (!field)
+        return true;
+    fog->turbulent = true;
+    return parse_field(p, field, fog);
+}
+
+/* fog_shape = fog_type | "up" vector | transformation .
  * Measured: transformations turn the way up, and change no more. */
 static bool parse_fog_shape(struct parser *p, struct fog *fog, bool *found)
 {
@@ -66,11 +87,6 @@ static bool parse_fog_shape(struct parser *p, struct fog *fog, bool *found)
     switch (stream_keyword(p)) {
     case KEYWORD_FOG_TYPE:
         return parse_fog_type(p, fog);
-    case KEYWORD_TURB_DEPTH:
-    case KEYWORD_OCTAVES:
-    case KEYWORD_OMEGA:
-    case KEYWORD_LAMBDA:
-        return skip_item(p);
     case KEYWORD_UP:
         stream_next(p);
         return parse_vector(p, &up) && fog_upwards(p, fog, span, up);
@@ -82,7 +98,7 @@ static bool parse_fog_shape(struct parser *p, struct fog *fog, bool *found)
 }
 
 /* fog_item = "distance" float | "fog_offset" float | "fog_alt" float
- *          | colour | fog_shape | float .
+ *          | colour | fog_turbulence | fog_shape | float .
  * A number alone is the distance, in old scenes. */
 static bool parse_fog_item(struct parser *p, struct fog *fog)
 {
@@ -94,11 +110,12 @@ static bool parse_fog_item(struct parser *p, struct fog *fog)
         return parse_colour(p, &fog->colour);
     if (at_number(p))
         return parse_float(p, &fog->distance);
-    bool ok = parse_fog_shape(p, fog, &found);
+    bool ok = parse_fog_turbulence(p, fog, &found);
+    if (ok && !found)
+        ok = parse_fog_shape(p, fog, &found);
     if (!ok || found)
         return ok;
-    return check_supported(p, fog_unsupported) &&
-           error_unknown_item(p, "fog", fog_fields);
+    return error_unknown_item(p, "fog", fog_fields);
 }
 
 /* Stands for 0: a fog that ends at its offset. */
@@ -107,7 +124,10 @@ static const double fog_altitude_least = 1e-9;
 static bool fog_items(struct parser *p, struct fog *fog)
 {
     const struct value *value = accept_value(p, VALUE_FOG);
-    *fog = value ? *value->fog : (struct fog){ .up = { 0, 1, 0 } };
+    *fog = value ? *value->fog
+                 : (struct fog){ .up = { 0, 1, 0 },
+                                 .turbulence = { { 0, 0, 0 }, 6, 0.5, 2 },
+                                 .turbulent_share = 0.5 };
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         if (!parse_fog_item(p, fog))
             return false;

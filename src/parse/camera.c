@@ -15,7 +15,7 @@ struct camera_draft {
 
 /* camera_value = "location" vector | "direction" vector | "right" vector
  *              | "up" vector | "sky" vector | "look_at" vector
- *              | "angle" float . */
+ *              | "angle" float [[","] float] . */
 static const struct field camera_fields[] = {
     CAMERA("location", FIELD_VECTOR, location, 0, 0, "where it is, 0"),
     CAMERA("direction", FIELD_VECTOR, direction, 0, 0,
@@ -33,23 +33,51 @@ static const struct unsupported_word camera_unsupported[] = {
     { KEYWORD_MESH_CAMERA, "a 'mesh_camera'" },
     { KEYWORD_NORMAL, "a camera's 'normal'" },
     { KEYWORD_OMNIMAX, "an 'omnimax' camera" },
-    { KEYWORD_PANORAMIC, "a 'panoramic' camera" },
-    { KEYWORD_ULTRA_WIDE_ANGLE, "an 'ultra_wide_angle' camera" },
     { KEYWORD_NONE, NULL },
 };
 
-/* camera_kind = "perspective" | "orthographic" . */
-static bool parse_camera_kind(struct parser *p, struct camera *camera)
+static bool camera_cylinder(struct parser *p, struct camera *camera)
 {
-    if (accept_keyword(p, KEYWORD_ORTHOGRAPHIC))
-        camera->kind = CAMERA_ORTHOGRAPHIC;
-    else if (accept_keyword(p, KEYWORD_PERSPECTIVE))
-        camera->kind = CAMERA_PERSPECTIVE;
-    if (at_word(p, "spherical"))
-        return error_unsupported(p, stream_span(p), "a 'spherical' camera");
-    if (at_word(p, "cylinder"))
-        return error_unsupported(p, stream_span(p), "a 'cylinder' camera");
-    return check_supported(p, camera_unsupported);
+    int number;
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &number))
+        return false;
+    if (number < 1 || number > 4)
+        return error_at(p, span, "1",
+                        "a 'cylinder' camera is of kind 1 to 4, found %d",
+                        number);
+    camera->kind = (enum camera_kind)(CAMERA_CYLINDER_1 + number - 1);
+    return true;
+}
+
+/* camera_kind = "perspective" | "orthographic" | "ultra_wide_angle"
+ *             | "panoramic" | "spherical" | "cylinder" float . */
+static bool parse_camera_kind(struct parser *p, struct camera *camera,
+                              bool *found)
+{
+    static const struct {
+        enum keyword keyword;
+        enum camera_kind kind;
+    } kinds[] = {
+        { KEYWORD_PERSPECTIVE, CAMERA_PERSPECTIVE },
+        { KEYWORD_ORTHOGRAPHIC, CAMERA_ORTHOGRAPHIC },
+        { KEYWORD_ULTRA_WIDE_ANGLE, CAMERA_ULTRA_WIDE_ANGLE },
+        { KEYWORD_PANORAMIC, CAMERA_PANORAMIC },
+    };
+    *found = true;
+    if (accept_word(p, "cylinder"))
+        return camera_cylinder(p, camera);
+    if (accept_word(p, "spherical")) {
+        camera->kind = CAMERA_SPHERICAL;
+        return true;
+    }
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (accept_keyword(p, kinds[i].keyword)) {
+            camera->kind = kinds[i].kind;
+            return true;
+        }
+    *found = false;
+    return true;
 }
 
 /* focal_blur = "aperture" float | "blur_samples" float [[","] float]
@@ -101,6 +129,11 @@ static bool camera_field(struct parser *p, const struct field *field,
     if (!parse_field(p, field, draft))
         return false;
     bool is_look_at = strcmp(field->name, "look_at") == 0;
+    if (strcmp(field->name, "angle") == 0) {
+        accept(p, TOKEN_COMMA);
+        if (at_number(p) && !parse_float(p, &draft->camera.angle_up))
+            return false;
+    }
     draft->camera.has_look_at = draft->camera.has_look_at || is_look_at;
     draft->camera.has_size = draft->camera.has_size ||
                              strcmp(field->name, "right") == 0 ||
@@ -115,11 +148,9 @@ static bool parse_camera_item(struct parser *p, struct camera_draft *draft)
     const struct field *field = accept_field(p, camera_fields);
     if (field)
         return camera_field(p, field, draft);
-    if (stream_keyword(p) == KEYWORD_ORTHOGRAPHIC ||
-        stream_keyword(p) == KEYWORD_PERSPECTIVE || at_word(p, "spherical") ||
-        at_word(p, "cylinder"))
-        return parse_camera_kind(p, &draft->camera);
-    bool ok = parse_focal_blur(p, &found);
+    bool ok = parse_camera_kind(p, &draft->camera, &found);
+    if (ok && !found)
+        ok = parse_focal_blur(p, &found);
     if (ok && !found)
         ok = parse_transformation(p, &draft->moved, &found);
     if (!ok || found)
@@ -165,8 +196,6 @@ static bool camera_body(struct parser *p, struct span span,
     }
     struct camera_draft draft = { .camera = camera_default(),
                                   .moved = affine_identity() };
-    if (!parse_camera_kind(p, &draft.camera))
-        return false;
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_camera_item(p, &draft))
             return false;
@@ -176,7 +205,7 @@ static bool camera_body(struct parser *p, struct span span,
     return true;
 }
 
-/* camera = "camera" "{" ( camera_use | [camera_kind] {camera_item} ) "}" . */
+/* camera = "camera" "{" ( camera_use | {camera_item} ) "}" . */
 bool parse_camera(struct parser *p, struct camera *out)
 {
     struct span open;

@@ -239,6 +239,7 @@ static bool finish_items(struct parser *p, const struct finish **in)
     struct finish *finish = ARENA_NEW(p->scene_arena, struct finish);
     *finish = **in;
     *in = finish;
+    *ARRAY_PUSH(p->arena, &p->finishes) = finish;
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_finish_item(p, finish))
             return false;

@@ -7,7 +7,7 @@
     }
 
 /* interior_value = "ior" float | "fade_distance" float | "fade_power" float
- *                | "fade_colour" colour . */
+ *                | "fade_colour" colour | "caustics" float . */
 static const struct field interior_fields[] = {
     INTERIOR("ior", FIELD_FLOAT, ior, 0, 0, "index of refraction, 1"),
     INTERIOR("fade_distance", FIELD_FLOAT, fade_distance, 0, 0,
@@ -16,6 +16,8 @@ static const struct field interior_fields[] = {
              "how fast it dims, 0: not at all"),
     INTERIOR("fade_colour", FIELD_RGB, fade_colour, 0, 0,
              "what is left after a long way, black"),
+    INTERIOR("caustics", FIELD_FLOAT, caustics, 0, HUGE_VAL,
+             "sharpness of the light that is pretended to gather, 0: none"),
     { NULL },
 };
 
@@ -24,15 +26,15 @@ static const struct unsupported_word interior_unsupported[] = {
     { KEYWORD_NONE, NULL },
 };
 
-/* old_interior_value = "caustics" float | "dispersion" float
- *                    | "dispersion_samples" float | "refraction" float .
+/* old_interior_value = "dispersion" float | "dispersion_samples" float
+ *                    | "refraction" float .
  * Fine as long as they change nothing. */
 static bool parse_old_interior_value(struct parser *p, bool *found)
 {
     enum keyword keyword = stream_keyword(p);
     struct span span = stream_span(p);
     double value;
-    *found = keyword == KEYWORD_CAUSTICS || keyword == KEYWORD_DISPERSION ||
+    *found = keyword == KEYWORD_DISPERSION ||
              keyword == KEYWORD_DISPERSION_SAMPLES ||
              keyword == KEYWORD_REFRACTION;
     if (!*found)
@@ -40,8 +42,6 @@ static bool parse_old_interior_value(struct parser *p, bool *found)
     stream_next(p);
     if (!parse_float(p, &value))
         return false;
-    if (keyword == KEYWORD_CAUSTICS && value != 0)
-        return error_unsupported(p, span, "'caustics'");
     if (keyword == KEYWORD_DISPERSION && value != 1)
         return error_unsupported(p, span, "'dispersion'");
     return true;

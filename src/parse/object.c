@@ -5,20 +5,15 @@
 
 static const struct unsupported_word object_unsupported[] = {
     { KEYWORD_BICUBIC_PATCH, "'bicubic_patch'" },
-    { KEYWORD_BLOB, "'blob'" },
     { KEYWORD_HEIGHT_FIELD, "'height_field'" },
     { KEYWORD_ISOSURFACE, "'isosurface'" },
     { KEYWORD_JULIA_FRACTAL, "'julia_fractal'" },
-    { KEYWORD_LATHE, "'lathe'" },
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
     { KEYWORD_OVUS, "'ovus'" },
     { KEYWORD_PARAMETRIC, "'parametric'" },
     { KEYWORD_POLYNOMIAL, "'polynomial'" },
-    { KEYWORD_PRISM, "'prism'" },
     { KEYWORD_SOR, "'sor'" },
     { KEYWORD_SPHERE_SWEEP, "'sphere_sweep'" },
-    { KEYWORD_SUPERELLIPSOID, "'superellipsoid'" },
-    { KEYWORD_TEXT, "'text'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -53,6 +48,14 @@ static object_rule *object_keyword_rule(enum keyword keyword)
         return parse_triangle;
     case KEYWORD_SMOOTH_TRIANGLE:
         return parse_smooth_triangle;
+    case KEYWORD_BLOB:
+        return parse_blob;
+    case KEYWORD_LATHE:
+        return parse_lathe;
+    case KEYWORD_PRISM:
+        return parse_prism;
+    case KEYWORD_TEXT:
+        return parse_text;
     default:
         return NULL;
     }
@@ -138,6 +141,27 @@ static bool object_prepare(struct parser *p, struct object **out,
     return true;
 }
 
+bool parse_shape(struct parser *p, struct object **out,
+                 const struct primitive *primitive, shape_rule *rule)
+{
+    struct span open;
+    stream_next(p);
+    struct object *object =
+        object_new(p->scene_arena, OBJECT_SHAPE, p->last_span);
+    void *shape = arena_alloc(p->scene_arena, primitive->size);
+    struct modifiers m = { .object = object,
+                           .block = primitive->name,
+                           .items = primitive->items,
+                           .shape = shape };
+    object->primitive = primitive;
+    object->shape = shape;
+    *out = object;
+    if (!block_begin(p, &open) ||
+        !block_end(p, open, rule(p, shape) && parse_modifiers(p, &m)))
+        return false;
+    return object_prepare(p, out, primitive, shape);
+}
+
 /* primitive = PRIMITIVE "{" arguments {modifier} "}" .
  * Names and arguments are in the tables of scene/primitive/. */
 static bool parse_primitive(struct parser *p, struct object **out,
@@ -179,7 +203,8 @@ static bool parse_object_use(struct parser *p, struct object **out)
 }
 
 /* object = primitive | csg | object_use | mesh | mesh2 | triangle
- *        | smooth_triangle | light_source | OBJECT . */
+ *        | smooth_triangle | blob | prism | lathe | text | light_source
+ *        | OBJECT . */
 bool parse_object(struct parser *p, struct object **out)
 {
     enum keyword keyword = stream_keyword(p);

@@ -13,6 +13,7 @@
 #include "token/lexer.h"
 
 struct cursor;
+struct font_cache;
 struct image_cache;
 struct scope;
 
@@ -74,7 +75,12 @@ struct parser {
         const struct normal *normal;
         const struct finish *finish;
     } defaults;
+    struct {
+        struct finish **items;
+        size_t count, capacity;
+    } finishes; /* all: the last #version decides how they filter */
     struct image_cache *images;     /* read for image_map; image_map.c */
+    struct font_cache *fonts;       /* read for text; text.c */
     struct random_streams *randoms; /* seed(), rand() */
     struct {
         const struct token_list **items;

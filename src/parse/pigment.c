@@ -101,19 +101,13 @@ static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
     }
 }
 
-static bool at_pigment_end(struct parser *p)
-{
-    enum token_kind kind = stream_peek(p)->kind;
-    return kind == TOKEN_RBRACE || kind == TOKEN_RBRACKET;
-}
-
 /* pigment_body = [PIGMENT] [pigment_start] {pigment_item} . */
 bool parse_pigment_body(struct parser *p, const struct pigment **in)
 {
     const struct value *value = accept_value(p, VALUE_PIGMENT);
     if (value)
         *in = value->pigment;
-    if (value && at_pigment_end(p))
+    if (value && at_body_end(p))
         return true;
     struct pigment *pigment = ARENA_NEW(p->scene_arena, struct pigment);
     *pigment = **in;
@@ -122,7 +116,7 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
     if (!check_supported(p, pigment_unsupported) ||
         !parse_pigment_start(p, pigment, &found))
         return false;
-    while (!at_pigment_end(p))
+    while (!at_body_end(p))
         if (!parse_pigment_item(p, pigment, &found))
             return false;
         else if (!found)

@@ -99,3 +99,9 @@ bool check_supported(struct parser *p, const struct unsupported_word *list)
             return error_unsupported(p, stream_span(p), list->feature);
     return true;
 }
+
+bool at_body_end(struct parser *p)
+{
+    enum token_kind kind = stream_peek(p)->kind;
+    return kind == TOKEN_RBRACE || kind == TOKEN_RBRACKET;
+}

@@ -36,6 +36,9 @@ bool bracket_begin(struct parser *p, struct span *open);
  * if one follows, its number are taken. */
 bool skip_item(struct parser *p);
 
+/* The '}' of a block or the ']' of an entry of a map is next. */
+bool at_body_end(struct parser *p);
+
 /* The inside of a block whose settings change nothing, up to its '}'. */
 bool skip_block(struct parser *p);
 
@@ -67,6 +70,11 @@ bool parse_pigment_block(struct parser *p, const struct pigment **in);
 bool parse_pigment_body(struct parser *p, const struct pigment **in);
 bool parse_normal_block(struct parser *p, const struct normal **in);
 bool parse_finish_block(struct parser *p, const struct finish **in);
+/* The inside of texture { } or of an entry of a texture_map. */
+bool parse_texture_body(struct parser *p, const struct texture **in);
+/* texture_choice.c: sets *found if a pattern is next. */
+bool parse_texture_choice(struct parser *p, const struct texture **out,
+                          bool *found);
 /* pigment, normal or finish: goes into the topmost layer of a copy. */
 bool parse_texture_part(struct parser *p, const struct texture **in,
                         bool *found);
@@ -117,12 +125,21 @@ bool object_adopt(struct parser *p, struct object *object,
 /* A node without any part: what is left out of the picture. */
 struct object *object_empty(struct parser *p, struct span span);
 
+/* An object of a shape whose arguments `rule` reads. */
+typedef bool shape_rule(struct parser *p, void *shape);
+bool parse_shape(struct parser *p, struct object **out,
+                 const struct primitive *primitive, shape_rule *rule);
+
 /* The keyword is next. */
 bool parse_triangle(struct parser *p, struct object **out);
 bool parse_smooth_triangle(struct parser *p, struct object **out);
 bool parse_mesh(struct parser *p, struct object **out);
 bool parse_mesh2(struct parser *p, struct object **out);
 bool parse_csg(struct parser *p, struct object **out);
+bool parse_blob(struct parser *p, struct object **out);
+bool parse_prism(struct parser *p, struct object **out);
+bool parse_lathe(struct parser *p, struct object **out);
+bool parse_text(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 
 /* ---- atmosphere.c; the keyword is next ---- */

@@ -175,8 +175,36 @@ enum gamma_kind settings_gamma(const struct parser *p)
     return p->version_said && p->version >= 3.7 ? GAMMA_POWER : GAMMA_NONE;
 }
 
+/* As POV-Ray decides it: by the #version in force at the end, for all. */
+static void settings_filters(struct parser *p)
+{
+    bool old = !p->version_said || p->version < 3.7;
+    for (size_t i = 0; i < p->finishes.count; i++)
+        p->finishes.items[i]->old_filter = old;
+}
+
+/* What reflects no light can't have its ambient light stand for such: it glows,
+ * as `emission` says. So skies painted on planes shine by every lighting. (The
+ * usual ambient is of mirrors and glass for which nobody thought of it.) */
+static void settings_glows(struct parser *p)
+{
+    rgb light = p->scene->settings.ambient_light;
+    double usual = rgb_peak(finish_default().ambient);
+    for (size_t i = 0; i < p->finishes.count; i++) {
+        struct finish *finish = p->finishes.items[i];
+        if (finish->diffuse != 0 || finish->diffuse_back != 0 ||
+            rgb_peak(finish->ambient) <= usual)
+            continue;
+        finish->emission =
+            rgb_add(finish->emission, rgb_mul(finish->ambient, light));
+        finish->ambient = rgb_grey(0);
+    }
+}
+
 void settings_finish(struct parser *p)
 {
+    settings_filters(p);
+    settings_glows(p);
     if (p->scene->settings.gamma_kind != GAMMA_NONE || p->failed)
         return;
     p->scene->settings.gamma_kind = settings_gamma(p);
@@ -194,6 +222,7 @@ void defaults_init(struct parser *p)
     struct finish *finish = ARENA_NEW(p->scene_arena, struct finish);
     *pigment = pigment_default(p->scene_arena);
     *finish = finish_default();
+    *ARRAY_PUSH(p->arena, &p->finishes) = finish;
     p->defaults.pigment = pigment;
     p->defaults.normal = NULL;
     p->defaults.finish = finish;

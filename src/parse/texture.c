@@ -1,10 +1,10 @@
-/* Textures: a pigment, a normal and a finish; layers of them. */
+/* Textures: a pigment, a normal and a finish; layers of them. Those that a
+ * pattern picks are in texture_choice.c. */
 #include "parse/rules.h"
 
 static const struct unsupported_word texture_unsupported[] = {
     { KEYWORD_MATERIAL_MAP, "'material_map'" },
-    { KEYWORD_TEXTURE, "a pattern of textures" },
-    { KEYWORD_TEXTURE_MAP, "'texture_map'" },
+    { KEYWORD_AVERAGE, "the 'average' of textures" },
     { KEYWORD_TILES, "'tiles'" },
     { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
@@ -37,6 +37,7 @@ struct texture *texture_copy(struct parser *p, const struct texture *texture)
     copy->layers = ARENA_ARRAY(p->scene_arena, struct layer, texture->count);
     memcpy(copy->layers, texture->layers,
            texture->count * sizeof *texture->layers);
+    copy->choice = texture->choice;
     return copy;
 }
 
@@ -46,6 +47,11 @@ const struct texture *texture_stack(struct parser *p,
 {
     struct texture *both = ARENA_NEW(p->scene_arena, struct texture);
     both->count = bottom->count + top->count;
+    if (bottom->choice || top->choice) {
+        error_at(p, p->last_span, NULL,
+                 "a texture picked by a pattern can't be a layer of others");
+        return bottom;
+    }
     if (both->count > TEXTURE_LAYERS) {
         error_at(p, p->last_span, NULL, "a texture has at most %d layers",
                  TEXTURE_LAYERS);
@@ -96,50 +102,50 @@ bool parse_texture_part(struct parser *p, const struct texture **in,
                                        : parse_finish_block(p, &top->finish);
 }
 
-/* Patterns in textures pick whole textures. */
-static bool texture_check_pattern(struct parser *p)
-{
-    struct span span = stream_span(p);
-    struct pattern pattern = pattern_new(p->arena, NULL);
-    bool found;
-    if (!check_supported(p, texture_unsupported) ||
-        !parse_pattern(p, &pattern, &found))
-        return false;
-    return !found || error_unsupported(p, span, "a pattern of textures");
-}
-
 /* texture_item = texture_part | transformation . */
 static bool parse_texture_item(struct parser *p, const struct texture **in)
 {
     affine step = affine_identity();
     bool found;
+    struct span span = stream_span(p);
     if (!parse_texture_part(p, in, &found))
         return false;
     if (found)
-        return true;
+        return !(*in)->choice ||
+               error_at(p, span, NULL,
+                        "what a pattern picks can't be changed here, only in "
+                        "its map");
     if (!parse_transformation(p, &step, &found))
         return false;
     if (found)
         *in = texture_moved(p->scene_arena, *in, &step);
     return found ||
-           (texture_check_pattern(p) &&
+           (check_supported(p, texture_unsupported) &&
             error_unknown_thing(p, "texture", texture_names, "a texture"));
 }
 
-static bool texture_items(struct parser *p, const struct texture **in)
+/* texture_body = texture_choice | [texture_start] {texture_item} . */
+bool parse_texture_body(struct parser *p, const struct texture **in)
 {
+    bool found;
+    if (!check_supported(p, texture_unsupported) ||
+        !parse_texture_choice(p, in, &found))
+        return false;
+    if (found)
+        return true;
     if (!parse_texture_start(p, in))
         return false;
-    while (stream_peek(p)->kind != TOKEN_RBRACE)
+    while (!at_body_end(p))
         if (!parse_texture_item(p, in))
             return false;
     return true;
 }
 
-/* texture = "texture" "{" [texture_start] {texture_item} "}" . */
+/* texture = "texture" "{" texture_body "}" . */
 bool parse_texture(struct parser *p, const struct texture **out)
 {
     struct span open;
     stream_next(p);
-    return block_begin(p, &open) && block_end(p, open, texture_items(p, out));
+    return block_begin(p, &open) &&
+           block_end(p, open, parse_texture_body(p, out));
 }

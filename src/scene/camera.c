@@ -20,7 +20,7 @@ static const char *camera_check(const struct camera *camera)
 {
     if (camera->angle < 0)
         return "its angle is negative";
-    if (camera->angle >= 180)
+    if (camera->kind <= CAMERA_ORTHOGRAPHIC && camera->angle >= 180)
         return "its angle must be less than 180 degrees";
     if (!(vec3_length(camera->direction) > 0))
         return "its direction has no length";
@@ -66,6 +66,29 @@ static void camera_size(struct camera *camera)
     camera->up = vec3_scale(camera->up, factor);
 }
 
+/* What turns and how far; across or up the picture of a cylinder the other
+ * vector's length counts (measured). */
+static void camera_bend(struct camera *camera)
+{
+    enum camera_kind kind = camera->kind;
+    bool sphere = kind == CAMERA_SPHERICAL;
+    bool wide = kind == CAMERA_ULTRA_WIDE_ANGLE;
+    double angle = camera->angle > 0 ? camera->angle : sphere ? 360 : 90;
+    double up =
+        sphere ? (camera->angle_up > 0 ? camera->angle_up : angle / 2) : angle;
+    if (wide)
+        up *= vec3_length(camera->up) / vec3_length(camera->right);
+    camera->turn = angle * (M_PI / 180);
+    camera->turn_up = up * (M_PI / 180);
+    if (kind == CAMERA_PANORAMIC)
+        return;
+    camera->direction = vec3_normalise(camera->direction);
+    if (kind != CAMERA_CYLINDER_2 && kind != CAMERA_CYLINDER_4)
+        camera->right = vec3_normalise(camera->right);
+    if (kind != CAMERA_CYLINDER_1 && kind != CAMERA_CYLINDER_3)
+        camera->up = vec3_normalise(camera->up);
+}
+
 const char *camera_finish(struct camera *camera)
 {
     const char *problem = camera_check(camera);
@@ -73,6 +96,8 @@ const char *camera_finish(struct camera *camera)
         return problem;
     if (camera->kind == CAMERA_ORTHOGRAPHIC) {
         camera_size(camera);
+    } else if (camera_is_bent(camera)) {
+        camera_bend(camera);
     } else if (camera->angle > 0) {
         double tangent = tan(camera->angle * (M_PI / 180) / 2);
         double length = vec3_length(camera->right) / (2 * tangent);
@@ -94,8 +119,57 @@ void camera_move(struct camera *camera, const affine *transform)
     camera->sky = affine_direction(transform, camera->sky);
 }
 
+/* right, up and direction times these. */
+static vec3 camera_sum(const struct camera *camera, double right, double up,
+                       double direction)
+{
+    vec3 sum = vec3_scale(camera->right, right);
+    sum = vec3_along(sum, camera->up, up);
+    return vec3_along(sum, camera->direction, direction);
+}
+
+/* x and y from the middle of the picture, to the right and up (measured, save
+ * that a camera which is scaled afterwards was not). */
+static struct ray camera_bent_ray(const struct camera *camera, double x,
+                                  double y)
+{
+    double a = x * camera->turn, b = y * camera->turn_up;
+    struct ray ray = { camera->location, camera->direction };
+    switch (camera->kind) {
+    case CAMERA_ULTRA_WIDE_ANGLE:
+        ray.direction = camera_sum(camera, sin(a), sin(b), cos(a) * cos(b));
+        break;
+    case CAMERA_PANORAMIC:
+        ray.direction =
+            camera_sum(camera, sin(M_PI * x), tan(M_PI * y), cos(M_PI * x));
+        break;
+    case CAMERA_SPHERICAL:
+        ray.direction =
+            camera_sum(camera, sin(a) * cos(b), sin(b), cos(a) * cos(b));
+        break;
+    case CAMERA_CYLINDER_1:
+        ray.direction = camera_sum(camera, sin(a), y, cos(a));
+        break;
+    case CAMERA_CYLINDER_2:
+        ray.direction = camera_sum(camera, x, sin(b), cos(b));
+        break;
+    case CAMERA_CYLINDER_3:
+        ray.origin = vec3_along(ray.origin, camera->up, y);
+        ray.direction = camera_sum(camera, sin(a), 0, cos(a));
+        break;
+    default:
+        ray.origin = vec3_along(ray.origin, camera->right, x);
+        ray.direction = camera_sum(camera, 0, sin(b), cos(b));
+        break;
+    }
+    ray.direction = vec3_normalise(ray.direction);
+    return ray;
+}
+
 struct ray camera_ray(const struct camera *camera, double x, double y)
 {
+    if (camera_is_bent(camera))
+        return camera_bent_ray(camera, x - 0.5, 0.5 - y);
     vec3 offset = vec3_scale(camera->right, x - 0.5);
     offset = vec3_along(offset, camera->up, 0.5 - y);
     struct ray ray = { camera->location, camera->direction };

@@ -6,19 +6,39 @@
 #include "base/affine.h"
 #include "scene/ray.h"
 
-enum camera_kind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
+enum camera_kind {
+    CAMERA_PERSPECTIVE,
+    CAMERA_ORTHOGRAPHIC,
+    CAMERA_ULTRA_WIDE_ANGLE,
+    CAMERA_PANORAMIC,
+    CAMERA_SPHERICAL,
+    CAMERA_CYLINDER_1, /* upright, seen from its middle */
+    CAMERA_CYLINDER_2, /* lying */
+    CAMERA_CYLINDER_3, /* upright, each line seen from its own height */
+    CAMERA_CYLINDER_4, /* lying, each column from its own place */
+};
 
 struct camera {
     enum camera_kind kind;
     vec3 location, direction, right, up, sky;
-    bool has_size; /* right or up was given: an orthographic camera's size */
-    double angle;  /* degrees, 0: not given */
+    bool has_size;   /* right or up was given: an orthographic camera's size */
+    double angle;    /* degrees, 0: not given */
+    double angle_up; /* of a spherical camera */
+    double turn, turn_up; /* radians across and up the picture of those that
+                           * bend it; their vectors that turn are unit */
     vec3 look_at;
     bool has_look_at;
 };
 
 /* POV-Ray's: at the origin, looking along z, right 1.33 x, look_at z. */
 struct camera camera_default(void);
+
+/* Whether straight lines are bent in its pictures: places in them can't be
+ * found by camera_place. */
+static inline bool camera_is_bent(const struct camera *camera)
+{
+    return camera->kind > CAMERA_ORTHOGRAPHIC;
+}
 
 /* Works `look_at` and `angle` into direction, right and up, once everything in
  * the block has been read; then come the block's transformations, wherever
@@ -38,7 +58,7 @@ struct ray camera_ray(const struct camera *camera, double x, double y);
 vec3 camera_view(const struct camera *camera, vec3 point);
 
 /* Where in the picture that is, (x, y) as of camera_ray; of a perspective
- * camera view.z must be above 0. */
+ * camera view.z must be above 0; not of one that bends lines. */
 void camera_place(const struct camera *camera, vec3 view, double *x, double *y);
 
 #endif

@@ -145,6 +145,7 @@ static uint64_t finish_hash(uint64_t hash, const struct finish *f)
         f->specular_albedo, f->metallic,     f->crand,
         f->conserve_energy, f->ior,          r->falloff,
         r->exponent,        r->metallic,     r->fresnel,
+        f->old_filter,
     };
     hash = hash_rgb(hash_rgb(hash, f->ambient), f->emission);
     hash = hash_rgb(hash_rgb(hash, r->minimum), r->maximum);
@@ -164,9 +165,16 @@ static uint64_t texture_hash(struct walk *walk, const struct texture *texture)
     if (known)
         return *known;
     uint64_t hash = random_mix(texture->count);
+    const struct texture_choice *choice = texture->choice;
     if (!walk->colours && texture_is_opaque(texture))
         return known_add(walk, texture, 0);
-    for (size_t i = 0; i < texture->count; i++) {
+    if (choice)
+        hash = pattern_hash(hash, &choice->pattern);
+    for (size_t i = 0; choice && i < choice->count; i++) {
+        hash = hash_numbers(hash, &choice->entries[i].value, 1);
+        hash = random_key(hash, texture_hash(walk, choice->entries[i].texture));
+    }
+    for (size_t i = 0; !choice && i < texture->count; i++) {
         const struct layer *layer = &texture->layers[i];
         hash = pigment_hash(walk, hash, layer->pigment);
         hash = finish_hash(hash, layer->finish);
@@ -216,8 +224,8 @@ static void walk_material(struct walk *walk, const struct object *object,
         return;
     uint64_t *textures = &walk->found.textures;
     const double numbers[] = { interior->ior, interior->fade_distance,
-                               interior->fade_power };
-    *textures = hash_numbers(*textures, numbers, 3);
+                               interior->fade_power, interior->caustics };
+    *textures = hash_numbers(*textures, numbers, 4);
     *textures = hash_rgb(*textures, interior->fade_colour);
 }
 
@@ -308,10 +316,14 @@ static uint64_t fogs_hash(const struct scene *scene)
     uint64_t hash = random_mix(scene->fogs.count);
     for (size_t i = 0; i < scene->fogs.count; i++) {
         const struct fog *fog = &scene->fogs.items[i];
-        const double numbers[] = { fog->distance, fog->ground, fog->offset,
-                                   fog->altitude };
-        hash = hash_colour(hash_numbers(hash, numbers, 4), fog->colour);
-        hash = hash_vector(hash, fog->up);
+        const struct turbulence *turbulence = &fog->turbulence;
+        const double numbers[] = {
+            fog->distance,     fog->ground,         fog->offset,
+            fog->altitude,     fog->turbulent,      fog->turbulent_share,
+            turbulence->omega, turbulence->octaves, turbulence->lambda,
+        };
+        hash = hash_colour(hash_numbers(hash, numbers, 9), fog->colour);
+        hash = hash_vector(hash_vector(hash, fog->up), turbulence->amount);
     }
     return hash;
 }

@@ -18,18 +18,89 @@ struct interior interior_default(void)
     return (struct interior){ .ior = 1 };
 }
 
-bool texture_is_opaque(const struct texture *texture)
+int texture_choose(const struct texture_choice *choice, vec3 point,
+                   struct texture_pick picks[2], vec3 *located)
 {
-    for (size_t i = 0; i < texture->count; i++)
+    const struct texture_entry *entries = choice->entries;
+    size_t after = 0, last = choice->count - 1;
+    *located = pattern_locate(&choice->pattern, point);
+    double value = pattern_value_at(&choice->pattern, *located);
+    while (after < last && entries[after].value < value)
+        after++;
+    picks[0] = (struct texture_pick){ entries[after].texture, 1 };
+    if (after == 0 || entries[after].value <= value ||
+        choice->pattern.kind->blocks)
+        return 1;
+    const struct texture_entry *before = &entries[after - 1];
+    double t = (value - before->value) / (entries[after].value - before->value);
+    picks[0].share = t;
+    picks[1] = (struct texture_pick){ before->texture, 1 - t };
+    return 2;
+}
+
+rgb texture_transmittance(const struct texture *texture, vec3 point)
+{
+    rgb through = rgb_grey(1);
+    if (texture->choice) {
+        struct texture_pick picks[2];
+        vec3 located;
+        int count = texture_choose(texture->choice, point, picks, &located);
+        through = rgb_grey(0);
+        for (int i = 0; i < count; i++)
+            through = rgb_add_scaled(
+                through, texture_transmittance(picks[i].texture, located),
+                picks[i].share);
+        return through;
+    }
+    for (size_t i = texture->count; i-- > 0;) {
+        colour pigment = pigment_colour(texture->layers[i].pigment, point);
+        through = rgb_mul(through, colour_transmittance(pigment));
+        if (rgb_peak(through) == 0)
+            break;
+    }
+    return through;
+}
+
+/* Of a choice all must be; more than the budget are not looked at. */
+static bool texture_opaque(const struct texture *texture, int *budget)
+{
+    if (--*budget < 0)
+        return false;
+    const struct texture_choice *choice = texture->choice;
+    for (size_t i = 0; choice && i < choice->count; i++)
+        if (!texture_opaque(choice->entries[i].texture, budget))
+            return false;
+    for (size_t i = 0; !choice && i < texture->count; i++)
         if (pigment_is_opaque(texture->layers[i].pigment))
             return true;
-    return false;
+    return choice != NULL;
+}
+
+bool texture_is_opaque(const struct texture *texture)
+{
+    int budget = 1000;
+    return texture_opaque(texture, &budget);
+}
+
+static const struct texture *choice_moved(struct arena *arena,
+                                          const struct texture *texture,
+                                          const affine *transform)
+{
+    struct texture *moved = ARENA_NEW(arena, struct texture);
+    struct texture_choice *choice = ARENA_NEW(arena, struct texture_choice);
+    *moved = *texture;
+    *choice = *texture->choice;
+    pattern_transform(&choice->pattern, transform);
+    moved->choice = choice;
+    return moved;
 }
 
 const struct texture *texture_moved(struct arena *arena,
                                     const struct texture *texture,
                                     const affine *transform)
 {
+    if (texture->choice)
+        return choice_moved(arena, texture, transform);
     struct texture *moved = ARENA_NEW(arena, struct texture);
     moved->count = texture->count;
     moved->layers = ARENA_ARRAY(arena, struct layer, texture->count);

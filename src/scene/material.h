@@ -95,8 +95,10 @@ struct finish {
     double crand;    /* grain */
     struct reflection reflection;
     bool conserve_energy;
-    double ior; /* of scenes older than 3.1: the parser gives it to the
-                 * object's interior; 0: not said */
+    bool old_filter; /* before 3.7 a dark colour filters less: see
+                      * shade/finish.c */
+    double ior;      /* of scenes older than 3.1: the parser gives it to the
+                      * object's interior; 0: not said */
 };
 
 /* One layer of paint. No member is NULL but `normal`. */
@@ -108,17 +110,49 @@ struct layer {
 
 enum { TEXTURE_LAYERS = 32 }; /* the parser refuses more */
 
-/* Layers from the bottom up; at least one. */
+/* A pattern that picks textures, as a pigment_map picks pigments. */
+struct texture_entry {
+    double value; /* of a block pattern: the block's number */
+    const struct texture *texture;
+};
+
+struct texture_choice {
+    struct pattern pattern;
+    struct texture_entry *entries;
+    size_t count;   /* at least one */
+    unsigned depth; /* of choices in each other */
+};
+
+enum { TEXTURE_DEPTH = 10 }; /* the parser refuses more choices in each other */
+
+/* Layers from the bottom up; at least one. With a choice it has no paint of its
+ * own: then the layers are those of all that may be picked, in any order. */
 struct texture {
     struct layer *layers;
     size_t count;
+    const struct texture_choice *choice; /* or NULL */
 };
+
+/* What a choice picks: one texture or the blend of two. */
+struct texture_pick {
+    const struct texture *texture;
+    double share;
+};
+
+/* Fills picks for a point of the texture's space; returns how many. *located is
+ * the point in the space of what is picked. */
+int texture_choose(const struct texture_choice *choice, vec3 point,
+                   struct texture_pick picks[2], vec3 *located);
+
+/* The share of light that passes the whole texture at a point of its space. */
+rgb texture_transmittance(const struct texture *texture, vec3 point);
 
 struct interior {
     double ior;           /* 1 */
     double fade_distance; /* 0: none */
     double fade_power;    /* 0: none */
     rgb fade_colour;      /* black */
+    double caustics;      /* pretended, in shadows: shade/shadow.c; 0: none */
 };
 
 struct material {

@@ -17,6 +17,9 @@ struct fog {
     vec3 up;         /* unit, of ground fog; so are these: */
     double offset;   /* height up to which it is the same everywhere */
     double altitude; /* height above `offset` where half of it is left */
+    bool turbulent;
+    struct turbulence turbulence; /* stretches the point looked up */
+    double turbulent_share; /* what of the way noise of 1 takes away, at most */
 };
 
 /* Pigments looked up in the direction of a ray that hits nothing, from the

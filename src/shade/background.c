@@ -1,6 +1,8 @@
 /* Fog and sky: see background.h. Measured on POV-Ray 3.7. */
 #include "shade/background.h"
 
+#include "scene/noise.h"
+
 /* How long a ray is that hits nothing (measured). */
 static const double fog_horizon = 2e10;
 
@@ -11,8 +13,21 @@ static double fog_integral(double height)
     return height > 0 ? atan(height) : height;
 }
 
-/* How much fog a ray meets: the mean density times the way, in the distances
- * that leave 1/e. */
+/* How much of the fog noise at the middle of the way leaves: the more, the
+ * longer the way, also of ground fog that is above most of it (measured). */
+static double fog_left(const struct fog *fog, const struct ray *ray, double way)
+{
+    if (!fog->turbulent)
+        return 1;
+    vec3 middle = vec3_along(ray->origin, ray->direction, way / 2);
+    double noise = noise_turbulence(vec3_mul(fog->turbulence.amount, middle),
+                                    &fog->turbulence);
+    return 1 -
+           exp(-way / fog->distance) * fmin(1, noise * fog->turbulent_share);
+}
+
+/* How much fog a ray meets without turbulence: the mean density times the way,
+ * in the distances that leave 1/e. */
 static double fog_depth(const struct fog *fog, const struct ray *ray,
                         double distance)
 {
@@ -41,8 +56,9 @@ struct veil fog_veil(const struct scene *scene, const struct ray *ray,
         const struct fog *fog = &scene->fogs.items[i];
         rgb tone = colour_rgb(fog->colour);
         rgb tint = rgb_mix(rgb_grey(1), tone, fog->colour.filter);
-        double left =
-            fmax(exp(-fog_depth(fog, ray, distance)), fog->colour.transmit);
+        double depth = fog_depth(fog, ray, distance);
+        depth *= fog_left(fog, ray, fmin(distance, fog_horizon));
+        double left = fmax(exp(-depth), fog->colour.transmit);
         veil.light = rgb_add_scaled(veil.light, tone, 1 - left);
         veil.through = rgb_mul(veil.through, rgb_scale(tint, left));
     }

@@ -93,9 +93,13 @@ static rgb finish_highlights(const struct surface *surface,
     return rgb_scale(tint, share);
 }
 
+/* In scenes before version 3.7 a filter takes from the surface's own light only
+ * what its brightest colour lets through (measured). */
 static double layer_opacity(const struct surface_layer *layer)
 {
-    return 1 - layer->pigment.filter - layer->pigment.transmit;
+    colour c = layer->pigment;
+    double peak = layer->finish->old_filter ? fmax(c.r, fmax(c.g, c.b)) : 1;
+    return 1 - c.filter * peak - c.transmit;
 }
 
 rgb finish_light(const struct surface *surface,

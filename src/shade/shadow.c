@@ -2,7 +2,8 @@
  * every surface on the way filters once, but none that is closer than 1e-3
  * behind the one before it (touching bodies count one face); a segment that
  * ends where the ray leaves a body fades by that body's interior; reflection
- * and Fresnel don't weaken the light. */
+ * and Fresnel don't weaken the light, but `caustics` brighten it where it meets
+ * the surface steeply. */
 #include "shade/shadow.h"
 
 #include "shade/background.h"
@@ -22,7 +23,8 @@ struct shadow_crossing {
 };
 
 struct shadow_ray {
-    rgb share; /* of those that found no place */
+    vec3 direction; /* unit */
+    rgb share;      /* of those that found no place */
     int count;
     struct shadow_crossing at[CROSSINGS_MAX]; /* in order of t */
 };
@@ -42,6 +44,18 @@ static bool crossing_before(const struct shadow_crossing *a,
     return a->t < b->t || (a->t == b->t && a->leaf->number < b->leaf->number);
 }
 
+/* What light gets from `caustics` c at a surface, bumps and all: 1 + |cos|^(45
+ * c) times. */
+static double shadow_caustics(const struct shadow_ray *shadow,
+                              const struct intersection *at)
+{
+    const struct interior *interior = at->leaf->interior;
+    if (!interior || interior->caustics == 0)
+        return 1;
+    double cosine = fabs(vec3_dot(surface_bumps(at), shadow->direction));
+    return 1 + pow(cosine, 45 * interior->caustics);
+}
+
 static bool shadow_filter(void *context, const struct intersection *at)
 {
     struct shadow_ray *shadow = context;
@@ -49,6 +63,7 @@ static bool shadow_filter(void *context, const struct intersection *at)
                                         surface_transmittance(at) };
     if (rgb_peak(crossing.through) == 0)
         return true;
+    crossing.through = rgb_scale(crossing.through, shadow_caustics(shadow, at));
     if (shadow->count == CROSSINGS_MAX) {
         shadow->share = rgb_mul(shadow->share, crossing.through);
         return rgb_peak(shadow->share) < 1e-9;
@@ -127,6 +142,7 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
     struct shadow_ray shadow;
     if (!(to > from))
         return rgb_grey(1);
+    shadow.direction = path->direction;
     shadow.share = rgb_grey(1);
     shadow.count = 0;
     worker->counters.shadow_rays++;

@@ -14,16 +14,24 @@ static colour layer_pigment(const struct layer *layer, vec3 point, int quality)
     return pigment_colour(pigment, point);
 }
 
+/* A texture and its space: that of a picked one is its pattern's. */
+struct place {
+    const struct texture *texture;
+    vec3 point;
+    const affine *to, *from; /* world <-> the texture's space */
+    double share;            /* of the surface that has this texture */
+};
+
 /* Bumps live in the texture's space: the normal goes there and back. */
-static vec3 layer_normal(const struct layer *layer,
-                         const struct intersection *at, vec3 point, vec3 normal)
+static vec3 layer_normal(const struct layer *layer, const struct place *place,
+                         vec3 normal)
 {
     vec3 there, bumped, back;
     if (!layer->normal)
         return normal;
-    there = vec3_normalise(affine_normal(at->from_texture, normal));
-    bumped = normal_perturbed(layer->normal, point, there);
-    back = vec3_normalise(affine_normal(at->to_texture, bumped));
+    there = vec3_normalise(affine_normal(place->from, normal));
+    bumped = normal_perturbed(layer->normal, place->point, there);
+    back = vec3_normalise(affine_normal(place->to, bumped));
     return vec3_finite(back) ? back : normal;
 }
 
@@ -46,27 +54,72 @@ static void layer_reflect(struct surface *surface, struct surface_layer *layer,
     layer->reflection_weight = mirror.weight;
 }
 
-static void surface_fill_layers(struct surface *surface,
-                                const struct surface_view *view)
+/* Adds the layers of a texture that has no choice; returns what all of them
+ * let pass of `weight`. */
+static rgb surface_add_layers(struct surface *surface,
+                              const struct surface_view *view,
+                              const struct place *place, rgb weight)
 {
-    const struct intersection *at = surface->at;
-    const struct texture *texture = at->texture;
-    vec3 point = affine_point(at->to_texture, at->point);
-    rgb weight = rgb_grey(1);
+    const struct texture *texture = place->texture;
     for (size_t i = texture->count; i-- > 0;) {
+        if (surface->count == TEXTURE_LAYERS)
+            break;
         const struct layer *source = &texture->layers[i];
         struct surface_layer *layer = &surface->layer[surface->count++];
         layer->finish = source->finish;
         layer->weight = weight;
-        layer->pigment = layer_pigment(source, point, view->quality);
-        layer->normal = layer_normal(source, at, point, surface->normal);
+        layer->pigment = layer_pigment(source, place->point, view->quality);
+        layer->normal = layer_normal(source, place, surface->normal);
         layer_reflect(surface, layer, view);
         weight = rgb_mul(weight, layer_through(layer));
-        if (rgb_brightness(weight) < view->bailout ||
-            surface->count == TEXTURE_LAYERS)
+        /* A mirror's light has no other weight: see tracer/recursive.c. */
+        layer->reflection = rgb_scale(layer->reflection, place->share);
+        if (rgb_brightness(weight) < view->bailout)
             break;
     }
-    surface->through = weight;
+    return weight;
+}
+
+/* As above, of any texture. A blend is as if each of both covered its share of
+ * the place. */
+static rgb surface_add(struct surface *surface, const struct surface_view *view,
+                       const struct place *place, rgb weight)
+{
+    const struct texture_choice *choice = place->texture->choice;
+    if (!choice)
+        return surface_add_layers(surface, view, place, weight);
+    struct texture_pick picks[2];
+    struct place inner = *place;
+    const affine *inward = &choice->pattern.inverse;
+    affine to, from, outward;
+    rgb through = rgb_grey(0);
+    int count = texture_choose(choice, place->point, picks, &inner.point);
+    if (affine_inverse(*inward, &outward)) {
+        to = affine_compose(*inward, *place->to);
+        from = affine_compose(*place->from, outward);
+        inner.to = &to;
+        inner.from = &from;
+    }
+    for (int i = 0; i < count; i++) {
+        inner.texture = picks[i].texture;
+        inner.share = place->share * picks[i].share;
+        through =
+            rgb_add(through, surface_add(surface, view, &inner,
+                                         rgb_scale(weight, picks[i].share)));
+    }
+    return through;
+}
+
+static void surface_fill_layers(struct surface *surface,
+                                const struct surface_view *view)
+{
+    const struct intersection *at = surface->at;
+    struct place place = { .texture = at->texture,
+                           .point = affine_point(at->to_texture, at->point),
+                           .to = at->to_texture,
+                           .from = at->from_texture,
+                           .share = 1 };
+    surface->through = surface_add(surface, view, &place, rgb_grey(1));
 }
 
 /* At the lowest qualities a surface is the bottom layer's plain colour. */
@@ -106,16 +159,19 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 
 rgb surface_transmittance(const struct intersection *at)
 {
+    return texture_transmittance(at->texture,
+                                 affine_point(at->to_texture, at->point));
+}
+
+vec3 surface_bumps(const struct intersection *at)
+{
     const struct texture *texture = at->texture;
-    vec3 point = affine_point(at->to_texture, at->point);
-    rgb through = rgb_grey(1);
-    for (size_t i = texture->count; i-- > 0;) {
-        colour pigment = pigment_colour(texture->layers[i].pigment, point);
-        through = rgb_mul(through, colour_transmittance(pigment));
-        if (rgb_peak(through) == 0)
-            break;
-    }
-    return through;
+    struct place place = { .texture = texture,
+                           .point = affine_point(at->to_texture, at->point),
+                           .to = at->to_texture,
+                           .from = at->from_texture };
+    return layer_normal(&texture->layers[texture->count - 1], &place,
+                        at->normal);
 }
 
 bool surface_faces(const struct surface *surface, vec3 direction)

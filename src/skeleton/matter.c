@@ -8,16 +8,6 @@
 
 enum { TRANSMITTANCE_SAMPLES = 64 };
 
-static double transmittance_at(const struct texture *texture, vec3 point)
-{
-    rgb through = rgb_grey(1);
-    for (size_t i = 0; i < texture->count; i++) {
-        colour c = pigment_colour(texture->layers[i].pigment, point);
-        through = rgb_mul(through, colour_transmittance(c));
-    }
-    return rgb_brightness(through);
-}
-
 static bool texture_is_void(const struct texture *texture,
                             const affine *to_texture, struct box3 box)
 {
@@ -29,7 +19,8 @@ static bool texture_is_void(const struct texture *texture,
         vec3 r = { random_unit(random_key(i, 0)), random_unit(random_key(i, 1)),
                    random_unit(random_key(i, 2)) };
         vec3 point = vec3_add(box.low, vec3_mul(size, r));
-        sum += transmittance_at(texture, affine_point(to_texture, point));
+        sum += rgb_brightness(
+            texture_transmittance(texture, affine_point(to_texture, point)));
     }
     return sum > 0.5 * TRANSMITTANCE_SAMPLES;
 }

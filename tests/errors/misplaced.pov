@@ -2,7 +2,6 @@
 sphere { 0, 1 pigment { image_map { png 'a.png' } } }
 sphere { 0, 1 phong 1 }
 sphere { 0, 1 rgb 1 }
-sphere { 0, 1 texture { gradient y } }
 #declare Shiny = finish { phong 1 }
 sphere { 0, 1 Shiny }
 sphere { 0, 1 };

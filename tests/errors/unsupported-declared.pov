@@ -1,3 +1,3 @@
-#declare Blob = blob { threshold .5 sphere { 0, 1, 1 } }
+#declare Fractal = julia_fractal { <0, 0, 0, 0> }
 sphere { 0, 1 }
-object { Blob }
+object { Fractal }

@@ -1,1 +1,1 @@
-blob { threshold .5 sphere { 0, 1, 1 } }
+julia_fractal { <0, 0, 0, 0> }

@@ -3,5 +3,3 @@ sphere { 0, 1 pigment { cubic } }
 sphere { 0, 1 pigment { pavement } }
 sphere { 0, 1 pigment { square } }
 sphere { 0, 1 normal { triangular } }
-camera { spherical }
-camera { location 0 spherical }

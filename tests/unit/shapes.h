@@ -25,6 +25,9 @@ static inline void shape_fill(struct arena *arena, const struct field *field,
         } else if (field->kind == FIELD_VECTOR) {
             *(vec3 *)at = (vec3){ numbers[0], numbers[1], numbers[2] };
             numbers += 3;
+        } else if (field->kind == FIELD_VECTOR2) {
+            memcpy(at, numbers, 2 * sizeof *numbers);
+            numbers += 2;
         } else if (field->kind == FIELD_TERMS) {
             struct terms *terms = at;
             terms->count = (size_t)(end - numbers);

@@ -535,12 +535,12 @@ static void unsupported_things_wait_for_their_use(void **state)
         "#declare A = media { emission 1 }"
         "#declare B = texture { gradient x texture_map { [0 A] [1 A] } }"
         "             texture { pigment { rgb 1 } }"
-        "#declare C = blob { threshold 1 sphere { 0, 1, 1 } }"
+        "#declare C = julia_fractal { <0, 0, 0, 0> }"
         "#declare D = union { object { C } sphere { 0, 1 } }"
         "sphere { 0, 1 }");
     assert_int_equal(r.scene->objects.count, 1);
     scene_end(&r);
-    r = scene_read("#declare C = blob { threshold 1 }"
+    r = scene_read("#declare C = julia_fractal { <0, 0, 0, 0> }"
                    "#declare D = union { object { C } } object { D }");
     assert_null(r.scene);
     assert_int_equal(r.diag.errors, 1);

@@ -1,0 +1,168 @@
+/* text: the letters of a string, from a font, each an outline with a thickness;
+ * a union of them. */
+#include "parse/rules.h"
+#include "scene/extrusion.h"
+#include "scene/font.h"
+
+/* Fonts already read in this parse: a loop may name one a thousand times. */
+struct font_cache {
+    struct font_cache *next;
+    const char *path;
+    const struct font *font;
+};
+
+/* POV-Ray has these within; here they are files like others. */
+static const char *const internal_fonts[] = { "povlogo.ttf", "timrom.ttf",
+                                              "cyrvetic.ttf", "crystal.ttf" };
+
+enum { INTERNAL_FONTS = sizeof internal_fonts / sizeof *internal_fonts };
+
+static bool font_load(struct parser *p, const char *name, struct span span,
+                      const struct font **out)
+{
+    const char *problem = NULL, *path = file_find(p, name, ".ttf");
+    if (!path)
+        return error_at(p, span, file_hint(p, name), "can't find the font '%s'",
+                        name);
+    for (struct font_cache *known = p->fonts; known; known = known->next)
+        if (strcmp(known->path, path) == 0) {
+            *out = known->font;
+            return true;
+        }
+    const struct source *source =
+        source_read(p->sources, path, span_none(), &problem);
+    *out = source ? font_new(p->arena, source->text, source->length, &problem)
+                  : NULL;
+    if (!*out)
+        return error_at(p, span, NULL, "can't read the font '%s': %s", path,
+                        problem);
+    struct font_cache *known = ARENA_NEW(p->arena, struct font_cache);
+    *known = (struct font_cache){ p->fonts, path, *out };
+    p->fonts = known;
+    return true;
+}
+
+/* font = "ttf" string | "internal" float . */
+static bool parse_font(struct parser *p, const struct font **out)
+{
+    const char *name;
+    int number;
+    if (accept_keyword(p, KEYWORD_TTF)) {
+        struct span span = stream_span(p);
+        return parse_string(p, &name) && font_load(p, name, span, out);
+    }
+    if (!accept_keyword(p, KEYWORD_INTERNAL))
+        return error_expected(p, "'ttf' and the name of a font");
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &number))
+        return false;
+    if (number < 0 || number >= INTERNAL_FONTS)
+        return error_at(p, span, "1", "'internal' is from 0 to %d, found %d",
+                        INTERNAL_FONTS - 1, number);
+    return font_load(p, internal_fonts[number], span, out);
+}
+
+/* The next character of UTF-8; a byte that is none stands for itself. */
+static uint32_t text_next(const char **text)
+{
+    const unsigned char *s = (const unsigned char *)*text;
+    uint32_t first = *s++;
+    int more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : 0;
+    uint32_t character = more ? first & (0x3fu >> more) : first;
+    for (int i = 0; i < more; i++, s++) {
+        if ((*s & 0xc0) != 0x80) {
+            (*text)++;
+            return first;
+        }
+        character = character << 6 | (*s & 0x3f);
+    }
+    *text = (const char *)s;
+    return character;
+}
+
+/* A letter at its place in the line; nothing for a space. */
+static bool text_letter(struct parser *p, struct object *text,
+                        struct letter letter, double thickness, vec3 place)
+{
+    const char *warning = NULL;
+    if (letter.count == 0)
+        return true;
+    struct extrusion *shape = ARENA_NEW(p->scene_arena, struct extrusion);
+    shape->segments = (struct terms){ (double *)letter.segments,
+                                      letter.count * SEGMENT_NUMBERS };
+    shape->high = thickness;
+    shape->axis = 2;
+    extrusion_prepare(shape, p->scene_arena, &warning);
+    if (warning)
+        return true;
+    struct object *object =
+        object_new(p->scene_arena, OBJECT_SHAPE, text->span);
+    object->primitive = &text_primitive;
+    object->shape = shape;
+    affine move = affine_translation(place);
+    object_move(p->scene_arena, object, &move);
+    text->children[text->child_count++] = object;
+    return object_adopt(p, text, object);
+}
+
+/* Each letter begins where the one before it ends; the outline of the first
+ * one at 0. The offset's z has no effect in POV-Ray (measured). */
+static bool text_letters(struct parser *p, struct object *text,
+                         const struct font *font, const char *string,
+                         double thickness, vec3 offset)
+{
+    vec3 place = { 0, 0, 0 };
+    int last = -1;
+    text->parts = 0;
+    text->children =
+        ARENA_ARRAY(p->scene_arena, const struct object *, strlen(string) + 1);
+    while (*string) {
+        int letter = font_letter(font, text_next(&string));
+        if (last < 0) {
+            place.x = -font_bearing(font, letter);
+        } else {
+            place.x += font_advance(font, last) +
+                       font_kerning(font, last, letter) + offset.x;
+            place.y += offset.y;
+        }
+        if (!text_letter(p, text, font_outline(font, letter, p->scene_arena),
+                         thickness, place))
+            return false;
+        last = letter;
+    }
+    return true;
+}
+
+/* text_arguments = font [","] string [","] float [","] vector . */
+static bool parse_text_arguments(struct parser *p, struct object *text)
+{
+    const struct font *font;
+    const char *string;
+    double thickness;
+    vec3 offset;
+    if (!parse_font(p, &font))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (!parse_string(p, &string))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (!parse_float(p, &thickness))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return parse_vector(p, &offset) &&
+           text_letters(p, text, font, string, thickness, offset);
+}
+
+/* text = "text" "{" text_arguments {modifier} "}" . */
+bool parse_text(struct parser *p, struct object **out)
+{
+    struct span open;
+    stream_next(p);
+    struct object *text =
+        object_new(p->scene_arena, OBJECT_UNION, p->last_span);
+    struct modifiers m = { .object = text, .block = "text" };
+    *out = text;
+    return block_begin(p, &open) &&
+           block_end(p, open,
+                     parse_text_arguments(p, text) && parse_modifiers(p, &m));
+}

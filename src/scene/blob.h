@@ -1,0 +1,37 @@
+/* Blobs: the surface where the densities of balls and round-ended cylinders
+ * add up to a threshold. */
+#ifndef SCENE_BLOB_H
+#define SCENE_BLOB_H
+
+#include "scene/primitive.h"
+
+/* Of radius 1 in its own space: a ball around the origin, or what is around the
+ * z axis from 0 to `length`. Numbers only, as they are hashed as such. */
+struct blob_part {
+    double strength; /* times (1 - d^2)^2 at the distance d < 1 */
+    double length;   /* 0: a ball */
+    affine inward;   /* from the blob's space */
+};
+
+enum {
+    BLOB_NUMBERS = sizeof(struct blob_part) / sizeof(double),
+    BLOB_PARTS_LIMIT = 100000
+};
+
+struct blob {
+    struct terms parts; /* struct blob_part after part, as numbers */
+    double threshold;
+    bool ignored; /* sturm and hierarchy: needless */
+    struct box3 bounds;
+};
+
+extern const struct primitive blob_primitive;
+
+/* A ball, or with two different ends a cylinder. False: it has no radius. */
+bool blob_part_make(struct blob_part *part, vec3 base, vec3 apex, double radius,
+                    double strength);
+
+/* Moves a part, as modifiers of its own do. False: nothing would be left. */
+bool blob_part_move(struct blob_part *part, const affine *transform);
+
+#endif

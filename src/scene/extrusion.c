@@ -1,0 +1,205 @@
+/* Outlines with a thickness: see extrusion.h. u and v are the outline's
+ * coordinates, w runs along the axis. */
+#include "scene/extrusion.h"
+
+enum { PART_LOW = -1, PART_HIGH = -2 };
+
+/* What the fingerprint of a scene is made of; the parser has readers of its
+ * own, since splines and fonts are no tables. */
+static const struct field extrusion_fields[] = {
+    { "segments", FIELD_TERMS, offsetof(struct extrusion, segments), 0, 0,
+      "the outline", false },
+    { "low", FIELD_FLOAT, offsetof(struct extrusion, low), 0, 0, "from here",
+      false },
+    { "high", FIELD_FLOAT, offsetof(struct extrusion, high), 0, 0, "to here",
+      false },
+    { "axis", FIELD_INTEGER, offsetof(struct extrusion, axis), 0, 0,
+      "along which", false },
+    { "conic_sweep", FIELD_FLAG, offsetof(struct extrusion, conic), 0, 0,
+      "shrinks to a point", false },
+    { .name = NULL },
+};
+
+/* May stand among the modifiers. */
+static const struct field prism_items[] = {
+    { "open", FIELD_FLAG, offsetof(struct extrusion, open), 0, 0, "no caps",
+      false },
+    { .name = NULL },
+};
+
+/* A point of the shape's space as u, v, w, and back. */
+static vec3 extrusion_inward(const struct extrusion *e, vec3 p)
+{
+    return e->axis == 2 ? p : (vec3){ p.x, p.z, p.y };
+}
+
+static vec3 extrusion_outward(const struct extrusion *e, vec3 p)
+{
+    return extrusion_inward(e, p);
+}
+
+const char *extrusion_prepare(void *shape, struct arena *arena,
+                              const char **warning)
+{
+    struct extrusion *e = shape;
+    if (e->low > e->high) {
+        double swap = e->low;
+        e->low = e->high;
+        e->high = swap;
+    }
+    size_t count = e->segments.count / SEGMENT_NUMBERS;
+    struct segment *segments = ARENA_ARRAY(arena, struct segment, count);
+    memcpy(segments, e->segments.values, count * sizeof *segments);
+    e->outline = outline_new(arena, segments, count);
+    if (e->outline.count == 0)
+        *warning = "its outline has no length";
+    return NULL;
+}
+
+/* How large the outline is at the height w. */
+static double extrusion_scale(const struct extrusion *e, double w)
+{
+    return e->conic ? w : 1;
+}
+
+static struct box3 extrusion_bounds(const void *shape)
+{
+    const struct extrusion *e = shape;
+    const struct outline *o = &e->outline;
+    struct box3 box = box3_empty();
+    const double ends[] = { e->low, e->high };
+    for (int i = 0; i < 2; i++) {
+        double w = ends[i], s = extrusion_scale(e, w);
+        vec3 low = { s * o->low[0], s * o->low[1], w };
+        vec3 high = { s * o->high[0], s * o->high[1], w };
+        box = box3_add(box, extrusion_outward(e, low));
+        box = box3_add(box, extrusion_outward(e, high));
+    }
+    return box;
+}
+
+static bool extrusion_covers(const struct extrusion *e, vec3 p)
+{
+    double scale = extrusion_scale(e, p.z);
+    return scale != 0 && outline_covers(&e->outline, p.x / scale, p.y / scale);
+}
+
+static void cap_intersect(const struct extrusion *e, double w, int part,
+                          const struct ray *ray, struct hits *hits)
+{
+    double t = (w - ray->origin.z) / ray->direction.z;
+    vec3 p = { ray->origin.x + t * ray->direction.x,
+               ray->origin.y + t * ray->direction.y, w };
+    if (extrusion_covers(e, p))
+        hits_add(hits, t, part);
+}
+
+struct side_search {
+    const struct extrusion *extrusion;
+    const struct ray *ray; /* in u, v, w */
+    struct hits *hits;
+};
+
+/* The ray meets the line, or the line to the tip, over this point of the
+ * outline. */
+static void side_found(void *context, int index, double s)
+{
+    struct side_search *search = context;
+    const struct extrusion *e = search->extrusion;
+    vec3 o = search->ray->origin, d = search->ray->direction;
+    double at[2];
+    segment_point(&e->outline.pieces[index].curve, s, at);
+    double a, b, c, f;
+    if (e->conic) {
+        a = d.x - at[0] * d.z;
+        b = d.y - at[1] * d.z;
+        c = at[0] * o.z - o.x;
+        f = at[1] * o.z - o.y;
+    } else {
+        a = d.x;
+        b = d.y;
+        c = at[0] - o.x;
+        f = at[1] - o.y;
+    }
+    double t = fabs(a) > fabs(b) ? c / a : f / b;
+    double w = o.z + t * d.z;
+    if (!(w >= e->low && w <= e->high) || search->hits->count == HITS_MAX)
+        return;
+    hits_add(search->hits, t, index);
+    search->hits->at[search->hits->count - 1].u = s;
+}
+
+/* Seen along the axis the ray is a line in the outline's plane; seen from the
+ * tip of a cone, too: the plane through both cuts w = 1 in it. */
+static void extrusion_intersect(const void *shape, const struct ray *ray,
+                                struct hits *hits)
+{
+    const struct extrusion *e = shape;
+    struct ray own = { extrusion_inward(e, ray->origin),
+                       extrusion_inward(e, ray->direction) };
+    struct side_search search = { e, &own, hits };
+    vec3 d = own.direction;
+    vec3 n = e->conic
+                 ? vec3_cross(own.origin, d)
+                 : (vec3){ d.y, -d.x, d.x * own.origin.y - d.y * own.origin.x };
+    outline_cross(&e->outline, n.x, n.y, n.z, side_found, &search);
+    if (e->open || d.z == 0)
+        return;
+    cap_intersect(e, e->low, PART_LOW, &own, hits);
+    cap_intersect(e, e->high, PART_HIGH, &own, hits);
+}
+
+/* Of a side: across the outline, and for cones across the line to the tip. */
+static vec3 extrusion_normal(const void *shape, vec3 point,
+                             const struct hit *hit)
+{
+    const struct extrusion *e = shape;
+    vec3 n = { 0, 0, hit->part == PART_LOW ? -1 : 1 };
+    if (hit->part >= 0) {
+        const struct piece *piece = &e->outline.pieces[hit->part];
+        double at[2], along[2];
+        segment_point(&piece->curve, hit->u, at);
+        segment_tangent(&piece->curve, hit->u, along);
+        double side = piece->outward;
+        if (e->conic && extrusion_inward(e, point).z < 0)
+            side = -side;
+        n = (vec3){ side * along[1], -side * along[0], 0 };
+        if (e->conic)
+            n.z = -(n.x * at[0] + n.y * at[1]);
+    }
+    return extrusion_outward(e, n);
+}
+
+static bool extrusion_inside(const void *shape, vec3 point)
+{
+    const struct extrusion *e = shape;
+    vec3 p = extrusion_inward(e, point);
+    return p.z > e->low && p.z < e->high && extrusion_covers(e, p);
+}
+
+const struct primitive prism_primitive = {
+    .name = "prism",
+    .help = "an outline along y",
+    .size = sizeof(struct extrusion),
+    .arguments = extrusion_fields,
+    .items = prism_items,
+    .solid = true,
+    .prepare = extrusion_prepare,
+    .bounds = extrusion_bounds,
+    .intersect = extrusion_intersect,
+    .normal = extrusion_normal,
+    .inside = extrusion_inside,
+};
+
+const struct primitive text_primitive = {
+    .name = "text",
+    .help = "a letter",
+    .size = sizeof(struct extrusion),
+    .arguments = extrusion_fields,
+    .solid = true,
+    .prepare = extrusion_prepare,
+    .bounds = extrusion_bounds,
+    .intersect = extrusion_intersect,
+    .normal = extrusion_normal,
+    .inside = extrusion_inside,
+};

@@ -1,0 +1,23 @@
+/* An outline with a thickness: prisms, and the letters of text. */
+#ifndef SCENE_EXTRUSION_H
+#define SCENE_EXTRUSION_H
+
+#include "scene/outline.h"
+#include "scene/primitive.h"
+
+struct extrusion {
+    struct terms segments; /* struct segment after segment, as numbers */
+    double low, high;      /* from here to there along the axis */
+    int axis;              /* 1: y, the outline in x and z; 2: z, in x and y */
+    bool conic; /* the outline is that at 1, and shrinks to a point at 0 */
+    bool open;  /* no caps */
+    struct outline outline;
+};
+
+extern const struct primitive prism_primitive, text_primitive;
+
+/* Makes the outline. Returns NULL, or why the shape is impossible. */
+const char *extrusion_prepare(void *shape, struct arena *arena,
+                              const char **warning);
+
+#endif

@@ -1,0 +1,275 @@
+/* Curves in a plane, cut where they turn: see outline.h. */
+#include "scene/outline.h"
+
+#include <math.h>
+
+#include "base/array.h"
+#include "scene/polynomial.h"
+
+struct segment segment_line(const double a[2], const double b[2])
+{
+    return (struct segment){ .x = { a[0], b[0] - a[0] },
+                             .y = { a[1], b[1] - a[1] },
+                             .end = { b[0], b[1] } };
+}
+
+struct segment segment_quadratic(const double a[2], const double b[2],
+                                 const double c[2])
+{
+    return (struct segment){
+        .x = { a[0], 2 * (b[0] - a[0]), a[0] - 2 * b[0] + c[0] },
+        .y = { a[1], 2 * (b[1] - a[1]), a[1] - 2 * b[1] + c[1] },
+        .end = { c[0], c[1] },
+    };
+}
+
+struct segment segment_cubic(const double a[2], const double b[2],
+                             const double c[2], const double d[2])
+{
+    struct segment segment = { .end = { d[0], d[1] } };
+    for (int i = 0; i < 2; i++) {
+        double *to = i ? segment.y : segment.x;
+        to[0] = a[i];
+        to[1] = 3 * (b[i] - a[i]);
+        to[2] = 3 * (a[i] - 2 * b[i] + c[i]);
+        to[3] = d[i] - a[i] + 3 * (b[i] - c[i]);
+    }
+    return segment;
+}
+
+struct segment segment_parabola(const double a[2], const double b[2],
+                                const double c[2])
+{
+    struct segment segment = { .end = { c[0], c[1] } };
+    for (int i = 0; i < 2; i++) {
+        double *to = i ? segment.y : segment.x;
+        to[0] = b[i];
+        to[1] = 0.5 * (c[i] - a[i]);
+        to[2] = 0.5 * (a[i] + c[i]) - b[i];
+    }
+    return segment;
+}
+
+struct segment segment_spline(const double a[2], const double b[2],
+                              const double c[2], const double d[2])
+{
+    struct segment segment = { .end = { c[0], c[1] } };
+    for (int i = 0; i < 2; i++) {
+        double *to = i ? segment.y : segment.x;
+        to[0] = b[i];
+        to[1] = 0.5 * (c[i] - a[i]);
+        to[2] = a[i] - 2.5 * b[i] + 2 * c[i] - 0.5 * d[i];
+        to[3] = 0.5 * (d[i] - a[i]) + 1.5 * (b[i] - c[i]);
+    }
+    return segment;
+}
+
+static double cubic_at(const double c[4], double s)
+{
+    return ((c[3] * s + c[2]) * s + c[1]) * s + c[0];
+}
+
+static double cubic_slope(const double c[4], double s)
+{
+    return (3 * c[3] * s + 2 * c[2]) * s + c[1];
+}
+
+void segment_point(const struct segment *segment, double s, double point[2])
+{
+    point[0] = cubic_at(segment->x, s);
+    point[1] = cubic_at(segment->y, s);
+}
+
+void segment_tangent(const struct segment *segment, double s, double tangent[2])
+{
+    tangent[0] = cubic_slope(segment->x, s);
+    tangent[1] = cubic_slope(segment->y, s);
+}
+
+/* Where the cubic turns between 0 and 1: at most twice. */
+static int cubic_turns(const double c[4], double turns[2])
+{
+    double roots[2];
+    int count = 0, found = quadratic_roots(3 * c[3], c[2], c[1], roots);
+    for (int i = 0; i < found; i++)
+        if (roots[i] > 0 && roots[i] < 1)
+            turns[count++] = roots[i];
+    return count;
+}
+
+/* Its root between low and high, where it has the values f and g of different
+ * signs and only grows or only shrinks: Newton's steps, kept in the bracket. */
+static double cubic_root(const double c[4], double low, double high, double f,
+                         double g)
+{
+    double s = low + (high - low) * (f / (f - g));
+    if (c[2] == 0 && c[3] == 0)
+        return s;
+    for (int round = 0; round < 60; round++) {
+        double value = cubic_at(c, s), last = s;
+        if (value == 0)
+            return s;
+        if ((value < 0) == (f < 0))
+            low = s;
+        else
+            high = s;
+        s -= value / cubic_slope(c, s);
+        if (!(s > low && s < high))
+            s = 0.5 * (low + high);
+        if (fabs(s - last) <= 1e-15)
+            return s;
+    }
+    return s;
+}
+
+/* The curve between two of its parameters, from 0 to 1 anew. */
+static void cubic_part(const double c[4], double low, double high,
+                       double part[4])
+{
+    double w = high - low;
+    part[0] = cubic_at(c, low);
+    part[1] = w * cubic_slope(c, low);
+    part[2] = w * w * (c[2] + 3 * c[3] * low);
+    part[3] = w * w * w * c[3];
+}
+
+struct piece_list {
+    struct piece *items;
+    size_t count, capacity;
+};
+
+static void piece_add(struct arena *arena, struct piece_list *list,
+                      const struct segment *segment, double low, double high)
+{
+    struct piece piece = { .outward = 1 };
+    struct segment *curve = &piece.curve;
+    cubic_part(segment->x, low, high, curve->x);
+    cubic_part(segment->y, low, high, curve->y);
+    if (high < 1)
+        segment_point(segment, high, curve->end);
+    else
+        memcpy(curve->end, segment->end, sizeof curve->end);
+    piece.low[0] = fmin(curve->x[0], curve->end[0]);
+    piece.low[1] = fmin(curve->y[0], curve->end[1]);
+    piece.high[0] = fmax(curve->x[0], curve->end[0]);
+    piece.high[1] = fmax(curve->y[0], curve->end[1]);
+    if (piece.low[0] < piece.high[0] || piece.low[1] < piece.high[1])
+        *ARRAY_PUSH(arena, list) = piece;
+}
+
+static void segment_cut(struct arena *arena, struct piece_list *list,
+                        const struct segment *segment)
+{
+    double at[6] = { 0 };
+    int count = 1;
+    count += cubic_turns(segment->x, at + count);
+    count += cubic_turns(segment->y, at + count);
+    at[count++] = 1;
+    for (int i = 1; i < count; i++)
+        for (int k = i; at[k] < at[k - 1]; k--) {
+            double swap = at[k];
+            at[k] = at[k - 1];
+            at[k - 1] = swap;
+        }
+    for (int i = 1; i < count; i++)
+        if (at[i] > at[i - 1])
+            piece_add(arena, list, segment, at[i - 1], at[i]);
+}
+
+/* Which side of the piece is out: looked at from a little beside it. */
+static double piece_outward(const struct outline *outline,
+                            const struct piece *piece)
+{
+    double p[2], t[2];
+    segment_point(&piece->curve, 0.5, p);
+    segment_tangent(&piece->curve, 0.5, t);
+    double size = hypot(outline->high[0] - outline->low[0],
+                        outline->high[1] - outline->low[1]);
+    double step = 1e-6 * size / hypot(t[0], t[1]);
+    return outline_covers(outline, p[0] + step * t[1], p[1] - step * t[0]) ? -1
+                                                                           : 1;
+}
+
+struct outline outline_new(struct arena *arena, const struct segment *segments,
+                           size_t count)
+{
+    struct piece_list list = { .count = 0 };
+    for (size_t i = 0; i < count; i++)
+        segment_cut(arena, &list, &segments[i]);
+    struct outline outline = {
+        .pieces = list.items,
+        .count = list.count,
+        .low = { HUGE_VAL, HUGE_VAL },
+        .high = { -HUGE_VAL, -HUGE_VAL },
+    };
+    for (size_t i = 0; i < list.count; i++)
+        for (int k = 0; k < 2; k++) {
+            outline.low[k] = fmin(outline.low[k], list.items[i].low[k]);
+            outline.high[k] = fmax(outline.high[k], list.items[i].high[k]);
+        }
+    for (size_t i = 0; i < list.count; i++)
+        list.items[i].outward = piece_outward(&outline, &list.items[i]);
+    return outline;
+}
+
+/* Whether the horizontal line to the right of the point meets the piece; ends
+ * count once. */
+static bool piece_is_right(const struct piece *piece, double x, double y)
+{
+    const struct segment *curve = &piece->curve;
+    double f = curve->y[0] - y, g = curve->end[1] - y;
+    if ((f > 0) == (g > 0) || x >= piece->high[0])
+        return false;
+    if (x < piece->low[0])
+        return true;
+    double c[4] = { f, curve->y[1], curve->y[2], curve->y[3] };
+    return x < cubic_at(curve->x, cubic_root(c, 0, 1, f, g));
+}
+
+bool outline_covers(const struct outline *outline, double x, double y)
+{
+    bool odd = false;
+    if (!(x <= outline->high[0] && y >= outline->low[1] &&
+          y <= outline->high[1]))
+        return false;
+    for (size_t i = 0; i < outline->count; i++)
+        odd ^= piece_is_right(&outline->pieces[i], x, y);
+    return odd;
+}
+
+/* The line is a x + b y + c = 0. Signs at ends are those of the numbers that
+ * neighbours share. */
+static void piece_cross(const struct piece *piece, int index, double a,
+                        double b, double c, outline_visit *visit, void *context)
+{
+    const struct segment *curve = &piece->curve;
+    double line[4], turns[4] = { 0 };
+    for (int i = 0; i < 4; i++)
+        line[i] = a * curve->x[i] + b * curve->y[i];
+    line[0] += c;
+    int count = 1 + cubic_turns(line, turns + 1);
+    turns[count] = 1;
+    double f = line[0];
+    for (int i = 1; i <= count; i++) {
+        double g = i < count ? cubic_at(line, turns[i])
+                             : a * curve->end[0] + b * curve->end[1] + c;
+        if ((f > 0) != (g > 0))
+            visit(context, index,
+                  cubic_root(line, turns[i - 1], turns[i], f, g));
+        f = g;
+    }
+}
+
+void outline_cross(const struct outline *outline, double a, double b, double c,
+                   outline_visit *visit, void *context)
+{
+    for (size_t i = 0; i < outline->count; i++) {
+        const struct piece *piece = &outline->pieces[i];
+        double low = a * (a > 0 ? piece->low[0] : piece->high[0]) +
+                     b * (b > 0 ? piece->low[1] : piece->high[1]) + c;
+        double high = a * (a > 0 ? piece->high[0] : piece->low[0]) +
+                      b * (b > 0 ? piece->high[1] : piece->low[1]) + c;
+        if (!(low > 0) && !(high < 0))
+            piece_cross(piece, (int)i, a, b, c, visit, context);
+    }
+}

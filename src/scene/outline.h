@@ -1,0 +1,65 @@
+/* Outlines in a plane: closed curves of straight, quadratic and cubic
+ * segments. What an odd number of them surrounds is inside. Prisms and the
+ * letters of `text` are outlines with a thickness. */
+#ifndef SCENE_OUTLINE_H
+#define SCENE_OUTLINE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+
+/* A curve x(s), y(s), 0 <= s <= 1, by its coefficients of 1, s, s^2, s^3, and
+ * its end, which is exactly where the next one begins: so no ray slips through
+ * between them. */
+struct segment {
+    double x[4], y[4];
+    double end[2];
+};
+
+enum { SEGMENT_NUMBERS = sizeof(struct segment) / sizeof(double) };
+
+/* The straight line, and the Bezier curves of 3 and of 4 points. */
+struct segment segment_line(const double a[2], const double b[2]);
+struct segment segment_quadratic(const double a[2], const double b[2],
+                                 const double c[2]);
+struct segment segment_cubic(const double a[2], const double b[2],
+                             const double c[2], const double d[2]);
+
+/* From b to c, as POV-Ray's splines go there: the parabola through all three,
+ * with s = -1 at a, and the cubic with the slopes of a-c and b-d. */
+struct segment segment_parabola(const double a[2], const double b[2],
+                                const double c[2]);
+struct segment segment_spline(const double a[2], const double b[2],
+                              const double c[2], const double d[2]);
+
+void segment_point(const struct segment *segment, double s, double point[2]);
+void segment_tangent(const struct segment *segment, double s,
+                     double tangent[2]);
+
+/* A part of a segment along which x and y only grow or only shrink. */
+struct piece {
+    struct segment curve;
+    double low[2], high[2];
+    double outward; /* 1 or -1: (y', -x') times it points out */
+};
+
+struct outline {
+    struct piece *pieces;
+    size_t count;
+    double low[2], high[2];
+};
+
+/* The outline of these segments, in memory of the arena. */
+struct outline outline_new(struct arena *arena, const struct segment *segments,
+                           size_t count);
+
+/* Whether an odd number of curves is to the right of the point. */
+bool outline_covers(const struct outline *outline, double x, double y);
+
+/* Calls for each crossing with the line a x + b y + c = 0. */
+typedef void outline_visit(void *context, int piece, double s);
+void outline_cross(const struct outline *outline, double a, double b, double c,
+                   outline_visit *visit, void *context);
+
+#endif

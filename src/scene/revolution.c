@@ -1,0 +1,185 @@
+/* Curves turned around the y axis: see revolution.h. */
+#include "scene/revolution.h"
+
+#include "scene/polynomial.h"
+
+static const struct field revolution_fields[] = {
+    { "segments", FIELD_TERMS, offsetof(struct revolution, segments), 0, 0,
+      "the curve", false },
+    { .name = NULL },
+};
+
+static const struct field revolution_items[] = {
+    { "sturm", FIELD_BOOL, offsetof(struct revolution, sturm), 0, 0,
+      "accepted and needless", false },
+    { .name = NULL },
+};
+
+/* Inside is what has an odd number of curves farther from the axis. */
+const char *revolution_prepare(void *shape, struct arena *arena,
+                               const char **warning)
+{
+    struct revolution *r = shape;
+    size_t count = r->segments.count / SEGMENT_NUMBERS;
+    struct segment *segments = ARENA_ARRAY(arena, struct segment, count);
+    memcpy(segments, r->segments.values, count * sizeof *segments);
+    r->outline = outline_new(arena, segments, count);
+    if (r->outline.count == 0)
+        *warning = "its curve has no length";
+    return NULL;
+}
+
+static double revolution_radius(const struct revolution *r)
+{
+    return fmax(fabs(r->outline.low[0]), fabs(r->outline.high[0]));
+}
+
+static struct box3 revolution_bounds(const void *shape)
+{
+    const struct revolution *r = shape;
+    double radius = revolution_radius(r);
+    return (struct box3){ { -radius, r->outline.low[1], -radius },
+                          { radius, r->outline.high[1], radius } };
+}
+
+static bool revolution_inside(const void *shape, vec3 point)
+{
+    const struct revolution *r = shape;
+    return outline_covers(&r->outline, hypot(point.x, point.z), point.y);
+}
+
+/* What of the ray the curves need: x^2 + z^2 = a t^2 + 2 b t + c. */
+struct spin {
+    const struct ray *ray;
+    double a, b, c;
+};
+
+static void spin_add(struct hits *hits, int part, double s, double t)
+{
+    if (hits->count == HITS_MAX || !isfinite(t))
+        return;
+    hits_add(hits, t, part);
+    hits->at[hits->count - 1].u = s;
+}
+
+/* The ray is level: it meets the curve where that has its height, twice. */
+static void spin_level(const struct spin *spin, const struct piece *piece,
+                       int part, struct hits *hits)
+{
+    const double *y = piece->curve.y;
+    double c[4] = { y[0] - spin->ray->origin.y, y[1], y[2], y[3] };
+    double roots[3], at[2], t[2];
+    int count = polynomial_roots(c, 3, 0, 1, roots, 3);
+    for (int i = 0; i < count; i++) {
+        segment_point(&piece->curve, roots[i], at);
+        int found =
+            quadratic_roots(spin->a, spin->b, spin->c - at[0] * at[0], t);
+        for (int k = 0; k < found; k++)
+            spin_add(hits, part, roots[i], t[k]);
+    }
+}
+
+static void multiply(const double a[4], const double b[4], double scale,
+                     double sum[7])
+{
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++)
+            sum[i + k] += scale * a[i] * b[k];
+}
+
+/* Of two t at which the ray is as far from the axis as the curve, the one at
+ * which it is as high, too. Near level rays the height alone says little. */
+static double spin_place(const struct spin *spin, double radius, double t)
+{
+    double roots[2];
+    int count =
+        quadratic_roots(spin->a, spin->b, spin->c - radius * radius, roots);
+    double slope = spin->ray->direction.y;
+    if (count == 0 || slope * slope > 1e-4 * spin->a)
+        return t;
+    return count == 1 || fabs(roots[0] - t) < fabs(roots[1] - t) ? roots[0]
+                                                                 : roots[1];
+}
+
+/* With h = y(s) - oy the ray is at this height at t = h / dy, and there as far
+ * from the axis as the curve if c dy^2 + 2 b dy h + a h^2 - dy^2 x(s)^2 = 0. */
+static void spin_piece(const struct spin *spin, const struct piece *piece,
+                       int part, struct hits *hits)
+{
+    const struct segment *curve = &piece->curve;
+    double dy = spin->ray->direction.y, dy2 = dy * dy;
+    double h[4] = { curve->y[0] - spin->ray->origin.y, curve->y[1], curve->y[2],
+                    curve->y[3] };
+    double p[7] = { spin->c * dy2 }, roots[6], at[2];
+    for (int i = 0; i < 4; i++)
+        p[i] += 2 * spin->b * dy * h[i];
+    multiply(h, h, spin->a, p);
+    multiply(curve->x, curve->x, -dy2, p);
+    int degree = 6;
+    while (degree > 1 && p[degree] == 0)
+        degree--;
+    int count = polynomial_roots(p, degree, 0, 1, roots, 6);
+    for (int i = 0; i < count; i++) {
+        segment_point(curve, roots[i], at);
+        double t = (at[1] - spin->ray->origin.y) / dy;
+        spin_add(hits, part, roots[i], spin_place(spin, at[0], t));
+    }
+}
+
+/* Whether the ray is nearer to the axis than the piece reaches while it is as
+ * high as the piece. */
+static bool spin_meets(const struct spin *spin, const struct piece *piece)
+{
+    double dy = spin->ray->direction.y, y = spin->ray->origin.y;
+    double low = (piece->low[1] - y) / dy, high = (piece->high[1] - y) / dy;
+    double t = -spin->b / spin->a;
+    t = fmax(fmin(low, high), fmin(t, fmax(low, high)));
+    double radius = fmax(fabs(piece->low[0]), fabs(piece->high[0]));
+    double nearest = (spin->a * t + 2 * spin->b) * t + spin->c;
+    return !(nearest > radius * radius * (1 + 1e-9) + 1e-12);
+}
+
+static void revolution_intersect(const void *shape, const struct ray *ray,
+                                 struct hits *hits)
+{
+    const struct revolution *r = shape;
+    vec3 o = ray->origin, d = ray->direction;
+    struct spin spin = { ray, d.x * d.x + d.z * d.z, o.x * d.x + o.z * d.z,
+                         o.x * o.x + o.z * o.z };
+    bool level = d.y * d.y < 1e-16 * spin.a;
+    for (size_t i = 0; i < r->outline.count; i++) {
+        const struct piece *piece = &r->outline.pieces[i];
+        if (level)
+            spin_level(&spin, piece, (int)i, hits);
+        else if (spin_meets(&spin, piece))
+            spin_piece(&spin, piece, (int)i, hits);
+    }
+}
+
+static vec3 revolution_normal(const void *shape, vec3 point,
+                              const struct hit *hit)
+{
+    const struct revolution *r = shape;
+    const struct piece *piece = &r->outline.pieces[hit->part];
+    double along[2], radius = hypot(point.x, point.z);
+    segment_tangent(&piece->curve, hit->u, along);
+    double out = piece->outward * along[1];
+    double up = -piece->outward * along[0];
+    if (!(radius > 0))
+        return (vec3){ 0, up, 0 };
+    return (vec3){ out * point.x / radius, up, out * point.z / radius };
+}
+
+const struct primitive lathe_primitive = {
+    .name = "lathe",
+    .help = "a curve turned around y",
+    .size = sizeof(struct revolution),
+    .arguments = revolution_fields,
+    .items = revolution_items,
+    .solid = true,
+    .prepare = revolution_prepare,
+    .bounds = revolution_bounds,
+    .intersect = revolution_intersect,
+    .normal = revolution_normal,
+    .inside = revolution_inside,
+};

@@ -1,0 +1,2 @@
+camera { cylinder 5 location -z }
+camera { fisheye location -z }

@@ -1,0 +1,1 @@
+text { ttf "no-such.ttf" "A" 1, 0 }
