@@ -33,12 +33,19 @@ static double orbit_end(int way, double x, double y)
     }
 }
 
+/* A scene may say any number. */
+static int orbit_integer(double number)
+{
+    return (int)fmax(-1e6, fmin(number, 1e6));
+}
+
 /* Left the circle of radius 2 after `steps` that stayed in it. */
 static double orbit_exterior(const struct orbit *orbit, int steps, double x,
                              double y)
 {
     double factor = orbit->exterior[1];
-    int way = (int)orbit->exterior[0], period = (int)factor + (way == 8);
+    int way = orbit_integer(orbit->exterior[0]);
+    int period = orbit_integer(factor) + (way == 8);
     switch (way) {
     case 1:
         return (double)steps / orbit->iterations;
@@ -63,7 +70,7 @@ double orbit_value(const struct orbit *orbit, double x, double y, double u,
             return orbit_exterior(orbit, i, x, y);
         nearest = fmin(nearest, square);
     }
-    int way = (int)orbit->interior[0];
+    int way = orbit_integer(orbit->interior[0]);
     return orbit->interior[1] *
            (way == 1 ? sqrt(nearest) : orbit_end(way, x, y));
 }

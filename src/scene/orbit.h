@@ -23,7 +23,7 @@ double orbit_value(const struct orbit *orbit, double x, double y, double u,
 #define ORBIT_ITERATIONS                                                       \
     {                                                                          \
         "iterations", FIELD_INTEGER, offsetof(struct orbit, iterations), 1,    \
-            1000000, "steps after which a point counts as interior", false     \
+            100000, "steps after which a point counts as interior", false      \
     }
 
 #define ORBIT_ITEMS                                                            \
