@@ -132,15 +132,14 @@ void world_closest_many(const struct world *world, const struct ray *rays,
         if (good[i])
             trace_unbounded(world, query, world->shape_count, solids);
         out[i].leaf = good[i] ? query->leaf : NULL;
-        out[i].t = query->hit.t;
-        out[i].part = query->hit.part;
+        out[i].hit = query->hit;
     }
 }
 
 void world_describe(const struct ray *ray, const struct world_hit *hit,
                     struct intersection *out)
 {
-    struct hit found = { hit->t, hit->part, 0, 0 };
+    struct hit found = hit->hit;
     query_refine(ray, hit->leaf, &found);
     query_describe(ray, hit->leaf, &found, out);
 }

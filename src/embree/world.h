@@ -49,8 +49,7 @@ bool world_closest(const struct world *world, const struct ray *ray,
 /* The least there is to know of where a ray meets the scene. */
 struct world_hit {
     const struct leaf *leaf; /* NULL: nowhere */
-    double t;
-    int part;
+    struct hit hit;          /* u and v of a shape, not of a triangle */
 };
 
 enum { WORLD_RAYS = 16 };

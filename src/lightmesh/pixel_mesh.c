@@ -40,7 +40,7 @@ struct pixel_mesh {
 static bool same_surface(const struct world_hit *a, const struct leaf *leaf,
                          int part)
 {
-    return a->leaf == leaf && a->part == part;
+    return a->leaf == leaf && a->hit.part == part;
 }
 
 static bool grid_has(const struct first_hits *hits, int x, int y)
@@ -64,7 +64,7 @@ static bool pixel_serves(const struct pixel_mesh *mesh, int x, int y,
     return grid_has(&mesh->hits, x, y) &&
            stagger_level(mesh->stagger, x, y) < mesh->level &&
            *number_at(mesh, x, y) >= 0 &&
-           same_surface(first_hits_at(&mesh->hits, x, y), hit->leaf, hit->part);
+           same_surface(first_hits_at(&mesh->hits, x, y), hit->leaf, hit->hit.part);
 }
 
 static bool pixel_is_served(const struct pixel_mesh *mesh, int x, int y)

@@ -200,7 +200,6 @@
     X(ISOSURFACE, "isosurface")                                                \
     X(JITTER, "jitter")                                                        \
     X(JPEG, "jpeg")                                                            \
-    X(JULIA, "julia")                                                          \
     X(JULIA_FRACTAL, "julia_fractal")                                          \
     X(LAMBDA, "lambda")                                                        \
     X(LATHE, "lathe")                                                          \
@@ -219,7 +218,6 @@
     X(MACRO, "macro")                                                          \
     X(MAGNET, "magnet")                                                        \
     X(MAJOR_RADIUS, "major_radius")                                            \
-    X(MANDEL, "mandel")                                                        \
     X(MAP_TYPE, "map_type")                                                    \
     X(MATERIAL, "material")                                                    \
     X(MATERIAL_MAP, "material_map")                                            \
@@ -312,7 +310,6 @@
     X(QUADRATIC_SPLINE, "quadratic_spline")                                    \
     X(QUATERNION, "quaternion")                                                \
     X(QUICK_COLOUR, "quick_colour")                                            \
-    X(QUILTED, "quilted")                                                      \
     X(RADIANS, "radians")                                                      \
     X(RADIOSITY, "radiosity")                                                  \
     X(RADIUS, "radius")                                                        \
@@ -361,7 +358,6 @@
     X(SPACING, "spacing")                                                      \
     X(SPECULAR, "specular")                                                    \
     X(SPHERE_SWEEP, "sphere_sweep")                                            \
-    X(SPIRAL1, "spiral1")                                                      \
     X(SPIRAL2, "spiral2")                                                      \
     X(SPLINE, "spline")                                                        \
     X(SPLIT_UNION, "split_union")                                              \
@@ -384,7 +380,6 @@
     X(SUBSTR, "substr")                                                        \
     X(SUBSURFACE, "subsurface")                                                \
     X(SUM, "sum")                                                              \
-    X(SUPERELLIPSOID, "superellipsoid")                                        \
     X(SWITCH, "switch")                                                        \
     X(SYS, "sys")                                                              \
     X(T, "t")                                                                  \
