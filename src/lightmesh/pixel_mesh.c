@@ -64,7 +64,8 @@ static bool pixel_serves(const struct pixel_mesh *mesh, int x, int y,
     return grid_has(&mesh->hits, x, y) &&
            stagger_level(mesh->stagger, x, y) < mesh->level &&
            *number_at(mesh, x, y) >= 0 &&
-           same_surface(first_hits_at(&mesh->hits, x, y), hit->leaf, hit->hit.part);
+           same_surface(first_hits_at(&mesh->hits, x, y), hit->leaf,
+                        hit->hit.part);
 }
 
 static bool pixel_is_served(const struct pixel_mesh *mesh, int x, int y)
