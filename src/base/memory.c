@@ -13,8 +13,8 @@
 
 enum {
     LARGE_PAGE = 2 << 20,
-    HEAP_STEP = 2 * LARGE_PAGE,
-    HEAP_KEPT = 32 * HEAP_STEP, /* free, for what is wanted next */
+    HEAP_STEP = 4 * LARGE_PAGE,
+    HEAP_KEPT = 16 * HEAP_STEP, /* free, for what is wanted next */
 };
 
 static _Noreturn void memory_exhausted(size_t size)
