@@ -77,6 +77,14 @@ static inline bool box3_is_empty(struct box3 a)
 
 bool box3_is_finite(struct box3 a);
 
+/* Half of its surface. */
+static inline double box3_half_area(struct box3 a)
+{
+    double x = a.high.x - a.low.x, y = a.high.y - a.low.y;
+    double z = a.high.z - a.low.z;
+    return x * y + y * z + z * x;
+}
+
 static inline bool box3_contains(struct box3 a, vec3 p)
 {
     return p.x >= a.low.x && p.x <= a.high.x && p.y >= a.low.y &&

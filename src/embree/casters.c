@@ -2,7 +2,6 @@
 #include "embree/casters.h"
 
 #include "base/memory.h"
-#include "scene/mesh.h"
 #include "scene/primitive.h"
 
 struct taking {
@@ -45,12 +44,6 @@ static bool leaf_is_other(const struct leaf *leaf)
     return leaf->looks_like >= 0;
 }
 
-static double box_area(struct box3 box)
-{
-    vec3 d = vec3_sub(box.high, box.low);
-    return d.x * d.y + d.y * d.z + d.z * d.x;
-}
-
 /* What is in the box may hide something. Of lines that meet a convex body those
  * that meet another in it are as many as its surface is of the first's. */
 static void take_box(struct taking *taking, struct box3 box)
@@ -62,7 +55,7 @@ static void take_box(struct taking *taking, struct box3 box)
         taking->failed = true;
         return;
     }
-    taking->doubtful_area += box_area(box);
+    taking->doubtful_area += box3_half_area(box);
     for (int k = 0; k < 3; k++) {
         vec3 a = edge[(k + 1) % 3], b = edge[(k + 2) % 3];
         take_square(taking, doubtful, box.low, a, b);
@@ -78,16 +71,10 @@ static void take_mesh(void *context, const struct leaf *leaf)
         return;
     if (!leaf->opaque || leaf_is_other(leaf))
         taking->failed = true;
-    for (size_t i = 0; !taking->failed && i < mesh->triangle_count; i++) {
-        vec3 corner[3];
-        for (int k = 0; k < 3; k++) {
-            corner[k] = mesh->vertices[mesh->triangles[i].vertex[k]];
-            if (leaf->moved)
-                corner[k] = affine_point(&leaf->to_world, corner[k]);
-        }
-        take_triangle(taking, &taking->casters->certain, corner[0], corner[1],
-                      corner[2]);
-    }
+    for (size_t i = 0; !taking->failed && i < mesh->triangle_count; i++)
+        take_triangle(taking, &taking->casters->certain,
+                      leaf_corner(leaf, i, 0), leaf_corner(leaf, i, 1),
+                      leaf_corner(leaf, i, 2));
 }
 
 /* The normal of the plane in the world: as a covector goes. */
@@ -163,7 +150,7 @@ static bool take_all(struct casters *casters, const struct world *world,
     casters->space_count = 0;
     world_visit(world, take_solid, take_mesh, &taking);
     if (taking.doubtful_area > 0)
-        casters->doubt = taking.doubtful_area / box_area(bounds);
+        casters->doubt = taking.doubtful_area / box3_half_area(bounds);
     return !taking.failed;
 }
 

@@ -122,12 +122,6 @@ static void items_sort_along_axis(struct shaft_item *items, size_t count,
     items_sort(items, count);
 }
 
-static double box_area(struct box3 box)
-{
-    vec3 d = vec3_sub(box.high, box.low);
-    return d.x * d.y + d.y * d.z + d.z * d.x;
-}
-
 /* Sorts them along the axis, and returns how many of the first make the best
  * first half: boxes are met the more often the larger they are (surface area
  * heuristic). *cost is what that is worth, the less the better. */
@@ -139,14 +133,14 @@ static size_t items_halve(struct shaft_item *items, size_t count, int axis,
     size_t best = count / 2;
     items_sort_along_axis(items, count, axis);
     for (size_t i = 0; i < count; i++) {
-        before[i] = box_area(box) * (double)i;
+        before[i] = box3_half_area(box) * (double)i;
         box = box3_union(box, items[i].box);
     }
     *cost = HUGE_VAL;
     box = box3_empty();
     for (size_t i = count - 1; i > 0; i--) {
         box = box3_union(box, items[i].box);
-        double sum = before[i] + box_area(box) * (double)(count - i);
+        double sum = before[i] + box3_half_area(box) * (double)(count - i);
         if (sum < *cost) {
             *cost = sum;
             best = i;

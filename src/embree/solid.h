@@ -14,6 +14,7 @@
 #ifndef EMBREE_SOLID_H
 #define EMBREE_SOLID_H
 
+#include "scene/mesh.h"
 #include "scene/object.h"
 #include "scene/ray.h"
 
@@ -41,6 +42,14 @@ struct leaf {
     int looks_like; /* number of the light it stands for, or -1 */
     unsigned number; /* 0..leaf_count-1 */
 };
+
+/* A corner, 0 to 2, of a mesh's triangle in the world. */
+static inline vec3 leaf_corner(const struct leaf *leaf, size_t triangle, int k)
+{
+    const struct mesh *mesh = leaf->object->mesh;
+    vec3 v = mesh->vertices[mesh->triangles[triangle].vertex[k]];
+    return leaf->moved ? affine_point(&leaf->to_world, v) : v;
+}
 
 /* The space a CSG tree is kept in: its object's own, in which its parts are
  * more often unmoved and its planes along the axes. */

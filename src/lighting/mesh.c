@@ -23,7 +23,7 @@ struct mesh_lighting {
     struct indirect_mesh *indirect; /* or NULL */
     struct scalar_mesh *scalar;     /* of model scalar, in place of them all */
     struct void_skeleton close;     /* what ends its bounces, if asked for */
-    struct mesh_pixels pixels;      /* of many lamps in one picture */
+    struct mesh_pixels pixels;      /* that lamps look at */
     struct mesh_report report;
     /* The same, whose lattices are coarser the farther from this picture's
      * camera; what mesh points hold must not depend on it, only on the

@@ -5,8 +5,8 @@
 #include "lightmesh/stagger.h"
 #include "shade/surface.h"
 
-/* Larger pictures, and more points or lamps, take too much memory: 60 MB for
- * what is seen first, and 40 MB for a bit for each point and lamp. */
+/* Larger pictures, and more points or lamps, take too much memory: 100 MB
+ * for what is seen first, and 40 MB for a bit for each point and lamp. */
 static const double most_places = 2.5e6, most_pairs = 3.2e8;
 
 /* With those of small surfaces there are about so many times the points. */

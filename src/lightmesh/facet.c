@@ -99,13 +99,6 @@ static struct corner *corner_find(const struct facets *facets, uint64_t key)
     return &facets->corners[i];
 }
 
-static vec3 leaf_corner(const struct leaf *leaf, size_t triangle, int k)
-{
-    const struct mesh *mesh = leaf->object->mesh;
-    vec3 v = mesh->vertices[mesh->triangles[triangle].vertex[k]];
-    return leaf->moved ? affine_point(&leaf->to_world, v) : v;
-}
-
 static void take_leaf(struct facets *facets, const struct leaf *leaf)
 {
     size_t count = leaf_pieces(leaf);

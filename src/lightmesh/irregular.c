@@ -17,6 +17,8 @@ static const double cell_points = 1;
 /* A bounding box in cells is so much larger than it seems. */
 #define CELL_SLACK 1e-3f
 
+_Static_assert((int)CASTER_WIDTH == (int)LANES, "a batch of triangles");
+
 /* Of the cube; numbers that describe the planes of a triangle; and corners that
  * a triangle may have when four planes have cut it. */
 enum { SIDES = 6, PLANES = 13, CORNERS_MOST = 9 };

@@ -155,11 +155,14 @@ bool parse_shape(struct parser *p, struct object **out,
                            .shape = shape };
     object->primitive = primitive;
     object->shape = shape;
+    object->patch = !primitive->solid;
     *out = object;
-    if (!block_begin(p, &open) ||
-        !block_end(p, open, rule(p, shape) && parse_modifiers(p, &m)))
+    if (!block_begin(p, &open))
         return false;
-    return object_prepare(p, out, primitive, shape);
+    bool ok =
+        rule ? rule(p, shape) : parse_arguments(p, primitive->arguments, shape);
+    ok = ok && parse_modifiers(p, &m);
+    return block_end(p, open, ok) && object_prepare(p, out, primitive, shape);
 }
 
 /* primitive = PRIMITIVE "{" arguments {modifier} "}" .
@@ -167,24 +170,7 @@ bool parse_shape(struct parser *p, struct object **out,
 static bool parse_primitive(struct parser *p, struct object **out,
                             const struct primitive *primitive)
 {
-    struct span open;
-    stream_next(p);
-    struct object *object =
-        object_new(p->scene_arena, OBJECT_SHAPE, p->last_span);
-    void *shape = arena_alloc(p->scene_arena, primitive->size);
-    struct modifiers m = { .object = object,
-                           .block = primitive->name,
-                           .items = primitive->items,
-                           .shape = shape };
-    object->primitive = primitive;
-    object->shape = shape;
-    object->patch = !primitive->solid;
-    *out = object;
-    if (!block_begin(p, &open))
-        return false;
-    bool ok = parse_arguments(p, primitive->arguments, shape) &&
-              parse_modifiers(p, &m);
-    return block_end(p, open, ok) && object_prepare(p, out, primitive, shape);
+    return parse_shape(p, out, primitive, NULL);
 }
 
 /* object_use = "object" "{" object {modifier} "}" . */

@@ -125,7 +125,8 @@ bool object_adopt(struct parser *p, struct object *object,
 /* A node without any part: what is left out of the picture. */
 struct object *object_empty(struct parser *p, struct span span);
 
-/* An object of a shape whose arguments `rule` reads. */
+/* An object of a shape whose arguments `rule` reads; NULL: the shape's table
+ * says how. */
 typedef bool shape_rule(struct parser *p, void *shape);
 bool parse_shape(struct parser *p, struct object **out,
                  const struct primitive *primitive, shape_rule *rule);

@@ -27,15 +27,10 @@ static const struct field prism_items[] = {
     { .name = NULL },
 };
 
-/* A point of the shape's space as u, v, w, and back. */
-static vec3 extrusion_inward(const struct extrusion *e, vec3 p)
+/* A point of the shape's space as u, v, w, or such a one back. */
+static vec3 extrusion_turned(const struct extrusion *e, vec3 p)
 {
     return e->axis == 2 ? p : (vec3){ p.x, p.z, p.y };
-}
-
-static vec3 extrusion_outward(const struct extrusion *e, vec3 p)
-{
-    return extrusion_inward(e, p);
 }
 
 const char *extrusion_prepare(void *shape, struct arena *arena,
@@ -47,10 +42,8 @@ const char *extrusion_prepare(void *shape, struct arena *arena,
         e->low = e->high;
         e->high = swap;
     }
-    size_t count = e->segments.count / SEGMENT_NUMBERS;
-    struct segment *segments = ARENA_ARRAY(arena, struct segment, count);
-    memcpy(segments, e->segments.values, count * sizeof *segments);
-    e->outline = outline_new(arena, segments, count);
+    e->outline =
+        outline_of_numbers(arena, e->segments.values, e->segments.count);
     if (e->outline.count == 0)
         *warning = "its outline has no length";
     return NULL;
@@ -72,8 +65,8 @@ static struct box3 extrusion_bounds(const void *shape)
         double w = ends[i], s = extrusion_scale(e, w);
         vec3 low = { s * o->low[0], s * o->low[1], w };
         vec3 high = { s * o->high[0], s * o->high[1], w };
-        box = box3_add(box, extrusion_outward(e, low));
-        box = box3_add(box, extrusion_outward(e, high));
+        box = box3_add(box, extrusion_turned(e, low));
+        box = box3_add(box, extrusion_turned(e, high));
     }
     return box;
 }
@@ -135,8 +128,8 @@ static void extrusion_intersect(const void *shape, const struct ray *ray,
                                 struct hits *hits)
 {
     const struct extrusion *e = shape;
-    struct ray own = { extrusion_inward(e, ray->origin),
-                       extrusion_inward(e, ray->direction) };
+    struct ray own = { extrusion_turned(e, ray->origin),
+                       extrusion_turned(e, ray->direction) };
     struct side_search search = { e, &own, hits };
     vec3 d = own.direction;
     vec3 n = e->conic
@@ -161,19 +154,19 @@ static vec3 extrusion_normal(const void *shape, vec3 point,
         segment_point(&piece->curve, hit->u, at);
         segment_tangent(&piece->curve, hit->u, along);
         double side = piece->outward;
-        if (e->conic && extrusion_inward(e, point).z < 0)
+        if (e->conic && extrusion_turned(e, point).z < 0)
             side = -side;
         n = (vec3){ side * along[1], -side * along[0], 0 };
         if (e->conic)
             n.z = -(n.x * at[0] + n.y * at[1]);
     }
-    return extrusion_outward(e, n);
+    return extrusion_turned(e, n);
 }
 
 static bool extrusion_inside(const void *shape, vec3 point)
 {
     const struct extrusion *e = shape;
-    vec3 p = extrusion_inward(e, point);
+    vec3 p = extrusion_turned(e, point);
     return p.z > e->low && p.z < e->high && extrusion_covers(e, p);
 }
 

@@ -212,6 +212,15 @@ struct outline outline_new(struct arena *arena, const struct segment *segments,
     return outline;
 }
 
+struct outline outline_of_numbers(struct arena *arena, const double *numbers,
+                                  size_t count)
+{
+    size_t segments = count / SEGMENT_NUMBERS;
+    struct segment *copy = ARENA_ARRAY(arena, struct segment, segments);
+    memcpy(copy, numbers, segments * sizeof *copy);
+    return outline_new(arena, copy, segments);
+}
+
 /* Whether the horizontal line to the right of the point meets the piece; ends
  * count once. */
 static bool piece_is_right(const struct piece *piece, double x, double y)

@@ -54,6 +54,10 @@ struct outline {
 struct outline outline_new(struct arena *arena, const struct segment *segments,
                            size_t count);
 
+/* The same of segment after segment, SEGMENT_NUMBERS each. */
+struct outline outline_of_numbers(struct arena *arena, const double *numbers,
+                                  size_t count);
+
 /* Whether an odd number of curves is to the right of the point. */
 bool outline_covers(const struct outline *outline, double x, double y);
 

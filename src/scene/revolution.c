@@ -20,10 +20,8 @@ const char *revolution_prepare(void *shape, struct arena *arena,
                                const char **warning)
 {
     struct revolution *r = shape;
-    size_t count = r->segments.count / SEGMENT_NUMBERS;
-    struct segment *segments = ARENA_ARRAY(arena, struct segment, count);
-    memcpy(segments, r->segments.values, count * sizeof *segments);
-    r->outline = outline_new(arena, segments, count);
+    r->outline =
+        outline_of_numbers(arena, r->segments.values, r->segments.count);
     if (r->outline.count == 0)
         *warning = "its curve has no length";
     return NULL;
