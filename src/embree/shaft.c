@@ -1,38 +1,11 @@
 /* Shafts against a tree of boxes: see shaft.h. */
 #include "embree/shaft.h"
 
-#include <stdlib.h>
+#include <float.h>
 
+#include "embree/shaft_tree.h"
 #include "embree/slab.h"
-#include "scene/mesh.h"
 #include "scene/primitive.h"
-
-/* Something with a box; without a solid it is a mesh. */
-struct shaft_item {
-    struct box3 box;
-    const struct solid *solid;
-    double key; /* they are sorted by it */
-};
-
-/* So many items are parted by trying all places, unless there are very many,
- * for that takes its time; of too many there is no tree. */
-enum { SWEEP_MOST = 128, SWEEP_WORTH = 4000, TREE_MOST = 20000 };
-
-/* In the order in which they are visited: the first child follows. */
-struct shaft_node {
-    struct box3 box;
-    size_t next; /* node to go on with if the box is missed */
-    bool leaf;
-    const struct solid *solid; /* of a leaf */
-};
-
-struct shaft_tree {
-    struct shaft_item *items; /* bounded ones, by code */
-    struct shaft_node *nodes;
-    size_t item_count, node_count;
-    struct shaft_item *endless; /* boxes that are not bounded */
-    size_t endless_count;
-};
 
 /* A half space that holds all rays of a shaft: normal . p <= limit. */
 struct shaft_side {
@@ -40,7 +13,7 @@ struct shaft_side {
     double limit;
 };
 
-enum { SHAFT_SIDES = 4 };
+enum { SHAFT_SIDES = 5 };
 
 struct shaft_bounds {
     struct box3 box;
@@ -67,185 +40,43 @@ static const double least_rise = 1e-3;
 /* For what rounding may do to coordinates. */
 static const double place_margin = 1e-7;
 
-static uint32_t spread_bits(uint32_t x)
-{
-    x = (x | x << 16) & 0x030000ff;
-    x = (x | x << 8) & 0x0300f00f;
-    x = (x | x << 4) & 0x030c30c3;
-    return (x | x << 2) & 0x09249249;
-}
-
-/* Of the place of a value between two others, ten bits apart from each other.
- */
-static uint32_t place_bits(double low, double high, double value)
-{
-    double place = high > low ? (value - low) / (high - low) : 0;
-    return spread_bits((uint32_t)(fmin(fmax(place, 0), 1) * 1023));
-}
-
-static vec3 item_middle(const struct shaft_item *item)
-{
-    return vec3_scale(vec3_add(item->box.low, item->box.high), 0.5);
-}
-
-static int item_order(const void *a, const void *b)
-{
-    const struct shaft_item *x = a, *y = b;
-    return (x->key > y->key) - (x->key < y->key);
-}
-
-static void items_sort(struct shaft_item *items, size_t count)
-{
-    qsort(items, count, sizeof *items, item_order);
-}
-
-/* Along a space-filling curve (Lauterbach et al. 2009). */
-static void items_sort_along_curve(struct shaft_tree *tree)
-{
-    struct box3 all = box3_empty();
-    for (size_t i = 0; i < tree->item_count; i++)
-        all = box3_union(all, tree->items[i].box);
-    for (size_t i = 0; i < tree->item_count; i++) {
-        vec3 middle = item_middle(&tree->items[i]);
-        tree->items[i].key = place_bits(all.low.x, all.high.x, middle.x) |
-                             place_bits(all.low.y, all.high.y, middle.y) << 1 |
-                             place_bits(all.low.z, all.high.z, middle.z) << 2;
-    }
-    items_sort(tree->items, tree->item_count);
-}
-
-static void items_sort_along_axis(struct shaft_item *items, size_t count,
-                                  int axis)
-{
-    for (size_t i = 0; i < count; i++)
-        items[i].key = vec3_component(item_middle(&items[i]), axis);
-    items_sort(items, count);
-}
-
-/* Sorts them along the axis, and returns how many of the first make the best
- * first half: boxes are met the more often the larger they are (surface area
- * heuristic). *cost is what that is worth, the less the better. */
-static size_t items_halve(struct shaft_item *items, size_t count, int axis,
-                          double *cost)
-{
-    double before[SWEEP_MOST];
-    struct box3 box = box3_empty();
-    size_t best = count / 2;
-    items_sort_along_axis(items, count, axis);
-    for (size_t i = 0; i < count; i++) {
-        before[i] = box3_half_area(box) * (double)i;
-        box = box3_union(box, items[i].box);
-    }
-    *cost = HUGE_VAL;
-    box = box3_empty();
-    for (size_t i = count - 1; i > 0; i--) {
-        box = box3_union(box, items[i].box);
-        double sum = before[i] + box3_half_area(box) * (double)(count - i);
-        if (sum < *cost) {
-            *cost = sum;
-            best = i;
-        }
-    }
-    return best;
-}
-
-static size_t items_split(const struct shaft_tree *tree,
-                          struct shaft_item *items, size_t count)
-{
-    double cost, least = HUGE_VAL;
-    int best = 0;
-    if (count > SWEEP_MOST || tree->item_count > SWEEP_WORTH)
-        return count / 2;
-    for (int axis = 0; axis < 3; axis++) {
-        items_halve(items, count, axis, &cost);
-        best = cost < least ? axis : best;
-        least = fmin(cost, least);
-    }
-    return items_halve(items, count, best, &cost);
-}
-
-static struct box3 build_nodes(struct shaft_tree *tree, size_t first,
-                               size_t count)
-{
-    struct shaft_node *node = &tree->nodes[tree->node_count++];
-    if (count == 1) {
-        node->leaf = true;
-        node->solid = tree->items[first].solid;
-        node->box = tree->items[first].box;
-    } else {
-        size_t half = items_split(tree, &tree->items[first], count);
-        struct box3 a = build_nodes(tree, first, half);
-        struct box3 b = build_nodes(tree, first + half, count - half);
-        node->box = box3_union(a, b);
-    }
-    node->next = tree->node_count;
-    return node->box;
-}
-
-static void tree_add(struct shaft_tree *tree, struct box3 box,
-                     const struct solid *solid)
-{
-    struct shaft_item item = { .box = box, .solid = solid };
-    if (box3_is_empty(box) || (solid && solid->leaf && solid->leaf->no_shadow))
-        return;
-    if (box3_is_finite(box))
-        tree->items[tree->item_count++] = item;
-    else
-        tree->endless[tree->endless_count++] = item;
-}
-
-static void tree_add_solids(struct shaft_tree *tree,
-                            const struct solid_list *list)
-{
-    for (size_t i = 0; i < list->count; i++)
-        tree_add(tree, list->items[i]->surface, list->items[i]);
-}
-
-struct shaft_tree *shaft_tree_new(struct flat *flat,
-                                  const struct solid_list *bounded)
-{
-    struct arena *arena = flat->arena;
-    size_t room = flat->solids.count + bounded->count + flat->meshes.count;
-    if (room > TREE_MOST)
-        return NULL;
-    struct shaft_tree *tree = ARENA_NEW(arena, struct shaft_tree);
-    tree->items = ARENA_ARRAY(arena, struct shaft_item, room);
-    tree->endless = ARENA_ARRAY(arena, struct shaft_item, room);
-    tree->nodes = ARENA_ARRAY(arena, struct shaft_node, 2 * room);
-    tree_add_solids(tree, &flat->solids);
-    tree_add_solids(tree, bounded);
-    for (size_t i = 0; i < flat->meshes.count; i++) {
-        const struct leaf *leaf = flat->meshes.items[i];
-        if (!leaf->no_shadow)
-            tree_add(tree,
-                     solid_padded(affine_box(&leaf->to_world,
-                                             leaf->object->mesh->bounds)),
-                     NULL);
-    }
-    items_sort_along_curve(tree);
-    if (tree->item_count > 0)
-        build_nodes(tree, 0, tree->item_count);
-    return tree;
-}
-
 /* The largest of three, without their signs. */
 static double most_of(vec3 v)
 {
     return slab_max(fabs(v.x), slab_max(fabs(v.y), fabs(v.z)));
 }
 
+/* How far they begin from `from` in a direction of any length, times that: all
+ * of a disc, and what its bending adds. */
+static double rays_reach(const struct shaft_rays *rays, vec3 direction)
+{
+    double square = vec3_dot(direction, direction);
+    double rise = vec3_dot(direction, rays->normal);
+    return rays->radius * (sqrt(slab_max(square - rise * rise, 0)) +
+                           rays->bend * sqrt(square));
+}
+
+static vec3 rays_reach_box(const struct shaft_rays *rays)
+{
+    return vec3_make(rays_reach(rays, vec3_make(1, 0, 0)),
+                     rays_reach(rays, vec3_make(0, 1, 0)),
+                     rays_reach(rays, vec3_make(0, 0, 1)));
+}
+
 /* Adds the side through the point the rays begin at, across a normal of any
  * length, on which `inner`, an offset, is. None if that is too near to say. */
-static void bounds_add(struct shaft_bounds *bounds, vec3 from, vec3 normal,
-                       vec3 inner)
+static void bounds_add(struct shaft_bounds *bounds,
+                       const struct shaft_rays *rays, vec3 normal, vec3 inner)
 {
     double depth = vec3_dot(inner, normal);
     double doubt = bounds->doubt * most_of(normal);
     if (!(fabs(depth) > doubt))
         return;
     vec3 out = depth > 0 ? vec3_negate(normal) : normal;
-    bounds->sides[bounds->count++] =
-        (struct shaft_side){ out, vec3_dot(out, from) + doubt };
+    double limit = vec3_dot(out, rays->from) + doubt;
+    if (rays->radius > 0)
+        limit += rays_reach(rays, normal);
+    bounds->sides[bounds->count++] = (struct shaft_side){ out, limit };
 }
 
 /* From where the rays begin to see, at least, and at most: where all corners
@@ -271,6 +102,11 @@ static void bounds_near(struct shaft_bounds *bounds,
                      slab_max(high.z, edges.high.z));
     bounds->box.low = vec3_add(rays->from, low);
     bounds->box.high = vec3_add(rays->from, high);
+    if (rays->radius > 0) {
+        vec3 reach = rays_reach_box(rays);
+        bounds->box.low = vec3_sub(bounds->box.low, reach);
+        bounds->box.high = vec3_add(bounds->box.high, reach);
+    }
 }
 
 static struct box3 box_hold(struct box3 box, vec3 p)
@@ -281,6 +117,35 @@ static struct box3 box_hold(struct box3 box, vec3 p)
         { slab_max(box.high.x, p.x), slab_max(box.high.y, p.y),
           slab_max(box.high.z, p.z) },
     };
+}
+
+/* How steeply all rays leave the plane that touches what they begin on, at
+ * least, to the side that `sign` says: the sine; not positive if some don't. */
+static double rays_rise(const struct shaft_rays *rays, double sign)
+{
+    vec3 way = vec3_sub(rays->middle, rays->from);
+    double rise = sign * vec3_dot(rays->normal, way) -
+                  fabs(vec3_dot(rays->normal, rays->half[0])) -
+                  fabs(vec3_dot(rays->normal, rays->half[1]));
+    double longest = vec3_length(way) + vec3_length(rays->half[0]) +
+                     vec3_length(rays->half[1]);
+    return rise / longest - rays->bend;
+}
+
+/* Adds that plane, as high as where they begin to see: what ends in it, beside
+ * what they begin on, is not met. */
+static void bounds_rise(struct shaft_bounds *bounds,
+                        const struct shaft_rays *rays)
+{
+    vec3 way = vec3_sub(rays->middle, rays->from);
+    double sign = vec3_dot(rays->normal, way) > 0 ? 1 : -1;
+    double rise = rays_rise(rays, sign);
+    if (!rays->leaf || !(rise > least_rise))
+        return;
+    vec3 out = vec3_scale(rays->normal, -sign);
+    double limit = vec3_dot(out, rays->from) + bounds->doubt -
+                   rise * rays->tmin + rays_reach(rays, out);
+    bounds->sides[bounds->count++] = (struct shaft_side){ out, limit };
 }
 
 static struct shaft_bounds shaft_bounds(const struct shaft_rays *rays)
@@ -302,9 +167,19 @@ static struct shaft_bounds shaft_bounds(const struct shaft_rays *rays)
         1e-9 * slab_max(most_of(bounds.box.low), most_of(bounds.box.high));
     bounds.count = 0;
     for (int i = 0; i < 4; i++)
-        bounds_add(&bounds, rays->from, vec3_cross(edge[i], edge[(i + 1) % 4]),
-                   way);
+        bounds_add(&bounds, rays, vec3_cross(edge[i], edge[(i + 1) % 4]), way);
+    bounds_rise(&bounds, rays);
     return bounds;
+}
+
+/* Around the vectors to the parallelogram. */
+static struct box3 rays_edges(const struct shaft_rays *rays)
+{
+    vec3 way = vec3_sub(rays->middle, rays->from);
+    vec3 reach = { fabs(rays->half[0].x) + fabs(rays->half[1].x),
+                   fabs(rays->half[0].y) + fabs(rays->half[1].y),
+                   fabs(rays->half[0].z) + fabs(rays->half[1].z) };
+    return (struct box3){ vec3_sub(way, reach), vec3_add(way, reach) };
 }
 
 static struct shaft_view shaft_view(const struct shaft_rays *rays)
@@ -389,16 +264,95 @@ struct shaft_search {
 static const struct leaf *shaft_left(const struct shaft_rays *rays)
 {
     const struct leaf *leaf = rays->leaf;
-    vec3 way = vec3_sub(rays->middle, rays->from);
-    double rise = vec3_dot(rays->normal, way) -
-                  fabs(vec3_dot(rays->normal, rays->half[0])) -
-                  fabs(vec3_dot(rays->normal, rays->half[1]));
-    double longest = vec3_length(way) + vec3_length(rays->half[0]) +
-                     vec3_length(rays->half[1]);
     bool convex = leaf && leaf->solid && leaf->solid->simple &&
                   leaf->object->kind == OBJECT_SHAPE && !leaf->inverse &&
                   leaf->object->primitive->convex;
-    return convex && rise > least_rise * longest ? leaf : NULL;
+    return convex && rays_rise(rays, 1) > least_rise ? leaf : NULL;
+}
+
+/* A search of a tree for penumbras. */
+struct blur_search {
+    struct shaft_bounds bounds;
+    struct box3 start, ways; /* where rays begin, and all their vectors */
+    const struct leaf *left;
+    double width; /* of the light */
+    double least; /* of what was found */
+};
+
+/* How wide the light is at least, seen from where the rays begin. */
+static double rays_width(const struct shaft_rays *rays)
+{
+    vec3 way = vec3_normalise(vec3_sub(rays->middle, rays->from));
+    vec3 a = vec3_cross(rays->half[0], way);
+    vec3 b = vec3_cross(rays->half[1], way);
+    double longer = slab_max(vec3_length(a), vec3_length(b));
+    double area = vec3_length(vec3_cross(a, b));
+    return longer > 0 ? 2 * area / longer : 0;
+}
+
+/* What part of the way rays go at least until they are between low and high
+ * along an axis; above 1: they never are. */
+static double part_before(double start_low, double start_high, double way_low,
+                          double way_high, double low, double high)
+{
+    if (low > start_high)
+        return way_high > 0 ? (low - start_high) / way_high : 2;
+    if (high < start_low)
+        return way_low < 0 ? (high - start_low) / way_low : 2;
+    return 0;
+}
+
+/* The penumbra of what is in the box. */
+static double blur_of(const struct blur_search *search, const struct box3 *box)
+{
+    const struct box3 *start = &search->start, *ways = &search->ways;
+    double part = part_before(start->low.x, start->high.x, ways->low.x,
+                              ways->high.x, box->low.x, box->high.x);
+    part = slab_max(part, part_before(start->low.y, start->high.y, ways->low.y,
+                                      ways->high.y, box->low.y, box->high.y));
+    part = slab_max(part, part_before(start->low.z, start->high.z, ways->low.z,
+                                      ways->high.z, box->low.z, box->high.z));
+    return part < 1 ? search->width * part / (1 - part) : DBL_MAX;
+}
+
+static void blur_take(struct blur_search *search, const struct solid *solid,
+                      const struct box3 *box)
+{
+    if (!solid || !search->left || solid->leaf != search->left)
+        search->least = slab_min(search->least, blur_of(search, box));
+}
+
+double shaft_blur(const struct shaft_tree *tree, const struct shaft_rays *rays,
+                  double enough)
+{
+    vec3 reach = rays_reach_box(rays);
+    struct blur_search search = {
+        .bounds = shaft_bounds(rays),
+        .start = { vec3_sub(rays->from, reach), vec3_add(rays->from, reach) },
+        .ways = rays_edges(rays),
+        .left = shaft_left(rays),
+        .width = rays_width(rays),
+        .least = HUGE_VAL,
+    };
+    for (size_t i = 0; i < tree->endless_count; i++)
+        if (!bounds_miss(&search.bounds, &tree->endless[i].box))
+            blur_take(&search, tree->endless[i].solid, &tree->endless[i].box);
+    for (size_t i = 0; i < tree->node_count && search.least >= enough;) {
+        const struct shaft_node *node = &tree->nodes[i];
+        bool missed = bounds_miss(&search.bounds, &node->box) ||
+                      blur_of(&search, &node->box) >= search.least;
+        if (!missed && node->leaf)
+            blur_take(&search, node->solid, &node->box);
+        i = missed ? node->next : i + 1;
+    }
+    return search.least;
+}
+
+/* That it has one crossing or another is all there is to be known of it. */
+static bool solid_is_plain(const struct solid *solid)
+{
+    return solid->simple && solid->kind == OBJECT_SHAPE &&
+           solid->leaf->opaque && solid->leaf->looks_like < 0;
 }
 
 static void search_take(struct shaft_search *search, const struct solid *solid)
@@ -417,6 +371,7 @@ static void search_take(struct shaft_search *search, const struct solid *solid)
     }
     struct shaft_solid *out = &shaft->at[shaft->count++];
     out->solid = solid;
+    shaft->plain = shaft->plain && solid_is_plain(solid);
     view_place(&search->view, &search->bounds.box, &solid->surface, out);
 }
 
@@ -430,6 +385,7 @@ void shaft_find(const struct shaft_tree *tree, const struct shaft_rays *rays,
     search.viewed = false;
     shaft->count = 0;
     shaft->crowded = false;
+    shaft->plain = true;
     for (size_t i = 0; i < tree->endless_count && !shaft->crowded; i++)
         if (!bounds_miss(&search.bounds, &tree->endless[i].box))
             search_take(&search, tree->endless[i].solid);
@@ -440,4 +396,15 @@ void shaft_find(const struct shaft_tree *tree, const struct shaft_rays *rays,
             search_take(&search, node->solid);
         i = missed ? node->next : i + 1;
     }
+}
+
+bool shaft_hides(const struct shaft *shaft, const double place[2], vec3 from,
+                 vec3 way, double tmin, double tmax)
+{
+    struct ray ray = { from, way };
+    for (int i = 0; i < shaft->count; i++)
+        if (shaft_shades(&shaft->at[i], place) &&
+            solid_crosses(shaft->at[i].solid, &ray, tmin, tmax))
+            return true;
+    return false;
 }

@@ -9,21 +9,25 @@
 
 enum { SHAFT_SOLIDS = 8 };
 
-/* All rays from a point to a parallelogram. */
+/* All rays from a point, or from a piece of a surface, to a parallelogram. */
 struct shaft_rays {
     vec3 from;
+    double radius; /* they begin within so far of it, on the same surface */
     vec3 middle, half[2]; /* of the parallelogram: middle +- half[0] +- half[1],
                            * whose points have coordinates in [-1,1]^2 */
     double tmin;
-    /* What `from` is on, and its true normal there, outward; or NULL. */
+    /* What `from` is on, and its true normal there, outward; or NULL, but not
+     * with a radius. */
     const struct leaf *leaf;
     vec3 normal;
+    double bend; /* no normal of the piece differs by a longer vector */
 };
 
 /* What such rays may meet, other than farther than the parallelogram or nearer
  * than tmin: solids, and where rays must go to meet them. */
 struct shaft {
     bool crowded; /* too much, or triangles: the list says nothing */
+    bool plain;   /* only opaque shapes: shaft_hides may be asked */
     int count;
     struct shaft_solid {
         const struct solid *solid;
@@ -50,14 +54,21 @@ static inline bool shaft_clear(const struct shaft *shaft, const double place[2])
     return true;
 }
 
-struct shaft_tree;
+/* Whether a crossing lies on the way from the point to the place of these
+ * coordinates, which is `way` from it, between parts tmin and tmax. */
+bool shaft_hides(const struct shaft *shaft, const double place[2], vec3 from,
+                 vec3 way, double tmin, double tmax);
 
-/* Of all that casts shadows: `bounded` and what is in *flat, in whose arena it
- * is. NULL if there is so much that most shafts would be crowded. */
-struct shaft_tree *shaft_tree_new(struct flat *flat,
-                                  const struct solid_list *bounded);
+struct shaft_tree;
 
 void shaft_find(const struct shaft_tree *tree, const struct shaft_rays *rays,
                 struct shaft *shaft);
+
+/* How wide the penumbra of the parallelogram is, at least, where the rays
+ * begin: what stands at part s of the way casts one that is s / (1 - s) times
+ * as wide as the light is to it. HUGE_VAL: nothing may stand there. Widths
+ * below `enough` aren't told apart. */
+double shaft_blur(const struct shaft_tree *tree, const struct shaft_rays *rays,
+                  double enough);
 
 #endif

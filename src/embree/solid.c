@@ -113,3 +113,23 @@ void solid_containing(const struct solid *solid, vec3 point,
     for (size_t i = 0; i < count; i++)
         solid_containing(solid->children[i], point, visit, context);
 }
+
+bool solid_crosses(const struct solid *solid, const struct ray *ray,
+                   double tmin, double tmax)
+{
+    const struct object *object = solid->leaf->object;
+    struct ray local;
+    struct hits hits;
+    if (solid->moved) {
+        local = ray_into(&solid->to_shape, ray);
+        ray = &local;
+    }
+    if (object->primitive->crosses)
+        return object->primitive->crosses(object->shape, ray, tmin, tmax);
+    hits.count = 0;
+    object->primitive->intersect(object->shape, ray, &hits);
+    for (int i = 0; i < hits.count; i++)
+        if (hits.at[i].t > tmin && hits.at[i].t < tmax)
+            return true;
+    return false;
+}

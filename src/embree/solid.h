@@ -81,8 +81,19 @@ struct solid {
     struct box3 inner;            /* of a root: the surface in the frame */
 };
 
+static inline struct ray ray_into(const affine *transform,
+                                  const struct ray *ray)
+{
+    return (struct ray){ affine_point(transform, ray->origin),
+                         affine_direction(transform, ray->direction) };
+}
+
 /* Whether the point is inside the solid and its clips. */
 bool solid_inside(const struct solid *solid, vec3 point);
+
+/* Whether the ray has a crossing of a simple shape between tmin and tmax. */
+bool solid_crosses(const struct solid *solid, const struct ray *ray,
+                   double tmin, double tmax);
 
 /* Whether the box is known to be inside the solid, so that no ray can meet the
  * box and miss the solid. */

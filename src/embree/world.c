@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "embree/geometry.h"
+#include "embree/shaft_tree.h"
 
 /* POV-Ray sees nothing farther than this. */
 static const double world_limit = 1e7;
@@ -194,6 +195,12 @@ void world_shaft(const struct world *world, const struct shaft_rays *rays,
     shaft->crowded = true;
     if (world->shafts)
         shaft_find(world->shafts, rays, shaft);
+}
+
+double world_blur(const struct world *world, const struct shaft_rays *rays,
+                  double enough)
+{
+    return world->shafts ? shaft_blur(world->shafts, rays, enough) : 0;
 }
 
 bool world_occluded_in(const struct world *world, const struct shaft *shaft,

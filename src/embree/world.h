@@ -85,6 +85,11 @@ bool world_occluded(const struct world *world, const struct ray *ray,
 void world_shaft(const struct world *world, const struct shaft_rays *rays,
                  struct shaft *shaft);
 
+/* How wide penumbras are, at least, as shaft_blur has it. 0 if nothing is known
+ * of shafts. */
+double world_blur(const struct world *world, const struct shaft_rays *rays,
+                  double enough);
+
 /* The same as world_occluded, for the ray of the shaft to the place of these
  * coordinates: the sooner the less there is on the way. */
 bool world_occluded_in(const struct world *world, const struct shaft *shaft,

@@ -273,6 +273,7 @@ static struct mesh_pixels mesh_looks(const struct mesh_lighting *mesh,
     bool asks = pixels.each ? mesh->few == MESH_FEW_ASKED
                             : direct && direct->facets && !mesh_is_said(said);
     pixels.off = pixels.off || !asks;
+    pixels.soft = pixels.soft && pixels.each && asks;
     return pixels;
 }
 
@@ -469,7 +470,7 @@ static struct diffuse_light mesh_illuminate(const void *state,
     if (mesh->direct->many)
         diffuse.irradiance = mesh_many(mesh, &light);
     else
-        mesh_few_give(&mesh->near_direct, mesh->few, mesh->pixels.mesh, &light);
+        mesh_few_give(&mesh->near_direct, mesh->few, &mesh->pixels, &light);
     if (mesh->indirect)
         diffuse.irradiance =
             rgb_add(diffuse.irradiance, mesh_indirect(mesh, worker, surface));
@@ -488,6 +489,7 @@ static void mesh_look_ahead(void *state, const struct first_hits *hits,
     struct mesh_lighting *mesh = state;
     mesh_pixels_make(&mesh->pixels, hits, workers, threads);
     mesh->report.pixels = mesh->pixels.mesh;
+    mesh->report.penumbras = mesh->pixels.penumbras;
 }
 
 static bool mesh_sound(const void *state, struct diag *diag)

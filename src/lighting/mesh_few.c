@@ -56,19 +56,35 @@ static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
  */
 struct mesh_asker {
     struct lamplight light; /* first: its address is ours */
-    const struct pixel_mesh *pixels;
+    const struct mesh_pixels *pixels;
 };
+
+/* What the picture's points know of a lamp before what is seen first. */
+static bool pixels_share(const struct mesh_pixels *pixels,
+                         const struct surface *surface, const struct lamp *lamp,
+                         rgb *share)
+{
+    bool shines;
+    if (pixels->penumbras && surface->inside->count == 0 &&
+        penumbras_share(pixels->penumbras, surface->place, surface->at, lamp,
+                        share))
+        return true;
+    if (!pixels->mesh ||
+        !pixel_mesh_sees(pixels->mesh, surface->place, lamp, &shines))
+        return false;
+    *share = rgb_grey(shines ? 1 : 0);
+    return true;
+}
 
 static rgb mesh_asker_share(struct lamplight *light, const struct lamp *lamp,
                             const struct lamp_view *view)
 {
     const struct mesh_asker *asker = (const struct mesh_asker *)light;
     const struct surface *surface = light->surface;
-    bool shines;
-    if (asker->pixels && surface->place &&
-        vec3_dot(view->direction, surface->side) > 0 &&
-        pixel_mesh_sees(asker->pixels, surface->place, lamp, &shines))
-        return rgb_grey(shines ? 1 : 0);
+    rgb share;
+    if (surface->place && vec3_dot(view->direction, surface->side) > 0 &&
+        pixels_share(asker->pixels, surface, lamp, &share))
+        return share;
     return lamplight_trace_fine(light, lamp, view);
 }
 
@@ -99,7 +115,7 @@ static bool mesh_asked(const struct mesh_question *question,
 }
 
 void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
-                   const struct pixel_mesh *pixels,
+                   const struct mesh_pixels *pixels,
                    const struct lamplight *light)
 {
     const struct lamps *lamps = light->lamps;

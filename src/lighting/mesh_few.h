@@ -3,8 +3,8 @@
 #define LIGHTING_MESH_FEW_H
 
 #include "lighting/lamplight.h"
+#include "lighting/mesh_pixels.h"
 #include "lightmesh/direct.h"
-#include "lightmesh/pixel_mesh.h"
 
 /* Who says what of a lamp's light gets to a surface. */
 enum mesh_few_way {
@@ -15,10 +15,10 @@ enum mesh_few_way {
                        * them, and cost more than those of two dozen lamps */
 };
 
-/* Visits the lamps' samples. The mesh must not be of many lamps. `pixels`, if
- * they are not NULL, know each lamp, and what they know is not asked. */
+/* Visits the lamps' samples. The mesh must not be of many lamps. What the
+ * picture's points know is not asked. */
 void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
-                   const struct pixel_mesh *pixels,
+                   const struct mesh_pixels *pixels,
                    const struct lamplight *light);
 
 #endif

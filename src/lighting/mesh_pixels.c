@@ -9,6 +9,9 @@
  * for what is seen first, and 40 MB for a bit for each point and lamp. */
 static const double most_places = 2.5e6, most_pairs = 3.2e8;
 
+/* What shares of area lights may take, in bytes. */
+static const double most_shares = 64e6;
+
 /* With those of small surfaces there are about so many times the points. */
 static const double points_share = 1.5;
 
@@ -57,6 +60,7 @@ struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
 {
     return (struct mesh_pixels){
         .off = lamps->quality < QUALITY_SHADOWS,
+        .soft = lamps->quality >= QUALITY_AREA_LIGHTS,
         .finer = finer,
         .detail = fmax(usual_detail, pixel * pixel_detail),
         .lamps = lamps,
@@ -67,6 +71,7 @@ struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
 void mesh_pixels_free(struct mesh_pixels *pixels)
 {
     pixel_mesh_free(pixels->mesh);
+    penumbras_free(pixels->penumbras);
     casters_free(&pixels->casters);
     memory_free(pixels->takes);
 }
@@ -125,8 +130,21 @@ static double pixels_worth(const struct mesh_pixels *pixels,
            lamps_more(pixels) * pixels->finer;
 }
 
-bool mesh_pixels_wanted(struct mesh_pixels *pixels,
+/* Whether there are area lights to be asked. */
+static bool pixels_soft(const struct mesh_pixels *pixels,
                         const struct first_hits *grid)
+{
+    const struct lamps *lamps = pixels->lamps;
+    size_t count = 0;
+    for (size_t i = 0; pixels->soft && i < lamps->count; i++)
+        count += penumbra_takes(lamps, &lamps->items[i]);
+    return count > 0 && pixels_places(grid) <= most_places &&
+           penumbras_bytes(pixels_places(grid), count) <= most_shares;
+}
+
+/* Whether lamps that are points are to look at them. */
+static bool pixels_sharp(struct mesh_pixels *pixels,
+                         const struct first_hits *grid)
 {
     const struct world *world = pixels->lamps->world;
     double lamps = (double)pixels->lamps->count;
@@ -137,6 +155,14 @@ bool mesh_pixels_wanted(struct mesh_pixels *pixels,
         return false;
     pixels->off = pixels->takes || !pixels_start(pixels);
     return !pixels->off && pixels_cost(pixels, grid) <= worth;
+}
+
+bool mesh_pixels_wanted(struct mesh_pixels *pixels,
+                        const struct first_hits *grid)
+{
+    pixels->soft = pixels_soft(pixels, grid);
+    pixels->off = !pixels_sharp(pixels, grid);
+    return pixels->soft || !pixels->off;
 }
 
 void mesh_pixels_make(struct mesh_pixels *pixels, const struct first_hits *hits,
@@ -150,5 +176,9 @@ void mesh_pixels_make(struct mesh_pixels *pixels, const struct first_hits *hits,
         .apart = pixels_apart(pixels),
         .each = pixels->each,
     };
-    pixels->mesh = pixel_mesh_new(&options, hits, workers, threads);
+    if (!pixels->off)
+        pixels->mesh = pixel_mesh_new(&options, hits, workers, threads);
+    if (pixels->soft)
+        pixels->penumbras = penumbras_new(pixels->lamps, &pixels->scene->camera,
+                                          hits, workers, threads);
 }

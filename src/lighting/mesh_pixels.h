@@ -1,14 +1,16 @@
-/* When many lamps are asked from the picture's own points (pixel_mesh.h), and
- * when from those in space. */
+/* When lamps are asked from the picture's own points (pixel_mesh.h, and
+ * penumbra.h for area lights), and when from those in space or by surfaces. */
 #ifndef LIGHTING_MESH_PIXELS_H
 #define LIGHTING_MESH_PIXELS_H
 
+#include "lightmesh/penumbra.h"
 #include "lightmesh/pixel_mesh.h"
 #include "scene/light_settings.h"
 
 struct mesh_pixels {
     bool off;      /* they can't be, or something was said of the mesh itself */
     bool each;     /* few lamps: pixels know each of them, and are all points */
+    bool soft;     /* area lights can be asked so */
     double finer;  /* as quality asks for */
     double detail; /* what is nearer to a surface may be lost */
     const struct lamps *lamps;
@@ -16,6 +18,7 @@ struct mesh_pixels {
     struct casters casters;
     bool *takes;             /* by lamp: it can look at many points at once */
     struct pixel_mesh *mesh; /* or NULL */
+    struct penumbras *penumbras; /* or NULL */
 };
 
 /* `pixel` is the size of what one shows, in the world. */

@@ -102,6 +102,11 @@ void mesh_report_tell(const struct mesh_report *report, lighting_row *row,
             "");
         bytes += (double)pixel_mesh_bytes(report->pixels);
     }
+    if (report->penumbras) {
+        row(context, "penumbra points",
+            (double)penumbras_count(report->penumbras), "");
+        bytes += penumbras_memory(report->penumbras);
+    }
     row(context, "mesh sight rays", around * OBSTACLE_DIRECTIONS, "");
     row(context, "mesh memory", bytes * 1e-6, "MB");
     row(context, "mesh time", seconds, "s of all threads");

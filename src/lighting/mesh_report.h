@@ -5,6 +5,7 @@
 
 #include "lighting/lighting.h"
 #include "lightmesh/indirect.h"
+#include "lightmesh/penumbra.h"
 #include "lightmesh/pixel_mesh.h"
 #include "lightmesh/scalar.h"
 
@@ -13,6 +14,7 @@ struct mesh_report {
     const struct indirect_mesh *indirect; /* or NULL */
     const struct scalar_mesh *scalar;     /* or NULL: in place of the two */
     const struct pixel_mesh *pixels;      /* or NULL */
+    const struct penumbras *penumbras;    /* or NULL */
     double spacing;                       /* of mesh points */
     double size;                          /* across what is seen */
     size_t bytes;                         /* that all meshes may have */

@@ -38,25 +38,42 @@ static vec3 reject(vec3 p, vec3 axis, double along)
     return vec3_along(p, axis, -along);
 }
 
-/* The origin `o` (from the base) is first moved to where it passes the middle
- * of the axis, so that far rays lose no digits. */
+/* The wall along a ray: a t^2 + 2 b t + c is below 0 inside it, and s + ds t is
+ * how far along the axis. All begins at t = shift, where the ray passes the
+ * middle of the axis, so that far rays lose no digits. */
+struct wall {
+    double shift, s, ds, a, b, c;
+};
+
+/* The origin `o` is from the base. */
+static struct wall wall_along(const struct conic *conic, vec3 o, vec3 d)
+{
+    struct wall wall;
+    vec3 middle = vec3_scale(conic->axis, conic->height / 2);
+    wall.shift = vec3_dot(vec3_sub(middle, o), d) / vec3_dot(d, d);
+    vec3 near = vec3_along(o, d, wall.shift);
+    wall.s = vec3_dot(near, conic->axis);
+    wall.ds = vec3_dot(d, conic->axis);
+    vec3 q = reject(near, conic->axis, wall.s);
+    vec3 dq = reject(d, conic->axis, wall.ds);
+    double r = conic->base_radius + conic->slope * wall.s;
+    double dr = conic->slope * wall.ds;
+    wall.a = vec3_dot(dq, dq) - dr * dr;
+    wall.b = vec3_dot(q, dq) - r * dr;
+    wall.c = vec3_dot(q, q) - r * r;
+    return wall;
+}
+
 static void intersect_wall(const struct conic *conic, vec3 o, vec3 d,
                            struct hits *hits)
 {
-    vec3 middle = vec3_scale(conic->axis, conic->height / 2);
-    double shift = vec3_dot(vec3_sub(middle, o), d) / vec3_dot(d, d);
-    vec3 near = vec3_along(o, d, shift);
-    double s = vec3_dot(near, conic->axis), ds = vec3_dot(d, conic->axis);
-    vec3 q = reject(near, conic->axis, s), dq = reject(d, conic->axis, ds);
-    double r = conic->base_radius + conic->slope * s, dr = conic->slope * ds;
+    struct wall wall = wall_along(conic, o, d);
     double roots[2];
-    int count =
-        quadratic_roots(vec3_dot(dq, dq) - dr * dr, vec3_dot(q, dq) - r * dr,
-                        vec3_dot(q, q) - r * r, roots);
+    int count = quadratic_roots(wall.a, wall.b, wall.c, roots);
     for (int i = 0; i < count; i++) {
-        double along = s + roots[i] * ds;
+        double along = wall.s + roots[i] * wall.ds;
         if (along >= 0 && along <= conic->height)
-            hits_add(hits, roots[i] + shift, CONIC_WALL);
+            hits_add(hits, roots[i] + wall.shift, CONIC_WALL);
     }
 }
 
@@ -85,6 +102,50 @@ void conic_intersect(const void *shape, const struct ray *ray,
     intersect_cap(conic, o, d, 0, conic->base_radius, CONIC_BASE, hits);
     intersect_cap(conic, o, d, conic->height, conic->apex_radius, CONIC_APEX,
                   hits);
+}
+
+static bool crossing_between(const struct conic *conic, const struct ray *ray,
+                             double tmin, double tmax)
+{
+    struct hits hits;
+    hits.count = 0;
+    conic_intersect(conic, ray, &hits);
+    for (int i = 0; i < hits.count; i++)
+        if (hits.at[i].t > tmin && hits.at[i].t < tmax)
+            return true;
+    return false;
+}
+
+/* What is closed, and isn't steeper than the ray, is a piece of it: that
+ * between the roots and between the ends. */
+bool conic_crosses(const void *shape, const struct ray *ray, double tmin,
+                   double tmax)
+{
+    const struct conic *conic = shape;
+    vec3 o = vec3_sub(ray->origin, conic->base);
+    struct wall wall = wall_along(conic, o, ray->direction);
+    double rest = wall.b * wall.b - wall.a * wall.c;
+    if (conic->open || !(wall.a > 0) || conic->base_radius < 0 ||
+        conic->apex_radius < 0)
+        return crossing_between(conic, ray, tmin, tmax);
+    if (!(rest >= 0))
+        return false;
+    double root = sqrt(rest), enter = (-wall.b - root) / wall.a;
+    double leave = (-wall.b + root) / wall.a;
+    if (wall.ds != 0) {
+        double base = -wall.s / wall.ds;
+        double apex = (conic->height - wall.s) / wall.ds;
+        double first = base < apex ? base : apex;
+        double last = base < apex ? apex : base;
+        enter = enter > first ? enter : first;
+        leave = leave < last ? leave : last;
+    } else if (!(wall.s >= 0 && wall.s <= conic->height)) {
+        return false;
+    }
+    enter += wall.shift;
+    leave += wall.shift;
+    return enter <= leave &&
+           ((enter > tmin && enter < tmax) || (leave > tmin && leave < tmax));
 }
 
 vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit)

@@ -21,6 +21,8 @@ bool conic_prepare(struct conic *conic);
 struct box3 conic_bounds(const void *shape);
 void conic_intersect(const void *shape, const struct ray *ray,
                      struct hits *hits);
+bool conic_crosses(const void *shape, const struct ray *ray, double tmin,
+                   double tmax);
 vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit);
 bool conic_inside(const void *shape, vec3 point);
 unsigned conic_meets(const void *shape, const struct cell *cell);

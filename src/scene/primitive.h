@@ -49,6 +49,10 @@ struct primitive {
     void (*half_space)(const void *shape, vec3 *normal, double *distance);
     void (*intersect)(const void *shape, const struct ray *ray,
                       struct hits *hits);
+    /* Whether the ray meets the surface at a t between tmin and tmax. NULL:
+     * intersect says it as quickly. */
+    bool (*crosses)(const void *shape, const struct ray *ray, double tmin,
+                    double tmax);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */
     vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
     /* NULL when not solid. */

@@ -48,7 +48,18 @@ struct lamp_question {
     const struct lamp_target *target;
     const struct shaft *shaft; /* to all of it, or NULL */
     bool clear;                /* where nothing is in it all light comes */
+    bool plain;                /* and none where something is */
 };
+
+static struct lamp_question lamp_question(const struct lamps *lamps,
+                                          const struct lamp *lamp,
+                                          struct worker *worker,
+                                          const struct lamp_target *target)
+{
+    return (struct lamp_question){
+        .lamps = lamps, .lamp = lamp, .worker = worker, .target = target
+    };
+}
 
 static bool lamp_fog(const struct lamps *lamps, const struct lamp *lamp)
 {
@@ -93,6 +104,12 @@ static rgb lamp_see(void *context, const struct area_point *point)
     if (q->clear && shaft_clear(q->shaft, point->place))
         return rgb_grey(1);
     vec3 offset = lamp_offset(q, point->location);
+    if (q->plain) {
+        q->worker->counters.shadow_rays++;
+        bool whole =
+            shadow_is_whole(q->shaft, point->place, q->target->point, offset);
+        return rgb_grey(whole ? 0 : 1);
+    }
     return lamp_trace(q, vec3_normalise(offset), vec3_length(offset),
                       point->place);
 }
@@ -106,18 +123,16 @@ rgb lamps_share_point(const struct lamps *lamps, const struct lamp *lamp,
                       struct worker *worker, const struct lamp_target *target)
 {
     const struct lamp_view *view = &target->view;
-    struct lamp_question question = {
-        lamps, lamp, worker, target, NULL, false
-    };
+    struct lamp_question question = lamp_question(lamps, lamp, worker, target);
     if (!lamp_casts(lamps, lamp))
         return rgb_grey(1);
     return lamp_trace(&question, view->direction, view->distance,
                       (const double[2]){ 0, 0 });
 }
 
-/* What stands between, for all places of a lamp with a size. */
-static void lamp_shaft(struct lamp_question *q, const struct area_grid *grid,
-                       struct shaft *shaft)
+/* To all places of a lamp with a size. */
+static struct shaft_rays lamp_rays(const struct lamp_question *q,
+                                   const struct area_grid *grid)
 {
     vec3 point = q->target->point;
     struct shaft_rays rays = { .from = point, .tmin = shadow_start(point) };
@@ -127,9 +142,18 @@ static void lamp_shaft(struct lamp_question *q, const struct area_grid *grid,
         rays.leaf = q->target->at->leaf;
         rays.normal = q->target->at->face;
     }
+    return rays;
+}
+
+/* What stands between. */
+static void lamp_shaft(struct lamp_question *q, const struct area_grid *grid,
+                       struct shaft *shaft)
+{
+    struct shaft_rays rays = lamp_rays(q, grid);
     world_shaft(q->lamps->world, &rays, shaft);
     q->shaft = shaft;
     q->clear = !shaft->crowded && !lamp_fog(q->lamps, q->lamp);
+    q->plain = q->clear && shaft->plain;
 }
 
 static rgb lamp_share(struct lamp_question *q, const struct area_grid *grid,
@@ -159,13 +183,38 @@ static rgb lamps_share_grid(struct lamp_question *q, bool fine)
 rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
                 struct worker *worker, const struct lamp_target *target)
 {
-    struct lamp_question q = { lamps, lamp, worker, target, NULL, false };
+    struct lamp_question q = lamp_question(lamps, lamp, worker, target);
     return lamps_share_grid(&q, false);
 }
 
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
                      struct worker *worker, const struct lamp_target *target)
 {
-    struct lamp_question q = { lamps, lamp, worker, target, NULL, false };
+    struct lamp_question q = lamp_question(lamps, lamp, worker, target);
     return lamps_share_grid(&q, true);
+}
+
+/* A light that turns to each point turns by so little within the piece. */
+static void hull_widen(vec3 half[2], const struct light *light, double radius,
+                       double distance)
+{
+    double wider = light->orient ? 1 + 2 * radius / distance : 1;
+    for (int k = 0; k < 2; k++)
+        half[k] = vec3_scale(half[k], wider);
+}
+
+double lamps_blur(const struct lamps *lamps, const struct lamp *lamp,
+                  const struct lamp_target *target, double radius, double bend,
+                  double enough)
+{
+    struct lamp_question q = lamp_question(lamps, lamp, NULL, target);
+    struct area_grid grid = area_grid_new(lamp, target->point, lamps->seed);
+    if (!(target->view.distance > 0))
+        return 0;
+    area_grid_refine(&grid);
+    struct shaft_rays rays = lamp_rays(&q, &grid);
+    hull_widen(rays.half, lamp->light, radius, target->view.distance);
+    rays.radius = radius;
+    rays.bend = bend;
+    return world_blur(lamps->world, &rays, enough);
 }

@@ -48,7 +48,16 @@ rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
                      struct worker *worker, const struct lamp_target *target);
 
-/* The same for one shadow ray to where target->view looks: a point of the
+/* How wide the lamp's penumbras are at least, in units of the world, on the
+ * piece of a surface within `radius` of the target, whose normals differ from
+ * the target's by `bend` at most; HUGE_VAL: nothing casts a shadow there, and
+ * the share is white. Widths below `enough` aren't told apart. The lamp must be
+ * soft. */
+double lamps_blur(const struct lamps *lamps, const struct lamp *lamp,
+                  const struct lamp_target *target, double radius, double bend,
+                  double enough);
+
+/* The share of one shadow ray to where target->view looks: a point of the
  * lamp. */
 rgb lamps_share_point(const struct lamps *lamps, const struct lamp *lamp,
                       struct worker *worker, const struct lamp_target *target);

@@ -122,6 +122,14 @@ double shadow_start(vec3 point)
     return fmax(shadow_margin, surface_offset(point));
 }
 
+bool shadow_is_whole(const struct shaft *shaft, const double place[2],
+                     vec3 point, vec3 way)
+{
+    double part = 1 / vec3_length(way);
+    double from = shadow_start(point) * part, to = 1 - shadow_margin * part;
+    return to > from && shaft_hides(shaft, place, point, way, from, to);
+}
+
 static bool shadow_blocked(const struct world *world,
                            const struct shadow_path *path, double from,
                            double to, struct shadow_ray *shadow)

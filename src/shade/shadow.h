@@ -24,6 +24,11 @@ struct shadow_path {
 rgb shadow_visibility(const struct world *world, struct worker *worker,
                       const struct shadow_path *path);
 
+/* Whether none does of a lamp's place that is `way` from the point: what is in
+ * the shaft must be plain. `place` are its coordinates there. */
+bool shadow_is_whole(const struct shaft *shaft, const double place[2],
+                     vec3 point, vec3 way);
+
 /* How far from its point such a way begins to meet anything. */
 double shadow_start(vec3 point);
 

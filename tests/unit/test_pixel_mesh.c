@@ -7,11 +7,8 @@
 
 #include "lightmesh/pixel_mesh.h"
 #include "lightmesh/stagger.h"
-#include "scene/camera.h"
-#include "scene_world.h"
 #include "shade/shadow.h"
-
-enum { WIDTH = 96, HEIGHT = 72, THREADS = 3 };
+#include "stage.h"
 
 /* Leaves at random over a floor, a lamp among them, others in all directions;
  * the camera looks on from above. */
@@ -41,86 +38,39 @@ static const char shapes[] =
     "light_source { <2,5,1> rgb <.1,.4,.2> shadowless }\n"
     "light_source { <0,1.2,1.5> rgb 1 } light_source { <0,-5,0> rgb 1 }\n";
 
-/* What the camera sees of a scene, or of a part of it. */
-struct stage {
-    struct scene_world *all;
-    struct lamps lamps;
+/* A stage taken apart, and which lamps look at it. */
+struct looks {
+    struct stage stage;
     struct casters casters;
     bool takes[64];
-    struct worker workers[THREADS], *pointers[THREADS];
-    struct first_hits hits;
 };
 
-static void stage_look(struct stage *stage, int left, int top, int columns,
-                       int rows)
+static void looks_start(struct looks *looks, const char *text)
 {
-    struct first_hits *hits = &stage->hits;
-    *hits = (struct first_hits){
-        WIDTH, HEIGHT, left, top, columns, rows, 0.5, NULL,
-    };
-    hits->at = calloc((size_t)columns * (size_t)rows, sizeof *hits->at);
-    for (int y = top; y < top + rows; y++)
-        for (int x = left; x < left + columns; x++) {
-            double place[2], tmin = 0;
-            first_hits_place(hits, x, y, place);
-            struct ray ray =
-                camera_ray(&stage->all->scene->camera, place[0], place[1]);
-            world_closest_many(stage->all->world, &ray, &tmin, 1, RAY_CAMERA,
-                               first_hits_at(hits, x, y));
-        }
+    stage_start(&looks->stage, text);
+    assert_true(casters_new(&looks->casters, looks->stage.all->world));
+    for (size_t i = 0; i < looks->stage.lamps.count; i++)
+        looks->takes[i] = true;
 }
 
-static void stage_start(struct stage *stage, const char *text)
+static void looks_end(struct looks *looks)
 {
-    memset(stage, 0, sizeof *stage);
-    stage->all = scene_world_new(text);
-    stage->lamps = lamps_new(stage->all->world, stage->all->scene, 9, 0);
-    assert_true(casters_new(&stage->casters, stage->all->world));
-    for (size_t i = 0; i < stage->lamps.count; i++)
-        stage->takes[i] = true;
-    for (int i = 0; i < THREADS; i++) {
-        stage->workers[i] = (struct worker){ .scratch = arena_new(0) };
-        stage->pointers[i] = &stage->workers[i];
-    }
-    stage_look(stage, 0, 0, WIDTH, HEIGHT);
+    casters_free(&looks->casters);
+    stage_end(&looks->stage);
 }
 
-static void stage_end(struct stage *stage)
-{
-    for (int i = 0; i < THREADS; i++)
-        arena_free(stage->workers[i].scratch);
-    free(stage->hits.at);
-    casters_free(&stage->casters);
-    lamps_free(&stage->lamps);
-    scene_world_free(stage->all);
-}
-
-static struct pixel_mesh *stage_mesh(struct stage *stage, int apart,
+static struct pixel_mesh *looks_mesh(struct looks *looks, int apart,
                                      unsigned threads)
 {
+    struct stage *stage = &looks->stage;
     struct pixel_mesh_options options = {
-        .casters = &stage->casters,
+        .casters = &looks->casters,
         .lamps = &stage->lamps,
-        .takes = stage->takes,
+        .takes = looks->takes,
         .camera = &stage->all->scene->camera,
         .apart = apart,
     };
     return pixel_mesh_new(&options, &stage->hits, stage->pointers, threads);
-}
-
-/* What is seen at a pixel, and its side; false: nothing. */
-static bool stage_meet(const struct stage *stage, int x, int y, double place[2],
-                       struct intersection *at, vec3 *side)
-{
-    const struct world_hit *hit = first_hits_at(&stage->hits, x, y);
-    first_hits_place(&stage->hits, x, y, place);
-    struct ray ray = camera_ray(&stage->all->scene->camera, place[0], place[1]);
-    if (!hit->leaf)
-        return false;
-    world_describe(&ray, hit, at);
-    bool away = vec3_dot(at->face, ray.direction) > 0;
-    *side = away ? vec3_negate(at->face) : at->face;
-    return true;
 }
 
 /* The same by shadow rays. */
@@ -162,20 +112,21 @@ static bool lights_agree(const struct facet_light *a,
  * nearer than single precision can tell. */
 static void expect_rays(const char *text, int edges_most)
 {
-    struct stage stage;
+    struct looks looks;
+    struct stage *stage = &looks.stage;
     int seen = 0, wrong = 0;
-    stage_start(&stage, text);
-    struct pixel_mesh *mesh = stage_mesh(&stage, 1, 1);
+    looks_start(&looks, text);
+    struct pixel_mesh *mesh = looks_mesh(&looks, 1, 1);
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++) {
             double place[2];
             struct intersection at;
             vec3 side;
             struct facet_light light, rays;
-            if (!stage_meet(&stage, x, y, place, &at, &side))
+            if (!stage_meet(stage, x, y, place, &at, &side))
                 continue;
             assert_true(pixel_mesh_light(mesh, place, &at, side, &light));
-            rays = stage_rays(&stage, at.point, side);
+            rays = stage_rays(stage, at.point, side);
             wrong += !lights_agree(&light, &rays, 1e-3f);
             seen++;
         }
@@ -183,7 +134,7 @@ static void expect_rays(const char *text, int edges_most)
     assert_in_range(seen, WIDTH * HEIGHT / 2, WIDTH * HEIGHT);
     assert_in_range(wrong, 0, edges_most);
     pixel_mesh_free(mesh);
-    stage_end(&stage);
+    looks_end(&looks);
 }
 
 static void test_triangles_as_by_rays(void **state)
@@ -223,22 +174,23 @@ static void test_parts_and_threads(void **state)
     size_t before = (size_t)-1;
     (void)state;
     for (int apart = 1; apart <= 16; apart *= 2) {
-        struct stage stage;
-        stage_start(&stage, leaves);
+        struct looks looks;
+        struct stage *stage = &looks.stage;
+        looks_start(&looks, leaves);
         assert_int_equal(stagger_apart(apart), apart);
-        struct pixel_mesh *mesh = stage_mesh(&stage, apart, 1);
+        struct pixel_mesh *mesh = looks_mesh(&looks, apart, 1);
         assert_true(pixel_mesh_count(mesh) < before);
         before = pixel_mesh_count(mesh);
-        take_lights(&stage, mesh, LEFT, TOP, EDGE, whole);
+        take_lights(stage, mesh, LEFT, TOP, EDGE, whole);
         pixel_mesh_free(mesh);
-        free(stage.hits.at);
-        stage_look(&stage, LEFT - APRON, TOP - APRON, EDGE + 2 * APRON,
+        free(stage->hits.at);
+        stage_look(stage, LEFT - APRON, TOP - APRON, EDGE + 2 * APRON,
                    EDGE + 2 * APRON);
-        mesh = stage_mesh(&stage, apart, THREADS);
-        take_lights(&stage, mesh, LEFT, TOP, EDGE, part);
+        mesh = looks_mesh(&looks, apart, THREADS);
+        take_lights(stage, mesh, LEFT, TOP, EDGE, part);
         pixel_mesh_free(mesh);
         assert_memory_equal(whole, part, sizeof whole);
-        stage_end(&stage);
+        looks_end(&looks);
     }
 }
 
@@ -298,30 +250,31 @@ static void test_what_lamps_can(void **state)
 /* Points that know each lamp say the same as those that know the sum. */
 static void test_each_lamp(void **state)
 {
-    struct stage stage;
+    struct looks looks;
+    struct stage *stage = &looks.stage;
     (void)state;
-    stage_start(&stage, leaves);
-    stage.takes[3] = false;
+    looks_start(&looks, leaves);
+    looks.takes[3] = false;
     struct pixel_mesh_options options = {
-        .casters = &stage.casters,
-        .lamps = &stage.lamps,
-        .takes = stage.takes,
-        .camera = &stage.all->scene->camera,
+        .casters = &looks.casters,
+        .lamps = &stage->lamps,
+        .takes = looks.takes,
+        .camera = &stage->all->scene->camera,
         .apart = 1,
         .each = true,
     };
     struct pixel_mesh *mesh =
-        pixel_mesh_new(&options, &stage.hits, stage.pointers, 2);
+        pixel_mesh_new(&options, &stage->hits, stage->pointers, 2);
     for (int y = 0; y < HEIGHT; y += 5)
         for (int x = 0; x < WIDTH; x += 5) {
             double place[2];
             struct intersection at;
             vec3 side;
             int wrong = 0;
-            if (!stage_meet(&stage, x, y, place, &at, &side))
+            if (!stage_meet(stage, x, y, place, &at, &side))
                 continue;
-            for (size_t i = 0; i < stage.lamps.count; i++) {
-                const struct lamp *lamp = &stage.lamps.items[i];
+            for (size_t i = 0; i < stage->lamps.count; i++) {
+                const struct lamp *lamp = &stage->lamps.items[i];
                 struct lamp_target target = { .point = at.point };
                 bool shines = false;
                 assert_int_equal(pixel_mesh_sees(mesh, place, lamp, &shines),
@@ -329,18 +282,18 @@ static void test_each_lamp(void **state)
                 lamp_look(lamp, lamp->light->location, at.point, &target.view);
                 if (i == 3 || vec3_dot(target.view.direction, side) <= 0)
                     continue;
-                rgb share = lamps_share_point(&stage.lamps, lamp,
-                                              &stage.workers[0], &target);
+                rgb share = lamps_share_point(&stage->lamps, lamp,
+                                              &stage->workers[0], &target);
                 wrong += shines != (share.r > 0);
             }
             assert_in_range(wrong, 0, 1);
             place[0] += 0.3 / WIDTH;
             bool shines;
             assert_false(
-                pixel_mesh_sees(mesh, place, &stage.lamps.items[0], &shines));
+                pixel_mesh_sees(mesh, place, &stage->lamps.items[0], &shines));
         }
     pixel_mesh_free(mesh);
-    stage_end(&stage);
+    looks_end(&looks);
 }
 
 int main(void)

@@ -71,7 +71,7 @@ static struct shaft_rays random_rays(const struct world *world,
 }
 
 struct seen {
-    int clear, blocked, free, crowded, crossings;
+    int clear, blocked, free, crowded, crossings, plain;
 };
 
 static void look(const struct world *world, const struct shaft_rays *rays,
@@ -91,6 +91,11 @@ static void look(const struct world *world, const struct shaft_rays *rays,
                                   count_filter, &met) == blocked);
     if (!blocked)
         assert_int_equal(met, wanted);
+    if (!shaft->crowded && shaft->plain)
+        assert_true(shaft_hides(shaft, place, rays->from, way,
+                                rays->tmin / vec3_length(way),
+                                to / vec3_length(way)) == blocked);
+    seen->plain += !shaft->crowded && shaft->plain;
     if (shaft_clear(shaft, place)) {
         assert_false(blocked);
         assert_int_equal(wanted, 0);
@@ -117,6 +122,7 @@ static void rays_in_shafts_are_as_without(void **state)
     }
     assert_true(seen.blocked > 30000 && seen.crossings > 1000);
     assert_true(seen.clear > 4000 && seen.crowded < 8000);
+    assert_true(seen.plain > 10000);
     scene_world_free(all);
 }
 
@@ -147,11 +153,97 @@ static void other_shafts_are_crowded(void **state)
     }
 }
 
+/* A lid 2 wide, a third of the way to a light 2 wide, casts a penumbra 1 wide:
+ * on all of a piece of the floor that the rays to the light can leave, on none
+ * beside, and where the lid nearly lies on the floor next to none. */
+static void penumbras_are_as_wide_as_things_are_far(void **state)
+{
+    static const struct {
+        double x, height, radius, least, most;
+    } rows[] = {
+        { 0, 3, 0, 0.999, 1.001 },  { 0, 3, 0.5, 0.999, 1.001 },
+        { 1.5, 3, 0, 0.98, 1 },     { 2.1, 3, 0, HUGE_VAL, HUGE_VAL },
+        { 2.1, 3, 0.3, 0.97, 1 },   { 0, 0.01, 0, 0.001, 0.003 },
+        { 0, 9.5, 0, 2, HUGE_VAL }, { 0, 12, 0, HUGE_VAL, HUGE_VAL },
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "light_source { 9*y, 1 area_light x, z, 3, 3 }\n"
+                 "plane { y, 0 " THING "}\n"
+                 "box { <-1, %g, -1>, <1, %g, 1> " THING "}\n",
+                 rows[i].height, rows[i].height + 0.1);
+        struct scene_world *all = scene_world_new(text);
+        struct shaft_rays rays = { .from = { rows[i].x, 0, 0 },
+                                   .radius = rows[i].radius,
+                                   .middle = { 0, 9, 0 },
+                                   .half = { { 1, 0, 0 }, { 0, 0, 1 } },
+                                   .tmin = 1e-3,
+                                   .normal = { 0, 1, 0 } };
+        struct ray down = { { 5, 1, 0 }, { 0, -1, 0 } };
+        struct intersection at;
+        assert_true(world_closest(all->world, &down, 0, RAY_CAMERA, &at));
+        rays.leaf = at.leaf;
+        double blur = world_blur(all->world, &rays, 0);
+        assert_true(blur >= rows[i].least && blur <= rows[i].most);
+        scene_world_free(all);
+    }
+}
+
+static const char marbles[] =
+    "light_source { <0, 3, 0>, 1 area_light x, z, 3, 3 }\n"
+    "plane { y, -2 " THING "}\n"
+    "#declare S = seed(6);\n"
+    "#for (I, 1, 20)\n"
+    "  sphere { <rand(S), rand(S), rand(S)>*5 - 2.5, 0.3 " THING "}\n"
+    "#end\n";
+
+/* Where no penumbra is, no ray from the piece meets anything. */
+static void nothing_stands_before_lit_pieces(void **state)
+{
+    (void)state;
+    struct scene_world *all = scene_world_new(marbles);
+    struct dice dice = { 23 };
+    int lit = 0;
+    for (int trial = 0; trial < 20000; trial++) {
+        struct ray down = { dice_point(&dice, 3), { 0, -1, 0 } };
+        struct intersection at;
+        if (!world_closest(all->world, &down, 0, RAY_CAMERA, &at) ||
+            at.point.y > -1.999)
+            continue;
+        struct shaft_rays rays = { .from = at.point,
+                                   .radius = dice_between(&dice, 0, 0.5),
+                                   .middle = dice_point(&dice, 2),
+                                   .half = { { 0.2, 0, 0.1 }, { 0, 0.3, 0 } },
+                                   .tmin = 1e-3,
+                                   .leaf = at.leaf,
+                                   .normal = at.face };
+        if (world_blur(all->world, &rays, 0) < HUGE_VAL)
+            continue;
+        vec3 off = vec3_scale(dice_point(&dice, 0.7), rays.radius);
+        off.y = 0;
+        double u = dice_between(&dice, -1, 1), v = dice_between(&dice, -1, 1);
+        vec3 from = vec3_add(rays.from, off);
+        vec3 end = vec3_along(vec3_along(rays.middle, rays.half[0], u),
+                              rays.half[1], v);
+        vec3 way = vec3_sub(end, from);
+        struct ray ray = { from, vec3_normalise(way) };
+        assert_false(world_occluded(all->world, &ray, rays.tmin,
+                                    vec3_length(way) - 1e-3, 0, NULL, NULL));
+        lit++;
+    }
+    assert_true(lit > 500);
+    scene_world_free(all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rays_in_shafts_are_as_without),
         cmocka_unit_test(other_shafts_are_crowded),
+        cmocka_unit_test(penumbras_are_as_wide_as_things_are_far),
+        cmocka_unit_test(nothing_stands_before_lit_pieces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -58,20 +58,34 @@ static bool clip_to_slab(struct interval *interval, double origin,
     return interval->enter <= interval->leave;
 }
 
+static bool box_clip(const struct box *box, const struct ray *ray,
+                     struct interval *in)
+{
+    *in = (struct interval){ -HUGE_VAL, HUGE_VAL, 0, 0 };
+    return clip_to_slab(in, ray->origin.x, ray->direction.x, box->low.x,
+                        box->high.x, 0) &&
+           clip_to_slab(in, ray->origin.y, ray->direction.y, box->low.y,
+                        box->high.y, 2) &&
+           clip_to_slab(in, ray->origin.z, ray->direction.z, box->low.z,
+                        box->high.z, 4);
+}
+
 static void box_intersect(const void *shape, const struct ray *ray,
                           struct hits *hits)
 {
-    const struct box *box = shape;
-    struct interval in = { -HUGE_VAL, HUGE_VAL, 0, 0 };
-    if (!clip_to_slab(&in, ray->origin.x, ray->direction.x, box->low.x,
-                      box->high.x, 0) ||
-        !clip_to_slab(&in, ray->origin.y, ray->direction.y, box->low.y,
-                      box->high.y, 2) ||
-        !clip_to_slab(&in, ray->origin.z, ray->direction.z, box->low.z,
-                      box->high.z, 4))
+    struct interval in;
+    if (!box_clip(shape, ray, &in))
         return;
     hits_add(hits, in.enter, in.enter_part);
     hits_add(hits, in.leave, in.leave_part);
+}
+
+static bool box_crosses(const void *shape, const struct ray *ray, double tmin,
+                        double tmax)
+{
+    struct interval in;
+    return box_clip(shape, ray, &in) && ((in.enter > tmin && in.enter < tmax) ||
+                                         (in.leave > tmin && in.leave < tmax));
 }
 
 static vec3 box_normal(const void *shape, vec3 point, const struct hit *hit)
@@ -128,6 +142,7 @@ const struct primitive box_primitive = {
     .prepare = box_prepare,
     .bounds = box_bounds,
     .intersect = box_intersect,
+    .crosses = box_crosses,
     .normal = box_normal,
     .inside = box_inside,
     .meets = box_meets,

@@ -38,6 +38,7 @@ const struct primitive cone_primitive = {
     .prepare = cone_prepare,
     .bounds = conic_bounds,
     .intersect = conic_intersect,
+    .crosses = conic_crosses,
     .normal = conic_normal,
     .inside = conic_inside,
     .meets = conic_meets,

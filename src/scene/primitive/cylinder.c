@@ -39,6 +39,7 @@ const struct primitive cylinder_primitive = {
     .prepare = cylinder_prepare,
     .bounds = conic_bounds,
     .intersect = conic_intersect,
+    .crosses = conic_crosses,
     .normal = conic_normal,
     .inside = conic_inside,
     .meets = conic_meets,

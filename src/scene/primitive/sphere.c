@@ -26,10 +26,9 @@ static struct box3 sphere_bounds(const void *shape)
 /* With the vector from the centre to the point where the ray passes nearest
  * nothing cancels, however far the ray comes from (Haines, Gunther and
  * Akenine-Moller, Ray Tracing Gems, 2019, chapter 7). */
-static void sphere_intersect(const void *shape, const struct ray *ray,
-                             struct hits *hits)
+static bool sphere_roots(const struct sphere *sphere, const struct ray *ray,
+                         double t[2])
 {
-    const struct sphere *sphere = shape;
     vec3 o = vec3_sub(ray->origin, sphere->centre);
     double dd = vec3_dot(ray->direction, ray->direction);
     double b = -vec3_dot(o, ray->direction), inverse = 1 / dd;
@@ -37,10 +36,29 @@ static void sphere_intersect(const void *shape, const struct ray *ray,
     double r2 = sphere->radius * sphere->radius;
     double rest = r2 - vec3_dot(nearest, nearest);
     if (!(rest > 0) || !(dd > 0))
-        return;
+        return false;
     double q = b + copysign(sqrt(dd * rest), b);
-    hits_add(hits, q * inverse, 0);
-    hits_add(hits, (vec3_dot(o, o) - r2) / q, 0);
+    t[0] = q * inverse;
+    t[1] = (vec3_dot(o, o) - r2) / q;
+    return true;
+}
+
+static void sphere_intersect(const void *shape, const struct ray *ray,
+                             struct hits *hits)
+{
+    double t[2];
+    if (!sphere_roots(shape, ray, t))
+        return;
+    hits_add(hits, t[0], 0);
+    hits_add(hits, t[1], 0);
+}
+
+static bool sphere_crosses(const void *shape, const struct ray *ray,
+                           double tmin, double tmax)
+{
+    double t[2];
+    return sphere_roots(shape, ray, t) &&
+           ((t[0] > tmin && t[0] < tmax) || (t[1] > tmin && t[1] < tmax));
 }
 
 /* A negative radius turns the normal, as in POV-Ray. */
@@ -86,6 +104,7 @@ const struct primitive sphere_primitive = {
     .convex = true,
     .bounds = sphere_bounds,
     .intersect = sphere_intersect,
+    .crosses = sphere_crosses,
     .normal = sphere_normal,
     .inside = sphere_inside,
     .meets = sphere_meets,
