@@ -31,6 +31,16 @@ FLAGS_fuzz    = -O1 -g -fno-omit-frame-pointer \
 	-fno-sanitize-recover=all -fno-sanitize-coverage=trace-cmp
 FLAGS = $(FLAGS_$(MODE)) -fno-math-errno -ffp-contract=off
 
+# What users run is one program to gcc: calls between files can be parts of
+# their callers, a twentieth of all time. Other programs are linked as usual.
+ifeq ($(MODE),release)
+ifeq (,$(findstring clang,$(shell $(CC) --version)))
+LTO_COMPILE = -flto -ffat-lto-objects
+LTO_LINK    = -flto=2
+NO_LTO_LINK = -fno-lto
+endif
+endif
+
 CFLAGS   += -std=c11 $(C_WARNINGS) $(FLAGS)
 CXXFLAGS += -std=c++17 $(WARNINGS) -Wno-cast-qual $(FLAGS)
 CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
@@ -51,12 +61,12 @@ all: deps ## build build/glim, build/glim-compare (installs what is missing)
 	@$(MAKE) --no-print-directory $(PROGRAMS)
 
 $(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE)
-	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@$(CXX) $(FLAGS) $(LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # No Embree: nothing of the tracer is in it.
 $(BUILD)/glim-compare: $(BUILD)/src/compare/main.o $(BUILD)/libglim.a | \
 		$(MODULE)
-	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ -lpng -lpthread -lm -ldl
+	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -lpng -lpthread -lm -ldl
 
 $(MODULE): $(MODULE_OBJECTS)
 	$(CXX) $(FLAGS) -shared -o $@ $^ $(MODULE_LDLIBS)
@@ -68,7 +78,7 @@ $(BUILD)/libglim.a: $(LIBRARY_OBJECTS)
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "  $(CC) $<"
-	@$(CC) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
+	@$(CC) $(CPPFLAGS) $(CFLAGS) $(LTO_COMPILE) -MMD -MP -c -o $@ $<
 
 $(BUILD)/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
@@ -96,14 +106,14 @@ TEST_TOOLS = $(patsubst %.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) \
 	$(BUILD)/tests/fuzz/replay
 
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(BUILD)/libglim.a
-	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
 
 $(BUILD)/tests/tools/%: $(BUILD)/tests/tools/%.o $(BUILD)/libglim.a
-	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/parser.o \
 		$(BUILD)/tests/fuzz/replay.o $(BUILD)/libglim.a
-	@$(CXX) $(FLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 .SECONDARY:
 

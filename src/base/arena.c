@@ -18,6 +18,7 @@ struct block {
 struct arena {
     struct block *block;
     size_t used, limit;
+    char apart[128]; /* from those of other threads: lines of the cache */
 };
 
 struct arena *arena_new(size_t limit)

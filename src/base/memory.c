@@ -7,14 +7,26 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#ifndef MADV_COLLAPSE
+#define MADV_COLLAPSE 25 /* of Linux 6.1; refused by older ones */
+#endif
+
 enum {
     LARGE_PAGE = 2 << 20,
-    HEAP_STEP = 4 * LARGE_PAGE,
-    HEAP_KEPT = 16 * HEAP_STEP, /* free, for what is wanted next */
+    MAPPED = 2 * LARGE_PAGE, /* bytes of blocks that are not the heap's */
+    HEAP_STEP = 16 * LARGE_PAGE,
+    HEAP_KEPT = 64 * LARGE_PAGE, /* free, for what is wanted next */
+};
+
+/* Before each block: what was mapped for it, nothing if it is the heap's. */
+struct head {
+    _Alignas(16) void *mapping;
+    size_t size;
 };
 
 static _Noreturn void memory_exhausted(size_t size)
@@ -39,46 +51,103 @@ static void memory_in_large_pages(uintptr_t from, uintptr_t end)
 #endif
 }
 
-/* The same for what everybody's heap has grown by, in steps that have room for
- * large pages and hold all but the largest blocks. */
-static void heap_in_large_pages(void)
+/* A page that was touched too early. */
+static void memory_made_large(uintptr_t at)
+{
+    madvise((void *)(at - at % LARGE_PAGE), LARGE_PAGE, MADV_COLLAPSE);
+}
+
+/* The same for what everybody's heap has grown by. It begins with a large page
+ * and grows by so many that what is left over at its end is little. Threads
+ * share it, since those of their own would not be made of large pages. Behind
+ * the newest block malloc has already written what is left. */
+static void heap_in_large_pages(uintptr_t newest_end)
 {
 #ifdef __GLIBC__
     static _Atomic uintptr_t known;
     uintptr_t end = (uintptr_t)sbrk(0);
     uintptr_t before = atomic_exchange(&known, end);
     if (before == 0) {
+        /* Whoever comes first has no threads yet, which could grow it too. */
+        if (sbrk((intptr_t)(LARGE_PAGE - end % LARGE_PAGE)) == (void *)end)
+            atomic_store(&known, (uintptr_t)sbrk(0));
+        mallopt(M_ARENA_MAX, 1);
         mallopt(M_TOP_PAD, HEAP_STEP);
         mallopt(M_MMAP_THRESHOLD, HEAP_STEP);
         mallopt(M_TRIM_THRESHOLD, HEAP_KEPT);
     } else if (end > before) {
         memory_in_large_pages(before, end);
+        memory_made_large(newest_end);
     }
 #endif
 }
 
-void *memory_new(size_t size)
+/* The heap may grow for it: its new pages must not be touched before they are
+ * large. */
+static struct head *heap_block(size_t size)
 {
-    heap_in_large_pages();
-    void *memory = calloc(1, size ? size : 1);
-    if (!memory)
-        memory_exhausted(size);
-    if (size >= LARGE_PAGE)
-        memory_in_large_pages((uintptr_t)memory, (uintptr_t)memory + size);
-    return memory;
+    struct head *head = malloc(sizeof *head + size);
+    heap_in_large_pages((uintptr_t)head + sizeof *head + size);
+    return head ? memset(head, 0, sizeof *head + size) : NULL;
 }
 
-void *memory_resize(void *old, size_t size)
+/* Of large blocks some are never filled: their pages come when they are
+ * touched, and come zeroed. */
+static struct head *mapped_block(size_t size)
 {
-    void *memory = realloc(old, size ? size : 1);
-    if (!memory)
+    size_t all = sizeof(struct head) + size + 2 * LARGE_PAGE - 1;
+    all -= all % LARGE_PAGE;
+    char *mapping = mmap(NULL, all, PROT_READ | PROT_WRITE,
+                         MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (mapping == MAP_FAILED)
+        return NULL;
+    uintptr_t skipped = -(uintptr_t)mapping % LARGE_PAGE;
+    struct head *head = (struct head *)(mapping + skipped);
+    memory_in_large_pages((uintptr_t)head, (uintptr_t)(mapping + all));
+    *head = (struct head){ mapping, all };
+    return head;
+}
+
+void *memory_new(size_t size)
+{
+    struct head *head = NULL;
+    if (size < MAPPED)
+        head = heap_block(size);
+    else if (size < SIZE_MAX - 2 * LARGE_PAGE)
+        head = mapped_block(size);
+    if (!head)
         memory_exhausted(size);
-    return memory;
+    return head + 1;
 }
 
 void memory_free(void *memory)
 {
-    free(memory);
+    if (!memory)
+        return;
+    struct head *head = (struct head *)memory - 1;
+    if (head->mapping)
+        munmap(head->mapping, head->size);
+    else
+        free(head);
+}
+
+void *memory_resize(void *old, size_t size)
+{
+    struct head *head = old ? (struct head *)old - 1 : NULL;
+    if (head && head->mapping) {
+        char *end = (char *)head->mapping + head->size;
+        size_t there = (size_t)(end - (char *)old);
+        void *memory = memory_new(size);
+        memcpy(memory, old, size < there ? size : there);
+        memory_free(old);
+        return memory;
+    }
+    head = size < SIZE_MAX / 2 ? realloc(head, sizeof *head + size) : NULL;
+    heap_in_large_pages((uintptr_t)head + sizeof *head + size);
+    if (!head)
+        memory_exhausted(size);
+    head->mapping = NULL;
+    return head + 1;
 }
 
 /* The number in a file, or `otherwise`: "max" stands for no limit. */

@@ -16,6 +16,7 @@ struct worker {
         unsigned long long mesh_rays; /* of them, those of mesh points */
         double mesh_seconds;
     } counters;
+    char apart[128]; /* from what other threads write: lines of the cache */
 };
 
 /* Whether to leave off; asked in every loop that may take milliseconds. */

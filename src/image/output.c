@@ -34,7 +34,7 @@ static double output_number(double light, const struct conversion *conversion)
     const struct output_space *space = conversion->space;
     const struct tone_table *table = conversion->table;
     if (table)
-        return tone_table_level(table, light) / (double)table->top;
+        return table->number[tone_table_level(table, light)];
     return tone_encode(light, space->keep_numbers ? 0 : space->file_gamma);
 }
 
@@ -64,13 +64,31 @@ static void output_pixel(float *pixel, const struct conversion *conversion)
     pixel[3] = (float)alpha;
 }
 
+/* As output_pixel, where linear light only has to become levels. */
+static void output_levels(float *pixel, const struct tone_table *table)
+{
+    for (int i = 0; i < 3; i++) {
+        double light = output_clamp((double)pixel[i], 0, 1);
+        pixel[i] = (float)table->number[tone_table_level(table, light)];
+    }
+    pixel[3] = (float)output_clamp((double)pixel[3], 0, 1);
+}
+
 static void output_row(void *context, size_t row, unsigned thread)
 {
     const struct conversion *conversion = context;
+    const struct output_space *space = conversion->space;
     const struct image *image = conversion->image;
+    bool only_levels = conversion->table && !space->alpha && !space->grey &&
+                       !space->keep_numbers && space->working_gamma == 1;
     (void)thread;
-    for (int x = 0; x < image->width; x++)
-        output_pixel(image_pixel(image, x, (int)row), conversion);
+    for (int x = 0; x < image->width; x++) {
+        float *pixel = image_pixel(image, x, (int)row);
+        if (only_levels)
+            output_levels(pixel, conversion->table);
+        else
+            output_pixel(pixel, conversion);
+    }
 }
 
 void output_convert(struct image *image, const struct output_space *space,

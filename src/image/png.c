@@ -71,9 +71,23 @@ static unsigned png_level(float v, int bits, unsigned top)
     return (unsigned)((float)level * ((float)top / (float)levels) + 0.5f);
 }
 
+/* As below, of the usual kind. */
+static void png_fill_bytes(const struct png_job *job, int y)
+{
+    const float *pixel = image_pixel(job->image, 0, y);
+    unsigned char *out = job->row;
+    for (int x = 0; x < job->image->width; x++, pixel += 4)
+        for (int c = 0; c < job->channels; c++)
+            *out++ = (unsigned char)tone_level(pixel[c], 255);
+}
+
 static void png_fill_row(const struct png_job *job, int y)
 {
     unsigned char *out = job->row;
+    if (job->channels >= 3 && job->bits == 8) {
+        png_fill_bytes(job, y);
+        return;
+    }
     for (int x = 0; x < job->image->width; x++) {
         const float *pixel = image_pixel(job->image, x, y);
         for (int c = 0; c < job->channels; c++) {

@@ -67,6 +67,8 @@ void tone_table_fill(struct tone_table *table, double gamma, unsigned top)
     unsigned level = 0;
     table->top = top;
     table->begin[0] = 0;
+    for (unsigned i = 0; i <= top; i++)
+        table->number[i] = i / (double)top;
     for (unsigned i = 1; i <= top; i++)
         table->begin[i] = level_begin(gamma, i, top);
     for (unsigned i = 0; i <= TONE_PARTS; i++) {

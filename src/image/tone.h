@@ -16,7 +16,7 @@ double tone_decode(double encoded, double gamma);
  * 0.9 * 255 is 229.5 and goes up, as in POV-Ray. */
 static inline unsigned tone_level(float v, unsigned top)
 {
-    return v > 0 ? (unsigned)((v < 1 ? v : 1) * (float)top + 0.5f) : 0;
+    return v > 0 ? (unsigned)(int)((v < 1 ? v : 1) * (float)top + 0.5f) : 0;
 }
 
 enum { TONE_TOP = 255, TONE_PARTS = 2048 };
@@ -27,6 +27,7 @@ struct tone_table {
     unsigned top;
     double begin[TONE_TOP + 1];          /* of each level */
     unsigned char level[TONE_PARTS + 1]; /* at each 1/2048 */
+    double number[TONE_TOP + 1];         /* of each level, in 0..1 */
 };
 
 /* For `top` of 1..255. */
@@ -36,7 +37,7 @@ void tone_table_fill(struct tone_table *table, double gamma, unsigned top);
 static inline unsigned tone_table_level(const struct tone_table *table,
                                         double linear)
 {
-    unsigned level = table->level[(unsigned)(linear * TONE_PARTS)];
+    unsigned level = table->level[(int)(linear * TONE_PARTS)];
     while (level < table->top && linear >= table->begin[level + 1])
         level++;
     return level;

@@ -151,32 +151,36 @@ struct first_hits sampler_grid(const struct sampler *sampler)
 struct sampler_block {
     unsigned count;
     double places[SAMPLER_BLOCK * SAMPLER_BLOCK][2];
+    struct ray rays[SAMPLER_BLOCK * SAMPLER_BLOCK];
     struct world_hit hits[SAMPLER_BLOCK * SAMPLER_BLOCK];
 };
 
-static void block_start(struct sampler_block *block,
+static void block_start(const struct sampler *sampler,
+                        struct sampler_block *block,
                         const struct first_hits *grid, struct area area)
 {
     _Static_assert(SAMPLER_BLOCK * SAMPLER_BLOCK <= (int)WORLD_RAYS,
                    "a packet");
+    block->count = 0;
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)
             first_hits_place(grid, x, y, block->places[block->count++]);
+    tracer_rays(sampler->tracer, (const double(*)[2])block->places,
+                block->count, block->rays);
 }
 
 static void block_meet(const struct sampler *sampler,
                        struct sampler_block *block)
 {
-    tracer_meet_many(sampler->tracer, (const double(*)[2])block->places,
-                     block->count, block->hits);
+    tracer_meet_many(sampler->tracer, block->rays, block->count, block->hits);
 }
 
 void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
                   struct area area)
 {
-    struct sampler_block block = { .count = 0 };
+    struct sampler_block block;
     unsigned count = 0;
-    block_start(&block, hits, area);
+    block_start(sampler, &block, hits, area);
     block_meet(sampler, &block);
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)
@@ -187,17 +191,17 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
                    struct area area)
 {
     struct first_hits grid = sampler_grid(sampler);
-    struct sampler_block block = { .count = 0 };
+    struct sampler_block block;
     struct radiance seen[SAMPLER_BLOCK * SAMPLER_BLOCK];
     unsigned count = 0;
-    block_start(&block, &grid, area);
+    block_start(sampler, &block, &grid, area);
     if (!sampler->hits)
         block_meet(sampler, &block);
     for (int y = area.top; sampler->hits && y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)
             block.hits[count++] = *first_hits_at(sampler->hits, x, y);
     tracer_see_many(sampler->tracer, worker, (const double(*)[2])block.places,
-                    block.hits, block.count, seen);
+                    block.rays, block.hits, block.count, seen);
     count = 0;
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)

@@ -236,11 +236,12 @@ static struct radiance path_follow(struct path *path)
 }
 
 static void path_start(struct path *path, const struct tracer *tracer,
-                       struct worker *worker, const double place[2])
+                       struct worker *worker, const double place[2],
+                       const struct ray *ray)
 {
     path->tracer = tracer;
     path->worker = worker;
-    path->ray = camera_ray(&tracer->scene->camera, place[0], place[1]);
+    path->ray = *ray;
     path->place = place;
     path->kind = RAY_CAMERA;
     path->level = 1;
@@ -254,43 +255,40 @@ struct radiance tracer_camera(const struct tracer *tracer,
 {
     struct path path;
     const double place[2] = { x, y };
-    path_start(&path, tracer, worker, place);
+    struct ray ray = camera_ray(&tracer->scene->camera, x, y);
+    path_start(&path, tracer, worker, place, &ray);
     return path_follow(&path);
 }
 
-void tracer_meet_many(const struct tracer *tracer, const double (*places)[2],
-                      unsigned count, struct world_hit *hits)
+void tracer_rays(const struct tracer *tracer, const double (*places)[2],
+                 unsigned count, struct ray *rays)
 {
-    struct ray rays[WORLD_RAYS] = { 0 };
-    double offsets[WORLD_RAYS] = { 0 };
-    for (unsigned i = 0; i < count; i++) {
+    for (unsigned i = 0; i < count; i++)
         rays[i] =
             camera_ray(&tracer->scene->camera, places[i][0], places[i][1]);
+}
+
+void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
+                      unsigned count, struct world_hit *hits)
+{
+    double offsets[WORLD_RAYS];
+    for (unsigned i = 0; i < count; i++)
         offsets[i] = surface_offset(rays[i].origin);
-    }
     world_closest_many(tracer->world, rays, offsets, count, RAY_CAMERA, hits);
 }
 
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const double (*places)[2], const struct world_hit *hits,
-                     unsigned count, struct radiance *out)
+                     const double (*places)[2], const struct ray *rays,
+                     const struct world_hit *hits, unsigned count,
+                     struct radiance *out)
 {
     for (unsigned i = 0; i < count; i++) {
         struct path path;
         struct crossing crossing;
-        path_start(&path, tracer, worker, places[i]);
+        path_start(&path, tracer, worker, places[i], &rays[i]);
         if (hits[i].leaf)
             world_describe(&path.ray, &hits[i], &crossing.at);
         out[i] = path_go_on(&path, &crossing, hits[i].leaf);
         arena_reset(worker->scratch);
     }
-}
-
-void tracer_camera_many(const struct tracer *tracer, struct worker *worker,
-                        const double (*places)[2], unsigned count,
-                        struct radiance *out)
-{
-    struct world_hit hits[WORLD_RAYS];
-    tracer_meet_many(tracer, places, count, hits);
-    tracer_see_many(tracer, worker, places, hits, count, out);
 }

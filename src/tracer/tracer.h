@@ -33,18 +33,16 @@ struct radiance {
 struct radiance tracer_camera(const struct tracer *tracer,
                               struct worker *worker, double x, double y);
 
-/* The same at up to WORLD_RAYS places, quicker where they are neighbours. The
+/* The same at up to WORLD_RAYS places, quicker where they are neighbours, in
+ * parts: the camera's rays, what each meets first, and what is seen then. The
  * worker's scratch memory is reset after each. */
-void tracer_camera_many(const struct tracer *tracer, struct worker *worker,
-                        const double (*places)[2], unsigned count,
-                        struct radiance *out);
-
-/* The two halves of it: what is met first at each place, and what is seen then.
- */
-void tracer_meet_many(const struct tracer *tracer, const double (*places)[2],
+void tracer_rays(const struct tracer *tracer, const double (*places)[2],
+                 unsigned count, struct ray *rays);
+void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
                       unsigned count, struct world_hit *hits);
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const double (*places)[2], const struct world_hit *hits,
-                     unsigned count, struct radiance *out);
+                     const double (*places)[2], const struct ray *rays,
+                     const struct world_hit *hits, unsigned count,
+                     struct radiance *out);
 
 #endif

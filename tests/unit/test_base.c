@@ -3,9 +3,48 @@
 
 #include "base/affine.h"
 #include "base/array.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/text.h"
+
+/* Of the heap, mapped, and between them. */
+static const size_t block_sizes[] = { 0,       1,       1000,    1 << 20,
+                                      4194303, 4194304, 9000000, 100 };
+enum { BLOCK_SIZES = sizeof block_sizes / sizeof *block_sizes };
+
+static void memory_is_zeroed_when_used_again(void **state)
+{
+    (void)state;
+    for (int round = 0; round < 3; round++)
+        for (int i = 0; i < BLOCK_SIZES; i++) {
+            size_t size = block_sizes[i];
+            unsigned char *bytes = memory_new(size);
+            for (size_t k = 0; k < size; k++)
+                assert_int_equal(bytes[k], 0);
+            memset(bytes, 0xff, size);
+            memory_free(bytes);
+        }
+    memory_free(NULL);
+}
+
+static void memory_keeps_bytes_when_resized(void **state)
+{
+    (void)state;
+    for (int from = 0; from < BLOCK_SIZES; from++)
+        for (int to = 0; to < BLOCK_SIZES; to++) {
+            size_t before = block_sizes[from], after = block_sizes[to];
+            unsigned char *bytes =
+                from % 2 ? memory_new(before) : memory_resize(NULL, before);
+            for (size_t k = 0; k < before; k++)
+                bytes[k] = (unsigned char)(k % 251);
+            bytes = memory_resize(bytes, after);
+            for (size_t k = 0; k < before && k < after; k++)
+                assert_int_equal(bytes[k], k % 251);
+            memset(bytes, 0, after);
+            memory_free(bytes);
+        }
+}
 
 static void arena_keeps_what_it_gave(void **state)
 {
@@ -172,6 +211,8 @@ static void parallel_does_each_item_once(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(memory_is_zeroed_when_used_again),
+        cmocka_unit_test(memory_keeps_bytes_when_resized),
         cmocka_unit_test(arena_keeps_what_it_gave),
         cmocka_unit_test(arena_zeroes_after_reset),
         cmocka_unit_test(arena_tells_its_limit),
