@@ -158,6 +158,7 @@ void gather_surface(const struct gather *gather, const struct ray *ray,
         .ior = surface_ior(at),
         .quality = gather->lamps->quality,
         .bailout = least,
+        .smooth = true,
     };
     surface_fill(surface, at, &view);
 }

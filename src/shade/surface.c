@@ -69,7 +69,9 @@ static rgb surface_add_layers(struct surface *surface,
         layer->finish = source->finish;
         layer->weight = weight;
         layer->pigment = layer_pigment(source, place->point, view->quality);
-        layer->normal = layer_normal(source, place, surface->normal);
+        layer->normal = view->smooth
+                            ? surface->normal
+                            : layer_normal(source, place, surface->normal);
         layer_reflect(surface, layer, view);
         weight = rgb_mul(weight, layer_through(layer));
         /* A mirror's light has no other weight: see tracer/recursive.c. */

@@ -48,6 +48,7 @@ struct surface_view {
     double ior;     /* of the medium behind over that before the surface */
     int quality;    /* +Q */
     double bailout; /* layers below this brightness are left out */
+    bool smooth;    /* without bumps, which are nothing to one ray of many */
 };
 
 /* Evaluates all that can be seen of the texture at `at`, which must stay
