@@ -10,6 +10,7 @@
 enum {
     FIRST_SAMPLES = 128, /* a mesh point's least, of kept points */
     LONE_SAMPLES = 32,   /* of places that are their own mesh point */
+    LONE_FIRST = 16,
     LONE_SHARE = 8,      /* such places of later bounces gather fewer each */
     HIT_LEVELS = 1,      /* direct light on what they meet is coarser */
     WALL_SHARE = 4,      /* of ways into the only wall so many fewer are gone */
@@ -202,6 +203,8 @@ static void fill_gather(const void *context, struct worker *worker,
     uint32_t most = (uint32_t)mesh->samples, count = FIRST_SAMPLES / 2;
     if (site->lone && most > (uint32_t)mesh->lone_samples)
         most = (uint32_t)mesh->lone_samples;
+    if (site->lone)
+        count = LONE_FIRST / 2;
     if (count > (uint32_t)mesh->usual)
         count = (uint32_t)mesh->usual;
     if (count > most)
