@@ -15,6 +15,9 @@ enum {
 /* What counts for less than this is left off. */
 static const double least = 0.02;
 
+/* Mirrors are followed so many times as often as their share of the light. */
+static const double often = 2;
+
 /* A gather ray on its way. */
 struct gathering {
     const struct gather *gather;
@@ -118,6 +121,16 @@ static rgb gathering_shade(const struct gathering *gathering,
     return light;
 }
 
+/* Faint mirrors are followed by few rays, which count the more (Russian
+ * roulette, Arvo and Kirk 1990). Returns by how much; 0: not by this one. */
+static double gathering_chance(const struct gathering *gathering, rgb share)
+{
+    double chance = fmin(often * rgb_peak(share), 1);
+    uint32_t number = GATHER_MIRROR + (uint32_t)gathering->mirrors;
+    bool taken = chance >= 1 || draw_unit(gathering->draws, number) < chance;
+    return taken ? 1 / chance : 0;
+}
+
 static rgb gathering_mirrors(const struct gathering *gathering,
                              const struct surface *surface)
 {
@@ -132,9 +145,12 @@ static rgb gathering_mirrors(const struct gathering *gathering,
         rgb glow;
         if (rgb_peak(rgb_mul(share, gathering->share)) < least)
             continue;
+        double count = gathering_chance(gathering, share);
+        if (count == 0)
+            continue;
         double along = vec3_dot(in, layer->normal);
         struct gathering branch = *gathering;
-        branch.share = share;
+        branch.share = rgb_scale(share, count);
         branch.mirrors++;
         branch.ray.origin = surface->point;
         branch.ray.direction =

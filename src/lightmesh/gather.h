@@ -36,6 +36,8 @@ enum gather_slot {
     GATHER_LAMP, /* where on an area light */
     GATHER_NEAR, /* which mesh points near by */
     GATHER_HIGH,
+    GATHER_MIRROR, /* whether one is followed; so many numbers as there may be
+                    * mirrors */
 };
 
 /* The surface that a gather ray met; `at` must stay as long. Of `gather` only
