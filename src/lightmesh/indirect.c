@@ -11,11 +11,11 @@ enum {
     FIRST_SAMPLES = 128, /* a mesh point's least, of kept points */
     LONE_SAMPLES = 32,   /* of places that are their own mesh point */
     LONE_FIRST = 16,
-    LONE_SHARE = 8,      /* such places of later bounces gather fewer each */
-    HIT_LEVELS = 1,      /* direct light on what they meet is coarser */
-    WALL_SHARE = 4,      /* of ways into the only wall so many fewer are gone */
-    LATER_SHARE = 8,     /* later bounces gather so many times fewer */
-    WAYS_MOST = 65536,   /* directions that are kept */
+    LONE_SHARE = 8,    /* such places of later bounces gather fewer each */
+    HIT_LEVELS = 1,    /* direct light on what they meet is coarser */
+    WALL_SHARE = 4,    /* of ways into the only wall so many fewer are gone */
+    LATER_SHARE = 8,   /* later bounces gather so many times fewer */
+    WAYS_MOST = 65536, /* directions that are kept */
 };
 
 /* Halves are far apart if their error is so many times what is allowed. */
