@@ -14,6 +14,7 @@ struct geometry {
     vec3 centre;              /* Embree's origin, in the world */
     struct box3 bounds;       /* of all there is; empty: nothing */
     double scale; /* the largest coordinate of a triangle, from the centre */
+    bool few;     /* solids, and no triangles: there is no scene of Embree's */
     bool packets; /* rays close together are worth tracing together */
     struct diag *diag; /* while building */
     bool failed;
