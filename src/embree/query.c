@@ -227,16 +227,21 @@ bool query_take_triangle(struct query *query, const struct leaf *leaf,
     return over;
 }
 
-/* Scaled first where tiny or huge vectors would lose their length. */
-static vec3 unit(vec3 v)
+/* Of tiny or huge vectors, which would lose their length. */
+static vec3 unit_scaled(vec3 v)
 {
-    double square = vec3_dot(v, v);
-    if (square > 1e-200 && square < 1e200)
-        return vec3_scale(v, 1 / sqrt(square));
     double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
     if (!(most > 0) || !isfinite(most))
         return vec3_make(0, 0, 0);
     return vec3_normalise(vec3_make(v.x / most, v.y / most, v.z / most));
+}
+
+static inline vec3 unit(vec3 v)
+{
+    double square = vec3_dot(v, v);
+    if (square > 1e-200 && square < 1e200)
+        return vec3_scale(v, 1 / sqrt(square));
+    return unit_scaled(v);
 }
 
 static vec3 leaf_normal(const struct leaf *leaf, vec3 point,
