@@ -8,7 +8,7 @@
 #include "scene/mesh.h"
 
 enum {
-    FEW = 12,               /* solids that are looked at one by one */
+    FEW = 32,               /* solids that are looked at one by one */
     PARALLEL_WORTH = 50000, /* triangles and solids */
     LARGE = 200000,         /* triangles */
     SPLITS_WORTH = 100,     /* rays of the camera for each triangle */
@@ -210,9 +210,11 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
     take_bounded(geometry, flat);
     find_place(geometry, flat);
     find_boxes(geometry, flat->arena);
-    geometry->few = flat->meshes.count == 0 && geometry->solids.count <= FEW;
-    if (geometry->few)
+    if (flat->meshes.count == 0 && geometry->solids.count <= FEW) {
+        geometry->few =
+            few_new(flat->arena, &geometry->solids, geometry->boxes);
         return true;
+    }
     geometry->device = device_new(flat, threads, camera_rays);
     if (!geometry->device) {
         diag_print(diag, DIAG_ERROR, span_none(), NULL,
@@ -277,21 +279,11 @@ static bool embree_ray(const struct geometry *geometry, struct query *query,
     return true;
 }
 
-/* Setting out through Embree takes longer than this. */
-static void trace_few(const struct geometry *geometry, struct query *query)
-{
-    for (size_t i = 0; i < geometry->solids.count; i++)
-        if (slabs_hit(&query->slabs, &geometry->boxes[i], query->tmin,
-                      query->tmax) &&
-            query_solid(query, geometry->solids.items[i]))
-            return;
-}
-
 void geometry_trace(const struct geometry *geometry, struct query *query)
 {
     struct RTCRayHit rayhit;
-    if (geometry->few) {
-        trace_few(geometry, query);
+    if (geometry->few.solids) {
+        few_trace(&geometry->few, query);
         return;
     }
     if (!embree_ray(geometry, query, &rayhit.ray))

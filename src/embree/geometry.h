@@ -3,6 +3,7 @@
 #ifndef EMBREE_GEOMETRY_H
 #define EMBREE_GEOMETRY_H
 
+#include "embree/few.h"
 #include "embree/triangles.h"
 
 struct geometry {
@@ -14,7 +15,7 @@ struct geometry {
     vec3 centre;              /* Embree's origin, in the world */
     struct box3 bounds;       /* of all there is; empty: nothing */
     double scale; /* the largest coordinate of a triangle, from the centre */
-    bool few;     /* solids, and no triangles: there is no scene of Embree's */
+    struct few few; /* solids, and no triangles: no scene of Embree's */
     bool packets; /* rays close together are worth tracing together */
     struct diag *diag; /* while building */
     bool failed;
