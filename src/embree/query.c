@@ -293,11 +293,13 @@ static void describe_texture(const struct leaf *leaf, const struct hit *hit,
 void query_describe(const struct ray *ray, const struct leaf *leaf,
                     const struct hit *hit, struct intersection *out)
 {
+    /* Kept at hand: what was just stored is read back late. */
+    vec3 point = ray_point(ray, hit->t);
+    vec3 normal = leaf_normal(leaf, point, hit);
     out->t = hit->t;
-    out->point = ray_point(ray, hit->t);
+    out->point = point;
     out->leaf = leaf;
     out->part = hit->part;
-    vec3 normal = leaf_normal(leaf, out->point, hit);
     if (leaf->moved)
         normal = affine_normal(&leaf->to_object, normal);
     normal = unit(normal);
