@@ -3,6 +3,8 @@
 #ifndef BASE_RGB_H
 #define BASE_RGB_H
 
+#include <stdbool.h>
+
 typedef struct {
     double r, g, b;
 } rgb;
@@ -52,6 +54,11 @@ static inline rgb rgb_add_scaled(rgb a, rgb b, double s)
 static inline rgb rgb_mix(rgb a, rgb b, double t)
 {
     return rgb_add_scaled(rgb_scale(a, 1 - t), b, t);
+}
+
+static inline bool rgb_is_black(rgb a)
+{
+    return a.r == 0 && a.g == 0 && a.b == 0;
 }
 
 /* The largest component by magnitude: how much a ray of this weight matters. */

@@ -8,6 +8,7 @@
 #include "scene/mesh.h"
 
 enum {
+    FEW = 32,               /* solids that are looked at one by one */
     PARALLEL_WORTH = 50000, /* triangles and solids */
     LARGE = 200000,         /* triangles */
     SPLITS_WORTH = 100,     /* rays of the camera for each triangle */
@@ -132,15 +133,20 @@ static void find_place(struct geometry *geometry, const struct flat *flat)
     geometry->scale = fmax(half.x, fmax(half.y, half.z));
 }
 
-static void add_solids(struct geometry *geometry, struct arena *arena)
+static void find_boxes(struct geometry *geometry, struct arena *arena)
 {
     size_t count = geometry->solids.count;
-    if (count == 0)
-        return;
     geometry->boxes = ARENA_ARRAY(arena, struct box3, count);
     for (size_t i = 0; i < count; i++)
         geometry->boxes[i] =
             embree_box(geometry->solids.items[i]->surface, geometry->centre);
+}
+
+static void add_solids(struct geometry *geometry)
+{
+    size_t count = geometry->solids.count;
+    if (count == 0)
+        return;
     RTCGeometry user = rtcNewGeometry(geometry->device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(user, (unsigned)count);
     rtcSetGeometryUserData(user, geometry);
@@ -203,6 +209,12 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
     geometry->diag = diag;
     take_bounded(geometry, flat);
     find_place(geometry, flat);
+    find_boxes(geometry, flat->arena);
+    if (flat->meshes.count == 0 && geometry->solids.count <= FEW) {
+        geometry->few =
+            few_new(flat->arena, &geometry->solids, geometry->boxes);
+        return true;
+    }
     geometry->device = device_new(flat, threads, camera_rays);
     if (!geometry->device) {
         diag_print(diag, DIAG_ERROR, span_none(), NULL,
@@ -214,7 +226,7 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
     /* Solids are looked at ray by ray all the same. */
     geometry->packets = flat->triangle_count > geometry->solids.count;
     choose_build(geometry, flat->triangle_count, camera_rays);
-    add_solids(geometry, flat->arena);
+    add_solids(geometry);
     bool good = triangles_add(&geometry->triangles, flat, geometry->device,
                               geometry->scene, geometry->centre);
     if (good)
@@ -270,6 +282,10 @@ static bool embree_ray(const struct geometry *geometry, struct query *query,
 void geometry_trace(const struct geometry *geometry, struct query *query)
 {
     struct RTCRayHit rayhit;
+    if (geometry->few.solids) {
+        few_trace(&geometry->few, query);
+        return;
+    }
     if (!embree_ray(geometry, query, &rayhit.ray))
         return;
     rtcInitIntersectContext(&query->embree);

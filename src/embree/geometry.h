@@ -3,6 +3,7 @@
 #ifndef EMBREE_GEOMETRY_H
 #define EMBREE_GEOMETRY_H
 
+#include "embree/few.h"
 #include "embree/triangles.h"
 
 struct geometry {
@@ -13,8 +14,9 @@ struct geometry {
     struct box3 *boxes;       /* theirs, with some margin */
     vec3 centre;              /* Embree's origin, in the world */
     struct box3 bounds;       /* of all there is; empty: nothing */
-    double scale; /* the largest coordinate of a triangle, from the centre */
-    bool packets; /* rays close together are worth tracing together */
+    double scale;   /* the largest coordinate of a triangle, from the centre */
+    struct few few; /* solids, and no triangles: no scene of Embree's */
+    bool packets;   /* rays close together are worth tracing together */
     struct diag *diag; /* while building */
     bool failed;
 };

@@ -238,16 +238,21 @@ bool query_take_triangle(struct query *query, const struct leaf *leaf,
     return over;
 }
 
-/* Scaled first where tiny or huge vectors would lose their length. */
-static vec3 unit(vec3 v)
+/* Of tiny or huge vectors, which would lose their length. */
+static vec3 unit_scaled(vec3 v)
 {
-    double square = vec3_dot(v, v);
-    if (square > 1e-200 && square < 1e200)
-        return vec3_scale(v, 1 / sqrt(square));
     double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
     if (!(most > 0) || !isfinite(most))
         return vec3_make(0, 0, 0);
     return vec3_normalise(vec3_make(v.x / most, v.y / most, v.z / most));
+}
+
+static inline vec3 unit(vec3 v)
+{
+    double square = vec3_dot(v, v);
+    if (square > 1e-200 && square < 1e200)
+        return vec3_scale(v, 1 / sqrt(square));
+    return unit_scaled(v);
 }
 
 static vec3 leaf_normal(const struct leaf *leaf, vec3 point,
@@ -299,11 +304,13 @@ static void describe_texture(const struct leaf *leaf, const struct hit *hit,
 void query_describe(const struct ray *ray, const struct leaf *leaf,
                     const struct hit *hit, struct intersection *out)
 {
+    /* Kept at hand: what was just stored is read back late. */
+    vec3 point = ray_point(ray, hit->t);
+    vec3 normal = leaf_normal(leaf, point, hit);
     out->t = hit->t;
-    out->point = ray_point(ray, hit->t);
+    out->point = point;
     out->leaf = leaf;
     out->part = hit->part;
-    vec3 normal = leaf_normal(leaf, out->point, hit);
     if (leaf->moved)
         normal = affine_normal(&leaf->to_object, normal);
     normal = unit(normal);

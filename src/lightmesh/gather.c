@@ -29,7 +29,7 @@ struct gathering {
 };
 
 static rgb gathering_follow(struct gathering *gathering,
-                            struct intersection *at, rgb *glow);
+                            struct intersection *first, rgb *glow);
 
 static vec3 gathering_jitter(const struct gathering *gathering)
 {
@@ -141,8 +141,6 @@ static rgb gathering_mirrors(const struct gathering *gathering,
         const struct surface_layer *layer = &surface->layer[i];
         rgb share = rgb_mul(layer->weight, layer->reflection);
         vec3 in = gathering->ray.direction;
-        struct intersection at;
-        rgb glow;
         if (rgb_peak(rgb_mul(share, gathering->share)) < least)
             continue;
         double count = gathering_chance(gathering, share);
@@ -155,7 +153,7 @@ static rgb gathering_mirrors(const struct gathering *gathering,
         branch.ray.origin = surface->point;
         branch.ray.direction =
             vec3_normalise(vec3_along(in, layer->normal, -2 * along));
-        light = rgb_add(light, gathering_follow(&branch, &at, &glow));
+        light = rgb_add(light, gathering_follow(&branch, NULL, NULL));
     }
     return light;
 }
@@ -179,13 +177,15 @@ void gather_surface(const struct gather *gather, const struct ray *ray,
     surface_fill(surface, at, &view);
 }
 
-/* One surface on the way; returns false if it ends here. */
+/* One surface on the way; returns false if it ends here. Its own light into
+ * *glow, unless that is NULL. */
 static bool gathering_meet(struct gathering *gathering,
                            const struct intersection *at, rgb *light, rgb *glow)
 {
     struct surface surface;
     gather_surface(gathering->gather, &gathering->ray, at, &surface);
-    *glow = rgb_mul(gathering->share, surface_glow(&surface));
+    if (glow)
+        *glow = rgb_mul(gathering->share, surface_glow(&surface));
     rgb sent = gathering_shade(gathering, &surface);
     sent = rgb_add(sent, gathering_mirrors(gathering, &surface));
     *light = rgb_add(*light, rgb_mul(gathering->share, sent));
@@ -194,30 +194,25 @@ static bool gathering_meet(struct gathering *gathering,
     return rgb_peak(gathering->share) >= least;
 }
 
-/* All light, of which *glow is the first surface's own. */
+/* All light. What is met first into *first, and that one's own light into
+ * *glow, where these are wanted. */
 static rgb gathering_follow(struct gathering *gathering,
-                            struct intersection *at, rgb *glow)
+                            struct intersection *first, rgb *glow)
 {
     const struct lamps *lamps = gathering->gather->lamps;
-    rgb light = rgb_grey(0), own;
-    struct intersection next;
-    at->leaf = NULL;
-    *glow = rgb_grey(0);
+    rgb light = rgb_grey(0);
+    struct intersection next, *at = first ? first : &next;
     for (int i = 0; i < PANES_MAX; i++) {
         double offset = surface_offset(gathering->ray.origin);
         gathering->worker->counters.shadow_rays++;
         if (!world_closest(lamps->world, &gathering->ray, offset,
-                           RAY_REFLECTION, &next)) {
+                           RAY_REFLECTION, at)) {
             rgb sky = background_light(lamps->scene, gathering->ray.direction);
             return rgb_add(light, rgb_mul(gathering->share, sky));
         }
-        bool on = gathering_meet(gathering, &next, &light, &own);
-        if (i == 0) {
-            *at = next;
-            *glow = own;
-        }
-        if (!on)
+        if (!gathering_meet(gathering, at, &light, i == 0 ? glow : NULL))
             break;
+        at = &next;
     }
     return light;
 }
@@ -233,6 +228,9 @@ rgb gather_radiance(const struct gather *gather, struct worker *worker,
         .ray = *ray,
         .share = rgb_grey(1),
     };
+    at->leaf = NULL;
+    if (glow)
+        *glow = rgb_grey(0);
     return gathering_follow(&gathering, at, glow);
 }
 

@@ -46,8 +46,8 @@ void gather_surface(const struct gather *gather, const struct ray *ray,
                     const struct intersection *at, struct surface *surface);
 
 /* Radiance along the ray, sample `draws`, of which *glow is what its first
- * surface has of its own; *at is where (at->leaf NULL: nowhere). Mirrors and
- * panes are followed. */
+ * surface has of its own (glow may be NULL); *at is where (at->leaf NULL:
+ * nowhere). Mirrors and panes are followed. */
 rgb gather_radiance(const struct gather *gather, struct worker *worker,
                     const struct ray *ray, const struct draws *draws,
                     struct intersection *at, rgb *glow);

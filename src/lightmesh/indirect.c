@@ -85,10 +85,11 @@ static void gatherer_look(const struct gatherer *gatherer,
     double density = gatherer_density(gatherer, way);
     struct intersection at;
     rgb glow;
+    bool picks = emitters_any(gather->emitters);
     struct ray ray = { site->place, way };
-    rgb radiance =
-        gather_radiance(gather, gatherer->worker, &ray, draws, &at, &glow);
-    if (at.leaf && rgb_peak(glow) > 0 && emitters_any(gather->emitters)) {
+    rgb radiance = gather_radiance(gather, gatherer->worker, &ray, draws, &at,
+                                   picks ? &glow : NULL);
+    if (picks && at.leaf && rgb_peak(glow) > 0) {
         double other =
             emitters_density(gather->emitters, ray.origin, ray.direction, &at);
         double twice = isfinite(other) ? other / (density + other) : 1;

@@ -47,6 +47,11 @@ static rgb layer_through(const struct surface_layer *layer)
 static void layer_reflect(struct surface *surface, struct surface_layer *layer,
                           const struct surface_view *view)
 {
+    const struct reflection *reflection = &layer->finish->reflection;
+    layer->reflection = rgb_grey(0);
+    layer->reflection_weight = 0;
+    if (rgb_is_black(reflection->minimum) && rgb_is_black(reflection->maximum))
+        return;
     double cosine = vec3_dot(surface->view, layer->normal);
     struct finish_mirror mirror = finish_mirror(
         layer->finish, colour_rgb(layer->pigment), cosine, view->ior);

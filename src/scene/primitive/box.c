@@ -38,15 +38,24 @@ struct interval {
     int enter_part, leave_part;
 };
 
-static bool clip_to_slab(struct interval *interval, double origin,
-                         double direction, double low, double high, int part)
+/* Both sides' crossings are one division of two numbers. */
+typedef double crossings __attribute__((vector_size(2 * sizeof(double))));
+
+/* A ray along the sides is in the slab from end to end, or nowhere: then no
+ * number is before where it leaves. */
+static inline void clip_to_slab(struct interval *interval, double origin,
+                                double direction, double low, double high,
+                                int part)
 {
-    if (direction == 0)
-        return origin >= low && origin <= high;
-    double to_low = (low - origin) / direction;
-    double to_high = (high - origin) / direction;
-    bool swap = to_low > to_high;
-    double enter = swap ? to_high : to_low, leave = swap ? to_low : to_high;
+    crossings to = { low - origin, high - origin };
+    if (direction == 0) {
+        if (!(origin >= low && origin <= high))
+            interval->leave = (double)NAN;
+        return;
+    }
+    to /= (crossings){ direction, direction };
+    bool swap = to[0] > to[1];
+    double enter = swap ? to[1] : to[0], leave = swap ? to[0] : to[1];
     if (enter > interval->enter) {
         interval->enter = enter;
         interval->enter_part = part + swap;
@@ -55,19 +64,17 @@ static bool clip_to_slab(struct interval *interval, double origin,
         interval->leave = leave;
         interval->leave_part = part + !swap;
     }
-    return interval->enter <= interval->leave;
 }
 
 static bool box_clip(const struct box *box, const struct ray *ray,
                      struct interval *in)
 {
+    vec3 o = ray->origin, d = ray->direction, a = box->low, b = box->high;
     *in = (struct interval){ -HUGE_VAL, HUGE_VAL, 0, 0 };
-    return clip_to_slab(in, ray->origin.x, ray->direction.x, box->low.x,
-                        box->high.x, 0) &&
-           clip_to_slab(in, ray->origin.y, ray->direction.y, box->low.y,
-                        box->high.y, 2) &&
-           clip_to_slab(in, ray->origin.z, ray->direction.z, box->low.z,
-                        box->high.z, 4);
+    clip_to_slab(in, o.x, d.x, a.x, b.x, 0);
+    clip_to_slab(in, o.y, d.y, a.y, b.y, 2);
+    clip_to_slab(in, o.z, d.z, a.z, b.z, 4);
+    return in->enter <= in->leave;
 }
 
 static void box_intersect(const void *shape, const struct ray *ray,
