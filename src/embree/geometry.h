@@ -1,5 +1,5 @@
 /* Embree's side of the world: one scene with the bounded solids as user
- * geometry and the triangles. */
+ * geometry and the triangles; or, where few solids are all, none (few.h). */
 #ifndef EMBREE_GEOMETRY_H
 #define EMBREE_GEOMETRY_H
 
