@@ -18,10 +18,17 @@
 
 enum {
     LARGE_PAGE = 2 << 20,
-    MAPPED = 2 * LARGE_PAGE, /* bytes of blocks that are not the heap's */
     HEAP_STEP = 16 * LARGE_PAGE,
     HEAP_KEPT = 64 * LARGE_PAGE, /* free, for what is wanted next */
 };
+
+/* Bytes of blocks that are not the heap's. Those of the heap alone are guarded
+ * by the address sanitizer. */
+#ifdef __SANITIZE_ADDRESS__
+static const size_t mapped_least = SIZE_MAX;
+#else
+static const size_t mapped_least = 2 * LARGE_PAGE;
+#endif
 
 /* Before each block: what was mapped for it, nothing if it is the heap's. */
 struct head {
@@ -111,7 +118,7 @@ static struct head *mapped_block(size_t size)
 void *memory_new(size_t size)
 {
     struct head *head = NULL;
-    if (size < MAPPED)
+    if (size < mapped_least)
         head = heap_block(size);
     else if (size < SIZE_MAX - 2 * LARGE_PAGE)
         head = mapped_block(size);
