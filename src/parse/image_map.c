@@ -180,7 +180,7 @@ static bool image_open(struct parser *p, const struct image_request *request)
 /* image_type = "gif" | "tga" | "iff" | "ppm" | "pgm" | "png" | "jpeg" | "tiff"
  *            | "sys" | "exr" | "hdr" | "bmp" .
  * The file itself tells its type better. */
-static bool parse_image_type(struct parser *p)
+bool parse_image_type(struct parser *p)
 {
     static const struct field types[] = {
         { .name = "gif" },  { .name = "tga" },  { .name = "iff" },

@@ -97,6 +97,8 @@ bool parse_pigment_map(struct parser *p, const struct blend_map **out);
 bool parse_block_list(struct parser *p, const struct pattern *pattern,
                       const struct blend_map **out);
 
+/* png, jpeg ... before the name of a picture, or nothing. */
+bool parse_image_type(struct parser *p);
 bool parse_image_map(struct parser *p, const struct image_map **out);
 
 /* ---- objects ---- */
@@ -141,6 +143,7 @@ bool parse_blob(struct parser *p, struct object **out);
 bool parse_prism(struct parser *p, struct object **out);
 bool parse_lathe(struct parser *p, struct object **out);
 bool parse_text(struct parser *p, struct object **out);
+bool parse_height_field(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 
 /* ---- atmosphere.c; the keyword is next ---- */
