@@ -6,8 +6,6 @@
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_AOI, "the 'aoi' pattern" },
-    { KEYWORD_AVERAGE, "the 'average' pattern" },
-    { KEYWORD_BUMP_MAP, "'bump_map'" },
     { KEYWORD_CELLS, "the 'cells' pattern" },
     { KEYWORD_DENSITY_FILE, "the 'density_file' pattern" },
     { KEYWORD_FACETS, "the 'facets' pattern" },

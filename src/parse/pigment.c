@@ -69,6 +69,11 @@ static bool pigment_count(struct parser *p, struct pigment *pigment)
                     PIGMENT_PARTS_LIMIT);
 }
 
+static bool pigment_is_average(const struct pigment *pigment)
+{
+    return pigment->kind == PIGMENT_PATTERN && pigment->pattern.kind->average;
+}
+
 static bool pigment_can_map(struct parser *p, const struct pigment *pigment)
 {
     if (pigment->kind == PIGMENT_PATTERN && pigment->pattern.kind->blocks)
@@ -90,7 +95,7 @@ static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
                parse_colour_map(p, &pigment->map);
     case KEYWORD_PIGMENT_MAP:
         return pigment_can_map(p, pigment) &&
-               parse_pigment_map(p, &pigment->map);
+               parse_pigment_map(p, pigment_is_average(pigment), &pigment->map);
     case KEYWORD_QUICK_COLOUR:
         stream_next(p);
         pigment->has_quick_colour = true;
@@ -122,6 +127,9 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
         else if (!found)
             return error_unknown_thing(p, "pigment", pigment_names,
                                        "a colour, a pattern or a pigment");
+    if (pigment_is_average(pigment) && !pigment->map)
+        return error_at(p, stream_span(p), "pigment_map { [1 ...] [1 ...] }",
+                        "'average' needs a pigment_map");
     return pigment_count(p, pigment);
 }
 

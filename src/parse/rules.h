@@ -68,6 +68,8 @@ bool check_supported(struct parser *p, const struct unsupported_word *list);
 
 bool parse_pigment_block(struct parser *p, const struct pigment **in);
 bool parse_pigment_body(struct parser *p, const struct pigment **in);
+/* The inside of normal { } or of an entry of a normal_map. */
+bool parse_normal_body(struct parser *p, const struct normal **in);
 bool parse_normal_block(struct parser *p, const struct normal **in);
 bool parse_finish_block(struct parser *p, const struct finish **in);
 /* The inside of texture { } or of an entry of a texture_map. */
@@ -93,12 +95,25 @@ const char *pattern_name(const struct pattern *pattern);
 
 /* colour_map.c: the map after its keyword, of colours or of pigments. */
 bool parse_colour_map(struct parser *p, const struct blend_map **out);
-bool parse_pigment_map(struct parser *p, const struct blend_map **out);
+bool parse_pigment_map(struct parser *p, bool average,
+                       const struct blend_map **out);
+/* The number of an entry of a map; of an average it may be missing. */
+bool parse_map_value(struct parser *p, bool average, double *value);
+/* normal_map.c: maps after their keywords, a normal for each block. */
+bool parse_normal_map(struct parser *p, bool average,
+                      const struct normal_map **out);
+bool parse_slope_map(struct parser *p, const struct slope_map **out);
+bool parse_normal_blocks(struct parser *p, struct normal *normal);
+/* Fills depth and parts; refuses too many. */
+bool normal_count(struct parser *p, struct normal *normal);
 bool parse_block_list(struct parser *p, const struct pattern *pattern,
                       const struct blend_map **out);
 
 /* png, jpeg ... before the name of a picture, or nothing. */
 bool parse_image_type(struct parser *p);
+/* bump_map in a normal: bump_size goes where the last argument says. */
+bool parse_bump_map(struct parser *p, const struct image_map **out,
+                    double *bump_size);
 bool parse_image_map(struct parser *p, const struct image_map **out);
 
 /* ---- objects ---- */

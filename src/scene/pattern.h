@@ -56,6 +56,7 @@ struct pattern_kind {
     /* Colours of a continuous pattern where the scene names none; NULL: black
      * to white. */
     const struct blend_map *map;
+    bool average; /* the map's entries are mixed: it needs one */
     /* Some patterns use their turbulence themselves, inside value(). */
     bool own_turbulence;
     /* The raw value at a point of the pattern's space, before frequency,

@@ -88,7 +88,7 @@ static rgb surface_add(struct surface *surface, const struct surface_view *view,
     const struct texture_choice *choice = place->texture->choice;
     if (!choice)
         return surface_add_layers(surface, view, place, weight);
-    struct texture_pick picks[2];
+    struct texture_pick picks[TEXTURE_PICKS];
     struct place inner = *place;
     const affine *inward = &choice->pattern.inverse;
     affine to, from, outward;

@@ -1,6 +1,7 @@
 /* One row for each pattern: X(name) stands for name_pattern, defined in
  * scene/pattern/name.c. */
 X(agate)
+X(average)
 X(boxed)
 X(bozo)
 X(brick)
