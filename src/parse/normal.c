@@ -42,7 +42,8 @@ static bool parse_normal_start(struct parser *p, struct normal *normal,
     if (at_expression(p) && !parse_float(p, &normal->amount))
         return false;
     return !*found || normal->pattern.kind->blocks == 0 ||
-           parse_normal_blocks(p, normal);
+           parse_pattern_end(p, &normal->pattern,
+                             parse_normal_blocks(p, normal));
 }
 
 static bool normal_is_average(const struct normal *normal)

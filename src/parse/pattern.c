@@ -3,18 +3,19 @@
  * scene/pattern/. */
 #include "parse/rules.h"
 
+#include "parse/user_function.h"
+#include "scene/function.h"
+#include "scene/object_probe.h"
+
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_AOI, "the 'aoi' pattern" },
     { KEYWORD_CELLS, "the 'cells' pattern" },
     { KEYWORD_DENSITY_FILE, "the 'density_file' pattern" },
     { KEYWORD_FACETS, "the 'facets' pattern" },
-    { KEYWORD_FUNCTION, "the 'function' pattern" },
     { KEYWORD_IMAGE_PATTERN, "the 'image_pattern' pattern" },
     { KEYWORD_MAGNET, "the 'magnet' pattern" },
-    { KEYWORD_OBJECT, "the 'object' pattern" },
     { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
-    { KEYWORD_PIGMENT_PATTERN, "the 'pigment_pattern' pattern" },
     { KEYWORD_SLOPE, "the 'slope' pattern" },
     { KEYWORD_SPIRAL2, "the 'spiral2' pattern" },
     { KEYWORD_SQUARE, "the 'square' pattern" },
@@ -67,7 +68,69 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
     *pattern = fresh;
 }
 
-/* pattern = PATTERN arguments .
+/* function_pattern = "function" "{" ( field_body | body_operation ) "}" . */
+static bool parse_function_pattern(struct parser *p, struct pattern *pattern)
+{
+    struct value value;
+    struct span span = stream_span(p);
+    if (!parse_function(p, &value))
+        return false;
+    const struct function *function = value.function;
+    if (function->parameter_count != 3 || function->pigment)
+        return error_at(p, span_join(span, p->last_span), NULL,
+                        "a pattern needs a function of x, y and z that gives "
+                        "a number");
+    struct made_pattern *made = pattern->parameters;
+    made->function = function;
+    pattern_take_samples(p->scene_arena, pattern);
+    return true;
+}
+
+/* pigment_pattern = "pigment_pattern" "{" pigment_body "}" . */
+static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
+{
+    struct made_pattern *made = pattern->parameters;
+    made->pigment = p->defaults.pigment;
+    if (!parse_pigment_block(p, &made->pigment))
+        return false;
+    pattern_take_samples(p->scene_arena, pattern);
+    return true;
+}
+
+/* object_pattern = "object" "{" object block_list "}" .
+ * In normals and textures there is their own kind of list instead. It is read
+ * by whoever calls, and then parse_pattern_end. */
+static bool parse_object_pattern(struct parser *p, struct pattern *pattern)
+{
+    struct made_pattern *made = pattern->parameters;
+    struct object *object;
+    stream_next(p);
+    if (!block_begin(p, &made->open))
+        return false;
+    struct span span = stream_span(p);
+    if (!parse_object(p, &object))
+        return block_end(p, made->open, false);
+    made->object = object;
+    if (!object_is_solid(object))
+        return error_at(
+                   p, span_join(span, p->last_span), NULL,
+                   "the 'object' pattern needs an object with an inside") &&
+               block_end(p, made->open, false);
+    pattern_take_samples(p->scene_arena, pattern);
+    accept(p, TOKEN_COMMA);
+    return true;
+}
+
+bool parse_pattern_end(struct parser *p, const struct pattern *pattern, bool ok)
+{
+    if (pattern->kind != pattern_find("object"))
+        return ok;
+    const struct made_pattern *made = pattern->parameters;
+    return block_end(p, made->open, ok);
+}
+
+/* pattern = PATTERN arguments | function_pattern | pigment_pattern
+ *         | object_pattern .
  * The name of a pattern and what its table in scene/pattern/ says. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
 {
@@ -81,8 +144,17 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
     if (!kind)
         return check_supported(p, pattern_unsupported);
     *found = true;
-    stream_next(p);
     pattern_become(p, pattern, kind);
+    switch (token->word->keyword) {
+    case KEYWORD_FUNCTION:
+        return parse_function_pattern(p, pattern);
+    case KEYWORD_OBJECT:
+        return parse_object_pattern(p, pattern);
+    case KEYWORD_PIGMENT_PATTERN:
+        return parse_pigment_pattern(p, pattern);
+    default:
+        stream_next(p);
+    }
     return !kind->arguments ||
            parse_arguments(p, kind->arguments, pattern->parameters);
 }

@@ -1,4 +1,5 @@
 /* Pigments: the colour of a surface, plain, by pattern or from an image. */
+#include "parse/function_field.h"
 #include "parse/rules.h"
 
 enum {
@@ -45,7 +46,9 @@ static bool parse_pigment_start(struct parser *p, struct pigment *pigment,
     pigment->kind = PIGMENT_PATTERN;
     pigment->map = NULL;
     return pigment->pattern.kind->blocks == 0 ||
-           parse_block_list(p, &pigment->pattern, &pigment->map);
+           parse_pattern_end(
+               p, &pigment->pattern,
+               parse_block_list(p, &pigment->pattern, &pigment->map));
 }
 
 /* A pigment_map in a pigment_map ... costs twice as much at each level. */
@@ -53,12 +56,19 @@ static bool pigment_count(struct parser *p, struct pigment *pigment)
 {
     pigment->depth = 0;
     pigment->parts = 1;
+    pigment->work = pattern_work(&pigment->pattern);
+    pigment->levels = pattern_levels(&pigment->pattern);
     for (size_t i = 0; pigment->map && i < pigment->map->count; i++) {
         const struct pigment *part = pigment->map->entries[i].pigment;
         if (part && part->depth >= pigment->depth)
             pigment->depth = part->depth + 1;
         pigment->parts += part ? part->parts : 0;
+        pigment->work += part ? part->work : 0;
+        if (part && part->levels > pigment->levels)
+            pigment->levels = part->levels;
     }
+    if (!work_check(p, pigment->work, pigment->levels))
+        return false;
     if (pigment->depth > PIGMENT_DEPTH_LIMIT)
         return error_at(p, p->last_span, NULL,
                         "pigments are nested more than %d deep",

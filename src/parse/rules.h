@@ -91,6 +91,10 @@ const struct texture *texture_stack(struct parser *p,
 /* pattern.c: a pattern's name and its arguments; the placing stays. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found);
 bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found);
+/* After the list of a block pattern: takes the '}' of object { }. `ok` false:
+ * skips to it, and returns false. */
+bool parse_pattern_end(struct parser *p, const struct pattern *pattern,
+                       bool ok);
 const char *pattern_name(const struct pattern *pattern);
 
 /* colour_map.c: the map after its keyword, of colours or of pigments. */
@@ -159,6 +163,7 @@ bool parse_prism(struct parser *p, struct object **out);
 bool parse_lathe(struct parser *p, struct object **out);
 bool parse_text(struct parser *p, struct object **out);
 bool parse_height_field(struct parser *p, struct object **out);
+bool parse_isosurface(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 
 /* ---- atmosphere.c; the keyword is next ---- */

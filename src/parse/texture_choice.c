@@ -150,6 +150,7 @@ bool parse_texture_choice(struct parser *p, const struct texture **out,
     b.choice->pattern = pattern;
     b.choice->depth = 1;
     *out = texture;
-    return (!pattern.kind->blocks || parse_texture_blocks(p, &b)) &&
+    return (!pattern.kind->blocks ||
+            parse_pattern_end(p, &pattern, parse_texture_blocks(p, &b))) &&
            choice_items(p, &b) && choice_gather(p, &b, texture);
 }

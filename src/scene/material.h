@@ -61,6 +61,8 @@ struct pigment {
     const struct image_map *image;
     unsigned depth, parts; /* of pigment_maps in each other: levels, and
                             * entries in all; the parser limits both */
+    double work;           /* steps for one point, as of functions */
+    unsigned levels;       /* likewise; the parser limits these, too */
     bool has_quick_colour;
     colour quick_colour; /* used at quality 5 and below */
 };

@@ -3,7 +3,11 @@
 #include "scene/pattern.h"
 
 #include "base/listing.h"
+#include "scene/function.h"
+#include "scene/material.h"
 #include "scene/noise.h"
+#include "scene/object.h"
+#include "scene/samples.h"
 
 #define X(name) extern const struct pattern_kind name##_pattern;
 #include "scene/pattern/list.h"
@@ -33,6 +37,51 @@ struct pattern pattern_new(struct arena *arena, const struct pattern_kind *kind)
             memcpy(pattern.parameters, kind->defaults, kind->size);
     }
     return pattern;
+}
+
+const struct field made_pattern_fields[] = {
+    { "samples", FIELD_TERMS, offsetof(struct made_pattern, samples), 0, 0,
+      "values of what it is made of" },
+    { NULL },
+};
+
+static const struct made_pattern *pattern_made(const struct pattern *pattern)
+{
+    bool made =
+        pattern->kind && pattern->kind->arguments == made_pattern_fields;
+    return made ? pattern->parameters : NULL;
+}
+
+double pattern_work(const struct pattern *pattern)
+{
+    const struct made_pattern *made = pattern_made(pattern);
+    if (!made)
+        return 1;
+    return 1 + (made->function ? made->function->work : 0) +
+           (made->pigment ? made->pigment->work : 0) +
+           (made->object ? (double)made->object->parts : 0);
+}
+
+unsigned pattern_levels(const struct pattern *pattern)
+{
+    const struct made_pattern *made = pattern_made(pattern);
+    if (!made)
+        return 0;
+    return 1 + (made->function  ? made->function->levels
+                : made->pigment ? made->pigment->levels
+                                : 0);
+}
+
+static double pattern_sample(const void *thing, vec3 point)
+{
+    const struct pattern *pattern = thing;
+    return pattern->kind->value(pattern, point);
+}
+
+void pattern_take_samples(struct arena *arena, struct pattern *pattern)
+{
+    struct made_pattern *made = pattern->parameters;
+    made->samples = samples_take(arena, pattern_sample, pattern);
 }
 
 void pattern_transform(struct pattern *pattern, const affine *transform)

@@ -7,6 +7,7 @@
 #include "base/affine.h"
 #include "base/arena.h"
 #include "base/field.h"
+#include "text/source.h"
 
 /* How the raw value of a pattern is folded into [0,1]; see pattern.c. */
 enum wave {
@@ -27,6 +28,9 @@ struct turbulence {
 
 struct pattern_kind;
 struct blend_map; /* scene/material.h */
+struct pigment;
+struct function;
+struct object;
 
 /* A pattern in use. */
 struct pattern {
@@ -39,6 +43,22 @@ struct pattern {
     bool turbulent;
     struct turbulence turbulence;
 };
+
+/* The parameters of patterns made of other things: one of these. */
+struct made_pattern {
+    struct terms samples; /* see scene/samples.h */
+    const struct function *function;
+    const struct pigment *pigment;
+    const struct object *object;
+    struct span open; /* of the '{' of an object pattern */
+};
+
+/* What one point of it takes, and how deep it is made of other things. */
+double pattern_work(const struct pattern *pattern);
+unsigned pattern_levels(const struct pattern *pattern);
+
+/* The table that fingerprints see; nothing is read by it. */
+extern const struct field made_pattern_fields[];
 
 struct pattern_kind {
     const char *name;
@@ -75,6 +95,9 @@ struct pattern pattern_new(struct arena *arena,
 /* The point of the pattern's own space for a point of the texture's:
  * transformation, then turbulence. */
 vec3 pattern_locate(const struct pattern *pattern, vec3 point);
+
+/* Fills in the samples of one that is made of something else. */
+void pattern_take_samples(struct arena *arena, struct pattern *pattern);
 
 /* The value in [0,1] at a point of the texture's space, frequency, phase and
  * wave form applied; for block patterns the block's number. Above 1 only with

@@ -40,7 +40,6 @@
     X(ATAN2, "atan2")                                                          \
     X(ATANH, "atanh")                                                          \
     X(AUTOSTOP, "autostop")                                                    \
-    X(AVERAGE, "average")                                                      \
     X(B_SPLINE, "b_spline")                                                    \
     X(BACKGROUND, "background")                                                \
     X(BEZIER_SPLINE, "bezier_spline")                                          \
