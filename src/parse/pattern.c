@@ -61,6 +61,7 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
 {
     struct pattern fresh = pattern_new(p->scene_arena, kind);
     fresh.inverse = pattern->inverse;
+    fresh.warps = pattern->warps;
     fresh.frequency = pattern->frequency;
     fresh.phase = pattern->phase;
     fresh.turbulent = pattern->turbulent;
@@ -157,35 +158,6 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
     }
     return !kind->arguments ||
            parse_arguments(p, kind->arguments, pattern->parameters);
-}
-
-static bool pattern_turbulence_fields(struct parser *p, struct pattern *pattern)
-{
-    const struct field *field;
-    while ((field = accept_field(p, pattern_fields)) != NULL)
-        if (!parse_field(p, field, pattern))
-            return false;
-    return stream_peek(p)->kind == TOKEN_RBRACE ||
-           error_unknown_item(p, "warp", pattern_fields);
-}
-
-/* warp = "warp" "{" "turbulence" vector {"octaves" float | "omega" float
- *      | "lambda" float} "}" .
- * Where nothing moved the pattern yet, this is its own turbulence; other
- * warps are not supported. */
-static bool parse_warp(struct parser *p, struct pattern *pattern)
-{
-    struct span span = stream_span(p), open;
-    stream_next(p);
-    if (!block_begin(p, &open))
-        return false;
-    bool simple = stream_keyword(p) == KEYWORD_TURBULENCE &&
-                  !pattern->turbulent && affine_is_identity(pattern->inverse) &&
-                  !(pattern->kind && pattern->kind->own_turbulence);
-    if (!simple)
-        return block_end(p, open, error_unsupported(p, span, "'warp'"));
-    pattern->turbulent = true;
-    return block_end(p, open, pattern_turbulence_fields(p, pattern));
 }
 
 /* noise_generator = "noise_generator" float . */

@@ -91,6 +91,8 @@ const struct texture *texture_stack(struct parser *p,
 /* pattern.c: a pattern's name and its arguments; the placing stays. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found);
 bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found);
+/* warp.c; the keyword is next. */
+bool parse_warp(struct parser *p, struct pattern *pattern);
 /* After the list of a block pattern: takes the '}' of object { }. `ok` false:
  * skips to it, and returns false. */
 bool parse_pattern_end(struct parser *p, const struct pattern *pattern,

@@ -1,5 +1,6 @@
 /* A walk through everything that the scene holds: see fingerprint.h. Structs
  * are hashed member by member, as they have padding and pointers. */
+#include "scene/warp.h"
 #include "scene/fingerprint.h"
 
 #include "base/hash.h"
@@ -89,6 +90,12 @@ static uint64_t pattern_hash(uint64_t hash, const struct pattern *pattern)
         turbulence->amount.y, turbulence->amount.z,
     };
     hash = hash_affine(hash, &pattern->inverse);
+    for (const struct warp *warp = pattern->warps; warp; warp = warp->inner) {
+        double all[WARP_NUMBERS];
+        warp_numbers(warp, all);
+        hash =
+            hash_affine(hash_numbers(hash, all, WARP_NUMBERS), &warp->inverse);
+    }
     hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
     if (!kind)
         return hash;

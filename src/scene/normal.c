@@ -123,9 +123,10 @@ vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
         (perturbation->amount == 0 && !perturbation->map))
         return normal;
     vec3 at = pattern_locate(pattern, point);
-    vec3 local = normal_into_pattern(&pattern->inverse, normal);
+    affine inward = pattern_affine(pattern);
+    vec3 local = normal_into_pattern(&inward, normal);
     local = normal_tilted(perturbation, at, local);
-    vec3 result = vec3_normalise(affine_normal(&pattern->inverse, local));
+    vec3 result = vec3_normalise(affine_normal(&inward, local));
     double length = vec3_dot(result, result);
     return length > 0.5 && length < 2 ? result : normal;
 }

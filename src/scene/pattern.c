@@ -8,6 +8,7 @@
 #include "scene/noise.h"
 #include "scene/object.h"
 #include "scene/samples.h"
+#include "scene/warp.h"
 
 #define X(name) extern const struct pattern_kind name##_pattern;
 #include "scene/pattern/list.h"
@@ -91,9 +92,19 @@ void pattern_transform(struct pattern *pattern, const affine *transform)
         pattern->inverse = affine_compose(pattern->inverse, inverse);
 }
 
+affine pattern_affine(const struct pattern *pattern)
+{
+    affine all = pattern->inverse;
+    for (const struct warp *w = pattern->warps; w; w = w->inner)
+        all = affine_compose(w->inverse, all);
+    return all;
+}
+
 vec3 pattern_locate(const struct pattern *pattern, vec3 point)
 {
     point = affine_point(&pattern->inverse, point);
+    if (pattern->warps)
+        point = warp_all(pattern->warps, point);
     if (!pattern->turbulent || (pattern->kind && pattern->kind->own_turbulence))
         return point;
     vec3 step = noise_vector_turbulence(point, &pattern->turbulence);

@@ -27,6 +27,7 @@ struct turbulence {
 };
 
 struct pattern_kind;
+struct warp;
 struct blend_map; /* scene/material.h */
 struct pigment;
 struct function;
@@ -36,7 +37,8 @@ struct object;
 struct pattern {
     const struct pattern_kind *kind; /* NULL: only the placing below counts */
     void *parameters;                /* kind->size bytes */
-    affine inverse;                  /* from the texture's space into its own */
+    affine inverse; /* from the texture's space into its own, but for these: */
+    const struct warp *warps; /* after it, or NULL */
     enum wave wave;
     double exponent; /* of poly_wave */
     double frequency, phase;
@@ -95,6 +97,9 @@ struct pattern pattern_new(struct arena *arena,
 /* The point of the pattern's own space for a point of the texture's:
  * transformation, then turbulence. */
 vec3 pattern_locate(const struct pattern *pattern, vec3 point);
+
+/* As far as it is affine: the warps left out. For normals. */
+affine pattern_affine(const struct pattern *pattern);
 
 /* Fills in the samples of one that is made of something else. */
 void pattern_take_samples(struct arena *arena, struct pattern *pattern);
