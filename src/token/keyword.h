@@ -353,7 +353,6 @@
     X(SMOOTH, "smooth")                                                        \
     X(SMOOTH_TRIANGLE, "smooth_triangle")                                      \
     X(SOLID, "solid")                                                          \
-    X(SOR, "sor")                                                              \
     X(SPACING, "spacing")                                                      \
     X(SPECULAR, "specular")                                                    \
     X(SPHERE_SWEEP, "sphere_sweep")                                            \
