@@ -78,9 +78,9 @@ static bool parse_isosurface_item(struct parser *p, struct isosurface *surface,
     }
 }
 
-static double function_sample(const void *function, vec3 point)
+static double surface_sample(const void *function, vec3 point)
 {
-    return function_at(function, point);
+    return function_sample(function, point);
 }
 
 /* isosurface_body = function {isosurface_item | ISOSURFACE_ITEM} .
@@ -101,8 +101,10 @@ static bool parse_isosurface_body(struct parser *p, void *shape)
         return error_at(p, span_join(span, p->last_span), NULL,
                         "an isosurface needs a function of x, y and z that "
                         "gives a number");
+    if (!stream_round(p, 1000, span)) /* as for a pattern's samples */
+        return false;
     surface->samples =
-        samples_take(p->scene_arena, function_sample, surface->function);
+        samples_take(p->scene_arena, surface_sample, surface->function);
     while (found) {
         const struct field *field = accept_field(p, isosurface_primitive.items);
         if (field ? !parse_field(p, field, surface)

@@ -69,6 +69,16 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
     *pattern = fresh;
 }
 
+/* Samples are many looks at what it is made of: a loop may not make many. */
+static bool pattern_sampled(struct parser *p, struct pattern *pattern)
+{
+    enum { SAMPLES_COST = 1000 }; /* in rounds of a loop */
+    if (!stream_round(p, SAMPLES_COST, p->last_span))
+        return false;
+    pattern_take_samples(p->scene_arena, pattern);
+    return true;
+}
+
 /* function_pattern = "function" "{" ( field_body | body_operation ) "}" . */
 static bool parse_function_pattern(struct parser *p, struct pattern *pattern)
 {
@@ -83,8 +93,7 @@ static bool parse_function_pattern(struct parser *p, struct pattern *pattern)
                         "a number");
     struct made_pattern *made = pattern->parameters;
     made->function = function;
-    pattern_take_samples(p->scene_arena, pattern);
-    return true;
+    return pattern_sampled(p, pattern);
 }
 
 /* pigment_pattern = "pigment_pattern" "{" pigment_body "}" . */
@@ -94,8 +103,7 @@ static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
     made->pigment = p->defaults.pigment;
     if (!parse_pigment_block(p, &made->pigment))
         return false;
-    pattern_take_samples(p->scene_arena, pattern);
-    return true;
+    return pattern_sampled(p, pattern);
 }
 
 /* object_pattern = "object" "{" object block_list "}" .
@@ -117,9 +125,8 @@ static bool parse_object_pattern(struct parser *p, struct pattern *pattern)
                    p, span_join(span, p->last_span), NULL,
                    "the 'object' pattern needs an object with an inside") &&
                block_end(p, made->open, false);
-    pattern_take_samples(p->scene_arena, pattern);
     accept(p, TOKEN_COMMA);
-    return true;
+    return pattern_sampled(p, pattern) || block_end(p, made->open, false);
 }
 
 bool parse_pattern_end(struct parser *p, const struct pattern *pattern, bool ok)

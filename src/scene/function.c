@@ -94,11 +94,22 @@ double function_evaluate(const struct function *function,
     return stack[function->slots];
 }
 
-double function_at(const struct function *function, vec3 point)
+static double function_within(const struct function *function, vec3 point,
+                              unsigned long left)
 {
-    enum { STEPS = 1000000 };
-    unsigned long left = STEPS;
     const double arguments[] = { point.x, point.y, point.z };
     double value = function_evaluate(function, arguments, &left);
     return left == 0 || isnan(value) ? 0 : value;
+}
+
+double function_at(const struct function *function, vec3 point)
+{
+    enum { STEPS = 1000000 };
+    return function_within(function, point, STEPS);
+}
+
+double function_sample(const struct function *function, vec3 point)
+{
+    enum { STEPS = 1000 };
+    return function_within(function, point, STEPS);
 }

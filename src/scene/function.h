@@ -77,4 +77,7 @@ enum { FUNCTION_STEP_LIMIT = 50000000 };
  * time for. Never NaN. */
 double function_at(const struct function *function, vec3 point);
 
+/* The same for samples, which are taken while the scene is read: few steps. */
+double function_sample(const struct function *function, vec3 point);
+
 #endif

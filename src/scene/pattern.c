@@ -76,6 +76,9 @@ unsigned pattern_levels(const struct pattern *pattern)
 static double pattern_sample(const void *thing, vec3 point)
 {
     const struct pattern *pattern = thing;
+    const struct made_pattern *made = pattern->parameters;
+    if (made->function)
+        return function_sample(made->function, point);
     return pattern->kind->value(pattern, point);
 }
 

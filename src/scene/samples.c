@@ -8,7 +8,7 @@ struct terms samples_take(struct arena *arena,
                           double (*value)(const void *thing, vec3 point),
                           const void *thing)
 {
-    enum { SAMPLES = 256 };
+    enum { SAMPLES = 64 };
     double *values = ARENA_ARRAY(arena, double, SAMPLES);
     for (uint64_t i = 0; i < SAMPLES; i++) {
         double reach = ldexp(1, (int)(i % 8) - 2);
