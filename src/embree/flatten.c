@@ -199,6 +199,7 @@ static void measure_leaf(struct solid *solid, const affine *to_tree)
     const struct leaf *leaf = solid->leaf;
     const struct object *object = leaf->object;
     bool shape = object->kind == OBJECT_SHAPE;
+    bool beyond = shape ? object->primitive->beyond : object->mesh->beyond;
     bool has_inside = shape ? object->primitive->solid : object->mesh->solid;
     struct box3 box =
         shape ? object->primitive->bounds(object->shape) : object->mesh->bounds;
@@ -208,10 +209,9 @@ static void measure_leaf(struct solid *solid, const affine *to_tree)
     if (!has_inside)
         return;
     /* A disc's inside is the half space behind it. */
-    struct box3 inside =
-        shape && object->primitive->beyond ? box3_infinite() : solid->surface;
+    struct box3 inside = beyond ? box3_infinite() : solid->surface;
     solid->region = leaf->inverse ? box3_infinite() : inside;
-    if (leaf->inverse && shape && !object->primitive->beyond)
+    if (leaf->inverse && shape && !beyond)
         solid->region = solid_padded(affine_box(to_tree, complement(box)));
     solid->holes = leaf->inverse ? inside : box3_infinite();
 }

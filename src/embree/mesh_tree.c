@@ -204,9 +204,10 @@ static bool count_crossing(void *context, const struct hit *hit)
 bool mesh_tree_inside(const struct mesh_tree *tree, vec3 point)
 {
     unsigned count = 0;
-    if (!tree->mesh->solid || !box3_contains(tree->mesh->bounds, point))
+    const struct mesh *mesh = tree->mesh;
+    if (!mesh->solid || (!mesh->beyond && !box3_contains(mesh->bounds, point)))
         return false;
-    struct ray ray = { point, tree->mesh->inside_vector };
+    struct ray ray = { point, mesh->inside_vector };
     mesh_tree_crossings(tree, &ray, 0, HUGE_VAL, count_crossing, &count);
     return count % 2 == 1;
 }

@@ -21,6 +21,9 @@ struct codec_target {
     bool has_alpha, linear;
     double gamma;
     bool plain;
+    bool numbers; /* wanted: a palette's numbers, not its colours */
+    bool indexed; /* and these are such */
+    int channels, bits;
 };
 
 /* See image_read. Colours are premultiplied. */

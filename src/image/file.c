@@ -125,7 +125,8 @@ static bool file_begins_as_png(const char *path, bool *whole)
     return begins;
 }
 
-struct image *image_read(const char *path, char *error, size_t size)
+static struct image *file_read(const char *path, bool numbers, char *error,
+                               size_t size)
 {
     if (!file_readable(path, error, size))
         return NULL;
@@ -141,7 +142,8 @@ struct image *image_read(const char *path, char *error, size_t size)
         return NULL;
     struct image *image = NULL;
     struct codec_target target = { .allocate = file_allocate,
-                                   .context = &image };
+                                   .context = &image,
+                                   .numbers = numbers };
     *error = '\0';
     if (!decode(path, &target, error, size)) {
         file_tidy(error, size);
@@ -152,7 +154,20 @@ struct image *image_read(const char *path, char *error, size_t size)
     image->linear = target.linear;
     image->gamma = target.gamma;
     image->plain = target.plain;
+    image->indexed = target.indexed;
+    image->channels = target.channels;
+    image->bits = target.bits;
     return image;
+}
+
+struct image *image_read(const char *path, char *error, size_t size)
+{
+    return file_read(path, false, error, size);
+}
+
+struct image *image_read_numbers(const char *path, char *error, size_t size)
+{
+    return file_read(path, true, error, size);
 }
 
 bool image_probe(const char *path, int *width, int *height, char *error,

@@ -244,6 +244,8 @@ static bool codec_decode_checked(const char *path, struct codec_target *target,
         !target->linear && (std::strcmp(input->format_name(), "pnm") == 0 ||
                             std::strcmp(input->format_name(), "tiff") == 0);
     target->has_alpha = alpha >= 0;
+    target->channels = channels;
+    target->bits = int(spec.format.size()) * 8;
     float *pixels =
         target->allocate(target->context, spec.width, spec.height, error, size);
     if (!pixels)

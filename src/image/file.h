@@ -20,6 +20,9 @@ struct image_format {
  * into error[size]. 8- and 16-bit numbers become 0..1, not decoded. */
 struct image *image_read(const char *path, char *error, size_t size);
 
+/* The same, but of a PNG with a palette the numbers, not the colours. */
+struct image *image_read_numbers(const char *path, char *error, size_t size);
+
 /* The size of the picture in the file at `path`, if all of it can be read. On
  * failure (missing, cut short, no image) returns false with the reason. */
 bool image_probe(const char *path, int *width, int *height, char *error,

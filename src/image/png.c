@@ -202,13 +202,20 @@ static bool png_begin(png_structp png, png_infop info, struct png_reader *r)
     png_init_io(png, r->file);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_read_info(png, info);
-    png_set_expand(png);
+    r->target->indexed = r->target->numbers && png_get_color_type(png, info) ==
+                                                   PNG_COLOR_TYPE_PALETTE;
+    if (r->target->indexed)
+        png_set_packing(png);
+    else
+        png_set_expand(png);
     int passes = png_set_interlace_handling(png);
     png_read_update_info(png, info);
     r->width = (int)png_get_image_width(png, info);
     r->height = (int)png_get_image_height(png, info);
     r->channels = png_get_channels(png, info);
     r->depth = png_get_bit_depth(png, info);
+    r->target->channels = r->channels;
+    r->target->bits = r->depth;
     r->target->has_alpha = r->channels % 2 == 0;
     r->target->linear = r->target->plain = false;
     if (png_get_sRGB(png, info, &intent) || !png_get_gAMA(png, info, &gamma) ||

@@ -7,6 +7,7 @@ enum { MAP_ENTRY_LIMIT = 256 };
 struct map_builder {
     struct blend_entry *items;
     size_t count, capacity;
+    bool average; /* entries may lack their number */
 };
 
 static struct blend_map *map_finish(struct parser *p,
@@ -56,13 +57,22 @@ static bool parse_colour_map_entry(struct parser *p,
     return expect(p, TOKEN_RBRACKET, open);
 }
 
-/* pigment_map_entry = "[" float [","] pigment_body "]" . */
+/* Whether it begins a number, as an entry must that is not of an average. */
+bool parse_map_value(struct parser *p, bool average, double *value)
+{
+    *value = 1;
+    return (average && !at_number(p)) || parse_float(p, value);
+}
+
+/* pigment_map_entry = "[" [float] [","] pigment_body "]" .
+ * Only those of an average may lack the number: it is 1. */
 static bool parse_pigment_map_entry(struct parser *p,
                                     struct map_builder *builder)
 {
     struct blend_entry entry = { .pigment = p->defaults.pigment };
     struct span open;
-    if (!bracket_begin(p, &open) || !parse_float(p, &entry.value))
+    if (!bracket_begin(p, &open) ||
+        !parse_map_value(p, builder->average, &entry.value))
         return false;
     accept(p, TOKEN_COMMA);
     return parse_pigment_body(p, &entry.pigment) &&
@@ -72,14 +82,15 @@ static bool parse_pigment_map_entry(struct parser *p,
 typedef bool map_entry_rule(struct parser *p, struct map_builder *builder);
 
 static bool map_entries(struct parser *p, enum value_kind kind,
-                        map_entry_rule *rule, const struct blend_map **out)
+                        map_entry_rule *rule, bool average,
+                        const struct blend_map **out)
 {
     const struct value *value = accept_value(p, kind);
     if (value) {
         *out = value->map;
         return true;
     }
-    struct map_builder builder = { .count = 0 };
+    struct map_builder builder = { .average = average };
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         if (!rule(p, &builder))
             return false;
@@ -98,21 +109,22 @@ bool parse_colour_map(struct parser *p, const struct blend_map **out)
     struct span open;
     stream_next(p);
     return block_begin(p, &open) &&
-           block_end(
-               p, open,
-               map_entries(p, VALUE_COLOUR_MAP, parse_colour_map_entry, out));
+           block_end(p, open,
+                     map_entries(p, VALUE_COLOUR_MAP, parse_colour_map_entry,
+                                 false, out));
 }
 
 /* pigment_map = "pigment_map" "{" ( PIGMENT_MAP
  *             | pigment_map_entry {pigment_map_entry} ) "}" . */
-bool parse_pigment_map(struct parser *p, const struct blend_map **out)
+bool parse_pigment_map(struct parser *p, bool average,
+                       const struct blend_map **out)
 {
     struct span open;
     stream_next(p);
     return block_begin(p, &open) &&
-           block_end(
-               p, open,
-               map_entries(p, VALUE_PIGMENT_MAP, parse_pigment_map_entry, out));
+           block_end(p, open,
+                     map_entries(p, VALUE_PIGMENT_MAP, parse_pigment_map_entry,
+                                 average, out));
 }
 
 static struct blend_entry block_default(const struct pattern_kind *kind, int i)

@@ -11,7 +11,7 @@ struct image_cache {
     const char *path;
     enum gamma_kind space;
     double assumed_gamma, file_gamma;
-    bool premultiplied;
+    bool premultiplied, bumps, numbers;
     struct image *image;
 };
 
@@ -21,6 +21,8 @@ struct image_request {
     struct span span;
     double gamma;       /* of the file's numbers; 0: sRGB, -1: not said */
     bool premultiplied; /* the file's colours are, whatever its kind says */
+    bool numbers;       /* of a palette's entries, not their colours */
+    double *bump_size;  /* of a bump_map, where numbers are no light; NULL */
     struct image_map *map;
 };
 
@@ -29,6 +31,12 @@ static const struct field image_fields[] = {
     { .name = "interpolate" },   { .name = "filter" },
     { .name = "transmit" },      { .name = "gamma" },
     { .name = "premultiplied" }, { .name = NULL },
+};
+
+static const struct field bump_fields[] = {
+    { .name = "bump_size" }, { .name = "use_colour" },  { .name = "use_index" },
+    { .name = "map_type" },  { .name = "interpolate" }, { .name = "once" },
+    { .name = NULL },
 };
 
 static const struct unsupported_word image_unsupported[] = {
@@ -41,6 +49,7 @@ static const struct unsupported_word image_unsupported[] = {
  * 5.9). */
 struct image_decoding {
     bool plain;     /* not at all */
+    bool index;     /* they count a palette's entries */
     bool keep;      /* read as premultiplied: they are so already */
     bool linear;    /* they are light */
     double gamma;   /* light is their power; 0: sRGB */
@@ -63,7 +72,8 @@ static struct image_decoding image_decoding(const struct parser *p,
     double said = request->gamma;
     enum gamma_kind space = settings_gamma(p);
     return (struct image_decoding){
-        .plain = said < 0 && image_is_plain(p, image),
+        .index = image->indexed,
+        .plain = request->bump_size || (said < 0 && image_is_plain(p, image)),
         .keep = request->premultiplied,
         .linear = image->linear,
         .gamma = said >= 0 ? said : image->gamma,
@@ -73,6 +83,8 @@ static struct image_decoding image_decoding(const struct parser *p,
 
 static double image_decode(const struct image_decoding *how, double value)
 {
+    if (how->index)
+        return value * 255;
     if (how->plain)
         return value;
     double light = how->linear      ? value
@@ -120,7 +132,9 @@ static struct image *image_load(struct parser *p, const char *path,
                                 const struct image_request *request)
 {
     char problem[256] = "";
-    struct image *image = image_read(path, problem, sizeof problem);
+    struct image *image =
+        request->numbers ? image_read_numbers(path, problem, sizeof problem)
+                         : image_read(path, problem, sizeof problem);
     if (!image) {
         error_at(p, request->span, NULL, "can't read the image '%s': %s", path,
                  problem);
@@ -148,7 +162,9 @@ static struct image *image_find(struct parser *p, const char *path,
     for (struct image_cache *c = p->images; c; c = c->next)
         if (strcmp(c->path, path) == 0 && c->space == space &&
             c->assumed_gamma == assumed && c->file_gamma == request->gamma &&
-            c->premultiplied == request->premultiplied)
+            c->premultiplied == request->premultiplied &&
+            c->bumps == (request->bump_size != NULL) &&
+            c->numbers == request->numbers)
             return c->image;
     struct image *image = image_load(p, path, request);
     if (!image)
@@ -161,6 +177,8 @@ static struct image *image_find(struct parser *p, const char *path,
         .assumed_gamma = assumed,
         .file_gamma = request->gamma,
         .premultiplied = request->premultiplied,
+        .bumps = request->bump_size != NULL,
+        .numbers = request->numbers,
         .image = image,
     };
     p->images = cache;
@@ -180,7 +198,7 @@ static bool image_open(struct parser *p, const struct image_request *request)
 /* image_type = "gif" | "tga" | "iff" | "ppm" | "pgm" | "png" | "jpeg" | "tiff"
  *            | "sys" | "exr" | "hdr" | "bmp" .
  * The file itself tells its type better. */
-static bool parse_image_type(struct parser *p)
+bool parse_image_type(struct parser *p)
 {
     static const struct field types[] = {
         { .name = "gif" },  { .name = "tga" },  { .name = "iff" },
@@ -258,8 +276,19 @@ static bool parse_image_gamma(struct parser *p, struct image_request *request)
            error_at(p, span, "2.2", "gamma must be above 0");
 }
 
+/* bump_item = "bump_size" float | "use_colour" | "use_index" . */
+static bool parse_bump_item(struct parser *p, struct image_request *request)
+{
+    if (accept_keyword(p, KEYWORD_USE_COLOUR))
+        return true;
+    if (accept_keyword(p, KEYWORD_USE_INDEX))
+        return request->numbers = true;
+    stream_next(p);
+    return parse_float(p, request->bump_size);
+}
+
 /* image_item = map_type | "once" | interpolation | image_filter
- *            | image_gamma | "premultiplied" [bool] . */
+ *            | image_gamma | "premultiplied" [bool] | bump_item . */
 static bool parse_image_item(struct parser *p, struct image_request *request)
 {
     switch (stream_keyword(p)) {
@@ -279,9 +308,17 @@ static bool parse_image_item(struct parser *p, struct image_request *request)
     case KEYWORD_PREMULTIPLIED:
         stream_next(p);
         return parse_bool(p, &request->premultiplied);
+    case KEYWORD_BUMP_SIZE:
+    case KEYWORD_USE_COLOUR:
+    case KEYWORD_USE_INDEX:
+        if (request->bump_size)
+            return parse_bump_item(p, request);
+        /* fallthrough */
     default:
         return check_supported(p, image_unsupported) &&
-               error_unknown_item(p, "image_map", image_fields);
+               error_unknown_item(
+                   p, request->bump_size ? "bump_map" : "image_map",
+                   request->bump_size ? bump_fields : image_fields);
     }
 }
 
@@ -308,6 +345,21 @@ bool parse_image_map(struct parser *p, const struct image_map **out)
 {
     struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);
     struct image_request request = { .gamma = -1, .map = map };
+    struct span open;
+    *out = map;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, image_items(p, &request));
+}
+
+/* bump_map = "bump_map" "{" [image_type] string {[","] image_item} "}" . */
+bool parse_bump_map(struct parser *p, const struct image_map **out,
+                    double *bump_size)
+{
+    struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);
+    struct image_request request = { .gamma = -1,
+                                     .map = map,
+                                     .bump_size = bump_size };
     struct span open;
     *out = map;
     stream_next(p);

@@ -2,16 +2,12 @@
 #include "parse/rules.h"
 
 static const struct unsupported_word normal_unsupported[] = {
-    { KEYWORD_BUMP_MAP, "'bump_map'" },
     { KEYWORD_NO_BUMP_SCALE, "'no_bump_scale'" },
-    { KEYWORD_NORMAL, "a list of normals" },
-    { KEYWORD_NORMAL_MAP, "'normal_map'" },
-    { KEYWORD_SLOPE_MAP, "'slope_map'" },
     { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
 };
 
-/* normal_item = "bump_size" float | "accuracy" float . */
+/* normal_field = "bump_size" float | "accuracy" float . */
 static const struct field normal_fields[] = {
     { "bump_size", FIELD_FLOAT, offsetof(struct normal, amount), 0, 0,
       "how strong, 0.5" },
@@ -20,41 +16,91 @@ static const struct field normal_fields[] = {
     { NULL },
 };
 
-/* normal_start = pattern [","] [float] .
+static const struct field normal_names[] = {
+    { .name = "bump_size" }, { .name = "accuracy" }, { .name = "normal_map" },
+    { .name = "slope_map" }, { .name = NULL },
+};
+
+/* normal_start = bump_map | pattern [","] [float] normal_blocks .
  * The float is the bump size. */
 static bool parse_normal_start(struct parser *p, struct normal *normal,
                                bool *found)
 {
+    if (stream_keyword(p) == KEYWORD_BUMP_MAP) {
+        normal->pattern.kind = NULL;
+        *found = true;
+        return parse_bump_map(p, &normal->bumps, &normal->amount);
+    }
     if (!parse_pattern(p, &normal->pattern, found))
         return false;
-    if (*found)
+    if (*found) {
+        normal->bumps = NULL;
+        normal->map = NULL;
+        normal->slopes = NULL;
         accept(p, TOKEN_COMMA);
-    return !at_expression(p) || parse_float(p, &normal->amount);
+    }
+    if (at_expression(p) && !parse_float(p, &normal->amount))
+        return false;
+    return !*found || normal->pattern.kind->blocks == 0 ||
+           parse_pattern_end(p, &normal->pattern,
+                             parse_normal_blocks(p, normal));
+}
+
+static bool normal_is_average(const struct normal *normal)
+{
+    return normal->pattern.kind && normal->pattern.kind->average;
+}
+
+static bool normal_can_map(struct parser *p, const struct normal *normal)
+{
+    const struct pattern *pattern = &normal->pattern;
+    if (pattern->kind && pattern->kind->blocks)
+        return error_at(p, stream_span(p), NULL,
+                        "'%s' takes a list of normals, not a map",
+                        pattern_name(pattern));
+    return true;
+}
+
+/* normal_item = normal_field | normal_map | slope_map | pattern_item . */
+static bool parse_normal_item(struct parser *p, struct normal *normal,
+                              bool *found)
+{
+    const struct field *field = accept_field(p, normal_fields);
+    *found = true;
+    if (field)
+        return parse_field(p, field, normal);
+    switch (stream_keyword(p)) {
+    case KEYWORD_NORMAL_MAP:
+        return normal_can_map(p, normal) &&
+               parse_normal_map(p, normal_is_average(normal), &normal->map);
+    case KEYWORD_SLOPE_MAP:
+        return normal_can_map(p, normal) && parse_slope_map(p, &normal->slopes);
+    default:
+        return check_supported(p, normal_unsupported) &&
+               parse_pattern_item(p, &normal->pattern, found);
+    }
 }
 
 static bool normal_items(struct parser *p, struct normal *normal)
 {
-    while (stream_peek(p)->kind != TOKEN_RBRACE) {
-        bool found = true;
-        const struct field *field = accept_field(p, normal_fields);
-        if (field ? !parse_field(p, field, normal)
-                  : !check_supported(p, normal_unsupported) ||
-                        !parse_pattern_item(p, &normal->pattern, &found))
+    bool found;
+    while (!at_body_end(p)) {
+        if (!parse_normal_item(p, normal, &found))
             return false;
         if (!found)
-            return error_unknown_thing(p, "normal", normal_fields,
+            return error_unknown_thing(p, "normal", normal_names,
                                        "a pattern or a normal");
     }
-    return true;
+    return normal_count(p, normal);
 }
 
-/* normal_body = [NORMAL] [normal_start] {normal_item | pattern_item} . */
-static bool parse_normal_body(struct parser *p, const struct normal **in)
+/* normal_body = [NORMAL] [normal_start] {normal_item} . */
+bool parse_normal_body(struct parser *p, const struct normal **in)
 {
     const struct value *value = accept_value(p, VALUE_NORMAL);
     if (value)
         *in = value->normal;
-    if (value && stream_peek(p)->kind == TOKEN_RBRACE)
+    if (value && at_body_end(p))
         return true;
     struct normal *normal = ARENA_NEW(p->scene_arena, struct normal);
     bool found;
@@ -70,7 +116,10 @@ static bool parse_normal_body(struct parser *p, const struct normal **in)
     if (!check_supported(p, normal_unsupported) ||
         !parse_normal_start(p, normal, &found) || !normal_items(p, normal))
         return false;
-    if (!normal->pattern.kind) {
+    if (normal_is_average(normal) && !normal->map)
+        return error_at(p, stream_span(p), "normal_map { [1 bumps 0.5] }",
+                        "'average' needs a normal_map");
+    if (!normal->pattern.kind && !normal->bumps) {
         warning_at(p, stream_span(p), "bumps 0.5",
                    "a normal without a pattern changes nothing");
         *in = NULL;

@@ -4,15 +4,11 @@
 #include "parse/array.h"
 
 static const struct unsupported_word object_unsupported[] = {
-    { KEYWORD_BICUBIC_PATCH, "'bicubic_patch'" },
-    { KEYWORD_HEIGHT_FIELD, "'height_field'" },
-    { KEYWORD_ISOSURFACE, "'isosurface'" },
     { KEYWORD_JULIA_FRACTAL, "'julia_fractal'" },
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
     { KEYWORD_OVUS, "'ovus'" },
     { KEYWORD_PARAMETRIC, "'parametric'" },
     { KEYWORD_POLYNOMIAL, "'polynomial'" },
-    { KEYWORD_SOR, "'sor'" },
     { KEYWORD_SPHERE_SWEEP, "'sphere_sweep'" },
     { KEYWORD_NONE, NULL },
 };
@@ -38,6 +34,12 @@ static object_rule *object_keyword_rule(enum keyword keyword)
     case KEYWORD_DIFFERENCE:
     case KEYWORD_COMPOSITE:
         return parse_csg;
+    case KEYWORD_HEIGHT_FIELD:
+        return parse_height_field;
+    case KEYWORD_BICUBIC_PATCH:
+        return parse_bicubic_patch;
+    case KEYWORD_ISOSURFACE:
+        return parse_isosurface;
     case KEYWORD_LIGHT_SOURCE:
         return parse_light_source;
     case KEYWORD_MESH:
@@ -189,8 +191,8 @@ static bool parse_object_use(struct parser *p, struct object **out)
 }
 
 /* object = primitive | csg | object_use | mesh | mesh2 | triangle
- *        | smooth_triangle | blob | prism | lathe | text | light_source
- *        | OBJECT . */
+ *        | smooth_triangle | blob | prism | lathe | text | height_field
+ *        | isosurface | bicubic_patch | light_source | OBJECT . */
 bool parse_object(struct parser *p, struct object **out)
 {
     enum keyword keyword = stream_keyword(p);

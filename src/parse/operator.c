@@ -70,6 +70,58 @@ double operator_float(enum token_kind kind, double a, double b)
     }
 }
 
+#define OPERATOR(name, kind)                                                   \
+    static double operator_##name(double a, double b)                          \
+    {                                                                          \
+        return operator_float(kind, a, b);                                     \
+    }
+OPERATOR(plus, TOKEN_PLUS)
+OPERATOR(minus, TOKEN_MINUS)
+OPERATOR(times, TOKEN_STAR)
+OPERATOR(and, TOKEN_AND)
+OPERATOR(or, TOKEN_OR)
+OPERATOR(less, TOKEN_LESS)
+OPERATOR(less_equal, TOKEN_LESS_EQUAL)
+OPERATOR(greater, TOKEN_GREATER)
+OPERATOR(greater_equal, TOKEN_GREATER_EQUAL)
+OPERATOR(same, TOKEN_EQUAL)
+OPERATOR(different, TOKEN_NOT_EQUAL)
+
+static double operator_divided(double a, double b)
+{
+    return a / b;
+}
+
+double (*operator_function(enum token_kind kind))(double, double)
+{
+    switch (kind) {
+    case TOKEN_PLUS:
+        return operator_plus;
+    case TOKEN_MINUS:
+        return operator_minus;
+    case TOKEN_STAR:
+        return operator_times;
+    case TOKEN_SLASH:
+        return operator_divided;
+    case TOKEN_AND:
+        return operator_and;
+    case TOKEN_OR:
+        return operator_or;
+    case TOKEN_LESS:
+        return operator_less;
+    case TOKEN_LESS_EQUAL:
+        return operator_less_equal;
+    case TOKEN_GREATER:
+        return operator_greater;
+    case TOKEN_GREATER_EQUAL:
+        return operator_greater_equal;
+    case TOKEN_EQUAL:
+        return operator_same;
+    default:
+        return operator_different;
+    }
+}
+
 static void operator_apply_text(struct parser *p, enum token_kind kind,
                                 struct span span, struct value *left,
                                 const struct value *right)

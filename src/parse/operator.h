@@ -32,6 +32,9 @@ static inline bool operator_truth(double x)
 /* The arithmetic of two floats; a division by zero is infinite. */
 double operator_float(enum token_kind kind, double a, double b);
 
+/* The same as a function, but x / 0 as the machine divides: for functions. */
+double (*operator_function(enum token_kind kind))(double, double);
+
 /* left = left OPERATOR right, component by component: a float stands for as
  * many equal components as the other has, a shorter vector is filled with
  * zeros. A mixture that makes no sense is reported at `span` and gives

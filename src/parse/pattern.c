@@ -3,20 +3,19 @@
  * scene/pattern/. */
 #include "parse/rules.h"
 
+#include "parse/user_function.h"
+#include "scene/function.h"
+#include "scene/object_probe.h"
+
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_AOI, "the 'aoi' pattern" },
-    { KEYWORD_AVERAGE, "the 'average' pattern" },
-    { KEYWORD_BUMP_MAP, "'bump_map'" },
     { KEYWORD_CELLS, "the 'cells' pattern" },
     { KEYWORD_DENSITY_FILE, "the 'density_file' pattern" },
     { KEYWORD_FACETS, "the 'facets' pattern" },
-    { KEYWORD_FUNCTION, "the 'function' pattern" },
     { KEYWORD_IMAGE_PATTERN, "the 'image_pattern' pattern" },
     { KEYWORD_MAGNET, "the 'magnet' pattern" },
-    { KEYWORD_OBJECT, "the 'object' pattern" },
     { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
-    { KEYWORD_PIGMENT_PATTERN, "the 'pigment_pattern' pattern" },
     { KEYWORD_SLOPE, "the 'slope' pattern" },
     { KEYWORD_SPIRAL2, "the 'spiral2' pattern" },
     { KEYWORD_SQUARE, "the 'square' pattern" },
@@ -62,6 +61,7 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
 {
     struct pattern fresh = pattern_new(p->scene_arena, kind);
     fresh.inverse = pattern->inverse;
+    fresh.warps = pattern->warps;
     fresh.frequency = pattern->frequency;
     fresh.phase = pattern->phase;
     fresh.turbulent = pattern->turbulent;
@@ -69,7 +69,76 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
     *pattern = fresh;
 }
 
-/* pattern = PATTERN arguments .
+/* Samples are many looks at what it is made of: a loop may not make many. */
+static bool pattern_sampled(struct parser *p, struct pattern *pattern)
+{
+    enum { SAMPLES_COST = 1000 }; /* in rounds of a loop */
+    if (!stream_round(p, SAMPLES_COST, p->last_span))
+        return false;
+    pattern_take_samples(p->scene_arena, pattern);
+    return true;
+}
+
+/* function_pattern = "function" "{" ( field_body | body_operation ) "}" . */
+static bool parse_function_pattern(struct parser *p, struct pattern *pattern)
+{
+    struct value value;
+    struct span span = stream_span(p);
+    if (!parse_function(p, &value))
+        return false;
+    const struct function *function = value.function;
+    if (function->parameter_count != 3 || function->pigment)
+        return error_at(p, span_join(span, p->last_span), NULL,
+                        "a pattern needs a function of x, y and z that gives "
+                        "a number");
+    struct made_pattern *made = pattern->parameters;
+    made->function = function;
+    return pattern_sampled(p, pattern);
+}
+
+/* pigment_pattern = "pigment_pattern" "{" pigment_body "}" . */
+static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
+{
+    struct made_pattern *made = pattern->parameters;
+    made->pigment = p->defaults.pigment;
+    if (!parse_pigment_block(p, &made->pigment))
+        return false;
+    return pattern_sampled(p, pattern);
+}
+
+/* object_pattern = "object" "{" object block_list "}" .
+ * In normals and textures there is their own kind of list instead. It is read
+ * by whoever calls, and then parse_pattern_end. */
+static bool parse_object_pattern(struct parser *p, struct pattern *pattern)
+{
+    struct made_pattern *made = pattern->parameters;
+    struct object *object;
+    stream_next(p);
+    if (!block_begin(p, &made->open))
+        return false;
+    struct span span = stream_span(p);
+    if (!parse_object(p, &object))
+        return block_end(p, made->open, false);
+    made->object = object;
+    if (!object_is_solid(object))
+        return error_at(
+                   p, span_join(span, p->last_span), NULL,
+                   "the 'object' pattern needs an object with an inside") &&
+               block_end(p, made->open, false);
+    accept(p, TOKEN_COMMA);
+    return pattern_sampled(p, pattern) || block_end(p, made->open, false);
+}
+
+bool parse_pattern_end(struct parser *p, const struct pattern *pattern, bool ok)
+{
+    if (pattern->kind != pattern_find("object"))
+        return ok;
+    const struct made_pattern *made = pattern->parameters;
+    return block_end(p, made->open, ok);
+}
+
+/* pattern = PATTERN arguments | function_pattern | pigment_pattern
+ *         | object_pattern .
  * The name of a pattern and what its table in scene/pattern/ says. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
 {
@@ -83,39 +152,19 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
     if (!kind)
         return check_supported(p, pattern_unsupported);
     *found = true;
-    stream_next(p);
     pattern_become(p, pattern, kind);
+    switch (token->word->keyword) {
+    case KEYWORD_FUNCTION:
+        return parse_function_pattern(p, pattern);
+    case KEYWORD_OBJECT:
+        return parse_object_pattern(p, pattern);
+    case KEYWORD_PIGMENT_PATTERN:
+        return parse_pigment_pattern(p, pattern);
+    default:
+        stream_next(p);
+    }
     return !kind->arguments ||
            parse_arguments(p, kind->arguments, pattern->parameters);
-}
-
-static bool pattern_turbulence_fields(struct parser *p, struct pattern *pattern)
-{
-    const struct field *field;
-    while ((field = accept_field(p, pattern_fields)) != NULL)
-        if (!parse_field(p, field, pattern))
-            return false;
-    return stream_peek(p)->kind == TOKEN_RBRACE ||
-           error_unknown_item(p, "warp", pattern_fields);
-}
-
-/* warp = "warp" "{" "turbulence" vector {"octaves" float | "omega" float
- *      | "lambda" float} "}" .
- * Where nothing moved the pattern yet, this is its own turbulence; other
- * warps are not supported. */
-static bool parse_warp(struct parser *p, struct pattern *pattern)
-{
-    struct span span = stream_span(p), open;
-    stream_next(p);
-    if (!block_begin(p, &open))
-        return false;
-    bool simple = stream_keyword(p) == KEYWORD_TURBULENCE &&
-                  !pattern->turbulent && affine_is_identity(pattern->inverse) &&
-                  !(pattern->kind && pattern->kind->own_turbulence);
-    if (!simple)
-        return block_end(p, open, error_unsupported(p, span, "'warp'"));
-    pattern->turbulent = true;
-    return block_end(p, open, pattern_turbulence_fields(p, pattern));
 }
 
 /* noise_generator = "noise_generator" float . */

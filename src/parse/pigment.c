@@ -1,4 +1,5 @@
 /* Pigments: the colour of a surface, plain, by pattern or from an image. */
+#include "parse/function_field.h"
 #include "parse/rules.h"
 
 enum {
@@ -45,7 +46,9 @@ static bool parse_pigment_start(struct parser *p, struct pigment *pigment,
     pigment->kind = PIGMENT_PATTERN;
     pigment->map = NULL;
     return pigment->pattern.kind->blocks == 0 ||
-           parse_block_list(p, &pigment->pattern, &pigment->map);
+           parse_pattern_end(
+               p, &pigment->pattern,
+               parse_block_list(p, &pigment->pattern, &pigment->map));
 }
 
 /* A pigment_map in a pigment_map ... costs twice as much at each level. */
@@ -53,12 +56,19 @@ static bool pigment_count(struct parser *p, struct pigment *pigment)
 {
     pigment->depth = 0;
     pigment->parts = 1;
+    pigment->work = pattern_work(&pigment->pattern);
+    pigment->levels = pattern_levels(&pigment->pattern);
     for (size_t i = 0; pigment->map && i < pigment->map->count; i++) {
         const struct pigment *part = pigment->map->entries[i].pigment;
         if (part && part->depth >= pigment->depth)
             pigment->depth = part->depth + 1;
         pigment->parts += part ? part->parts : 0;
+        pigment->work += part ? part->work : 0;
+        if (part && part->levels > pigment->levels)
+            pigment->levels = part->levels;
     }
+    if (!work_check(p, pigment->work, pigment->levels))
+        return false;
     if (pigment->depth > PIGMENT_DEPTH_LIMIT)
         return error_at(p, p->last_span, NULL,
                         "pigments are nested more than %d deep",
@@ -67,6 +77,11 @@ static bool pigment_count(struct parser *p, struct pigment *pigment)
            error_at(p, p->last_span, NULL,
                     "a pigment is made of more than %d others",
                     PIGMENT_PARTS_LIMIT);
+}
+
+static bool pigment_is_average(const struct pigment *pigment)
+{
+    return pigment->kind == PIGMENT_PATTERN && pigment->pattern.kind->average;
 }
 
 static bool pigment_can_map(struct parser *p, const struct pigment *pigment)
@@ -90,7 +105,7 @@ static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
                parse_colour_map(p, &pigment->map);
     case KEYWORD_PIGMENT_MAP:
         return pigment_can_map(p, pigment) &&
-               parse_pigment_map(p, &pigment->map);
+               parse_pigment_map(p, pigment_is_average(pigment), &pigment->map);
     case KEYWORD_QUICK_COLOUR:
         stream_next(p);
         pigment->has_quick_colour = true;
@@ -122,6 +137,9 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
         else if (!found)
             return error_unknown_thing(p, "pigment", pigment_names,
                                        "a colour, a pattern or a pigment");
+    if (pigment_is_average(pigment) && !pigment->map)
+        return error_at(p, stream_span(p), "pigment_map { [1 ...] [1 ...] }",
+                        "'average' needs a pigment_map");
     return pigment_count(p, pigment);
 }
 

@@ -68,6 +68,8 @@ bool check_supported(struct parser *p, const struct unsupported_word *list);
 
 bool parse_pigment_block(struct parser *p, const struct pigment **in);
 bool parse_pigment_body(struct parser *p, const struct pigment **in);
+/* The inside of normal { } or of an entry of a normal_map. */
+bool parse_normal_body(struct parser *p, const struct normal **in);
 bool parse_normal_block(struct parser *p, const struct normal **in);
 bool parse_finish_block(struct parser *p, const struct finish **in);
 /* The inside of texture { } or of an entry of a texture_map. */
@@ -89,14 +91,35 @@ const struct texture *texture_stack(struct parser *p,
 /* pattern.c: a pattern's name and its arguments; the placing stays. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found);
 bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found);
+/* warp.c; the keyword is next. */
+bool parse_warp(struct parser *p, struct pattern *pattern);
+/* After the list of a block pattern: takes the '}' of object { }. `ok` false:
+ * skips to it, and returns false. */
+bool parse_pattern_end(struct parser *p, const struct pattern *pattern,
+                       bool ok);
 const char *pattern_name(const struct pattern *pattern);
 
 /* colour_map.c: the map after its keyword, of colours or of pigments. */
 bool parse_colour_map(struct parser *p, const struct blend_map **out);
-bool parse_pigment_map(struct parser *p, const struct blend_map **out);
+bool parse_pigment_map(struct parser *p, bool average,
+                       const struct blend_map **out);
+/* The number of an entry of a map; of an average it may be missing. */
+bool parse_map_value(struct parser *p, bool average, double *value);
+/* normal_map.c: maps after their keywords, a normal for each block. */
+bool parse_normal_map(struct parser *p, bool average,
+                      const struct normal_map **out);
+bool parse_slope_map(struct parser *p, const struct slope_map **out);
+bool parse_normal_blocks(struct parser *p, struct normal *normal);
+/* Fills depth and parts; refuses too many. */
+bool normal_count(struct parser *p, struct normal *normal);
 bool parse_block_list(struct parser *p, const struct pattern *pattern,
                       const struct blend_map **out);
 
+/* png, jpeg ... before the name of a picture, or nothing. */
+bool parse_image_type(struct parser *p);
+/* bump_map in a normal: bump_size goes where the last argument says. */
+bool parse_bump_map(struct parser *p, const struct image_map **out,
+                    double *bump_size);
 bool parse_image_map(struct parser *p, const struct image_map **out);
 
 /* ---- objects ---- */
@@ -141,6 +164,9 @@ bool parse_blob(struct parser *p, struct object **out);
 bool parse_prism(struct parser *p, struct object **out);
 bool parse_lathe(struct parser *p, struct object **out);
 bool parse_text(struct parser *p, struct object **out);
+bool parse_height_field(struct parser *p, struct object **out);
+bool parse_isosurface(struct parser *p, struct object **out);
+bool parse_bicubic_patch(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 
 /* ---- atmosphere.c; the keyword is next ---- */

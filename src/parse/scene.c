@@ -16,9 +16,7 @@ static const struct unsupported_word thing_unsupported[] = {
     { KEYWORD_DENSITY_MAP, "'density_map'" },
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
     { KEYWORD_MEDIA, "'media'" },
-    { KEYWORD_NORMAL_MAP, "'normal_map'" },
     { KEYWORD_RAINBOW, "'rainbow'" },
-    { KEYWORD_SLOPE_MAP, "'slope_map'" },
     { KEYWORD_TEXTURE_MAP, "'texture_map'" },
     { KEYWORD_WARP, "'warp'" },
     { KEYWORD_NONE, NULL },
@@ -142,7 +140,13 @@ bool parse_thing(struct parser *p, struct value *value, bool *found)
         return parse_colour_map(p, &value->map);
     case KEYWORD_PIGMENT_MAP:
         value->kind = VALUE_PIGMENT_MAP;
-        return parse_pigment_map(p, &value->map);
+        return parse_pigment_map(p, false, &value->map);
+    case KEYWORD_NORMAL_MAP:
+        value->kind = VALUE_NORMAL_MAP;
+        return parse_normal_map(p, false, &value->normal_map);
+    case KEYWORD_SLOPE_MAP:
+        value->kind = VALUE_SLOPE_MAP;
+        return parse_slope_map(p, &value->slope_map);
     default:
         /* Names of declared things are parse_expression's. */
         *found = at_object(p) && stream_peek(p)->word->reserved;

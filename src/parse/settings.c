@@ -33,7 +33,6 @@ static const struct field setting_names[] = {
 };
 
 static const struct unsupported_word setting_unsupported[] = {
-    { KEYWORD_PHOTONS, "'photons'" },
     { KEYWORD_SUBSURFACE, "'subsurface'" },
     { KEYWORD_NONE, NULL },
 };
@@ -128,7 +127,32 @@ static bool setting_field(struct parser *p, const struct field *field)
     return true;
 }
 
-/* light_setting = light_mesh | skeleton | radiosity . */
+/* photon_value = word [expression {[","] expression}] . */
+static bool parse_photon_value(struct parser *p)
+{
+    struct value ignored;
+    if (stream_peek(p)->kind != TOKEN_WORD)
+        return error_expected(p, "a setting of 'photons' or '}'");
+    stream_next(p);
+    while (at_expression(p) && stream_peek(p)->kind != TOKEN_WORD) {
+        if (!parse_expression(p, &ignored))
+            return false;
+        accept(p, TOKEN_COMMA);
+    }
+    return true;
+}
+
+/* photons = "photons" "{" {photon_value} "}" .
+ * The light they would bring is missing. */
+static bool parse_photons(struct parser *p)
+{
+    warning_at(p, stream_span(p), "interior { caustics 1 }",
+               "glim traces no photons: shadows of glass have its colour, but "
+               "light is neither focused by it nor thrown by mirrors");
+    return block_items(p, parse_photon_value);
+}
+
+/* light_setting = light_mesh | skeleton | radiosity | photons . */
 static bool parse_light_setting(struct parser *p, bool *found)
 {
     *found = true;
@@ -138,6 +162,8 @@ static bool parse_light_setting(struct parser *p, bool *found)
         return parse_skeleton(p);
     if (stream_keyword(p) == KEYWORD_RADIOSITY)
         return parse_radiosity(p);
+    if (stream_keyword(p) == KEYWORD_PHOTONS)
+        return parse_photons(p);
     *found = false;
     return true;
 }

@@ -4,7 +4,6 @@
 
 static const struct unsupported_word texture_unsupported[] = {
     { KEYWORD_MATERIAL_MAP, "'material_map'" },
-    { KEYWORD_AVERAGE, "the 'average' of textures" },
     { KEYWORD_TILES, "'tiles'" },
     { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },

@@ -25,13 +25,14 @@ static bool choice_push(struct parser *p, struct choice_builder *b,
     return true;
 }
 
-/* texture_map_entry = "[" float [","] texture_body "]" . */
+/* texture_map_entry = "[" [float] [","] texture_body "]" . */
 static bool parse_texture_map_entry(struct parser *p, struct choice_builder *b)
 {
     const struct texture *texture;
     struct span open;
     double value;
-    if (!bracket_begin(p, &open) || !parse_float(p, &value))
+    bool average = b->choice->pattern.kind->average;
+    if (!bracket_begin(p, &open) || !parse_map_value(p, average, &value))
         return false;
     accept(p, TOKEN_COMMA);
     return parse_texture_body(p, &texture) &&
@@ -112,6 +113,10 @@ static bool choice_gather(struct parser *p, const struct choice_builder *b,
     if (choice->depth > TEXTURE_DEPTH)
         return error_at(p, p->last_span, NULL,
                         "textures are nested more than %d deep", TEXTURE_DEPTH);
+    if (choice->pattern.kind->average && texture->count > TEXTURE_LAYERS)
+        return error_at(p, p->last_span, NULL,
+                        "an average is made of at most %d layers of textures",
+                        TEXTURE_LAYERS);
     if (texture->count > CHOICE_PARTS_LIMIT)
         return error_at(p, p->last_span, NULL,
                         "a texture is made of more than %d layers",
@@ -145,6 +150,7 @@ bool parse_texture_choice(struct parser *p, const struct texture **out,
     b.choice->pattern = pattern;
     b.choice->depth = 1;
     *out = texture;
-    return (!pattern.kind->blocks || parse_texture_blocks(p, &b)) &&
+    return (!pattern.kind->blocks ||
+            parse_pattern_end(p, &pattern, parse_texture_blocks(p, &b))) &&
            choice_items(p, &b) && choice_gather(p, &b, texture);
 }

@@ -5,15 +5,15 @@
 
 #include "parse/expression.h"
 #include "parse/function.h"
-#include "parse/function_code.h"
+#include "parse/function_field.h"
+#include "parse/operator.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
 #include "parse/unsupported.h"
+#include "scene/function_field.h"
 
 enum {
     FUNCTION_DEPTH_LIMIT = 100,
-    FUNCTION_STEP_LIMIT = 50000000, /* of one call: functions that call two
-                                     * functions that call two ... */
     FUNCTION_NAMES = FUNCTION_PARAMETERS + PARSE_NESTING_LIMIT,
 };
 
@@ -37,8 +37,9 @@ static void compile_height(struct compiler *c, unsigned height)
 static struct step *compile_step(struct compiler *c, enum step_kind kind,
                                  int change)
 {
-    struct step *step = ARRAY_PUSH(c->p->arena, &c->function->steps);
+    struct step *step = ARRAY_PUSH(c->p->scene_arena, &c->function->steps);
     *step = (struct step){ .kind = kind };
+    c->function->work++;
     c->height = (unsigned)((int)c->height + change);
     compile_height(c, c->height);
     return step;
@@ -128,6 +129,17 @@ static bool parse_loop(struct compiler *c, enum step_kind kind)
     return ok;
 }
 
+/* A part of the colour, its place being on the stack. */
+static bool compile_pigment(struct compiler *c, const struct function *callee)
+{
+    int part;
+    if (!parse_colour_part(c->p, &part))
+        return false;
+    compile_step(c, STEP_FIELD, -2)->field =
+        field_of_pigment(c->p->scene_arena, callee->pigment, part);
+    return true;
+}
+
 static bool compile_call(struct compiler *c, const struct word *word,
                          const struct function *callee)
 {
@@ -146,6 +158,13 @@ static bool compile_call(struct compiler *c, const struct word *word,
                         "functions call functions more than %d "
                         "deep",
                         FUNCTION_DEPTH_LIMIT);
+    c->function->work += callee->work;
+    if (c->function->levels < callee->levels)
+        c->function->levels = callee->levels;
+    if (!work_check(p, c->function->work, c->function->levels))
+        return false;
+    if (callee->pigment)
+        return compile_pigment(c, callee);
     compile_step(c, STEP_CALL, 1 - n)->function = callee;
     return true;
 }
@@ -256,7 +275,7 @@ static bool compile_climb(struct compiler *c, int lowest)
         stream_next(c->p);
         if (!compile_climb(c, precedence + 1))
             return false;
-        compile_step(c, STEP_OPERATOR, -1)->operator= kind;
+        compile_step(c, STEP_TWO, -1)->two = operator_function(kind);
     }
 }
 
@@ -310,17 +329,11 @@ static bool parse_parameters(struct compiler *c)
     return expect(p, TOKEN_RPAREN, open);
 }
 
-/* Functions made of a pattern, a pigment ...: read over, for the standard
- * includes declare many. */
+/* Functions made of a spline, an image ...: read over, for they may be declared
+ * and never used. */
 static const char *function_feature(enum keyword keyword)
 {
     switch (keyword) {
-    case KEYWORD_INTERNAL:
-        return "functions made with internal()";
-    case KEYWORD_PATTERN:
-        return "functions made of a pattern";
-    case KEYWORD_PIGMENT:
-        return "functions made of a pigment";
     case KEYWORD_SPLINE:
         return "functions made of a spline";
     case KEYWORD_TRANSFORM:
@@ -364,6 +377,8 @@ static bool compile_body(struct compiler *c)
         c->unsupported = true;
         return function_skip(p, feature);
     }
+    if (at_field_body(p))
+        return parse_field_body(p, c->function);
     if (!parse_body_operation(c, 0))
         return false;
     if (c->function->slots + (int)c->function->height > FUNCTION_STACK)
@@ -374,11 +389,13 @@ static bool compile_body(struct compiler *c)
     return true;
 }
 
-/* function = "function" [parameters] "{" body_operation "}" . */
+/* function = "function" [parameters] "{" ( field_body | body_operation ) "}" .
+ */
 bool parse_function(struct parser *p, struct value *value)
 {
     struct compiler c = { .p = p,
-                          .function = ARENA_NEW(p->arena, struct function) };
+                          .function =
+                              ARENA_NEW(p->scene_arena, struct function) };
     struct span open;
     stream_next(p);
     if (!parse_parameters(&c) || !block_begin(p, &open) ||
@@ -415,6 +432,14 @@ static bool parse_argument_list(struct parser *p, const struct word *name,
     return expect(p, TOKEN_RPAREN, open);
 }
 
+static struct value value_of_pigment(const struct pigment *pigment,
+                                     const double *place)
+{
+    colour c = pigment_colour(pigment, vec3_make(place[0], place[1], place[2]));
+    return (struct value){ .kind = VALUE_COLOUR,
+                           .number = { c.r, c.g, c.b, c.filter, c.transmit } };
+}
+
 bool function_call(struct parser *p, const struct function *function,
                    const struct word *name, struct value *value)
 {
@@ -431,7 +456,9 @@ bool function_call(struct parser *p, const struct function *function,
     if (!brackets_end(p, outer, ok))
         return false;
     *value = value_poison();
-    if (!poison)
+    if (!poison && function->pigment)
+        *value = value_of_pigment(function->pigment, arguments);
+    else if (!poison)
         *value = value_float(function_evaluate(function, arguments, &steps));
     if (steps == 0) {
         error_at(p, at, NULL,

@@ -26,6 +26,8 @@ enum value_kind {
     VALUE_CAMERA,
     VALUE_COLOUR_MAP,
     VALUE_PIGMENT_MAP,
+    VALUE_NORMAL_MAP,
+    VALUE_SLOPE_MAP,
     VALUE_FOG,
     VALUE_SKY_SPHERE,
     VALUE_UNSUPPORTED, /* using it is the error kept in `unsupported` */
@@ -57,6 +59,8 @@ struct value {
         const affine *transform;
         const struct camera *camera;
         const struct blend_map *map;
+        const struct normal_map *normal_map;
+        const struct slope_map *slope_map;
         const struct fog *fog;
         const struct sky_sphere *sky;
         const struct unsupported *unsupported;

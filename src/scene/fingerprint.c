@@ -1,5 +1,6 @@
 /* A walk through everything that the scene holds: see fingerprint.h. Structs
  * are hashed member by member, as they have padding and pointers. */
+#include "scene/warp.h"
 #include "scene/fingerprint.h"
 
 #include "base/hash.h"
@@ -89,6 +90,12 @@ static uint64_t pattern_hash(uint64_t hash, const struct pattern *pattern)
         turbulence->amount.y, turbulence->amount.z,
     };
     hash = hash_affine(hash, &pattern->inverse);
+    for (const struct warp *warp = pattern->warps; warp; warp = warp->inner) {
+        double all[WARP_NUMBERS];
+        warp_numbers(warp, all);
+        hash =
+            hash_affine(hash_numbers(hash, all, WARP_NUMBERS), &warp->inverse);
+    }
     hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
     if (!kind)
         return hash;
@@ -109,6 +116,16 @@ static uint64_t image_hash(struct walk *walk, const struct image *image)
     return known_add(walk, image, hash);
 }
 
+static uint64_t image_map_hash(struct walk *walk, uint64_t hash,
+                               const struct image_map *image)
+{
+    const double numbers[] = { image->projection, image->interpolation,
+                               image->once, image->filter_all,
+                               image->transmit_all };
+    hash = hash_numbers(hash, numbers, 5);
+    return random_key(hash, image_hash(walk, image->image));
+}
+
 static uint64_t pigment_hash(struct walk *walk, uint64_t hash,
                              const struct pigment *pigment)
 {
@@ -117,13 +134,8 @@ static uint64_t pigment_hash(struct walk *walk, uint64_t hash,
     hash = hash_colour(hash, pigment->colour);
     if (pigment->has_quick_colour)
         hash = hash_colour(hash, pigment->quick_colour);
-    if (image) {
-        const double numbers[] = { image->projection, image->interpolation,
-                                   image->once, image->filter_all,
-                                   image->transmit_all };
-        hash = hash_numbers(hash, numbers, 5);
-        hash = random_key(hash, image_hash(walk, image->image));
-    }
+    if (image)
+        hash = image_map_hash(walk, hash, image);
     if (!pigment->map)
         return hash;
     for (size_t i = 0; i < pigment->map->count; i++) {
@@ -152,11 +164,23 @@ static uint64_t finish_hash(uint64_t hash, const struct finish *f)
     return hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
 }
 
-static uint64_t normal_hash(uint64_t hash, const struct normal *normal)
+static uint64_t normal_hash(struct walk *walk, uint64_t hash,
+                            const struct normal *normal)
 {
     hash = pattern_hash(hash, &normal->pattern);
-    return hash_numbers(
+    hash = hash_numbers(
         hash, (const double[]){ normal->amount, normal->accuracy }, 2);
+    for (size_t i = 0; normal->map && i < normal->map->count; i++) {
+        const struct normal_entry *entry = &normal->map->entries[i];
+        hash = hash_numbers(hash, &entry->value, 1);
+        hash = entry->normal ? normal_hash(walk, hash, entry->normal) : hash;
+    }
+    if (normal->bumps)
+        hash = image_map_hash(walk, hash, normal->bumps);
+    const struct slope_map *slopes = normal->slopes;
+    return slopes
+               ? hash_numbers(hash, &slopes->entries->value, 3 * slopes->count)
+               : hash;
 }
 
 static uint64_t texture_hash(struct walk *walk, const struct texture *texture)
@@ -179,7 +203,7 @@ static uint64_t texture_hash(struct walk *walk, const struct texture *texture)
         hash = pigment_hash(walk, hash, layer->pigment);
         hash = finish_hash(hash, layer->finish);
         if (layer->normal)
-            hash = normal_hash(hash, layer->normal);
+            hash = normal_hash(walk, hash, layer->normal);
     }
     return known_add(walk, texture, hash);
 }

@@ -139,6 +139,39 @@ colour image_map_colour(const struct image_map *map, vec3 point)
     return image_blend(map, x, y);
 }
 
+static double image_grey(const struct image_map *map, double x, double y)
+{
+    const struct image *image = map->image;
+    x -= image->width * floor(x / image->width);
+    y -= image->height * floor(y / image->height);
+    colour c = map->interpolation == IMAGE_NEAREST
+                   ? image_texel(map, (int)x, (int)y)
+                   : image_blend(map, x, y);
+    return 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
+}
+
+/* Measured: from the heights at the pixel and at those left and right of the
+ * one below, whatever the size of a pixel is; as if the picture stood upright
+ * on the surface there. */
+vec3 image_map_tilt(const struct image_map *map, vec3 point, vec3 normal)
+{
+    const struct image *image = map->image;
+    struct place place = image_place(map, point);
+    if (!place.valid || !image || image->width < 1 || image->height < 1)
+        return vec3_make(0, 0, 0);
+    double x = place.u * image->width, y = place.v * image->height;
+    double here = image_grey(map, x, y);
+    double left = image_grey(map, x - 1, y - 1);
+    double right = image_grey(map, x + 1, y - 1);
+    vec3 across = vec3_cross(normal, vec3_make(0, 1, 0));
+    double length = vec3_length(across);
+    across =
+        length > 1e-6 ? vec3_scale(across, 1 / length) : vec3_make(1, 0, 0);
+    vec3 tilt = vec3_scale(across, (left - right) / 2);
+    return vec3_along(tilt, vec3_cross(across, normal),
+                      (left + right) / 2 - here);
+}
+
 bool image_map_is_opaque(const struct image_map *map)
 {
     const struct image *image = map->image;

@@ -18,12 +18,27 @@ struct interior interior_default(void)
     return (struct interior){ .ior = 1 };
 }
 
+static int texture_average(const struct texture_choice *choice,
+                           struct texture_pick picks[TEXTURE_PICKS])
+{
+    int count = (int)choice->count;
+    double total = 0;
+    for (int i = 0; i < count; i++)
+        total += choice->entries[i].value;
+    for (int i = 0; i < count; i++)
+        picks[i] = (struct texture_pick){ choice->entries[i].texture,
+                                          choice->entries[i].value / total };
+    return count;
+}
+
 int texture_choose(const struct texture_choice *choice, vec3 point,
-                   struct texture_pick picks[2], vec3 *located)
+                   struct texture_pick picks[TEXTURE_PICKS], vec3 *located)
 {
     const struct texture_entry *entries = choice->entries;
     size_t after = 0, last = choice->count - 1;
     *located = pattern_locate(&choice->pattern, point);
+    if (choice->pattern.kind->average)
+        return texture_average(choice, picks);
     double value = pattern_value_at(&choice->pattern, *located);
     while (after < last && entries[after].value < value)
         after++;
@@ -42,7 +57,7 @@ rgb texture_transmittance(const struct texture *texture, vec3 point)
 {
     rgb through = rgb_grey(1);
     if (texture->choice) {
-        struct texture_pick picks[2];
+        struct texture_pick picks[TEXTURE_PICKS];
         vec3 located;
         int count = texture_choose(texture->choice, point, picks, &located);
         through = rgb_grey(0);

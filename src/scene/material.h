@@ -61,8 +61,32 @@ struct pigment {
     const struct image_map *image;
     unsigned depth, parts; /* of pigment_maps in each other: levels, and
                             * entries in all; the parser limits both */
+    double work;           /* steps for one point, as of functions */
+    unsigned levels;       /* likewise; the parser limits these, too */
     bool has_quick_colour;
     colour quick_colour; /* used at quality 5 and below */
+};
+
+struct normal;
+
+struct normal_entry {
+    double value;                /* of a block pattern: the block's number */
+    const struct normal *normal; /* NULL: plain */
+};
+
+struct normal_map {
+    struct normal_entry *entries;
+    size_t count;
+};
+
+/* Where the pattern has this value, the bumps have this height and slope. */
+struct slope_entry {
+    double value, height, slope;
+};
+
+struct slope_map {
+    struct slope_entry *entries;
+    size_t count;
 };
 
 /* Perturbs the shading normal. */
@@ -70,7 +94,10 @@ struct normal {
     struct pattern pattern;
     double amount;   /* bump size; 0.5 by default */
     double accuracy; /* step of the numerical gradient, 0.02 by default */
-    const struct blend_map *map; /* always NULL today */
+    const struct normal_map *map;   /* of other normals, or NULL */
+    const struct slope_map *slopes; /* or NULL */
+    const struct image_map *bumps;  /* instead of a pattern, or NULL */
+    unsigned depth, parts; /* of maps in each other, limited as pigments' */
 };
 
 struct reflection {
@@ -133,7 +160,10 @@ struct texture {
     const struct texture_choice *choice; /* or NULL */
 };
 
-/* What a choice picks: one texture or the blend of two. */
+enum { TEXTURE_PICKS = TEXTURE_LAYERS };
+
+/* What a choice picks: one texture, the blend of two, or of all if its pattern
+ * is average; those are as many as TEXTURE_PICKS. */
 struct texture_pick {
     const struct texture *texture;
     double share;
@@ -142,7 +172,7 @@ struct texture_pick {
 /* Fills picks for a point of the texture's space; returns how many. *located is
  * the point in the space of what is picked. */
 int texture_choose(const struct texture_choice *choice, vec3 point,
-                   struct texture_pick picks[2], vec3 *located);
+                   struct texture_pick picks[TEXTURE_PICKS], vec3 *located);
 
 /* The share of light that passes the whole texture at a point of its space. */
 rgb texture_transmittance(const struct texture *texture, vec3 point);

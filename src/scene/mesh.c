@@ -147,12 +147,35 @@ vec3 mesh_face(const struct mesh *mesh, size_t index)
                       vec3_sub(mesh->vertices[p[2]], a));
 }
 
+/* Between the four normals around the point. */
+static vec3 mesh_grid_normal(const struct mesh *mesh, vec3 point)
+{
+    double x = fmin(fmax(point.x, 0), 1) * (mesh->columns - 1);
+    double y = fmin(fmax(1 - point.z, 0), 1) * (mesh->rows - 1);
+    int i = (int)fmin(x, mesh->columns - 2), j = (int)fmin(y, mesh->rows - 2);
+    const vec3 *above = mesh->normals + (size_t)j * (size_t)mesh->columns + i;
+    const vec3 *below = above + mesh->columns;
+    return vec3_mix(vec3_mix(above[0], above[1], x - i),
+                    vec3_mix(below[0], below[1], x - i), y - j);
+}
+
+static vec3 mesh_point(const struct mesh *mesh, size_t index, double u,
+                       double v)
+{
+    const uint32_t *p = mesh->triangles[index].vertex;
+    vec3 point = vec3_scale(mesh->vertices[p[0]], 1 - u - v);
+    point = vec3_along(point, mesh->vertices[p[1]], u);
+    return vec3_along(point, mesh->vertices[p[2]], v);
+}
+
 vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v)
 {
     const struct mesh_triangle *triangle = &mesh->triangles[index];
     const uint32_t *n = triangle->normal;
     if (n[0] == MESH_NONE)
         return mesh_face(mesh, index);
+    if (mesh->columns)
+        return mesh_grid_normal(mesh, mesh_point(mesh, index, u, v));
     vec3 normal = vec3_scale(mesh->normals[n[0]], 1 - u - v);
     normal = vec3_along(normal, mesh->normals[n[1]], u);
     normal = vec3_along(normal, mesh->normals[n[2]], v);

@@ -30,6 +30,10 @@ struct mesh {
     size_t texture_count;
     bool solid;         /* has an inside_vector */
     vec3 inside_vector; /* direction of the ray that counts crossings */
+    /* Of a height field: its normals are those of a grid of so many points
+     * over the square from 0 to 1 in x and z; the first are at z = 1. */
+    int columns, rows;
+    bool beyond; /* its inside reaches beyond its bounds */
     struct box3 bounds;
 };
 

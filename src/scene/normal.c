@@ -1,12 +1,36 @@
 /* Normals: bumps that exist only in the shading. All was measured with POV-Ray
  * 3.7: the tilt is computed in the pattern's own space, so that a texture's
  * bumps grow with it when it is scaled. */
+#include "scene/image_map.h"
 #include "scene/material.h"
+
+/* Between two entries a cubic with their heights and slopes at its ends. */
+static double slope_height(const struct slope_map *map, double value)
+{
+    const struct slope_entry *entries = map->entries;
+    size_t after = 0;
+    while (after < map->count && entries[after].value < value)
+        after++;
+    if (after == 0)
+        return entries[0].height;
+    if (after == map->count)
+        return entries[after - 1].height;
+    const struct slope_entry *a = &entries[after - 1], *b = &entries[after];
+    double span = b->value - a->value, t = (value - a->value) / span;
+    double s = 1 - t;
+    return s * s * (1 + 2 * t) * a->height + t * t * (1 + 2 * s) * b->height +
+           s * t * (s * a->slope - t * b->slope);
+}
+
+static double normal_value(const struct normal *normal, vec3 located)
+{
+    double value = pattern_value_at(&normal->pattern, located);
+    return normal->slopes ? slope_height(normal->slopes, value) : value;
+}
 
 /* The value's slope by differences along the corners of a tetrahedron; where
  * the value is linear this is 2/15 of its gradient for whatever accuracy. */
-static vec3 pattern_slope(const struct pattern *pattern, vec3 point,
-                          double accuracy)
+static vec3 normal_slope(const struct normal *normal, vec3 point)
 {
     static const vec3 corners[4] = {
         { 0.94280904158206336, -1.0 / 3, 0 },
@@ -16,10 +40,10 @@ static vec3 pattern_slope(const struct pattern *pattern, vec3 point,
     };
     vec3 sum = { 0, 0, 0 };
     for (int i = 0; i < 4; i++) {
-        vec3 at = vec3_along(point, corners[i], accuracy);
-        sum = vec3_along(sum, corners[i], pattern_value_at(pattern, at));
+        vec3 at = vec3_along(point, corners[i], normal->accuracy);
+        sum = vec3_along(sum, corners[i], normal_value(normal, at));
     }
-    return vec3_scale(sum, 0.1 / accuracy);
+    return vec3_scale(sum, 0.1 / normal->accuracy);
 }
 
 /* The unit normal in the pattern's space: by the cofactors of the map there,
@@ -37,21 +61,72 @@ static vec3 normal_into_pattern(const affine *map, vec3 normal)
     return vec3_normalise(mirrored ? vec3_negate(local) : local);
 }
 
+static vec3 entry_normal(const struct normal_entry *entry, vec3 point,
+                         vec3 normal)
+{
+    return entry->normal ? normal_perturbed(entry->normal, point, normal)
+                         : normal;
+}
+
+static vec3 average_normal(const struct normal_map *map, vec3 point,
+                           vec3 normal)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (size_t i = 0; i < map->count; i++)
+        sum = vec3_along(sum, entry_normal(&map->entries[i], point, normal),
+                         map->entries[i].value);
+    return sum;
+}
+
+/* What the pattern picks of other normals, in its own space. */
+static vec3 map_normal(const struct normal *perturbation, vec3 point,
+                       vec3 normal)
+{
+    const struct pattern_kind *kind = perturbation->pattern.kind;
+    const struct normal_map *map = perturbation->map;
+    const struct normal_entry *entries = map->entries;
+    if (kind->average)
+        return average_normal(map, point, normal);
+    double value = pattern_value_at(&perturbation->pattern, point);
+    size_t after = 0, last = map->count - 1;
+    while (after < last && entries[after].value < value)
+        after++;
+    vec3 high = entry_normal(&entries[after], point, normal);
+    if (after == 0 || entries[after].value <= value || kind->blocks)
+        return high;
+    double t = (value - entries[after - 1].value) /
+               (entries[after].value - entries[after - 1].value);
+    return vec3_mix(entry_normal(&entries[after - 1], point, normal), high, t);
+}
+
+static vec3 normal_tilted(const struct normal *perturbation, vec3 point,
+                          vec3 normal)
+{
+    const struct pattern *pattern = &perturbation->pattern;
+    vec3 tilt;
+    if (perturbation->map)
+        return map_normal(perturbation, point, normal);
+    if (perturbation->bumps)
+        tilt = image_map_tilt(perturbation->bumps, point, normal);
+    else if (pattern->kind->perturbation && !perturbation->slopes)
+        tilt = pattern->kind->perturbation(pattern, point, normal);
+    else
+        tilt = vec3_negate(normal_slope(perturbation, point));
+    return vec3_along(normal, tilt, perturbation->amount);
+}
+
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
                       vec3 normal)
 {
     const struct pattern *pattern = &perturbation->pattern;
-    if (!pattern->kind || perturbation->amount == 0)
+    if ((!pattern->kind && !perturbation->bumps) ||
+        (perturbation->amount == 0 && !perturbation->map))
         return normal;
     vec3 at = pattern_locate(pattern, point);
-    vec3 local = normal_into_pattern(&pattern->inverse, normal);
-    vec3 tilt;
-    if (pattern->kind->perturbation)
-        tilt = pattern->kind->perturbation(pattern, at, local);
-    else
-        tilt = vec3_negate(pattern_slope(pattern, at, perturbation->accuracy));
-    local = vec3_along(local, tilt, perturbation->amount);
-    vec3 result = vec3_normalise(affine_normal(&pattern->inverse, local));
+    affine inward = pattern_affine(pattern);
+    vec3 local = normal_into_pattern(&inward, normal);
+    local = normal_tilted(perturbation, at, local);
+    vec3 result = vec3_normalise(affine_normal(&inward, local));
     double length = vec3_dot(result, result);
     return length > 0.5 && length < 2 ? result : normal;
 }

@@ -3,7 +3,12 @@
 #include "scene/pattern.h"
 
 #include "base/listing.h"
+#include "scene/function.h"
+#include "scene/material.h"
 #include "scene/noise.h"
+#include "scene/object.h"
+#include "scene/samples.h"
+#include "scene/warp.h"
 
 #define X(name) extern const struct pattern_kind name##_pattern;
 #include "scene/pattern/list.h"
@@ -35,6 +40,54 @@ struct pattern pattern_new(struct arena *arena, const struct pattern_kind *kind)
     return pattern;
 }
 
+const struct field made_pattern_fields[] = {
+    { "samples", FIELD_TERMS, offsetof(struct made_pattern, samples), 0, 0,
+      "values of what it is made of" },
+    { NULL },
+};
+
+static const struct made_pattern *pattern_made(const struct pattern *pattern)
+{
+    bool made =
+        pattern->kind && pattern->kind->arguments == made_pattern_fields;
+    return made ? pattern->parameters : NULL;
+}
+
+double pattern_work(const struct pattern *pattern)
+{
+    const struct made_pattern *made = pattern_made(pattern);
+    if (!made)
+        return 1;
+    return 1 + (made->function ? made->function->work : 0) +
+           (made->pigment ? made->pigment->work : 0) +
+           (made->object ? (double)made->object->parts : 0);
+}
+
+unsigned pattern_levels(const struct pattern *pattern)
+{
+    const struct made_pattern *made = pattern_made(pattern);
+    if (!made)
+        return 0;
+    return 1 + (made->function  ? made->function->levels
+                : made->pigment ? made->pigment->levels
+                                : 0);
+}
+
+static double pattern_sample(const void *thing, vec3 point)
+{
+    const struct pattern *pattern = thing;
+    const struct made_pattern *made = pattern->parameters;
+    if (made->function)
+        return function_sample(made->function, point);
+    return pattern->kind->value(pattern, point);
+}
+
+void pattern_take_samples(struct arena *arena, struct pattern *pattern)
+{
+    struct made_pattern *made = pattern->parameters;
+    made->samples = samples_take(arena, pattern_sample, pattern);
+}
+
 void pattern_transform(struct pattern *pattern, const affine *transform)
 {
     affine inverse;
@@ -42,9 +95,19 @@ void pattern_transform(struct pattern *pattern, const affine *transform)
         pattern->inverse = affine_compose(pattern->inverse, inverse);
 }
 
+affine pattern_affine(const struct pattern *pattern)
+{
+    affine all = pattern->inverse;
+    for (const struct warp *w = pattern->warps; w; w = w->inner)
+        all = affine_compose(w->inverse, all);
+    return all;
+}
+
 vec3 pattern_locate(const struct pattern *pattern, vec3 point)
 {
     point = affine_point(&pattern->inverse, point);
+    if (pattern->warps)
+        point = warp_all(pattern->warps, point);
     if (!pattern->turbulent || (pattern->kind && pattern->kind->own_turbulence))
         return point;
     vec3 step = noise_vector_turbulence(point, &pattern->turbulence);

@@ -7,6 +7,7 @@
 #include "base/affine.h"
 #include "base/arena.h"
 #include "base/field.h"
+#include "text/source.h"
 
 /* How the raw value of a pattern is folded into [0,1]; see pattern.c. */
 enum wave {
@@ -26,19 +27,40 @@ struct turbulence {
 };
 
 struct pattern_kind;
+struct warp;
 struct blend_map; /* scene/material.h */
+struct pigment;
+struct function;
+struct object;
 
 /* A pattern in use. */
 struct pattern {
     const struct pattern_kind *kind; /* NULL: only the placing below counts */
     void *parameters;                /* kind->size bytes */
-    affine inverse;                  /* from the texture's space into its own */
+    affine inverse; /* from the texture's space into its own, but for these: */
+    const struct warp *warps; /* after it, or NULL */
     enum wave wave;
     double exponent; /* of poly_wave */
     double frequency, phase;
     bool turbulent;
     struct turbulence turbulence;
 };
+
+/* The parameters of patterns made of other things: one of these. */
+struct made_pattern {
+    struct terms samples; /* see scene/samples.h */
+    const struct function *function;
+    const struct pigment *pigment;
+    const struct object *object;
+    struct span open; /* of the '{' of an object pattern */
+};
+
+/* What one point of it takes, and how deep it is made of other things. */
+double pattern_work(const struct pattern *pattern);
+unsigned pattern_levels(const struct pattern *pattern);
+
+/* The table that fingerprints see; nothing is read by it. */
+extern const struct field made_pattern_fields[];
 
 struct pattern_kind {
     const char *name;
@@ -56,6 +78,7 @@ struct pattern_kind {
     /* Colours of a continuous pattern where the scene names none; NULL: black
      * to white. */
     const struct blend_map *map;
+    bool average; /* the map's entries are mixed: it needs one */
     /* Some patterns use their turbulence themselves, inside value(). */
     bool own_turbulence;
     /* The raw value at a point of the pattern's space, before frequency,
@@ -74,6 +97,12 @@ struct pattern pattern_new(struct arena *arena,
 /* The point of the pattern's own space for a point of the texture's:
  * transformation, then turbulence. */
 vec3 pattern_locate(const struct pattern *pattern, vec3 point);
+
+/* As far as it is affine: the warps left out. For normals. */
+affine pattern_affine(const struct pattern *pattern);
+
+/* Fills in the samples of one that is made of something else. */
+void pattern_take_samples(struct arena *arena, struct pattern *pattern);
 
 /* The value in [0,1] at a point of the texture's space, frequency, phase and
  * wave form applied; for block patterns the block's number. Above 1 only with

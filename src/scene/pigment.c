@@ -51,6 +51,23 @@ static colour map_colour(const struct blend_map *map, double value, vec3 point,
                       entry_colour(after, point, depth), t);
 }
 
+/* The entries' numbers are their weights. */
+static colour average_colour(const struct blend_map *map, vec3 point, int depth)
+{
+    colour sum = { 0 };
+    double total = 0;
+    for (size_t i = 0; i < map->count; i++) {
+        double weight = map->entries[i].value;
+        colour c = entry_colour(&map->entries[i], point, depth);
+        sum = (colour){ sum.r + weight * c.r, sum.g + weight * c.g,
+                        sum.b + weight * c.b, sum.filter + weight * c.filter,
+                        sum.transmit + weight * c.transmit };
+        total += weight;
+    }
+    return (colour){ sum.r / total, sum.g / total, sum.b / total,
+                     sum.filter / total, sum.transmit / total };
+}
+
 /* Blocks that the scene gives no colour have the pattern's own; in a list of
  * pigments they are black. */
 static colour block_colour(const struct pigment *pigment, double value,
@@ -85,6 +102,8 @@ static colour pattern_colour(const struct pigment *pigment, vec3 point,
         map = pattern->kind->map;
     if (!map || map->count == 0)
         return colour_opaque(rgb_grey(value));
+    if (pattern->kind->average)
+        return average_colour(map, located, depth);
     return map_colour(map, value, located, depth);
 }
 

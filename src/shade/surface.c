@@ -95,14 +95,14 @@ static rgb surface_add(struct surface *surface, const struct surface_view *view,
     const struct texture_choice *choice = place->texture->choice;
     if (!choice)
         return surface_add_layers(surface, view, place, weight);
-    struct texture_pick picks[2];
+    struct texture_pick picks[TEXTURE_PICKS];
     struct place inner = *place;
-    const affine *inward = &choice->pattern.inverse;
+    affine inward = pattern_affine(&choice->pattern);
     affine to, from, outward;
     rgb through = rgb_grey(0);
     int count = texture_choose(choice, place->point, picks, &inner.point);
-    if (affine_inverse(*inward, &outward)) {
-        to = affine_compose(*inward, *place->to);
+    if (affine_inverse(inward, &outward)) {
+        to = affine_compose(inward, *place->to);
         from = affine_compose(*place->from, outward);
         inner.to = &to;
         inner.from = &from;

@@ -40,7 +40,6 @@
     X(ATAN2, "atan2")                                                          \
     X(ATANH, "atanh")                                                          \
     X(AUTOSTOP, "autostop")                                                    \
-    X(AVERAGE, "average")                                                      \
     X(B_SPLINE, "b_spline")                                                    \
     X(BACKGROUND, "background")                                                \
     X(BEZIER_SPLINE, "bezier_spline")                                          \
@@ -354,7 +353,6 @@
     X(SMOOTH, "smooth")                                                        \
     X(SMOOTH_TRIANGLE, "smooth_triangle")                                      \
     X(SOLID, "solid")                                                          \
-    X(SOR, "sor")                                                              \
     X(SPACING, "spacing")                                                      \
     X(SPECULAR, "specular")                                                    \
     X(SPHERE_SWEEP, "sphere_sweep")                                            \

@@ -65,9 +65,12 @@ static struct word *word_add(struct word_table *words, const char *text,
     return word;
 }
 
+/* A pattern called as a keyword ("object") is the keyword. */
 static void word_reserve(struct word_table *words, const char *text,
                          enum keyword keyword)
 {
+    if (*word_slot(words, text, strlen(text)))
+        return;
     struct word *word = word_add(words, text, strlen(text));
     word->keyword = (unsigned short)keyword;
     word->reserved = true;

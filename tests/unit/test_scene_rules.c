@@ -564,7 +564,6 @@ static void one_mistake_is_one_error(void **state)
         "plane { y, 0 pigment { checker color_map { [0 rgb 1] } } }",
         "sphere { 0, 1 clipped_by { triangle { 0, x, y } } }",
         "text { ttf \"a.ttf\" \"text\" 1, 0 pigment { rgb 1 } } box { -1, 1 }",
-        "global_settings { photons { count 3 } }",
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         struct reading r = scene_read(texts[i]);

@@ -1,5 +1,5 @@
-/* The stack machine of user functions: see function_code.h. */
-#include "parse/function_code.h"
+/* The stack machine of user functions: see function.h. */
+#include "scene/function.h"
 
 static double *machine_run(const struct function *f, double *locals,
                            size_t first, size_t end, double *top,
@@ -16,11 +16,6 @@ static double machine_loop(const struct function *f, const struct step *step,
         total = step->kind == STEP_SUM ? total + top[0] : total * top[0];
     }
     return total;
-}
-
-static double machine_operator(enum token_kind kind, double a, double b)
-{
-    return kind == TOKEN_SLASH ? a / b : operator_float(kind, a, b);
 }
 
 static double *machine_select(double *arguments, int count)
@@ -45,15 +40,20 @@ static double *machine_step(const struct function *f, const struct step *step,
     case STEP_NEGATE:
         top[-1] = -top[-1];
         return top;
-    case STEP_OPERATOR:
-        top[-2] = machine_operator(step->operator, top[-2], top[-1]);
-        return top - 1;
     case STEP_ONE:
         top[-1] = step->one(top[-1]);
         return top;
     case STEP_TWO:
         top[-2] = step->two(top[-2], top[-1]);
         return top - 1;
+    case STEP_MANY:
+        top -= step->slot;
+        *top = step->many(top);
+        return top + 1;
+    case STEP_FIELD:
+        top[-3] = step->field->value(step->field,
+                                     vec3_make(top[-3], top[-2], top[-1]));
+        return top - 2;
     case STEP_SELECT:
         return machine_select(top - step->slot, step->slot);
     case STEP_CALL:
@@ -92,4 +92,24 @@ double function_evaluate(const struct function *function,
     machine_run(function, stack, 0, function->steps.count,
                 stack + function->slots, steps_left);
     return stack[function->slots];
+}
+
+static double function_within(const struct function *function, vec3 point,
+                              unsigned long left)
+{
+    const double arguments[] = { point.x, point.y, point.z };
+    double value = function_evaluate(function, arguments, &left);
+    return left == 0 || isnan(value) ? 0 : value;
+}
+
+double function_at(const struct function *function, vec3 point)
+{
+    enum { STEPS = 1000000 };
+    return function_within(function, point, STEPS);
+}
+
+double function_sample(const struct function *function, vec3 point)
+{
+    enum { STEPS = 1000 };
+    return function_within(function, point, STEPS);
 }

@@ -1,0 +1,125 @@
+/* bicubic_patch{}: a surface over 4 x 4 points, as a mesh. */
+#include "parse/mesh_builder.h"
+#include "parse/rules.h"
+
+enum {
+    PATCH_STEPS_LIMIT = 10, /* halvings: 2^20 squares */
+    PATCH_SIDE = 4,
+};
+
+struct bicubic {
+    int type, u_steps, v_steps;
+    double flatness;
+    vec3 points[PATCH_SIDE][PATCH_SIDE];
+};
+
+static const struct field bicubic_fields[] = {
+    { "type", FIELD_INTEGER, offsetof(struct bicubic, type), 0, 0,
+      "0 or 1: how POV-Ray stores it" },
+    { "flatness", FIELD_FLOAT, offsetof(struct bicubic, flatness), 0, 0,
+      "how far off POV-Ray may be" },
+    { "u_steps", FIELD_INTEGER, offsetof(struct bicubic, u_steps), 0, 0,
+      "halvings along a row" },
+    { "v_steps", FIELD_INTEGER, offsetof(struct bicubic, v_steps), 0, 0,
+      "halvings along a row" },
+    { NULL },
+};
+
+/* The curve of four points and its slope at t (Bernstein's polynomials). */
+static vec3 bezier_point(const vec3 p[PATCH_SIDE], double t, vec3 *slope)
+{
+    vec3 a = vec3_mix(p[0], p[1], t), b = vec3_mix(p[1], p[2], t);
+    vec3 c = vec3_mix(p[2], p[3], t);
+    vec3 d = vec3_mix(a, b, t), e = vec3_mix(b, c, t);
+    *slope = vec3_scale(vec3_sub(e, d), 3);
+    return vec3_mix(d, e, t);
+}
+
+static void bicubic_vertex(struct parser *p, struct mesh_builder *b,
+                           const struct bicubic *patch, double u, double v)
+{
+    vec3 row[PATCH_SIDE], slopes[PATCH_SIDE], along, across;
+    for (int i = 0; i < PATCH_SIDE; i++)
+        row[i] = bezier_point(patch->points[i], v, &slopes[i]);
+    vec3 point = bezier_point(row, u, &along);
+    vec3 unused, slope = bezier_point(slopes, u, &unused);
+    across = slope;
+    *ARRAY_PUSH(p->scene_arena, &b->vertices) = point;
+    *ARRAY_PUSH(p->scene_arena, &b->normals) = vec3_cross(across, along);
+}
+
+static void bicubic_build(struct parser *p, struct mesh_builder *b,
+                          const struct bicubic *patch)
+{
+    uint32_t rows = 1U << patch->u_steps, columns = 1U << patch->v_steps;
+    for (uint32_t i = 0; i <= rows; i++)
+        for (uint32_t j = 0; j <= columns; j++)
+            bicubic_vertex(p, b, patch, (double)i / rows, (double)j / columns);
+    for (uint32_t i = 0; i < rows; i++) {
+        for (uint32_t j = 0; j < columns; j++) {
+            uint32_t a = i * (columns + 1) + j, c = a + columns + 1;
+            const uint32_t corners[2][3] = { { a, c, c + 1 },
+                                             { a, c + 1, a + 1 } };
+            for (int k = 0; k < 2; k++) {
+                struct mesh_triangle t = { .texture = MESH_NONE };
+                memcpy(t.vertex, corners[k], sizeof t.vertex);
+                memcpy(t.normal, corners[k], sizeof t.normal);
+                *ARRAY_PUSH(p->scene_arena, &b->triangles) = t;
+            }
+        }
+    }
+}
+
+/* patch_points = vector {[","] vector} .
+ * Four rows of four. */
+static bool parse_patch_points(struct parser *p, struct bicubic *patch)
+{
+    for (int i = 0; i < PATCH_SIDE * PATCH_SIDE; i++) {
+        accept(p, TOKEN_COMMA);
+        if (!parse_vector(p, &patch->points[i / PATCH_SIDE][i % PATCH_SIDE]))
+            return false;
+    }
+    return true;
+}
+
+/* patch_setting = "type" float | "flatness" float | "u_steps" float
+ *               | "v_steps" float . */
+static bool parse_patch_settings(struct parser *p, struct bicubic *patch)
+{
+    const struct field *field;
+    struct span span = stream_span(p);
+    while ((field = accept_field(p, bicubic_fields)) != NULL) {
+        if (!parse_field(p, field, patch))
+            return false;
+        accept(p, TOKEN_COMMA);
+    }
+    if (patch->u_steps >= 0 && patch->u_steps <= PATCH_STEPS_LIMIT &&
+        patch->v_steps >= 0 && patch->v_steps <= PATCH_STEPS_LIMIT)
+        return true;
+    return error_at(p, span_join(span, p->last_span), NULL,
+                    "u_steps and v_steps are 0 to %d", PATCH_STEPS_LIMIT);
+}
+
+/* bicubic_patch = "bicubic_patch" "{" {patch_setting [","]} patch_points
+ *                 {modifier} "}" . */
+bool parse_bicubic_patch(struct parser *p, struct object **out)
+{
+    struct bicubic patch = { .u_steps = 3, .v_steps = 3 };
+    struct mesh_builder builder = { .vertices = { .count = 0 } };
+    struct mesh *mesh = ARENA_NEW(p->scene_arena, struct mesh);
+    struct span open;
+    stream_next(p);
+    *out = object_new(p->scene_arena, OBJECT_MESH, p->last_span);
+    (*out)->mesh = mesh;
+    struct modifiers m = { .object = *out, .block = "bicubic_patch" };
+    if (!block_begin(p, &open))
+        return false;
+    bool ok = parse_patch_settings(p, &patch) &&
+              parse_patch_points(p, &patch) && parse_modifiers(p, &m);
+    if (!block_end(p, open, ok))
+        return false;
+    bicubic_build(p, &builder, &patch);
+    mesh_take(mesh, &builder);
+    mesh_end(p, *out, mesh);
+    return true;
+}

@@ -1,0 +1,147 @@
+/* Bodies of functions that are no formulas: see function_field.h. */
+#include "parse/function_field.h"
+
+#include "parse/rules.h"
+#include "scene/function_field.h"
+
+bool work_check(struct parser *p, double work, unsigned levels)
+{
+    if (levels > WORK_LEVELS)
+        return error_at(p, p->last_span, NULL,
+                        "functions, pigments and patterns are made of each "
+                        "other more than %d deep",
+                        WORK_LEVELS);
+    return work <= WORK_LIMIT ||
+           error_at(p, p->last_span, NULL,
+                    "with all that this is made of it takes more than %d "
+                    "steps at each point, glim's limit",
+                    WORK_LIMIT);
+}
+
+bool at_field_body(struct parser *p)
+{
+    enum keyword keyword = stream_keyword(p);
+    return keyword == KEYWORD_PATTERN || keyword == KEYWORD_PIGMENT ||
+           keyword == KEYWORD_INTERNAL;
+}
+
+static struct step *field_step(struct parser *p, struct function *function,
+                               enum step_kind kind)
+{
+    struct step *step = ARRAY_PUSH(p->scene_arena, &function->steps);
+    *step = (struct step){ .kind = kind };
+    return step;
+}
+
+/* All parameters on the stack, as many as the field takes. */
+static void field_locals(struct parser *p, struct function *function, int count)
+{
+    for (int i = 0; i < count; i++)
+        field_step(p, function, STEP_LOCAL)->slot = i;
+    function->parameter_count = function->slots = count;
+    function->height = (unsigned)count;
+}
+
+static bool field_pattern(struct parser *p, struct pattern *pattern)
+{
+    bool found;
+    *pattern = pattern_new(p->scene_arena, NULL);
+    if (!parse_pattern(p, pattern, &found))
+        return false;
+    if (!found)
+        return error_expected(p, "a pattern");
+    while (stream_peek(p)->kind != TOKEN_RBRACE)
+        if (!parse_pattern_item(p, pattern, &found))
+            return false;
+        else if (!found)
+            return error_unknown_item(p, "pattern", NULL);
+    return true;
+}
+
+/* pattern_body = "pattern" "{" pattern {pattern_item} "}" . */
+static bool parse_pattern_body(struct parser *p, struct function *function)
+{
+    struct pattern pattern;
+    struct span open;
+    stream_next(p);
+    if (!block_begin(p, &open) ||
+        !block_end(p, open, field_pattern(p, &pattern)))
+        return false;
+    field_locals(p, function, 3);
+    field_step(p, function, STEP_FIELD)->field =
+        field_of_pattern(p->scene_arena, &pattern);
+    function->work = 4 + pattern_work(&pattern);
+    function->levels = pattern_levels(&pattern);
+    return work_check(p, function->work, function->levels);
+}
+
+/* internal_body = "internal" "(" float ")" .
+ * How functions.inc declares its functions. */
+static bool parse_internal_body(struct parser *p, struct function *function)
+{
+    int number;
+    stream_next(p);
+    struct span open = stream_span(p);
+    if (!expect(p, TOKEN_LPAREN, span_none()) || !parse_integer(p, &number) ||
+        !expect(p, TOKEN_RPAREN, open))
+        return false;
+    const struct internal_function *internal = internal_find(number);
+    if (!internal)
+        return error_unsupported(
+            p, span_join(open, p->last_span),
+            arena_printf(p->arena, "the function internal(%d)", number));
+    field_locals(p, function, internal->arguments);
+    struct step *step = field_step(p, function, STEP_MANY);
+    step->many = internal->value;
+    step->slot = internal->arguments;
+    function->work = 1 + internal->arguments;
+    return true;
+}
+
+/* field_body = pattern_body | pigment | internal_body . */
+bool parse_field_body(struct parser *p, struct function *function)
+{
+    if (stream_keyword(p) == KEYWORD_PATTERN)
+        return parse_pattern_body(p, function);
+    if (stream_keyword(p) == KEYWORD_INTERNAL)
+        return parse_internal_body(p, function);
+    function->parameter_count = function->slots = 3;
+    function->height = 3;
+    if (!parse_pigment(p, &function->pigment))
+        return false;
+    function->work = 1 + function->pigment->work;
+    function->levels = 1 + function->pigment->levels;
+    return work_check(p, function->work, function->levels);
+}
+
+/* colour_part = "." ( "x" | "y" | "z" | "t" | "u" | "v" | "red" | "green"
+ *             | "blue" | "filter" | "transmit" | "gray" | "grey" ) . */
+bool parse_colour_part(struct parser *p, int *part)
+{
+    static const struct {
+        const char *word;
+        int part;
+    } parts[] = {
+        { "x", 0 },
+        { "u", 0 },
+        { "red", 0 },
+        { "y", 1 },
+        { "v", 1 },
+        { "green", 1 },
+        { "z", 2 },
+        { "blue", 2 },
+        { "t", 3 },
+        { "filter", 3 },
+        { "transmit", 4 },
+        { "gray", FIELD_GREY },
+        { "grey", FIELD_GREY },
+    };
+    if (!expect(p, TOKEN_DOT, span_none()))
+        return false;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        if (accept_word(p, parts[i].word)) {
+            *part = parts[i].part;
+            return true;
+        }
+    return error_expected(p, "red, green, blue, filter, transmit or gray");
+}

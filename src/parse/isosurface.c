@@ -1,0 +1,121 @@
+/* isosurface{}: a function and what contains it. */
+#include "scene/isosurface.h"
+
+#include "parse/rules.h"
+#include "parse/user_function.h"
+#include "scene/function.h"
+#include "scene/samples.h"
+
+static bool container_items(struct parser *p, struct isosurface *surface,
+                            bool ball)
+{
+    if (!parse_vector(p, ball ? &surface->centre : &surface->low))
+        return false;
+    accept(p, TOKEN_COMMA);
+    surface->ball = ball;
+    return ball ? parse_float(p, &surface->radius)
+                : parse_vector(p, &surface->high);
+}
+
+static bool container_body(struct parser *p, struct isosurface *surface)
+{
+    struct span open;
+    bool ball = at_word(p, "sphere");
+    if (!ball && !at_word(p, "box"))
+        return error_expected(p, "'box' or 'sphere'");
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, container_items(p, surface, ball));
+}
+
+/* contained_by = "contained_by" "{" ( "box" "{" vector [","] vector "}"
+ *              | "sphere" "{" vector [","] float "}" ) "}" . */
+static bool parse_contained_by(struct parser *p, struct isosurface *surface)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, container_body(p, surface));
+}
+
+/* evaluation = "evaluate" float [","] float [","] float .
+ * POV-Ray's guess of the gradient begins with the first. */
+static bool parse_evaluation(struct parser *p, struct isosurface *surface)
+{
+    double numbers[3];
+    stream_next(p);
+    for (int i = 0; i < 3; i++) {
+        if (!parse_float(p, &numbers[i]))
+            return false;
+        accept(p, TOKEN_COMMA);
+    }
+    surface->max_gradient = fmax(surface->max_gradient, numbers[0]);
+    return true;
+}
+
+/* isosurface_item = contained_by | evaluation | "max_trace" float
+ *                 | "all_intersections" .
+ * The last two say how many crossings POV-Ray looks for; glim finds all. */
+static bool parse_isosurface_item(struct parser *p, struct isosurface *surface,
+                                  bool *found)
+{
+    double ignored;
+    *found = true;
+    switch (stream_keyword(p)) {
+    case KEYWORD_CONTAINED_BY:
+        return parse_contained_by(p, surface);
+    case KEYWORD_EVALUATE:
+        return parse_evaluation(p, surface);
+    case KEYWORD_MAX_TRACE:
+        stream_next(p);
+        return parse_float(p, &ignored);
+    case KEYWORD_ALL_INTERSECTIONS:
+        stream_next(p);
+        return true;
+    default:
+        *found = false;
+        return true;
+    }
+}
+
+static double surface_sample(const void *function, vec3 point)
+{
+    return function_sample(function, point);
+}
+
+/* isosurface_body = function {isosurface_item | ISOSURFACE_ITEM} .
+ * ISOSURFACE_ITEM is in the table of src/scene/isosurface.c. */
+static bool parse_isosurface_body(struct parser *p, void *shape)
+{
+    struct isosurface *surface = shape;
+    struct value value;
+    bool found = true;
+    isosurface_init(surface);
+    if (stream_keyword(p) != KEYWORD_FUNCTION)
+        return error_expected(p, "'function'");
+    struct span span = stream_span(p);
+    if (!parse_function(p, &value))
+        return false;
+    surface->function = value.function;
+    if (value.function->parameter_count != 3 || value.function->pigment)
+        return error_at(p, span_join(span, p->last_span), NULL,
+                        "an isosurface needs a function of x, y and z that "
+                        "gives a number");
+    if (!stream_round(p, 1000, span)) /* as for a pattern's samples */
+        return false;
+    surface->samples =
+        samples_take(p->scene_arena, surface_sample, surface->function);
+    while (found) {
+        const struct field *field = accept_field(p, isosurface_primitive.items);
+        if (field ? !parse_field(p, field, surface)
+                  : !parse_isosurface_item(p, surface, &found))
+            return false;
+    }
+    return true;
+}
+
+/* isosurface = "isosurface" "{" isosurface_body {modifier} "}" . */
+bool parse_isosurface(struct parser *p, struct object **out)
+{
+    return parse_shape(p, out, &isosurface_primitive, parse_isosurface_body);
+}

@@ -1,0 +1,153 @@
+/* warp{}: bends of space that a pattern is seen through. */
+#include "scene/warp.h"
+
+#include "parse/rules.h"
+#include "scene/noise.h"
+
+enum { WARP_LIMIT = 100 }; /* of one pattern: each is work at each point */
+
+static const struct field turbulence_fields[] = {
+    { "octaves", FIELD_INTEGER, offsetof(struct warp, turbulence.octaves), 0, 0,
+      "steps of the walk, 1 to 10, 6" },
+    { "omega", FIELD_FLOAT, offsetof(struct warp, turbulence.omega), 0, 0,
+      "each step is so much shorter, 0.5" },
+    { "lambda", FIELD_FLOAT, offsetof(struct warp, turbulence.lambda), 0, 0,
+      "and turns so much faster, 2" },
+    { NULL },
+};
+
+static const struct field repeat_fields[] = {
+    { "offset", FIELD_VECTOR, offsetof(struct warp, offset), 0, 0,
+      "of each repetition from the one before" },
+    { "flip", FIELD_VECTOR, offsetof(struct warp, flip), 0, 0,
+      "axes along which every other one is mirrored" },
+    { NULL },
+};
+
+static const struct field hole_fields[] = {
+    { "falloff", FIELD_FLOAT, offsetof(struct warp, falloff), 0, 0,
+      "how fast the pull gets weaker outward, 2" },
+    { "strength", FIELD_FLOAT, offsetof(struct warp, strength), 0, 0,
+      "of the pull at the middle, 1" },
+    { "repeat", FIELD_VECTOR, offsetof(struct warp, period), 0, 0,
+      "sizes of the cells, each with a hole" },
+    { "inverse", FIELD_FLAG, offsetof(struct warp, push), 0, 0,
+      "pushes instead of pulling" },
+    { NULL },
+};
+
+static bool warp_items(struct parser *p, struct warp *warp,
+                       const struct field *fields)
+{
+    const struct field *field;
+    while ((field = accept_field(p, fields)) != NULL) {
+        if (!parse_field(p, field, warp))
+            return false;
+        accept(p, TOKEN_COMMA);
+    }
+    if (fields == hole_fields && stream_keyword(p) == KEYWORD_TURBULENCE)
+        return error_unsupported(p, p->token_span,
+                                 "a black hole's 'turbulence'");
+    return true;
+}
+
+/* turbulence_warp = "turbulence" vector {"octaves" float | "omega" float
+ *                 | "lambda" float} . */
+static bool parse_turbulence_warp(struct parser *p, struct warp *warp)
+{
+    warp->kind = WARP_TURBULENCE;
+    warp->turbulence = (struct turbulence){ { 0, 0, 0 }, 6, 0.5, 2 };
+    stream_next(p);
+    if (!parse_vector(p, &warp->turbulence.amount) ||
+        !warp_items(p, warp, turbulence_fields))
+        return false;
+    warp->turbulence.octaves = turbulence_octaves(&warp->turbulence);
+    return true;
+}
+
+/* repeat_warp = "repeat" vector {"offset" vector | "flip" vector} . */
+static bool parse_repeat_warp(struct parser *p, struct warp *warp)
+{
+    warp->kind = WARP_REPEAT;
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (!parse_vector(p, &warp->period))
+        return false;
+    int axes =
+        (warp->period.x != 0) + (warp->period.y != 0) + (warp->period.z != 0);
+    if (axes != 1)
+        return error_at(p, span_join(span, p->last_span), "2*x",
+                        "a repeat goes along one axis");
+    accept(p, TOKEN_COMMA);
+    return warp_items(p, warp, repeat_fields);
+}
+
+static bool hole_fits(const struct warp *warp, double centre, double period)
+{
+    return period == 0 || (period > 0 && warp->radius >= 0 &&
+                           fmax(centre, warp->radius) + warp->radius <= period);
+}
+
+/* hole_warp = "black_hole" vector [","] float {"falloff" float
+ *           | "strength" float | "repeat" vector | "inverse"} . */
+static bool parse_hole_warp(struct parser *p, struct warp *warp)
+{
+    warp->kind = WARP_BLACK_HOLE;
+    warp->falloff = 2;
+    warp->strength = 1;
+    stream_next(p);
+    if (!parse_vector(p, &warp->centre))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (!parse_float(p, &warp->radius))
+        return false;
+    accept(p, TOKEN_COMMA);
+    struct span span = stream_span(p);
+    if (!warp_items(p, warp, hole_fields))
+        return false;
+    return (hole_fits(warp, warp->centre.x, warp->period.x) &&
+            hole_fits(warp, warp->centre.y, warp->period.y) &&
+            hole_fits(warp, warp->centre.z, warp->period.z)) ||
+           error_unsupported(p, span,
+                             "a repeated black hole larger than its cell");
+}
+
+static bool warp_body(struct parser *p, struct warp *warp, struct span span)
+{
+    static const struct field names[] = { { .name = "turbulence" },
+                                          { .name = "repeat" },
+                                          { .name = "black_hole" },
+                                          { .name = NULL } };
+    bool ok;
+    if (stream_keyword(p) == KEYWORD_TURBULENCE)
+        ok = parse_turbulence_warp(p, warp);
+    else if (at_word(p, "repeat"))
+        ok = parse_repeat_warp(p, warp);
+    else if (at_word(p, "black_hole"))
+        ok = parse_hole_warp(p, warp);
+    else
+        return error_unsupported(p, span, "this 'warp'");
+    return ok && (stream_peek(p)->kind == TOKEN_RBRACE ||
+                  error_unknown_item(p, "warp", names));
+}
+
+/* warp = "warp" "{" ( turbulence_warp | repeat_warp | hole_warp ) "}" . */
+bool parse_warp(struct parser *p, struct pattern *pattern)
+{
+    struct warp *warp = ARENA_NEW(p->scene_arena, struct warp);
+    struct span span = stream_span(p), open;
+    size_t count = 0;
+    for (const struct warp *w = pattern->warps; w; w = w->inner)
+        count++;
+    if (count >= WARP_LIMIT)
+        return error_at(p, span, NULL, "a pattern has at most %d warps",
+                        WARP_LIMIT);
+    stream_next(p);
+    if (!block_begin(p, &open) || !block_end(p, open, warp_body(p, warp, span)))
+        return false;
+    warp->inverse = pattern->inverse;
+    warp->inner = pattern->warps;
+    pattern->warps = warp;
+    pattern->inverse = affine_identity();
+    return true;
+}

@@ -1,0 +1,83 @@
+/* What a user function is compiled to: steps of a stack machine on doubles. */
+#ifndef SCENE_FUNCTION_H
+#define SCENE_FUNCTION_H
+
+#include <stddef.h>
+
+#include "base/vec.h"
+
+enum { FUNCTION_PARAMETERS = 56 }; /* as POV-Ray's macros */
+
+enum step_kind {
+    STEP_NUMBER, /* push number */
+    STEP_LOCAL,  /* push a parameter or loop variable */
+    STEP_NEGATE,
+    STEP_ONE,     /* a -> one(a) */
+    STEP_TWO,     /* a b -> two(a, b) */
+    STEP_SELECT,  /* x negative zero positive -> one of them; without the
+                   * last, `slot` is 3 and zero stands for both */
+    STEP_CALL,    /* arguments -> function(arguments) */
+    STEP_MANY,    /* `slot` arguments -> many(arguments) */
+    STEP_FIELD,   /* x y z -> the field's value there */
+    STEP_SUM,     /* first last -> sum of the next `length` steps, */
+    STEP_PRODUCT, /* with the loop variable from first to last */
+};
+
+/* A pattern, a pigment ...: a value for each point of space. */
+struct function_field {
+    double (*value)(const struct function_field *field, vec3 point);
+    const void *thing;
+    int part; /* of a colour: 0 to 4, or 5 for its grey */
+};
+
+struct step {
+    enum step_kind kind;
+    int slot;      /* of a local; the arguments of select */
+    size_t length; /* of a loop's body */
+    union {
+        double number;
+        double (*one)(double);
+        double (*two)(double, double);
+        const struct function *function;
+        const struct function_field *field;
+        double (*many)(const double *);
+    };
+};
+
+struct pigment;
+
+struct function {
+    int parameter_count;
+    int slots;       /* parameters and loop variables */
+    unsigned depth;  /* of functions that call functions */
+    unsigned height; /* doubles of stack, callees included */
+    double work;     /* steps of one evaluation, those of callees and of what
+                      * fields are made of included, loops counting once */
+    unsigned levels; /* of functions made of pigments made of functions ... */
+    const struct pigment *pigment; /* it gives this one's colours, or NULL */
+    struct {
+        struct step *items;
+        size_t count, capacity;
+    } steps;
+};
+
+/* The stack of one evaluation; functions that need more are refused. */
+enum { FUNCTION_STACK = 4096 };
+
+/* The value for these arguments. *steps_left is counted down; when it gets
+ * to 0 the result is meaningless. */
+double function_evaluate(const struct function *function,
+                         const double *arguments, unsigned long *steps_left);
+
+/* Steps that one evaluation may take: functions that call two functions that
+ * call two ... */
+enum { FUNCTION_STEP_LIMIT = 50000000 };
+
+/* Of a function of x, y and z; 0 where it takes more steps than a picture has
+ * time for. Never NaN. */
+double function_at(const struct function *function, vec3 point);
+
+/* The same for samples, which are taken while the scene is read: few steps. */
+double function_sample(const struct function *function, vec3 point);
+
+#endif

@@ -1,0 +1,276 @@
+/* Isosurfaces: see isosurface.h. A stretch of a ray is left out if the values
+ * at its ends are too large for the function to reach its threshold between
+ * them, by the largest gradient it is said to have; else it is halved, until it
+ * is as short as the accuracy. */
+#include "scene/isosurface.h"
+
+#include "scene/function.h"
+
+enum {
+    ISOSURFACE_STEPS = 200000, /* function calls for one ray */
+    ISOSURFACE_ROUNDS = 60,    /* for one crossing */
+};
+
+static const struct field isosurface_arguments[] = {
+    { "samples", FIELD_TERMS, offsetof(struct isosurface, samples), 0, 0,
+      "values of the function" },
+    { "low", FIELD_VECTOR, offsetof(struct isosurface, low), 0, 0, "a corner" },
+    { "high", FIELD_VECTOR, offsetof(struct isosurface, high), 0, 0,
+      "the corner opposite to it" },
+    { "centre", FIELD_VECTOR, offsetof(struct isosurface, centre), 0, 0,
+      "of the ball" },
+    { "radius", FIELD_FLOAT, offsetof(struct isosurface, radius), 0, 0,
+      "of the ball" },
+    { NULL },
+};
+
+static const struct field isosurface_items[] = {
+    { "threshold", FIELD_FLOAT, offsetof(struct isosurface, threshold), 0, 0,
+      "the function's value at the surface, 0" },
+    { "accuracy", FIELD_FLOAT, offsetof(struct isosurface, accuracy), 0, 0,
+      "crossings nearer to each other may be missed, 0.001" },
+    { "max_gradient", FIELD_FLOAT, offsetof(struct isosurface, max_gradient), 0,
+      0, "how fast the function changes at most, 1.1" },
+    { "open", FIELD_FLAG, offsetof(struct isosurface, open), 0, 0,
+      "without the box or ball around it" },
+    { NULL },
+};
+
+void isosurface_init(struct isosurface *surface)
+{
+    surface->low = vec3_make(-1, -1, -1);
+    surface->high = vec3_make(1, 1, 1);
+    surface->accuracy = 0.001;
+    surface->max_gradient = 1.1;
+}
+
+static const char *isosurface_prepare(void *shape, struct arena *arena,
+                                      const char **warning)
+{
+    struct isosurface *s = shape;
+    vec3 a = s->low, b = s->high, r = { s->radius, s->radius, s->radius };
+    (void)arena;
+    (void)warning;
+    s->low = s->ball ? vec3_sub(s->centre, r) : vec3_min(a, b);
+    s->high = s->ball ? vec3_add(s->centre, r) : vec3_max(a, b);
+    if (!(s->accuracy > 0))
+        return "its accuracy must be above 0";
+    if (!(s->max_gradient > 0))
+        return "its max_gradient must be above 0";
+    if (s->ball && !(s->radius > 0))
+        return "the radius of its container must be above 0";
+    return NULL;
+}
+
+static struct box3 isosurface_bounds(const void *shape)
+{
+    const struct isosurface *s = shape;
+    return (struct box3){ s->low, s->high };
+}
+
+/* ---- the container ---- */
+
+enum { PART_FUNCTION, PART_BALL, PART_SIDES };
+
+static bool ball_interval(const struct isosurface *s, const struct ray *ray,
+                          struct hit ends[2])
+{
+    vec3 o = vec3_sub(ray->origin, s->centre);
+    double dd = vec3_dot(ray->direction, ray->direction);
+    double middle = -vec3_dot(o, ray->direction) / dd;
+    vec3 nearest = vec3_along(o, ray->direction, middle);
+    double rest = s->radius * s->radius - vec3_dot(nearest, nearest);
+    if (!(rest > 0))
+        return false;
+    double half = sqrt(rest / dd);
+    ends[0] = (struct hit){ middle - half, PART_BALL, 0, 0 };
+    ends[1] = (struct hit){ middle + half, PART_BALL, 0, 0 };
+    return true;
+}
+
+static bool box_interval(const struct isosurface *s, const struct ray *ray,
+                         struct hit ends[2])
+{
+    ends[0] = (struct hit){ -HUGE_VAL, PART_SIDES, 0, 0 };
+    ends[1] = (struct hit){ HUGE_VAL, PART_SIDES, 0, 0 };
+    for (int axis = 0; axis < 3; axis++) {
+        double o = vec3_component(ray->origin, axis);
+        double d = vec3_component(ray->direction, axis);
+        double low = vec3_component(s->low, axis);
+        double high = vec3_component(s->high, axis);
+        if (d == 0 && (o < low || o > high))
+            return false;
+        if (d == 0)
+            continue;
+        double a = ((d > 0 ? low : high) - o) / d;
+        double b = ((d > 0 ? high : low) - o) / d;
+        int part = PART_SIDES + 2 * axis;
+        if (a > ends[0].t)
+            ends[0] = (struct hit){ a, part + (d < 0), 0, 0 };
+        if (b < ends[1].t)
+            ends[1] = (struct hit){ b, part + (d > 0), 0, 0 };
+    }
+    return ends[0].t < ends[1].t;
+}
+
+/* ---- the function along a ray ---- */
+
+struct search {
+    const struct isosurface *surface;
+    const struct ray *ray;
+    struct hits *hits;
+    double gradient; /* of the function by t, at most */
+    double accuracy; /* in t */
+    int left;        /* calls */
+};
+
+static double surface_value(const struct isosurface *s, vec3 point)
+{
+    return function_at(s->function, point) - s->threshold;
+}
+
+static double search_value(struct search *search, double t)
+{
+    search->left--;
+    return surface_value(search->surface, ray_point(search->ray, t));
+}
+
+/* The crossing between a and b, where signs differ: by the secant, an end that
+ * stays counting half (the Illinois method), now and then by halving, which
+ * jumps need. */
+static void search_refine(struct search *search, double a, double at_a,
+                          double b, double at_b)
+{
+    double enough = 1e-6 * search->accuracy;
+    for (int i = 1; i < ISOSURFACE_ROUNDS && b - a > enough; i++) {
+        double t = a - at_a * (b - a) / (at_b - at_a);
+        if (i % 4 == 0 || !(t > a && t < b))
+            t = 0.5 * (a + b);
+        if (!(t > a && t < b))
+            break;
+        double at_t = search_value(search, t);
+        if ((at_t < 0) == (at_a < 0)) {
+            a = t;
+            at_a = at_t;
+            at_b /= 2;
+        } else {
+            b = t;
+            at_b = at_t;
+            at_a /= 2;
+        }
+    }
+    hits_add(search->hits, 0.5 * (a + b), PART_FUNCTION);
+}
+
+static void search_stretch(struct search *search, double a, double at_a,
+                           double b, double at_b)
+{
+    bool differ = (at_a < 0) != (at_b < 0);
+    if (search->left <= 0 || search->hits->count >= HITS_MAX - 2)
+        return;
+    if (!differ && fabs(at_a) + fabs(at_b) > search->gradient * (b - a))
+        return;
+    double middle = 0.5 * (a + b);
+    if (b - a < search->accuracy || middle <= a || middle >= b) {
+        if (differ)
+            search_refine(search, a, at_a, b, at_b);
+        return;
+    }
+    double at_middle = search_value(search, middle);
+    search_stretch(search, a, at_a, middle, at_middle);
+    search_stretch(search, middle, at_middle, b, at_b);
+}
+
+/* Where the container cuts through the inside, it is the surface. */
+static void isosurface_intersect(const void *shape, const struct ray *ray,
+                                 struct hits *hits)
+{
+    const struct isosurface *s = shape;
+    struct hit ends[2];
+    double speed = vec3_length(ray->direction);
+    if (!(speed > 0) || !(s->ball ? ball_interval : box_interval)(s, ray, ends))
+        return;
+    struct search search = { s,
+                             ray,
+                             hits,
+                             s->max_gradient * speed,
+                             s->accuracy / speed,
+                             ISOSURFACE_STEPS };
+    double first = search_value(&search, ends[0].t);
+    double last = search_value(&search, ends[1].t);
+    if (first < 0 && !s->open)
+        hits->at[hits->count++] = ends[0];
+    search_stretch(&search, ends[0].t, first, ends[1].t, last);
+    if (last < 0 && !s->open)
+        hits->at[hits->count++] = ends[1];
+}
+
+static vec3 isosurface_normal(const void *shape, vec3 point,
+                              const struct hit *hit)
+{
+    const struct isosurface *s = shape;
+    double e = s->accuracy;
+    if (hit->part == PART_BALL)
+        return vec3_sub(point, s->centre);
+    if (hit->part >= PART_SIDES) {
+        int side = hit->part - PART_SIDES;
+        double sign = side & 1 ? 1 : -1;
+        return vec3_make(side / 2 == 0 ? sign : 0, side / 2 == 1 ? sign : 0,
+                         side / 2 == 2 ? sign : 0);
+    }
+    double here = surface_value(s, point);
+    vec3 n = {
+        surface_value(s, vec3_make(point.x + e, point.y, point.z)) - here,
+        surface_value(s, vec3_make(point.x, point.y + e, point.z)) - here,
+        surface_value(s, vec3_make(point.x, point.y, point.z + e)) - here
+    };
+    double length = vec3_length(n);
+    return length > 0 && isfinite(length) ? n : vec3_make(1, 0, 0);
+}
+
+static bool isosurface_inside(const void *shape, vec3 point)
+{
+    const struct isosurface *s = shape;
+    vec3 p = vec3_sub(point, s->centre);
+    if (s->ball ? vec3_dot(p, p) >= s->radius * s->radius
+                : !box3_contains(isosurface_bounds(s), point))
+        return false;
+    return surface_value(s, point) < 0;
+}
+
+/* Nothing of the surface is nearer to the middle than the value there and the
+ * largest gradient allow. */
+static unsigned isosurface_meets(const void *shape, const struct cell *cell)
+{
+    const struct isosurface *s = shape;
+    double value = surface_value(s, cell->centre);
+    double reach = s->max_gradient * cell->radius;
+    if (!cell_meets_box(cell, isosurface_bounds(s)) || value > reach)
+        return 0;
+    if (s->ball && cell_nearest(cell, s->centre) > s->radius)
+        return 0;
+    if (value >= -reach)
+        return CELL_SURFACE | CELL_BORDER;
+    vec3 half = cell->half, centre = cell->centre;
+    bool deep =
+        s->ball
+            ? cell_farthest(cell, s->centre) < s->radius
+            : box3_contains(isosurface_bounds(s), vec3_sub(centre, half)) &&
+                  box3_contains(isosurface_bounds(s), vec3_add(centre, half));
+    return deep ? 0 : s->open ? CELL_BORDER : CELL_SURFACE | CELL_BORDER;
+}
+
+const struct primitive isosurface_primitive = {
+    .name = "isosurface",
+    .help = "where a function of space has a value",
+    .size = sizeof(struct isosurface),
+    .arguments = isosurface_arguments,
+    .items = isosurface_items,
+    .solid = true,
+    .prepare = isosurface_prepare,
+    .bounds = isosurface_bounds,
+    .intersect = isosurface_intersect,
+    .normal = isosurface_normal,
+    .inside = isosurface_inside,
+    .meets = isosurface_meets,
+};

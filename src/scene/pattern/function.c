@@ -1,0 +1,18 @@
+/* function: what a function of x, y and z gives. */
+#include "scene/function.h"
+
+#include "scene/pattern.h"
+
+static double function_value(const struct pattern *pattern, vec3 point)
+{
+    const struct made_pattern *made = pattern->parameters;
+    return made->function ? function_at(made->function, point) : 0;
+}
+
+const struct pattern_kind function_pattern = {
+    .name = "function",
+    .help = "the value of a function of x, y and z: function { x * y }",
+    .size = sizeof(struct made_pattern),
+    .arguments = made_pattern_fields,
+    .value = function_value,
+};

@@ -1,0 +1,189 @@
+/* sor { N, <RADIUS, HEIGHT> ... }: a curve turned around the y axis, its
+ * squared radius being a cubic of the height between each two points. A ray
+ * meets it where a cubic along the ray has a root. */
+#include "scene/polynomial.h"
+#include "scene/primitive.h"
+
+struct sor {
+    struct points points; /* radius and height; the first and the last only
+                           * give directions */
+    bool open;            /* without lids */
+    bool sturm;
+    double (*squares)[4]; /* for each two points: of 1, y - its height, ... */
+    double radius;        /* the largest, or more */
+};
+
+static const struct field sor_arguments[] = {
+    { "points", FIELD_POINTS, offsetof(struct sor, points), 0, 0,
+      "how many points, then each one's radius and height, from below", false },
+    { .name = NULL },
+};
+
+static const struct field sor_items[] = {
+    { "open", FIELD_FLAG, offsetof(struct sor, open), 0, 0, "without lids",
+      false },
+    { "sturm", FIELD_BOOL, offsetof(struct sor, sturm), 0, 0,
+      "accepted and needless", false },
+    { .name = NULL },
+};
+
+static size_t sor_pieces(const struct sor *sor)
+{
+    return sor->points.count - 3;
+}
+
+/* The squared radius's slope at a point, from those of its neighbours. */
+static double sor_slope(const vec3 *p)
+{
+    return 2 * p[0].x * (p[1].x - p[-1].x) / (p[1].y - p[-1].y);
+}
+
+static double sor_square(const double c[4], double h)
+{
+    return c[0] + h * (c[1] + h * (c[2] + h * c[3]));
+}
+
+static void sor_piece(struct sor *sor, size_t i)
+{
+    const vec3 *a = &sor->points.items[i + 1], *b = a + 1;
+    double *c = sor->squares[i], h = b->y - a->y;
+    double from = a->x * a->x, to = b->x * b->x;
+    double rise = (to - from) / h, first = sor_slope(a), last = sor_slope(b);
+    c[0] = from;
+    c[1] = first;
+    c[2] = (3 * rise - 2 * first - last) / h;
+    c[3] = (first + last - 2 * rise) / (h * h);
+    double bound =
+        fabs(c[0]) + h * (fabs(c[1]) + h * (fabs(c[2]) + h * fabs(c[3])));
+    sor->radius = fmax(sor->radius, sqrt(bound));
+}
+
+static const char *sor_prepare(void *shape, struct arena *arena,
+                               const char **warning)
+{
+    struct sor *sor = shape;
+    const vec3 *p = sor->points.items;
+    (void)warning;
+    if (sor->points.count < 4)
+        return "it needs 4 points at least";
+    for (size_t i = 1; i + 2 < sor->points.count; i++)
+        if (!(p[i].y < p[i + 1].y))
+            return "each point must be higher than the one before";
+    for (size_t i = 0; i < sor->points.count; i++)
+        if (i + 2 < sor->points.count && p[i].y == p[i + 2].y)
+            return "a point is as high as the one after the next";
+    sor->squares = arena_alloc(arena, sor_pieces(sor) * sizeof *sor->squares);
+    for (size_t i = 0; i < sor_pieces(sor); i++)
+        sor_piece(sor, i);
+    return NULL;
+}
+
+static double sor_low(const struct sor *sor)
+{
+    return sor->points.items[1].y;
+}
+
+static double sor_high(const struct sor *sor)
+{
+    return sor->points.items[sor->points.count - 2].y;
+}
+
+static struct box3 sor_bounds(const void *shape)
+{
+    const struct sor *sor = shape;
+    double r = sor->radius;
+    return (struct box3){ { -r, sor_low(sor), -r }, { r, sor_high(sor), r } };
+}
+
+/* x^2 + z^2 - square(y) along the ray, within the heights of the piece. */
+static void sor_cross(const struct sor *sor, size_t i, const struct ray *ray,
+                      struct hits *hits)
+{
+    const vec3 *a = &sor->points.items[i + 1];
+    const double *c = sor->squares[i];
+    vec3 o = ray->origin, d = ray->direction;
+    double low = -HUGE_VAL, high = HUGE_VAL, h = o.y - a[0].y, v = d.y;
+    if (v != 0) {
+        low = (a[v > 0 ? 0 : 1].y - o.y) / v;
+        high = (a[v > 0 ? 1 : 0].y - o.y) / v;
+    } else if (h < 0 || o.y >= a[1].y) {
+        return;
+    }
+    double p[4] = {
+        o.x * o.x + o.z * o.z - sor_square(c, h),
+        2 * (o.x * d.x + o.z * d.z) -
+            v * (c[1] + h * (2 * c[2] + h * 3 * c[3])),
+        d.x * d.x + d.z * d.z - v * v * (c[2] + 3 * h * c[3]),
+        -v * v * v * c[3],
+    };
+    int degree = 3;
+    while (degree > 0 && p[degree] == 0)
+        degree--;
+    double bound = polynomial_bound(p, degree), roots[3];
+    int count = polynomial_roots(p, degree, fmax(low, -bound),
+                                 fmin(high, bound), roots, 3);
+    for (int k = 0; k < count; k++)
+        hits_add(hits, roots[k], (int)i);
+}
+
+/* Parts after the pieces are the lids. */
+static void sor_lid(const struct sor *sor, int lid, const struct ray *ray,
+                    struct hits *hits)
+{
+    const vec3 *p = sor->points.items;
+    vec3 edge = lid ? p[sor->points.count - 2] : p[1];
+    double t = (edge.y - ray->origin.y) / ray->direction.y;
+    vec3 at = ray_point(ray, t);
+    if (ray->direction.y != 0 && at.x * at.x + at.z * at.z < edge.x * edge.x)
+        hits_add(hits, t, (int)sor_pieces(sor) + lid);
+}
+
+static void sor_intersect(const void *shape, const struct ray *ray,
+                          struct hits *hits)
+{
+    const struct sor *sor = shape;
+    for (size_t i = 0; i < sor_pieces(sor); i++)
+        sor_cross(sor, i, ray, hits);
+    for (int lid = 0; lid < 2 && !sor->open; lid++)
+        sor_lid(sor, lid, ray, hits);
+}
+
+static vec3 sor_normal(const void *shape, vec3 point, const struct hit *hit)
+{
+    const struct sor *sor = shape;
+    int lid = hit->part - (int)sor_pieces(sor);
+    if (lid >= 0)
+        return vec3_make(0, lid ? 1 : -1, 0);
+    const double *c = sor->squares[hit->part];
+    double h = point.y - sor->points.items[hit->part + 1].y;
+    double slope = c[1] + h * (2 * c[2] + h * 3 * c[3]);
+    vec3 normal = { 2 * point.x, -slope, 2 * point.z };
+    return vec3_length(normal) > 0 ? normal : vec3_make(0, 1, 0);
+}
+
+static bool sor_inside(const void *shape, vec3 point)
+{
+    const struct sor *sor = shape;
+    const vec3 *p = sor->points.items;
+    if (!(point.y >= sor_low(sor) && point.y < sor_high(sor)))
+        return false;
+    size_t i = 0;
+    while (point.y >= p[i + 2].y)
+        i++;
+    return point.x * point.x + point.z * point.z <
+           sor_square(sor->squares[i], point.y - p[i + 1].y);
+}
+
+const struct primitive sor_primitive = {
+    .name = "sor",
+    .help = "a curve turned around the y axis, through points by height",
+    .size = sizeof(struct sor),
+    .arguments = sor_arguments,
+    .items = sor_items,
+    .solid = true,
+    .prepare = sor_prepare,
+    .bounds = sor_bounds,
+    .intersect = sor_intersect,
+    .normal = sor_normal,
+    .inside = sor_inside,
+};

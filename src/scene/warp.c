@@ -1,0 +1,81 @@
+/* Warps, as measured with POV-Ray 3.7: see warp.h. */
+#include "scene/warp.h"
+
+#include "scene/noise.h"
+
+static vec3 warp_repeat(const struct warp *warp, vec3 point)
+{
+    double at[3] = { point.x, point.y, point.z };
+    const double period[3] = { warp->period.x, warp->period.y, warp->period.z };
+    const double flip[3] = { warp->flip.x, warp->flip.y, warp->flip.z };
+    int axis = period[0] != 0 ? 0 : period[1] != 0 ? 1 : 2;
+    double width = period[axis], count = floor(at[axis] / width);
+    at[axis] -= count * width;
+    bool odd = fmod(count, 2) != 0;
+    for (int i = 0; odd && i < 3; i++)
+        if (flip[i] != 0)
+            at[i] = (i == axis ? width : 0) - at[i];
+    return vec3_along(vec3_make(at[0], at[1], at[2]), warp->offset, count);
+}
+
+/* Along one axis the middle of the nearest hole; the first does not begin below
+ * 0. */
+static double hole_middle(double centre, double period, double radius,
+                          double at)
+{
+    if (!(period > 0))
+        return centre;
+    double first = fmax(centre, radius);
+    return first + floor((at - first) / period + 0.5) * period;
+}
+
+static vec3 warp_black_hole(const struct warp *warp, vec3 point)
+{
+    vec3 c = warp->centre, period = warp->period;
+    double radius = warp->radius;
+    c = vec3_make(hole_middle(c.x, period.x, radius, point.x),
+                  hole_middle(c.y, period.y, radius, point.y),
+                  hole_middle(c.z, period.z, radius, point.z));
+    vec3 away = vec3_sub(point, c);
+    double distance = vec3_length(away);
+    if (!(distance < radius))
+        return point;
+    double pull = pow(1 - distance / radius, warp->falloff) * warp->strength;
+    pull = pull > 1 ? 1 : pull;
+    return vec3_along(point, away, warp->push ? -pull : pull);
+}
+
+vec3 warp_all(const struct warp *warp, vec3 point)
+{
+    for (; warp; warp = warp->inner) {
+        switch (warp->kind) {
+        case WARP_TURBULENCE:
+            point = vec3_add(point, vec3_mul(warp->turbulence.amount,
+                                             noise_vector_turbulence(
+                                                 point, &warp->turbulence)));
+            break;
+        case WARP_REPEAT:
+            point = warp_repeat(warp, point);
+            break;
+        case WARP_BLACK_HOLE:
+            point = warp_black_hole(warp, point);
+            break;
+        }
+        point = affine_point(&warp->inverse, point);
+    }
+    return point;
+}
+
+void warp_numbers(const struct warp *warp, double numbers[WARP_NUMBERS])
+{
+    const struct turbulence *t = &warp->turbulence;
+    const double all[WARP_NUMBERS] = {
+        warp->kind,     t->amount.x,    t->amount.y,    t->amount.z,
+        t->octaves,     t->omega,       t->lambda,      warp->period.x,
+        warp->period.y, warp->period.z, warp->offset.x, warp->offset.y,
+        warp->offset.z, warp->flip.x,   warp->flip.y,   warp->flip.z,
+        warp->centre.x, warp->centre.y, warp->centre.z, warp->radius,
+        warp->falloff,  warp->strength, warp->push,     0
+    };
+    memcpy(numbers, all, sizeof all);
+}

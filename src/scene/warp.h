@@ -1,0 +1,29 @@
+/* Warps: bends of space between a pattern and what moves it. */
+#ifndef SCENE_WARP_H
+#define SCENE_WARP_H
+
+#include "base/affine.h"
+#include "scene/pattern.h"
+
+enum warp_kind { WARP_TURBULENCE, WARP_REPEAT, WARP_BLACK_HOLE };
+
+struct warp {
+    enum warp_kind kind;
+    affine inverse;           /* after it: what was moved before it */
+    const struct warp *inner; /* then that one, or NULL */
+    struct turbulence turbulence;
+    vec3 period;       /* repeat: along one axis; black hole: or 0 */
+    vec3 offset, flip; /* of each repetition; axes that change sides */
+    vec3 centre;       /* of a black hole, and so on: */
+    double radius, falloff, strength;
+    bool push; /* outward: inverse */
+};
+
+/* The point that all of them make of one. */
+vec3 warp_all(const struct warp *warp, vec3 point);
+
+/* Numbers that tell this warp from others. */
+enum { WARP_NUMBERS = 24 };
+void warp_numbers(const struct warp *warp, double numbers[WARP_NUMBERS]);
+
+#endif
