@@ -80,6 +80,9 @@ static bool query_shape(struct query *query, const struct solid *solid,
                         const struct ray *ray)
 {
     const struct object *object = solid->leaf->object;
+    const struct primitive *primitive = object->primitive;
+    const struct ray *inner = ray;
+    struct ray local;
     struct hits hits;
     if (query_is_plain(query, solid)) {
         query->blocked = solid_crosses(solid, ray, query->tmin, query->tmax);
@@ -87,11 +90,14 @@ static bool query_shape(struct query *query, const struct solid *solid,
     }
     hits.count = 0;
     if (solid->moved) {
-        struct ray local = ray_into(&solid->to_shape, ray);
-        object->primitive->intersect(object->shape, &local, &hits);
-    } else {
-        object->primitive->intersect(object->shape, ray, &hits);
+        local = ray_into(&solid->to_shape, ray);
+        inner = &local;
     }
+    if (!query->occlusion && solid->simple && primitive->first)
+        hits.count = primitive->first(object->shape, inner, query->tmin,
+                                      query->tmax, &hits.at[0]);
+    else
+        primitive->intersect(object->shape, inner, &hits);
     for (int i = 0; i < hits.count; i++)
         if (take_if_counts(query, solid, ray, &hits.at[i]))
             return true;

@@ -122,6 +122,7 @@ struct search {
     double gradient; /* of the function by t, at most */
     double accuracy; /* in t */
     int left;        /* calls */
+    int wanted;      /* crossings, at most: the nearest */
 };
 
 static double surface_value(const struct isosurface *s, vec3 point)
@@ -166,7 +167,7 @@ static void search_stretch(struct search *search, double a, double at_a,
                            double b, double at_b)
 {
     bool differ = (at_a < 0) != (at_b < 0);
-    if (search->left <= 0 || search->hits->count >= HITS_MAX - 2)
+    if (search->left <= 0 || search->hits->count >= search->wanted)
         return;
     if (!differ && fabs(at_a) + fabs(at_b) > search->gradient * (b - a))
         return;
@@ -181,21 +182,31 @@ static void search_stretch(struct search *search, double a, double at_a,
     search_stretch(search, middle, at_middle, b, at_b);
 }
 
+/* The part of a ray in the container. False: none. */
+static bool search_start(struct search *search, const struct isosurface *s,
+                         const struct ray *ray, struct hits *hits,
+                         struct hit ends[2])
+{
+    double speed = vec3_length(ray->direction);
+    *search = (struct search){ .surface = s,
+                               .ray = ray,
+                               .hits = hits,
+                               .gradient = s->max_gradient * speed,
+                               .accuracy = s->accuracy / speed,
+                               .left = ISOSURFACE_STEPS,
+                               .wanted = HITS_MAX - 2 };
+    return speed > 0 && (s->ball ? ball_interval : box_interval)(s, ray, ends);
+}
+
 /* Where the container cuts through the inside, it is the surface. */
 static void isosurface_intersect(const void *shape, const struct ray *ray,
                                  struct hits *hits)
 {
     const struct isosurface *s = shape;
     struct hit ends[2];
-    double speed = vec3_length(ray->direction);
-    if (!(speed > 0) || !(s->ball ? ball_interval : box_interval)(s, ray, ends))
+    struct search search;
+    if (!search_start(&search, s, ray, hits, ends))
         return;
-    struct search search = { s,
-                             ray,
-                             hits,
-                             s->max_gradient * speed,
-                             s->accuracy / speed,
-                             ISOSURFACE_STEPS };
     double first = search_value(&search, ends[0].t);
     double last = search_value(&search, ends[1].t);
     if (first < 0 && !s->open)
@@ -203,6 +214,44 @@ static void isosurface_intersect(const void *shape, const struct ray *ray,
     search_stretch(&search, ends[0].t, first, ends[1].t, last);
     if (last < 0 && !s->open)
         hits->at[hits->count++] = ends[1];
+}
+
+/* Nothing is looked for but between tmin and tmax, and up to the first. */
+static bool isosurface_first(const void *shape, const struct ray *ray,
+                             double tmin, double tmax, struct hit *hit)
+{
+    const struct isosurface *s = shape;
+    struct hit ends[2];
+    struct hits hits;
+    struct search search;
+    hits.count = 0;
+    if (!search_start(&search, s, ray, &hits, ends))
+        return false;
+    double from = fmax(ends[0].t, tmin), to = fmin(ends[1].t, tmax);
+    if (!(from < to))
+        return false;
+    double first = search_value(&search, from),
+           last = search_value(&search, to);
+    if (from > tmin && first < 0 && !s->open) {
+        *hit = ends[0];
+        return true;
+    }
+    search.wanted = 1;
+    search_stretch(&search, from, first, to, last);
+    if (hits.count > 0)
+        *hit = hits.at[0];
+    else if (to < tmax && last < 0 && !s->open)
+        *hit = ends[1];
+    else
+        return false;
+    return hit->t > tmin && hit->t < tmax;
+}
+
+static bool isosurface_crosses(const void *shape, const struct ray *ray,
+                               double tmin, double tmax)
+{
+    struct hit hit;
+    return isosurface_first(shape, ray, tmin, tmax, &hit);
 }
 
 static vec3 isosurface_normal(const void *shape, vec3 point,
@@ -270,6 +319,8 @@ const struct primitive isosurface_primitive = {
     .prepare = isosurface_prepare,
     .bounds = isosurface_bounds,
     .intersect = isosurface_intersect,
+    .crosses = isosurface_crosses,
+    .first = isosurface_first,
     .normal = isosurface_normal,
     .inside = isosurface_inside,
     .meets = isosurface_meets,

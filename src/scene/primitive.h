@@ -53,6 +53,9 @@ struct primitive {
      * intersect says it as quickly. */
     bool (*crosses)(const void *shape, const struct ray *ray, double tmin,
                     double tmax);
+    /* The same, and where it does first; NULL likewise. */
+    bool (*first)(const void *shape, const struct ray *ray, double tmin,
+                  double tmax, struct hit *hit);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */
     vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
     /* NULL when not solid. */

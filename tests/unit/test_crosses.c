@@ -1,0 +1,76 @@
+/* scene/primitive: what shapes say of a piece of a ray is what they say of all
+ * of it. */
+#include "harness.h"
+
+#include <math.h>
+
+#include "scene_world.h"
+#include "shapes.h"
+
+/* Rays at one shape, in its space. What they meet between two places is asked
+ * three ways. */
+static void shape_crossings_agree(void *context, const struct solid *solid)
+{
+    const struct object *object = solid->leaf->object;
+    const struct primitive *primitive = object->primitive;
+    struct dice dice = { 5 };
+    int *met = context;
+    if (!primitive->crosses)
+        return;
+    for (int i = 0; i < 4000; i++) {
+        struct ray ray = { dice_point(&dice, 1.5), dice_point(&dice, 1.5) };
+        double tmin = dice_between(&dice, -1, 1), first = HUGE_VAL;
+        double tmax = tmin + dice_between(&dice, 0, 4);
+        struct hits hits;
+        struct hit hit;
+        hits.count = 0;
+        primitive->intersect(object->shape, &ray, &hits);
+        for (int k = 0; k < hits.count; k++)
+            if (hits.at[k].t > tmin && hits.at[k].t < tmax)
+                first = fmin(first, hits.at[k].t);
+        bool crosses = first < HUGE_VAL;
+        assert_true(primitive->crosses(object->shape, &ray, tmin, tmax) ==
+                    crosses);
+        *met += crosses;
+        if (!primitive->first)
+            continue;
+        assert_true(primitive->first(object->shape, &ray, tmin, tmax, &hit) ==
+                    crosses);
+        if (crosses)
+            assert_true(fabs(hit.t - first) < 1e-6);
+    }
+}
+
+static void crossings_asked_for_alone_agree(void **state)
+{
+    static const char *const shapes[] = {
+        "sphere { <.1,.2,0>, 1 }",
+        "box { -1, <1,.5,.7> }",
+        "cylinder { -y, <.5,1,0>, .6 }",
+        "cylinder { -y, <.5,1,0>, .6 open }",
+        "cone { -y, .9, <.2,1,0>, .2 }",
+        "cone { -y, .9, <.2,1,0>, 0 open }",
+        "isosurface { function { x*x + y*y*y*y + z*z - .8 } max_gradient 7 "
+        "accuracy 1e-5 }",
+        "isosurface { function { x*x + y*y - z*z - .2 } max_gradient 4 "
+        "contained_by { sphere { 0, 1 } } accuracy 1e-5 }",
+        "isosurface { function { x*x + y*y - z*z - .2 } max_gradient 4 open "
+        "contained_by { box { -1, 1 } } accuracy 1e-5 }",
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+        struct scene_world *all = scene_world_new(shapes[i]);
+        int met = 0;
+        world_visit(all->world, shape_crossings_agree, NULL, &met);
+        assert_true(met > 400);
+        scene_world_free(all);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(crossings_asked_for_alone_agree),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
