@@ -46,12 +46,6 @@ static bool query_wants(const struct query *query, const struct leaf *leaf,
                                leaf->number < query->leaf->number);
 }
 
-static struct ray thereto(const affine *transform, const struct ray *ray)
-{
-    return (struct ray){ affine_point(transform, ray->origin),
-                         affine_direction(transform, ray->direction) };
-}
-
 /* The ray in the space of the tree at hand; its t is the same everywhere. */
 struct space {
     struct ray ray;
@@ -120,7 +114,7 @@ static bool query_mesh(struct query *query, const struct solid *solid,
                        const struct ray *ray)
 {
     struct mesh_query context = { query, solid, ray };
-    struct ray local = thereto(&solid->to_shape, ray);
+    struct ray local = ray_into(&solid->to_shape, ray);
     mesh_tree_crossings(solid->tree, &local, query->tmin, query->tmax,
                         mesh_crossing, &context);
     return query->blocked;
@@ -181,7 +175,7 @@ bool query_solid(struct query *query, const struct solid *solid)
         return false;
     struct space space = { query->ray, query->slabs };
     if (solid->frame) {
-        space.ray = thereto(&solid->frame->inward, &query->ray);
+        space.ray = ray_into(&solid->frame->inward, &query->ray);
         space.slabs = slabs_of(&space.ray);
         if (!slabs_hit(&space.slabs, &solid->inner, query->tmin, query->tmax))
             return false;
@@ -199,7 +193,7 @@ bool query_triangle(const struct query *query, const struct leaf *leaf,
 {
     const struct mesh *mesh = leaf->object->mesh;
     if (leaf->moved) {
-        struct ray ray = thereto(&leaf->to_object, &query->ray);
+        struct ray ray = ray_into(&leaf->to_object, &query->ray);
         *t = mesh_distance(mesh, triangle, &ray);
     } else {
         *t = mesh_distance(mesh, triangle, &query->ray);
@@ -215,7 +209,7 @@ void query_refine(const struct ray *ray, const struct leaf *leaf,
     if (leaf->object->kind != OBJECT_MESH ||
         mesh->triangles[hit->part].normal[0] == MESH_NONE)
         return;
-    struct ray there = leaf->moved ? thereto(&leaf->to_object, ray) : *ray;
+    struct ray there = leaf->moved ? ray_into(&leaf->to_object, ray) : *ray;
     mesh_refine(mesh, (size_t)hit->part, &there, hit);
 }
 

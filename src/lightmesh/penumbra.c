@@ -454,7 +454,7 @@ bool penumbras_share(const struct penumbras *all, const double place[2],
     for (int k = 0; k < 4; k++)
         for (int c = 0; c < 3; c++)
             sum[c] += (float)in.weight[k] * of->shares[in.at[k]][c];
-    *share = (rgb){ sum[0], sum[1], sum[2] };
+    *share = (rgb){ (double)sum[0], (double)sum[1], (double)sum[2] };
     return true;
 }
 
