@@ -126,12 +126,6 @@ struct block {
     double bend;
 };
 
-static bool same_surface(const struct world_hit *a, const struct leaf *leaf,
-                         int part)
-{
-    return a->leaf == leaf && a->hit.part == part;
-}
-
 /* The corners of the block at (i, j). False if they are not all on a surface,
  * the same. */
 static bool block_corners(const struct penumbras *all, int i, int j, int side,
@@ -143,8 +137,8 @@ static bool block_corners(const struct penumbras *all, int i, int j, int side,
     for (int k = 0; k < 4; k++) {
         int x = i + (k & 1) * side, y = j + (k >> 1) * side;
         at[k] = lattice_at(all, x, y);
-        if (!first->leaf ||
-            !same_surface(lattice_hit(all, x, y), first->leaf, first->hit.part))
+        if (!first->leaf || !first_hit_is_on(lattice_hit(all, x, y),
+                                             first->leaf, first->hit.part))
             return false;
     }
     return true;
@@ -425,7 +419,7 @@ static bool block_place(const struct penumbras *all, const uint8_t *cells,
     i = floor_to(i, side);
     j = floor_to(j, side);
     const struct world_hit *first = lattice_hit(all, i, j);
-    if (!same_surface(first, at->leaf, at->part))
+    if (!first_hit_is_on(first, at->leaf, at->part))
         return false;
     double u = (x / CELL - i) / side, v = (y / CELL - j) / side;
     for (int k = 0; k < 4; k++) {
@@ -440,10 +434,9 @@ bool penumbras_share(const struct penumbras *all, const double place[2],
                      rgb *share)
 {
     const struct penumbra *of = &all->of[lamp->number];
-    const struct first_hits *hits = &all->hits;
-    double x = place[0] * hits->width - hits->middle;
-    double y = place[1] * hits->height - hits->middle;
+    double x, y;
     struct block_place in;
+    first_hits_find(&all->hits, place, &x, &y);
     if (!of->cells || !block_place(all, of->cells, x, y, at, &in))
         return false;
     *share = rgb_grey(1);

@@ -37,12 +37,6 @@ struct pixel_mesh {
     unsigned threads;
 };
 
-static bool same_surface(const struct world_hit *a, const struct leaf *leaf,
-                         int part)
-{
-    return a->leaf == leaf && a->hit.part == part;
-}
-
 static bool grid_has(const struct first_hits *hits, int x, int y)
 {
     return x >= hits->left && y >= hits->top &&
@@ -64,8 +58,8 @@ static bool pixel_serves(const struct pixel_mesh *mesh, int x, int y,
     return grid_has(&mesh->hits, x, y) &&
            stagger_level(mesh->stagger, x, y) < mesh->level &&
            *number_at(mesh, x, y) >= 0 &&
-           same_surface(first_hits_at(&mesh->hits, x, y), hit->leaf,
-                        hit->hit.part);
+           first_hit_is_on(first_hits_at(&mesh->hits, x, y), hit->leaf,
+                           hit->hit.part);
 }
 
 static bool pixel_is_served(const struct pixel_mesh *mesh, int x, int y)
@@ -238,8 +232,8 @@ static void surface_ask(const struct pixel_mesh *mesh,
     if (!grid_has(&mesh->hits, i, j))
         return;
     int32_t number = *number_at(mesh, i, j);
-    if (number < 0 || !same_surface(first_hits_at(&mesh->hits, i, j),
-                                    seen->at->leaf, seen->at->part))
+    if (number < 0 || !first_hit_is_on(first_hits_at(&mesh->hits, i, j),
+                                       seen->at->leaf, seen->at->part))
         return;
     vec3 normal = lamp_sights_normal(&mesh->points, (size_t)number);
     double cosine = vec3_dot(normal, seen->side);
@@ -316,19 +310,12 @@ static int32_t point_at(const struct pixel_mesh *mesh, double x, double y)
     return there ? *number_at(mesh, i, j) : -1;
 }
 
-static void grid_place(const struct first_hits *hits, const double place[2],
-                       double *x, double *y)
-{
-    *x = place[0] * hits->width - hits->middle;
-    *y = place[1] * hits->height - hits->middle;
-}
-
 bool pixel_mesh_light(const struct pixel_mesh *mesh, const double place[2],
                       const struct intersection *at, vec3 side,
                       struct facet_light *light)
 {
     struct seen_surface seen;
-    grid_place(&mesh->hits, place, &seen.x, &seen.y);
+    first_hits_find(&mesh->hits, place, &seen.x, &seen.y);
     int32_t own = point_at(mesh, seen.x, seen.y);
     if (own >= 0) {
         *light = mesh->light[own];
@@ -344,7 +331,7 @@ bool pixel_mesh_sees(const struct pixel_mesh *mesh, const double place[2],
                      const struct lamp *lamp, bool *shines)
 {
     double x, y;
-    grid_place(&mesh->hits, place, &x, &y);
+    first_hits_find(&mesh->hits, place, &x, &y);
     int32_t own = point_at(mesh, x, y);
     if (own < 0 || !mesh->options.takes[lamp->number])
         return false;

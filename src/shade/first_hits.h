@@ -33,4 +33,19 @@ static inline void first_hits_place(const struct first_hits *hits, int x, int y,
     place[1] = (y + hits->middle) / hits->height;
 }
 
+/* The way back: whole numbers are places of the grid. */
+static inline void first_hits_find(const struct first_hits *hits,
+                                   const double place[2], double *x, double *y)
+{
+    *x = place[0] * hits->width - hits->middle;
+    *y = place[1] * hits->height - hits->middle;
+}
+
+/* Whether the hit is on that part of that leaf. */
+static inline bool first_hit_is_on(const struct world_hit *hit,
+                                   const struct leaf *leaf, int part)
+{
+    return hit->leaf == leaf && hit->hit.part == part;
+}
+
 #endif
