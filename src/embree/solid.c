@@ -128,8 +128,5 @@ bool solid_crosses(const struct solid *solid, const struct ray *ray,
         return object->primitive->crosses(object->shape, ray, tmin, tmax);
     hits.count = 0;
     object->primitive->intersect(object->shape, ray, &hits);
-    for (int i = 0; i < hits.count; i++)
-        if (hits.at[i].t > tmin && hits.at[i].t < tmax)
-            return true;
-    return false;
+    return hits_between(&hits, tmin, tmax);
 }

@@ -153,8 +153,8 @@ static bool pixels_sharp(struct mesh_pixels *pixels,
         pixels_points(pixels, grid) * lamps > most_pairs ||
         (double)world_triangle_count(world) * lamps * lamp_triangle > worth)
         return false;
-    pixels->off = pixels->takes || !pixels_start(pixels);
-    return !pixels->off && pixels_cost(pixels, grid) <= worth;
+    return !pixels->takes && pixels_start(pixels) &&
+           pixels_cost(pixels, grid) <= worth;
 }
 
 bool mesh_pixels_wanted(struct mesh_pixels *pixels,

@@ -382,6 +382,7 @@ void penumbras_free(struct penumbras *all)
 
 /* Where a place is in a block, and what of each corner counts there. */
 struct block_place {
+    uint8_t cell; /* what it holds */
     size_t at[4];
     double weight[4];
 };
@@ -413,7 +414,8 @@ static bool block_place(const struct penumbras *all, const uint8_t *cells,
     int i = (int)floor(x / CELL), j = (int)floor(y / CELL);
     if (!lattice_has(all, i, j))
         return false;
-    int side = cells[lattice_at(all, i, j)] & SIDES;
+    place->cell = cells[lattice_at(all, i, j)];
+    int side = place->cell & SIDES;
     if (side == 0)
         return false;
     i = floor_to(i, side);
@@ -440,8 +442,7 @@ bool penumbras_share(const struct penumbras *all, const double place[2],
     if (!of->cells || !block_place(all, of->cells, x, y, at, &in))
         return false;
     *share = rgb_grey(1);
-    size_t cell = lattice_at(all, (int)floor(x / CELL), (int)floor(y / CELL));
-    if (of->cells[cell] & LIT)
+    if (in.cell & LIT)
         return true;
     float sum[3] = { 0, 0, 0 };
     for (int k = 0; k < 4; k++)

@@ -110,10 +110,7 @@ static bool crossing_between(const struct conic *conic, const struct ray *ray,
     struct hits hits;
     hits.count = 0;
     conic_intersect(conic, ray, &hits);
-    for (int i = 0; i < hits.count; i++)
-        if (hits.at[i].t > tmin && hits.at[i].t < tmax)
-            return true;
-    return false;
+    return hits_between(&hits, tmin, tmax);
 }
 
 /* What is closed, and isn't steeper than the ray, is a piece of it: that

@@ -2,6 +2,8 @@
 #ifndef SCENE_RAY_H
 #define SCENE_RAY_H
 
+#include <stdbool.h>
+
 #include "base/vec.h"
 
 /* Points origin + t direction. The direction need not be unit: a ray taken
@@ -31,6 +33,16 @@ static inline void hits_add(struct hits *hits, double t, int part)
 {
     if (hits->count < HITS_MAX)
         hits->at[hits->count++] = (struct hit){ t, part, 0, 0 };
+}
+
+/* Whether one of them lies between tmin and tmax. */
+static inline bool hits_between(const struct hits *hits, double tmin,
+                                double tmax)
+{
+    for (int i = 0; i < hits->count; i++)
+        if (hits->at[i].t > tmin && hits->at[i].t < tmax)
+            return true;
+    return false;
 }
 
 static inline vec3 ray_point(const struct ray *ray, double t)
