@@ -27,4 +27,12 @@ static inline double random_unit(uint64_t key)
     return (double)(random_mix(key) >> 11) * 0x1p-53;
 }
 
+/* The number after `state` in the sequence behind the scene language's rand():
+ * a linear congruential generator modulo 2^32. Its constants were found by
+ * measurement: what POV-Ray scatters with it must land in the same places. */
+static inline uint32_t random_step(uint32_t state)
+{
+    return state * 1812433253u + 12345u;
+}
+
 #endif

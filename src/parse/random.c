@@ -1,9 +1,9 @@
-/* POV-Ray's generator, so that scattered things land where POV-Ray puts them:
- * a linear congruential one modulo 2^32 (constants found by measurement, see
- * "rand" in notes/scene-language.md). */
+/* rand() and seed(): POV-Ray's generator, so that scattered things land where
+ * POV-Ray puts them. */
 #include "parse/random.h"
 
 #include "base/array.h"
+#include "base/random.h"
 
 size_t random_seed(struct arena *arena, struct random_streams *streams,
                    int seed)
@@ -15,6 +15,6 @@ size_t random_seed(struct arena *arena, struct random_streams *streams,
 double random_next(struct random_streams *streams, size_t stream)
 {
     uint32_t *state = &streams->items[stream];
-    *state = *state * 1812433253u + 12345u;
+    *state = random_step(*state);
     return (double)*state / 4294967295.0;
 }

@@ -1,0 +1,43 @@
+/* The random numbers of solid noise; see noise_tables.c for what they are. */
+#ifndef SCENE_NOISE_TABLES_H
+#define SCENE_NOISE_TABLES_H
+
+#include <stdint.h>
+
+#include "base/vec.h"
+#include "scene/noise.h"
+
+enum {
+    LATTICE_PERIOD = 4096,
+    LATTICE_MASK = LATTICE_PERIOD - 1,
+    NOISE_WINDOWS = 256,  /* hashes that differ in the numbers they stand for */
+    NOISE_FIELD_STEP = 4, /* from one field's four numbers to the next one's */
+    NOISE_FIELDS = 3,
+    NOISE_NUMBERS = NOISE_WINDOWS + NOISE_FIELDS * NOISE_FIELD_STEP - 1,
+};
+
+struct noise_tables {
+    uint16_t permutation[LATTICE_PERIOD];
+    float lattice[NOISE_NUMBERS]; /* in [-1,1] */
+    uint32_t cells[LATTICE_PERIOD + 2];
+    vec3 waves[NOISE_WAVES]; /* unit vectors */
+};
+
+/* The same for all threads, made by the first call. */
+const struct noise_tables *noise_tables(void);
+
+/* The number of a lattice plane; that through 0 has number 10000. */
+static inline uint32_t lattice_plane(int64_t plane)
+{
+    return (uint32_t)(plane + 10000) & LATTICE_MASK;
+}
+
+/* In [0, LATTICE_PERIOD) for three numbers in that range. */
+static inline uint32_t lattice_hash(const struct noise_tables *tables,
+                                    uint32_t x, uint32_t y, uint32_t z)
+{
+    const uint16_t *permutation = tables->permutation;
+    return permutation[permutation[permutation[x] ^ y] ^ z];
+}
+
+#endif
