@@ -58,6 +58,25 @@ static bool field_pattern(struct parser *p, struct pattern *pattern)
     return true;
 }
 
+static bool field_function(struct parser *p, struct function *function,
+                           const struct pattern *pattern)
+{
+    field_locals(p, function, 3);
+    field_step(p, function, STEP_FIELD)->field =
+        field_of_pattern(p->scene_arena, pattern);
+    function->work = 4 + pattern_work(pattern);
+    function->levels = pattern_levels(pattern);
+    return work_check(p, function->work, function->levels);
+}
+
+/* f_noise3d: the noise of bozo, by whatever noise_generator the scene says. */
+static bool noise_function(struct parser *p, struct function *function)
+{
+    struct pattern bozo = pattern_new(p->scene_arena, pattern_find("bozo"));
+    bozo.noise = &p->scene->noise;
+    return field_function(p, function, &bozo);
+}
+
 /* pattern_body = "pattern" "{" pattern {pattern_item} "}" . */
 static bool parse_pattern_body(struct parser *p, struct function *function)
 {
@@ -67,12 +86,7 @@ static bool parse_pattern_body(struct parser *p, struct function *function)
     if (!block_begin(p, &open) ||
         !block_end(p, open, field_pattern(p, &pattern)))
         return false;
-    field_locals(p, function, 3);
-    field_step(p, function, STEP_FIELD)->field =
-        field_of_pattern(p->scene_arena, &pattern);
-    function->work = 4 + pattern_work(&pattern);
-    function->levels = pattern_levels(&pattern);
-    return work_check(p, function->work, function->levels);
+    return field_function(p, function, &pattern);
 }
 
 /* internal_body = "internal" "(" float ")" .
@@ -85,6 +99,8 @@ static bool parse_internal_body(struct parser *p, struct function *function)
     if (!expect(p, TOKEN_LPAREN, span_none()) || !parse_integer(p, &number) ||
         !expect(p, TOKEN_RPAREN, open))
         return false;
+    if (number == INTERNAL_NOISE3D)
+        return noise_function(p, function);
     const struct internal_function *internal = internal_find(number);
     if (!internal)
         return error_unsupported(

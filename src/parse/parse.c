@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "parse/rules.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
 
@@ -121,6 +122,7 @@ struct scene *parse_scene(const struct source *main,
     };
     p.scene_arena = p.scene->arena;
     p.words = word_table_new(p.arena);
+    settings_follow_version(&p);
     parse_run(&p, main);
     bool stopped = options->stop && *options->stop;
     p.scene->version = p.version;

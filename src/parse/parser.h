@@ -69,8 +69,8 @@ struct parser {
     bool silent;    /* the last error was not printed: nor are its notes */
     bool failed;    /* gave up: the stream only gives TOKEN_END from now on */
     double version; /* #version in force */
-    bool version_said;
-    struct { /* #default: what new things start from */
+    bool version_said, noise_said; /* #version, noise_generator */
+    struct {                       /* #default: what new things start from */
         const struct pigment *pigment;
         const struct normal *normal;
         const struct finish *finish;

@@ -66,6 +66,8 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
     fresh.phase = pattern->phase;
     fresh.turbulent = pattern->turbulent;
     fresh.turbulence = pattern->turbulence;
+    fresh.noise = &p->scene->noise;
+    fresh.generator = pattern->generator;
     *pattern = fresh;
 }
 
@@ -168,18 +170,14 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
 }
 
 /* noise_generator = "noise_generator" float . */
-bool parse_noise_generator(struct parser *p)
+bool parse_noise_generator(struct parser *p, int *generator)
 {
-    int generator;
     stream_next(p);
     struct span span = stream_span(p);
-    if (!parse_integer(p, &generator))
+    if (!parse_integer(p, generator))
         return false;
-    if (generator < 1 || generator > 3)
-        return error_at(p, span, "2", "noise_generator is 1, 2 or 3");
-    if (generator != 2)
-        warning_at(p, span, "2", "glim draws every noise as noise_generator 2");
-    return true;
+    return (*generator >= 1 && *generator <= 3) ||
+           error_at(p, span, "2", "noise_generator is 1, 2 or 3");
 }
 
 /* wave = "ramp_wave" | "triangle_wave" | "sine_wave" | "scallop_wave"
@@ -239,7 +237,7 @@ bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found)
     if (stream_keyword(p) == KEYWORD_WARP)
         return parse_warp(p, pattern);
     if (stream_keyword(p) == KEYWORD_NOISE_GENERATOR)
-        return parse_noise_generator(p);
+        return parse_noise_generator(p, &pattern->generator);
     const struct field *field = accept_field(p, pattern_fields);
     if (field) {
         pattern->turbulent |= strcmp(field->name, "turbulence") == 0;

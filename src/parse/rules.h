@@ -183,8 +183,11 @@ bool parse_radiosity(struct parser *p);
 
 /* ---- settings.c ---- */
 
-bool parse_noise_generator(struct parser *p);
+bool parse_noise_generator(struct parser *p, int *generator);
 bool parse_default_block(struct parser *p);
+
+/* What depends on #version, if the scene doesn't say it. */
+void settings_follow_version(struct parser *p);
 
 /* The working space as far as it is known now. */
 enum gamma_kind settings_gamma(const struct parser *p);

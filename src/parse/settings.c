@@ -21,15 +21,11 @@ static const struct field setting_fields[] = {
 };
 
 static const struct field setting_names[] = {
-    { .name = "assumed_gamma" },
-    { .name = "ambient_light" },
-    { .name = "max_trace_level" },
-    { .name = "adc_bailout" },
-    { .name = "noise_generator" },
-    { .name = "radiosity" },
-    { .name = "light_mesh" },
-    { .name = "skeleton" },
-    { .name = NULL },
+    { .name = "assumed_gamma" },   { .name = "ambient_light" },
+    { .name = "max_trace_level" }, { .name = "adc_bailout" },
+    { .name = "noise_generator" }, { .name = "number_of_waves" },
+    { .name = "radiosity" },       { .name = "light_mesh" },
+    { .name = "skeleton" },        { .name = NULL },
 };
 
 static const struct unsupported_word setting_unsupported[] = {
@@ -64,20 +60,37 @@ static bool parse_assumed_gamma(struct parser *p)
     return true;
 }
 
-/* The patterns 'waves' and 'ripples' are made of ten. */
-static bool setting_waves(struct parser *p)
+void settings_follow_version(struct parser *p)
 {
-    int count;
-    struct span span = stream_span(p);
-    stream_next(p);
-    if (!parse_integer(p, &count))
-        return false;
-    return count == 10 ||
-           error_unsupported(p, span, "a 'number_of_waves' other than 10");
+    if (!p->noise_said)
+        p->scene->noise.generator =
+            p->version < 3.5 ? NOISE_CLIPPED : NOISE_SCALED;
 }
 
-/* setting_without_effect = "noise_generator" float | "number_of_waves" float
- *                        | "charset" name | "max_intersections" float
+/* noise_setting = noise_generator | "number_of_waves" float . */
+static bool parse_noise_setting(struct parser *p)
+{
+    struct noise_settings *noise = &p->scene->noise;
+    if (stream_keyword(p) == KEYWORD_NOISE_GENERATOR) {
+        int generator;
+        p->noise_said = true;
+        if (!parse_noise_generator(p, &generator))
+            return false;
+        noise->generator = (enum noise_generator)generator;
+        return true;
+    }
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &noise->waves))
+        return false;
+    if (noise->waves > NOISE_WAVES_LIMIT)
+        return error_at(p, span, "10", "glim's limit is %d waves",
+                        NOISE_WAVES_LIMIT);
+    noise->waves = noise->waves < 1 ? 1 : noise->waves;
+    return true;
+}
+
+/* setting_without_effect = "charset" name | "max_intersections" float
  *                        | "mm_per_unit" float | "irid_wavelength" colour
  *                        | "hf_gray_16" [bool] . */
 static bool parse_setting_without_effect(struct parser *p, bool *found)
@@ -86,10 +99,6 @@ static bool parse_setting_without_effect(struct parser *p, bool *found)
     bool flag;
     *found = true;
     switch (stream_keyword(p)) {
-    case KEYWORD_NOISE_GENERATOR:
-        return parse_noise_generator(p);
-    case KEYWORD_NUMBER_OF_WAVES:
-        return setting_waves(p);
     case KEYWORD_CHARSET:
         stream_next(p);
         if (stream_peek(p)->kind != TOKEN_WORD)
@@ -168,16 +177,20 @@ static bool parse_light_setting(struct parser *p, bool *found)
     return true;
 }
 
-/* global_setting = setting_value | assumed_gamma | light_setting
- *                | setting_without_effect . */
+/* global_setting = setting_value | assumed_gamma | noise_setting
+ *                | light_setting | setting_without_effect . */
 static bool parse_global_setting(struct parser *p)
 {
     bool found;
+    enum keyword keyword = stream_keyword(p);
     const struct field *field = accept_field(p, setting_fields);
     if (field)
         return setting_field(p, field);
-    if (stream_keyword(p) == KEYWORD_ASSUMED_GAMMA)
+    if (keyword == KEYWORD_ASSUMED_GAMMA)
         return parse_assumed_gamma(p);
+    if (keyword == KEYWORD_NOISE_GENERATOR ||
+        keyword == KEYWORD_NUMBER_OF_WAVES)
+        return parse_noise_setting(p);
     bool ok = parse_light_setting(p, &found);
     if (ok && !found)
         ok = parse_setting_without_effect(p, &found);

@@ -84,10 +84,11 @@ static uint64_t pattern_hash(uint64_t hash, const struct pattern *pattern)
     const struct pattern_kind *kind = pattern->kind;
     const struct turbulence *turbulence = &pattern->turbulence;
     const double numbers[] = {
-        pattern->wave,        pattern->exponent,    pattern->frequency,
-        pattern->phase,       pattern->turbulent,   turbulence->octaves,
-        turbulence->omega,    turbulence->lambda,   turbulence->amount.x,
-        turbulence->amount.y, turbulence->amount.z,
+        pattern->wave,         pattern->exponent,    pattern->frequency,
+        pattern->phase,        pattern->turbulent,   turbulence->octaves,
+        turbulence->omega,     turbulence->lambda,   turbulence->amount.x,
+        turbulence->amount.y,  turbulence->amount.z, pattern_generator(pattern),
+        pattern->noise->waves,
     };
     hash = hash_affine(hash, &pattern->inverse);
     for (const struct warp *warp = pattern->warps; warp; warp = warp->inner) {

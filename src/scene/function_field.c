@@ -89,19 +89,24 @@ static double internal_superellipsoid(const double *a)
     return 1 - pow(norm, a[4] / 2);
 }
 
-static double internal_noise3d(const double *a)
+static double internal_noise_generator(const double *a)
 {
-    return noise_value(vec3_make(a[0], a[1], a[2]));
+    int generator = a[3] < 1.5 ? 1 : a[3] < 2.5 ? 2 : 3;
+    return noise_value(generator, vec3_make(a[0], a[1], a[2]));
 }
 
 const struct internal_function *internal_find(int number)
 {
     static const struct internal_function functions[] = {
-        { 17, 6, internal_ellipsoid }, { 47, 3, internal_phi },
-        { 57, 3, internal_r },         { 60, 7, internal_rounded_box },
-        { 61, 4, internal_sphere },    { 68, 5, internal_superellipsoid },
-        { 69, 3, internal_theta },     { 70, 5, internal_torus },
-        { 76, 3, internal_noise3d },   { 78, 4, internal_noise3d },
+        { 17, 6, internal_ellipsoid },
+        { 47, 3, internal_phi },
+        { 57, 3, internal_r },
+        { 60, 7, internal_rounded_box },
+        { 61, 4, internal_sphere },
+        { 68, 5, internal_superellipsoid },
+        { 69, 3, internal_theta },
+        { 70, 5, internal_torus },
+        { 78, 4, internal_noise_generator },
     };
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
         if (functions[i].number == number)

@@ -18,6 +18,8 @@ const struct function_field *field_of_pattern(struct arena *arena,
 const struct function_field *
 field_of_pigment(struct arena *arena, const struct pigment *pigment, int part);
 
+enum { INTERNAL_NOISE3D = 76 }; /* the number of f_noise3d, a pattern */
+
 /* One of functions.inc, by the number of its internal(). */
 struct internal_function {
     int number, arguments;

@@ -7,6 +7,10 @@
 #include <string.h>
 
 #include "scene/noise_tables.h"
+#include "scene/perlin.h"
+
+const struct noise_settings noise_settings_default = { NOISE_SCALED,
+                                                       NOISE_WAVES };
 
 /* noise_generator 2 as a linear function of the raw noise. */
 #define VALUE_SCALE  0.48985582
@@ -85,10 +89,28 @@ static double noise_raw(vec3 point)
     return (double)raw;
 }
 
-double noise_value(vec3 point)
+static double clip(double value)
 {
-    double value = VALUE_SCALE * noise_raw(point) + VALUE_OFFSET;
     return value < 0 ? 0 : value > 1 ? 1 : value;
+}
+
+double noise_value(enum noise_generator generator, vec3 point)
+{
+    switch (generator) {
+    case NOISE_CLIPPED:
+        return clip(noise_raw(point) + 0.5);
+    case NOISE_PERLIN:
+        return clip(0.795 * perlin_noise(point) + 0.4925);
+    case NOISE_SCALED:
+        break;
+    }
+    return clip(VALUE_SCALE * noise_raw(point) + VALUE_OFFSET);
+}
+
+double noise_wide(enum noise_generator generator, vec3 point)
+{
+    double value = noise_value(generator, point);
+    return generator == NOISE_CLIPPED ? value : 2 * value - 0.5;
 }
 
 vec3 noise_vector(vec3 point)
@@ -118,15 +140,14 @@ int turbulence_octaves(const struct turbulence *turbulence)
 }
 
 /* Measured: the first octave is cut to [0,1], the others are not. */
-double noise_turbulence(vec3 point, const struct turbulence *turbulence)
+double noise_turbulence(enum noise_generator generator, vec3 point,
+                        const struct turbulence *turbulence)
 {
     double weight = 1, sum = 0;
     int octaves = turbulence_octaves(turbulence);
     for (int i = 0; i < octaves; i++) {
-        double value = 2 * noise_value(point) - 0.5;
-        if (i == 0)
-            value = value < 0 ? 0 : value > 1 ? 1 : value;
-        sum += weight * value;
+        double value = noise_wide(generator, point);
+        sum += weight * (i == 0 ? clip(value) : value);
         weight *= turbulence->omega;
         point = vec3_scale(point, turbulence->lambda);
     }
@@ -148,5 +169,10 @@ vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence)
 
 vec3 noise_wave_source(int index)
 {
-    return noise_tables()->waves[index];
+    return noise_tables()->waves[index].source;
+}
+
+double noise_wave_frequency(int index)
+{
+    return noise_tables()->waves[index].frequency;
 }

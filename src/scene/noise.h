@@ -7,9 +7,28 @@
 #include "base/vec.h"
 #include "scene/pattern.h"
 
-/* Smooth noise in [0,1], one feature per unit: mean, spread and range as
- * POV-Ray's noise_generator 2. */
-double noise_value(vec3 point);
+/* POV-Ray's three, by their numbers. They differ in the scalar noise only. */
+enum noise_generator {
+    NOISE_CLIPPED = 1, /* cut to [0,1] */
+    NOISE_SCALED = 2,  /* the same, scaled to fit */
+    NOISE_PERLIN = 3,  /* other gradients and no values */
+};
+
+/* What global_settings say for all patterns. */
+struct noise_settings {
+    enum noise_generator generator;
+    int waves; /* of `waves` and `ripples`: 1 to NOISE_WAVES_LIMIT */
+};
+
+enum { NOISE_WAVES = 10, NOISE_WAVES_LIMIT = 1000 };
+extern const struct noise_settings noise_settings_default;
+
+/* Smooth noise in [0,1], one feature per unit. */
+double noise_value(enum noise_generator generator, vec3 point);
+
+/* The same as wide as NOISE_CLIPPED, but not cut: what granite, wrinkles and
+ * turbulence are made of. */
+double noise_wide(enum noise_generator generator, vec3 point);
 
 /* A smooth random vector field, components about [-1,1] and mostly within
  * +-0.5: the step of a `turbulence` with one octave. */
@@ -21,14 +40,16 @@ int turbulence_octaves(const struct turbulence *turbulence);
 /* Sums of octaves: frequency times lambda, weight times omega each. The scalar
  * is about 1 for the defaults and never says `amount`: marble and agate
  * multiply it themselves. Neither does the vector. */
-double noise_turbulence(vec3 point, const struct turbulence *turbulence);
+double noise_turbulence(enum noise_generator generator, vec3 point,
+                        const struct turbulence *turbulence);
 vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence);
 
 /* A random point of the unit cube that belongs to the cell (x, y, z). */
 vec3 noise_cell_point(double x, double y, double z);
 
-/* The unit vectors from which the waves of `waves` and `ripples` spread. */
-enum { NOISE_WAVES = 10 };
+/* The unit vector from which a wave of `waves` and `ripples` spreads, and its
+ * cycles per unit in `waves`. */
 vec3 noise_wave_source(int index);
+double noise_wave_frequency(int index);
 
 #endif

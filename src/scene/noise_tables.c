@@ -10,7 +10,7 @@
  * - The cells of `crackle` have their points from M. Matsumoto and T.
  *   Nishimura, "Mersenne Twister", ACM TOMACS 8, 1998: seed 5489.
  * - The waves of `ripples` spread from the directions of the vector noise at
- *   <0,0,0>, <1,0,0>, <2,0,0> ... */
+ *   <0,0,0>, <1,0,0>, <2,0,0> ...; those of `waves` have random frequencies. */
 #include "scene/noise_tables.h"
 
 #include <pthread.h>
@@ -96,15 +96,29 @@ static void make_cells(uint32_t *cells, int count)
 }
 
 /* At a lattice point the noise is half the first number of a field's four. */
-static void make_waves(vec3 waves[NOISE_WAVES])
+static vec3 lattice_vector(const struct noise_tables *tables, int x)
 {
-    for (int i = 0; i < NOISE_WAVES; i++) {
-        uint32_t hash = lattice_hash(&made, lattice_plane(i), lattice_plane(0),
-                                     lattice_plane(0));
-        const float *field = &made.lattice[hash % NOISE_WINDOWS];
-        waves[i] = vec3_normalise(vec3_make(
-            (double)field[0], (double)field[NOISE_FIELD_STEP],
-            (double)field[2 * NOISE_FIELD_STEP]));
+    uint32_t hash = lattice_hash(tables, lattice_plane(x), lattice_plane(0),
+                                 lattice_plane(0));
+    const float *field = &tables->lattice[hash % NOISE_WINDOWS];
+    return vec3_scale(vec3_make((double)field[0],
+                                (double)field[NOISE_FIELD_STEP],
+                                (double)field[2 * NOISE_FIELD_STEP]),
+                      0.5);
+}
+
+/* The frequencies are the generator's from seed 1 on, after what its other
+ * uses have taken. */
+static void make_waves(struct noise_tables *tables)
+{
+    enum { TAKEN = 7168 };
+    uint32_t state = 1;
+    for (int i = 0; i < TAKEN; i++)
+        state = random_step(state);
+    for (int i = 0; i < NOISE_WAVES_LIMIT; i++) {
+        state = random_step(state);
+        tables->waves[i].source = vec3_normalise(lattice_vector(tables, i));
+        tables->waves[i].frequency = (state >> 16 & 0x7fff) / 32767.0 + 0.01;
     }
 }
 
@@ -113,7 +127,7 @@ static void make_tables(void)
     make_permutation(made.permutation);
     make_lattice(made.lattice);
     make_cells(made.cells, LATTICE_PERIOD + 2);
-    make_waves(made.waves);
+    make_waves(&made);
 }
 
 const struct noise_tables *noise_tables(void)

@@ -20,7 +20,10 @@ struct noise_tables {
     uint16_t permutation[LATTICE_PERIOD];
     float lattice[NOISE_NUMBERS]; /* in [-1,1] */
     uint32_t cells[LATTICE_PERIOD + 2];
-    vec3 waves[NOISE_WAVES]; /* unit vectors */
+    struct {
+        vec3 source; /* a unit vector */
+        double frequency;
+    } waves[NOISE_WAVES_LIMIT];
 };
 
 /* The same for all threads, made by the first call. */

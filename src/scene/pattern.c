@@ -31,6 +31,7 @@ struct pattern pattern_new(struct arena *arena, const struct pattern_kind *kind)
         .exponent = 1,
         .frequency = 1,
         .turbulence = { { 0, 0, 0 }, 6, 0.5, 2 },
+        .noise = &noise_settings_default,
     };
     if (kind && kind->size) {
         pattern.parameters = arena_alloc(arena, kind->size);
@@ -71,6 +72,12 @@ unsigned pattern_levels(const struct pattern *pattern)
     return 1 + (made->function  ? made->function->levels
                 : made->pigment ? made->pigment->levels
                                 : 0);
+}
+
+int pattern_generator(const struct pattern *pattern)
+{
+    return pattern->generator ? pattern->generator
+                              : (int)pattern->noise->generator;
 }
 
 static double pattern_sample(const void *thing, vec3 point)

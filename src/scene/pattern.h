@@ -27,6 +27,7 @@ struct turbulence {
 };
 
 struct pattern_kind;
+struct noise_settings;
 struct warp;
 struct blend_map; /* scene/material.h */
 struct pigment;
@@ -44,6 +45,8 @@ struct pattern {
     double frequency, phase;
     bool turbulent;
     struct turbulence turbulence;
+    const struct noise_settings *noise; /* of all patterns */
+    int generator; /* its own noise_generator; 0: that of `noise` */
 };
 
 /* The parameters of patterns made of other things: one of these. */
@@ -100,6 +103,9 @@ vec3 pattern_locate(const struct pattern *pattern, vec3 point);
 
 /* As far as it is affine: the warps left out. For normals. */
 affine pattern_affine(const struct pattern *pattern);
+
+/* Which noise it is made of: enum noise_generator. */
+int pattern_generator(const struct pattern *pattern);
 
 /* Fills in the samples of one that is made of something else. */
 void pattern_take_samples(struct arena *arena, struct pattern *pattern);

@@ -9,6 +9,7 @@ struct scene *scene_new(size_t memory_limit)
     scene->arena = arena_new(memory_limit);
     scene->camera = camera_default();
     scene->background.transmit = 1; /* shows with +UA only (measured) */
+    scene->noise = noise_settings_default;
     scene->settings = (struct settings){
         .gamma_kind = GAMMA_NONE,
         .assumed_gamma = 1,

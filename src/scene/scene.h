@@ -8,6 +8,7 @@
 #include "scene/camera.h"
 #include "scene/light_settings.h"
 #include "scene/material.h"
+#include "scene/noise.h"
 #include "scene/object.h"
 
 struct fog {
@@ -65,6 +66,7 @@ struct scene {
         const struct object **items;
         size_t count, capacity;
     } objects;
+    struct noise_settings noise; /* of all patterns and fogs */
     double version; /* the language's version the scene asked for */
 };
 

@@ -15,12 +15,14 @@ static double fog_integral(double height)
 
 /* How much of the fog noise at the middle of the way leaves: the more, the
  * longer the way, also of ground fog that is above most of it (measured). */
-static double fog_left(const struct fog *fog, const struct ray *ray, double way)
+static double fog_left(const struct scene *scene, const struct fog *fog,
+                       const struct ray *ray, double way)
 {
     if (!fog->turbulent)
         return 1;
     vec3 middle = vec3_along(ray->origin, ray->direction, way / 2);
-    double noise = noise_turbulence(vec3_mul(fog->turbulence.amount, middle),
+    double noise = noise_turbulence(scene->noise.generator,
+                                    vec3_mul(fog->turbulence.amount, middle),
                                     &fog->turbulence);
     return 1 -
            exp(-way / fog->distance) * fmin(1, noise * fog->turbulent_share);
@@ -57,7 +59,7 @@ struct veil fog_veil(const struct scene *scene, const struct ray *ray,
         rgb tone = colour_rgb(fog->colour);
         rgb tint = rgb_mix(rgb_grey(1), tone, fog->colour.filter);
         double depth = fog_depth(fog, ray, distance);
-        depth *= fog_left(fog, ray, fmin(distance, fog_horizon));
+        depth *= fog_left(scene, fog, ray, fmin(distance, fog_horizon));
         double left = fmax(exp(-depth), fog->colour.transmit);
         veil.light = rgb_add_scaled(veil.light, tone, 1 - left);
         veil.through = rgb_mul(veil.through, rgb_scale(tint, left));

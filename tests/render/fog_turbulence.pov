@@ -1,6 +1,6 @@
 // turbulence in fog: noise at the middle of the way takes some of it; between
 // two layers, over a plane, with each of its numbers.
-// compare: noise
+// compare: exact
 // options: +W320 +H240
 #version 3.7;
 global_settings { assumed_gamma 1 }

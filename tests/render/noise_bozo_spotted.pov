@@ -1,6 +1,6 @@
 // bozo and spotted, with a map and without, small enough that a region shows
 // many spots.
-// compare: noise
+// compare: exact
 // options: +W320 +H240
 #version 3.7;
 global_settings { assumed_gamma 1 }

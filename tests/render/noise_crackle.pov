@@ -1,5 +1,5 @@
 // crackle: plain, form, metric and solid.
-// compare: noise
+// compare: exact
 // options: +W320 +H240
 #version 3.7;
 global_settings { assumed_gamma 1 }

@@ -1,5 +1,5 @@
 // granite and agate (with agate_turb), small enough to fill a region.
-// compare: noise
+// compare: exact
 // options: +W320 +H240
 #version 3.7;
 global_settings { assumed_gamma 1 }

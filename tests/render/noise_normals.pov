@@ -1,5 +1,5 @@
 // Bumps, dents and wrinkles as normals on a lit floor and spheres.
-// compare: noise
+// compare: exact
 // options: +W320 +H240
 #version 3.7;
 global_settings { assumed_gamma 1 }

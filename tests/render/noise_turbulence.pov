@@ -1,6 +1,6 @@
 // turbulence on wood, marble, gradient and onion; a vector of turbulence;
 // octaves, omega and lambda; the warp that does the same.
-// compare: noise
+// compare: exact
 // options: +W320 +H240
 #version 3.7;
 global_settings { assumed_gamma 1 }

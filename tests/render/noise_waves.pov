@@ -1,7 +1,7 @@
 // ripples and waves as normals and as pigments, with frequency and phase, on
 // many tiles, since a single one depends on a few random centres; and a
 // normal seen in a reflection.
-// compare: noise
+// compare: exact
 // options: +W320 +H240
 #version 3.7;
 global_settings { assumed_gamma 1 }

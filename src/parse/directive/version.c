@@ -1,6 +1,7 @@
 /* #version and #default. */
 #include "base/text.h"
 #include "parse/directive.h"
+#include "parse/rules.h"
 
 /* version_directive = "#version" ["unofficial"] float [";"] . */
 static bool version_run(struct parser *p, struct span at)
@@ -24,6 +25,7 @@ static bool version_run(struct parser *p, struct span at)
                         NUMBER_TEXT(version));
     p->version = version;
     p->version_said = true;
+    settings_follow_version(p);
     return true;
 }
 

@@ -18,7 +18,8 @@ static const struct field agate_items[] = {
 static double agate_value(const struct pattern *pattern, vec3 point)
 {
     const struct agate *agate = pattern->parameters;
-    double bend = noise_turbulence(point, &pattern->turbulence);
+    double bend = noise_turbulence(pattern_generator(pattern), point,
+                                   &pattern->turbulence);
     double bands = 1.3 * agate->turbulence * bend + 1.1 * point.z;
     return pow(0.5 * (1 + sin(2 * M_PI * bands)), 0.77);
 }

@@ -4,8 +4,7 @@
 
 static double bozo_value(const struct pattern *pattern, vec3 point)
 {
-    (void)pattern;
-    return noise_value(point);
+    return noise_value(pattern_generator(pattern), point);
 }
 
 static const struct blend_entry bozo_colours[] = {

@@ -3,8 +3,7 @@
 
 static double bumps_value(const struct pattern *pattern, vec3 point)
 {
-    (void)pattern;
-    return noise_value(point);
+    return noise_value(pattern_generator(pattern), point);
 }
 
 static vec3 bumps_perturbation(const struct pattern *pattern, vec3 point,

@@ -110,7 +110,7 @@ static double crackle_value(const struct pattern *pattern, vec3 point)
     const struct crackle *crackle = pattern->parameters;
     struct nearest nearest = crackle_search(crackle, point);
     if (crackle->solid)
-        return noise_value(nearest.point);
+        return noise_value(pattern_generator(pattern), nearest.point);
     double deep = crackle_power(crackle, crackle->offset);
     double root = 1 / crackle->metric;
     double d[3];

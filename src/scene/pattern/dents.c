@@ -3,8 +3,7 @@
 
 static double dents_value(const struct pattern *pattern, vec3 point)
 {
-    (void)pattern;
-    double noise = noise_value(point);
+    double noise = noise_value(pattern_generator(pattern), point);
     return noise * noise * noise;
 }
 

@@ -6,10 +6,10 @@
 static double granite_value(const struct pattern *pattern, vec3 point)
 {
     double sum = 0, frequency = 1;
-    (void)pattern;
+    enum noise_generator generator = pattern_generator(pattern);
     for (int i = 0; i < 6; i++, frequency *= 2) {
-        double noise = noise_value(vec3_scale(point, 4 * frequency));
-        sum += fmin(fabs(2 * noise - 1), 0.5) / frequency;
+        double noise = noise_wide(generator, vec3_scale(point, 4 * frequency));
+        sum += fmin(fabs(0.5 - noise), 0.5) / frequency;
     }
     return fmin(sum, 1);
 }

@@ -7,7 +7,8 @@ static double marble_value(const struct pattern *pattern, vec3 point)
     double shift = 0;
     if (pattern->turbulent)
         shift = pattern->turbulence.amount.x *
-                noise_turbulence(point, &pattern->turbulence);
+                noise_turbulence(pattern_generator(pattern), point,
+                                 &pattern->turbulence);
     return point.x + shift;
 }
 

@@ -3,8 +3,7 @@
 
 static double spotted_value(const struct pattern *pattern, vec3 point)
 {
-    (void)pattern;
-    return noise_value(point);
+    return noise_value(pattern_generator(pattern), point);
 }
 
 const struct pattern_kind spotted_pattern = {

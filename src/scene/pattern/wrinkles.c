@@ -4,10 +4,10 @@
 static double wrinkles_value(const struct pattern *pattern, vec3 point)
 {
     double sum = 0, weight = 0.5, frequency = 1;
-    (void)pattern;
+    enum noise_generator generator = pattern_generator(pattern);
     for (int i = 0; i < 10; i++, frequency *= 2, weight /= 2) {
-        double noise = noise_value(vec3_scale(point, frequency));
-        sum += weight * fmin(fmax(2 * noise - 0.5, 0), 1);
+        double noise = noise_wide(generator, vec3_scale(point, frequency));
+        sum += weight * fmin(fmax(noise, 0), 1);
     }
     return sum;
 }

@@ -1,0 +1,1 @@
+global_settings { number_of_waves 100000 }
