@@ -92,6 +92,17 @@ void background_join(struct background *background)
     memory_free(background);
 }
 
+void once_make(struct once *once, void (*make)(void))
+{
+    static pthread_mutex_t making = PTHREAD_MUTEX_INITIALIZER;
+    pthread_mutex_lock(&making);
+    if (!atomic_load_explicit(&once->done, memory_order_relaxed)) {
+        make();
+        atomic_store_explicit(&once->done, true, memory_order_release);
+    }
+    pthread_mutex_unlock(&making);
+}
+
 unsigned parallel_cores(void)
 {
     cpu_set_t set;

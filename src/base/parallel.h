@@ -24,6 +24,20 @@ struct background *background_start(void (*task)(void *context), void *context);
 /* Waits for the end of it; NULL is none. */
 void background_join(struct background *background);
 
+/* Made by whoever needs it first: a static one, zeroed, for each thing. */
+struct once {
+    atomic_bool done;
+};
+
+void once_make(struct once *once, void (*make)(void));
+
+/* Calls `make` before it first returns; other threads wait for that. */
+static inline void once_only(struct once *once, void (*make)(void))
+{
+    if (!atomic_load_explicit(&once->done, memory_order_acquire))
+        once_make(once, make);
+}
+
 /* Cores this process may use (affinity respected), at least 1. */
 unsigned parallel_cores(void);
 

@@ -13,15 +13,15 @@
  *   <0,0,0>, <1,0,0>, <2,0,0> ...; those of `waves` have random frequencies. */
 #include "scene/noise_tables.h"
 
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "base/random.h"
 
 static struct noise_tables made;
-static pthread_once_t once = PTHREAD_ONCE_INIT;
+static struct once tables_made;
 
 static void make_permutation(uint16_t permutation[LATTICE_PERIOD])
 {
@@ -132,6 +132,6 @@ static void make_tables(void)
 
 const struct noise_tables *noise_tables(void)
 {
-    pthread_once(&once, make_tables);
+    once_only(&tables_made, make_tables);
     return &made;
 }

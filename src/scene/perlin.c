@@ -8,9 +8,9 @@
  * are drawn from the generator of rand(), seeded with 1. */
 #include "scene/perlin.h"
 
-#include <pthread.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "base/random.h"
 
 enum { PERIOD = 2048, MASK = PERIOD - 1 };
@@ -24,7 +24,7 @@ static struct {
     lanes gradient[PERIOD]; /* the last is 0 */
     uint16_t permutation[PERIOD];
 } made;
-static pthread_once_t once = PTHREAD_ONCE_INIT;
+static struct once tables_made;
 
 static int random_below(uint32_t *state, int limit)
 {
@@ -84,7 +84,7 @@ static inline uint32_t hash_step(uint32_t hash, uint32_t plane)
 
 double perlin_noise(vec3 point)
 {
-    pthread_once(&once, make_tables);
+    once_only(&tables_made, make_tables);
     float place[3], blend[3];
     uint32_t x = plane_below(point.x, &place[0]);
     uint32_t y = plane_below(point.y, &place[1]);
