@@ -58,6 +58,16 @@ static void memory_in_large_pages(uintptr_t from, uintptr_t end)
 #endif
 }
 
+static void memory_in_small_pages(uintptr_t from, uintptr_t end)
+{
+#ifdef MADV_NOHUGEPAGE
+    madvise((void *)from, end - from, MADV_NOHUGEPAGE);
+#else
+    (void)from;
+    (void)end;
+#endif
+}
+
 /* A page that was touched too early. */
 static void memory_made_large(uintptr_t at)
 {
@@ -99,18 +109,20 @@ static struct head *heap_block(size_t size)
 }
 
 /* Of large blocks some are never filled: their pages come when they are
- * touched, and come zeroed. */
+ * touched, and come zeroed. The head is on a small page before the first large
+ * one, so that a block nobody fills costs no more than that. */
 static struct head *mapped_block(size_t size)
 {
-    size_t all = sizeof(struct head) + size + 2 * LARGE_PAGE - 1;
+    size_t all = size + 3 * LARGE_PAGE - 1;
     all -= all % LARGE_PAGE;
     char *mapping = mmap(NULL, all, PROT_READ | PROT_WRITE,
                          MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapping == MAP_FAILED)
         return NULL;
-    uintptr_t skipped = -(uintptr_t)mapping % LARGE_PAGE;
-    struct head *head = (struct head *)(mapping + skipped);
-    memory_in_large_pages((uintptr_t)head, (uintptr_t)(mapping + all));
+    char *block = mapping + LARGE_PAGE - (uintptr_t)mapping % LARGE_PAGE;
+    memory_in_small_pages((uintptr_t)mapping, (uintptr_t)block);
+    memory_in_large_pages((uintptr_t)block, (uintptr_t)(mapping + all));
+    struct head *head = (struct head *)block - 1;
     *head = (struct head){ mapping, all };
     return head;
 }
@@ -120,7 +132,7 @@ void *memory_new(size_t size)
     struct head *head = NULL;
     if (size < mapped_least)
         head = heap_block(size);
-    else if (size < SIZE_MAX - 2 * LARGE_PAGE)
+    else if (size < SIZE_MAX - 3 * LARGE_PAGE)
         head = mapped_block(size);
     if (!head)
         memory_exhausted(size);
