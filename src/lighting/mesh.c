@@ -14,6 +14,7 @@
 #include "lightmesh/facet_mesh.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
+#include "shade/finish.h"
 
 struct mesh_lighting {
     struct lamps lamps;
@@ -397,7 +398,7 @@ static struct mesh_light mesh_light(const struct mesh_lighting *mesh,
         return light;
     }
     struct mesh_blend blend;
-    point_mesh_blend(&direct->points, asked->worker, surface->point, side,
+    point_mesh_blend(&direct->points, asked->worker, surface->point, side, 1,
                      &blend);
     struct harmonics around = direct_mesh_light(&blend);
     light.light = harmonics_irradiance(&around, normal, brilliance);
@@ -442,11 +443,18 @@ static rgb mesh_indirect(const struct mesh_lighting *mesh,
                          struct worker *worker, const struct surface *surface)
 {
     const struct surface_layer *layer = &surface->layer[0];
+    double worth = surface->weight * rgb_peak(surface_albedo(surface));
+    struct indirect_place place = {
+        .place = surface->point,
+        .side = surface->side,
+        .normal = layer->normal,
+        .from =
+            vec3_along(surface->point, surface->view, surface->at->t),
+        .worth = worth,
+    };
     if (layer->finish->diffuse == 0)
         return rgb_grey(0);
-    return indirect_mesh_irradiance(&mesh->near_indirect, worker,
-                                    surface->point, surface->side,
-                                    layer->normal);
+    return indirect_mesh_irradiance(&mesh->near_indirect, worker, &place);
 }
 
 static struct diffuse_light mesh_illuminate(const void *state,

@@ -21,6 +21,13 @@ enum {
 /* Halves are far apart if their error is so many times what is allowed. */
 static const double rough = 2;
 
+/* What is worth so little is not gathered, if the skeleton knows it. */
+static const double worth_least = 0.02;
+
+/* Places that are their own mesh points and worth less than this gather fewer:
+ * as many as give the picture the same noise. */
+static const double worth_whole = 0.5;
+
 /* A mesh point that gathers. */
 struct gatherer {
     const struct indirect_mesh *mesh;
@@ -193,6 +200,13 @@ static void gathered_average(struct gathered *sum, const struct gathered *more)
     harmonics_mix(&sum->wall, &more->wall, 0.5f);
 }
 
+static uint32_t lone_samples(const struct indirect_mesh *mesh,
+                             const struct mesh_site *site)
+{
+    double worth = fmin(site->worth / worth_whole, 1);
+    return (uint32_t)ceil(worth * worth * mesh->lone_samples);
+}
+
 /* Samples are doubled until both halves agree, beside the lamps' light; beyond
  * the usual number only if they are far apart, as where all light comes in by a
  * door: there the noise would be seen. */
@@ -202,10 +216,11 @@ static void fill_gather(const void *context, struct worker *worker,
     const struct indirect_mesh *mesh = context;
     struct gatherer gatherer = { mesh, worker, site, WALL_SHARE };
     uint32_t most = (uint32_t)mesh->samples, count = FIRST_SAMPLES / 2;
-    if (site->lone && most > (uint32_t)mesh->lone_samples)
-        most = (uint32_t)mesh->lone_samples;
-    if (site->lone)
+    if (site->lone) {
+        uint32_t lone = lone_samples(mesh, site);
+        most = most < lone ? most : lone;
         count = LONE_FIRST / 2;
+    }
     if (count > (uint32_t)mesh->usual)
         count = (uint32_t)mesh->usual;
     if (count > most)
@@ -321,15 +336,20 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
 }
 
 rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
-                             struct worker *worker, vec3 place, vec3 side,
-                             vec3 normal)
+                             struct worker *worker,
+                             const struct indirect_place *at)
 {
+    const struct gather *gather = &mesh->gather;
     struct mesh_blend blend;
     struct harmonics sum = { { 0 }, { 0 }, { 0 } };
-    point_mesh_blend(&mesh->points, worker, place, side, &blend);
+    if (at->worth < worth_least && gather->close)
+        return gather->close(gather->close_context, worker, at->place,
+                             at->normal, at->from);
+    point_mesh_blend(&mesh->points, worker, at->place, at->side, at->worth,
+                     &blend);
     for (int i = 0; i < blend.count; i++)
         harmonics_mix(&sum, blend.at[i].payload, (float)blend.at[i].weight);
-    return harmonics_irradiance(&sum, normal, 1);
+    return harmonics_irradiance(&sum, at->normal, 1);
 }
 
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,

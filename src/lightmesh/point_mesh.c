@@ -186,6 +186,7 @@ struct seeker {
     const struct point_mesh *mesh;
     struct worker *worker;
     vec3 place, normal;
+    double worth;
     int level, finer; /* levels that may follow it */
     struct mesh_blend *blend;
 };
@@ -378,7 +379,8 @@ static void seek_here(struct seeker *seeker)
     struct mesh_site site = { .place = seeker->place,
                               .dither = 0.5,
                               .lone = true,
-                              .normal = seeker->normal };
+                              .normal = seeker->normal,
+                              .worth = seeker->worth };
     double place[3] = { site.place.x, site.place.y, site.place.z };
     for (int i = 0; i < 3; i++) {
         uint64_t bits;
@@ -418,12 +420,14 @@ static void seek_count(struct seeker seeker)
 }
 
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
-                      vec3 place, vec3 normal, struct mesh_blend *blend)
+                      vec3 place, vec3 normal, double worth,
+                      struct mesh_blend *blend)
 {
     struct seeker seeker = { .mesh = mesh,
                              .worker = worker,
                              .place = place,
                              .normal = normal,
+                             .worth = worth,
                              .finer = mesh->refinement.levels,
                              .blend = blend };
     double coarse;
