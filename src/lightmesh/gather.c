@@ -98,11 +98,11 @@ static rgb gathering_irradiance(const struct gathering *gathering,
                        gather->close(gather->close_context, worker, place,
                                      normal, gathering->ray.origin));
     if (gather->indirect)
-        return rgb_add(light, indirect_mesh_irradiance(
-                                  gather->indirect, worker,
-                                  &(struct indirect_place){
-                                      place, side, normal,
-                                      gathering->ray.origin, 1 }));
+        return rgb_add(
+            light, indirect_mesh_irradiance(
+                       gather->indirect, worker,
+                       &(struct indirect_place){ place, side, normal,
+                                                 gathering->ray.origin, 1 }));
     return light;
 }
 

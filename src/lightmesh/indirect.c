@@ -19,7 +19,11 @@ enum {
 };
 
 /* Halves are far apart if their error is so many times what is allowed. */
-static const double rough = 2;
+static const double rough = 1.7;
+
+/* Light that makes no difference: in the units of halves_error, where
+ * irradiance 1 from all sides is 6.8, a hundredth of it. */
+static const double unseen = 0.068;
 
 /* What is worth so little is not gathered, if the skeleton knows it. */
 static const double worth_least = 0.02;
@@ -173,7 +177,8 @@ static struct gathered gatherer_mean(const struct gatherer *gatherer,
 }
 
 /* About how far two halves are apart, relative to the light there is, that of
- * lamps included: four coefficients say how strong it is and where from. */
+ * lamps and what little is never seen included: four coefficients say how
+ * strong it is and where from. */
 static double halves_error(const struct gathered *a, const struct gathered *b,
                            const struct harmonics *lamps)
 {
@@ -189,7 +194,7 @@ static double halves_error(const struct gathered *a, const struct gathered *b,
         double z = (double)(lamps->r[i] + lamps->g[i] + lamps->b[i]);
         whole += (x + y + 2 * z) * (x + y + 2 * z);
     }
-    return whole > 0 ? sqrt(apart / whole) : 0;
+    return sqrt(apart) / (sqrt(whole) + unseen);
 }
 
 static void gathered_average(struct gathered *sum, const struct gathered *more)

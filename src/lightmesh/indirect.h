@@ -59,8 +59,8 @@ rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
                              struct worker *worker,
                              const struct indirect_place *at);
 
-/* Indirect light in *light by one mesh point, see point_mesh_nearest; false if none
- * sees the place. */
+/* Indirect light in *light by one mesh point, see point_mesh_nearest; false if
+ * none sees the place. */
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
                            struct worker *worker, vec3 place, vec3 side,
                            vec3 normal, vec3 jitter, rgb *light);

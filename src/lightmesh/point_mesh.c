@@ -21,6 +21,10 @@ static const double rise_full = 0.2;
 /* A nearest point is at least so far before the surface, in spacings. */
 static const double nearest_rise = 0.1;
 
+/* Places that are worth less than this use a coarser level, and one more for
+ * each time that they are worth so much less. */
+static const double worth_fine = 0.25, worth_step = 3;
+
 /* How far obstacles are looked for, in spacings. */
 static const double reach = 2.5;
 
@@ -419,6 +423,16 @@ static void seek_count(struct seeker seeker)
     seeker.blend->at[0].weight = 1;
 }
 
+/* How many levels coarser than others. */
+static int worth_coarser(double worth)
+{
+    int levels = 0;
+    for (double fine = worth_fine; worth < fine && levels < 3;
+         fine /= worth_step)
+        levels++;
+    return levels;
+}
+
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
                       vec3 place, vec3 normal, double worth,
                       struct mesh_blend *blend)
@@ -432,12 +446,20 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
                              .blend = blend };
     double coarse;
     seeker.level = lattice_level(&mesh->lattice, place, &coarse);
+    int finest = seeker.level - mesh->lattice.coarser;
+    seeker.level += worth_coarser(worth);
+    if (seeker.level > LATTICE_LEVELS - 2)
+        seeker.level = LATTICE_LEVELS - 2;
     blend->count = 0;
     if (atomic_load_explicit(mesh->full, memory_order_relaxed)) {
         seek_count(seeker);
         return;
     }
     seek_level(seeker, 1);
+    while (blend->count == 0 && seeker.level > finest) {
+        seeker.level--;
+        seek_level(seeker, 1);
+    }
     if (coarse > 0) {
         int fine = blend->count;
         seeker.level++;

@@ -121,8 +121,7 @@ void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
 size_t point_mesh_refined(const struct point_mesh *mesh);
 
 /* The mesh points that light `place`, on a surface whose true normal, turned
- * to the lit side, is `normal`. `worth` is what the place tells if it is a mesh
- * point of its own. */
+ * to the lit side, is `normal`. What is worth little has coarser ones. */
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
                       vec3 place, vec3 normal, double worth,
                       struct mesh_blend *blend);

@@ -75,9 +75,9 @@ struct search {
     int middle[3];
     int low[3], high[3]; /* of the voxels that it goes through */
     double costs[3][2 * REACH_MOST + 1]; /* along each axis, from low on; */
-    double least; /* of those along x */
+    double least;                        /* of those along x */
     double cost;                         /* of the last one found, */
-    size_t last; /* which is this, or VOXEL_NONE */
+    size_t last;                         /* which is this, or VOXEL_NONE */
 };
 
 /* Places too far out for any grid stay so, but fit in an int. Near voxels cost

@@ -308,8 +308,8 @@ static struct shore_light network_voxel(const struct skeleton *skeleton,
     if (light.weight > 0)
         light.light = rgb_scale(light.light, 1 / light.weight);
     else if (corners.piece[0] != PIECE_NONE)
-        light.light = network_beside(skeleton, corners.piece[0], from,
-                                     side_normal(side));
+        light.light =
+            network_beside(skeleton, corners.piece[0], from, side_normal(side));
     shore_keep(network->shore, voxel, side, &light);
     return light;
 }
