@@ -58,8 +58,8 @@ static const double gather_error = 0.03;
 /* So many cells of the indirect mesh across what is seen are fine enough. */
 static const double indirect_cells = 40;
 
-/* Where the picture shows more cells at a time the indirect mesh is coarser: a
- * cell serves few pixels then, and no picture shows it. */
+/* Where the picture shows more cells at a time the indirect mesh is coarser,
+ * and may be rough: a cell serves few pixels, and no picture shows it. */
 static const double crowd = 3.3;
 
 /* The next attempt's spacing: half as many points on a surface. */
@@ -171,6 +171,7 @@ static void mesh_bounces(struct mesh_lighting *mesh,
     const struct skeleton *skeleton = mesh->close.skeleton;
     int usual = skeleton ? CLOSED_BOUNCES : BOUNCES;
     int samples = said->indirect.samples, bounces = said->indirect.bounces;
+    int crowded = mesh->stamp.frame.coarser;
     double finer = direct->finer;
     int enough = samples > 0 ? samples : (int)(SAMPLES * finer * finer);
     struct indirect_options options = {
@@ -180,13 +181,13 @@ static void mesh_bounces(struct mesh_lighting *mesh,
         .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
         .usual = enough,
-        .samples = samples > 0 ? enough : ROUGH_SAMPLES * enough,
+        .samples = samples > 0 || crowded > 0 ? enough : ROUGH_SAMPLES * enough,
         .error = gather_error / finer,
         .bytes = INDIRECT_BYTES,
         .close = skeleton ? mesh_close_light : NULL,
         .close_context = skeleton,
     };
-    options.lattice.coarser = mesh->stamp.frame.coarser;
+    options.lattice.coarser = crowded;
     mesh->emitters = emitters_new(mesh->lamps.world);
     mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters, &options);
 }
