@@ -60,7 +60,7 @@ static const double indirect_cells = 40;
 
 /* Where the picture shows more cells at a time the indirect mesh is coarser,
  * and may be rough: a cell serves few pixels, and no picture shows it. */
-static const double crowd = 3.3;
+static const double crowd = 4;
 
 /* The next attempt's spacing: half as many points on a surface. */
 static const double coarser = 1.4142135623730951;
@@ -117,10 +117,9 @@ static int mesh_coarser(const struct light_mesh_settings *said,
         &(struct lattice){
             .spacing = frame->spacing, .eye = frame->eye, .near = frame->near },
         frame->size);
-    double width = lattice.spacing / outlook->across;
     if (!said->indirect.on || said->density > 0)
         return 0;
-    return outlook_crowding(world, camera, &lattice, width) > crowd;
+    return outlook_crowding(world, camera, outlook, &lattice) > crowd;
 }
 
 /* Levels are none unless they, or a threshold, are said. */

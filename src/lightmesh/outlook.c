@@ -83,7 +83,7 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
     return outlook;
 }
 
-static uint64_t cell_key(const struct lattice *lattice, vec3 place)
+static struct lattice_point cell_at(const struct lattice *lattice, vec3 place)
 {
     double coarse;
     struct lattice_point cell = { .level =
@@ -91,13 +91,27 @@ static uint64_t cell_key(const struct lattice *lattice, vec3 place)
     vec3 units = lattice_units(lattice, cell.level, place);
     for (int axis = 0; axis < 3; axis++)
         cell.at[axis] = (int)floor(vec3_component(units, axis));
-    return lattice_key(&cell);
+    return cell;
+}
+
+/* What a cell counts: surfaces that are farther away than usual, or slanted,
+ * have more of them in a square, (1 + s) (1 + s / cosine) if it is s cells
+ * wide there, and 4 are the usual. */
+static double cell_counts(const struct outlook *outlook,
+                          const struct lattice *lattice, int level,
+                          double distance, double cosine)
+{
+    double away = outlook->distance > 0 ? distance / outlook->distance : 1;
+    double s = away * lattice_spacing(lattice, lattice->usual) /
+               lattice_spacing(lattice, level);
+    return 4 / ((1 + s) * (1 + s / fmax(cosine, 1e-9)));
 }
 
 /* How many cells a square of the picture shows, by rays that are `step` apart.
- * A slanted surface has no more of them than one that is seen straight. */
+ */
 static double square_cells(const struct world *world,
                            const struct camera *camera,
+                           const struct outlook *outlook,
                            const struct lattice *lattice,
                            const double corner[2], double step)
 {
@@ -112,27 +126,31 @@ static double square_cells(const struct world *world,
         if (!world_closest(world, &ray, 1e-4, RAY_CAMERA, &at))
             continue;
         int known = 0;
-        cells[count] = cell_key(lattice, at.point);
+        struct lattice_point cell = cell_at(lattice, at.point);
+        cells[count] = lattice_key(&cell);
         while (cells[known] != cells[count])
             known++;
         if (known < count)
             continue;
-        sum += fabs(vec3_dot(ray.direction, at.face));
+        sum += cell_counts(outlook, lattice, cell.level, at.t,
+                           fabs(vec3_dot(ray.direction, at.face)));
         count++;
     }
     return sum;
 }
 
 double outlook_crowding(const struct world *world, const struct camera *camera,
-                        const struct lattice *lattice, double width)
+                        const struct outlook *outlook,
+                        const struct lattice *lattice)
 {
+    double width = lattice_spacing(lattice, lattice->usual) / outlook->across;
     int squares = 0;
     double cells = 0;
     for (int i = 0; i < SQUARES_EDGE * SQUARES_EDGE; i++) {
         double corner[2] = { (i % SQUARES_EDGE + 0.5) / SQUARES_EDGE,
                              (i / SQUARES_EDGE + 0.5) / SQUARES_EDGE };
-        double found =
-            square_cells(world, camera, lattice, corner, width / SQUARE_EDGE);
+        double found = square_cells(world, camera, outlook, lattice, corner,
+                                    width / SQUARE_EDGE);
         cells += found;
         squares += found > 0;
     }

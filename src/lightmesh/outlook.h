@@ -19,10 +19,10 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
                           int width);
 
 /* About how many cells of a lattice are where the picture shows as much as one
- * of them would fill, on surfaces at the usual distance: 2 to 3 where it shows
- * walls and floors, more where things stand before each other. `width` is that
- * of the cell, as a share of the picture's. */
+ * of them would fill, on surfaces at the usual distance: 2.5 to 4 where it
+ * shows walls and floors, more where things stand before each other. */
 double outlook_crowding(const struct world *world, const struct camera *camera,
-                        const struct lattice *lattice, double width);
+                        const struct outlook *outlook,
+                        const struct lattice *lattice);
 
 #endif
