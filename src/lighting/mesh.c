@@ -14,6 +14,7 @@
 #include "lightmesh/facet_mesh.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
+#include "shade/finish.h"
 
 struct mesh_lighting {
     struct lamps lamps;
@@ -57,6 +58,10 @@ static const double gather_error = 0.03;
 /* So many cells of the indirect mesh across what is seen are fine enough. */
 static const double indirect_cells = 40;
 
+/* Where the picture shows more cells at a time the indirect mesh is coarser,
+ * and may be rough: a cell serves few pixels, and no picture shows it. */
+static const double crowd = 4;
+
 /* The next attempt's spacing: half as many points on a surface. */
 static const double coarser = 1.4142135623730951;
 
@@ -85,6 +90,36 @@ static struct mesh_frame mesh_frame(const struct light_mesh_settings *said,
         .centre = outlook->centre,
         .size = outlook->size,
     };
+}
+
+/* Shadows may be as fine as pixels; what surfaces give each other is as smooth
+ * as their distances are large, however large the picture is. */
+static struct lattice
+mesh_indirect_lattice(const struct light_mesh_settings *said,
+                      const struct lattice *direct, double size)
+{
+    struct lattice lattice = *direct;
+    double least = size / (indirect_cells * mesh_finer(said));
+    while (!(said->density > 0) &&
+           lattice_spacing(&lattice, lattice.usual) < least)
+        lattice.spacing *= 2;
+    return lattice;
+}
+
+/* Levels by which the indirect mesh is coarser than its lattice. */
+static int mesh_coarser(const struct light_mesh_settings *said,
+                        const struct world *world, const struct camera *camera,
+                        const struct outlook *outlook,
+                        const struct mesh_frame *frame)
+{
+    struct lattice lattice = mesh_indirect_lattice(
+        said,
+        &(struct lattice){
+            .spacing = frame->spacing, .eye = frame->eye, .near = frame->near },
+        frame->size);
+    if (!said->indirect.on || said->density > 0)
+        return 0;
+    return outlook_crowding(world, camera, outlook, &lattice) > crowd;
 }
 
 /* Levels are none unless they, or a threshold, are said. */
@@ -127,20 +162,6 @@ static enum mesh_few_way mesh_few_way(const struct light_mesh_settings *said,
     return lamps > FEW_LAMPS ? MESH_FEW_SETTLED : MESH_FEW_ASKED;
 }
 
-/* Shadows may be as fine as pixels; what surfaces give each other is as smooth
- * as their distances are large, however large the picture is. */
-static struct lattice
-mesh_indirect_lattice(const struct direct_options *direct,
-                      const struct light_mesh_settings *said)
-{
-    struct lattice lattice = direct->lattice;
-    double least = direct->size / (indirect_cells * direct->finer);
-    while (!(said->density > 0) &&
-           lattice_spacing(&lattice, lattice.usual) < least)
-        lattice.spacing *= 2;
-    return lattice;
-}
-
 /* Indirect light, with the interpolation of the direct. */
 static void mesh_bounces(struct mesh_lighting *mesh,
                          const struct light_mesh_settings *said,
@@ -149,21 +170,23 @@ static void mesh_bounces(struct mesh_lighting *mesh,
     const struct skeleton *skeleton = mesh->close.skeleton;
     int usual = skeleton ? CLOSED_BOUNCES : BOUNCES;
     int samples = said->indirect.samples, bounces = said->indirect.bounces;
+    int crowded = mesh->stamp.frame.coarser;
     double finer = direct->finer;
     int enough = samples > 0 ? samples : (int)(SAMPLES * finer * finer);
     struct indirect_options options = {
-        .lattice = mesh_indirect_lattice(direct, said),
+        .lattice = mesh_indirect_lattice(said, &direct->lattice, direct->size),
         .interpolation = direct->interpolation,
         .radius = direct->radius,
         .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
         .usual = enough,
-        .samples = samples > 0 ? enough : ROUGH_SAMPLES * enough,
+        .samples = samples > 0 || crowded > 0 ? enough : ROUGH_SAMPLES * enough,
         .error = gather_error / finer,
         .bytes = INDIRECT_BYTES,
         .close = skeleton ? mesh_close_light : NULL,
         .close_context = skeleton,
     };
+    options.lattice.coarser = crowded;
     mesh->emitters = emitters_new(mesh->lamps.world);
     mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters, &options);
 }
@@ -309,6 +332,8 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
                            said->indirect.on, options->quality, options->seed);
     mesh->stamp.frame =
         mesh_frame(said, &scene->camera, &outlook, options->attempt);
+    mesh->stamp.frame.coarser =
+        mesh_coarser(said, world, &scene->camera, &outlook, &mesh->stamp.frame);
     bool done =
         mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
     if (known.found)
@@ -397,7 +422,7 @@ static struct mesh_light mesh_light(const struct mesh_lighting *mesh,
         return light;
     }
     struct mesh_blend blend;
-    point_mesh_blend(&direct->points, asked->worker, surface->point, side,
+    point_mesh_blend(&direct->points, asked->worker, surface->point, side, 1,
                      &blend);
     struct harmonics around = direct_mesh_light(&blend);
     light.light = harmonics_irradiance(&around, normal, brilliance);
@@ -442,11 +467,17 @@ static rgb mesh_indirect(const struct mesh_lighting *mesh,
                          struct worker *worker, const struct surface *surface)
 {
     const struct surface_layer *layer = &surface->layer[0];
+    double worth = surface->weight * rgb_peak(surface_albedo(surface));
+    struct indirect_place place = {
+        .place = surface->point,
+        .side = surface->side,
+        .normal = layer->normal,
+        .from = vec3_along(surface->point, surface->view, surface->at->t),
+        .worth = worth,
+    };
     if (layer->finish->diffuse == 0)
         return rgb_grey(0);
-    return indirect_mesh_irradiance(&mesh->near_indirect, worker,
-                                    surface->point, surface->side,
-                                    layer->normal);
+    return indirect_mesh_irradiance(&mesh->near_indirect, worker, &place);
 }
 
 static struct diffuse_light mesh_illuminate(const void *state,

@@ -27,7 +27,7 @@ static const struct mesh_half *mesh_half(struct mesh_question *question,
         return half;
     half->known = true;
     point_mesh_blend(&question->direct->points, question->light.worker,
-                     surface->point, normal, &half->blend);
+                     surface->point, normal, 1, &half->blend);
     direct_mesh_judge(question->direct, &half->blend, &half->verdict);
     return half;
 }

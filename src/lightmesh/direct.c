@@ -293,7 +293,7 @@ rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
                            vec3 normal)
 {
     struct mesh_blend blend;
-    point_mesh_blend(&mesh->points, worker, place, side, &blend);
+    point_mesh_blend(&mesh->points, worker, place, side, 1, &blend);
     return blend_irradiance(mesh, &blend, place, normal);
 }
 

@@ -15,8 +15,9 @@ enum {
 /* What counts for less than this is left off. */
 static const double least = 0.02;
 
-/* Mirrors are followed so many times as often as their share of the light. */
-static const double often = 2;
+/* Mirrors are followed so many times as often as their share of the light, and
+ * surfaces lit as often as what they send back would count. */
+static const double often_mirrored = 2, often_lit = 4;
 
 /* A gather ray on its way. */
 struct gathering {
@@ -26,6 +27,7 @@ struct gathering {
     struct ray ray;
     rgb share; /* of what it meets next */
     int mirrors;
+    uint32_t met; /* surfaces */
 };
 
 static rgb gathering_follow(struct gathering *gathering,
@@ -96,39 +98,37 @@ static rgb gathering_irradiance(const struct gathering *gathering,
                        gather->close(gather->close_context, worker, place,
                                      normal, gathering->ray.origin));
     if (gather->indirect)
-        return rgb_add(light, indirect_mesh_irradiance(gather->indirect, worker,
-                                                       place, side, normal));
+        return rgb_add(
+            light, indirect_mesh_irradiance(
+                       gather->indirect, worker,
+                       &(struct indirect_place){ place, side, normal,
+                                                 gathering->ray.origin, 1 }));
     return light;
 }
 
-/* What the surface sends back of the light on it, and of its own. Layers
- * with one normal share the light. */
+/* What counts little is looked at by few rays, for which it counts the more
+ * (Russian roulette, Arvo and Kirk 1990). Returns by how much; 0: not by this
+ * one. */
+static double gathering_chance(const struct gathering *gathering, double chance,
+                               uint32_t slot)
+{
+    bool taken = chance >= 1 || draw_unit(gathering->draws, slot) < chance;
+    return taken ? 1 / fmin(chance, 1) : 0;
+}
+
+/* What the surface sends back of the light on it, and of its own: all layers
+ * have one normal, since bumps are left out. */
 static rgb gathering_shade(const struct gathering *gathering,
                            const struct surface *surface)
 {
-    rgb light = rgb_grey(0), arriving = rgb_grey(0);
-    const vec3 *known = NULL;
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        bool same = known && vec3_dot(*known, layer->normal) >= 1;
-        if (layer->finish->diffuse > 0 && !same) {
-            arriving = gathering_irradiance(gathering, surface, layer->normal);
-            known = &layer->normal;
-        }
-        rgb sent = finish_glow(layer, rgb_grey(0), arriving);
-        light = rgb_add(light, rgb_mul(layer->weight, sent));
-    }
-    return light;
-}
-
-/* Faint mirrors are followed by few rays, which count the more (Russian
- * roulette, Arvo and Kirk 1990). Returns by how much; 0: not by this one. */
-static double gathering_chance(const struct gathering *gathering, rgb share)
-{
-    double chance = fmin(often * rgb_peak(share), 1);
-    uint32_t number = GATHER_MIRROR + (uint32_t)gathering->mirrors;
-    bool taken = chance >= 1 || draw_unit(gathering->draws, number) < chance;
-    return taken ? 1 / chance : 0;
+    rgb light = surface_glow(surface), albedo = surface_albedo(surface);
+    double chance = often_lit * rgb_peak(rgb_mul(albedo, gathering->share));
+    uint32_t slot = GATHER_MEETING + gathering->met;
+    double count = chance > 0 ? gathering_chance(gathering, chance, slot) : 0;
+    if (count == 0)
+        return light;
+    rgb arriving = gathering_irradiance(gathering, surface, surface->normal);
+    return rgb_add(light, rgb_mul(albedo, rgb_scale(arriving, count)));
 }
 
 static rgb gathering_mirrors(const struct gathering *gathering,
@@ -143,13 +143,16 @@ static rgb gathering_mirrors(const struct gathering *gathering,
         vec3 in = gathering->ray.direction;
         if (rgb_peak(rgb_mul(share, gathering->share)) < least)
             continue;
-        double count = gathering_chance(gathering, share);
+        double count =
+            gathering_chance(gathering, often_mirrored * rgb_peak(share),
+                             GATHER_MIRROR + (uint32_t)gathering->mirrors);
         if (count == 0)
             continue;
         double along = vec3_dot(in, layer->normal);
         struct gathering branch = *gathering;
         branch.share = rgb_scale(share, count);
         branch.mirrors++;
+        branch.met++;
         branch.ray.origin = surface->point;
         branch.ray.direction =
             vec3_normalise(vec3_along(in, layer->normal, -2 * along));
@@ -191,6 +194,7 @@ static bool gathering_meet(struct gathering *gathering,
     *light = rgb_add(*light, rgb_mul(gathering->share, sent));
     gathering->share = rgb_mul(gathering->share, surface.through);
     gathering->ray.origin = surface.point;
+    gathering->met++;
     return rgb_peak(gathering->share) >= least;
 }
 

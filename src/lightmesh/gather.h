@@ -38,6 +38,8 @@ enum gather_slot {
     GATHER_HIGH,
     GATHER_MIRROR, /* whether one is followed; so many numbers as there may be
                     * mirrors */
+    GATHER_MEETING = GATHER_MIRROR + 8, /* whether a surface that is met is lit;
+                                         * likewise */
 };
 
 /* The surface that a gather ray met; `at` must stay as long. Of `gather` only

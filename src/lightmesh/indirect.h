@@ -46,14 +46,21 @@ struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct indirect_options *options);
 void indirect_mesh_free(struct indirect_mesh *mesh);
 
-/* Indirect light on any surface point, that of glowing surfaces included, in
- * POV-Ray's units; `side` is the true normal, on the side of `normal`. */
-rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
-                             struct worker *worker, vec3 place, vec3 side,
-                             vec3 normal);
+/* A surface point; `side` is the true normal, on the side of `normal`. It is
+ * seen from `from`. */
+struct indirect_place {
+    vec3 place, side, normal, from;
+    double worth; /* how much of what it gets the picture shows, 0 to 1 */
+};
 
-/* The same in *light by one mesh point, see point_mesh_nearest; false if none
- * sees the place. */
+/* Indirect light on it, that of glowing surfaces included, in POV-Ray's
+ * units. What is worth little is less exact. */
+rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
+                             struct worker *worker,
+                             const struct indirect_place *at);
+
+/* Indirect light in *light by one mesh point, see point_mesh_nearest; false if
+ * none sees the place. */
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
                            struct worker *worker, vec3 place, vec3 side,
                            vec3 normal, vec3 jitter, rgb *light);

@@ -13,7 +13,7 @@ static const char file_mark[16] = "glim light mesh\n";
 
 enum {
     BYTE_ORDER_MARK = 0x01020304,
-    FRAME_NUMBERS = 10,
+    FRAME_NUMBERS = 11,
     TABLES = 2, /* of a mesh */
     HEAD_SIZE =
         16 + 4 + 4 + 8 + FRAME_NUMBERS * 8 + 4 * 8 + MESH_SETTINGS_SIZE + 8,
@@ -59,7 +59,7 @@ static void put_head(char **to, const struct mesh_stamp *stamp, size_t size,
     const double frame[FRAME_NUMBERS] = { f->spacing,  f->wanted,   f->near,
                                           f->eye.x,    f->eye.y,    f->eye.z,
                                           f->centre.x, f->centre.y, f->centre.z,
-                                          f->size };
+                                          f->size,     f->coarser };
     put(to, file_mark, sizeof file_mark);
     put(to, words, sizeof words);
     put_number(to, size);
@@ -152,6 +152,7 @@ static void take_stamp(const char **from, struct mesh_stamp *stamp)
     f->eye = vec3_make(frame[3], frame[4], frame[5]);
     f->centre = vec3_make(frame[6], frame[7], frame[8]);
     f->size = frame[9];
+    f->coarser = frame[10] > 0;
     stamp->scene.objects = take_number(from);
     stamp->scene.textures = take_number(from);
     stamp->scene.lights = take_number(from);

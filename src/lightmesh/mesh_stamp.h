@@ -6,7 +6,7 @@
 
 /* To be changed with whatever changes what mesh points hold or where they are:
  * meshes of another glim are then refused. */
-enum { MESH_VERSION = 5 };
+enum { MESH_VERSION = 6 };
 
 enum { MESH_SETTINGS_SIZE = 1024 };
 
@@ -19,6 +19,7 @@ struct mesh_frame {
     vec3 eye;
     vec3 centre; /* of what is seen */
     double size;
+    int coarser; /* levels, of the indirect mesh: 0, or 1 in a crowd */
 };
 
 struct mesh_stamp {

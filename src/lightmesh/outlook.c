@@ -5,7 +5,16 @@
 
 #include "base/order.h"
 
-enum { OUTLOOK_EDGE = 24, OUTLOOK_RAYS = OUTLOOK_EDGE * OUTLOOK_EDGE };
+enum {
+    OUTLOOK_EDGE = 24,
+    OUTLOOK_RAYS = OUTLOOK_EDGE * OUTLOOK_EDGE,
+    SQUARES_EDGE = 8, /* of the squares in which crowding is looked at, */
+    SQUARE_EDGE = 6,  /* and of the rays of each */
+    SQUARE_RAYS = SQUARE_EDGE * SQUARE_EDGE,
+};
+
+/* Of pictures of which it isn't said. */
+static const double usual_width = 640;
 
 /* What the rays met. */
 struct outlook_hits {
@@ -46,11 +55,12 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
     for (int i = 0; i < OUTLOOK_RAYS; i++) {
         vec3 place = vec3_make((i % OUTLOOK_EDGE + 0.5) / OUTLOOK_EDGE,
                                (i / OUTLOOK_EDGE + 0.5) / OUTLOOK_EDGE, 0);
-        outlook_ray(&hits, world, camera, place, width > 0 ? width : 640);
+        outlook_ray(&hits, world, camera, place,
+                    width > 0 ? width : usual_width);
     }
     int count = hits.count;
     if (count == 0)
-        return (struct outlook){ camera->location, 1, 0.01, 0 };
+        return (struct outlook){ camera->location, 1, 0.01, 1, 0 };
     for (int axis = 0; axis < 3; axis++) {
         qsort(hits.axis[axis], (size_t)count, sizeof(double), order_double);
         low[axis] = sorted_at(hits.axis[axis], count, 0.1);
@@ -66,8 +76,83 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
         .pixel = pixel > 0 ? pixel : 1e-3,
         .distance = sorted_at(hits.distance, count, 0.5),
     };
+    outlook.across = outlook.pixel * (width > 0 ? width : usual_width);
     outlook.size = fmax(size, outlook.pixel);
     if (camera->kind != CAMERA_PERSPECTIVE)
         outlook.distance = 0;
     return outlook;
+}
+
+static struct lattice_point cell_at(const struct lattice *lattice, vec3 place)
+{
+    double coarse;
+    struct lattice_point cell = { .level =
+                                      lattice_level(lattice, place, &coarse) };
+    vec3 units = lattice_units(lattice, cell.level, place);
+    for (int axis = 0; axis < 3; axis++)
+        cell.at[axis] = (int)floor(vec3_component(units, axis));
+    return cell;
+}
+
+/* What a cell counts: surfaces that are farther away than usual, or slanted,
+ * have more of them in a square, (1 + s) (1 + s / cosine) if it is s cells
+ * wide there, and 4 are the usual. */
+static double cell_counts(const struct outlook *outlook,
+                          const struct lattice *lattice, int level,
+                          double distance, double cosine)
+{
+    double away = outlook->distance > 0 ? distance / outlook->distance : 1;
+    double s = away * lattice_spacing(lattice, lattice->usual) /
+               lattice_spacing(lattice, level);
+    return 4 / ((1 + s) * (1 + s / fmax(cosine, 1e-9)));
+}
+
+/* How many cells a square of the picture shows, by rays that are `step` apart.
+ */
+static double square_cells(const struct world *world,
+                           const struct camera *camera,
+                           const struct outlook *outlook,
+                           const struct lattice *lattice,
+                           const double corner[2], double step)
+{
+    uint64_t cells[SQUARE_RAYS];
+    int count = 0;
+    double sum = 0;
+    for (int i = 0; i < SQUARE_RAYS; i++) {
+        struct intersection at;
+        double x = corner[0] + step * (i % SQUARE_EDGE),
+               y = corner[1] + step * (i / SQUARE_EDGE);
+        struct ray ray = camera_ray(camera, x, y);
+        if (!world_closest(world, &ray, 1e-4, RAY_CAMERA, &at))
+            continue;
+        int known = 0;
+        struct lattice_point cell = cell_at(lattice, at.point);
+        cells[count] = lattice_key(&cell);
+        while (cells[known] != cells[count])
+            known++;
+        if (known < count)
+            continue;
+        sum += cell_counts(outlook, lattice, cell.level, at.t,
+                           fabs(vec3_dot(ray.direction, at.face)));
+        count++;
+    }
+    return sum;
+}
+
+double outlook_crowding(const struct world *world, const struct camera *camera,
+                        const struct outlook *outlook,
+                        const struct lattice *lattice)
+{
+    double width = lattice_spacing(lattice, lattice->usual) / outlook->across;
+    int squares = 0;
+    double cells = 0;
+    for (int i = 0; i < SQUARES_EDGE * SQUARES_EDGE; i++) {
+        double corner[2] = { (i % SQUARES_EDGE + 0.5) / SQUARES_EDGE,
+                             (i / SQUARES_EDGE + 0.5) / SQUARES_EDGE };
+        double found = square_cells(world, camera, outlook, lattice, corner,
+                                    width / SQUARE_EDGE);
+        cells += found;
+        squares += found > 0;
+    }
+    return squares > 0 ? cells / squares : 0;
 }

@@ -4,16 +4,25 @@
 #define LIGHTMESH_OUTLOOK_H
 
 #include "embree/world.h"
+#include "lightmesh/lattice.h"
 
 struct outlook {
     vec3 centre;     /* of what is seen */
     double size;     /* across it, without what is exceptionally far; > 0 */
     double pixel;    /* width of a pixel on most surfaces, > 0 */
+    double across;   /* of the whole picture there, as wide as its pixels are */
     double distance; /* where it is that wide; 0: everywhere (orthographic) */
 };
 
 /* For a picture of so many pixels across. */
 struct outlook outlook_of(const struct world *world, const struct scene *scene,
                           int width);
+
+/* About how many cells of a lattice are where the picture shows as much as one
+ * of them would fill, on surfaces at the usual distance: 2.5 to 4 where it
+ * shows walls and floors, more where things stand before each other. */
+double outlook_crowding(const struct world *world, const struct camera *camera,
+                        const struct outlook *outlook,
+                        const struct lattice *lattice);
 
 #endif

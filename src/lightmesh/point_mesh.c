@@ -21,6 +21,10 @@ static const double rise_full = 0.2;
 /* A nearest point is at least so far before the surface, in spacings. */
 static const double nearest_rise = 0.1;
 
+/* Places that are worth less than this use a coarser level, and one more for
+ * each time that they are worth so much less. */
+static const double worth_fine = 0.25, worth_step = 3;
+
 /* How far obstacles are looked for, in spacings. */
 static const double reach = 2.5;
 
@@ -186,6 +190,7 @@ struct seeker {
     const struct point_mesh *mesh;
     struct worker *worker;
     vec3 place, normal;
+    double worth;
     int level, finer; /* levels that may follow it */
     struct mesh_blend *blend;
 };
@@ -378,7 +383,8 @@ static void seek_here(struct seeker *seeker)
     struct mesh_site site = { .place = seeker->place,
                               .dither = 0.5,
                               .lone = true,
-                              .normal = seeker->normal };
+                              .normal = seeker->normal,
+                              .worth = seeker->worth };
     double place[3] = { site.place.x, site.place.y, site.place.z };
     for (int i = 0; i < 3; i++) {
         uint64_t bits;
@@ -417,23 +423,43 @@ static void seek_count(struct seeker seeker)
     seeker.blend->at[0].weight = 1;
 }
 
+/* How many levels coarser than others. */
+static int worth_coarser(double worth)
+{
+    int levels = 0;
+    for (double fine = worth_fine; worth < fine && levels < 3;
+         fine /= worth_step)
+        levels++;
+    return levels;
+}
+
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
-                      vec3 place, vec3 normal, struct mesh_blend *blend)
+                      vec3 place, vec3 normal, double worth,
+                      struct mesh_blend *blend)
 {
     struct seeker seeker = { .mesh = mesh,
                              .worker = worker,
                              .place = place,
                              .normal = normal,
+                             .worth = worth,
                              .finer = mesh->refinement.levels,
                              .blend = blend };
     double coarse;
     seeker.level = lattice_level(&mesh->lattice, place, &coarse);
+    int finest = seeker.level - mesh->lattice.coarser;
+    seeker.level += worth_coarser(worth);
+    if (seeker.level > LATTICE_LEVELS - 2)
+        seeker.level = LATTICE_LEVELS - 2;
     blend->count = 0;
     if (atomic_load_explicit(mesh->full, memory_order_relaxed)) {
         seek_count(seeker);
         return;
     }
     seek_level(seeker, 1);
+    while (blend->count == 0 && seeker.level > finest) {
+        seeker.level--;
+        seek_level(seeker, 1);
+    }
     if (coarse > 0) {
         int fine = blend->count;
         seeker.level++;

@@ -28,6 +28,7 @@ struct mesh_site {
      * normal. */
     bool lone;
     vec3 normal;
+    double worth; /* likewise, of what it gets: how much the picture shows */
     /* The unit direction into the only surface that may ask for it: what comes
      * from there lights nothing. Zero: there are several, or nobody looked. */
     vec3 wall;
@@ -120,9 +121,10 @@ void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
 size_t point_mesh_refined(const struct point_mesh *mesh);
 
 /* The mesh points that light `place`, on a surface whose true normal, turned
- * to the lit side, is `normal`. */
+ * to the lit side, is `normal`. What is worth little has coarser ones. */
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
-                      vec3 place, vec3 normal, struct mesh_blend *blend);
+                      vec3 place, vec3 normal, double worth,
+                      struct mesh_blend *blend);
 
 /* The payload of the nearest mesh point that sees the place, or NULL. Cheap,
  * for places of which many are looked at together: with `jitter` uniform in

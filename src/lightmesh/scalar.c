@@ -61,7 +61,7 @@ static rgb points_mean(const struct point_mesh *points, struct worker *worker,
 {
     struct mesh_blend blend;
     rgb sum = rgb_grey(0);
-    point_mesh_blend(points, worker, surface->point, surface->side, &blend);
+    point_mesh_blend(points, worker, surface->point, surface->side, 1, &blend);
     for (int i = 0; i < blend.count; i++) {
         sum = rgb_add_scaled(sum, scalar_held(blend.at[i].payload),
                              blend.at[i].weight);

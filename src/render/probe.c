@@ -85,6 +85,7 @@ static void question_init(struct probe_question *q, const struct probing *all,
     q->surface.inside = &q->inside;
     q->surface.normal = normal;
     q->surface.side = normal;
+    q->surface.weight = 1;
     q->surface.count = 1;
     q->surface.layer[0] = (struct surface_layer){
         .finish = leaf->texture->layers[0].finish,

@@ -209,3 +209,15 @@ rgb surface_glow(const struct surface *surface)
     }
     return sum;
 }
+
+rgb surface_albedo(const struct surface *surface)
+{
+    rgb sum = rgb_grey(0);
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        double share = layer->finish->diffuse * layer_opacity(layer);
+        rgb albedo = rgb_scale(colour_rgb(layer->pigment), share);
+        sum = rgb_add(sum, rgb_mul(layer->weight, albedo));
+    }
+    return sum;
+}

@@ -18,6 +18,9 @@ rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance);
 /* The light that a surface itself sends to its viewer: emission. */
 rgb surface_glow(const struct surface *surface);
 
+/* What it sends back of irradiance, without highlights and mirrors. */
+rgb surface_albedo(const struct surface *surface);
+
 /* Whether light that meets the layer at this cosine (negative: from behind)
  * does anything. `twice`: the object says double_illuminate. */
 bool finish_lit_by(const struct finish *finish, double cosine, bool twice);

@@ -150,6 +150,7 @@ void surface_fill(struct surface *surface, const struct intersection *at,
     surface->at = at;
     surface->point = at->point;
     surface->place = NULL;
+    surface->weight = 1;
     surface->view = vec3_negate(view->direction);
     surface->inside = view->inside;
     bool away = vec3_dot(at->normal, view->direction) > 0;

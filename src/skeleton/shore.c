@@ -1,7 +1,8 @@
 /* Lights by voxel and side: see shore.h. Each is written once or more with the
  * same values, its weight last; that is 1 more than it says, so that 0 is what
- * nobody wrote. Voxels of the shore are numbered by counting bits, and those of
- * one side stand together: what rays ask for at random should fit in caches. */
+ * nobody wrote. Voxels are numbered by counting bits, first those of the shore,
+ * and those of one side stand together: what rays ask for at random should fit
+ * in caches. */
 #include "skeleton/shore.h"
 
 #include <stdatomic.h>
@@ -12,15 +13,17 @@ struct shore_side {
     _Atomic float light[3], weight;
 };
 
+enum { SHORE, INLAND, KINDS };
+
 /* 64 voxels. */
 struct shore_word {
-    uint64_t has; /* bit by voxel */
-    size_t before;
+    uint64_t has[KINDS]; /* bit by voxel */
+    size_t before[KINDS];
 };
 
 struct shore {
     struct shore_word *words;
-    size_t count; /* voxels of the shore */
+    size_t count; /* void voxels */
     struct shore_side *sides;
 };
 
@@ -51,12 +54,16 @@ struct shore *shore_new(const struct voxels *v)
     for (int z = 0; z < v->size[2]; z++)
         for (int y = 0; y < v->size[1]; y++)
             for (int x = 0; x < v->size[0]; x++, voxel++)
-                if (v->empty[voxel] && !is_inland(v, x, y, z))
-                    shore->words[voxel / 64].has |= (uint64_t)1 << voxel % 64;
-    for (size_t i = 0; i < words; i++) {
-        shore->words[i].before = shore->count;
-        shore->count += (size_t)__builtin_popcountll(shore->words[i].has);
-    }
+                if (v->empty[voxel])
+                    shore->words[voxel / 64]
+                        .has[is_inland(v, x, y, z) ? INLAND : SHORE] |=
+                        (uint64_t)1 << voxel % 64;
+    for (int kind = 0; kind < KINDS; kind++)
+        for (size_t i = 0; i < words; i++) {
+            struct shore_word *word = &shore->words[i];
+            word->before[kind] = shore->count;
+            shore->count += (size_t)__builtin_popcountll(word->has[kind]);
+        }
     shore->sides =
         memory_new(SHORE_SIDES * shore->count * sizeof *shore->sides);
     return shore;
@@ -71,17 +78,21 @@ void shore_free(struct shore *shore)
     memory_free(shore);
 }
 
-/* NULL for a voxel that isn't of the shore. */
+/* NULL for a voxel that isn't void. */
 static struct shore_side *shore_side(const struct shore *shore, size_t voxel,
                                      int side)
 {
     const struct shore_word *word = &shore->words[voxel / 64];
     uint64_t bit = (uint64_t)1 << voxel % 64;
-    if (!(word->has & bit))
-        return NULL;
-    size_t number =
-        word->before + (size_t)__builtin_popcountll(word->has & (bit - 1));
-    return &shore->sides[(size_t)side * shore->count + number];
+    for (int kind = 0; kind < KINDS; kind++) {
+        if (!(word->has[kind] & bit))
+            continue;
+        uint64_t before = word->has[kind] & (bit - 1);
+        size_t number =
+            word->before[kind] + (size_t)__builtin_popcountll(before);
+        return &shore->sides[(size_t)side * shore->count + number];
+    }
+    return NULL;
 }
 
 bool shore_known(const struct shore *shore, size_t voxel, int side,

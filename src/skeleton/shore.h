@@ -1,7 +1,8 @@
-/* What was found out about the voxels of the void that border on something
- * else, kept for those who ask again: six numbers-and-lights a voxel. A value
- * must depend on its voxel and side alone, so that it doesn't matter who asks
- * first, nor whether two do at once. */
+/* What was found out about the voxels of the void, kept for those who ask
+ * again: six numbers-and-lights a voxel. Most are asked on the shore, at what
+ * borders on the void, but panes stand amid it. A value must depend on its
+ * voxel and side alone, so that it doesn't matter who asks first, nor whether
+ * two do at once. */
 #ifndef SKELETON_SHORE_H
 #define SKELETON_SHORE_H
 
@@ -18,13 +19,12 @@ struct shore_light {
     double weight;
 };
 
-/* Of all void voxels that have another kind of voxel, or the grid's border,
- * among their 26 neighbours; nothing is known. Freed by shore_free. */
+/* Of all void voxels; nothing is known. Freed by shore_free. */
 struct shore *shore_new(const struct voxels *voxels);
 void shore_free(struct shore *shore);
 
-/* False if it isn't known: to be found out and, if the voxel is one of the
- * shore, kept. In single precision: what is known is what was kept. */
+/* False if it isn't known: to be found out and kept. In single precision: what
+ * is known is what was kept. */
 bool shore_known(const struct shore *shore, size_t voxel, int side,
                  struct shore_light *out);
 void shore_keep(const struct shore *shore, size_t voxel, int side,

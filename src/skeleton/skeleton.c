@@ -68,31 +68,42 @@ static vec3 voxel_closest(const struct voxels *v, const int place[3],
     return vec3_along(v->origin, at, v->edge);
 }
 
+enum { REACH_MOST = 3 };
+
 /* Where a search stands: the void voxels around a point, from good to bad. */
 struct search {
     int middle[3];
     int low[3], high[3]; /* of the voxels that it goes through */
-    int reach;
-    double cost; /* of the last one found, */
-    size_t last; /* which is this, or VOXEL_NONE */
+    double costs[3][2 * REACH_MOST + 1]; /* along each axis, from low on; */
+    double least;                        /* of those along x */
+    double cost;                         /* of the last one found, */
+    size_t last;                         /* which is this, or VOXEL_NONE */
 };
 
-/* Places too far out for any grid stay so, but fit in an int. */
+/* Places too far out for any grid stay so, but fit in an int. Near voxels cost
+ * little, and those that the normal points to. */
 static struct search search_begin(const struct skeleton *skeleton, int reach,
-                                  vec3 position)
+                                  const struct skeleton_point *point)
 {
     const struct voxels *v = skeleton->voxels;
-    vec3 at = vec3_scale(vec3_sub(position, v->origin), 1 / v->edge);
-    struct search search = { .reach = reach,
-                             .cost = -(double)INFINITY,
+    vec3 at = vec3_scale(vec3_sub(point->position, v->origin), 1 / v->edge);
+    struct search search = { .cost = -(double)INFINITY,
+                             .least = (double)INFINITY,
                              .last = VOXEL_NONE };
     for (int axis = 0; axis < 3; axis++) {
         double place = fmin(fmax(vec3_component(at, axis), -1000), 1 << 20);
+        double n = vec3_component(point->normal, axis);
         int middle = (int)floor(place), last = v->size[axis] - 1;
         search.middle[axis] = middle;
         search.low[axis] = middle - reach > 0 ? middle - reach : 0;
         search.high[axis] = middle + reach < last ? middle + reach : last;
+        for (int i = search.low[axis]; i <= search.high[axis]; i++) {
+            double by = i - middle;
+            search.costs[axis][i - search.low[axis]] = by * (by - reach * n);
+        }
     }
+    for (int i = 0; i <= search.high[0] - search.low[0]; i++)
+        search.least = fmin(search.least, search.costs[0][i]);
     return search;
 }
 
@@ -102,27 +113,27 @@ static bool search_next(const struct skeleton *skeleton, struct search *search,
 {
     const struct voxels *v = skeleton->voxels;
     double best = (double)INFINITY;
-    int at[3], found[3] = { 0 };
+    const int *low = search->low, *high = search->high;
+    int found[3] = { 0 };
     size_t last = search->last;
     search->last = VOXEL_NONE;
-    for (at[2] = search->low[2]; at[2] <= search->high[2]; at[2]++)
-        for (at[1] = search->low[1]; at[1] <= search->high[1]; at[1]++)
-            for (at[0] = search->low[0]; at[0] <= search->high[0]; at[0]++) {
-                size_t voxel = voxels_index(v, at[0], at[1], at[2]);
-                if (!v->empty[voxel])
-                    continue;
-                vec3 by = vec3_make(at[0] - search->middle[0],
-                                    at[1] - search->middle[1],
-                                    at[2] - search->middle[2]);
-                double cost = vec3_dot(by, by) -
-                              search->reach * vec3_dot(point->normal, by);
-                if (cost >= best || cost < search->cost ||
+    for (int z = low[2]; z <= high[2]; z++)
+        for (int y = low[1]; y <= high[1]; y++) {
+            double row =
+                search->costs[2][z - low[2]] + search->costs[1][y - low[1]];
+            size_t voxel = voxels_index(v, low[0], y, z);
+            if (row + search->least >= best)
+                continue;
+            for (int x = low[0]; x <= high[0]; x++, voxel++) {
+                double cost = row + search->costs[0][x - low[0]];
+                if (!v->empty[voxel] || cost >= best || cost < search->cost ||
                     (cost <= search->cost && voxel <= last))
                     continue;
                 best = cost;
                 search->last = voxel;
-                memcpy(found, at, sizeof found);
+                found[0] = x, found[1] = y, found[2] = z;
             }
+        }
     search->cost = best;
     point->voxel = search->last;
     if (search->last == VOXEL_NONE)
@@ -135,7 +146,7 @@ static bool search_next(const struct skeleton *skeleton, struct search *search,
 bool skeleton_search(const struct skeleton *skeleton, int reach,
                      struct skeleton_point *point)
 {
-    struct search search = search_begin(skeleton, reach, point->position);
+    struct search search = search_begin(skeleton, reach, point);
     return search_next(skeleton, &search, point);
 }
 
@@ -161,8 +172,7 @@ static bool find_around(const struct skeleton *skeleton, int tries,
 {
     double off = 1e-3 * skeleton->voxels->edge;
     vec3 eye = vec3_along(point->position, point->normal, off);
-    struct search search =
-        search_begin(skeleton, AROUND_VOXELS, point->position);
+    struct search search = search_begin(skeleton, AROUND_VOXELS, point);
     while (tries-- > 0 && search_next(skeleton, &search, point))
         if (!matter_hides(skeleton->world, skeleton->marks, eye, point->around))
             return true;

@@ -188,6 +188,7 @@ static bool path_cross(struct path *path, struct crossing *crossing)
     crossing_fill(crossing, tracer, path->ray.direction, &path->inside,
                   settings->adc_bailout);
     crossing->surface.place = path->place;
+    crossing->surface.weight = path->weight;
     path->place = NULL;
     if (tracer->quality < QUALITY_LIT) {
         path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));

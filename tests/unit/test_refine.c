@@ -90,7 +90,7 @@ static double stage_ask(struct stage *stage, double x, double z)
     double light = 0, weights = 0;
     arena_reset(stage->worker.scratch);
     point_mesh_blend(&stage->mesh, &stage->worker, vec3_make(x, 0, z),
-                     vec3_make(0, 1, 0), &blend);
+                     vec3_make(0, 1, 0), 1, &blend);
     for (int i = 0; i < blend.count; i++) {
         light += blend.at[i].weight * *(const double *)blend.at[i].payload;
         weights += blend.at[i].weight;

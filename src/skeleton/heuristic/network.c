@@ -287,8 +287,9 @@ static rgb network_indirect(const struct skeleton *skeleton,
                      : network_beside(skeleton, own, from, point->normal);
 }
 
-/* The light of one side of a voxel, at its middle; none if no wall of the cells
- * around faces that way. */
+/* The light of one side of a voxel, at its middle. If no wall of the cells
+ * around faces that way it is that from farther away, and counts nothing beside
+ * that of others. */
 static struct shore_light network_voxel(const struct skeleton *skeleton,
                                         size_t voxel, int side)
 {
@@ -300,11 +301,15 @@ static struct shore_light network_voxel(const struct skeleton *skeleton,
         return light;
     voxels_place(skeleton->voxels, voxel, at);
     double from[3] = { at[0] + 0.5, at[1] + 0.5, at[2] + 0.5 };
+    corners.piece[0] = PIECE_NONE;
     if (network_corners(skeleton, from, &corners))
         light.weight =
             corners_add(network, &corners, side_normal(side), &light.light);
     if (light.weight > 0)
         light.light = rgb_scale(light.light, 1 / light.weight);
+    else if (corners.piece[0] != PIECE_NONE)
+        light.light =
+            network_beside(skeleton, corners.piece[0], from, side_normal(side));
     shore_keep(network->shore, voxel, side, &light);
     return light;
 }
@@ -313,7 +318,7 @@ static rgb network_close(const struct skeleton *skeleton,
                          const struct skeleton_point *point)
 {
     double total = 0;
-    rgb sum = rgb_grey(0);
+    rgb sum = rgb_grey(0), beside = rgb_grey(0);
     for (int axis = 0; axis < 3; axis++) {
         double n = vec3_component(point->normal, axis);
         if (n == 0)
@@ -322,9 +327,9 @@ static rgb network_close(const struct skeleton *skeleton,
             network_voxel(skeleton, point->voxel, 2 * axis + (n < 0));
         total += n * n * light.weight;
         sum = rgb_add_scaled(sum, light.light, n * n * light.weight);
+        beside = rgb_add_scaled(beside, light.light, n * n);
     }
-    return total > 0 ? rgb_scale(sum, 1 / total)
-                     : network_indirect(skeleton, point);
+    return total > 0 ? rgb_scale(sum, 1 / total) : beside;
 }
 
 /* A ray from the point, above the surface if it is on one, and what it meets.

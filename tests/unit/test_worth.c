@@ -1,0 +1,184 @@
+/* What the picture shows little of: it uses coarser mesh points, or none, and
+ * crowded pictures are known from plain ones. */
+#include "harness.h"
+
+#include "lightmesh/indirect.h"
+#include "lightmesh/outlook.h"
+#include "lightmesh/point_mesh.h"
+#include "lightmesh/table.h"
+#include "scene_world.h"
+
+struct stage {
+    struct scene_world *all;
+    struct worker worker;
+    struct indirect_mesh mesh;
+    atomic_bool full;
+};
+
+static void stage_fill(const void *context, struct worker *worker,
+                       const struct mesh_site *site, void *payload)
+{
+    (void)context;
+    (void)worker;
+    ((struct harmonics *)payload)->r[0] = site->lone ? 3 : 2;
+}
+
+static rgb stage_close(const void *context, struct worker *worker, vec3 place,
+                       vec3 normal, vec3 from)
+{
+    (void)context;
+    (void)worker;
+    (void)place;
+    (void)normal;
+    (void)from;
+    return rgb_grey(1);
+}
+
+static void stage_start(struct stage *stage, const char *text, int coarser)
+{
+    *stage = (struct stage){
+        .all = scene_world_new(text),
+        .worker = { .scratch = arena_new(0) },
+    };
+    stage->mesh.gather.close = stage_close;
+    stage->mesh.points = (struct point_mesh){
+        .world = stage->all->world,
+        .lattice = { .spacing = 0.4, .coarser = coarser },
+        .interpolation = interpolation_find("trilinear"),
+        .radius = 1,
+        .full = &stage->full,
+        .payload_size = sizeof(struct harmonics),
+        .fill = stage_fill,
+        .context = stage,
+    };
+    point_mesh_start(&stage->mesh.points, 8000000);
+}
+
+static void stage_end(struct stage *stage)
+{
+    point_mesh_free(&stage->mesh.points);
+    arena_free(stage->worker.scratch);
+    scene_world_free(stage->all);
+}
+
+/* How many points a floor of 6 x 6 asks for. */
+static size_t stage_ask(struct stage *stage, double worth)
+{
+    for (int i = 0; i < 900; i++) {
+        vec3 up = { 0, 1, 0 };
+        struct indirect_place place = {
+            .place = vec3_make(i % 30 / 5.0, 0, i / 30 / 5.0),
+            .side = up,
+            .normal = up,
+            .from = vec3_make(0, 9, 0),
+            .worth = worth,
+        };
+        indirect_mesh_irradiance(&stage->mesh, &stage->worker, &place);
+        arena_reset(stage->worker.scratch);
+    }
+    return table_count(stage->mesh.points.table);
+}
+
+static size_t points_asked(const char *text, int coarser, double worth,
+                           unsigned long long *lone)
+{
+    struct stage stage;
+    stage_start(&stage, text, coarser);
+    size_t count = stage_ask(&stage, worth);
+    *lone = atomic_load(&stage.mesh.points.work->lone);
+    stage_end(&stage);
+    return count;
+}
+
+static void test_levels(void **state)
+{
+    unsigned long long lone;
+    const char *floor = "plane { y, 0 }";
+    (void)state;
+    size_t whole = points_asked(floor, 0, 1, &lone);
+    size_t little = points_asked(floor, 0, 0.2, &lone);
+    size_t least = points_asked(floor, 0, 0.05, &lone);
+    assert_true(whole > 200);
+    assert_true(little < whole);
+    assert_true(least < little / 2 && least > 0);
+    assert_int_equal(points_asked(floor, 1, 1, &lone), little);
+    assert_int_equal(points_asked(floor, 0, 0.01, &lone), 0);
+    assert_int_equal(lone, 0);
+}
+
+/* A gap so low that coarse levels have no point in it, but the finest has. */
+static void test_gap(void **state)
+{
+    unsigned long long lone;
+    const char *gap = "plane { y, 0 } plane { y, 0.42 }";
+    (void)state;
+    assert_true(points_asked(gap, 0, 1, &lone) > 0);
+    assert_int_equal(lone, 0);
+    assert_true(points_asked(gap, 0, 0.03, &lone) > 0);
+    assert_int_equal(lone, 0);
+    assert_true(points_asked(gap, 2, 1, &lone) > 0);
+    assert_int_equal(lone, 0);
+}
+
+static void test_unknown_void(void **state)
+{
+    struct stage stage;
+    vec3 up = { 0, 1, 0 };
+    struct indirect_place place = { .place = { 0.3, 0, 0.2 },
+                                    .side = up,
+                                    .normal = up,
+                                    .from = { 0, 9, 0 },
+                                    .worth = 0.01 };
+    (void)state;
+    stage_start(&stage, "plane { y, 0 }", 0);
+    rgb light = indirect_mesh_irradiance(&stage.mesh, &stage.worker, &place);
+    assert_true(light.r == 1 && light.b == 1);
+    stage.mesh.gather.close = NULL;
+    light = indirect_mesh_irradiance(&stage.mesh, &stage.worker, &place);
+    assert_true(light.r > 1 && light.b == 0);
+    stage_end(&stage);
+}
+
+static double crowding(const char *objects)
+{
+    char text[1000];
+    snprintf(text, sizeof text,
+             "camera { location <0, 3, -10> look_at <0, 1, 0> } %s", objects);
+    struct scene_world *all = scene_world_new(text);
+    struct outlook outlook = outlook_of(all->world, all->scene, 320);
+    struct lattice lattice = { .spacing = outlook.size / 24,
+                               .eye = all->scene->camera.location,
+                               .near = 2 * outlook.distance };
+    double found =
+        outlook_crowding(all->world, &all->scene->camera, &outlook, &lattice);
+    scene_world_free(all);
+    return found;
+}
+
+static void test_crowding(void **state)
+{
+    double wall = crowding("plane { -z, 0 }");
+    double floor = crowding("plane { y, 0 }");
+    double room = crowding("box { <-6, 0, -11>, <6, 7, 6> inverse }");
+    double posts = crowding(
+        "#declare K = 0; #while (K < 900) cylinder { <mod(K * 7, 31) - 15, "
+        "-9, mod(K * 11, 29)>, <mod(K * 7, 31) - 15 + mod(K, 5) - 2, 9, "
+        "mod(K * 11, 29)>, 0.04 } #declare K = K + 1; #end");
+    (void)state;
+    assert_true(wall > 1 && wall < 4);
+    assert_true(floor > 0.3 && floor < 4);
+    assert_true(room > 1 && room < 4);
+    assert_true(posts > 4);
+    assert_true(crowding("") == 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_gap),
+        cmocka_unit_test(test_unknown_void),
+        cmocka_unit_test(test_crowding),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
