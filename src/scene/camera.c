@@ -32,7 +32,8 @@ static const char *camera_check(const struct camera *camera)
 
 /* Turns the camera to look_at, right being level with respect to the sky and
  * as mirrored as before (as POV-Ray does also when up is along direction, which
- * `up z` leads to). If it looks straight into the sky, right stays, but for this. */
+ * `up z` leads to). If it looks straight into the sky, right stays, but for
+ * this. */
 static void camera_aim(struct camera *camera)
 {
     vec3 aim = vec3_normalise(vec3_sub(camera->look_at, camera->location));

@@ -99,8 +99,8 @@ struct veil sky_veil(const struct scene *scene, vec3 direction)
         sky_pass(&clear, c, old);
     }
     if (old)
-        clear.through = rgb_add_scaled(rgb_grey(clear.transmit), clear.tint,
-                                       clear.filter);
+        clear.through =
+            rgb_add_scaled(rgb_grey(clear.transmit), clear.tint, clear.filter);
     return (struct veil){ light, clear.through };
 }
 
