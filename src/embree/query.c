@@ -260,7 +260,8 @@ static vec3 leaf_normal(const struct leaf *leaf, vec3 point,
 {
     const struct object *object = leaf->object;
     if (object->kind == OBJECT_MESH)
-        return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v);
+        return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v,
+                           leaf->moved ? &leaf->to_object : NULL);
     if (leaf->moved)
         point = affine_point(&leaf->to_object, point);
     return object->primitive->normal(object->shape, point, hit);

@@ -21,23 +21,30 @@ static const struct unsupported_word height_unsupported[] = {
     { KEYWORD_NONE, NULL },
 };
 
-/* A grey number is rounded down as the sum of its shares of red, green and
- * blue is in single precision; colours are two bytes, red and green; a palette
- * has its entries' numbers. */
+static double height_number(float value, double top)
+{
+    return trunc((double)value * top + 0.5);
+}
+
+/* A grey byte is rounded down as the sum of its shares of red, green and blue
+ * is in single precision, but neither are 16 bits nor bytes with alpha; colours
+ * are two bytes, red and green; a palette has its entries' numbers. */
 static double height_of(const struct image *image, const float *pixel)
 {
-    double top = image->bits > 8 ? 65535 : 255;
     if (image->indexed)
-        return trunc((double)pixel[0] * 255 + 0.5) / 256;
+        return height_number(pixel[0], 255) / 256;
     float alpha = pixel[3] > 0 ? pixel[3] : 1;
     float v = pixel[0] / alpha;
-    if (image->channels < 3) {
+    if (image->channels < 3 && image->bits > 8)
+        return height_number(v, 65535) / 65536;
+    if (image->channels == 2)
+        return height_number(v, 255) * 257 / 65536;
+    if (image->channels == 1) {
         float grey = 0.297F * v + 0.589F * v + 0.114F * v;
-        double number = trunc((double)(grey * (float)top));
-        return (image->bits > 8 ? number : number * 257) / 65536;
+        return trunc((double)(grey * 255.0F)) * 257 / 65536;
     }
-    double red = trunc((double)v * 255 + 0.5);
-    double green = trunc((double)(pixel[1] / alpha) * 255 + 0.5);
+    double red = height_number(v, 255);
+    double green = height_number(pixel[1] / alpha, 255);
     return (red * 256 + green) / 65536;
 }
 

@@ -22,7 +22,7 @@ static const struct field normal_names[] = {
 };
 
 /* normal_start = bump_map | pattern [","] [float] normal_blocks .
- * The float is the bump size. */
+ * The float is the bump size. Another pattern keeps the maps (measured). */
 static bool parse_normal_start(struct parser *p, struct normal *normal,
                                bool *found)
 {
@@ -35,8 +35,6 @@ static bool parse_normal_start(struct parser *p, struct normal *normal,
         return false;
     if (*found) {
         normal->bumps = NULL;
-        normal->map = NULL;
-        normal->slopes = NULL;
         accept(p, TOKEN_COMMA);
     }
     if (at_expression(p) && !parse_float(p, &normal->amount))
@@ -94,7 +92,8 @@ static bool normal_items(struct parser *p, struct normal *normal)
     return normal_count(p, normal);
 }
 
-/* normal_body = [NORMAL] [normal_start] {normal_item} . */
+/* normal_body = [NORMAL] [normal_start] {normal_item} .
+ * Without a pattern it is still what others begin with: their bump_size. */
 bool parse_normal_body(struct parser *p, const struct normal **in)
 {
     const struct value *value = accept_value(p, VALUE_NORMAL);
@@ -116,15 +115,9 @@ bool parse_normal_body(struct parser *p, const struct normal **in)
     if (!check_supported(p, normal_unsupported) ||
         !parse_normal_start(p, normal, &found) || !normal_items(p, normal))
         return false;
-    if (normal_is_average(normal) && !normal->map)
-        return error_at(p, stream_span(p), "normal_map { [1 bumps 0.5] }",
-                        "'average' needs a normal_map");
-    if (!normal->pattern.kind && !normal->bumps) {
-        warning_at(p, stream_span(p), "bumps 0.5",
-                   "a normal without a pattern changes nothing");
-        *in = NULL;
-    }
-    return true;
+    return !normal_is_average(normal) || normal->map ||
+           error_at(p, stream_span(p), "normal_map { [1 bumps 0.5] }",
+                    "'average' needs a normal_map");
 }
 
 /* normal = "normal" "{" normal_body "}" . */

@@ -92,6 +92,7 @@ bool parse_normal_blocks(struct parser *p, struct normal *normal)
         *ARRAY_PUSH(p->scene_arena, &list) = entry;
         accept(p, TOKEN_COMMA);
     }
+    normal->map = NULL;
     if (list.count == 0)
         return true;
     struct normal_map *map = ARENA_NEW(p->scene_arena, struct normal_map);

@@ -54,8 +54,9 @@ const char *pattern_name(const struct pattern *pattern)
     return pattern->kind ? pattern->kind->name : "pigment";
 }
 
-/* Another pattern in the place of the one there was: its settings are new,
- * but it stays where the old one was. */
+/* Another pattern in the place of the one there was: its settings are new, but
+ * it stays where the old one was, and its wave, too, is the old one's unless it
+ * comes with one (measured). */
 static void pattern_become(struct parser *p, struct pattern *pattern,
                            const struct pattern_kind *kind)
 {
@@ -64,6 +65,9 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
     fresh.warps = pattern->warps;
     fresh.frequency = pattern->frequency;
     fresh.phase = pattern->phase;
+    fresh.exponent = pattern->exponent;
+    if (kind->wave == WAVE_RAMP)
+        fresh.wave = pattern->wave;
     fresh.turbulent = pattern->turbulent;
     fresh.turbulence = pattern->turbulence;
     fresh.noise = &p->scene->noise;

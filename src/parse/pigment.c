@@ -25,7 +25,9 @@ static const struct field pigment_names[] = {
     { .name = NULL },
 };
 
-/* pigment_start = colour | image_map | pattern [block_list] . */
+/* pigment_start = colour | image_map | pattern [block_list] .
+ * Measured: a pattern in place of another keeps its map, and a list of colours
+ * is a map of these at 0, 1, 2. */
 static bool parse_pigment_start(struct parser *p, struct pigment *pigment,
                                 bool *found)
 {
@@ -44,7 +46,6 @@ static bool parse_pigment_start(struct parser *p, struct pigment *pigment,
     if (!*found)
         return true;
     pigment->kind = PIGMENT_PATTERN;
-    pigment->map = NULL;
     return pigment->pattern.kind->blocks == 0 ||
            parse_pattern_end(
                p, &pigment->pattern,

@@ -218,6 +218,7 @@ enum gamma_kind settings_gamma(const struct parser *p)
 static void settings_filters(struct parser *p)
 {
     bool old = !p->version_said || p->version < 3.7;
+    p->scene->settings.old_filter = old;
     for (size_t i = 0; i < p->finishes.count; i++)
         p->finishes.items[i]->old_filter = old;
 }

@@ -83,6 +83,17 @@ static bool parse_texture_start(struct parser *p, const struct texture **out)
     return true;
 }
 
+/* A surface's own normal: nothing else will begin with it. */
+static bool parse_surface_normal(struct parser *p, const struct normal **in)
+{
+    if (!parse_normal_block(p, in))
+        return false;
+    if (!normal_tilts(*in))
+        warning_at(p, p->last_span, "bumps 0.5",
+                   "a normal without a pattern changes nothing");
+    return true;
+}
+
 /* texture_part = pigment | normal | finish .
  * Of layers, only the topmost is changed. */
 bool parse_texture_part(struct parser *p, const struct texture **in,
@@ -97,7 +108,7 @@ bool parse_texture_part(struct parser *p, const struct texture **in,
     struct layer *top = &texture->layers[texture->count - 1];
     *in = texture;
     return keyword == KEYWORD_PIGMENT  ? parse_pigment_block(p, &top->pigment)
-           : keyword == KEYWORD_NORMAL ? parse_normal_block(p, &top->normal)
+           : keyword == KEYWORD_NORMAL ? parse_surface_normal(p, &top->normal)
                                        : parse_finish_block(p, &top->finish);
 }
 

@@ -32,7 +32,8 @@ static const char *camera_check(const struct camera *camera)
 
 /* Turns the camera to look_at, right being level with respect to the sky and
  * as mirrored as before (as POV-Ray does also when up is along direction, which
- * `up z` leads to). If it looks straight into the sky, right stays. */
+ * `up z` leads to). If it looks straight into the sky, right stays, but for
+ * this. */
 static void camera_aim(struct camera *camera)
 {
     vec3 aim = vec3_normalise(vec3_sub(camera->look_at, camera->location));
@@ -40,7 +41,7 @@ static void camera_aim(struct camera *camera)
     bool mirrored = !(vec3_dot(straight, camera->right) > 0);
     vec3 right = vec3_cross(vec3_normalise(camera->sky), aim);
     if (!(vec3_length(right) > 1e-9))
-        right = mirrored ? vec3_negate(camera->right) : camera->right;
+        right = camera->right;
     right = vec3_normalise(right);
     vec3 up = vec3_normalise(vec3_cross(aim, right));
     if (mirrored)

@@ -360,7 +360,7 @@ static uint64_t sky_hash(struct walk *walk, const struct scene *scene)
     for (size_t i = 0; sky && i < sky->count; i++)
         hash =
             hash_rgb(pigment_hash(walk, hash, sky->pigments[i]), sky->emission);
-    return hash;
+    return sky && scene->settings.old_filter ? ~hash : hash;
 }
 
 struct fingerprint scene_fingerprint(const struct scene *scene, bool colours)

@@ -207,6 +207,10 @@ colour pigment_colour(const struct pigment *pigment, vec3 point);
 bool pigment_is_opaque(const struct pigment *pigment);
 bool texture_is_opaque(const struct texture *texture);
 
+/* Whether it has a pattern or an image: else it only holds what others begin
+ * with, as `#default { normal { bump_size 2 } }` does. */
+bool normal_tilts(const struct normal *perturbation);
+
 /* The unit normal after perturbation; `normal` unit, both in texture space and
  * turned towards the viewer (measured: bumps rise to whoever looks). */
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,

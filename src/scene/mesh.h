@@ -62,7 +62,9 @@ void mesh_refine(const struct mesh *mesh, size_t index, const struct ray *ray,
 /* The flat normal, any length. */
 vec3 mesh_face(const struct mesh *mesh, size_t index);
 
-/* The interpolated or flat normal, any length. */
-vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v);
+/* The interpolated or flat normal, any length, in the mesh's own space.
+ * to_object leads there from where the mesh stands; NULL: it does not move. */
+vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v,
+                 const affine *to_object);
 
 #endif

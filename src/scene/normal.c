@@ -115,11 +115,16 @@ static vec3 normal_tilted(const struct normal *perturbation, vec3 point,
     return vec3_along(normal, tilt, perturbation->amount);
 }
 
+bool normal_tilts(const struct normal *perturbation)
+{
+    return perturbation->pattern.kind || perturbation->bumps;
+}
+
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
                       vec3 normal)
 {
     const struct pattern *pattern = &perturbation->pattern;
-    if ((!pattern->kind && !perturbation->bumps) ||
+    if (!normal_tilts(perturbation) ||
         (perturbation->amount == 0 && !perturbation->map))
         return normal;
     vec3 at = pattern_locate(pattern, point);

@@ -151,7 +151,7 @@ static void probe_mesh(struct probe *probe, const struct level *level,
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         if (!mesh_intersect(mesh, i, ray, &hit))
             continue;
-        vec3 normal = mesh_normal(mesh, i, hit.u, hit.v);
+        vec3 normal = mesh_normal(mesh, i, hit.u, hit.v, &level->to_own);
         if (mesh->triangles[i].normal[0] == MESH_NONE)
             normal = vec3_negate(normal);
         probe_crossing(probe, level, hit.t, normal);

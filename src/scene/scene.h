@@ -45,6 +45,7 @@ struct settings {
     int max_trace_level; /* 5 */
     double adc_bailout;  /* 1/255 */
     bool radiosity;      /* radiosity {} was said */
+    bool old_filter;     /* of skies before 3.7: see shade/background.c */
     struct light_mesh_settings light_mesh;
     struct skeleton_settings skeleton;
 };

@@ -67,21 +67,43 @@ struct veil fog_veil(const struct scene *scene, const struct ray *ray,
     return veil;
 }
 
+/* What gets through the pigments of a sky so far. */
+struct sky_clear {
+    rgb through; /* to the next */
+    rgb tint;    /* the product of their colours */
+    double filter, transmit;
+};
+
+static void sky_pass(struct sky_clear *clear, colour c, bool old)
+{
+    clear->tint = rgb_mul(clear->tint, colour_rgb(c));
+    clear->filter *= c.filter;
+    clear->transmit *= c.transmit;
+    clear->through = old ? rgb_grey(clear->filter + clear->transmit)
+                         : rgb_mul(clear->through, colour_transmittance(c));
+}
+
 /* Pigments from the top down; `emission` brightens each, not what is seen
- * through it. */
+ * through it. In scenes before version 3.7 filters colour only the background,
+ * and only where all of them are on the way (measured). */
 struct veil sky_veil(const struct scene *scene, vec3 direction)
 {
-    struct veil veil = { rgb_grey(0), rgb_grey(1) };
-    if (!scene->sky)
-        return veil;
+    struct sky_clear clear = { rgb_grey(1), rgb_grey(1), 1, 1 };
+    rgb light = rgb_grey(0);
+    bool old = scene->settings.old_filter;
+    if (!scene->sky || scene->sky->count == 0)
+        return (struct veil){ light, clear.through };
     for (size_t i = scene->sky->count; i-- > 0;) {
         colour c = pigment_colour(scene->sky->pigments[i], direction);
-        rgb light = rgb_mul(colour_rgb(c), scene->sky->emission);
-        light = rgb_scale(light, 1 - c.filter - c.transmit);
-        veil.light = rgb_add(veil.light, rgb_mul(veil.through, light));
-        veil.through = rgb_mul(veil.through, colour_transmittance(c));
+        rgb own = rgb_mul(colour_rgb(c), scene->sky->emission);
+        own = rgb_scale(own, 1 - c.filter - c.transmit);
+        light = rgb_add(light, rgb_mul(clear.through, own));
+        sky_pass(&clear, c, old);
     }
-    return veil;
+    if (old)
+        clear.through =
+            rgb_add_scaled(rgb_grey(clear.transmit), clear.tint, clear.filter);
+    return (struct veil){ light, clear.through };
 }
 
 rgb background_light(const struct scene *scene, vec3 direction)

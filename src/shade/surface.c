@@ -27,7 +27,7 @@ static vec3 layer_normal(const struct layer *layer, const struct place *place,
                          vec3 normal)
 {
     vec3 there, bumped, back;
-    if (!layer->normal)
+    if (!layer->normal || !normal_tilts(layer->normal))
         return normal;
     there = vec3_normalise(affine_normal(place->from, normal));
     bumped = normal_perturbed(layer->normal, place->point, there);
@@ -81,7 +81,7 @@ static rgb surface_add_layers(struct surface *surface,
         weight = rgb_mul(weight, layer_through(layer));
         /* A mirror's light has no other weight: see tracer/recursive.c. */
         layer->reflection = rgb_scale(layer->reflection, place->share);
-        if (rgb_brightness(weight) < view->bailout)
+        if (fabs(rgb_brightness(weight)) < view->bailout)
             break;
     }
     return weight;

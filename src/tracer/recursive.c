@@ -150,12 +150,12 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
     const struct surface *surface = &crossing->surface;
     rgb through = surface->through;
     double bailout = tracer->scene->settings.adc_bailout;
-    double weight = path->weight * fmax(through.r, fmax(through.g, through.b));
+    double weight = path->weight * rgb_peak(through);
     vec3 normal = surface->layer[0].normal;
     vec3 direction = path->ray.direction;
     bool bends = crossing->ior != 1, inward = false;
     if (tracer->quality < QUALITY_TRANSPARENCY || rgb_peak(through) == 0 ||
-        rgb_brightness(through) < bailout || weight < bailout) {
+        fabs(rgb_brightness(through)) < bailout || weight < bailout) {
         path_mirrors(path, crossing);
         return false;
     }
