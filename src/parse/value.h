@@ -30,7 +30,7 @@ enum value_kind {
     VALUE_SLOPE_MAP,
     VALUE_FOG,
     VALUE_SKY_SPHERE,
-    VALUE_FILE, /* an open one */
+    VALUE_FILE,        /* an open one */
     VALUE_UNSUPPORTED, /* using it is the error kept in `unsupported` */
 };
 
