@@ -20,6 +20,7 @@ struct inherited {
     const struct interior *interior;
     unsigned body;
     bool hollow, no_shadow, no_image, no_reflection, double_illuminate;
+    bool uv_mapping;
     bool flipped;  /* inverted an odd number of times */
     bool inverted; /* inverted at all */
     bool clip;     /* part of a clip: has no surface of its own */
@@ -86,6 +87,7 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
         in.hollow = object->hollow;
     inherit_visibility(object, &in);
     in.double_illuminate |= object->double_illuminate;
+    in.uv_mapping |= object->uv_mapping;
     in.flipped ^= object->inverse;
     in.inverted |= object->inverse;
     return in;
@@ -159,6 +161,7 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     leaf->no_image = in->no_image;
     leaf->no_reflection = in->no_reflection;
     leaf->double_illuminate = in->double_illuminate;
+    leaf->uv_mapping = in->uv_mapping;
     leaf->hollow = in->hollow;
     leaf->inverse = in->flipped;
     leaf->looks_like = in->looks_like;

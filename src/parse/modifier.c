@@ -5,7 +5,6 @@
 static const struct unsupported_word modifier_unsupported[] = {
     { KEYWORD_CUTAWAY_TEXTURES, "'cutaway_textures'" },
     { KEYWORD_INTERIOR_TEXTURE, "'interior_texture'" },
-    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -29,6 +28,7 @@ static const struct field modifier_names[] = {
     { .name = "no_image" },
     { .name = "no_reflection" },
     { .name = "double_illuminate" },
+    { .name = "uv_mapping" },
     { .name = NULL },
 };
 
@@ -190,7 +190,7 @@ static bool parse_bounded_by(struct parser *p, struct modifiers *m)
 }
 
 /* flag = "inverse" | "hollow" [bool] | "double_illuminate" [bool]
- *      | "no_shadow" | "no_image" | "no_reflection" . */
+ *      | "no_shadow" | "no_image" | "no_reflection" | "uv_mapping" . */
 static bool parse_flag(struct parser *p, struct object *object, bool *found)
 {
     *found = true;
@@ -205,6 +205,8 @@ static bool parse_flag(struct parser *p, struct object *object, bool *found)
         object->no_shadow = true;
     } else if (accept_keyword(p, KEYWORD_NO_IMAGE)) {
         object->no_image = true;
+    } else if (accept_keyword(p, KEYWORD_UV_MAPPING)) {
+        object->uv_mapping = true;
     } else if (accept_keyword(p, KEYWORD_NO_REFLECTION)) {
         object->no_reflection = true;
     } else {

@@ -17,11 +17,9 @@ static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_MAGNET, "the 'magnet' pattern" },
     { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
     { KEYWORD_SLOPE, "the 'slope' pattern" },
-    { KEYWORD_SPIRAL2, "the 'spiral2' pattern" },
     { KEYWORD_SQUARE, "the 'square' pattern" },
     { KEYWORD_TILING, "the 'tiling' pattern" },
     { KEYWORD_TRIANGULAR, "the 'triangular' pattern" },
-    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -65,6 +63,7 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
     fresh.frequency = pattern->frequency;
     fresh.phase = pattern->phase;
     fresh.turbulent = pattern->turbulent;
+    fresh.uv = pattern->uv;
     fresh.turbulence = pattern->turbulence;
     *pattern = fresh;
 }
@@ -101,7 +100,9 @@ static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
 {
     struct made_pattern *made = pattern->parameters;
     made->pigment = p->defaults.pigment;
-    if (!parse_pigment_block(p, &made->pigment))
+    struct span span = stream_span(p);
+    if (!parse_pigment_block(p, &made->pigment) ||
+        !uv_refuse(p, span, &made->pigment->pattern))
         return false;
     return pattern_sampled(p, pattern);
 }

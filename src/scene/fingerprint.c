@@ -87,7 +87,7 @@ static uint64_t pattern_hash(uint64_t hash, const struct pattern *pattern)
         pattern->wave,        pattern->exponent,    pattern->frequency,
         pattern->phase,       pattern->turbulent,   turbulence->octaves,
         turbulence->omega,    turbulence->lambda,   turbulence->amount.x,
-        turbulence->amount.y, turbulence->amount.z,
+        turbulence->amount.y, turbulence->amount.z, pattern->uv,
     };
     hash = hash_affine(hash, &pattern->inverse);
     for (const struct warp *warp = pattern->warps; warp; warp = warp->inner) {
@@ -169,7 +169,9 @@ static uint64_t normal_hash(struct walk *walk, uint64_t hash,
 {
     hash = pattern_hash(hash, &normal->pattern);
     hash = hash_numbers(
-        hash, (const double[]){ normal->amount, normal->accuracy }, 2);
+        hash,
+        (const double[]){ normal->amount, normal->accuracy, normal->uv_turned },
+        3);
     for (size_t i = 0; normal->map && i < normal->map->count; i++) {
         const struct normal_entry *entry = &normal->map->entries[i];
         hash = hash_numbers(hash, &entry->value, 1);
@@ -231,6 +233,9 @@ static uint64_t mesh_hash(struct walk *walk, const struct mesh *mesh)
                       mesh->normal_count * sizeof *mesh->normals);
     hash = hash_bytes(hash, mesh->triangles,
                       mesh->triangle_count * sizeof *mesh->triangles);
+    for (size_t i = 0; mesh->uv_faces && i < mesh->triangle_count; i++)
+        for (int k = 0; k < 3 && mesh->uv_faces[i][0] != MESH_NONE; k++)
+            hash = hash_numbers(hash, mesh->uvs[mesh->uv_faces[i][k]], 2);
     return known_add(walk, mesh, hash);
 }
 
@@ -283,10 +288,10 @@ static uint64_t light_hash(uint64_t hash, const struct light *light)
 static uint64_t shape_hash(struct walk *walk, const struct object *object)
 {
     const unsigned flags =
-        (unsigned)object->kind << 7 | (unsigned)object->inverse << 6 |
-        (unsigned)object->hollow << 5 | (unsigned)object->has_hollow << 4 |
-        (unsigned)object->no_shadow << 3 | (unsigned)object->no_image << 2 |
-        (unsigned)object->no_reflection << 1 |
+        (unsigned)object->uv_mapping << 11 | (unsigned)object->kind << 7 |
+        (unsigned)object->inverse << 6 | (unsigned)object->hollow << 5 |
+        (unsigned)object->has_hollow << 4 | (unsigned)object->no_shadow << 3 |
+        (unsigned)object->no_image << 2 | (unsigned)object->no_reflection << 1 |
         (unsigned)object->double_illuminate;
     const double counts[] = { flags, (double)object->child_count,
                               (double)object->clip_count,

@@ -43,8 +43,22 @@ struct pattern {
     double exponent; /* of poly_wave */
     double frequency, phase;
     bool turbulent;
+    bool uv; /* of the surface's own coordinates: see pattern_start */
     struct turbulence turbulence;
 };
+
+/* Tells the surface's own coordinates, (u, v, 0), for uv_mapping. */
+struct uv_source {
+    vec3 (*point)(const struct uv_source *source);
+};
+
+/* Where the pattern is looked up: `point`, of the texture's space, or the
+ * surface's coordinates. `uv` may be NULL, off any surface. */
+static inline vec3 pattern_start(const struct pattern *pattern, vec3 point,
+                                 const struct uv_source *uv)
+{
+    return pattern->uv && uv ? uv->point(uv) : point;
+}
 
 /* The parameters of patterns made of other things: one of these. */
 struct made_pattern {

@@ -356,7 +356,6 @@
     X(SPACING, "spacing")                                                      \
     X(SPECULAR, "specular")                                                    \
     X(SPHERE_SWEEP, "sphere_sweep")                                            \
-    X(SPIRAL2, "spiral2")                                                      \
     X(SPLINE, "spline")                                                        \
     X(SPLIT_UNION, "split_union")                                              \
     X(SPOTLIGHT, "spotlight")                                                  \
