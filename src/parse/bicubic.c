@@ -143,7 +143,7 @@ bool parse_bicubic_patch(struct parser *p, struct object **out)
     if (!block_end(p, open, ok))
         return false;
     bicubic_build(p, &builder, &patch);
-    mesh->mapped = true;
+    mesh->mapped = mesh->turned = true;
     mesh_take(p, mesh, &builder);
     mesh_end(p, *out, mesh);
     return true;

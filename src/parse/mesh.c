@@ -281,6 +281,7 @@ static bool triangle_read(struct parser *p, struct object **out,
         return false;
     builder.uv_faces.count = 0;
     builder.uv_faces.items = NULL;
+    mesh->turned = true;
     mesh_build(p, *out, mesh, &builder);
     return true;
 }

@@ -76,6 +76,8 @@ bool parse_normal_body(struct parser *p, const struct normal **in);
 bool parse_normal_block(struct parser *p, const struct normal **in);
 bool parse_finish_block(struct parser *p, const struct finish **in);
 /* The inside of texture { } or of an entry of a texture_map. */
+bool parse_interior_texture(struct parser *p, const struct texture *outer,
+                            const struct texture **inner);
 bool parse_texture_body(struct parser *p, const struct texture **in);
 /* texture_choice.c: sets *found if a pattern is next. */
 bool parse_texture_choice(struct parser *p, const struct texture **out,

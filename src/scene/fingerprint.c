@@ -247,6 +247,9 @@ static void walk_material(struct walk *walk, const struct object *object,
     const struct mesh *mesh = object->mesh;
     if (object->texture)
         walk_texture(walk, object->texture, &place);
+    affine inner = affine_compose(outer, object->inner_transform);
+    if (object->inner)
+        walk_texture(walk, object->inner, &inner);
     for (size_t i = 0; mesh && i < mesh->texture_count; i++)
         walk_texture(walk, mesh->textures[i], &place);
     if (!interior)

@@ -194,7 +194,8 @@ struct interior {
 
 struct material {
     const struct texture *texture;
-    const struct interior *interior; /* may be NULL */
+    const struct texture *interior_texture; /* seen from inside, or NULL */
+    const struct interior *interior;        /* may be NULL */
 };
 
 struct finish finish_default(void);

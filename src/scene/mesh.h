@@ -33,6 +33,8 @@ struct mesh {
     uint32_t (*uv_faces)[3]; /* of each triangle, MESH_NONE in [0]: none */
     bool solid;              /* has an inside_vector */
     vec3 inside_vector;      /* direction of the ray that counts crossings */
+    bool turned; /* outside is where corners turn to the right: a lone triangle,
+                  * a patch (measured) */
     /* Of a height field: its normals are those of a grid of so many points
      * over the square from 0 to 1 in x and z; the first are at z = 1. */
     int columns, rows;

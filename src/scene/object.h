@@ -53,6 +53,8 @@ struct object {
 
     const struct texture *texture; /* NULL: the parent's, or the default */
     affine texture_transform;      /* texture's space to the parent's */
+    const struct texture *inner;   /* the same seen from inside, or NULL */
+    affine inner_transform;
     const struct interior *interior;
 
     const struct clip *clips;
