@@ -10,7 +10,6 @@
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_AOI, "the 'aoi' pattern" },
-    { KEYWORD_CELLS, "the 'cells' pattern" },
     { KEYWORD_DENSITY_FILE, "the 'density_file' pattern" },
     { KEYWORD_FACETS, "the 'facets' pattern" },
     { KEYWORD_IMAGE_PATTERN, "the 'image_pattern' pattern" },

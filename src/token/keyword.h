@@ -62,7 +62,6 @@
     X(CASE, "case")                                                            \
     X(CAUSTICS, "caustics")                                                    \
     X(CEIL, "ceil")                                                            \
-    X(CELLS, "cells")                                                          \
     X(CHARSET, "charset")                                                      \
     X(CHR, "chr")                                                              \
     X(CIRCULAR, "circular")                                                    \
