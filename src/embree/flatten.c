@@ -17,9 +17,12 @@ struct inherited {
     affine to_tree;  /* the same to the space that the tree is kept in */
     const struct texture *texture;
     affine from_texture;
+    const struct texture *inner;
+    affine from_inner;
     const struct interior *interior;
     unsigned body;
     bool hollow, no_shadow, no_image, no_reflection, double_illuminate;
+    bool uv_mapping;
     bool flipped;  /* inverted an odd number of times */
     bool inverted; /* inverted at all */
     bool clip;     /* part of a clip: has no surface of its own */
@@ -78,6 +81,10 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
         in.from_texture =
             affine_compose(up->to_world, object->texture_transform);
     }
+    if (object->inner) {
+        in.inner = object->inner;
+        in.from_inner = affine_compose(up->to_world, object->inner_transform);
+    }
     if (object->interior)
         in.interior = object->interior;
     if (object->interior || up->depth == 0)
@@ -86,6 +93,7 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
         in.hollow = object->hollow;
     inherit_visibility(object, &in);
     in.double_illuminate |= object->double_illuminate;
+    in.uv_mapping |= object->uv_mapping;
     in.flipped ^= object->inverse;
     in.inverted |= object->inverse;
     return in;
@@ -136,6 +144,17 @@ static bool mesh_is_opaque(const struct mesh *mesh)
     return true;
 }
 
+static const struct leaf_inner *build_inner(struct flat *flat,
+                                            const struct inherited *in)
+{
+    affine to_texture;
+    if (!in->inner || !affine_inverse(in->from_inner, &to_texture))
+        return NULL;
+    struct leaf_inner *inner = ARENA_NEW(flat->arena, struct leaf_inner);
+    *inner = (struct leaf_inner){ in->inner, to_texture, in->from_inner };
+    return inner;
+}
+
 /* NULL if its transformation squeezes it flat. */
 static struct leaf *build_leaf(struct flat *flat, const struct object *object,
                                const struct inherited *in)
@@ -153,12 +172,14 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     if (!affine_inverse(in->from_texture, &to_texture))
         leaf->from_texture = to_texture = affine_identity();
     leaf->to_texture = to_texture;
+    leaf->inner = build_inner(flat, in);
     leaf->interior = in->interior;
     leaf->body = in->body;
     leaf->no_shadow = in->no_shadow;
     leaf->no_image = in->no_image;
     leaf->no_reflection = in->no_reflection;
     leaf->double_illuminate = in->double_illuminate;
+    leaf->uv_mapping = in->uv_mapping;
     leaf->hollow = in->hollow;
     leaf->inverse = in->flipped;
     leaf->looks_like = in->looks_like;
@@ -166,6 +187,7 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     if (!in->clip) {
         leaf->opaque =
             texture_is_opaque(leaf->texture) &&
+            (!leaf->inner || texture_is_opaque(leaf->inner->texture)) &&
             (object->kind == OBJECT_SHAPE || mesh_is_opaque(object->mesh));
         leaf->number = (unsigned)flat->leaf_count++;
     }

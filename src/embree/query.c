@@ -302,6 +302,28 @@ static void describe_texture(const struct leaf *leaf, const struct hit *hit,
     out->from_texture = &leaf->to_world;
 }
 
+/* The outside of a mesh's triangle is where its corners turn to the left, not
+ * where its normals are (measured); see also mesh.h. */
+static bool describe_inside(const struct ray *ray, const struct leaf *leaf,
+                            const struct intersection *out)
+{
+    const struct object *object = leaf->object;
+    if (object->kind != OBJECT_MESH)
+        return vec3_dot(out->normal, ray->direction) > 0;
+    vec3 face = mesh_face(object->mesh, (size_t)out->part);
+    if (leaf->moved)
+        face = affine_normal(&leaf->to_object, face);
+    return (vec3_dot(face, ray->direction) < 0) != object->mesh->turned;
+}
+
+static void describe_inner(const struct leaf_inner *inner,
+                           struct intersection *out)
+{
+    out->texture = inner->texture;
+    out->to_texture = &inner->to_texture;
+    out->from_texture = &inner->from_texture;
+}
+
 void query_describe(const struct ray *ray, const struct leaf *leaf,
                     const struct hit *hit, struct intersection *out)
 {
@@ -319,5 +341,8 @@ void query_describe(const struct ray *ray, const struct leaf *leaf,
         normal = vec3_negate(ray->direction);
     out->normal = leaf->inverse ? vec3_negate(normal) : normal;
     describe_face(leaf, hit, out);
-    describe_texture(leaf, hit, out);
+    if (leaf->inner && describe_inside(ray, leaf, out))
+        describe_inner(leaf->inner, out);
+    else
+        describe_texture(leaf, hit, out);
 }

@@ -19,6 +19,12 @@
 #include "scene/ray.h"
 
 /* A shape or a mesh in the world. */
+/* What a leaf is painted with inside. */
+struct leaf_inner {
+    const struct texture *texture;
+    affine to_texture, from_texture;
+};
+
 struct leaf {
     const struct object *object;   /* OBJECT_SHAPE or OBJECT_MESH */
     const struct solid *solid;     /* its node in the tree; NULL: a mesh that is
@@ -26,6 +32,7 @@ struct leaf {
     affine to_object, to_world;    /* points */
     const struct texture *texture; /* never NULL */
     affine to_texture, from_texture; /* world <-> the texture's space */
+    const struct leaf_inner *inner;  /* seen from inside; NULL: the same */
     const struct interior *interior; /* NULL: none */
     /* What a ray that enters is inside of: the same number for all leaves
      * below one use of an object at the top level, but a new one below every
@@ -37,6 +44,7 @@ struct leaf {
     bool moved;  /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
+    bool uv_mapping; /* the texture is of the surface's own coordinates */
     bool hollow;    /* of the object at the top level, whatever its parts say */
     bool inverse;   /* turned inside out, all its ancestors considered */
     int looks_like; /* number of the light it stands for, or -1 */

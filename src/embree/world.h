@@ -46,6 +46,10 @@ struct intersection {
 bool world_closest(const struct world *world, const struct ray *ray,
                    double tmin, enum ray_kind kind, struct intersection *out);
 
+/* The surface's own coordinates there, (u, v, 0); of surfaces that have none x
+ * and y of the point. */
+vec3 world_uv(const struct intersection *at);
+
 /* The least there is to know of where a ray meets the scene. */
 struct world_hit {
     const struct leaf *leaf; /* NULL: nowhere */

@@ -175,7 +175,9 @@ static bool sky_add(struct parser *p, struct sky_sphere *sky)
     if (sky->count)
         memcpy(pigments, sky->pigments, sky->count * sizeof *pigments);
     sky->pigments = pigments;
-    return parse_pigment(p, &pigments[sky->count++]);
+    struct span span = stream_span(p);
+    return parse_pigment(p, &pigments[sky->count]) &&
+           uv_refuse(p, span, &pigments[sky->count++]->pattern);
 }
 
 /* sky_sphere_item = pigment | "emission" colour | transformation . */

@@ -10,6 +10,7 @@ enum {
 struct bicubic {
     int type, u_steps, v_steps;
     double flatness;
+    double uv[4][2]; /* of the corners, by turns */
     vec3 points[PATCH_SIDE][PATCH_SIDE];
 };
 
@@ -44,6 +45,10 @@ static void bicubic_vertex(struct parser *p, struct mesh_builder *b,
     vec3 point = bezier_point(row, u, &along);
     vec3 unused, slope = bezier_point(slopes, u, &unused);
     across = slope;
+    double *uv = *ARRAY_PUSH(p->scene_arena, &b->uvs);
+    for (int k = 0; k < 2; k++)
+        uv[k] = (1 - u) * ((1 - v) * patch->uv[0][k] + v * patch->uv[1][k]) +
+                u * (v * patch->uv[2][k] + (1 - v) * patch->uv[3][k]);
     *ARRAY_PUSH(p->scene_arena, &b->vertices) = point;
     *ARRAY_PUSH(p->scene_arena, &b->normals) = vec3_cross(across, along);
 }
@@ -65,9 +70,24 @@ static void bicubic_build(struct parser *p, struct mesh_builder *b,
                 memcpy(t.vertex, corners[k], sizeof t.vertex);
                 memcpy(t.normal, corners[k], sizeof t.normal);
                 *ARRAY_PUSH(p->scene_arena, &b->triangles) = t;
+                mesh_add_uv_face(p, b, t.vertex);
             }
         }
     }
+}
+
+/* patch_uv = "uv_vectors" vector [","] vector [","] vector [","] vector . */
+static bool parse_patch_uv(struct parser *p, struct bicubic *patch)
+{
+    stream_next(p);
+    for (int i = 0; i < 4; i++) {
+        double uv[5];
+        if (!parse_components(p, uv, 2))
+            return false;
+        memcpy(patch->uv[i], uv, sizeof patch->uv[i]);
+        accept(p, TOKEN_COMMA);
+    }
+    return true;
 }
 
 /* patch_points = vector {[","] vector} .
@@ -100,11 +120,13 @@ static bool parse_patch_settings(struct parser *p, struct bicubic *patch)
                     "u_steps and v_steps are 0 to %d", PATCH_STEPS_LIMIT);
 }
 
-/* bicubic_patch = "bicubic_patch" "{" {patch_setting [","]} patch_points
- *                 {modifier} "}" . */
+/* bicubic_patch = "bicubic_patch" "{" {patch_setting [","]} [patch_uv]
+ *                 patch_points {modifier} "}" . */
 bool parse_bicubic_patch(struct parser *p, struct object **out)
 {
-    struct bicubic patch = { .u_steps = 3, .v_steps = 3 };
+    struct bicubic patch = { .u_steps = 3,
+                             .v_steps = 3,
+                             .uv = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } };
     struct mesh_builder builder = { .vertices = { .count = 0 } };
     struct mesh *mesh = ARENA_NEW(p->scene_arena, struct mesh);
     struct span open;
@@ -115,11 +137,14 @@ bool parse_bicubic_patch(struct parser *p, struct object **out)
     if (!block_begin(p, &open))
         return false;
     bool ok = parse_patch_settings(p, &patch) &&
+              (stream_keyword(p) != KEYWORD_UV_VECTORS ||
+               parse_patch_uv(p, &patch)) &&
               parse_patch_points(p, &patch) && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;
     bicubic_build(p, &builder, &patch);
-    mesh_take(mesh, &builder);
+    mesh->mapped = mesh->turned = true;
+    mesh_take(p, mesh, &builder);
     mesh_end(p, *out, mesh);
     return true;
 }

@@ -128,9 +128,15 @@ static bool argument_name(struct parser *p, struct value *value)
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD)
         return error_expected(p, "a name");
-    *value = value_float(!token->word->reserved &&
-                         symbol_find(p, token->word) != NULL);
+    const struct value *named =
+        token->word->reserved ? NULL : symbol_find(p, token->word);
     stream_next(p);
+    bool element = named && named->kind == VALUE_ARRAY &&
+                   stream_peek(p)->kind == TOKEN_LBRACKET;
+    struct value *slot;
+    if (element && !array_element(p, named->array, &slot))
+        return false;
+    *value = value_float(element ? slot->kind != VALUE_NONE : named != NULL);
     return true;
 }
 

@@ -123,7 +123,9 @@ bool parse_field_body(struct parser *p, struct function *function)
         return parse_internal_body(p, function);
     function->parameter_count = function->slots = 3;
     function->height = 3;
-    if (!parse_pigment(p, &function->pigment))
+    struct span span = stream_span(p);
+    if (!parse_pigment(p, &function->pigment) ||
+        !uv_refuse(p, span, &function->pigment->pattern))
         return false;
     function->work = 1 + function->pigment->work;
     function->levels = 1 + function->pigment->levels;

@@ -1,18 +1,29 @@
 /* Materials: a texture and an interior under one name. */
 #include "parse/rules.h"
 
-static const struct unsupported_word material_unsupported[] = {
-    { KEYWORD_INTERIOR_TEXTURE, "'interior_texture'" },
-    { KEYWORD_NONE, NULL },
-};
-
 static const struct field material_names[] = {
     { .name = "texture" },
+    { .name = "interior_texture" },
     { .name = "interior" },
     { .name = NULL },
 };
 
-/* material_item = texture | interior | transformation .
+/* interior_texture = "interior_texture" "{" texture_body "}" .
+ * Over the one there was, which may be NULL. */
+bool parse_interior_texture(struct parser *p, const struct texture *outer,
+                            const struct texture **inner)
+{
+    const struct texture *texture;
+    struct span span = stream_span(p);
+    if (!parse_texture(p, &texture))
+        return false;
+    *inner = *inner ? texture_stack(p, *inner, texture) : texture;
+    return outer || error_at(p, span, "texture { ... }",
+                             "before an 'interior_texture' there must be a "
+                             "texture for the outside");
+}
+
+/* material_item = texture | interior_texture | interior | transformation .
  * One texture after the other makes layers. */
 static bool parse_material_item(struct parser *p, struct material *material)
 {
@@ -21,6 +32,9 @@ static bool parse_material_item(struct parser *p, struct material *material)
     bool found;
     if (stream_keyword(p) == KEYWORD_INTERIOR)
         return parse_interior(p, &material->interior);
+    if (stream_keyword(p) == KEYWORD_INTERIOR_TEXTURE)
+        return parse_interior_texture(p, material->texture,
+                                      &material->interior_texture);
     if (stream_keyword(p) == KEYWORD_TEXTURE) {
         if (!parse_texture(p, &texture))
             return false;
@@ -34,15 +48,17 @@ static bool parse_material_item(struct parser *p, struct material *material)
     if (found && material->texture)
         material->texture =
             texture_moved(p->scene_arena, material->texture, &step);
+    if (found && material->interior_texture)
+        material->interior_texture =
+            texture_moved(p->scene_arena, material->interior_texture, &step);
     return found ||
-           (check_supported(p, material_unsupported) &&
-            error_unknown_thing(p, "material", material_names, "a material"));
+           error_unknown_thing(p, "material", material_names, "a material");
 }
 
 static bool material_items(struct parser *p, struct material *material)
 {
     const struct value *value = accept_value(p, VALUE_MATERIAL);
-    *material = value ? *value->material : (struct material){ NULL, NULL };
+    *material = value ? *value->material : (struct material){ NULL };
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_material_item(p, material))
             return false;

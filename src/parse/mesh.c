@@ -65,17 +65,39 @@ static uint32_t mesh_texture_index(struct parser *p, struct mesh_builder *b,
     return (uint32_t)count;
 }
 
-/* Coordinates that only uv_mapping, which glim does not have, would use. */
-static bool mesh_skip_uv(struct parser *p)
+/* What has been left out until now has none. */
+static void mesh_pad_uv_faces(struct parser *p, struct mesh_builder *b,
+                              size_t count)
 {
-    double uv[3];
+    while (b->uv_faces.count < count) {
+        uint32_t(*face)[3] = ARRAY_PUSH(p->scene_arena, &b->uv_faces);
+        (*face)[0] = MESH_NONE;
+    }
+}
+
+void mesh_add_uv_face(struct parser *p, struct mesh_builder *b,
+                      const uint32_t corners[3])
+{
+    mesh_pad_uv_faces(p, b, b->triangles.count);
+    memcpy(b->uv_faces.items[b->triangles.count - 1], corners,
+           sizeof *b->uv_faces.items);
+}
+
+/* The coordinates of a triangle's corners, or of a single triangle's, which
+ * POV-Ray reads and does not use. */
+static bool mesh_read_uv(struct parser *p, struct mesh_builder *b)
+{
+    uint32_t first = (uint32_t)b->uvs.count;
+    double uv[5];
     stream_next(p);
     for (int i = 0; i < 3; i++) {
         if (i > 0)
             accept(p, TOKEN_COMMA);
         if (!parse_components(p, uv, 2))
             return false;
+        memcpy(*ARRAY_PUSH(p->scene_arena, &b->uvs), uv, sizeof *b->uvs.items);
     }
+    mesh_add_uv_face(p, b, (uint32_t[]){ first, first + 1, first + 2 });
     return true;
 }
 
@@ -85,7 +107,7 @@ static bool parse_mesh_triangle_item(struct parser *p, struct mesh_builder *b)
 {
     const struct texture *texture;
     if (stream_keyword(p) == KEYWORD_UV_VECTORS)
-        return mesh_skip_uv(p);
+        return mesh_read_uv(p, b);
     if (stream_keyword(p) != KEYWORD_TEXTURE)
         return error_unknown_item(p, "triangle", NULL);
     if (!parse_texture(p, &texture))
@@ -215,8 +237,12 @@ void mesh_end(struct parser *p, struct object *object, struct mesh *mesh)
                    removed, removed > 1 ? "s" : "");
 }
 
-void mesh_take(struct mesh *mesh, const struct mesh_builder *b)
+void mesh_take(struct parser *p, struct mesh *mesh, struct mesh_builder *b)
 {
+    if (b->uv_faces.count)
+        mesh_pad_uv_faces(p, b, b->triangles.count);
+    mesh->uvs = b->uvs.items;
+    mesh->uv_faces = b->uv_faces.items;
     mesh->vertices = b->vertices.items;
     mesh->vertex_count = b->vertices.count;
     mesh->normals = b->normals.items;
@@ -228,9 +254,9 @@ void mesh_take(struct mesh *mesh, const struct mesh_builder *b)
 }
 
 static void mesh_build(struct parser *p, struct object *object,
-                       struct mesh *mesh, const struct mesh_builder *b)
+                       struct mesh *mesh, struct mesh_builder *b)
 {
-    mesh_take(mesh, b);
+    mesh_take(p, mesh, b);
     mesh_end(p, object, mesh);
 }
 
@@ -249,10 +275,13 @@ static bool triangle_read(struct parser *p, struct object **out,
         return false;
     bool ok = parse_triangle_points(p, &builder, smooth);
     while (ok && stream_keyword(p) == KEYWORD_UV_VECTORS)
-        ok = mesh_skip_uv(p);
+        ok = mesh_read_uv(p, &builder);
     ok = ok && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;
+    builder.uv_faces.count = 0;
+    builder.uv_faces.items = NULL;
+    mesh->turned = true;
     mesh_build(p, *out, mesh, &builder);
     return true;
 }
@@ -298,6 +327,7 @@ bool parse_mesh(struct parser *p, struct object **out)
     ok = ok && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;
+    mesh->mapped = true;
     mesh_build(p, *out, mesh, &builder);
     return true;
 }

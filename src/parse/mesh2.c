@@ -126,24 +126,20 @@ static bool parse_normal_vectors(struct parser *p, struct mesh2 *m)
     return list_points(p, m, &m->lists.normals);
 }
 
-/* List of so many vectors that nothing needs. */
-static bool list_ignored(struct parser *p, struct mesh2 *m, int size)
+/* uv_vectors = "uv_vectors" "{" list_count {vector [","]} "}" . */
+static bool parse_uv_vectors(struct parser *p, struct mesh2 *m)
 {
     size_t count = 0;
     double v[5];
     if (!parse_list_count(p, m, &count))
         return false;
-    for (size_t i = 0; i < count; i++)
-        if (list_too_short(p, m, count, i) || !list_vector(p, m, v, size))
+    for (size_t i = 0; i < count; i++) {
+        if (list_too_short(p, m, count, i) || !list_vector(p, m, v, 2))
             return false;
+        memcpy(*ARRAY_PUSH(p->scene_arena, &m->lists.uvs), v,
+               sizeof *m->lists.uvs.items);
+    }
     return true;
-}
-
-/* uv_vectors = "uv_vectors" "{" list_count {vector [","]} "}" .
- * Only uv_mapping, which glim does not have, would use them. */
-static bool parse_uv_vectors(struct parser *p, struct mesh2 *m)
-{
-    return list_ignored(p, m, 2);
 }
 
 /* texture_list = "texture_list" "{" list_count {texture [","]} "}" . */
@@ -262,7 +258,24 @@ static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
 /* uv_indices = "uv_indices" "{" list_count {vector [","]} "}" . */
 static bool parse_uv_indices(struct parser *p, struct mesh2 *m)
 {
-    return list_ignored(p, m, 3);
+    size_t count = 0;
+    struct span span = stream_span(p);
+    uint32_t corners[3];
+    if (!parse_list_count(p, m, &count))
+        return false;
+    if (count > m->lists.triangles.count)
+        return error_at(p, span, NULL,
+                        "%zu uv_indices for %zu faces (face_indices come "
+                        "first)",
+                        count, m->lists.triangles.count);
+    for (size_t i = 0; i < count; i++) {
+        if (list_too_short(p, m, count, i) ||
+            !list_indices(p, m, corners, m->lists.uvs.count, "uv_vectors"))
+            return false;
+        memcpy(*ARRAY_PUSH(p->scene_arena, &m->lists.uv_faces), corners,
+               sizeof corners);
+    }
+    return true;
 }
 
 typedef bool mesh2_rule(struct parser *p, struct mesh2 *m);
@@ -309,15 +322,20 @@ static bool parse_mesh2_list(struct parser *p, struct mesh2 *m, bool *found)
 }
 
 /* Without normal_indices, faces use their vertices' numbers if there are as
- * many normals as vertices. */
-static void mesh2_finish(struct mesh2 *m)
+ * many normals as vertices; without uv_indices likewise. */
+static void mesh2_finish(struct parser *p, struct mesh2 *m)
 {
     struct mesh_builder *b = &m->lists;
     bool same = !m->normal_faces && b->normals.count == b->vertices.count;
     for (size_t i = 0; same && i < b->triangles.count; i++)
         memcpy(b->triangles.items[i].normal, b->triangles.items[i].vertex,
                sizeof b->triangles.items[i].normal);
-    mesh_take(m->mesh, b);
+    bool mapped = !b->uv_faces.count && b->uvs.count == b->vertices.count;
+    for (size_t i = 0; mapped && i < b->triangles.count; i++)
+        memcpy(*ARRAY_PUSH(p->scene_arena, &b->uv_faces),
+               b->triangles.items[i].vertex, sizeof *b->uv_faces.items);
+    m->mesh->mapped = true;
+    mesh_take(p, m->mesh, b);
 }
 
 static bool mesh2_body(struct parser *p, struct mesh2 *m,
@@ -346,7 +364,7 @@ bool parse_mesh2(struct parser *p, struct object **out)
     if (!block_begin(p, &open) ||
         !block_end(p, open, mesh2_body(p, &mesh2, &m)))
         return false;
-    mesh2_finish(&mesh2);
+    mesh2_finish(p, &mesh2);
     mesh_end(p, *out, mesh2.mesh);
     return true;
 }

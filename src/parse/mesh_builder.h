@@ -13,6 +13,14 @@ struct vec3_list {
 struct mesh_builder {
     struct vec3_list vertices, normals;
     struct {
+        double (*items)[2];
+        size_t count, capacity;
+    } uvs;
+    struct {
+        uint32_t (*items)[3];
+        size_t count, capacity;
+    } uv_faces; /* of the first triangles; the others have none */
+    struct {
         struct mesh_triangle *items;
         size_t count, capacity;
     } triangles;
@@ -26,7 +34,12 @@ struct mesh_builder {
 extern const struct field mesh_fields[];
 
 /* Makes the lists those of the mesh. */
-void mesh_take(struct mesh *mesh, const struct mesh_builder *builder);
+void mesh_take(struct parser *p, struct mesh *mesh,
+               struct mesh_builder *builder);
+
+/* Three of the uvs for the triangle read last. */
+void mesh_add_uv_face(struct parser *p, struct mesh_builder *b,
+                      const uint32_t corners[3]);
 
 /* After the modifiers: prepares the mesh and warns of what was left out. */
 void mesh_end(struct parser *p, struct object *object, struct mesh *mesh);

@@ -4,8 +4,6 @@
 
 static const struct unsupported_word modifier_unsupported[] = {
     { KEYWORD_CUTAWAY_TEXTURES, "'cutaway_textures'" },
-    { KEYWORD_INTERIOR_TEXTURE, "'interior_texture'" },
-    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -16,6 +14,7 @@ static const struct field modifier_names[] = {
     { .name = "matrix" },
     { .name = "transform" },
     { .name = "texture" },
+    { .name = "interior_texture" },
     { .name = "pigment" },
     { .name = "normal" },
     { .name = "finish" },
@@ -29,6 +28,7 @@ static const struct field modifier_names[] = {
     { .name = "no_image" },
     { .name = "no_reflection" },
     { .name = "double_illuminate" },
+    { .name = "uv_mapping" },
     { .name = NULL },
 };
 
@@ -57,17 +57,32 @@ static void object_set_texture(struct parser *p, struct object *object,
 
 static bool modifier_material(struct parser *p, struct object *object)
 {
-    struct material material = { NULL, NULL };
+    struct material material = { NULL };
     if (!parse_material(p, &material))
         return false;
     if (material.texture)
         object_set_texture(p, object, material.texture);
     if (material.interior)
         object->interior = material.interior;
+    if (material.interior_texture)
+        object->inner = material.interior_texture;
+    if (material.interior_texture)
+        object->inner_transform = affine_identity();
     return true;
 }
 
-/* covering = texture | texture_part | interior | material . */
+/* Layers are in the space the last one is written in. */
+static bool object_interior_texture(struct parser *p, struct object *object)
+{
+    if (object->inner && !affine_is_identity(object->inner_transform))
+        object->inner = texture_moved(p->scene_arena, object->inner,
+                                      &object->inner_transform);
+    object->inner_transform = affine_identity();
+    return parse_interior_texture(p, object->texture, &object->inner);
+}
+
+/* covering = texture | interior_texture | texture_part | interior | material .
+ */
 static bool parse_covering(struct parser *p, struct object *object, bool *found)
 {
     const struct texture *texture;
@@ -86,6 +101,8 @@ static bool parse_covering(struct parser *p, struct object *object, bool *found)
             return false;
         object->texture = texture;
         return true;
+    case KEYWORD_INTERIOR_TEXTURE:
+        return object_interior_texture(p, object);
     case KEYWORD_INTERIOR:
         return parse_interior(p, &object->interior);
     case KEYWORD_MATERIAL:
@@ -190,7 +207,7 @@ static bool parse_bounded_by(struct parser *p, struct modifiers *m)
 }
 
 /* flag = "inverse" | "hollow" [bool] | "double_illuminate" [bool]
- *      | "no_shadow" | "no_image" | "no_reflection" . */
+ *      | "no_shadow" | "no_image" | "no_reflection" | "uv_mapping" . */
 static bool parse_flag(struct parser *p, struct object *object, bool *found)
 {
     *found = true;
@@ -205,6 +222,8 @@ static bool parse_flag(struct parser *p, struct object *object, bool *found)
         object->no_shadow = true;
     } else if (accept_keyword(p, KEYWORD_NO_IMAGE)) {
         object->no_image = true;
+    } else if (accept_keyword(p, KEYWORD_UV_MAPPING)) {
+        object->uv_mapping = true;
     } else if (accept_keyword(p, KEYWORD_NO_REFLECTION)) {
         object->no_reflection = true;
     } else {

@@ -3,7 +3,6 @@
 
 static const struct unsupported_word normal_unsupported[] = {
     { KEYWORD_NO_BUMP_SCALE, "'no_bump_scale'" },
-    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -92,17 +91,17 @@ static bool normal_items(struct parser *p, struct normal *normal)
     return normal_count(p, normal);
 }
 
-/* normal_body = [NORMAL] [normal_start] {normal_item} .
+/* normal_body = ["uv_mapping"] [NORMAL] [normal_start] {normal_item} .
  * Without a pattern it is still what others begin with: their bump_size. */
 bool parse_normal_body(struct parser *p, const struct normal **in)
 {
+    bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING), found;
     const struct value *value = accept_value(p, VALUE_NORMAL);
     if (value)
         *in = value->normal;
-    if (value && at_body_end(p))
+    if (value && !mapped && at_body_end(p))
         return true;
     struct normal *normal = ARENA_NEW(p->scene_arena, struct normal);
-    bool found;
     if (*in)
         *normal = **in;
     else
@@ -112,6 +111,7 @@ bool parse_normal_body(struct parser *p, const struct normal **in)
             .accuracy = 0.02,
         };
     *in = normal;
+    normal->pattern.uv |= mapped;
     if (!check_supported(p, normal_unsupported) ||
         !parse_normal_start(p, normal, &found) || !normal_items(p, normal))
         return false;

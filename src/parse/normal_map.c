@@ -40,7 +40,9 @@ static bool parse_normal_map_entry(struct parser *p, bool average,
         !parse_map_value(p, average, &entry.value))
         return false;
     accept(p, TOKEN_COMMA);
-    if (!parse_normal_body(p, &entry.normal))
+    struct span span = stream_span(p);
+    if (!parse_normal_body(p, &entry.normal) ||
+        (entry.normal && !uv_refuse(p, span, &entry.normal->pattern)))
         return false;
     *ARRAY_PUSH(p->scene_arena, list) = entry;
     return expect(p, TOKEN_RBRACKET, open);
@@ -87,7 +89,9 @@ bool parse_normal_blocks(struct parser *p, struct normal *normal)
     accept(p, TOKEN_COMMA);
     while (stream_keyword(p) == KEYWORD_NORMAL) {
         struct normal_entry entry = { .value = (double)list.count };
-        if (!entry_room(p, list.count) || !parse_normal(p, &entry.normal))
+        struct span at = stream_span(p);
+        if (!entry_room(p, list.count) || !parse_normal(p, &entry.normal) ||
+            (entry.normal && !uv_refuse(p, at, &entry.normal->pattern)))
             return false;
         *ARRAY_PUSH(p->scene_arena, &list) = entry;
         accept(p, TOKEN_COMMA);

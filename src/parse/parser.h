@@ -13,6 +13,7 @@
 #include "token/lexer.h"
 
 struct cursor;
+struct data_files;
 struct font_cache;
 struct image_cache;
 struct scope;
@@ -81,6 +82,7 @@ struct parser {
     } finishes; /* all: the last #version decides how they filter */
     struct image_cache *images;     /* read for image_map; image_map.c */
     struct font_cache *fonts;       /* read for text; text.c */
+    struct data_files *data_files;  /* what the scene wrote; data_file.c */
     struct random_streams *randoms; /* seed(), rand() */
     struct {
         const struct token_list **items;

@@ -6,22 +6,19 @@
 #include "parse/user_function.h"
 #include "scene/function.h"
 #include "scene/object_probe.h"
+#include "scene/orbit.h"
 
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_AOI, "the 'aoi' pattern" },
-    { KEYWORD_CELLS, "the 'cells' pattern" },
     { KEYWORD_DENSITY_FILE, "the 'density_file' pattern" },
     { KEYWORD_FACETS, "the 'facets' pattern" },
     { KEYWORD_IMAGE_PATTERN, "the 'image_pattern' pattern" },
-    { KEYWORD_MAGNET, "the 'magnet' pattern" },
     { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
     { KEYWORD_SLOPE, "the 'slope' pattern" },
-    { KEYWORD_SPIRAL2, "the 'spiral2' pattern" },
     { KEYWORD_SQUARE, "the 'square' pattern" },
     { KEYWORD_TILING, "the 'tiling' pattern" },
     { KEYWORD_TRIANGULAR, "the 'triangular' pattern" },
-    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -69,6 +66,7 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
     if (kind->wave == WAVE_RAMP)
         fresh.wave = pattern->wave;
     fresh.turbulent = pattern->turbulent;
+    fresh.uv = pattern->uv;
     fresh.turbulence = pattern->turbulence;
     fresh.noise = &p->scene->noise;
     fresh.generator = pattern->generator;
@@ -107,7 +105,9 @@ static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
 {
     struct made_pattern *made = pattern->parameters;
     made->pigment = p->defaults.pigment;
-    if (!parse_pigment_block(p, &made->pigment))
+    struct span span = stream_span(p);
+    if (!parse_pigment_block(p, &made->pigment) ||
+        !uv_refuse(p, span, &made->pigment->pattern))
         return false;
     return pattern_sampled(p, pattern);
 }
@@ -143,8 +143,27 @@ bool parse_pattern_end(struct parser *p, const struct pattern *pattern, bool ok)
     return block_end(p, made->open, ok);
 }
 
+/* magnet = "magnet" float ( "mandel" | "julia" vector [","] ) float . */
+static bool parse_magnet(struct parser *p, struct pattern *pattern)
+{
+    struct orbit *orbit = pattern->parameters;
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &orbit->magnet))
+        return false;
+    if (orbit->magnet != 1 && orbit->magnet != 2)
+        return error_at(p, span_join(span, p->last_span), "1",
+                        "there are magnet 1 and 2, found %d", orbit->magnet);
+    orbit->julia = accept_word(p, "julia");
+    if (!orbit->julia && !accept_word(p, "mandel"))
+        return error_expected(p, "'mandel' or 'julia'");
+    const struct pattern_kind *kind =
+        pattern_find(orbit->julia ? "julia" : "mandel");
+    return parse_arguments(p, kind->arguments, orbit);
+}
+
 /* pattern = PATTERN arguments | function_pattern | pigment_pattern
- *         | object_pattern .
+ *         | object_pattern | magnet .
  * The name of a pattern and what its table in scene/pattern/ says. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
 {
@@ -166,6 +185,8 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
         return parse_object_pattern(p, pattern);
     case KEYWORD_PIGMENT_PATTERN:
         return parse_pigment_pattern(p, pattern);
+    case KEYWORD_MAGNET:
+        return parse_magnet(p, pattern);
     default:
         stream_next(p);
     }

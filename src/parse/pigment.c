@@ -12,7 +12,6 @@ static const struct unsupported_word pigment_unsupported[] = {
     { KEYWORD_NORMAL_MAP, "'normal_map'" },
     { KEYWORD_SLOPE_MAP, "'slope_map'" },
     { KEYWORD_TEXTURE_MAP, "'texture_map'" },
-    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -80,6 +79,15 @@ static bool pigment_count(struct parser *p, struct pigment *pigment)
                     PIGMENT_PARTS_LIMIT);
 }
 
+bool uv_refuse(struct parser *p, struct span span,
+               const struct pattern *pattern)
+{
+    return !pattern->uv ||
+           error_unsupported(p, span_join(span, p->last_span),
+                             "'uv_mapping' but in a surface's own pigment, "
+                             "normal or texture");
+}
+
 static bool pigment_is_average(const struct pigment *pigment)
 {
     return pigment->kind == PIGMENT_PATTERN && pigment->pattern.kind->average;
@@ -117,18 +125,19 @@ static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
     }
 }
 
-/* pigment_body = [PIGMENT] [pigment_start] {pigment_item} . */
+/* pigment_body = ["uv_mapping"] [PIGMENT] [pigment_start] {pigment_item} . */
 bool parse_pigment_body(struct parser *p, const struct pigment **in)
 {
+    bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING), found;
     const struct value *value = accept_value(p, VALUE_PIGMENT);
     if (value)
         *in = value->pigment;
-    if (value && at_body_end(p))
+    if (value && !mapped && at_body_end(p))
         return true;
     struct pigment *pigment = ARENA_NEW(p->scene_arena, struct pigment);
     *pigment = **in;
     *in = pigment;
-    bool found;
+    pigment->pattern.uv |= mapped;
     if (!check_supported(p, pigment_unsupported) ||
         !parse_pigment_start(p, pigment, &found))
         return false;

@@ -66,6 +66,9 @@ bool check_supported(struct parser *p, const struct unsupported_word *list);
  * says; `texture { T pigment { scale 2 } }` changes T's pigment. So `*in` is
  * what a block starts from and, after it, what it has become. */
 
+/* Refuses uv_mapping, said from the span on, where there is no surface. */
+bool uv_refuse(struct parser *p, struct span span,
+               const struct pattern *pattern);
 bool parse_pigment_block(struct parser *p, const struct pigment **in);
 bool parse_pigment_body(struct parser *p, const struct pigment **in);
 /* The inside of normal { } or of an entry of a normal_map. */
@@ -73,6 +76,8 @@ bool parse_normal_body(struct parser *p, const struct normal **in);
 bool parse_normal_block(struct parser *p, const struct normal **in);
 bool parse_finish_block(struct parser *p, const struct finish **in);
 /* The inside of texture { } or of an entry of a texture_map. */
+bool parse_interior_texture(struct parser *p, const struct texture *outer,
+                            const struct texture **inner);
 bool parse_texture_body(struct parser *p, const struct texture **in);
 /* texture_choice.c: sets *found if a pattern is next. */
 bool parse_texture_choice(struct parser *p, const struct texture **out,

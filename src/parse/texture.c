@@ -5,7 +5,6 @@
 static const struct unsupported_word texture_unsupported[] = {
     { KEYWORD_MATERIAL_MAP, "'material_map'" },
     { KEYWORD_TILES, "'tiles'" },
-    { KEYWORD_UV_MAPPING, "'uv_mapping'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -134,8 +133,7 @@ static bool parse_texture_item(struct parser *p, const struct texture **in)
             error_unknown_thing(p, "texture", texture_names, "a texture"));
 }
 
-/* texture_body = texture_choice | [texture_start] {texture_item} . */
-bool parse_texture_body(struct parser *p, const struct texture **in)
+static bool texture_content(struct parser *p, const struct texture **in)
 {
     bool found;
     if (!check_supported(p, texture_unsupported) ||
@@ -148,6 +146,18 @@ bool parse_texture_body(struct parser *p, const struct texture **in)
     while (!at_body_end(p))
         if (!parse_texture_item(p, in))
             return false;
+    return true;
+}
+
+/* texture_body = ["uv_mapping"]
+ *                ( texture_choice | [texture_start] {texture_item} ) . */
+bool parse_texture_body(struct parser *p, const struct texture **in)
+{
+    bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING);
+    if (!texture_content(p, in))
+        return false;
+    if (mapped)
+        *in = texture_mapped(p->scene_arena, *in);
     return true;
 }
 

@@ -298,6 +298,14 @@ static bool parameter_is_legal(const struct word *word)
            k == KEYWORD_Z || k == KEYWORD_U || k == KEYWORD_V || k == KEYWORD_T;
 }
 
+static void standard_parameters(struct compiler *c)
+{
+    c->standard = true;
+    c->names[c->name_count++] = word_intern(c->p->words, "x", 1);
+    c->names[c->name_count++] = word_intern(c->p->words, "y", 1);
+    c->names[c->name_count++] = word_intern(c->p->words, "z", 1);
+}
+
 /* Without parameters they are x, y, z, and u and v mean x and y.
  * parameters = "(" word {"," word} ")" . */
 static bool parse_parameters(struct compiler *c)
@@ -305,10 +313,7 @@ static bool parse_parameters(struct compiler *c)
     struct parser *p = c->p;
     struct span open = stream_span(p);
     if (!accept(p, TOKEN_LPAREN)) {
-        c->standard = true;
-        c->names[c->name_count++] = word_intern(p->words, "x", 1);
-        c->names[c->name_count++] = word_intern(p->words, "y", 1);
-        c->names[c->name_count++] = word_intern(p->words, "z", 1);
+        standard_parameters(c);
         return true;
     }
     do {
@@ -403,6 +408,26 @@ bool parse_function(struct parser *p, struct value *value)
         return false;
     *value = (struct value){ .kind = VALUE_FUNCTION, .function = c.function };
     return !c.unsupported;
+}
+
+/* function_image = "function" float [","] float
+ *                  "{" ( field_body | body_operation ) "}" . */
+bool parse_function_image(struct parser *p, int *width, int *height,
+                          const struct function **out)
+{
+    struct compiler c = { .p = p,
+                          .function =
+                              ARENA_NEW(p->scene_arena, struct function) };
+    struct span open;
+    stream_next(p);
+    if (!parse_integer(p, width))
+        return false;
+    accept(p, TOKEN_COMMA);
+    *out = c.function;
+    if (!parse_integer(p, height) || !block_begin(p, &open))
+        return false;
+    standard_parameters(&c);
+    return block_end(p, open, compile_body(&c)) && !c.unsupported;
 }
 
 /* argument_list = "(" float {[","] float} ")" . */

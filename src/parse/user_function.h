@@ -10,6 +10,11 @@
  * can't compute is read whole and reported as unsupported. */
 bool parse_function(struct parser *p, struct value *value);
 
+/* Reads `function WIDTH, HEIGHT { body }`, the keyword being next: a picture of
+ * which x and y from 0 to 1 are given to the body. */
+bool parse_function_image(struct parser *p, int *width, int *height,
+                          const struct function **out);
+
 /* Reads the arguments of a call, whose name was taken, and computes it; may
  * give poison. */
 bool function_call(struct parser *p, const struct function *function,

@@ -29,6 +29,7 @@ const char *value_kind_name(enum value_kind kind)
         [VALUE_SLOPE_MAP] = "a slope_map",
         [VALUE_FOG] = "a fog",
         [VALUE_SKY_SPHERE] = "a sky_sphere",
+        [VALUE_FILE] = "an open file",
         [VALUE_UNSUPPORTED] = "something unsupported",
     };
     return names[kind];

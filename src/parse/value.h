@@ -30,10 +30,12 @@ enum value_kind {
     VALUE_SLOPE_MAP,
     VALUE_FOG,
     VALUE_SKY_SPHERE,
+    VALUE_FILE,        /* an open one */
     VALUE_UNSUPPORTED, /* using it is the error kept in `unsupported` */
 };
 
 struct array;
+struct data_file;
 struct macro;
 struct function;
 struct symbol;
@@ -63,6 +65,7 @@ struct value {
         const struct slope_map *slope_map;
         const struct fog *fog;
         const struct sky_sphere *sky;
+        struct data_file *file;
         const struct unsupported *unsupported;
     };
 };

@@ -36,6 +36,17 @@ static const struct field hole_fields[] = {
     { NULL },
 };
 
+/* The first is toroidal's only. */
+static const struct field laid_fields[] = {
+    { "major_radius", FIELD_FLOAT, offsetof(struct warp, major), 0, 0,
+      "of the ring, 1" },
+    { "orientation", FIELD_VECTOR, offsetof(struct warp, orientation), 0, 0,
+      "where the pattern's z points, z" },
+    { "dist_exp", FIELD_FLOAT, offsetof(struct warp, stretch), 0, 0,
+      "how the pattern grows with the distance, 0" },
+    { NULL },
+};
+
 static bool warp_items(struct parser *p, struct warp *warp,
                        const struct field *fields)
 {
@@ -112,12 +123,58 @@ static bool parse_hole_warp(struct parser *p, struct warp *warp)
                              "a repeated black hole larger than its cell");
 }
 
+static bool laid_orientation(struct parser *p, struct warp *warp,
+                             struct span span)
+{
+    double length = vec3_length(warp->orientation);
+    if (!(length > 0))
+        return error_at(p, span_join(span, p->last_span), "orientation y",
+                        "the orientation of a warp has no length");
+    warp->orientation = vec3_scale(warp->orientation, 1 / length);
+    return true;
+}
+
+/* planar_warp = "planar" [vector [","] float] . */
+static bool parse_planar_warp(struct parser *p, struct warp *warp)
+{
+    stream_next(p);
+    warp->kind = WARP_PLANAR;
+    warp->orientation = vec3_make(0, 0, 1);
+    if (!at_expression(p))
+        return true;
+    struct span span = stream_span(p);
+    if (!parse_vector(p, &warp->orientation) ||
+        !laid_orientation(p, warp, span))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return parse_float(p, &warp->distance);
+}
+
+/* laid_warp = ( "cylindrical" | "spherical" | "toroidal" )
+ *             {"orientation" vector | "dist_exp" float | "major_radius" float}
+ * .
+ */
+static bool parse_laid_warp(struct parser *p, struct warp *warp,
+                            enum warp_kind kind)
+{
+    stream_next(p);
+    warp->kind = kind;
+    warp->orientation = vec3_make(0, 0, 1);
+    warp->major = 1;
+    struct span span = stream_span(p);
+    return warp_items(p, warp,
+                      kind == WARP_TOROIDAL ? laid_fields : laid_fields + 1) &&
+           laid_orientation(p, warp, span);
+}
+
 static bool warp_body(struct parser *p, struct warp *warp, struct span span)
 {
-    static const struct field names[] = { { .name = "turbulence" },
-                                          { .name = "repeat" },
-                                          { .name = "black_hole" },
-                                          { .name = NULL } };
+    static const struct field names[] = {
+        { .name = "turbulence" },  { .name = "repeat" },
+        { .name = "black_hole" },  { .name = "planar" },
+        { .name = "cylindrical" }, { .name = "spherical" },
+        { .name = "toroidal" },    { .name = NULL }
+    };
     bool ok;
     if (stream_keyword(p) == KEYWORD_TURBULENCE)
         ok = parse_turbulence_warp(p, warp);
@@ -125,13 +182,22 @@ static bool warp_body(struct parser *p, struct warp *warp, struct span span)
         ok = parse_repeat_warp(p, warp);
     else if (at_word(p, "black_hole"))
         ok = parse_hole_warp(p, warp);
+    else if (at_word(p, "planar"))
+        ok = parse_planar_warp(p, warp);
+    else if (at_word(p, "cylindrical"))
+        ok = parse_laid_warp(p, warp, WARP_CYLINDRICAL);
+    else if (at_word(p, "spherical"))
+        ok = parse_laid_warp(p, warp, WARP_SPHERICAL);
+    else if (at_word(p, "toroidal"))
+        ok = parse_laid_warp(p, warp, WARP_TOROIDAL);
     else
         return error_unsupported(p, span, "this 'warp'");
     return ok && (stream_peek(p)->kind == TOKEN_RBRACE ||
                   error_unknown_item(p, "warp", names));
 }
 
-/* warp = "warp" "{" ( turbulence_warp | repeat_warp | hole_warp ) "}" . */
+/* warp = "warp" "{" ( turbulence_warp | repeat_warp | hole_warp | planar_warp
+ *      | laid_warp ) "}" . */
 bool parse_warp(struct parser *p, struct pattern *pattern)
 {
     struct warp *warp = ARENA_NEW(p->scene_arena, struct warp);

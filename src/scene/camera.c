@@ -83,6 +83,10 @@ static void camera_bend(struct camera *camera)
     camera->turn_up = up * (M_PI / 180);
     if (kind == CAMERA_PANORAMIC)
         return;
+    if (kind == CAMERA_FISHEYE) {
+        camera->direction = vec3_normalise(camera->direction);
+        return;
+    }
     camera->direction = vec3_normalise(camera->direction);
     if (kind != CAMERA_CYLINDER_2 && kind != CAMERA_CYLINDER_4)
         camera->right = vec3_normalise(camera->right);
@@ -129,6 +133,27 @@ static vec3 camera_sum(const struct camera *camera, double right, double up,
     return vec3_along(sum, camera->direction, direction);
 }
 
+/* From the middle of a fisheye's disc, whose edge is at 1. */
+static double camera_disc(const struct camera *camera, double x, double y)
+{
+    return 2 *
+           hypot(x * vec3_length(camera->right), y * vec3_length(camera->up));
+}
+
+bool camera_sees(const struct camera *camera, double x, double y)
+{
+    return camera->kind != CAMERA_FISHEYE ||
+           camera_disc(camera, x - 0.5, 0.5 - y) <= 1;
+}
+
+/* All places as far from the middle are as far from the direction. */
+static vec3 camera_fisheye(const struct camera *camera, double x, double y)
+{
+    double r = camera_disc(camera, x, y), angle = r * camera->turn / 2;
+    double side = r > 0 ? 2 * sin(angle) / r : 0;
+    return camera_sum(camera, side * x, side * y, cos(angle));
+}
+
 /* x and y from the middle of the picture, to the right and up (measured, save
  * that a camera which is scaled afterwards was not). */
 static struct ray camera_bent_ray(const struct camera *camera, double x,
@@ -139,6 +164,9 @@ static struct ray camera_bent_ray(const struct camera *camera, double x,
     switch (camera->kind) {
     case CAMERA_ULTRA_WIDE_ANGLE:
         ray.direction = camera_sum(camera, sin(a), sin(b), cos(a) * cos(b));
+        break;
+    case CAMERA_FISHEYE:
+        ray.direction = camera_fisheye(camera, x, y);
         break;
     case CAMERA_PANORAMIC:
         ray.direction =

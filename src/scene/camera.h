@@ -16,6 +16,7 @@ enum camera_kind {
     CAMERA_CYLINDER_2, /* lying */
     CAMERA_CYLINDER_3, /* upright, each line seen from its own height */
     CAMERA_CYLINDER_4, /* lying, each column from its own place */
+    CAMERA_FISHEYE,    /* a disc; the rest of the picture is black */
 };
 
 struct camera {
@@ -49,8 +50,11 @@ const char *camera_finish(struct camera *camera);
 /* The camera moved by `transform`: all its vectors. */
 void camera_move(struct camera *camera, const affine *transform);
 
-/* The ray through the picture at (x, y), both in [0,1] from the top left.
- * The direction is unit. */
+/* Whether there is a picture at (x, y), both in [0,1] from the top left: round
+ * a fisheye's disc there is none, and it is black. */
+bool camera_sees(const struct camera *camera, double x, double y);
+
+/* The ray through the picture at (x, y). The direction is unit. */
 struct ray camera_ray(const struct camera *camera, double x, double y);
 
 /* A point from the camera: so many rights, ups and directions away from its

@@ -88,7 +88,7 @@ static uint64_t pattern_hash(uint64_t hash, const struct pattern *pattern)
         pattern->phase,        pattern->turbulent,   turbulence->octaves,
         turbulence->omega,     turbulence->lambda,   turbulence->amount.x,
         turbulence->amount.y,  turbulence->amount.z, pattern_generator(pattern),
-        pattern->noise->waves,
+        pattern->noise->waves, pattern->uv,
     };
     hash = hash_affine(hash, &pattern->inverse);
     for (const struct warp *warp = pattern->warps; warp; warp = warp->inner) {
@@ -170,7 +170,9 @@ static uint64_t normal_hash(struct walk *walk, uint64_t hash,
 {
     hash = pattern_hash(hash, &normal->pattern);
     hash = hash_numbers(
-        hash, (const double[]){ normal->amount, normal->accuracy }, 2);
+        hash,
+        (const double[]){ normal->amount, normal->accuracy, normal->uv_turned },
+        3);
     for (size_t i = 0; normal->map && i < normal->map->count; i++) {
         const struct normal_entry *entry = &normal->map->entries[i];
         hash = hash_numbers(hash, &entry->value, 1);
@@ -232,6 +234,9 @@ static uint64_t mesh_hash(struct walk *walk, const struct mesh *mesh)
                       mesh->normal_count * sizeof *mesh->normals);
     hash = hash_bytes(hash, mesh->triangles,
                       mesh->triangle_count * sizeof *mesh->triangles);
+    for (size_t i = 0; mesh->uv_faces && i < mesh->triangle_count; i++)
+        for (int k = 0; k < 3 && mesh->uv_faces[i][0] != MESH_NONE; k++)
+            hash = hash_numbers(hash, mesh->uvs[mesh->uv_faces[i][k]], 2);
     return known_add(walk, mesh, hash);
 }
 
@@ -243,6 +248,9 @@ static void walk_material(struct walk *walk, const struct object *object,
     const struct mesh *mesh = object->mesh;
     if (object->texture)
         walk_texture(walk, object->texture, &place);
+    affine inner = affine_compose(outer, object->inner_transform);
+    if (object->inner)
+        walk_texture(walk, object->inner, &inner);
     for (size_t i = 0; mesh && i < mesh->texture_count; i++)
         walk_texture(walk, mesh->textures[i], &place);
     if (!interior)
@@ -284,10 +292,10 @@ static uint64_t light_hash(uint64_t hash, const struct light *light)
 static uint64_t shape_hash(struct walk *walk, const struct object *object)
 {
     const unsigned flags =
-        (unsigned)object->kind << 7 | (unsigned)object->inverse << 6 |
-        (unsigned)object->hollow << 5 | (unsigned)object->has_hollow << 4 |
-        (unsigned)object->no_shadow << 3 | (unsigned)object->no_image << 2 |
-        (unsigned)object->no_reflection << 1 |
+        (unsigned)object->uv_mapping << 11 | (unsigned)object->kind << 7 |
+        (unsigned)object->inverse << 6 | (unsigned)object->hollow << 5 |
+        (unsigned)object->has_hollow << 4 | (unsigned)object->no_shadow << 3 |
+        (unsigned)object->no_image << 2 | (unsigned)object->no_reflection << 1 |
         (unsigned)object->double_illuminate;
     const double counts[] = { flags, (double)object->child_count,
                               (double)object->clip_count,

@@ -53,22 +53,26 @@ int texture_choose(const struct texture_choice *choice, vec3 point,
     return 2;
 }
 
-rgb texture_transmittance(const struct texture *texture, vec3 point)
+rgb texture_transmittance(const struct texture *texture, vec3 point,
+                          const struct uv_source *uv)
 {
     rgb through = rgb_grey(1);
     if (texture->choice) {
         struct texture_pick picks[TEXTURE_PICKS];
         vec3 located;
+        point = pattern_start(&texture->choice->pattern, point, uv);
         int count = texture_choose(texture->choice, point, picks, &located);
         through = rgb_grey(0);
         for (int i = 0; i < count; i++)
             through = rgb_add_scaled(
-                through, texture_transmittance(picks[i].texture, located),
+                through, texture_transmittance(picks[i].texture, located, uv),
                 picks[i].share);
         return through;
     }
     for (size_t i = texture->count; i-- > 0;) {
-        colour pigment = pigment_colour(texture->layers[i].pigment, point);
+        const struct pigment *layer = texture->layers[i].pigment;
+        colour pigment =
+            pigment_colour(layer, pattern_start(&layer->pattern, point, uv));
         through = rgb_mul(through, colour_transmittance(pigment));
         if (rgb_peak(through) == 0)
             break;
@@ -130,4 +134,38 @@ const struct texture *texture_moved(struct arena *arena,
         };
     }
     return moved;
+}
+
+static struct layer layer_mapped(struct arena *arena, const struct layer *layer)
+{
+    struct pigment *pigment = ARENA_NEW(arena, struct pigment);
+    struct layer mapped = { pigment, NULL, layer->finish };
+    *pigment = *layer->pigment;
+    pigment->pattern.uv = true;
+    if (layer->normal) {
+        struct normal *normal = ARENA_NEW(arena, struct normal);
+        *normal = *layer->normal;
+        normal->uv_turned = !normal->pattern.uv;
+        normal->pattern.uv = true;
+        mapped.normal = normal;
+    }
+    return mapped;
+}
+
+const struct texture *texture_mapped(struct arena *arena,
+                                     const struct texture *texture)
+{
+    struct texture *mapped = ARENA_NEW(arena, struct texture);
+    *mapped = *texture;
+    if (texture->choice) {
+        struct texture_choice *choice = ARENA_NEW(arena, struct texture_choice);
+        *choice = *texture->choice;
+        choice->pattern.uv = true;
+        mapped->choice = choice;
+        return mapped;
+    }
+    mapped->layers = ARENA_ARRAY(arena, struct layer, texture->count);
+    for (size_t i = 0; i < texture->count; i++)
+        mapped->layers[i] = layer_mapped(arena, &texture->layers[i]);
+    return mapped;
 }

@@ -98,6 +98,7 @@ struct normal {
     const struct slope_map *slopes; /* or NULL */
     const struct image_map *bumps;  /* instead of a pattern, or NULL */
     unsigned depth, parts; /* of maps in each other, limited as pigments' */
+    bool uv_turned; /* mapped as a part of its texture: bumps turn with it */
 };
 
 struct reflection {
@@ -175,7 +176,13 @@ int texture_choose(const struct texture_choice *choice, vec3 point,
                    struct texture_pick picks[TEXTURE_PICKS], vec3 *located);
 
 /* The share of light that passes the whole texture at a point of its space. */
-rgb texture_transmittance(const struct texture *texture, vec3 point);
+rgb texture_transmittance(const struct texture *texture, vec3 point,
+                          const struct uv_source *uv);
+
+/* A copy of which all patterns, normals too, are of the surface's own
+ * coordinates. */
+const struct texture *texture_mapped(struct arena *arena,
+                                     const struct texture *texture);
 
 struct interior {
     double ior;           /* 1 */
@@ -187,7 +194,8 @@ struct interior {
 
 struct material {
     const struct texture *texture;
-    const struct interior *interior; /* may be NULL */
+    const struct texture *interior_texture; /* seen from inside, or NULL */
+    const struct interior *interior;        /* may be NULL */
 };
 
 struct finish finish_default(void);

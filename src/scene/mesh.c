@@ -68,6 +68,9 @@ size_t mesh_prepare(struct mesh *mesh)
             continue;
         if (triangle.normal[0] != MESH_NONE)
             triangle_flatten(mesh, &triangle);
+        if (mesh->uv_faces)
+            memmove(mesh->uv_faces[kept], mesh->uv_faces[i],
+                    sizeof *mesh->uv_faces);
         mesh->triangles[kept++] = triangle;
     }
     mesh->triangle_count = kept;
@@ -137,6 +140,25 @@ void mesh_refine(const struct mesh *mesh, size_t index, const struct ray *ray,
     *hit =
         (struct hit){ t, (int)index, vec3_dot(vec3_cross(p, ac), normal) / area,
                       vec3_dot(vec3_cross(ab, p), normal) / area };
+}
+
+void mesh_uv(const struct mesh *mesh, size_t index, vec3 point, double uv[2])
+{
+    const uint32_t *p = mesh->triangles[index].vertex;
+    const uint32_t *corner = mesh->uv_faces ? mesh->uv_faces[index] : NULL;
+    uv[0] = uv[1] = 0;
+    if (!corner || corner[0] == MESH_NONE)
+        return;
+    vec3 a = mesh->vertices[p[0]];
+    vec3 ab = vec3_sub(mesh->vertices[p[1]], a);
+    vec3 ac = vec3_sub(mesh->vertices[p[2]], a);
+    vec3 normal = vec3_cross(ab, ac), to = vec3_sub(point, a);
+    double area = vec3_dot(normal, normal);
+    double s = vec3_dot(vec3_cross(to, ac), normal) / area;
+    double t = vec3_dot(vec3_cross(ab, to), normal) / area;
+    for (int k = 0; k < 2; k++)
+        uv[k] = (1 - s - t) * mesh->uvs[corner[0]][k] +
+                s * mesh->uvs[corner[1]][k] + t * mesh->uvs[corner[2]][k];
 }
 
 vec3 mesh_face(const struct mesh *mesh, size_t index)

@@ -28,8 +28,13 @@ struct mesh {
     size_t triangle_count;
     const struct texture **textures;
     size_t texture_count;
-    bool solid;         /* has an inside_vector */
-    vec3 inside_vector; /* direction of the ray that counts crossings */
+    bool mapped;      /* has coordinates of its own, of which none are said */
+    double (*uvs)[2]; /* they are 0, or between those of three of these: */
+    uint32_t (*uv_faces)[3]; /* of each triangle, MESH_NONE in [0]: none */
+    bool solid;              /* has an inside_vector */
+    vec3 inside_vector;      /* direction of the ray that counts crossings */
+    bool turned; /* outside is where corners turn to the right: a lone triangle,
+                  * a patch (measured) */
     /* Of a height field: its normals are those of a grid of so many points
      * over the square from 0 to 1 in x and z; the first are at z = 1. */
     int columns, rows;
@@ -58,6 +63,9 @@ double mesh_distance(const struct mesh *mesh, size_t index,
                      const struct ray *ray);
 void mesh_refine(const struct mesh *mesh, size_t index, const struct ray *ray,
                  struct hit *hit);
+
+/* The surface's own coordinates at a point of a triangle, if it is mapped. */
+void mesh_uv(const struct mesh *mesh, size_t index, vec3 point, double uv[2]);
 
 /* The flat normal, any length. */
 vec3 mesh_face(const struct mesh *mesh, size_t index);

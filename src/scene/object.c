@@ -14,6 +14,7 @@ struct object *object_new(struct arena *arena, enum object_kind kind,
     object->parts = 1;
     object->transform = affine_identity();
     object->texture_transform = affine_identity();
+    object->inner_transform = affine_identity();
     return object;
 }
 
@@ -45,6 +46,8 @@ void object_move(struct arena *arena, struct object *object,
     object->transform = affine_compose(*transform, object->transform);
     object->texture_transform =
         affine_compose(*transform, object->texture_transform);
+    object->inner_transform =
+        affine_compose(*transform, object->inner_transform);
     object->clips =
         clips_moved(arena, object->clips, object->clip_count, transform);
     object->bounds =

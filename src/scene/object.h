@@ -53,6 +53,8 @@ struct object {
 
     const struct texture *texture; /* NULL: the parent's, or the default */
     affine texture_transform;      /* texture's space to the parent's */
+    const struct texture *inner;   /* the same seen from inside, or NULL */
+    affine inner_transform;
     const struct interior *interior;
 
     const struct clip *clips;
@@ -67,6 +69,7 @@ struct object {
     bool hollow, has_hollow; /* has_: said at all, else the parent's */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
+    bool uv_mapping; /* the texture is of the surface's own coordinates */
 };
 
 /* A new node of this kind with identity transformations. */

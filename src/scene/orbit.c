@@ -57,6 +57,15 @@ static double orbit_exterior(const struct orbit *orbit, int steps, double x,
     }
 }
 
+/* Stayed where it is for all steps. */
+static double orbit_interior(const struct orbit *orbit, double nearest,
+                             double x, double y)
+{
+    int way = orbit_integer(orbit->interior[0]);
+    return orbit->interior[1] *
+           (way == 1 ? sqrt(nearest) : orbit_end(way, x, y));
+}
+
 double orbit_value(const struct orbit *orbit, double x, double y, double u,
                    double v)
 {
@@ -70,7 +79,73 @@ double orbit_value(const struct orbit *orbit, double x, double y, double u,
             return orbit_exterior(orbit, i, x, y);
         nearest = fmin(nearest, square);
     }
-    int way = orbit_integer(orbit->interior[0]);
-    return orbit->interior[1] *
-           (way == 1 ? sqrt(nearest) : orbit_end(way, x, y));
+    return orbit_interior(orbit, nearest, x, y);
+}
+
+struct complex {
+    double x, y;
+};
+
+static struct complex complex_make(double x, double y)
+{
+    return (struct complex){ x, y };
+}
+
+static struct complex complex_add(struct complex a, struct complex b)
+{
+    return complex_make(a.x + b.x, a.y + b.y);
+}
+
+static struct complex complex_mul(struct complex a, struct complex b)
+{
+    return complex_make(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+/* The square of a / b. */
+static struct complex complex_ratio_squared(struct complex a, struct complex b)
+{
+    double size = b.x * b.x + b.y * b.y;
+    struct complex ratio = complex_mul(a, complex_make(b.x, -b.y));
+    ratio = complex_make(ratio.x / size, ratio.y / size);
+    return complex_mul(ratio, ratio);
+}
+
+/* Peitgen and Richter, The Beauty of Fractals, 1986, pages 129 and 130:
+ *     ((z^2 + c - 1) / (2 z + c - 2))^2 and
+ *     ((z^3 + 3 (c-1) z + (c-1)(c-2)) /
+ *      (3 z^2 + 3 (c-2) z + (c-1)(c-2) + 1))^2. */
+static struct complex magnet_step(int kind, struct complex z, struct complex c)
+{
+    struct complex square = complex_mul(z, z);
+    struct complex c1 = complex_make(c.x - 1, c.y);
+    struct complex c2 = complex_make(c.x - 2, c.y);
+    if (kind == 1)
+        return complex_ratio_squared(complex_add(square, c1),
+                                     complex_add(complex_add(z, z), c2));
+    struct complex both = complex_mul(c1, c2),
+                   z3 = complex_make(3 * z.x, 3 * z.y);
+    struct complex above = complex_add(complex_mul(square, z), both);
+    struct complex below = complex_mul(z3, complex_add(z, c2));
+    above = complex_add(above, complex_mul(z3, c1));
+    below = complex_add(below, complex_make(both.x + 1, both.y));
+    return complex_ratio_squared(above, below);
+}
+
+/* Outside is also what comes to the map's fixed point, 1 (measured, as are the
+ * limits). */
+double orbit_magnet(const struct orbit *orbit, double x, double y, double u,
+                    double v)
+{
+    const double far = 1e4, near = 1e-4;
+    struct complex z = { x, y }, c = { u, v };
+    double nearest = orbit->julia ? x * x + y * y : (double)INFINITY;
+    for (int i = 0; i < orbit->iterations; i++) {
+        z = magnet_step(orbit->magnet, z, c);
+        double square = z.x * z.x + z.y * z.y;
+        double off = (z.x - 1) * (z.x - 1) + z.y * z.y;
+        if (!(square <= far) || off < near)
+            return orbit_exterior(orbit, i, z.x, z.y);
+        nearest = fmin(nearest, square);
+    }
+    return orbit_interior(orbit, nearest, z.x, z.y);
 }

@@ -44,10 +44,24 @@ struct pattern {
     double exponent; /* of poly_wave */
     double frequency, phase;
     bool turbulent;
+    bool uv; /* of the surface's own coordinates: see pattern_start */
     struct turbulence turbulence;
     const struct noise_settings *noise; /* of all patterns */
     int generator; /* its own noise_generator; 0: that of `noise` */
 };
+
+/* Tells the surface's own coordinates, (u, v, 0), for uv_mapping. */
+struct uv_source {
+    vec3 (*point)(const struct uv_source *source);
+};
+
+/* Where the pattern is looked up: `point`, of the texture's space, or the
+ * surface's coordinates. `uv` may be NULL, off any surface. */
+static inline vec3 pattern_start(const struct pattern *pattern, vec3 point,
+                                 const struct uv_source *uv)
+{
+    return pattern->uv && uv ? uv->point(uv) : point;
+}
 
 /* The parameters of patterns made of other things: one of these. */
 struct made_pattern {

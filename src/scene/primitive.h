@@ -58,6 +58,9 @@ struct primitive {
                   double tmax, struct hit *hit);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */
     vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
+    /* The surface's own coordinates at one of its points, for uv_mapping; NULL:
+     * it has none, and x and y of the world are taken (measured). */
+    void (*uv)(const void *shape, vec3 point, double uv[2]);
     /* NULL when not solid. */
     bool (*inside)(const void *shape, vec3 point);
     /* What the cell may meet: CELL_SURFACE, CELL_BORDER (see cell.h). Leaves

@@ -45,6 +45,14 @@ static inline bool hits_between(const struct hits *hits, double tmin,
     return false;
 }
 
+/* Round the y axis from x by z, 0 to 1: the first of many shapes' own
+ * coordinates. */
+static inline double ray_turn(double x, double z)
+{
+    double turn = atan2(z, x) / (2 * M_PI);
+    return turn < 0 ? turn + 1 : turn;
+}
+
 static inline vec3 ray_point(const struct ray *ray, double t)
 {
     return vec3_along(ray->origin, ray->direction, t);

@@ -168,6 +168,60 @@ static vec3 revolution_normal(const void *shape, vec3 point,
     return (vec3){ out * point.x / radius, up, out * point.z / radius };
 }
 
+/* How far the curve is from a point at s, squared. */
+static double segment_away(const struct segment *segment, double s,
+                           const double p[2])
+{
+    double at[2];
+    segment_point(segment, s, at);
+    double x = at[0] - p[0], y = at[1] - p[1];
+    return x * x + y * y;
+}
+
+/* The nearest place of a segment: of a few tried, and then between its
+ * neighbours. */
+static double segment_nearest(const struct segment *segment, const double p[2])
+{
+    enum { TRIES = 32, STEPS = 40 };
+    double best = 0;
+    for (int i = 1; i <= TRIES; i++) {
+        double s = (double)i / TRIES;
+        if (segment_away(segment, s, p) < segment_away(segment, best, p))
+            best = s;
+    }
+    double low = fmax(0, best - 1.0 / TRIES),
+           high = fmin(1, best + 1.0 / TRIES);
+    for (int i = 0; i < STEPS; i++) {
+        double third = (high - low) / 3;
+        if (segment_away(segment, low + third, p) <
+            segment_away(segment, high - third, p))
+            high -= third;
+        else
+            low += third;
+    }
+    return (low + high) / 2;
+}
+
+/* Along the curve each segment is as long as the others (measured). */
+static void revolution_uv(const void *shape, vec3 point, double uv[2])
+{
+    const struct revolution *r = shape;
+    const struct segment *segments = (const struct segment *)r->segments.values;
+    size_t count = r->segments.count / SEGMENT_NUMBERS;
+    const double p[2] = { hypot(point.x, point.z), point.y };
+    double least = (double)INFINITY;
+    uv[0] = ray_turn(point.x, point.z);
+    uv[1] = 0;
+    for (size_t i = 0; i < count; i++) {
+        double s = segment_nearest(&segments[i], p);
+        double away = segment_away(&segments[i], s, p);
+        if (away < least) {
+            least = away;
+            uv[1] = ((double)i + s) / (double)count;
+        }
+    }
+}
+
 const struct primitive lathe_primitive = {
     .name = "lathe",
     .help = "a curve turned around y",
@@ -179,5 +233,6 @@ const struct primitive lathe_primitive = {
     .bounds = revolution_bounds,
     .intersect = revolution_intersect,
     .normal = revolution_normal,
+    .uv = revolution_uv,
     .inside = revolution_inside,
 };

@@ -2,6 +2,7 @@
 #include "scene/warp.h"
 
 #include "scene/noise.h"
+#include "scene/ray.h"
 
 static vec3 warp_repeat(const struct warp *warp, vec3 point)
 {
@@ -45,6 +46,39 @@ static vec3 warp_black_hole(const struct warp *warp, vec3 point)
     return vec3_along(point, away, warp->push ? -pull : pull);
 }
 
+/* The middle of the pattern's third axis along the orientation: a sum of what
+ * is for each axis, and so no rotation for others. */
+static vec3 warp_turned(vec3 orientation, vec3 p)
+{
+    vec3 x = { p.z, p.y, -p.x }, y = { p.x, -p.z, p.y };
+    vec3 sum = vec3_scale(p, orientation.z);
+    sum = vec3_along(sum, x, orientation.x);
+    return vec3_along(sum, y, orientation.y);
+}
+
+/* Round the axis and along it or from pole to pole, both 0 to 1, and the
+ * distance from the middle, which may stretch the first two. */
+static vec3 warp_laid(const struct warp *warp, vec3 p)
+{
+    double round = hypot(p.x, p.z), ring = round - warp->major;
+    vec3 laid = { ray_turn(p.x, p.z), p.y, round };
+    if (warp->kind == WARP_PLANAR)
+        return vec3_make(p.x, p.y, warp->distance);
+    if (warp->kind == WARP_SPHERICAL) {
+        laid.y = 0.5 + atan2(p.y, round) / M_PI;
+        laid.z = vec3_length(p);
+    } else if (warp->kind == WARP_TOROIDAL) {
+        laid.y = 0.5 + atan2(p.y, ring) / (2 * M_PI);
+        laid.z = hypot(ring, p.y);
+    }
+    if (warp->stretch == 0)
+        return laid;
+    double factor = pow(laid.z, warp->stretch);
+    laid.x *= factor;
+    laid.y *= warp->kind == WARP_CYLINDRICAL ? 1 : factor;
+    return laid;
+}
+
 vec3 warp_all(const struct warp *warp, vec3 point)
 {
     for (; warp; warp = warp->inner) {
@@ -60,6 +94,9 @@ vec3 warp_all(const struct warp *warp, vec3 point)
         case WARP_BLACK_HOLE:
             point = warp_black_hole(warp, point);
             break;
+        default:
+            point = warp_turned(warp->orientation, warp_laid(warp, point));
+            break;
         }
         point = affine_point(&warp->inverse, point);
     }
@@ -70,12 +107,16 @@ void warp_numbers(const struct warp *warp, double numbers[WARP_NUMBERS])
 {
     const struct turbulence *t = &warp->turbulence;
     const double all[WARP_NUMBERS] = {
-        warp->kind,     t->amount.x,    t->amount.y,    t->amount.z,
-        t->octaves,     t->omega,       t->lambda,      warp->period.x,
-        warp->period.y, warp->period.z, warp->offset.x, warp->offset.y,
-        warp->offset.z, warp->flip.x,   warp->flip.y,   warp->flip.z,
-        warp->centre.x, warp->centre.y, warp->centre.z, warp->radius,
-        warp->falloff,  warp->strength, warp->push,     0
+        warp->kind,          t->amount.x,         t->amount.y,
+        t->amount.z,         t->octaves,          t->omega,
+        t->lambda,           warp->period.x,      warp->period.y,
+        warp->period.z,      warp->offset.x,      warp->offset.y,
+        warp->offset.z,      warp->flip.x,        warp->flip.y,
+        warp->flip.z,        warp->centre.x,      warp->centre.y,
+        warp->centre.z,      warp->radius,        warp->falloff,
+        warp->strength,      warp->push,          warp->distance,
+        warp->stretch,       warp->major,         warp->orientation.x,
+        warp->orientation.y, warp->orientation.z, 0
     };
     memcpy(numbers, all, sizeof all);
 }

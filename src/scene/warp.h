@@ -5,7 +5,15 @@
 #include "base/affine.h"
 #include "scene/pattern.h"
 
-enum warp_kind { WARP_TURBULENCE, WARP_REPEAT, WARP_BLACK_HOLE };
+enum warp_kind {
+    WARP_TURBULENCE,
+    WARP_REPEAT,
+    WARP_BLACK_HOLE,
+    WARP_PLANAR, /* the plane of x and y is laid on a plane, */
+    WARP_CYLINDRICAL,
+    WARP_SPHERICAL,
+    WARP_TOROIDAL,
+};
 
 struct warp {
     enum warp_kind kind;
@@ -16,14 +24,18 @@ struct warp {
     vec3 offset, flip; /* of each repetition; axes that change sides */
     vec3 centre;       /* of a black hole, and so on: */
     double radius, falloff, strength;
-    bool push; /* outward: inverse */
+    bool push;        /* outward: inverse */
+    vec3 orientation; /* of the last four; z leaves the result as it is */
+    double distance;  /* planar: the third coordinate */
+    double stretch;   /* the others: so much with the distance, dist_exp */
+    double major;     /* toroidal: the radius of the ring */
 };
 
 /* The point that all of them make of one. */
 vec3 warp_all(const struct warp *warp, vec3 point);
 
 /* Numbers that tell this warp from others. */
-enum { WARP_NUMBERS = 24 };
+enum { WARP_NUMBERS = 30 };
 void warp_numbers(const struct warp *warp, double numbers[WARP_NUMBERS]);
 
 #endif

@@ -6,21 +6,65 @@
 
 #include "shade/finish.h"
 
-static colour layer_pigment(const struct layer *layer, vec3 point, int quality)
-{
-    const struct pigment *pigment = layer->pigment;
-    if (quality < QUALITY_TRANSPARENCY && pigment->has_quick_colour)
-        return pigment->quick_colour;
-    return pigment_colour(pigment, point);
-}
-
 /* A texture and its space: that of a picked one is its pattern's. */
 struct place {
     const struct texture *texture;
     vec3 point;
     const affine *to, *from; /* world <-> the texture's space */
     double share;            /* of the surface that has this texture */
+    const struct uv_source *uv;
 };
+
+/* The surface's own coordinates, worked out when they are asked for. */
+struct surface_uv {
+    struct uv_source source; /* first */
+    const struct intersection *at;
+};
+
+static vec3 surface_uv_point(const struct uv_source *source)
+{
+    const struct surface_uv *uv = (const struct surface_uv *)source;
+    return world_uv(uv->at);
+}
+
+static struct surface_uv surface_uv(const struct intersection *at)
+{
+    return (struct surface_uv){ { surface_uv_point }, at };
+}
+
+/* Where a normal or an object is laid by the surface's own coordinates, its
+ * bumps stand in the world as they do in the texture; where the texture is,
+ * they turn with the object (measured). */
+static const affine unmoved = {
+    { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } }
+};
+
+/* Of the whole texture at the point, which is in the texture's space but for
+ * objects with uv_mapping. */
+static struct place place_at(const struct intersection *at,
+                             const struct uv_source *uv)
+{
+    bool mapped = at->leaf->uv_mapping;
+    return (struct place){
+        .texture = at->texture,
+        .point =
+            mapped ? uv->point(uv) : affine_point(at->to_texture, at->point),
+        .to = mapped ? &unmoved : at->to_texture,
+        .from = mapped ? &unmoved : at->from_texture,
+        .share = 1,
+        .uv = uv,
+    };
+}
+
+static colour layer_pigment(const struct layer *layer,
+                            const struct place *place, int quality)
+{
+    const struct pigment *pigment = layer->pigment;
+    if (quality < QUALITY_TRANSPARENCY && pigment->has_quick_colour)
+        return pigment->quick_colour;
+    return pigment_colour(
+        pigment, pattern_start(&pigment->pattern, place->point, place->uv));
+}
 
 /* Bumps live in the texture's space: the normal goes there and back. */
 static vec3 layer_normal(const struct layer *layer, const struct place *place,
@@ -29,8 +73,13 @@ static vec3 layer_normal(const struct layer *layer, const struct place *place,
     vec3 there, bumped, back;
     if (!layer->normal || !normal_tilts(layer->normal))
         return normal;
+    if (layer->normal->pattern.uv && !layer->normal->uv_turned)
+        return normal_perturbed(layer->normal, place->uv->point(place->uv),
+                                normal);
     there = vec3_normalise(affine_normal(place->from, normal));
-    bumped = normal_perturbed(layer->normal, place->point, there);
+    bumped = normal_perturbed(
+        layer->normal,
+        pattern_start(&layer->normal->pattern, place->point, place->uv), there);
     back = vec3_normalise(affine_normal(place->to, bumped));
     return vec3_finite(back) ? back : normal;
 }
@@ -73,7 +122,7 @@ static rgb surface_add_layers(struct surface *surface,
         struct surface_layer *layer = &surface->layer[surface->count++];
         layer->finish = source->finish;
         layer->weight = weight;
-        layer->pigment = layer_pigment(source, place->point, view->quality);
+        layer->pigment = layer_pigment(source, place, view->quality);
         layer->normal = view->smooth
                             ? surface->normal
                             : layer_normal(source, place, surface->normal);
@@ -100,10 +149,12 @@ static rgb surface_add(struct surface *surface, const struct surface_view *view,
     affine inward = pattern_affine(&choice->pattern);
     affine to, from, outward;
     rgb through = rgb_grey(0);
-    int count = texture_choose(choice, place->point, picks, &inner.point);
+    bool mapped = choice->pattern.uv;
+    vec3 start = pattern_start(&choice->pattern, place->point, place->uv);
+    int count = texture_choose(choice, start, picks, &inner.point);
     if (affine_inverse(inward, &outward)) {
-        to = affine_compose(inward, *place->to);
-        from = affine_compose(*place->from, outward);
+        to = affine_compose(inward, mapped ? unmoved : *place->to);
+        from = affine_compose(mapped ? unmoved : *place->from, outward);
         inner.to = &to;
         inner.from = &from;
     }
@@ -120,12 +171,8 @@ static rgb surface_add(struct surface *surface, const struct surface_view *view,
 static void surface_fill_layers(struct surface *surface,
                                 const struct surface_view *view)
 {
-    const struct intersection *at = surface->at;
-    struct place place = { .texture = at->texture,
-                           .point = affine_point(at->to_texture, at->point),
-                           .to = at->to_texture,
-                           .from = at->from_texture,
-                           .share = 1 };
+    struct surface_uv uv = surface_uv(surface->at);
+    struct place place = place_at(surface->at, &uv.source);
     surface->through = surface_add(surface, view, &place, rgb_grey(1));
 }
 
@@ -134,11 +181,12 @@ static void surface_fill_plain(struct surface *surface, int quality)
 {
     const struct intersection *at = surface->at;
     const struct layer *source = &at->texture->layers[0];
-    vec3 point = affine_point(at->to_texture, at->point);
+    struct surface_uv uv = surface_uv(at);
+    struct place place = place_at(at, &uv.source);
     surface->count = 1;
     surface->layer[0] = (struct surface_layer){
         .finish = source->finish,
-        .pigment = layer_pigment(source, point, quality),
+        .pigment = layer_pigment(source, &place, quality),
         .normal = surface->normal,
         .weight = rgb_grey(1),
     };
@@ -167,17 +215,16 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 
 rgb surface_transmittance(const struct intersection *at)
 {
-    return texture_transmittance(at->texture,
-                                 affine_point(at->to_texture, at->point));
+    struct surface_uv uv = surface_uv(at);
+    struct place place = place_at(at, &uv.source);
+    return texture_transmittance(at->texture, place.point, place.uv);
 }
 
 vec3 surface_bumps(const struct intersection *at)
 {
     const struct texture *texture = at->texture;
-    struct place place = { .texture = texture,
-                           .point = affine_point(at->to_texture, at->point),
-                           .to = at->to_texture,
-                           .from = at->from_texture };
+    struct surface_uv uv = surface_uv(at);
+    struct place place = place_at(at, &uv.source);
     return layer_normal(&texture->layers[texture->count - 1], &place,
                         at->normal);
 }

@@ -19,8 +19,8 @@ static bool texture_is_void(const struct texture *texture,
         vec3 r = { random_unit(random_key(i, 0)), random_unit(random_key(i, 1)),
                    random_unit(random_key(i, 2)) };
         vec3 point = vec3_add(box.low, vec3_mul(size, r));
-        sum += rgb_brightness(
-            texture_transmittance(texture, affine_point(to_texture, point)));
+        sum += rgb_brightness(texture_transmittance(
+            texture, affine_point(to_texture, point), NULL));
     }
     return sum > 0.5 * TRANSMITTANCE_SAMPLES;
 }

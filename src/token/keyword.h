@@ -62,7 +62,6 @@
     X(CASE, "case")                                                            \
     X(CAUSTICS, "caustics")                                                    \
     X(CEIL, "ceil")                                                            \
-    X(CELLS, "cells")                                                          \
     X(CHARSET, "charset")                                                      \
     X(CHR, "chr")                                                              \
     X(CIRCULAR, "circular")                                                    \
@@ -356,7 +355,6 @@
     X(SPACING, "spacing")                                                      \
     X(SPECULAR, "specular")                                                    \
     X(SPHERE_SWEEP, "sphere_sweep")                                            \
-    X(SPIRAL2, "spiral2")                                                      \
     X(SPLINE, "spline")                                                        \
     X(SPLIT_UNION, "split_union")                                              \
     X(SPOTLIGHT, "spotlight")                                                  \

@@ -32,6 +32,8 @@ struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
                          .copies = 1,
                          .share = { 1, 1, 1 },
                          .clear = 1 };
+    if (!camera_sees(&tracer->scene->camera, x, y))
+        return (struct radiance){ rgb_grey(0), 0 };
     walk.ray = tracer_start(tracer, worker, x, y, &walk.inside);
     return walk_follow(&walk);
 }

@@ -256,6 +256,8 @@ struct radiance tracer_camera(const struct tracer *tracer,
 {
     struct path path;
     const double place[2] = { x, y };
+    if (!camera_sees(&tracer->scene->camera, x, y))
+        return (struct radiance){ rgb_grey(0), 0 };
     struct ray ray = camera_ray(&tracer->scene->camera, x, y);
     path_start(&path, tracer, worker, place, &ray);
     return path_follow(&path);
@@ -286,6 +288,9 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
     for (unsigned i = 0; i < count; i++) {
         struct path path;
         struct crossing crossing;
+        out[i] = (struct radiance){ rgb_grey(0), 0 };
+        if (!camera_sees(&tracer->scene->camera, places[i][0], places[i][1]))
+            continue;
         path_start(&path, tracer, worker, places[i], &rays[i]);
         if (hits[i].leaf)
             world_describe(&path.ray, &hits[i], &crossing.at);

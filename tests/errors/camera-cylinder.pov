@@ -1,2 +1,2 @@
 camera { cylinder 5 location -z }
-camera { fisheye location -z }
+camera { omnimax location -z }

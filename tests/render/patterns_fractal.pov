@@ -1,4 +1,4 @@
-// mandel and julia: exteriors, interiors and exponents.
+// mandel, julia and magnet: exteriors, interiors and exponents.
 // compare: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -21,4 +21,7 @@ Tile(3, 1, pigment { mandel 12 exterior 0, .4 interior 0, .8 })
 Tile(0, 2, pigment { mandel 12 exterior 3, .3 interior 4, .5 scale .7 })
 Tile(1, 2, pigment { mandel 12 exterior 5, .02 frequency 2 phase .3 })
 Tile(2, 2, pigment { mandel 12 exterior 6, .1 triangle_wave rotate 30*z })
-box { <1, -1.5, 0>, <2, -.5, .1> pigment { rgb .5 } }
+Tile(3, 2, pigment { magnet 1 mandel 20 exterior 2, .1 interior 1, .5 translate -x })
+box { <1.5, -1.5, -.1>, <2, -1, .1> pigment { magnet 2 mandel 20 interior 5, .1 color_map { Map } scale .2 translate <1.6, -1.2, 0> } }
+box { <1.5, -1, -.1>, <2, -.5, .1> pigment { magnet 1 julia <1.5, .7>, 30 interior 1, 1 color_map { Map } scale .1 translate <1.7, -.7, 0> } }
+box { <1, -1, -.1>, <1.5, -.5, .1> pigment { magnet 2 julia <.5, .7> 30 exterior 8, 3 color_map { Map } scale .1 translate <1.2, -.7, 0> } }

@@ -1,5 +1,6 @@
 /* #if #ifdef #ifndef #elseif #else #switch #case #range: which text is read.
  * Skipped text may hold anything as long as its directives balance. */
+#include "parse/array.h"
 #include "parse/directive.h"
 #include "parse/symbol.h"
 
@@ -45,7 +46,8 @@ static bool if_run(struct parser *p, struct span at)
     return conditional_begin(p, at, condition != 0);
 }
 
-/* A declared name in parentheses; sets *declared. */
+/* A declared name, or an element that has a value, in parentheses; sets
+ * *declared. */
 static bool conditional_name(struct parser *p, bool *declared)
 {
     struct cursor *cursor = p->cursor;
@@ -54,8 +56,16 @@ static bool conditional_name(struct parser *p, bool *declared)
     if (tokens[0].kind != TOKEN_LPAREN || tokens[1].kind != TOKEN_WORD)
         return error_expected(p, "a name in parentheses");
     const struct word *word = tokens[1].word;
-    *declared = word->reserved || symbol_find(p, word) != NULL;
+    const struct value *value = symbol_find(p, word);
+    *declared = word->reserved || value != NULL;
     cursor->index += 2;
+    if (value && value->kind == VALUE_ARRAY &&
+        cursor->list->tokens[cursor->index].kind == TOKEN_LBRACKET) {
+        struct value *element;
+        if (!array_element(p, value->array, &element))
+            return false;
+        *declared = element->kind != VALUE_NONE;
+    }
     while (cursor->list->tokens[cursor->index].kind == TOKEN_LBRACKET) {
         double index;
         cursor->index++;
@@ -65,14 +75,14 @@ static bool conditional_name(struct parser *p, bool *declared)
     return expect(p, TOKEN_RPAREN, span_none());
 }
 
-/* ifdef_directive = "#ifdef" "(" name ")" . */
+/* ifdef_directive = "#ifdef" "(" name [subscripts] ")" . */
 static bool ifdef_run(struct parser *p, struct span at)
 {
     bool declared, ok = conditional_name(p, &declared);
     return conditional_begin(p, at, declared) && ok;
 }
 
-/* ifndef_directive = "#ifndef" "(" name ")" . */
+/* ifndef_directive = "#ifndef" "(" name [subscripts] ")" . */
 static bool ifndef_run(struct parser *p, struct span at)
 {
     bool declared, ok = conditional_name(p, &declared);

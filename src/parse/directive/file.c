@@ -1,5 +1,5 @@
-/* #include, and the directives that read and write data files, which glim
- * refuses: a scene may come from a stranger. */
+/* #include: another file is read here. */
+#include "parse/data_file.h"
 #include "parse/directive.h"
 
 /* In rounds of a loop: a file is looked for in several places. */
@@ -33,6 +33,21 @@ static const struct token_list *include_load(struct parser *p, const char *path,
     return known;
 }
 
+/* What the scene itself wrote under that name; it may write it again. */
+static const struct token_list *include_written(struct parser *p,
+                                                const char *name,
+                                                struct span at, bool *failed)
+{
+    const char *problem;
+    const struct source *source = data_file_written(p, name, at, &problem);
+    *failed = problem != NULL;
+    if (problem) {
+        error_at(p, at, NULL, "can't read '%s': %s", name, problem);
+        stream_abort(p);
+    }
+    return source ? lexer_run(p->arena, p->words, source) : NULL;
+}
+
 /* include_directive = "#include" string . */
 static bool include_run(struct parser *p, struct span at)
 {
@@ -40,31 +55,23 @@ static bool include_run(struct parser *p, struct span at)
     if (!directive_string(p, &name))
         return false;
     struct span where = span_join(at, p->last_span);
-    const char *path = file_find(p, name, ".inc");
-    if (!path) {
+    bool failed;
+    const struct token_list *list = include_written(p, name, where, &failed);
+    const char *path = list || failed ? NULL : file_find(p, name, ".inc");
+    if (failed)
+        return false;
+    if (!list && !path) {
         error_at(p, where, file_hint(p, name),
                  "can't find the include file '%s'", name);
         stream_abort(p);
         return false;
     }
-    const struct token_list *list = include_load(p, path, where);
+    if (!list)
+        list = include_load(p, path, where);
     if (!list || !stream_round(p, INCLUDE_COST, where))
         return false;
     return stream_push_file(p, list);
 }
 
-static bool file_refuse(struct parser *p, struct span at)
-{
-    error_at(p, at, NULL,
-             "'%.*s' is refused: a scene may not read or write data files",
-             (int)at.length, at.source->text + at.offset);
-    stream_abort(p);
-    return false;
-}
-
 const struct directive include_directive = { include_run,
                                              "read another file here" };
-const struct directive fopen_directive = { file_refuse, "refused" };
-const struct directive fclose_directive = { file_refuse, "refused" };
-const struct directive read_directive = { file_refuse, "refused" };
-const struct directive write_directive = { file_refuse, "refused" };

@@ -139,6 +139,26 @@ static int box_patches(const void *shape, struct patch *patches)
     return 6;
 }
 
+/* A cross of six squares, four in a row: -x, +z, +x, -z from the left, -y below
+ * and +y above the second (measured). */
+static void box_uv(const void *shape, vec3 point, double uv[2])
+{
+    const struct box *box = shape;
+    vec3 size = vec3_sub(box->high, box->low), p = vec3_sub(point, box->low);
+    double a = p.x / size.x, b = p.y / size.y, c = p.z / size.z;
+    const double away[6] = { fabs(a * size.x),       fabs((1 - c) * size.z),
+                             fabs((1 - a) * size.x), fabs(c * size.z),
+                             fabs(b * size.y),       fabs((1 - b) * size.y) };
+    int side = 0;
+    for (int i = 1; i < 6; i++)
+        if (away[i] < away[side])
+            side = i;
+    const double across[6] = { c, 1 + a, 3 - c, 4 - a, 1 + a, 1 + a };
+    const double up[6] = { 1 + b, 1 + b, 1 + b, 1 + b, c, 3 - c };
+    uv[0] = across[side] / 4;
+    uv[1] = up[side] / 3;
+}
+
 const struct primitive box_primitive = {
     .name = "box",
     .help = "a box with its sides along the axes",
@@ -151,6 +171,7 @@ const struct primitive box_primitive = {
     .intersect = box_intersect,
     .crosses = box_crosses,
     .normal = box_normal,
+    .uv = box_uv,
     .inside = box_inside,
     .meets = box_meets,
     .patches = box_patches,

@@ -174,6 +174,28 @@ static bool sor_inside(const void *shape, vec3 point)
            sor_square(sor->squares[i], point.y - p[i + 1].y);
 }
 
+/* Up the sides by pieces, each as high as the others; beyond them the lids,
+ * from their middles (measured). */
+static void sor_uv(const void *shape, vec3 point, double uv[2])
+{
+    const struct sor *sor = shape;
+    const vec3 *p = sor->points.items + 1;
+    size_t count = sor_pieces(sor), i = 0;
+    double low = p[0].y, high = p[count].y, radius = hypot(point.x, point.z);
+    double near = 1e-6 * (high - low);
+    uv[0] = ray_turn(point.x, point.z);
+    while (i + 1 < count && point.y > p[i + 1].y)
+        i++;
+    uv[1] = ((double)i + (point.y - p[i].y) / (p[i + 1].y - p[i].y)) /
+            (double)count;
+    if (!sor->open && point.y > high - near && p[count].x > 0 &&
+        radius < p[count].x * (1 - 1e-9))
+        uv[1] = 2 - radius / p[count].x;
+    if (!sor->open && point.y < low + near && p[0].x > 0 &&
+        radius < p[0].x * (1 - 1e-9))
+        uv[1] = radius / p[0].x - 1;
+}
+
 const struct primitive sor_primitive = {
     .name = "sor",
     .help = "a curve turned around the y axis, through points by height",
@@ -185,5 +207,6 @@ const struct primitive sor_primitive = {
     .bounds = sor_bounds,
     .intersect = sor_intersect,
     .normal = sor_normal,
+    .uv = sor_uv,
     .inside = sor_inside,
 };

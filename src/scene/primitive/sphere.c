@@ -95,6 +95,14 @@ static int sphere_patches(const void *shape, struct patch *patches)
     return 1;
 }
 
+static void sphere_uv(const void *shape, vec3 point, double uv[2])
+{
+    const struct sphere *sphere = shape;
+    vec3 p = vec3_normalise(vec3_sub(point, sphere->centre));
+    uv[0] = ray_turn(p.x, p.z);
+    uv[1] = 0.5 + asin(fmax(-1, fmin(p.y, 1))) / M_PI;
+}
+
 const struct primitive sphere_primitive = {
     .name = "sphere",
     .help = "a ball",
@@ -106,6 +114,7 @@ const struct primitive sphere_primitive = {
     .intersect = sphere_intersect,
     .crosses = sphere_crosses,
     .normal = sphere_normal,
+    .uv = sphere_uv,
     .inside = sphere_inside,
     .meets = sphere_meets,
     .patches = sphere_patches,

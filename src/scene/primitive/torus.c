@@ -163,6 +163,15 @@ static unsigned torus_meets(const void *shape, const struct cell *cell)
     return apart ? 0 : CELL_SURFACE | CELL_BORDER;
 }
 
+/* Measured: both turn the other way than a sphere's. */
+static void torus_uv(const void *shape, vec3 point, double uv[2])
+{
+    const struct torus *torus = shape;
+    double out = hypot(point.x, point.z) - torus->major;
+    uv[0] = 0.5 - atan2(point.z, point.x) / (2 * M_PI);
+    uv[1] = 0.5 + atan2(point.y, out) / (2 * M_PI);
+}
+
 const struct primitive torus_primitive = {
     .name = "torus",
     .help = "a ring around the y axis",
@@ -175,6 +184,7 @@ const struct primitive torus_primitive = {
     .bounds = torus_bounds,
     .intersect = torus_intersect,
     .normal = torus_normal,
+    .uv = torus_uv,
     .inside = torus_inside,
     .meets = torus_meets,
 };

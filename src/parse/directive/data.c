@@ -1,0 +1,236 @@
+/* #fopen #fclose #read #write: data files. They are read as includes are, and
+ * never written: a scene may come from a stranger. */
+#include "parse/array.h"
+#include "parse/data_file.h"
+#include "parse/directive.h"
+#include "parse/expression.h"
+#include "parse/symbol.h"
+
+/* In rounds of a loop: a file is looked for in several places. */
+enum { FOPEN_COST = 20 };
+
+/* The next word, which is a name. */
+static const struct word *data_name(struct parser *p, const char *wanted)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind == TOKEN_WORD && !token->word->reserved)
+        return stream_next(p).word;
+    error_expected(p, wanted);
+    return NULL;
+}
+
+static bool fopen_mode(struct parser *p, enum keyword *mode)
+{
+    *mode = stream_keyword(p);
+    if (*mode != KEYWORD_READ && *mode != KEYWORD_WRITE &&
+        *mode != KEYWORD_APPEND)
+        return error_expected(p, "'read', 'write' or 'append'");
+    stream_next(p);
+    return true;
+}
+
+/* fopen_directive = "#fopen" name string ("read" | "write" | "append") . */
+static bool fopen_read(struct parser *p, struct span at)
+{
+    const struct word *name = data_name(p, "a name for the file");
+    struct span where = p->last_span;
+    const char *path;
+    enum keyword mode;
+    if (!name || !parse_string(p, &path) || !fopen_mode(p, &mode))
+        return false;
+    const struct value *old = symbol_find(p, name);
+    if (old && old->kind == VALUE_FILE)
+        return error_at(p, where, NULL, "'%s' is open: '#fclose %s' first",
+                        name->text, name->text);
+    if (old)
+        return error_at(p, where, NULL,
+                        "'%s' is %s by now; name the file otherwise",
+                        name->text, value_kind_name(old->kind));
+    struct span span = span_join(at, p->last_span);
+    if (!stream_round(p, FOPEN_COST, span))
+        return false;
+    struct data_file *file =
+        mode == KEYWORD_READ
+            ? data_file_read(p, path, span)
+            : data_file_write(p, path, mode == KEYWORD_APPEND, span);
+    if (!file) {
+        stream_abort(p);
+        return false;
+    }
+    symbol_set(p, name, (struct value){ .kind = VALUE_FILE, .file = file },
+               false);
+    return true;
+}
+
+static bool fopen_run(struct parser *p, struct span at)
+{
+    struct directive_head outer = directive_head_begin(p);
+    bool ok = fopen_read(p, at);
+    directive_head_end(p, outer);
+    return ok;
+}
+
+/* Closing what is not open is no error, as in POV-Ray: the end of the file
+ * closes it too.
+ * fclose_directive = "#fclose" name . */
+static bool fclose_run(struct parser *p, struct span at)
+{
+    (void)at;
+    struct directive_head outer = directive_head_begin(p);
+    const struct word *name = data_name(p, "the name of an open file");
+    const struct value *value = name ? symbol_find(p, name) : NULL;
+    bool ok = name && (!value || value->kind == VALUE_FILE);
+    if (ok)
+        symbol_undefine(p, name);
+    else if (name)
+        error_at(p, p->last_span, NULL, "'%s' is %s, not an open file",
+                 name->text, value_kind_name(value->kind));
+    directive_head_end(p, outer);
+    return ok;
+}
+
+/* "(" and the name of a file that is open for this. */
+static struct data_file *data_open_file(struct parser *p, bool reading,
+                                        const struct word **name)
+{
+    if (!expect(p, TOKEN_LPAREN, span_none()) ||
+        !(*name = data_name(p, "the name of an open file")))
+        return NULL;
+    const struct value *value = symbol_find(p, *name);
+    if (!value || value->kind != VALUE_FILE) {
+        error_at(p, p->last_span,
+                 arena_printf(p->arena, "#fopen %s \"FILE\" %s", (*name)->text,
+                              reading ? "read" : "write"),
+                 "'%s' is not an open file", (*name)->text);
+        return NULL;
+    }
+    if (reading == (value->file->list != NULL))
+        return value->file;
+    error_at(p, p->last_span, NULL, "'%s' is open for %s", (*name)->text,
+             reading ? "writing" : "reading");
+    return NULL;
+}
+
+/* A variable to be read into: one that has a value of another kind than files
+ * do is a mistake. */
+static bool read_variable(struct parser *p, const struct word **name,
+                          struct value **element)
+{
+    *element = NULL;
+    *name = data_name(p, "a name for what is read");
+    if (!*name)
+        return false;
+    struct span span = p->last_span;
+    const struct value *old = symbol_find(p, *name);
+    enum value_kind kind = old ? old->kind : VALUE_NONE;
+    if (kind == VALUE_ARRAY) {
+        if (stream_peek(p)->kind != TOKEN_LBRACKET)
+            return error_at(p, span,
+                            arena_printf(p->arena, "%s[0]", (*name)->text),
+                            "'%s' is an array: name an element", (*name)->text);
+        if (!array_element(p, old->array, element))
+            return false;
+        kind = (*element)->kind;
+    }
+    if (kind == VALUE_NONE || kind == VALUE_UNSUPPORTED ||
+        kind == VALUE_FLOAT || kind == VALUE_VECTOR || kind == VALUE_COLOUR ||
+        kind == VALUE_STRING)
+        return true;
+    return error_at(p, span, NULL, "'%s' is %s by now; name another",
+                    (*name)->text, value_kind_name(kind));
+}
+
+/* At the end of the file variables keep what they have, and the file is
+ * closed, which `#while (defined(F))` asks for. */
+static bool read_list(struct parser *p, struct span open)
+{
+    const struct word *handle, *name;
+    struct data_file *file = data_open_file(p, true, &handle);
+    if (!file)
+        return false;
+    bool end = false;
+    accept(p, TOKEN_COMMA);
+    while (stream_peek(p)->kind != TOKEN_RPAREN) {
+        struct value value, *element;
+        if (!read_variable(p, &name, &element))
+            return false;
+        if (!end && !data_file_next(p, file, &value, &end)) {
+            stream_abort(p);
+            return false;
+        }
+        if (!end && element)
+            *element = value;
+        else if (!end)
+            symbol_set(p, name, value, false);
+        p->changes++;
+        accept(p, TOKEN_COMMA);
+    }
+    if (end || data_file_ends(file))
+        symbol_undefine(p, handle);
+    return expect(p, TOKEN_RPAREN, open);
+}
+
+/* read_directive = "#read" "(" name {[","] name [subscripts]} ")" . */
+static bool read_run(struct parser *p, struct span at)
+{
+    (void)at;
+    struct directive_head outer = directive_head_begin(p);
+    bool ok = read_list(p, stream_span(p));
+    return directive_condition_end(p, outer) && ok;
+}
+
+/* "uint16be" and its kin: what follows is written as bytes. */
+static bool write_format(struct parser *p)
+{
+    static const char *const formats[] = { "sint8",    "uint8",    "sint16be",
+                                           "sint16le", "uint16be", "uint16le",
+                                           "sint32be", "sint32le" };
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || symbol_find(p, token->word))
+        return false;
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
+        if (strcmp(token->word->text, formats[i]) != 0)
+            continue;
+        stream_next(p);
+        return true;
+    }
+    return false;
+}
+
+static bool write_list(struct parser *p, struct span open)
+{
+    const struct word *handle;
+    struct data_file *file = data_open_file(p, false, &handle);
+    if (!file)
+        return false;
+    accept(p, TOKEN_COMMA);
+    while (stream_peek(p)->kind != TOKEN_RPAREN) {
+        struct value value;
+        bool bytes = write_format(p);
+        if (!parse_expression(p, &value))
+            return false;
+        if (bytes)
+            data_file_put_bytes(file);
+        else
+            data_file_put(p, file, &value);
+        accept(p, TOKEN_COMMA);
+    }
+    return expect(p, TOKEN_RPAREN, open);
+}
+
+/* write_directive = "#write" "(" name {[","] [word] value} ")" . */
+static bool write_run(struct parser *p, struct span at)
+{
+    (void)at;
+    struct directive_head outer = directive_head_begin(p);
+    bool ok = write_list(p, stream_span(p));
+    return directive_condition_end(p, outer) && ok;
+}
+
+const struct directive fopen_directive = { fopen_run, "open a data file" };
+const struct directive fclose_directive = { fclose_run, "close a data file" };
+const struct directive read_directive = { read_run,
+                                          "read values from a data file" };
+const struct directive write_directive = {
+    write_run, "write values, which are kept while the scene is read"
+};

@@ -1,0 +1,38 @@
+/* spiral2 N: as spiral1, but both ways, which makes a net. */
+#include "scene/pattern.h"
+
+struct spiral2 {
+    int arms;
+};
+
+static const struct field spiral2_arguments[] = {
+    { "arms", FIELD_INTEGER, offsetof(struct spiral2, arms), 0, 0,
+      "how many; negative ones turn the other way", false },
+    { .name = NULL },
+};
+
+/* Up from 0 to 1 and down again, in a unit. */
+static double spiral2_triangle(double value)
+{
+    double v = value - floor(value);
+    return v < 0.5 ? 2 * v : 2 * (1 - v);
+}
+
+/* Measured: rings, and the spiral of spiral1 over them. */
+static double spiral2_value(const struct pattern *pattern, vec3 point)
+{
+    const struct spiral2 *spiral = pattern->parameters;
+    double turn = 0.25 + atan2(point.y, point.x) / (2 * M_PI);
+    double radius = hypot(point.x, point.y);
+    return spiral2_triangle(radius) +
+           spiral2_triangle(point.z + radius + spiral->arms * turn);
+}
+
+const struct pattern_kind spiral2_pattern = {
+    .name = "spiral2",
+    .help = "arms that wind around the z axis, over rings",
+    .size = sizeof(struct spiral2),
+    .arguments = spiral2_arguments,
+    .wave = WAVE_TRIANGLE,
+    .value = spiral2_value,
+};

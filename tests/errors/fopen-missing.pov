@@ -1,0 +1,1 @@
+#fopen F "fopen.text" read
