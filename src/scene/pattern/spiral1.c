@@ -1,5 +1,5 @@
 /* spiral1 N: N arms that wind around the z axis, one turn for a unit. */
-#include "scene/pattern.h"
+#include "scene/spiral.h"
 
 struct spiral1 {
     int arms;
@@ -11,12 +11,11 @@ static const struct field spiral1_arguments[] = {
     { .name = NULL },
 };
 
-/* Measured: angles are counted from -y. */
 static double spiral1_value(const struct pattern *pattern, vec3 point)
 {
     const struct spiral1 *spiral = pattern->parameters;
-    double turn = 0.25 + atan2(point.y, point.x) / (2 * M_PI);
-    return point.z + hypot(point.x, point.y) + spiral->arms * turn;
+    return hypot(point.x, point.y) +
+           spiral_winding(pattern, spiral->arms, point);
 }
 
 const struct pattern_kind spiral1_pattern = {

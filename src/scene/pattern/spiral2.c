@@ -1,5 +1,5 @@
 /* spiral2 N: as spiral1, but both ways, which makes a net. */
-#include "scene/pattern.h"
+#include "scene/spiral.h"
 
 struct spiral2 {
     int arms;
@@ -22,10 +22,10 @@ static double spiral2_triangle(double value)
 static double spiral2_value(const struct pattern *pattern, vec3 point)
 {
     const struct spiral2 *spiral = pattern->parameters;
-    double turn = 0.25 + atan2(point.y, point.x) / (2 * M_PI);
     double radius = hypot(point.x, point.y);
     return spiral2_triangle(radius) +
-           spiral2_triangle(point.z + radius + spiral->arms * turn);
+           spiral2_triangle(radius +
+                            spiral_winding(pattern, spiral->arms, point));
 }
 
 const struct pattern_kind spiral2_pattern = {
