@@ -53,7 +53,7 @@ enum {
 static const double adaptive_threshold = 0.2;
 
 /* Gathering stops when the halves of the samples differ by less. */
-static const double gather_error = 0.03;
+static const double gather_error = 0.042;
 
 /* So many cells of the indirect mesh across what is seen are fine enough. */
 static const double indirect_cells = 40;
@@ -162,7 +162,11 @@ static enum mesh_few_way mesh_few_way(const struct light_mesh_settings *said,
     return lamps > FEW_LAMPS ? MESH_FEW_SETTLED : MESH_FEW_ASKED;
 }
 
-/* Indirect light, with the interpolation of the direct. */
+/* Gathered light differs from point to point by chance, which lamps' doesn't:
+ * unless the scene says another it is evened out. */
+static const char gathered_interpolation[] = "smooth";
+
+/* Indirect light. */
 static void mesh_bounces(struct mesh_lighting *mesh,
                          const struct light_mesh_settings *said,
                          const struct direct_options *direct)
@@ -175,7 +179,9 @@ static void mesh_bounces(struct mesh_lighting *mesh,
     int enough = samples > 0 ? samples : (int)(SAMPLES * finer * finer);
     struct indirect_options options = {
         .lattice = mesh_indirect_lattice(said, &direct->lattice, direct->size),
-        .interpolation = direct->interpolation,
+        .interpolation = said->interpolation
+                             ? direct->interpolation
+                             : interpolation_find(gathered_interpolation),
         .radius = direct->radius,
         .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,

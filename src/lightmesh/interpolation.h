@@ -25,8 +25,9 @@ struct interpolation {
     const char *help;
     double radius; /* if none is asked for, in spacings */
     bool single;   /* only the first usable point counts */
-    /* The points for a place in units of the spacing; returns how many. */
-    int (*weights)(vec3 place, double radius,
+    /* The points for a place in units of the spacing, on a surface with that
+     * unit normal or a little above it; returns how many. */
+    int (*weights)(vec3 place, vec3 normal, double radius,
                    struct mesh_weight out[INTERPOLATION_POINTS]);
 };
 

@@ -29,8 +29,8 @@ static const double worth_fine = 0.25, worth_step = 3;
 static const double reach = 2.5;
 
 /* Only what is nearer to a point, in spacings, asks for it: in the corner of a
- * cell farthest from it. */
-static const double asking = 1.75;
+ * cell farthest from it, or at the rim of a disc of `smooth`. */
+static const double asking = 2.1;
 
 /* Points whose amounts of light differ by less than this factor are about
  * alike. */
@@ -240,7 +240,8 @@ static void seek_candidates(const struct seeker *seeker,
     double spacing = lattice_spacing(&mesh->lattice, seeker->level);
     vec3 lifted = vec3_along(seeker->place, seeker->normal, lift * spacing);
     vec3 at = lattice_units(&mesh->lattice, seeker->level, lifted);
-    int count = mesh->interpolation->weights(at, mesh->radius, weights);
+    int count =
+        mesh->interpolation->weights(at, seeker->normal, mesh->radius, weights);
     candidates->count = 0;
     for (int i = 0; i < count; i++) {
         struct lattice_point point;

@@ -225,9 +225,12 @@ static void settings_filters(struct parser *p)
 
 /* What reflects no light can't have its ambient light stand for such: it glows,
  * as `emission` says. So skies painted on planes shine by every lighting. (The
- * usual ambient is of mirrors and glass for which nobody thought of it.) */
+ * usual ambient is of mirrors and glass for which nobody thought of it.) But
+ * since version 3.7 radiosity takes the place of all ambient light. */
 static void settings_glows(struct parser *p)
 {
+    if (p->scene->settings.radiosity && p->version_said && p->version >= 3.7)
+        return;
     rgb light = p->scene->settings.ambient_light;
     double usual = rgb_peak(finish_default().ambient);
     for (size_t i = 0; i < p->finishes.count; i++) {

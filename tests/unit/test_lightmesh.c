@@ -82,18 +82,19 @@ static void test_lattice(void **state)
     assert_memory_equal(&named, &other, sizeof named);
 }
 
-/* Weights never jump: spherical and trilinear blends of a smooth function
+/* Weights never jump: all but the nearest's blends of a smooth function
  * along a line change little from step to step. */
 static void test_interpolation(void **state)
 {
     struct mesh_weight weights[INTERPOLATION_POINTS];
+    vec3 normal = vec3_normalise(vec3_make(1, 2, -2));
     (void)state;
     for (size_t i = 0; interpolation_at(i); i++) {
         const struct interpolation *kind = interpolation_at(i);
         double before = 0;
         for (int step = 0; step < 1000; step++) {
             vec3 place = vec3_make(step * 0.003, 0.4 + step * 0.001, -1.3);
-            int count = kind->weights(place, kind->radius, weights);
+            int count = kind->weights(place, normal, kind->radius, weights);
             double sum = 0, value = 0;
             for (int k = 0; k < count && !(kind->single && k > 0); k++) {
                 sum += weights[k].weight;
@@ -107,6 +108,33 @@ static void test_interpolation(void **state)
         }
     }
     assert_null(interpolation_find("cubic"));
+}
+
+/* `smooth` asks no layer but the two around the place, and evens out: points
+ * that differ by turns, as those that gather along other ways do, hardly show
+ * along the surface. */
+static void test_smooth_interpolation(void **state)
+{
+    const struct interpolation *smooth = interpolation_find("smooth");
+    struct mesh_weight weights[INTERPOLATION_POINTS];
+    (void)state;
+    assert_non_null(smooth);
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (int step = 0; step < 100; step++) {
+        vec3 place = vec3_make(step * 0.05, step * 0.03, 0.3);
+        int count =
+            smooth->weights(place, vec3_make(0, 0, 1), smooth->radius, weights);
+        double sum = 0, value = 0;
+        for (int k = 0; k < count; k++) {
+            const int *at = weights[k].at;
+            assert_true(at[2] == 0 || at[2] == 1);
+            sum += weights[k].weight;
+            value += weights[k].weight * ((at[0] + at[1]) % 2 ? 1 : -1);
+        }
+        least = fmin(least, value / sum);
+        most = fmax(most, value / sum);
+    }
+    assert_true(least > -0.35 && most < 0.35);
 }
 
 /* Order 2 of max(0, cosine) is 1/4 + cos/2 + 5/32 (3 cos^2 - 1). */
@@ -210,6 +238,7 @@ int main(void)
         cmocka_unit_test(test_table),
         cmocka_unit_test(test_lattice),
         cmocka_unit_test(test_interpolation),
+        cmocka_unit_test(test_smooth_interpolation),
         cmocka_unit_test(test_harmonics),
         cmocka_unit_test(test_obstacles),
         cmocka_unit_test(test_obstacles_plane),

@@ -465,6 +465,30 @@ static void settings(void **state)
     scene_end(&r);
 }
 
+/* What has no diffuse light of its own glows with its ambient, unless radiosity
+ * takes the place of all that. */
+static void ambient_glows(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double emission;
+    } rows[] = {
+        { "#version 3.7; ", .8 },
+        { "#version 3.6; global_settings { radiosity { } } ", .8 },
+        { "#version 3.7; global_settings { radiosity { } } ", 0 },
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[200];
+        snprintf(text, sizeof text, "%s%s", rows[i].text,
+                 "sphere { 0, 1 finish { ambient .8 diffuse 0 } }");
+        struct reading r = scene_good(text);
+        const struct texture *texture = r.scene->objects.items[0]->texture;
+        assert_number(texture->layers->finish->emission.r, rows[i].emission);
+        scene_end(&r);
+    }
+}
+
 /* The #version in force at the end chooses the noise, unless the scene does. */
 static void versions_have_noise(void **state)
 {
@@ -620,6 +644,7 @@ int main(void)
         cmocka_unit_test(atmosphere),
         cmocka_unit_test(settings),
         cmocka_unit_test(versions_have_noise),
+        cmocka_unit_test(ambient_glows),
         cmocka_unit_test(light_meshes_and_skeletons),
         cmocka_unit_test(radiosity_asks_for_interreflection),
         cmocka_unit_test(unsupported_things_wait_for_their_use),

@@ -3,3 +3,4 @@
 X(trilinear)
 X(nearest)
 X(spherical)
+X(smooth)

@@ -13,10 +13,11 @@ static void nearest_sort(struct mesh_weight *points, int count)
     }
 }
 
-static int nearest_weights(vec3 place, double radius,
+static int nearest_weights(vec3 place, vec3 normal, double radius,
                            struct mesh_weight out[INTERPOLATION_POINTS])
 {
     vec3 low = vec3_make(floor(place.x), floor(place.y), floor(place.z));
+    (void)normal;
     (void)radius;
     for (int corner = 0; corner < 8; corner++) {
         int at[3] = { (int)low.x + (corner & 1), (int)low.y + (corner >> 1 & 1),

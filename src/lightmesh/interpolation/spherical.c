@@ -3,11 +3,12 @@
  * the weights fall smoothly to zero at the radius, (1 - d^2/r^2)^2. */
 #include "lightmesh/interpolation.h"
 
-static int spherical_weights(vec3 place, double radius,
+static int spherical_weights(vec3 place, vec3 normal, double radius,
                              struct mesh_weight out[INTERPOLATION_POINTS])
 {
     double r = fmin(fmax(radius, 0.9), INTERPOLATION_RADIUS_MAX);
     int count = 0;
+    (void)normal;
     for (double z = ceil(place.z - r); z <= place.z + r; z++)
         for (double y = ceil(place.y - r); y <= place.y + r; y++)
             for (double x = ceil(place.x - r); x <= place.x + r; x++) {

@@ -2,12 +2,13 @@
  * fewest points that are. */
 #include "lightmesh/interpolation.h"
 
-static int trilinear_weights(vec3 place, double radius,
+static int trilinear_weights(vec3 place, vec3 normal, double radius,
                              struct mesh_weight out[INTERPOLATION_POINTS])
 {
     vec3 low = vec3_make(floor(place.x), floor(place.y), floor(place.z));
     vec3 t = vec3_sub(place, low);
     int count = 0;
+    (void)normal;
     (void)radius;
     for (int corner = 0; corner < 8; corner++) {
         int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
