@@ -1,5 +1,5 @@
 /* The random numbers of POV-Ray's solid noise, recovered from what its
- * functions say at lattice points (tests/conformance/noise asks them again).
+ * functions say at lattice points (tests/values asks both programs again).
  * All follow from formulas:
  * - A lattice point is hashed by a permutation of 4096 numbers, once for each
  *   coordinate. The permutation is a shuffle by the generator of rand().
