@@ -18,6 +18,7 @@
 
 enum {
     LARGE_PAGE = 2 << 20,
+    HEAD_ROOM = 64 << 10, /* whole pages, on any machine */
     HEAP_STEP = 16 * LARGE_PAGE,
     HEAP_KEPT = 64 * LARGE_PAGE, /* free, for what is wanted next */
 };
@@ -52,16 +53,6 @@ static void memory_in_large_pages(uintptr_t from, uintptr_t end)
     end -= end % LARGE_PAGE;
     if (end > from)
         madvise((void *)from, end - from, MADV_HUGEPAGE);
-#else
-    (void)from;
-    (void)end;
-#endif
-}
-
-static void memory_in_small_pages(uintptr_t from, uintptr_t end)
-{
-#ifdef MADV_NOHUGEPAGE
-    madvise((void *)from, end - from, MADV_NOHUGEPAGE);
 #else
     (void)from;
     (void)end;
@@ -109,21 +100,30 @@ static struct head *heap_block(size_t size)
 }
 
 /* Of large blocks some are never filled: their pages come when they are
- * touched, and come zeroed. The head is on a small page before the first large
- * one, so that a block nobody fills costs no more than that. */
+ * touched, and come zeroed. The head is before the first large page, so that a
+ * block nobody fills costs no more than a small one; of what is mapped to find
+ * large pages the rest is given back. */
 static struct head *mapped_block(size_t size)
 {
-    size_t all = size + 3 * LARGE_PAGE - 1;
-    all -= all % LARGE_PAGE;
+    size_t rounded = size + LARGE_PAGE - 1;
+    rounded -= rounded % LARGE_PAGE;
+    size_t all = rounded + 2 * LARGE_PAGE;
     char *mapping = mmap(NULL, all, PROT_READ | PROT_WRITE,
                          MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapping == MAP_FAILED)
         return NULL;
-    char *block = mapping + LARGE_PAGE - (uintptr_t)mapping % LARGE_PAGE;
-    memory_in_small_pages((uintptr_t)mapping, (uintptr_t)block);
-    memory_in_large_pages((uintptr_t)block, (uintptr_t)(mapping + all));
+    size_t skipped = LARGE_PAGE - (uintptr_t)mapping % LARGE_PAGE;
+    if (skipped < HEAD_ROOM)
+        skipped += LARGE_PAGE;
+    char *block = mapping + skipped, *from = block - HEAD_ROOM;
+    char *end = block + rounded;
+    if (from > mapping)
+        munmap(mapping, (size_t)(from - mapping));
+    if (mapping + all > end)
+        munmap(end, (size_t)(mapping + all - end));
+    memory_in_large_pages((uintptr_t)block, (uintptr_t)end);
     struct head *head = (struct head *)block - 1;
-    *head = (struct head){ mapping, all };
+    *head = (struct head){ from, HEAD_ROOM + rounded };
     return head;
 }
 
