@@ -75,17 +75,25 @@ static bool conditional_name(struct parser *p, bool *declared)
     return expect(p, TOKEN_RPAREN, span_none());
 }
 
+/* The same, and nothing that its subscripts call is left unread. */
+static bool conditional_asks(struct parser *p, bool *declared)
+{
+    struct directive_head outer = directive_head_begin(p);
+    bool ok = conditional_name(p, declared);
+    return directive_condition_end(p, outer) && ok;
+}
+
 /* ifdef_directive = "#ifdef" "(" name [subscripts] ")" . */
 static bool ifdef_run(struct parser *p, struct span at)
 {
-    bool declared, ok = conditional_name(p, &declared);
+    bool declared, ok = conditional_asks(p, &declared);
     return conditional_begin(p, at, declared) && ok;
 }
 
 /* ifndef_directive = "#ifndef" "(" name [subscripts] ")" . */
 static bool ifndef_run(struct parser *p, struct span at)
 {
-    bool declared, ok = conditional_name(p, &declared);
+    bool declared, ok = conditional_asks(p, &declared);
     return conditional_begin(p, at, ok && !declared) && ok;
 }
 
@@ -125,8 +133,7 @@ static bool switch_matches(struct parser *p, enum keyword stop, double value,
     struct directive_head outer = directive_head_begin(p);
     bool ok = stop == KEYWORD_CASE ? parse_condition(p, &first)
                                    : range_ends(p, &first, &last);
-    directive_head_end(p, outer);
-    if (!ok)
+    if (!directive_condition_end(p, outer) || !ok)
         return false;
     *matches = stop == KEYWORD_CASE ? fabs(first - value) < 1e-10
                                     : value >= first && value <= last;
