@@ -35,4 +35,11 @@ static inline uint32_t random_step(uint32_t state)
     return state * 1812433253u + 12345u;
 }
 
+/* The next 15 bits of it, as POV-Ray draws numbers for its tables. */
+static inline uint32_t random_bits(uint32_t *state)
+{
+    *state = random_step(*state);
+    return *state >> 16 & 0x7fff;
+}
+
 #endif

@@ -18,13 +18,13 @@
 #include "scene/object.h"
 #include "scene/ray.h"
 
-/* A shape or a mesh in the world. */
 /* What a leaf is painted with inside. */
 struct leaf_inner {
     const struct texture *texture;
     affine to_texture, from_texture;
 };
 
+/* A shape or a mesh in the world. */
 struct leaf {
     const struct object *object;   /* OBJECT_SHAPE or OBJECT_MESH */
     const struct solid *solid;     /* its node in the tree; NULL: a mesh that is

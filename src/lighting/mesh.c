@@ -106,19 +106,23 @@ mesh_indirect_lattice(const struct light_mesh_settings *said,
     return lattice;
 }
 
+static struct lattice frame_lattice(const struct mesh_frame *frame)
+{
+    return (struct lattice){ .spacing = frame->spacing,
+                             .eye = frame->eye,
+                             .near = frame->near };
+}
+
 /* Levels by which the indirect mesh is coarser than its lattice. */
 static int mesh_coarser(const struct light_mesh_settings *said,
                         const struct world *world, const struct camera *camera,
                         const struct outlook *outlook,
                         const struct mesh_frame *frame)
 {
-    struct lattice lattice = mesh_indirect_lattice(
-        said,
-        &(struct lattice){
-            .spacing = frame->spacing, .eye = frame->eye, .near = frame->near },
-        frame->size);
     if (!said->indirect.on || said->density > 0)
         return 0;
+    struct lattice lattice = frame_lattice(frame);
+    lattice = mesh_indirect_lattice(said, &lattice, frame->size);
     return outlook_crowding(world, camera, outlook, &lattice) > crowd;
 }
 
@@ -138,9 +142,7 @@ mesh_options(const struct light_mesh_settings *said,
 {
     double finer = mesh_finer(said);
     struct direct_options options = {
-        .lattice = { .spacing = frame->spacing,
-                     .eye = frame->eye,
-                     .near = frame->near },
+        .lattice = frame_lattice(frame),
         .radius = said->radius / frame->spacing,
         .refinement = mesh_refinement(said),
         .few = said->shadows == MESH_SHADOWS_SHARP ? SHARP_LAMPS : FEW_LAMPS,
@@ -473,16 +475,15 @@ static rgb mesh_indirect(const struct mesh_lighting *mesh,
                          struct worker *worker, const struct surface *surface)
 {
     const struct surface_layer *layer = &surface->layer[0];
-    double worth = surface->weight * rgb_peak(surface_albedo(surface));
+    if (layer->finish->diffuse == 0)
+        return rgb_grey(0);
     struct indirect_place place = {
         .place = surface->point,
         .side = surface->side,
         .normal = layer->normal,
         .from = vec3_along(surface->point, surface->view, surface->at->t),
-        .worth = worth,
+        .worth = surface->weight * rgb_peak(surface_albedo(surface)),
     };
-    if (layer->finish->diffuse == 0)
-        return rgb_grey(0);
     return indirect_mesh_irradiance(&mesh->near_indirect, worker, &place);
 }
 

@@ -52,11 +52,11 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
     double low[3], high[3], size = 0;
     const struct camera *camera = &scene->camera;
     hits.count = 0;
+    double pixels = width > 0 ? width : usual_width;
     for (int i = 0; i < OUTLOOK_RAYS; i++) {
         vec3 place = vec3_make((i % OUTLOOK_EDGE + 0.5) / OUTLOOK_EDGE,
                                (i / OUTLOOK_EDGE + 0.5) / OUTLOOK_EDGE, 0);
-        outlook_ray(&hits, world, camera, place,
-                    width > 0 ? width : usual_width);
+        outlook_ray(&hits, world, camera, place, pixels);
     }
     int count = hits.count;
     if (count == 0)
@@ -76,7 +76,7 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
         .pixel = pixel > 0 ? pixel : 1e-3,
         .distance = sorted_at(hits.distance, count, 0.5),
     };
-    outlook.across = outlook.pixel * (width > 0 ? width : usual_width);
+    outlook.across = outlook.pixel * pixels;
     outlook.size = fmax(size, outlook.pixel);
     if (camera->kind != CAMERA_PERSPECTIVE)
         outlook.distance = 0;

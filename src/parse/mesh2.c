@@ -234,18 +234,26 @@ static bool parse_face_indices(struct parser *p, struct mesh2 *m)
     return true;
 }
 
+/* The count of a list that has a row for each face, or fewer; `name` is its
+ * keyword. */
+static bool parse_face_count(struct parser *p, struct mesh2 *m,
+                             const char *name, size_t *count)
+{
+    struct span span = stream_span(p);
+    if (!parse_list_count(p, m, count))
+        return false;
+    return *count <= m->lists.triangles.count ||
+           error_at(p, span, NULL,
+                    "%zu %s for %zu faces (face_indices come first)", *count,
+                    name, m->lists.triangles.count);
+}
+
 /* normal_indices = "normal_indices" "{" list_count {vector [","]} "}" . */
 static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
 {
     size_t count = 0;
-    struct span span = stream_span(p);
-    if (!parse_list_count(p, m, &count))
+    if (!parse_face_count(p, m, "normal_indices", &count))
         return false;
-    if (count > m->lists.triangles.count)
-        return error_at(p, span, NULL,
-                        "%zu normal_indices for %zu faces (face_indices "
-                        "come first)",
-                        count, m->lists.triangles.count);
     for (size_t i = 0; i < count; i++)
         if (list_too_short(p, m, count, i) ||
             !list_indices(p, m, m->lists.triangles.items[i].normal,
@@ -259,15 +267,9 @@ static bool parse_normal_indices(struct parser *p, struct mesh2 *m)
 static bool parse_uv_indices(struct parser *p, struct mesh2 *m)
 {
     size_t count = 0;
-    struct span span = stream_span(p);
     uint32_t corners[3];
-    if (!parse_list_count(p, m, &count))
+    if (!parse_face_count(p, m, "uv_indices", &count))
         return false;
-    if (count > m->lists.triangles.count)
-        return error_at(p, span, NULL,
-                        "%zu uv_indices for %zu faces (face_indices come "
-                        "first)",
-                        count, m->lists.triangles.count);
     for (size_t i = 0; i < count; i++) {
         if (list_too_short(p, m, count, i) ||
             !list_indices(p, m, corners, m->lists.uvs.count, "uv_vectors"))

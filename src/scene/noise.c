@@ -6,6 +6,7 @@
 
 #include <string.h>
 
+#include "scene/noise_cell.h"
 #include "scene/noise_tables.h"
 #include "scene/perlin.h"
 
@@ -26,17 +27,6 @@ struct cell {
     float blend[3];
 };
 
-/* The lattice plane below a coordinate. Far beyond 2^40 a coordinate has no
- * fraction left and any number does. */
-static inline int64_t plane_below(double *coordinate)
-{
-    double c = *coordinate;
-    if (!(fabs(c) < 0x1p40))
-        *coordinate = c = isfinite(c) ? fmod(c, 0x1p40) : 0;
-    int64_t low = (int64_t)c;
-    return low - (c < (double)low);
-}
-
 static inline struct cell cell_at(vec3 point)
 {
     double coordinate[3] = { point.x, point.y, point.z };
@@ -47,7 +37,7 @@ static inline struct cell cell_at(vec3 point)
         cell.plane[i][0] = lattice_plane(low);
         cell.plane[i][1] = lattice_plane(low + 1);
         cell.place[i] = t;
-        cell.blend[i] = t * t * (3 - 2 * t);
+        cell.blend[i] = plane_blend(t);
     }
     return cell;
 }
@@ -58,13 +48,11 @@ static inline void cell_blend(const struct noise_tables *tables,
 {
     const lanes place = { 0.5f, cell->place[0], cell->place[1],
                           cell->place[2] };
-    const float *b = cell->blend;
     lanes sum[NOISE_FIELDS] = { { 0 }, { 0 }, { 0 } };
     for (int corner = 0; corner < 8; corner++) {
         int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
         const lanes origin = { 0, (float)i, (float)j, (float)k };
-        float weight = (i ? b[0] : 1 - b[0]) * (j ? b[1] : 1 - b[1]) *
-                       (k ? b[2] : 1 - b[2]);
+        float weight = corner_weight(cell->blend, i, j, k);
         lanes basis = (place - origin) * weight;
         uint32_t hash = lattice_hash(tables, cell->plane[0][i],
                                      cell->plane[1][j], cell->plane[2][k]);

@@ -29,8 +29,7 @@ static void make_permutation(uint16_t permutation[LATTICE_PERIOD])
     for (int i = 0; i < LATTICE_PERIOD; i++)
         permutation[i] = (uint16_t)i;
     for (int i = LATTICE_PERIOD - 1; i >= 0; i--) {
-        state = random_step(state);
-        uint32_t other = state >> 16 & LATTICE_MASK;
+        uint32_t other = random_bits(&state) & LATTICE_MASK;
         uint16_t kept = permutation[i];
         permutation[i] = permutation[other];
         permutation[other] = kept;
@@ -116,9 +115,8 @@ static void make_waves(struct noise_tables *tables)
     for (int i = 0; i < TAKEN; i++)
         state = random_step(state);
     for (int i = 0; i < NOISE_WAVES_LIMIT; i++) {
-        state = random_step(state);
         tables->waves[i].source = vec3_normalise(lattice_vector(tables, i));
-        tables->waves[i].frequency = (state >> 16 & 0x7fff) / 32767.0 + 0.01;
+        tables->waves[i].frequency = random_bits(&state) / 32767.0 + 0.01;
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "scene/noise_cell.h"
 
 enum { PERIOD = 2048, MASK = PERIOD - 1 };
 
@@ -28,8 +29,7 @@ static struct once tables_made;
 
 static int random_below(uint32_t *state, int limit)
 {
-    *state = random_step(*state);
-    return (int)(*state >> 16 & 0x7fff) % limit;
+    return (int)random_bits(state) % limit;
 }
 
 /* A direction: a point of the ball of radius PERIOD. */
@@ -65,16 +65,13 @@ static void make_tables(void)
     memcpy(made.permutation, shuffled, sizeof made.permutation);
 }
 
-/* The lattice plane below a coordinate, and how far above it is. Far beyond
- * 2^40 a coordinate has no fraction left and any number does. */
-static inline uint32_t plane_below(double coordinate, float *place)
+/* The lattice plane below a coordinate, and how far above it is. */
+static inline uint32_t origin_below(double coordinate, float *place)
 {
-    double c = coordinate + ORIGIN;
-    if (!(fabs(c) < 0x1p40))
-        c = isfinite(c) ? fmod(c, 0x1p40) : 0;
-    double low = floor(c);
-    *place = (float)(c - low);
-    return (uint32_t)(int64_t)low;
+    coordinate += ORIGIN;
+    int64_t low = plane_below(&coordinate);
+    *place = (float)(coordinate - (double)low);
+    return (uint32_t)low;
 }
 
 static inline uint32_t hash_step(uint32_t hash, uint32_t plane)
@@ -86,17 +83,15 @@ double perlin_noise(vec3 point)
 {
     once_only(&tables_made, make_tables);
     float place[3], blend[3];
-    uint32_t x = plane_below(point.x, &place[0]);
-    uint32_t y = plane_below(point.y, &place[1]);
-    uint32_t z = plane_below(point.z, &place[2]);
+    uint32_t x = origin_below(point.x, &place[0]);
+    uint32_t y = origin_below(point.y, &place[1]);
+    uint32_t z = origin_below(point.z, &place[2]);
     for (int i = 0; i < 3; i++)
-        blend[i] = place[i] * place[i] * (3 - 2 * place[i]);
+        blend[i] = plane_blend(place[i]);
     lanes sum = { 0, 0, 0, 0 };
     for (uint32_t corner = 0; corner < 8; corner++) {
         uint32_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-        float weight = (i ? blend[0] : 1 - blend[0]) *
-                       (j ? blend[1] : 1 - blend[1]) *
-                       (k ? blend[2] : 1 - blend[2]);
+        float weight = corner_weight(blend, i, j, k);
         uint32_t hash = hash_step(hash_step(0, x + i), y + j);
         lanes away = { place[0] - (float)i, place[1] - (float)j,
                        place[2] - (float)k, 0 };

@@ -170,13 +170,20 @@ static bool read_list(struct parser *p, struct span open)
     return expect(p, TOKEN_RPAREN, open);
 }
 
+/* What stands in parentheses after #read and #write. */
+static bool data_list(struct parser *p,
+                      bool (*list)(struct parser *p, struct span open))
+{
+    struct directive_head outer = directive_head_begin(p);
+    bool ok = list(p, stream_span(p));
+    return directive_condition_end(p, outer) && ok;
+}
+
 /* read_directive = "#read" "(" name {[","] name [subscripts]} ")" . */
 static bool read_run(struct parser *p, struct span at)
 {
     (void)at;
-    struct directive_head outer = directive_head_begin(p);
-    bool ok = read_list(p, stream_span(p));
-    return directive_condition_end(p, outer) && ok;
+    return data_list(p, read_list);
 }
 
 /* "uint16be" and its kin: what follows is written as bytes. */
@@ -222,9 +229,7 @@ static bool write_list(struct parser *p, struct span open)
 static bool write_run(struct parser *p, struct span at)
 {
     (void)at;
-    struct directive_head outer = directive_head_begin(p);
-    bool ok = write_list(p, stream_span(p));
-    return directive_condition_end(p, outer) && ok;
+    return data_list(p, write_list);
 }
 
 const struct directive fopen_directive = { fopen_run, "open a data file" };
