@@ -183,11 +183,13 @@ static double segment_away(const struct segment *segment, double s,
 static double segment_nearest(const struct segment *segment, const double p[2])
 {
     enum { TRIES = 32, STEPS = 40 };
-    double best = 0;
+    double best = 0, least = segment_away(segment, 0, p);
     for (int i = 1; i <= TRIES; i++) {
-        double s = (double)i / TRIES;
-        if (segment_away(segment, s, p) < segment_away(segment, best, p))
+        double s = (double)i / TRIES, away = segment_away(segment, s, p);
+        if (away < least) {
+            least = away;
             best = s;
+        }
     }
     double low = fmax(0, best - 1.0 / TRIES),
            high = fmin(1, best + 1.0 / TRIES);
