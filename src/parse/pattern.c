@@ -91,7 +91,7 @@ static bool parse_function_pattern(struct parser *p, struct pattern *pattern)
     if (!parse_function(p, &value))
         return false;
     const struct function *function = value.function;
-    if (function->parameter_count != 3 || function->pigment)
+    if (function->parameter_count != 3 || function->values)
         return error_at(p, span_join(span, p->last_span), NULL,
                         "a pattern needs a function of x, y and z that gives "
                         "a number");

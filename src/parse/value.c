@@ -12,6 +12,7 @@ const char *value_kind_name(enum value_kind kind)
         [VALUE_ARRAY] = "an array",
         [VALUE_MACRO] = "a macro",
         [VALUE_FUNCTION] = "a function",
+        [VALUE_SPLINE] = "a spline",
         [VALUE_REFERENCE] = "a reference",
         [VALUE_OBJECT] = "an object",
         [VALUE_LIGHT_GROUP] = "a light group",

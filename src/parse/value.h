@@ -13,6 +13,7 @@ enum value_kind {
     VALUE_ARRAY,
     VALUE_MACRO,
     VALUE_FUNCTION,
+    VALUE_SPLINE,
     VALUE_REFERENCE, /* a macro argument passed by reference */
     VALUE_OBJECT,
     VALUE_LIGHT_GROUP,
@@ -38,6 +39,7 @@ struct array;
 struct data_file;
 struct macro;
 struct function;
+struct spline;
 struct symbol;
 struct unsupported;
 
@@ -50,6 +52,7 @@ struct value {
         struct array *array;
         const struct macro *macro;
         const struct function *function;
+        const struct spline *spline;
         struct symbol *symbol;
         const struct object *object;
         const struct texture *texture;
