@@ -23,6 +23,7 @@ struct image_request {
     bool premultiplied; /* the file's colours are, whatever its kind says */
     bool numbers;       /* of a palette's entries, not their colours */
     double *bump_size;  /* of a bump_map, where numbers are no light; NULL */
+    bool pattern;       /* it is an image_pattern's */
     struct image_map *map;
 };
 
@@ -31,6 +32,13 @@ static const struct field image_fields[] = {
     { .name = "interpolate" },   { .name = "filter" },
     { .name = "transmit" },      { .name = "gamma" },
     { .name = "premultiplied" }, { .name = NULL },
+};
+
+static const struct field image_pattern_fields[] = {
+    { .name = "map_type" },      { .name = "once" },
+    { .name = "interpolate" },   { .name = "gamma" },
+    { .name = "premultiplied" }, { .name = "use_colour" },
+    { .name = "use_alpha" },     { .name = NULL },
 };
 
 static const struct field bump_fields[] = {
@@ -73,7 +81,8 @@ static struct image_decoding image_decoding(const struct parser *p,
     enum gamma_kind space = settings_gamma(p);
     return (struct image_decoding){
         .index = image->indexed,
-        .plain = request->bump_size || (said < 0 && image_is_plain(p, image)),
+        .plain = request->bump_size || request->pattern ||
+                 (said < 0 && image_is_plain(p, image)),
         .keep = request->premultiplied,
         .linear = image->linear,
         .gamma = said >= 0 ? said : image->gamma,
@@ -163,7 +172,7 @@ static struct image *image_find(struct parser *p, const char *path,
         if (strcmp(c->path, path) == 0 && c->space == space &&
             c->assumed_gamma == assumed && c->file_gamma == request->gamma &&
             c->premultiplied == request->premultiplied &&
-            c->bumps == (request->bump_size != NULL) &&
+            c->bumps == (request->bump_size || request->pattern) &&
             c->numbers == request->numbers)
             return c->image;
     struct image *image = image_load(p, path, request);
@@ -177,7 +186,7 @@ static struct image *image_find(struct parser *p, const char *path,
         .assumed_gamma = assumed,
         .file_gamma = request->gamma,
         .premultiplied = request->premultiplied,
-        .bumps = request->bump_size != NULL,
+        .bumps = request->bump_size || request->pattern,
         .numbers = request->numbers,
         .image = image,
     };
@@ -287,8 +296,27 @@ static bool parse_bump_item(struct parser *p, struct image_request *request)
     return parse_float(p, request->bump_size);
 }
 
+/* pattern_item_of_image = "use_colour" | "use_alpha" . */
+static bool parse_pattern_item_of_image(struct parser *p, struct image_map *map)
+{
+    map->alpha = stream_next(p).word->keyword == KEYWORD_USE_ALPHA
+                     ? ALPHA_ALWAYS
+                     : ALPHA_NEVER;
+    return true;
+}
+
+/* What may stand in this block. */
+static bool image_unknown(struct parser *p, const struct image_request *request)
+{
+    if (request->pattern)
+        return error_unknown_item(p, "image_pattern", image_pattern_fields);
+    return error_unknown_item(p, request->bump_size ? "bump_map" : "image_map",
+                              request->bump_size ? bump_fields : image_fields);
+}
+
 /* image_item = map_type | "once" | interpolation | image_filter
- *            | image_gamma | "premultiplied" [bool] | bump_item . */
+ *            | image_gamma | "premultiplied" [bool] | bump_item
+ *            | pattern_item_of_image . */
 static bool parse_image_item(struct parser *p, struct image_request *request)
 {
     switch (stream_keyword(p)) {
@@ -311,14 +339,15 @@ static bool parse_image_item(struct parser *p, struct image_request *request)
     case KEYWORD_BUMP_SIZE:
     case KEYWORD_USE_COLOUR:
     case KEYWORD_USE_INDEX:
+    case KEYWORD_USE_ALPHA:
+        if (request->pattern)
+            return parse_pattern_item_of_image(p, request->map);
         if (request->bump_size)
             return parse_bump_item(p, request);
         /* fallthrough */
     default:
         return check_supported(p, image_unsupported) &&
-               error_unknown_item(
-                   p, request->bump_size ? "bump_map" : "image_map",
-                   request->bump_size ? bump_fields : image_fields);
+               image_unknown(p, request);
     }
 }
 
@@ -360,6 +389,19 @@ bool parse_bump_map(struct parser *p, const struct image_map **out,
     struct image_request request = { .gamma = -1,
                                      .map = map,
                                      .bump_size = bump_size };
+    struct span open;
+    *out = map;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, image_items(p, &request));
+}
+
+/* image_pattern = "image_pattern" "{" [image_type] string {[","] image_item}
+ *                 "}" . */
+bool parse_image_pattern(struct parser *p, const struct image_map **out)
+{
+    struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);
+    struct image_request request = { .gamma = -1, .map = map, .pattern = true };
     struct span open;
     *out = map;
     stream_next(p);

@@ -9,7 +9,6 @@ static const struct unsupported_word object_unsupported[] = {
     { KEYWORD_OVUS, "'ovus'" },
     { KEYWORD_PARAMETRIC, "'parametric'" },
     { KEYWORD_POLYNOMIAL, "'polynomial'" },
-    { KEYWORD_SPHERE_SWEEP, "'sphere_sweep'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -56,6 +55,8 @@ static object_rule *object_keyword_rule(enum keyword keyword)
         return parse_lathe;
     case KEYWORD_PRISM:
         return parse_prism;
+    case KEYWORD_SPHERE_SWEEP:
+        return parse_sphere_sweep;
     case KEYWORD_TEXT:
         return parse_text;
     default:
@@ -192,7 +193,8 @@ static bool parse_object_use(struct parser *p, struct object **out)
 
 /* object = primitive | csg | object_use | mesh | mesh2 | triangle
  *        | smooth_triangle | blob | prism | lathe | text | height_field
- *        | isosurface | bicubic_patch | light_source | OBJECT . */
+ *        | isosurface | sphere_sweep | bicubic_patch | light_source
+ *        | OBJECT . */
 bool parse_object(struct parser *p, struct object **out)
 {
     enum keyword keyword = stream_keyword(p);

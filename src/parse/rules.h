@@ -96,6 +96,9 @@ const struct texture *texture_stack(struct parser *p,
 /* pattern.c: a pattern's name and its arguments; the placing stays. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found);
 bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found);
+/* slope.c; the keyword is next. */
+struct slope;
+bool parse_slope(struct parser *p, struct slope *slope);
 /* warp.c; the keyword is next. */
 bool parse_warp(struct parser *p, struct pattern *pattern);
 /* After the list of a block pattern: takes the '}' of object { }. `ok` false:
@@ -126,6 +129,7 @@ bool parse_image_type(struct parser *p);
 bool parse_bump_map(struct parser *p, const struct image_map **out,
                     double *bump_size);
 bool parse_image_map(struct parser *p, const struct image_map **out);
+bool parse_image_pattern(struct parser *p, const struct image_map **out);
 
 /* ---- objects ---- */
 
@@ -171,6 +175,7 @@ bool parse_lathe(struct parser *p, struct object **out);
 bool parse_text(struct parser *p, struct object **out);
 bool parse_height_field(struct parser *p, struct object **out);
 bool parse_isosurface(struct parser *p, struct object **out);
+bool parse_sphere_sweep(struct parser *p, struct object **out);
 bool parse_bicubic_patch(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 

@@ -43,7 +43,11 @@ enum image_interpolation {
     IMAGE_NORMALISED_DISTANCE = 4,
 };
 
+/* Whether an image_pattern's value is alpha, or how bright the colour is. */
+enum image_alpha { ALPHA_IF_THERE, ALPHA_NEVER, ALPHA_ALWAYS };
+
 struct image_map {
+    enum image_alpha alpha;
     const struct image *image; /* linear light in the working space */
     enum image_projection projection;
     enum image_interpolation interpolation;
@@ -170,9 +174,10 @@ struct texture_pick {
     double share;
 };
 
-/* Fills picks for a point of the texture's space; returns how many. *located is
- * the point in the space of what is picked. */
+/* Fills picks for a point of the texture's space on a surface; returns how
+ * many. *located is the point in the space of what is picked. */
 int texture_choose(const struct texture_choice *choice, vec3 point,
+                   const struct uv_source *surface,
                    struct texture_pick picks[TEXTURE_PICKS], vec3 *located);
 
 /* The share of light that passes the whole texture at a point of its space. */
@@ -210,6 +215,11 @@ enum { PIGMENT_DEPTH = 32 };
 
 /* The pigment's value at a point of the texture's space. */
 colour pigment_colour(const struct pigment *pigment, vec3 point);
+
+/* The same on a surface (NULL: off any), which may map it by coordinates of its
+ * own. */
+colour pigment_seen(const struct pigment *pigment, vec3 point,
+                    const struct uv_source *surface);
 
 /* Whether no point of it lets light pass: told from the colours it names. */
 bool pigment_is_opaque(const struct pigment *pigment);
