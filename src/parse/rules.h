@@ -176,6 +176,7 @@ bool parse_text(struct parser *p, struct object **out);
 bool parse_height_field(struct parser *p, struct object **out);
 bool parse_isosurface(struct parser *p, struct object **out);
 bool parse_sphere_sweep(struct parser *p, struct object **out);
+bool parse_polynomial(struct parser *p, struct object **out);
 bool parse_bicubic_patch(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 
