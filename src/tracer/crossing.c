@@ -5,9 +5,22 @@
 
 enum { LEVELS_MAX = 256 }; /* of max_trace_level, as in POV-Ray */
 
+/* The ior by which POV-Ray's Fresnel mirrors. Where a ray leaves a body while
+ * it is in others, what it entered last counts as behind the surface, and that
+ * is mostly the body itself: glass under a sky that is a sphere mirrors nothing
+ * on its inside (measured). */
+static double crossing_mirror_ior(const struct crossing *crossing,
+                                  const struct interiors *inside)
+{
+    const struct interior *left = crossing->at.leaf->interior;
+    if (!crossing->leaving || inside->count < 2)
+        return crossing->ior;
+    return interiors_ior(inside) / (left && left->ior > 0 ? left->ior : 1);
+}
+
 void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
                    vec3 direction, const struct interiors *inside,
-                   double bailout)
+                   double bailout, bool exact)
 {
     interiors_copy(&crossing->beyond, inside);
     interiors_cross(&crossing->beyond, crossing->at.leaf);
@@ -16,7 +29,7 @@ void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
     struct surface_view view = {
         .direction = direction,
         .inside = inside,
-        .ior = crossing->ior,
+        .ior = exact ? crossing->ior : crossing_mirror_ior(crossing, inside),
         .quality = tracer->quality,
         .bailout = bailout,
     };

@@ -186,7 +186,7 @@ static bool path_cross(struct path *path, struct crossing *crossing)
     const struct tracer *tracer = path->tracer;
     const struct settings *settings = &tracer->scene->settings;
     crossing_fill(crossing, tracer, path->ray.direction, &path->inside,
-                  settings->adc_bailout);
+                  settings->adc_bailout, false);
     crossing->surface.place = path->place;
     crossing->surface.weight = path->weight;
     path->place = NULL;
