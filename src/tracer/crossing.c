@@ -3,8 +3,6 @@
 
 #include "shade/background.h"
 
-enum { LEVELS_MAX = 256 }; /* of max_trace_level, as in POV-Ray */
-
 /* The ior by which POV-Ray's Fresnel mirrors. Where a ray leaves a body while
  * it is in others, what it entered last counts as behind the surface, and that
  * is mostly the body itself: glass under a sky that is a sphere mirrors nothing
@@ -69,7 +67,7 @@ bool crossing_refracted(const struct crossing *crossing, vec3 direction,
 int tracer_levels(const struct tracer *tracer)
 {
     int levels = tracer->scene->settings.max_trace_level;
-    return levels < LEVELS_MAX ? levels : LEVELS_MAX;
+    return levels < SETTINGS_LEVELS_MAX ? levels : SETTINGS_LEVELS_MAX;
 }
 
 bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside)
