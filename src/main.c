@@ -18,6 +18,7 @@ struct work {
     const struct source *source;
     struct probe_file points;  /* of --probe */
     struct lighting_kept kept; /* by the frame before */
+    bool kept_told;            /* that a picture kept by +C is old */
     const atomic_int *stop;
     struct diag diag;
 };
@@ -162,7 +163,7 @@ static bool frame_render(struct work *work, const struct scene *scene,
     size_t lights;
     world_lights(world, &lights);
     if (!options->probe)
-        missing_tell(scene, lights, &work->diag);
+        missing_tell(scene, lights, world_leaf_count(world), &work->diag);
     struct lighting_options light = { .threads = options->render.threads,
                                       .width = options->render.width,
                                       .quality = options->quality,
@@ -210,9 +211,10 @@ static enum status frame_run(struct work *work, int number)
     parse.stop = work->stop;
     const char *name =
         frames_name(&options->frames, number, options->output, arena);
-    bool done = picture_is_there(options, name, &work->diag) ||
-                (picture_can_be(name, &work->diag) &&
-                 frame_make(work, &parse, name, arena));
+    bool done =
+        picture_is_there(options, name, &work->kept_told, &work->diag) ||
+        (picture_can_be(name, &work->diag) &&
+         frame_make(work, &parse, name, arena));
     arena_free(arena);
     if (done)
         return DONE;
