@@ -188,13 +188,15 @@ static void choose_build(struct geometry *geometry, size_t triangles,
 }
 
 /* If fewer rays are to come than a large mesh has triangles, sorting these
- * along a space-filling curve (Lauterbach et al. 2009) is building enough. */
+ * along a space-filling curve (Lauterbach et al. 2009) is building enough. The
+ * builder is the whole device's, and scenes of instances have no such one. */
 static RTCDevice device_new(const struct flat *flat, unsigned threads,
                             double camera_rays)
 {
     bool large = flat->triangle_count > LARGE;
     double rays = camera_rays * (1 + (double)flat->lights.count);
-    bool hasty = large && rays > 0 && rays < (double)flat->triangle_count;
+    bool hasty = large && rays > 0 && rays < (double)flat->triangle_count &&
+                 !triangles_any_shared(flat);
     size_t work = flat->triangle_count + flat->containers.count;
     char configuration[64];
     /* One thread builds little scenes sooner than more could be started. */

@@ -32,6 +32,9 @@ struct triangles {
     size_t leaf_room;
 };
 
+/* Whether a mesh of flat->meshes will be shared by instances. */
+bool triangles_any_shared(const struct flat *flat);
+
 /* Adds flat->meshes to `scene`, which is at `centre`. False after an error was
  * printed. */
 bool triangles_add(struct triangles *triangles, struct flat *flat,
