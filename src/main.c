@@ -9,6 +9,7 @@
 #include "cli/stats.h"
 #include "lighting/missing.h"
 #include "lighting/names.h"
+#include "tracer/integrator.h"
 
 enum status { DONE = 0, FAILED = 1, INTERRUPTED = 2 };
 
@@ -154,10 +155,11 @@ static bool frame_render(struct work *work, const struct scene *scene,
 {
     const struct options *options = &work->options;
     const struct lighting *lighting = options->lighting;
-    struct world *world = world_new(
-        scene, options->render.threads,
-        lighting->whole_paths ? 0 : render_camera_rays(&options->render),
-        &work->diag);
+    struct world *world = world_new(scene, options->render.threads,
+                                    integrator_for(lighting)->sample
+                                        ? 0
+                                        : render_camera_rays(&options->render),
+                                    &work->diag);
     if (!world)
         return false;
     size_t lights;

@@ -16,6 +16,7 @@
 #include "shade/shadow.h"
 #include "shade/background.h"
 #include "tracer/crossing.h"
+#include "tracer/integrator.h"
 
 enum {
     SURFACES_MAX = 1000 * 1000 /* a ray passes straight through */
@@ -306,3 +307,5 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
         arena_reset(worker->scratch);
     }
 }
+
+const struct integrator recursive_integrator = { .name = "recursive" };
