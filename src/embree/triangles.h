@@ -3,10 +3,9 @@
 #ifndef EMBREE_TRIANGLES_H
 #define EMBREE_TRIANGLES_H
 
-#include <embree3/rtcore.h>
-
 #include "embree/flatten.h"
 #include "embree/query.h"
+#include "embree/rtcore.h"
 
 enum {
     TRIANGLES_SHARED = 1000,     /* a mesh larger than this is not copied */

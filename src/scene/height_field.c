@@ -154,7 +154,8 @@ static vec3 normal_share(const struct height_grid *grid, int x, int y,
     return vec3_scale(n, length > 0 ? share / length : 0);
 }
 
-/* Between the four normals around the point. */
+/* Between the four normals around the point, also where the three at the
+ * corners of a face agree. */
 static vec3 smooth_normal(const struct height_grid *grid, vec3 point,
                           const affine *to_object)
 {
