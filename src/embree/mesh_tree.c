@@ -1,7 +1,7 @@
 /* Boxes over the triangles of a mesh: see mesh_tree.h. */
 #include "embree/mesh_tree.h"
 
-#include "embree/slab.h"
+#include "scene/slab.h"
 
 enum {
     TREE_LEAF = 4,   /* triangles */

@@ -118,26 +118,29 @@ static double height_value(const struct function *function, vec3 point,
     return function_evaluate(function, arguments, steps_left);
 }
 
+static bool height_too_slow(struct parser *p, struct span span)
+{
+    return error_at(p, span, NULL,
+                    "all heights together take more than %d steps of the "
+                    "function, glim's limit",
+                    HEIGHT_STEPS);
+}
+
 /* Of a function of x and y from 0 to 1, y downwards from z = 1. */
 static bool height_sample(struct parser *p, struct span span,
                           const struct function *function,
                           struct height_grid *grid)
 {
     unsigned long left = HEIGHT_STEPS;
-    double work = (double)grid->width * grid->height * function->work;
-    size_t i = 0, count = (size_t)grid->width * (size_t)grid->height;
-    for (int y = 0; y < grid->height && work <= HEIGHT_STEPS; y++)
+    size_t i = 0;
+    for (int y = 0; y < grid->height; y++)
         for (int x = 0; x < grid->width && left > 0; x++) {
             vec3 point = { (double)x / (grid->width - 1),
                            (double)y / (grid->height - 1), 0 };
             grid->heights[i++] =
                 height_of_value(height_value(function, point, &left));
         }
-    return (left > 0 && i == count) ||
-           error_at(p, span, NULL,
-                    "all heights together take more than %d steps of the "
-                    "function, glim's limit",
-                    HEIGHT_STEPS);
+    return left > 0 || height_too_slow(p, span);
 }
 
 static bool height_function(struct parser *p, struct height_grid *grid)
@@ -148,6 +151,9 @@ static bool height_function(struct parser *p, struct height_grid *grid)
     if (!parse_function_image(p, &width, &height, &function))
         return false;
     span = span_join(span, p->last_span);
+    double count = (double)width * height;
+    if (count <= HEIGHT_GRID_LIMIT && count * function->work > HEIGHT_STEPS)
+        return height_too_slow(p, span);
     return height_room(p, span, grid, width, height) &&
            height_sample(p, span, function, grid);
 }

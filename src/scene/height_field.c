@@ -3,6 +3,7 @@
 #include "scene/height_field.h"
 
 #include "base/hash.h"
+#include "scene/crossings.h"
 
 /* POV-Ray's unit of height, by which its normals are made and rounded. */
 static const double unit = 65536;
@@ -77,38 +78,16 @@ static void height_crossings(const void *shape, const struct ray *ray,
     height_grid_crossings(&field->grid, &there, tmin, tmax, visit, context);
 }
 
-static bool take_any(void *context, const struct hit *hit)
-{
-    struct hits *hits = context;
-    hits->at[hits->count++] = *hit;
-    return hits->count == HITS_MAX;
-}
-
 static void height_intersect(const void *shape, const struct ray *ray,
                              struct hits *hits)
 {
-    height_crossings(shape, ray, -HUGE_VAL, HUGE_VAL, take_any, hits);
-}
-
-struct height_first {
-    struct hit hit;
-    bool found;
-};
-
-static bool take_first(void *context, const struct hit *hit)
-{
-    struct height_first *first = context;
-    first->hit = *hit;
-    return first->found = true;
+    crossings_all(height_crossings, shape, ray, hits);
 }
 
 static bool height_first(const void *shape, const struct ray *ray, double tmin,
                          double tmax, struct hit *hit)
 {
-    struct height_first first = { .found = false };
-    height_crossings(shape, ray, tmin, tmax, take_first, &first);
-    *hit = first.hit;
-    return first.found;
+    return crossings_first(height_crossings, shape, ray, tmin, tmax, hit);
 }
 
 static bool height_crosses(const void *shape, const struct ray *ray,

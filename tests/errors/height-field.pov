@@ -4,5 +4,5 @@ height_field { png "../render/parts/dot.png" }
 height_field { png "../render/parts/heights8.png" smoth }
 height_field { function 1, 10 { x } }
 height_field { function 20000, 20000 { x } }
-height_field { function 4000, 4000 { sum(i, 0, 1000, x + i) } }
+height_field { function 9000, 9000 { (x + y)*(x - y)*x*y + x*x*y - y*y*x } }
 height_field { function { x } }
