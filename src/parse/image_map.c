@@ -48,7 +48,6 @@ static const struct field bump_fields[] = {
 };
 
 static const struct unsupported_word image_unsupported[] = {
-    { KEYWORD_FUNCTION, "an image made by a function" },
     { KEYWORD_USE_INDEX, "'use_index'" },
     { KEYWORD_NONE, NULL },
 };
@@ -201,7 +200,17 @@ static bool image_open(struct parser *p, const struct image_request *request)
         return error_at(p, request->span, file_hint(p, request->name),
                         "can't find the image '%s'", request->name);
     request->map->image = image_find(p, path, request);
-    return request->map->image != NULL;
+    if (!request->map->image || !request->map->clear)
+        return request->map->image != NULL;
+    struct image_request numbers = *request;
+    numbers.numbers = true;
+    request->map->numbers = image_find(p, path, &numbers);
+    return request->map->numbers &&
+           (request->map->numbers->indexed ||
+            error_at(p, request->span, NULL,
+                     "the image '%s' has no palette; say 'filter all' or "
+                     "'transmit all'",
+                     request->name));
 }
 
 /* image_type = "gif" | "tga" | "iff" | "ppm" | "pgm" | "png" | "jpeg" | "tiff"
@@ -261,14 +270,36 @@ static bool parse_interpolation(struct parser *p, struct image_map *map)
     return true;
 }
 
-/* image_filter = ( "filter" | "transmit" ) "all" float . */
+static struct entry_clear *entry_clear(struct parser *p, struct image_map *map,
+                                       int entry)
+{
+    if (!map->clear) {
+        map->clear =
+            ARENA_ARRAY(p->scene_arena, struct entry_clear, PALETTE_ENTRIES);
+        for (int i = 0; i < PALETTE_ENTRIES; i++)
+            map->clear[i] = (struct entry_clear){ NAN, NAN };
+    }
+    return &map->clear[entry];
+}
+
+/* image_filter = ( "filter" | "transmit" ) ( "all" | float [","] ) float .
+ * Of all pixels, or of those with this entry of the palette. */
 static bool parse_image_filter(struct parser *p, struct image_map *map)
 {
     bool filter = stream_next(p).word->keyword == KEYWORD_FILTER;
-    if (!accept_keyword(p, KEYWORD_ALL))
-        return error_unsupported(p, stream_span(p),
-                                 "transparency of one palette colour");
-    return parse_float(p, filter ? &map->filter_all : &map->transmit_all);
+    int entry;
+    if (accept_keyword(p, KEYWORD_ALL))
+        return parse_float(p, filter ? &map->filter_all : &map->transmit_all);
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &entry))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (entry < 0 || entry >= PALETTE_ENTRIES)
+        return error_at(p, span, NULL,
+                        "a palette has entries 0 to %d, found %d",
+                        PALETTE_ENTRIES - 1, entry);
+    struct entry_clear *clear = entry_clear(p, map, entry);
+    return parse_float(p, filter ? &clear->filter : &clear->transmit);
 }
 
 /* image_gamma = "gamma" ( "srgb" | float ) . */
@@ -351,25 +382,39 @@ static bool parse_image_item(struct parser *p, struct image_request *request)
     }
 }
 
-static bool image_items(struct parser *p, struct image_request *request)
+/* The vector of old scenes has no effect (measured).
+ * image_source = [vector [","]] ( [image_type] string | function_image ) . */
+static bool parse_image_source(struct parser *p, struct image_request *request)
 {
-    if (!check_supported(p, image_unsupported))
+    vec3 ignored;
+    if (stream_peek(p)->kind == TOKEN_LESS && !parse_vector(p, &ignored))
         return false;
+    accept(p, TOKEN_COMMA);
+    if (stream_keyword(p) == KEYWORD_FUNCTION)
+        return parse_image_of_function(p, &request->map->image);
     if (!parse_image_type(p))
         return false;
     request->span = stream_span(p);
     if (!parse_string(p, &request->name))
         return false;
     request->span = span_join(request->span, p->last_span);
+    return true;
+}
+
+static bool image_items(struct parser *p, struct image_request *request)
+{
+    if (!check_supported(p, image_unsupported) ||
+        !parse_image_source(p, request))
+        return false;
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         accept(p, TOKEN_COMMA);
         if (!parse_image_item(p, request))
             return false;
     }
-    return image_open(p, request);
+    return request->map->image || image_open(p, request);
 }
 
-/* image_map = "image_map" "{" [image_type] string {[","] image_item} "}" . */
+/* image_map = "image_map" "{" image_source {[","] image_item} "}" . */
 bool parse_image_map(struct parser *p, const struct image_map **out)
 {
     struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);
@@ -381,7 +426,7 @@ bool parse_image_map(struct parser *p, const struct image_map **out)
            block_end(p, open, image_items(p, &request));
 }
 
-/* bump_map = "bump_map" "{" [image_type] string {[","] image_item} "}" . */
+/* bump_map = "bump_map" "{" image_source {[","] image_item} "}" . */
 bool parse_bump_map(struct parser *p, const struct image_map **out,
                     double *bump_size)
 {
@@ -396,8 +441,7 @@ bool parse_bump_map(struct parser *p, const struct image_map **out,
            block_end(p, open, image_items(p, &request));
 }
 
-/* image_pattern = "image_pattern" "{" [image_type] string {[","] image_item}
- *                 "}" . */
+/* image_pattern = "image_pattern" "{" image_source {[","] image_item} "}" . */
 bool parse_image_pattern(struct parser *p, const struct image_map **out)
 {
     struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);

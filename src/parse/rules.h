@@ -82,6 +82,9 @@ bool parse_texture_body(struct parser *p, const struct texture **in);
 /* texture_choice.c: sets *found if a pattern is next. */
 bool parse_texture_choice(struct parser *p, const struct texture **out,
                           bool *found);
+/* texture_map of a #declare; the keyword is next. */
+bool parse_declared_texture_map(struct parser *p,
+                                const struct texture_map **out);
 /* pigment, normal or finish: goes into the topmost layer of a copy. */
 bool parse_texture_part(struct parser *p, const struct texture **in,
                         bool *found);
@@ -129,6 +132,9 @@ bool parse_image_type(struct parser *p);
 bool parse_bump_map(struct parser *p, const struct image_map **out,
                     double *bump_size);
 bool parse_image_map(struct parser *p, const struct image_map **out);
+/* Of function_image, which is next. */
+struct image;
+bool parse_image_of_function(struct parser *p, const struct image **out);
 bool parse_image_pattern(struct parser *p, const struct image_map **out);
 
 /* ---- objects ---- */

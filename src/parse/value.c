@@ -26,6 +26,7 @@ const char *value_kind_name(enum value_kind kind)
         [VALUE_CAMERA] = "a camera",
         [VALUE_COLOUR_MAP] = "a colour_map",
         [VALUE_PIGMENT_MAP] = "a pigment_map",
+        [VALUE_TEXTURE_MAP] = "a texture_map",
         [VALUE_NORMAL_MAP] = "a normal_map",
         [VALUE_SLOPE_MAP] = "a slope_map",
         [VALUE_FOG] = "a fog",

@@ -27,6 +27,7 @@ enum value_kind {
     VALUE_CAMERA,
     VALUE_COLOUR_MAP,
     VALUE_PIGMENT_MAP,
+    VALUE_TEXTURE_MAP,
     VALUE_NORMAL_MAP,
     VALUE_SLOPE_MAP,
     VALUE_FOG,
@@ -64,6 +65,7 @@ struct value {
         const affine *transform;
         const struct camera *camera;
         const struct blend_map *map;
+        const struct texture_map *texture_map;
         const struct normal_map *normal_map;
         const struct slope_map *slope_map;
         const struct fog *fog;

@@ -53,7 +53,14 @@ struct image_map {
     enum image_interpolation interpolation;
     bool once;
     double filter_all, transmit_all;
+    /* Of a palette's entries: NAN is what all have. NULL: none has its own. */
+    struct entry_clear {
+        double filter, transmit;
+    } * clear;
+    const struct image *numbers; /* with `clear`: the entry of each pixel */
 };
+
+enum { PALETTE_ENTRIES = 256 };
 
 enum pigment_kind { PIGMENT_COLOUR, PIGMENT_PATTERN, PIGMENT_IMAGE };
 
@@ -146,6 +153,12 @@ enum { TEXTURE_LAYERS = 32 }; /* the parser refuses more */
 struct texture_entry {
     double value; /* of a block pattern: the block's number */
     const struct texture *texture;
+};
+
+/* Declared, and not yet some pattern's. */
+struct texture_map {
+    struct texture_entry *entries;
+    size_t count;
 };
 
 struct texture_choice {
