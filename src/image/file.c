@@ -48,8 +48,9 @@ static void *file_codec(const char *name, char *error, size_t size)
     void *function = module ? dlsym(module, name) : NULL;
     if (!function)
         snprintf(error, size,
-                 "can't load glim's module for image files, which belongs in "
-                 "../lib/glim seen from the program (%s)",
+                 "can't load glim's module for image files other than PNG, "
+                 "which 'make' builds and which belongs in ../lib/glim seen "
+                 "from the program (%s)",
                  dlerror());
     return function;
 }
