@@ -55,7 +55,7 @@ override CXXFLAGS += -std=c++17 $(WARNINGS) -Wno-cast-qual $(FLAGS)
 override CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
 	-DGLIM_VERSION='"$(VERSION)"' -DGLIM_VERSION_NUMBER=$(VERSION) \
 	-DGLIM_EMBREE=$(EMBREE)
-override LDLIBS   += -lembree$(EMBREE) -lpng -lpthread -lm -ldl
+override LDLIBS   += -lembree$(EMBREE) -lpng -lz -lpthread -lm -ldl
 # Image files are a module of their own, loaded when needed: see src/image/codec.h.
 # PNG needs none of it.
 ifneq ($(IMAGES),png)
@@ -90,7 +90,7 @@ $(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE)
 $(BUILD)/glim-compare: $(BUILD)/src/compare/main.o $(BUILD)/libglim.a | \
 		$(MODULE)
 	$(call TICK,link $@)
-	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -lpng -lpthread -lm -ldl
+	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -lpng -lz -lpthread -lm -ldl
 
 $(MODULE): $(MODULE_OBJECTS)
 	$(call TICK,link $@)
