@@ -192,7 +192,7 @@ static bool approach_step(struct approach *approach, const struct question *q,
                 drift_through(tracer, q->worker, &approach->ray, crossing->at.t,
                               &approach->inside, question_key(q, -2)));
     crossing_fill(crossing, tracer, approach->ray.direction, &approach->inside,
-                  0);
+                  0, true);
     return true;
 }
 
