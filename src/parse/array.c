@@ -225,7 +225,7 @@ bool parse_array(struct parser *p, struct value *value)
     stream_next(p);
     array->count = 1;
     if (stream_peek(p)->kind != TOKEN_LBRACKET)
-        return error_expected(p, "'[' and the size of the array");
+        return error_expected_hint(p, "'[' and the size of the array", "[3]");
     while (stream_peek_infix(p)->kind == TOKEN_LBRACKET)
         if (!array_add_dimension(p, array))
             return false;

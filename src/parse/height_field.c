@@ -164,7 +164,7 @@ static bool parse_heights(struct parser *p, struct height_field *field)
     const char *path = file_find(p, name, NULL);
     if (!path)
         return error_at(p, span, file_hint(p, name),
-                        "can't find the image '%s'", name);
+                        "can't find the image '%s'", file_shown(p, name));
     struct image *image = image_read_numbers(path, problem, sizeof problem);
     if (!image)
         return error_at(p, span, NULL, "can't read the image '%s': %s", path,

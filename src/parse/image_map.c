@@ -2,6 +2,8 @@
  * working space, so that a missing one is reported where it is named. */
 #include "parse/rules.h"
 
+#include "base/text.h"
+
 #include "image/file.h"
 #include "image/tone.h"
 
@@ -190,9 +192,24 @@ static bool image_open(struct parser *p, const struct image_request *request)
     const char *path = file_find(p, request->name, NULL);
     if (!path)
         return error_at(p, request->span, file_hint(p, request->name),
-                        "can't find the image '%s'", request->name);
+                        "can't find the image '%s'",
+                        file_shown(p, request->name));
     request->map->image = image_find(p, path, request);
     return request->map->image != NULL;
+}
+
+static bool image_type_unknown(struct parser *p, const struct field *types)
+{
+    const char *word = stream_peek(p)->word->text, *list = types->name;
+    struct text_nearest nearest = text_nearest_start(word);
+    for (const struct field *type = types; type->name; type++) {
+        text_nearest_try(&nearest, type->name);
+        if (type > types)
+            list = arena_printf(p->arena, "%s%s%s", list,
+                                type[1].name ? ", " : " and ", type->name);
+    }
+    return error_at(p, stream_span(p), nearest.best,
+                    "there is no image format '%s'; there are %s", word, list);
 }
 
 /* image_type = "gif" | "tga" | "iff" | "ppm" | "pgm" | "png" | "jpeg" | "tiff"
@@ -213,7 +230,7 @@ bool parse_image_type(struct parser *p)
             return true;
     bool wrong = stream_peek(p)->kind == TOKEN_WORD && !at_expression(p) &&
                  stream_raw(p, &left)->kind == TOKEN_STRING;
-    return !wrong || error_unknown_item(p, "image_map", types);
+    return !wrong || image_type_unknown(p, types);
 }
 
 /* map_type = "map_type" float . */

@@ -1,5 +1,6 @@
 /* What may follow in an object's block: where it is, what it is made of, how
  * it is cut and seen. */
+#include "parse/expression.h"
 #include "parse/rules.h"
 
 static const struct unsupported_word modifier_unsupported[] = {
@@ -262,13 +263,15 @@ static bool parse_modifier_without_effect(struct parser *p, bool *found)
     case KEYWORD_PHOTONS:
     case KEYWORD_RADIOSITY:
         return modifier_skip_block(p);
-    case KEYWORD_COLOUR:
-        warning_at(p, stream_span(p), "pigment { color ... }",
+    default:
+        *found = colour_begins(stream_keyword(p));
+        if (!*found)
+            return true;
+        warning_at(p, stream_span(p),
+                   arena_printf(p->arena, "pigment { %s ... }",
+                                stream_peek(p)->word->text),
                    "a colour belongs into a pigment; this one is ignored");
         return parse_colour(p, &no_colour);
-    default:
-        *found = false;
-        return true;
     }
 }
 
@@ -293,12 +296,17 @@ static bool modifier_unknown(struct parser *p, const struct modifiers *m)
 {
     if (!check_supported(p, modifier_unsupported))
         return false;
-    if (m->object->child_count && at_object(p)) {
+    if (m->object->kind != OBJECT_SHAPE && at_object(p)) {
         error_at(p, stream_span(p), NULL,
                  "the objects of '%s' come before its modifiers", m->block);
         note_unclosed(p);
         return false;
     }
+    if (stream_keyword(p) == KEYWORD_CONTAINED_BY &&
+        strcmp(m->block, "isosurface") == 0)
+        return error_at(p, stream_span(p), NULL,
+                        "'contained_by' comes before what moves and colours "
+                        "the isosurface");
     return error_unknown_item(p, m->block, modifier_names);
 }
 
