@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 #include "cli/output_name.h"
-#include "lighting/lighting.h"
+#include "tracer/integrator.h"
 
 /* An INI file may be long: a list that nobody means is not searched. */
 enum { LIBRARY_LIMIT = 1000 };
@@ -401,17 +401,17 @@ bool set_lighting(struct option_reader *reader, const struct option *option,
         options->list_what = "lightings";
         return true;
     }
-    options->lighting = lighting_find(setting->value);
+    options->lighting = integrator_lighting_find(setting->value);
     if (options->lighting)
         return true;
     struct text_nearest nearest = text_nearest_start(setting->value);
-    for (size_t i = 0; lighting_at(i); i++)
-        text_nearest_try(&nearest, lighting_at(i)->name);
-    const char *all = lighting_at(0)->name;
-    for (size_t i = 1; !nearest.best && lighting_at(i); i++)
+    for (size_t i = 0; integrator_lighting_at(i); i++)
+        text_nearest_try(&nearest, integrator_lighting_at(i)->name);
+    const char *all = integrator_lighting_at(0)->name;
+    for (size_t i = 1; !nearest.best && integrator_lighting_at(i); i++)
         all = arena_printf(reader->arena, "%s%s%s", all,
-                           lighting_at(i + 1) ? ", " : " or ",
-                           lighting_at(i)->name);
+                           integrator_lighting_at(i + 1) ? ", " : " or ",
+                           integrator_lighting_at(i)->name);
     return option_fail(reader, setting, "there is no lighting '%s': type %s",
                        setting->value, nearest.best ? nearest.best : all);
 }

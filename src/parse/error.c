@@ -236,7 +236,7 @@ static bool error_no_item(struct parser *p, const char *block)
                       : kind == TOKEN_LBRACE ? "; there is no item before it"
                                              : "";
     return error_at(
-        p, p->token_span, values ? primitive_signature(p, block) : NULL,
+        p, p->token_span, comma && values ? primitive_hint(p, block) : NULL,
         "unexpected %s in %s%s", error_found(p), error_block(p, block), why);
 }
 

@@ -171,6 +171,9 @@ const char *unclosed_hint(struct parser *p);
 /* "sphere { <centre>, radius ... }", or NULL: no shape, or not by a table. */
 const char *primitive_signature(struct parser *p, const char *name);
 
+/* The same, unless something else than numbers was read in the block. */
+const char *primitive_hint(struct parser *p, const char *name);
+
 /* "a number for 'radius'" if that is what is being read, else `wanted`. The
  * value itself is read `deeper` brackets than the field. */
 const char *wanted_field(struct parser *p, const char *wanted, unsigned deeper);

@@ -1,5 +1,7 @@
 /* What is being read, for the words of errors: the field a value is for, and
  * how the values of a shape are written. */
+#include <ctype.h>
+
 #include "parse/parser.h"
 #include "scene/primitive.h"
 
@@ -27,6 +29,20 @@ const char *primitive_signature(struct parser *p, const char *name)
                          vector ? "<" : "", field[i].name, vector ? ">" : "");
     }
     return arena_printf(p->arena, "%s ... }", text);
+}
+
+const char *primitive_hint(struct parser *p, const char *name)
+{
+    struct span at = p->token_span;
+    if (p->block_count == 0)
+        return NULL;
+    struct span open = p->blocks[p->block_count - 1];
+    for (size_t i = open.offset; i < at.offset; i++)
+        if (at.source != open.source ||
+            (isalpha((unsigned char)at.source->text[i]) &&
+             !strchr("xyz", at.source->text[i])))
+            return NULL;
+    return primitive_signature(p, name);
 }
 
 const char *wanted_field(struct parser *p, const char *wanted, unsigned deeper)
