@@ -106,6 +106,19 @@ static bool parse_subscripts(struct parser *p, struct array *array,
     }
 }
 
+size_t array_subscripts_end(const struct token *tokens, size_t left, size_t i)
+{
+    unsigned depth = 0;
+    for (size_t at = i; at < left && tokens[at].kind != TOKEN_SEMICOLON; at++) {
+        enum token_kind kind = tokens[at].kind;
+        if (depth == 0 && kind != TOKEN_LBRACKET)
+            return at;
+        depth += kind == TOKEN_LBRACKET;
+        depth -= kind == TOKEN_RBRACKET;
+    }
+    return i;
+}
+
 bool array_element(struct parser *p, struct array *array, struct value **slot)
 {
     if (!expression_enter(p))

@@ -1,5 +1,6 @@
 /* Words that are values: pi, x, clock, on ... */
 #include "parse/expression.h"
+#include "parse/function.h"
 
 static bool constant_vector(enum keyword keyword, struct value *value)
 {
@@ -68,6 +69,9 @@ static bool constant_number(const struct parser *p, enum keyword keyword,
     case KEYWORD_IMAGE_HEIGHT:
         *out = o->image_height;
         return true;
+    case KEYWORD_NOW:
+        *out = text_days_now();
+        return true;
     case KEYWORD_VERSION:
         *out = p->version;
         return true;
@@ -79,7 +83,7 @@ static bool constant_number(const struct parser *p, enum keyword keyword,
 /* constant = "pi" | "true" | "yes" | "on" | "false" | "no" | "off" | "x" | "y"
  *          | "z" | "t" | "u" | "v" | "clock" | "clock_delta" | "clock_on"
  *          | "initial_clock" | "final_clock" | "initial_frame" | "final_frame"
- *          | "frame_number" | "image_width" | "image_height" | "version" . */
+ *          | "frame_number" | "image_width" | "image_height" | "now" | "version" . */
 bool parse_constant(struct parser *p, enum keyword keyword, struct value *value)
 {
     if (constant_vector(keyword, value))

@@ -279,6 +279,13 @@ static bool kind_is_thing(enum value_kind kind)
     return kind >= VALUE_OBJECT && kind <= VALUE_SKY_SPHERE;
 }
 
+/* Whether no operator follows. */
+static bool kind_ends(const struct token *tokens, size_t available, size_t i)
+{
+    enum token_kind kind = i < available ? tokens[i].kind : TOKEN_END;
+    return operator_precedence(kind) == PRECEDENCE_NONE && kind != TOKEN_DOT;
+}
+
 /* Whether the identifier that is next, whose value is `value`, and the token
  * after it stand for a texture, a whole array ... rather than an operand. */
 static bool expression_is_thing(struct parser *p, const struct value *value)
@@ -286,10 +293,12 @@ static bool expression_is_thing(struct parser *p, const struct value *value)
     size_t available;
     const struct token *after = stream_raw(p, &available);
     enum token_kind kind = available ? after->kind : TOKEN_END;
-    bool ends =
-        operator_precedence(kind) == PRECEDENCE_NONE && kind != TOKEN_DOT;
+    bool ends = kind_ends(after, available, 0);
     if (value->kind == VALUE_ARRAY && kind == TOKEN_LBRACKET)
-        return kind_is_thing(array_kind(value->array));
+        return kind_is_thing(array_kind(value->array)) ||
+               (array_kind(value->array) == VALUE_ARRAY &&
+                kind_ends(after, available,
+                          array_subscripts_end(after, available, 0)));
     if (value->kind == VALUE_ARRAY)
         return ends;
     if (value->kind == VALUE_FUNCTION)
@@ -310,6 +319,9 @@ static bool thing_element(struct parser *p, const struct word *word,
     else if (slot->kind == VALUE_NONE)
         error_at(p, span_join(at, p->last_span), NULL,
                  "this element of '%s' was never set", word->text);
+    if (slot->kind == VALUE_ARRAY)
+        return array_copy(p, span_join(at, p->last_span), slot->array,
+                          &value->array);
     return slot->kind != VALUE_UNSUPPORTED && slot->kind != VALUE_NONE;
 }
 

@@ -151,17 +151,17 @@ static bool height_function(struct parser *p, struct height_field *field)
 /* heights = [image_type] string | function_image . */
 static bool parse_heights(struct parser *p, struct height_field *field)
 {
-    const char *name;
+    const char *type, *name;
     char problem[256] = "";
     if (stream_keyword(p) == KEYWORD_FUNCTION)
         return height_function(p, field);
-    if (!check_supported(p, height_unsupported) || !parse_image_type(p))
+    if (!check_supported(p, height_unsupported) || !parse_image_type(p, &type))
         return false;
     struct span span = stream_span(p);
     if (!parse_string(p, &name))
         return false;
     span = span_join(span, p->last_span);
-    const char *path = file_find(p, name, NULL);
+    const char *path = image_file(p, name, type);
     if (!path)
         return error_at(p, span, file_hint(p, name),
                         "can't find the image '%s'", file_shown(p, name));

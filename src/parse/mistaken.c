@@ -200,19 +200,6 @@ static bool word_is_type(const char *word)
     return false;
 }
 
-/* Behind the subscripts at `i`, or there if they have no end. */
-static size_t subscripts_end(const struct token *tokens, size_t left, size_t i)
-{
-    unsigned depth = 0;
-    for (size_t at = i; at < left && tokens[at].kind != TOKEN_SEMICOLON; at++) {
-        depth += tokens[at].kind == TOKEN_LBRACKET;
-        depth -= depth > 0 && tokens[at].kind == TOKEN_RBRACKET;
-        if (depth == 0 && tokens[at].kind != TOKEN_RBRACKET)
-            return at;
-    }
-    return i;
-}
-
 /* Whether a declaration follows: NAME = or `var NAME =`. */
 static bool mistaken_is_declaration(struct parser *p, bool *typed)
 {
@@ -224,7 +211,7 @@ static bool mistaken_is_declaration(struct parser *p, bool *typed)
     const struct token *raw = stream_raw(p, &left);
     *typed = left > 1 && raw[0].kind == TOKEN_WORD && !raw[0].word->reserved &&
              word_is_type(token->word->text);
-    size_t i = subscripts_end(raw, left, *typed);
+    size_t i = array_subscripts_end(raw, left, *typed);
     return i < left && raw[i].kind == TOKEN_EQUAL &&
            (*typed || !token->word->reserved);
 }

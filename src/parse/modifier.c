@@ -341,15 +341,18 @@ static bool parse_modifier(struct parser *p, struct modifiers *m)
 /* Old scenes say the interior's ior in the finish. */
 static void object_old_ior(struct parser *p, struct object *object)
 {
-    double ior = 0;
-    for (size_t i = 0; object->texture && i < object->texture->count; i++)
-        if (object->texture->layers[i].finish->ior > 0)
-            ior = object->texture->layers[i].finish->ior;
-    if (ior == 0 || object->interior)
+    double ior = 0, caustics = 0;
+    for (size_t i = 0; object->texture && i < object->texture->count; i++) {
+        const struct finish *finish = object->texture->layers[i].finish;
+        ior = finish->ior > 0 ? finish->ior : ior;
+        caustics = finish->caustics > 0 ? finish->caustics : caustics;
+    }
+    if ((ior == 0 && caustics == 0) || object->interior)
         return;
     struct interior *interior = ARENA_NEW(p->scene_arena, struct interior);
     *interior = interior_default();
-    interior->ior = ior;
+    interior->ior = ior > 0 ? ior : interior->ior;
+    interior->caustics = caustics;
     object->interior = interior;
 }
 

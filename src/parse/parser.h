@@ -71,6 +71,7 @@ struct parser {
     unsigned reported_count;
     unsigned long taken, taken_at_error; /* tokens; see error_follows */
     bool told;      /* what is being read was reported: nothing more about it */
+    bool spare_semicolon; /* a ';' that is next has no meaning */
     bool unclosed;  /* the innermost block lacks its '}', as was said: it ends
                      * here */
     bool silent;    /* the last error was not printed: nor are its notes */

@@ -206,6 +206,12 @@ static bool stream_fetch(struct parser *p, bool infix)
         }
         const struct token *token = &cursor->list->tokens[cursor->index];
         bool stays = infix && cursor == p->directive;
+        bool spare = p->spare_semicolon;
+        p->spare_semicolon = false;
+        if (spare && !stays && token->kind == TOKEN_SEMICOLON) {
+            cursor->index++;
+            continue;
+        }
         if (token->kind == TOKEN_DIRECTIVE && !stream_passes_sign(p, token)) {
             if (stays)
                 return false;

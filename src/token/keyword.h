@@ -248,6 +248,7 @@
     X(NATURAL_SPLINE, "natural_spline")                                        \
     X(NEAREST_COUNT, "nearest_count")                                          \
     X(NO, "no")                                                                \
+    X(NOW, "now")                                                              \
     X(NO_BUMP_SCALE, "no_bump_scale")                                          \
     X(NO_IMAGE, "no_image")                                                    \
     X(NO_RADIOSITY, "no_radiosity")                                            \

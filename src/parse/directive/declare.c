@@ -66,15 +66,18 @@ static bool declare_name(struct parser *p, const struct word **name)
 }
 
 /* A #declare of a number needs a ';': without it POV-Ray could not tell where
- * the expression ends. Before version 3.5 its lack was a warning. */
+ * the expression ends. Before version 3.5 its lack was a warning. One more may
+ * follow, wherever the text goes on: `#declare A = M();` with a M that ends in
+ * `;` (measured). */
 static bool declare_semicolon(struct parser *p, const struct value *value)
 {
-    if (stream_peek_infix(p)->kind == TOKEN_SEMICOLON) {
-        stream_next(p);
-        return true;
-    }
     bool needed = value->kind == VALUE_FLOAT || value->kind == VALUE_VECTOR ||
                   value->kind == VALUE_COLOUR;
+    if (stream_peek_infix(p)->kind == TOKEN_SEMICOLON) {
+        stream_next(p);
+        p->spare_semicolon = needed;
+        return true;
+    }
     if (!needed || (p->version_said && p->version < 3.5))
         return true;
     return error_at(p, p->last_span, ";",
@@ -170,7 +173,7 @@ static bool declare_read(struct parser *p, bool local)
         p->scope = scope;
         struct symbol *symbol = symbol_make(p, head.name, local);
         p->scope = inner;
-        symbol->value = value;
+        symbol_give(symbol, value);
         symbol->deprecated = head.deprecated;
         symbol->deprecated_once = head.once;
     }
