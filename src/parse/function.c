@@ -80,7 +80,8 @@ const struct function_row *function_find(enum keyword keyword)
 
 bool function_is(enum keyword keyword)
 {
-    return function_find(keyword) || keyword == KEYWORD_SUM || keyword == KEYWORD_PROD;
+    return function_find(keyword) || keyword == KEYWORD_SUM ||
+           keyword == KEYWORD_PROD;
 }
 
 void call_error(struct parser *p, const struct call *call, struct value *result,

@@ -216,15 +216,15 @@ static bool image_type_unknown(struct parser *p, const struct field *types)
 static const struct image_ending {
     const char *type, *ending;
 } image_endings[] = {
-    { "gif", ".gif" },  { "gif", ".GIF" },   { "tga", ".tga" },
-    { "tga", ".TGA" },  { "iff", ".iff" },   { "iff", ".IFF" },
-    { "ppm", ".ppm" },  { "ppm", ".PPM" },   { "pgm", ".pgm" },
-    { "pgm", ".PGM" },  { "png", ".png" },   { "png", ".PNG" },
-    { "jpeg", ".jpg" }, { "jpeg", ".JPG" },  { "jpeg", ".jpeg" },
-    { "jpeg", ".JPEG" }, { "tiff", ".tif" }, { "tiff", ".TIF" },
+    { "gif", ".gif" },   { "gif", ".GIF" },   { "tga", ".tga" },
+    { "tga", ".TGA" },   { "iff", ".iff" },   { "iff", ".IFF" },
+    { "ppm", ".ppm" },   { "ppm", ".PPM" },   { "pgm", ".pgm" },
+    { "pgm", ".PGM" },   { "png", ".png" },   { "png", ".PNG" },
+    { "jpeg", ".jpg" },  { "jpeg", ".JPG" },  { "jpeg", ".jpeg" },
+    { "jpeg", ".JPEG" }, { "tiff", ".tif" },  { "tiff", ".TIF" },
     { "tiff", ".tiff" }, { "tiff", ".TIFF" }, { "exr", ".exr" },
-    { "exr", ".EXR" },  { "hdr", ".hdr" },   { "hdr", ".HDR" },
-    { "bmp", ".bmp" },  { "bmp", ".BMP" },
+    { "exr", ".EXR" },   { "hdr", ".hdr" },   { "hdr", ".HDR" },
+    { "bmp", ".bmp" },   { "bmp", ".BMP" },
 };
 
 const char *image_file(struct parser *p, const char *name, const char *type)

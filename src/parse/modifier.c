@@ -352,7 +352,7 @@ static void object_old_ior(struct parser *p, struct object *object)
     struct interior *interior = ARENA_NEW(p->scene_arena, struct interior);
     *interior = interior_default();
     interior->ior = ior > 0 ? ior : interior->ior;
-    interior->caustics = caustics;
+    interior->caustics = caustics / 45; /* broader than there (measured) */
     object->interior = interior;
 }
 

@@ -70,7 +70,7 @@ struct parser {
     struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */
     unsigned reported_count;
     unsigned long taken, taken_at_error; /* tokens; see error_follows */
-    bool told;      /* what is being read was reported: nothing more about it */
+    bool told; /* what is being read was reported: nothing more about it */
     bool spare_semicolon; /* a ';' that is next has no meaning */
     bool unclosed;  /* the innermost block lacks its '}', as was said: it ends
                      * here */

@@ -123,8 +123,8 @@ struct finish {
     double crand;    /* grain */
     struct reflection reflection;
     bool conserve_energy;
-    bool old_filter; /* before 3.7 a dark colour filters less: see
-                      * shade/finish.c */
+    bool old_filter;      /* before 3.7 a dark colour filters less: see
+                           * shade/finish.c */
     double ior, caustics; /* of scenes older than 3.1: the parser gives them
                            * to the object's interior; 0: not said */
 };

@@ -51,8 +51,7 @@ static bool error_run(struct parser *p, struct span at)
 }
 
 const struct directive debug_directive = { debug_run, "print a text" };
-const struct directive render_directive = { render_run,
-                                            "the same as #debug" };
+const struct directive render_directive = { render_run, "the same as #debug" };
 const struct directive statistics_directive = { statistics_run,
                                                 "the same as #debug" };
 const struct directive warning_directive = { warning_run, "print a warning" };
