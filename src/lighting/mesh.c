@@ -1,5 +1,6 @@
 /* Light meshes (Debelov and Sevastyanov 2002): lamps are asked from mesh
- * points, which surfaces then share. There is no ambient term. */
+ * points, which surfaces then share. `ambient` stands for what comes in from
+ * outside (shade/ambience.h). */
 #include "base/memory.h"
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
@@ -18,6 +19,7 @@
 
 struct mesh_lighting {
     struct lamps lamps;
+    struct ambience ambience;
     struct direct_mesh *direct;
     enum mesh_few_way few;
     struct emitters *emitters;      /* with indirect light */
@@ -180,6 +182,7 @@ static void mesh_bounces(struct mesh_lighting *mesh,
     double finer = direct->finer;
     int enough = samples > 0 ? samples : (int)(SAMPLES * finer * finer);
     struct indirect_options options = {
+        .ambience = &mesh->ambience,
         .lattice = mesh_indirect_lattice(said, &direct->lattice, direct->size),
         .interpolation = said->interpolation
                              ? direct->interpolation
@@ -331,7 +334,8 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     struct mesh_lighting *before = options->before;
     struct outlook outlook = outlook_of(world, scene, options->width);
     struct mesh_known known;
-    if (options->attempt == 0)
+    mesh->ambience = ambience_new(world, scene);
+    if (options->attempt == 0 && mesh->ambience.sky)
         ambient_dropped(scene, "mesh", diag);
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     if (options->keep || said->load_file)
@@ -470,21 +474,31 @@ static rgb mesh_many(const struct mesh_lighting *mesh,
     return light;
 }
 
-/* Indirect light on the first layer. */
-static rgb mesh_indirect(const struct mesh_lighting *mesh,
-                         struct worker *worker, const struct surface *surface)
+/* Indirect and ambient light on the first layer. */
+static struct diffuse_light mesh_indirect(const struct mesh_lighting *mesh,
+                                          struct worker *worker,
+                                          const struct surface *surface)
 {
     const struct surface_layer *layer = &surface->layer[0];
-    if (layer->finish->diffuse == 0)
-        return rgb_grey(0);
+    const struct ambience *ambience = &mesh->ambience;
+    rgb ambient = rgb_mul(surface_ambient(surface), ambience->light);
+    struct diffuse_light none = { rgb_grey(0), rgb_grey(0) };
+    if (layer->finish->diffuse == 0 && rgb_peak(ambient) == 0)
+        return none;
     struct indirect_place place = {
         .place = surface->point,
         .side = surface->side,
         .normal = layer->normal,
         .from = vec3_along(surface->point, surface->view, surface->at->t),
-        .worth = surface->weight * rgb_peak(surface_albedo(surface)),
+        .worth = surface->weight * fmax(rgb_peak(surface_albedo(surface)),
+                                        rgb_peak(ambient)),
     };
-    return indirect_mesh_irradiance(&mesh->near_indirect, worker, &place);
+    struct indirect_share share =
+        indirect_mesh_light(&mesh->near_indirect, worker, &place);
+    if (ambience->everywhere)
+        share.open = 1;
+    return (struct diffuse_light){ rgb_scale(ambience->light, share.open),
+                                   share.light };
 }
 
 static struct diffuse_light mesh_illuminate(const void *state,
@@ -493,7 +507,7 @@ static struct diffuse_light mesh_illuminate(const void *state,
                                             light_visit *visit, void *context)
 {
     const struct mesh_lighting *mesh = state;
-    struct diffuse_light diffuse = { rgb_grey(0), rgb_grey(0) };
+    struct diffuse_light diffuse = { mesh->ambience.light, rgb_grey(0) };
     if (surface->count == 0)
         return diffuse;
     struct lamplight light = {
@@ -509,9 +523,11 @@ static struct diffuse_light mesh_illuminate(const void *state,
         diffuse.irradiance = mesh_many(mesh, &light);
     else
         mesh_few_give(&mesh->near_direct, mesh->few, &mesh->pixels, &light);
-    if (mesh->indirect)
-        diffuse.irradiance =
-            rgb_add(diffuse.irradiance, mesh_indirect(mesh, worker, surface));
+    if (mesh->indirect) {
+        struct diffuse_light more = mesh_indirect(mesh, worker, surface);
+        diffuse.ambient = more.ambient;
+        diffuse.irradiance = rgb_add(diffuse.irradiance, more.irradiance);
+    }
     return diffuse;
 }
 

@@ -9,8 +9,9 @@ static const struct field mesh_names[] = {
     { .name = "radius" },    { .name = "model" },
     { .name = "shadows" },   { .name = "interpolation" },
     { .name = "threshold" }, { .name = "levels" },
-    { .name = "indirect" },  { .name = "region" },
-    { .name = "load_file" }, { .name = NULL },
+    { .name = "sky" },       { .name = "indirect" },
+    { .name = "region" },    { .name = "load_file" },
+    { .name = NULL },
 };
 
 static const struct field factor_fields[] = {

@@ -112,6 +112,8 @@ struct reflection {
 /* POV-Ray 3.7's defaults are in finish_default. */
 struct finish {
     rgb ambient, emission;
+    rgb glow; /* ambient light of what is meant to glow, ambient_light and all:
+               * seen whatever stands before it, and lights nothing else */
     double diffuse, diffuse_back; /* light on the viewer's / the other side */
     bool diffuse_albedo;
     double brilliance;

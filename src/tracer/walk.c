@@ -2,10 +2,12 @@
  * ray meets, and these beyond them:
  * - Light comes to a surface from everywhere. A scattered ray that meets
  *   something glowing counts with the balance heuristic's weight (direct.c).
- * - `ambient` and adc_bailout are ignored. max_trace_level holds, as the
- * scene's own word on mirrors and glass (without it light that a surface
- * scatters into a glass ball stays there for ever); a scattered ray begins
- * again at 1.
+ * - `ambient` is as bright as the scene is open there (shade/ambience.h), told
+ *   by one more ray a surface; what scattered rays meet of sky and background,
+ *   where these are no lamps, and of what only seems to glow, is dark.
+ *   adc_bailout is ignored. max_trace_level holds, as the scene's own word on
+ *   mirrors and glass (without it light that a surface scatters into a glass
+ *   ball stays there for ever); a scattered ray begins again at 1.
  * - Mirrors, panes and the scattering surface are all followed where the camera
  *   sees them, of later ones one, chosen by weight. Light that is mirrored or
  *   bent on its way from a glowing surface (caustics) is found by scattered
@@ -55,6 +57,7 @@ enum {
     SLOT_DIRECTION,
     SLOT_ROULETTE,
     SLOT_COPY,
+    SLOT_OPEN,
     SLOT_BRANCH
 };
 
@@ -434,6 +437,38 @@ static bool walk_survives(struct walk *walk, const struct draws *draws,
     return true;
 }
 
+static const struct ambience *walk_ambience(const struct walk *walk)
+{
+    const struct light_set *set = walk->tracer->lighting_state;
+    return &set->ambience;
+}
+
+/* Light that only `ambient` speaks of. */
+static void walk_ambient(struct walk *walk, const struct meeting *meeting)
+{
+    const struct ambience *ambience = walk_ambience(walk);
+    const struct surface *surface = &meeting->crossing.surface;
+    if (walk->split)
+        walk_gather(walk, surface_shine(surface));
+    rgb share = rgb_mul(surface_ambient(surface), ambience->light);
+    if (rgb_peak(share) == 0)
+        return;
+    double u[2];
+    draw_pair(&meeting->draws, SLOT_OPEN, u);
+    struct ray ray = { surface->point, warp_lobe(u, surface->normal, 1) };
+    double open =
+        ambience_open(ambience, walk->tracer->world, walk->worker, &ray);
+    walk_gather(walk, rgb_scale(share, open));
+}
+
+/* What lies beyond all surfaces. */
+static rgb walk_beyond(const struct walk *walk, double *clear)
+{
+    rgb light = tracer_background(walk->tracer, walk->ray.direction,
+                                  walk->straight, clear);
+    return walk->split || walk_ambience(walk)->sky ? light : rgb_grey(0);
+}
+
 /* Meets what the ray hits. False if the path ends there. */
 static bool walk_meet(struct walk *walk, struct meeting *meeting)
 {
@@ -451,6 +486,7 @@ static bool walk_meet(struct walk *walk, struct meeting *meeting)
                                              walk->from, walk->ray.direction,
                                              walk->density, &crossing->at));
     walk_gather(walk, glow);
+    walk_ambient(walk, meeting);
     lobes_fill(&meeting->lobes, surface);
     if (meeting->lobes.total > 0)
         walk_direct(walk, meeting);
@@ -470,8 +506,7 @@ struct radiance walk_follow(struct walk *walk)
         walk_fog(walk, met ? meeting.crossing.at.t : (double)INFINITY);
         if (!met) {
             double clear;
-            walk_gather(walk, tracer_background(tracer, walk->ray.direction,
-                                                walk->straight, &clear));
+            walk_gather(walk, walk_beyond(walk, &clear));
             return (struct radiance){ walk->light, 1 - walk->clear * clear };
         }
         meeting.draws = draws_within(&walk->draws, (uint64_t)vertex);
