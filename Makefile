@@ -41,11 +41,16 @@ NO_LTO_LINK = -fno-lto
 endif
 endif
 
+# Embree 4 or 3, as <embree4/rtcore.h> is found or not: see src/embree/rtcore.h.
+EMBREE := $(shell $(CC) $(CPPFLAGS) -E -x c -include embree4/rtcore.h \
+	/dev/null > /dev/null 2>&1 && echo 4 || echo 3)
+
 CFLAGS   += -std=c11 $(C_WARNINGS) $(FLAGS)
 CXXFLAGS += -std=c++17 $(WARNINGS) -Wno-cast-qual $(FLAGS)
 CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
-	-DGLIM_VERSION='"$(VERSION)"' -DGLIM_VERSION_NUMBER=$(VERSION)
-LDLIBS   += -lembree3 -lpng -lpthread -lm -ldl
+	-DGLIM_VERSION='"$(VERSION)"' -DGLIM_VERSION_NUMBER=$(VERSION) \
+	-DGLIM_EMBREE=$(EMBREE)
+LDLIBS   += -lembree$(EMBREE) -lpng -lpthread -lm -ldl
 # Image files are a module of their own, loaded when needed: see src/image/codec.h.
 MODULE_LDLIBS = -lOpenImageIO -lOpenImageIO_Util
 MODULE = $(BUILD)/glim-image.so

@@ -48,7 +48,8 @@ static void solid_intersect(const struct RTCIntersectFunctionNArguments *a)
         struct query *query = query_lane(a->context, a->rayhit, a->N, i);
         double before = query->tmax;
         query_solid(query, geometry->solids.items[a->primID]);
-        if (query->tmax < before) {
+        a->valid[i] = query->tmax < before ? -1 : 0;
+        if (a->valid[i]) {
             float far = embree_far(query, query->tmax);
             if (far < tfar[i])
                 tfar[i] = far;
@@ -65,6 +66,8 @@ static void solid_occluded(const struct RTCOccludedFunctionNArguments *a)
     if (a->valid[0] == -1 &&
         query_solid(query, geometry->solids.items[a->primID]))
         ((struct RTCRay *)a->ray)->tfar = -HUGE_VALF;
+    else
+        a->valid[0] = 0;
 }
 
 /* Rays come in floats: allow for their rounding at the box's distance. */
@@ -185,13 +188,15 @@ static void choose_build(struct geometry *geometry, size_t triangles,
 }
 
 /* If fewer rays are to come than a large mesh has triangles, sorting these
- * along a space-filling curve (Lauterbach et al. 2009) is building enough. */
+ * along a space-filling curve (Lauterbach et al. 2009) is building enough. The
+ * builder is the whole device's, and scenes of instances have no such one. */
 static RTCDevice device_new(const struct flat *flat, unsigned threads,
                             double camera_rays)
 {
     bool large = flat->triangle_count > LARGE;
     double rays = camera_rays * (1 + (double)flat->lights.count);
-    bool hasty = large && rays > 0 && rays < (double)flat->triangle_count;
+    bool hasty = large && rays > 0 && rays < (double)flat->triangle_count &&
+                 !triangles_any_shared(flat);
     size_t work = flat->triangle_count + flat->containers.count;
     char configuration[64];
     /* One thread builds little scenes sooner than more could be started. */
@@ -288,14 +293,13 @@ void geometry_trace(const struct geometry *geometry, struct query *query)
     }
     if (!embree_ray(geometry, query, &rayhit.ray))
         return;
-    rtcInitIntersectContext(&query->embree);
     if (query->occlusion) {
-        rtcOccluded1(geometry->scene, &query->embree, &rayhit.ray);
+        embree_any(geometry->scene, &query->embree, &rayhit.ray);
         return;
     }
     rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(geometry->scene, &query->embree, &rayhit);
+    embree_nearest(geometry->scene, &query->embree, &rayhit);
 }
 
 static void trace_packet(const struct geometry *geometry, struct query *queries,
@@ -317,10 +321,8 @@ static void trace_packet(const struct geometry *geometry, struct query *queries,
         hit[LANE_GEOMETRY * GEOMETRY_RAYS + i] = RTC_INVALID_GEOMETRY_ID;
         hit[LANE_INSTANCE * GEOMETRY_RAYS + i] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcInitIntersectContext(&queries->embree);
-    queries->embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(valid, geometry->scene, &queries->embree,
-                   (struct RTCRayHit16 *)packet);
+    embree_nearest16(valid, geometry->scene, &queries->embree,
+                     (struct RTCRayHit16 *)packet);
 }
 
 void geometry_trace_many(const struct geometry *geometry, struct query *queries,

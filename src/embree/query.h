@@ -6,15 +6,14 @@
 #ifndef EMBREE_QUERY_H
 #define EMBREE_QUERY_H
 
-#include <embree3/rtcore.h>
-
+#include "embree/rtcore.h"
 #include "embree/slab.h"
 #include "embree/world.h"
 
 enum { QUERY_RECENT = 16 };
 
 struct query {
-    struct RTCIntersectContext embree; /* first: Embree gives this pointer */
+    embree_context embree; /* first: Embree gives this pointer */
     struct ray ray;
     struct slabs slabs;
     double tmin, tmax; /* tmax: the best crossing so far */
@@ -45,7 +44,7 @@ enum { LANE_TFAR = 8, LANE_ID = 10, LANE_HIT = 12 }; /* of a ray */
 enum { LANE_PRIMITIVE = 5, LANE_GEOMETRY = 6, LANE_INSTANCE = 7 }; /* a hit */
 
 /* The query of ray i of N. */
-static inline struct query *query_lane(struct RTCIntersectContext *context,
+static inline struct query *query_lane(embree_context *context,
                                        const void *rays, unsigned n, unsigned i)
 {
     return (struct query *)context + ((const unsigned *)rays)[LANE_ID * n + i];

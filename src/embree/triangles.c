@@ -228,6 +228,20 @@ static bool check_limit(struct flat *flat, size_t triangles, size_t vertices)
     return false;
 }
 
+static bool mesh_is_shared(const struct mesh_entry *entry)
+{
+    return entry->uses > 1 && entry->mesh->triangle_count > TRIANGLES_SHARED;
+}
+
+bool triangles_any_shared(const struct flat *flat)
+{
+    const struct mesh_table *table = &flat->meshes_used;
+    for (size_t i = 0; i < table->capacity; i++)
+        if (table->entries[i].mesh && mesh_is_shared(&table->entries[i]))
+            return true;
+    return false;
+}
+
 bool triangles_add(struct triangles *triangles, struct flat *flat,
                    RTCDevice device, RTCScene scene, vec3 centre)
 {
@@ -241,7 +255,7 @@ bool triangles_add(struct triangles *triangles, struct flat *flat,
         const struct leaf *leaf = flat->meshes.items[i];
         struct mesh_entry *entry = mesh_table_entry(
             flat->arena, &flat->meshes_used, leaf->object->mesh);
-        if (entry->uses > 1 && entry->mesh->triangle_count > TRIANGLES_SHARED) {
+        if (mesh_is_shared(entry)) {
             if (!add_instance(triangles, entry, leaf, device, scene))
                 return false;
         } else {

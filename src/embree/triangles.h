@@ -3,10 +3,9 @@
 #ifndef EMBREE_TRIANGLES_H
 #define EMBREE_TRIANGLES_H
 
-#include <embree3/rtcore.h>
-
 #include "embree/flatten.h"
 #include "embree/query.h"
+#include "embree/rtcore.h"
 
 enum {
     TRIANGLES_SHARED = 1000,     /* a mesh larger than this is not copied */
@@ -32,6 +31,9 @@ struct triangles {
     const struct leaf **leaves; /* by Embree's number of the instance */
     size_t leaf_room;
 };
+
+/* Whether a mesh of flat->meshes will be shared by instances. */
+bool triangles_any_shared(const struct flat *flat);
 
 /* Adds flat->meshes to `scene`, which is at `centre`. False after an error was
  * printed. */

@@ -241,7 +241,7 @@ static void png_take_row(const struct png_reader *r, const unsigned char *row,
 {
     bool grey = r->channels < 3;
     for (int x = 0; x < r->width; x++, out += 4) {
-        float in[4];
+        float in[4] = { 0 };
         for (int c = 0; c < r->channels; c++, row += r->depth / 8)
             in[c] = r->depth == 16
                         ? (float)(row[0] << 8 | row[1]) * (1.0f / 65535)

@@ -401,6 +401,59 @@ static void triangles_are_hit_exactly(void **state)
     }
 }
 
+/* `copies` of a mesh, hit as each triangle says, however many rays the world
+ * is built for: fewer than triangles, or very many. Returns how many of eight
+ * rays were clear of edges. */
+static int hit_copies(struct dice *dice, size_t triangles, size_t copies,
+                      double camera_rays)
+{
+    struct scene *scene = scene_new(0);
+    struct diag diag = { .out = NULL };
+    const struct mesh *mesh = random_mesh(scene, dice, triangles);
+    struct object **objects =
+        ARENA_ARRAY(scene->arena, struct object *, copies);
+    for (size_t i = 0; i < copies; i++) {
+        objects[i] = mesh_object(scene, mesh);
+        move_at_random(scene, objects[i], dice);
+        scene_add(scene, objects[i]);
+    }
+    struct world *world = world_new(scene, 2, camera_rays, &diag);
+    assert_non_null(world);
+    assert_int_equal(world_triangle_count(world), triangles * copies);
+    int sure = 0;
+    for (int i = 0; i < 8; i++) {
+        struct ray ray = random_ray(dice);
+        struct intersection at;
+        double nearest;
+        int hits;
+        if (!slow_triangles(objects, copies, &ray, &nearest, &hits))
+            continue;
+        sure++;
+        assert_true(world_closest(world, &ray, 0, RAY_CAMERA, &at) ==
+                    (hits > 0));
+        if (hits > 0)
+            assert_true(fabs(at.t - nearest) < 1e-5);
+    }
+    world_free(world);
+    scene_free(scene);
+    return sure;
+}
+
+static void instances_of_every_size_are_hit(void **state)
+{
+    (void)state;
+    static const size_t sizes[] = { 1, 999, 1000, 1001, 10000 };
+    static const double rays[] = { 0, 300, 76800, 1e9 };
+    struct dice dice = { 10 };
+    int sure = 0;
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 4; k++) {
+            sure += hit_copies(&dice, sizes[i], 2, rays[k]);
+            sure += hit_copies(&dice, sizes[i], 25, rays[k]);
+        }
+    assert_true(sure > 160);
+}
+
 /* A closed mesh with an inside takes part in CSG. */
 static void meshes_are_cut(void **state)
 {
@@ -697,6 +750,7 @@ int main(void)
         cmocka_unit_test(solids_have_the_boundaries_of_their_insides),
         cmocka_unit_test(crowds_give_the_nearest),
         cmocka_unit_test(triangles_are_hit_exactly),
+        cmocka_unit_test(instances_of_every_size_are_hit),
         cmocka_unit_test(meshes_are_cut),
         cmocka_unit_test(properties_come_down_the_tree),
         cmocka_unit_test(polyhedra_are_bounded),
