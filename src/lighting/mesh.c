@@ -5,6 +5,7 @@
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
 #include "lighting/mesh_close.h"
+#include "lighting/mesh_diffuse.h"
 #include "lighting/mesh_few.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_pixels.h"
@@ -336,7 +337,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     struct mesh_known known;
     mesh->ambience = ambience_new(world, scene);
     if (options->attempt == 0 && mesh->ambience.sky)
-        ambient_dropped(scene, "mesh", diag);
+        ambient_dropped(scene, diag);
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     if (options->keep || said->load_file)
         mesh->stamp =
@@ -474,33 +475,6 @@ static rgb mesh_many(const struct mesh_lighting *mesh,
     return light;
 }
 
-/* Indirect and ambient light on the first layer. */
-static struct diffuse_light mesh_indirect(const struct mesh_lighting *mesh,
-                                          struct worker *worker,
-                                          const struct surface *surface)
-{
-    const struct surface_layer *layer = &surface->layer[0];
-    const struct ambience *ambience = &mesh->ambience;
-    rgb ambient = rgb_mul(surface_ambient(surface), ambience->light);
-    struct diffuse_light none = { rgb_grey(0), rgb_grey(0) };
-    if (layer->finish->diffuse == 0 && rgb_peak(ambient) == 0)
-        return none;
-    struct indirect_place place = {
-        .place = surface->point,
-        .side = surface->side,
-        .normal = layer->normal,
-        .from = vec3_along(surface->point, surface->view, surface->at->t),
-        .worth = surface->weight * fmax(rgb_peak(surface_albedo(surface)),
-                                        rgb_peak(ambient)),
-    };
-    struct indirect_share share =
-        indirect_mesh_light(&mesh->near_indirect, worker, &place);
-    if (ambience->everywhere)
-        share.open = 1;
-    return (struct diffuse_light){ rgb_scale(ambience->light, share.open),
-                                   share.light };
-}
-
 static struct diffuse_light mesh_illuminate(const void *state,
                                             struct worker *worker,
                                             const struct surface *surface,
@@ -524,7 +498,8 @@ static struct diffuse_light mesh_illuminate(const void *state,
     else
         mesh_few_give(&mesh->near_direct, mesh->few, &mesh->pixels, &light);
     if (mesh->indirect) {
-        struct diffuse_light more = mesh_indirect(mesh, worker, surface);
+        struct diffuse_light more = mesh_diffuse(
+            &mesh->near_indirect, &mesh->ambience, worker, surface);
         diffuse.ambient = more.ambient;
         diffuse.irradiance = rgb_add(diffuse.irradiance, more.irradiance);
     }

@@ -25,7 +25,7 @@ struct gathering {
     struct worker *worker;
     const struct draws *draws;
     struct ray ray;
-    rgb share;   /* of what it meets next */
+    rgb share;    /* of what it meets next */
     double *open; /* the sum of what leaves the scene */
     int mirrors;
     uint32_t met; /* surfaces */
@@ -40,6 +40,21 @@ static void gathering_opens(struct gathering *gathering, double open)
     double share = rgb_brightness(gathering->share);
     if (!gathering->gather->ambience->sky)
         *gathering->open += open * share;
+}
+
+/* Fog on the way over `distance`: it weakens what is behind, and is as much sky
+ * as it hides. */
+static void gathering_fog(struct gathering *gathering, double distance,
+                          rgb *light)
+{
+    const struct ambience *ambience = gathering->gather->ambience;
+    if (ambience->scene->fogs.count == 0)
+        return;
+    struct veil veil = fog_veil(ambience->scene, &gathering->ray, distance);
+    if (ambience->sky)
+        *light = rgb_add(*light, rgb_mul(gathering->share, veil.light));
+    gathering_opens(gathering, 1 - rgb_brightness(veil.through));
+    gathering->share = rgb_mul(gathering->share, veil.through);
 }
 
 static vec3 gathering_jitter(const struct gathering *gathering)
@@ -93,9 +108,9 @@ static rgb gathering_direct(const struct gathering *gathering,
 
 /* All light on the surface. Where the skeleton ends the row of bounces it has
  * the ambient light as well. */
-static struct indirect_share
-gathering_share(const struct gathering *gathering,
-                const struct surface *surface, vec3 normal)
+static struct indirect_share gathering_share(const struct gathering *gathering,
+                                             const struct surface *surface,
+                                             vec3 normal)
 {
     const struct gather *gather = gathering->gather;
     struct worker *worker = gathering->worker;
@@ -106,8 +121,8 @@ gathering_share(const struct gathering *gathering,
         indirect_mesh_nearest(gather->indirect, worker, place, side, normal,
                               gathering_jitter(gathering), &more)) {
     } else if (gather->close) {
-        more.light = gather->close(gather->close_context, worker, place,
-                                   normal, gathering->ray.origin);
+        more.light = gather->close(gather->close_context, worker, place, normal,
+                                   gathering->ray.origin);
     } else if (gather->indirect) {
         more = indirect_mesh_light(
             gather->indirect, worker,
@@ -215,6 +230,17 @@ static bool gathering_meet(struct gathering *gathering,
     return rgb_peak(gathering->share) >= least;
 }
 
+/* The ray leaves the scene. */
+static rgb gathering_beyond(struct gathering *gathering)
+{
+    const struct ambience *ambience = gathering->gather->ambience;
+    gathering_opens(gathering, 1);
+    if (!ambience->sky)
+        return rgb_grey(0);
+    rgb sky = background_light(ambience->scene, gathering->ray.direction);
+    return rgb_mul(gathering->share, sky);
+}
+
 /* All light. What is met first into *first, and that one's own light into
  * *glow, where these are wanted. */
 static rgb gathering_follow(struct gathering *gathering,
@@ -226,17 +252,11 @@ static rgb gathering_follow(struct gathering *gathering,
     for (int i = 0; i < PANES_MAX; i++) {
         double offset = surface_offset(gathering->ray.origin);
         gathering->worker->counters.shadow_rays++;
-        if (!world_closest(lamps->world, &gathering->ray, offset,
-                           RAY_REFLECTION, at)) {
-            gathering_opens(gathering, 1);
-            return gathering->gather->ambience->sky
-                       ? rgb_add(light,
-                                 rgb_mul(gathering->share,
-                                         background_light(
-                                             lamps->scene,
-                                             gathering->ray.direction)))
-                       : light;
-        }
+        bool met = world_closest(lamps->world, &gathering->ray, offset,
+                                 RAY_REFLECTION, at);
+        gathering_fog(gathering, met ? at->t : (double)INFINITY, &light);
+        if (!met)
+            return rgb_add(light, gathering_beyond(gathering));
         if (!gathering_meet(gathering, at, &light, i == 0 ? glow : NULL))
             break;
         at = &next;

@@ -258,8 +258,8 @@ static void fill_gather(const void *context, struct worker *worker,
         direct_mesh_around(&mesh->direct, worker, site, &lamps);
     while (2 * count <= most && !worker_stopped(worker)) {
         struct gathered more = gatherer_mean(&gatherer, count, 2 * count);
-        double error = halves_error(&light, &more, &lamps,
-                                    mesh->gather.ambience);
+        double error =
+            halves_error(&light, &more, &lamps, mesh->gather.ambience);
         gathered_average(&light, &more);
         count *= 2;
         if (error < mesh->error * (count < (uint32_t)mesh->usual ? 1 : rough))
@@ -379,11 +379,10 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
     struct mesh_blend blend;
     struct indirect_light sum = light_none;
     if (at->worth < worth_least && gather->close)
-        return (struct indirect_share){
-            gather->close(gather->close_context, worker, at->place, at->normal,
-                          at->from),
-            0
-        };
+        return (struct indirect_share){ gather->close(gather->close_context,
+                                                      worker, at->place,
+                                                      at->normal, at->from),
+                                        0 };
     point_mesh_blend(&mesh->points, worker, at->place, at->side, at->worth,
                      &blend);
     for (int i = 0; i < blend.count; i++)

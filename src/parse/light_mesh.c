@@ -5,12 +5,10 @@
 enum { REGION_LIMIT = 1000 };
 
 static const struct field mesh_names[] = {
-    { .name = "quality" },   { .name = "density" },
-    { .name = "radius" },    { .name = "model" },
-    { .name = "shadows" },   { .name = "interpolation" },
-    { .name = "threshold" }, { .name = "levels" },
-    { .name = "sky" },       { .name = "indirect" },
-    { .name = "region" },    { .name = "load_file" },
+    { .name = "quality" },   { .name = "density" }, { .name = "radius" },
+    { .name = "model" },     { .name = "shadows" }, { .name = "interpolation" },
+    { .name = "threshold" }, { .name = "levels" },  { .name = "sky" },
+    { .name = "indirect" },  { .name = "region" },  { .name = "load_file" },
     { .name = NULL },
 };
 

@@ -223,16 +223,6 @@ static void settings_filters(struct parser *p)
         p->finishes.items[i]->old_filter = old;
 }
 
-/* More ambient light than finishes have anyway, and than they would scatter in
- * surroundings half as bright as white, doesn't stand for light from elsewhere:
- * the surface is meant to glow. */
-static bool ambient_glows(const struct finish *finish, rgb light)
-{
-    double ambient = rgb_peak(rgb_mul(finish->ambient, light));
-    return ambient > rgb_peak(finish_default().ambient) &&
-           ambient > 0.5 * finish->diffuse;
-}
-
 /* What glows is seen as in POV-Ray by every lighting: skies painted on planes,
  * signs, pictures. Where sky and background light the scene, what reflects
  * nothing is a lamp as well, as `emission` says. But since version 3.7
@@ -247,7 +237,8 @@ static void settings_glows(struct parser *p)
         struct finish *finish = p->finishes.items[i];
         bool lamp = finish->diffuse == 0 && finish->diffuse_back == 0;
         rgb glow = rgb_mul(finish->ambient, settings->ambient_light);
-        if (!ambient_glows(finish, settings->ambient_light) || (sky && !lamp))
+        if (!finish_is_to_glow(finish, settings->ambient_light) ||
+            (sky && !lamp))
             continue;
         if (sky)
             finish->emission = rgb_add(finish->emission, glow);

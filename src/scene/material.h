@@ -201,6 +201,11 @@ struct material {
 };
 
 struct finish finish_default(void);
+
+/* Whether its ambient light is more than finishes have anyway, and than they
+ * would scatter in surroundings half as bright as white: then it doesn't stand
+ * for light from elsewhere, but the surface is meant to glow. */
+bool finish_is_to_glow(const struct finish *finish, rgb ambient_light);
 struct interior interior_default(void);
 
 /* Opaque black, as POV-Ray's. */

@@ -96,9 +96,8 @@ rgb surface_ambient(const struct surface *surface)
     return sum;
 }
 
-double ambience_open(const struct ambience *ambience,
-                     const struct world *world, struct worker *worker,
-                     const struct ray *ray)
+double ambience_open(const struct ambience *ambience, const struct world *world,
+                     struct worker *worker, const struct ray *ray)
 {
     struct ray rest = *ray;
     double open = 0, left = 1;
@@ -111,6 +110,11 @@ double ambience_open(const struct ambience *ambience,
         if (!world_closest(world, &rest, surface_offset(rest.origin),
                            RAY_REFLECTION, &at))
             return open + left;
+        if (ambience->scene->fogs.count > 0) {
+            rgb clear = fog_veil(ambience->scene, &rest, at.t).through;
+            open += left * (1 - rgb_brightness(clear));
+            left *= rgb_brightness(clear);
+        }
         struct surface_view view = { .direction = rest.direction,
                                      .ior = 1,
                                      .quality = QUALITY_FOG,

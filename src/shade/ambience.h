@@ -30,9 +30,8 @@ rgb ambience_beyond(const struct ambience *ambience, vec3 direction);
 
 /* How open the scene is along the ray, 0 to 1: past what it meets of panes, and
  * 1 where it meets nothing. What glows by its ambient light is sky as well. */
-double ambience_open(const struct ambience *ambience,
-                     const struct world *world, struct worker *worker,
-                     const struct ray *ray);
+double ambience_open(const struct ambience *ambience, const struct world *world,
+                     struct worker *worker, const struct ray *ray);
 
 /* How much of a surface is such a sky. */
 double surface_sky(const struct surface *surface);

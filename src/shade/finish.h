@@ -28,7 +28,12 @@ rgb surface_glow(const struct surface *surface);
 /* The sum of finish_shine. */
 rgb surface_shine(const struct surface *surface);
 
-/* What it sends back of irradiance, without highlights and mirrors. */
+/* Whiter than any paint. */
+#define ALBEDO_MOST 0.95
+
+/* What it sends back of irradiance, without highlights and mirrors, on to other
+ * surfaces: never all of it, whatever the finish says, or the light between two
+ * of them would grow without end. */
 rgb surface_albedo(const struct surface *surface);
 
 /* Whether light that meets the layer at this cosine (negative: from behind)

@@ -95,6 +95,8 @@ static rgb lamp_reaches(const struct patches_task *task,
                         const struct lamp *lamp,
                         const struct patch_point *point, uint64_t key)
 {
+    const struct scene *scene = task->from->ambience->scene;
+    bool fog = lamp->light->media_attenuation && scene->fogs.count > 0;
     struct worker worker = { 0 };
     struct lamp_view view;
     vec3 location = lamp_point(lamp, point->at.point, key);
@@ -102,7 +104,8 @@ static rgb lamp_reaches(const struct patches_task *task,
     struct shadow_path path = { .point = point->at.point,
                                 .direction = view.direction,
                                 .distance = view.distance,
-                                .light = lamp->number };
+                                .light = lamp->number,
+                                .fog = fog ? scene : NULL };
     if (rgb_peak(light) == 0 || lamp->light->shadowless)
         return light;
     return rgb_mul(light, shadow_visibility(task->from->world, &worker, &path));

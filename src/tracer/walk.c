@@ -95,11 +95,25 @@ static void walk_veil(struct walk *walk, const struct veil *veil)
     walk->clear *= rgb_brightness(veil->through);
 }
 
+static const struct ambience *walk_ambience(const struct walk *walk)
+{
+    const struct light_set *set = walk->tracer->lighting_state;
+    return &set->ambience;
+}
+
+/* Sky and fog are seen, but light nothing unless they are lamps. */
+static bool walk_sees_sky(const struct walk *walk)
+{
+    return walk->split || walk_ambience(walk)->sky;
+}
+
 static void walk_fog(struct walk *walk, double distance)
 {
     if (!tracer_foggy(walk->tracer, &walk->inside))
         return;
     struct veil veil = fog_veil(walk->tracer->scene, &walk->ray, distance);
+    if (!walk_sees_sky(walk))
+        veil.light = rgb_grey(0);
     walk_veil(walk, &veil);
 }
 
@@ -437,12 +451,6 @@ static bool walk_survives(struct walk *walk, const struct draws *draws,
     return true;
 }
 
-static const struct ambience *walk_ambience(const struct walk *walk)
-{
-    const struct light_set *set = walk->tracer->lighting_state;
-    return &set->ambience;
-}
-
 /* Light that only `ambient` speaks of. */
 static void walk_ambient(struct walk *walk, const struct meeting *meeting)
 {
@@ -461,12 +469,22 @@ static void walk_ambient(struct walk *walk, const struct meeting *meeting)
     walk_gather(walk, rgb_scale(share, open));
 }
 
+/* Finishes may send back more than they get. What the camera sees of such a
+ * surface is as bright as it says; from one surface to the next the light must
+ * not grow (shade/finish.h, surface_albedo). */
+static void walk_restrain(struct walk *walk, const struct meeting *meeting)
+{
+    double total = meeting->lobes.total;
+    if (!walk->split && total > ALBEDO_MOST)
+        walk->share = rgb_scale(walk->share, ALBEDO_MOST / total);
+}
+
 /* What lies beyond all surfaces. */
 static rgb walk_beyond(const struct walk *walk, double *clear)
 {
     rgb light = tracer_background(walk->tracer, walk->ray.direction,
                                   walk->straight, clear);
-    return walk->split || walk_ambience(walk)->sky ? light : rgb_grey(0);
+    return walk_sees_sky(walk) ? light : rgb_grey(0);
 }
 
 /* Meets what the ray hits. False if the path ends there. */
@@ -488,6 +506,7 @@ static bool walk_meet(struct walk *walk, struct meeting *meeting)
     walk_gather(walk, glow);
     walk_ambient(walk, meeting);
     lobes_fill(&meeting->lobes, surface);
+    walk_restrain(walk, meeting);
     if (meeting->lobes.total > 0)
         walk_direct(walk, meeting);
     return walk_on(walk, meeting);
