@@ -8,12 +8,12 @@
 
 #include "base/text.h"
 #include "cli/output_name.h"
-#include "lighting/lighting.h"
 #include "lightmesh/interpolation.h"
 #include "scene/pattern.h"
 #include "scene/primitive.h"
 #include "skeleton/heuristic.h"
 #include "token/word.h"
+#include "tracer/integrator.h"
 
 enum { HELP_COLUMN = 34, HELP_WIDTH = 79 };
 
@@ -188,18 +188,18 @@ static void help_print_man(void)
 }
 
 /* Names and help of all plug-ins of a kind. */
-#define LIST(kind)                                                             \
+#define LIST(kind, at)                                                         \
     static void help_list_##kind(void)                                         \
     {                                                                          \
-        for (size_t i = 0; kind##_at(i); i++)                                  \
-            printf("%-20s %s\n", kind##_at(i)->name, kind##_at(i)->help);      \
+        for (size_t i = 0; at(i); i++)                                         \
+            printf("%-20s %s\n", at(i)->name, at(i)->help);                    \
     }
 
-LIST(primitive)
-LIST(pattern)
-LIST(lighting)
-LIST(interpolation)
-LIST(heuristic)
+LIST(primitive, primitive_at)
+LIST(pattern, pattern_at)
+LIST(lighting, integrator_lighting_at)
+LIST(interpolation, interpolation_at)
+LIST(heuristic, heuristic_at)
 
 static void help_list_formats(void)
 {

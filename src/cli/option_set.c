@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 #include "cli/output_name.h"
-#include "lighting/lighting.h"
+#include "tracer/integrator.h"
 
 /* An INI file may be long: a list that nobody means is not searched. */
 enum { LIBRARY_LIMIT = 1000 };
@@ -384,15 +384,15 @@ bool set_lighting(struct option_reader *reader, const struct option *option,
         options->list_what = "lightings";
         return true;
     }
-    options->lighting = lighting_find(setting->value);
+    options->lighting = integrator_lighting_find(setting->value);
     if (options->lighting)
         return true;
     struct text_nearest nearest = text_nearest_start(setting->value);
-    for (size_t i = 0; lighting_at(i); i++)
-        text_nearest_try(&nearest, lighting_at(i)->name);
-    return option_fail(reader, setting, "there is no lighting '%s': type %s",
-                       setting->value,
-                       nearest.best ? nearest.best : lighting_at(0)->name);
+    for (size_t i = 0; integrator_lighting_at(i); i++)
+        text_nearest_try(&nearest, integrator_lighting_at(i)->name);
+    return option_fail(
+        reader, setting, "there is no lighting '%s': type %s", setting->value,
+        nearest.best ? nearest.best : integrator_lighting_at(0)->name);
 }
 
 bool set_action(struct option_reader *reader, const struct option *option,

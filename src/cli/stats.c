@@ -1,6 +1,7 @@
 /* --stats: see stats.h. */
 #include "cli/stats.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "base/clock.h"
@@ -53,6 +54,15 @@ static void stats_time(const char *what, double seconds)
     fprintf(stderr, "%-16s %12.3f s\n", what, seconds);
 }
 
+static void stats_amount(const char *what, double amount, const char *unit)
+{
+    if (isnan(amount))
+        fprintf(stderr, "%-16s %s\n", what, unit);
+    else
+        fprintf(stderr, "%-16s %12.*f%s%s\n", what, unit[0] ? 3 : 0, amount,
+                unit[0] ? " " : "", unit);
+}
+
 void stats_print(const struct stats *stats)
 {
     stats_count("shapes", stats->leaves);
@@ -67,9 +77,8 @@ void stats_print(const struct stats *stats)
                 100 * stats->rays.error);
     }
     for (int i = 0; i < stats->row_count; i++)
-        fprintf(stderr, "%-16s %12.*f%s%s\n", stats->rows[i].what,
-                stats->rows[i].unit[0] ? 3 : 0, stats->rows[i].amount,
-                stats->rows[i].unit[0] ? " " : "", stats->rows[i].unit);
+        stats_amount(stats->rows[i].what, stats->rows[i].amount,
+                     stats->rows[i].unit);
     stats_time("parsing", stats->parsing);
     stats_time("building", stats->building);
     stats_time("rendering", stats->rendering);

@@ -1,6 +1,7 @@
 /* The one question the tracer asks: what light reaches this surface point?
  * Each method is one file beside this one and one row of list.h; the tracer,
- * the finishes and the tests never know which is at work.
+ * the finishes and the tests never know which is at work. (An integrator that
+ * asks none has one too, without `illuminate`: tracer/integrator.h.)
  *
  * A method answers in two parts: light from known directions (lamps), one
  * light_sample each, which diffuse reflection and highlights both use; and
@@ -53,16 +54,14 @@ struct diffuse_light {
     rgb irradiance; /* multiplies finish diffuse */
 };
 
-/* Takes a line of --stats: what, how much, and its unit or "". */
+/* Takes a line of --stats: what, how much, and its unit or ""; NAN: the unit
+ * says all. */
 typedef void lighting_row(void *context, const char *what, double amount,
                           const char *unit);
 
 struct lighting {
     const char *name;
     const char *help;
-    /* The tracer follows whole paths, sample by sample (tracer/path.h), and
-     * never asks illuminate, which is NULL. */
-    bool whole_paths;
     /* State for one picture, or NULL after an error was printed, or when it was
      * stopped. */
     void *(*start)(const struct world *world, const struct scene *scene,

@@ -3,4 +3,3 @@
 X(mesh)
 X(rays)
 X(skeleton)
-X(path)

@@ -16,13 +16,15 @@
 #include "lightmesh/facet_mesh.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
+#include "lightmesh/plan.h"
+#include "lightmesh/tuning.h"
 #include "shade/finish.h"
 
 struct mesh_lighting {
     struct lamps lamps;
     struct ambience ambience;
     struct direct_mesh *direct;
-    enum mesh_few_way few;
+    struct plan plan;
     struct emitters *emitters;      /* with indirect light */
     struct indirect_mesh *indirect; /* or NULL */
     struct scalar_mesh *scalar;     /* of model scalar, in place of them all */
@@ -36,172 +38,6 @@ struct mesh_lighting {
     struct indirect_mesh near_indirect;
     struct mesh_stamp stamp;
 };
-
-/* What a mesh needs where the scene says nothing. */
-enum {
-    FEW_LAMPS = 24,
-    SHARP_LAMPS = 1000, /* known one by one for shadows sharp, unless few */
-    MESH_BYTES = 120 * 1000 * 1000,
-    INDIRECT_BYTES = 30 * 1000 * 1000, /* of them, with indirect light */
-    ATTEMPTS = 12,                     /* to choose a spacing that fits */
-    BOUNCES = 6,
-    SCALAR_SAMPLES = 100,
-    CLOSED_BOUNCES = 1, /* when the skeleton knows the rest */
-    SAMPLES = 256,      /* gather rays of a mesh point, */
-    ROUGH_SAMPLES = 4,  /* so many times as many where they differ much */
-    ADAPTIVE_LEVELS = 2,
-};
-
-/* Where mesh points differ by more, adaptive meshes have finer ones. */
-static const double adaptive_threshold = 0.2;
-
-/* Gathering stops when the halves of the samples differ by less. */
-static const double gather_error = 0.042;
-
-/* So many cells of the indirect mesh across what is seen are fine enough. */
-static const double indirect_cells = 40;
-
-/* Where the picture shows more cells at a time the indirect mesh is coarser,
- * and may be rough: a cell serves few pixels, and no picture shows it. */
-static const double crowd = 4;
-
-/* The next attempt's spacing: half as many points on a surface. */
-static const double coarser = 1.4142135623730951;
-
-/* Pixels from mesh point to mesh point. */
-static const double mesh_pixels = 20;
-
-static double mesh_finer(const struct light_mesh_settings *said)
-{
-    return pow(1.3, (said->quality > 0 ? said->quality : 5) - 5);
-}
-
-static struct mesh_frame mesh_frame(const struct light_mesh_settings *said,
-                                    const struct camera *camera,
-                                    const struct outlook *outlook, int attempt)
-{
-    double spacing = mesh_pixels * outlook->pixel;
-    spacing = fmin(fmax(spacing, outlook->size / 256), outlook->size / 24);
-    spacing /= mesh_finer(said);
-    if (said->density > 0)
-        spacing = 1 / said->density;
-    return (struct mesh_frame){
-        .spacing = spacing * pow(coarser, attempt),
-        .wanted = spacing,
-        .near = 2 * outlook->distance,
-        .eye = camera->location,
-        .centre = outlook->centre,
-        .size = outlook->size,
-    };
-}
-
-/* Shadows may be as fine as pixels; what surfaces give each other is as smooth
- * as their distances are large, however large the picture is. */
-static struct lattice
-mesh_indirect_lattice(const struct light_mesh_settings *said,
-                      const struct lattice *direct, double size)
-{
-    struct lattice lattice = *direct;
-    double least = size / (indirect_cells * mesh_finer(said));
-    while (!(said->density > 0) &&
-           lattice_spacing(&lattice, lattice.usual) < least)
-        lattice.spacing *= 2;
-    return lattice;
-}
-
-static struct lattice frame_lattice(const struct mesh_frame *frame)
-{
-    return (struct lattice){ .spacing = frame->spacing,
-                             .eye = frame->eye,
-                             .near = frame->near };
-}
-
-/* Levels by which the indirect mesh is coarser than its lattice. */
-static int mesh_coarser(const struct light_mesh_settings *said,
-                        const struct world *world, const struct camera *camera,
-                        const struct outlook *outlook,
-                        const struct mesh_frame *frame)
-{
-    if (!said->indirect.on || said->density > 0)
-        return 0;
-    struct lattice lattice = frame_lattice(frame);
-    lattice = mesh_indirect_lattice(said, &lattice, frame->size);
-    return outlook_crowding(world, camera, outlook, &lattice) > crowd;
-}
-
-/* Levels are none unless they, or a threshold, are said. */
-static struct refinement mesh_refinement(const struct light_mesh_settings *said)
-{
-    int levels = said->threshold > 0 ? ADAPTIVE_LEVELS : 0;
-    return (struct refinement){
-        .levels = said->levels > 0 ? said->levels : levels,
-        .threshold = said->threshold > 0 ? said->threshold : adaptive_threshold,
-    };
-}
-
-static struct direct_options
-mesh_options(const struct light_mesh_settings *said,
-             const struct mesh_frame *frame)
-{
-    double finer = mesh_finer(said);
-    struct direct_options options = {
-        .lattice = frame_lattice(frame),
-        .radius = said->radius / frame->spacing,
-        .refinement = mesh_refinement(said),
-        .few = said->shadows == MESH_SHADOWS_SHARP ? SHARP_LAMPS : FEW_LAMPS,
-        .budget = (int)(24 * finer),
-        .centre = frame->centre,
-        .size = frame->size,
-        .finer = finer,
-        .bytes = MESH_BYTES - (said->indirect.on ? INDIRECT_BYTES : 0),
-    };
-    return options;
-}
-
-/* How lamps are asked that are known one by one. */
-static enum mesh_few_way mesh_few_way(const struct light_mesh_settings *said,
-                                      size_t lamps)
-{
-    if (said->shadows == MESH_SHADOWS_SOFT)
-        return MESH_FEW_BLENDED;
-    return lamps > FEW_LAMPS ? MESH_FEW_SETTLED : MESH_FEW_ASKED;
-}
-
-/* Gathered light differs from point to point by chance, which lamps' doesn't:
- * unless the scene says another it is evened out. */
-static const char gathered_interpolation[] = "smooth";
-
-/* Indirect light. */
-static void mesh_bounces(struct mesh_lighting *mesh,
-                         const struct light_mesh_settings *said,
-                         const struct direct_options *direct)
-{
-    const struct skeleton *skeleton = mesh->close.skeleton;
-    int usual = skeleton ? CLOSED_BOUNCES : BOUNCES;
-    int samples = said->indirect.samples, bounces = said->indirect.bounces;
-    int crowded = mesh->stamp.frame.coarser;
-    double finer = direct->finer;
-    int enough = samples > 0 ? samples : (int)(SAMPLES * finer * finer);
-    struct indirect_options options = {
-        .ambience = &mesh->ambience,
-        .lattice = mesh_indirect_lattice(said, &direct->lattice, direct->size),
-        .interpolation = said->interpolation
-                             ? direct->interpolation
-                             : interpolation_find(gathered_interpolation),
-        .radius = direct->radius,
-        .refinement = direct->refinement,
-        .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
-        .usual = enough,
-        .samples = samples > 0 || crowded > 0 ? enough : ROUGH_SAMPLES * enough,
-        .error = gather_error / finer,
-        .bytes = INDIRECT_BYTES,
-        .close = skeleton ? mesh_close_light : NULL,
-        .close_context = skeleton,
-    };
-    options.lattice.coarser = crowded;
-    mesh->emitters = emitters_new(mesh->lamps.world);
-    mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters, &options);
-}
 
 /* The paper's meshes. */
 static struct scalar_mesh *mesh_literal(const struct lamps *lamps,
@@ -250,37 +86,25 @@ static size_t mesh_points(const struct mesh_lighting *mesh,
     return count;
 }
 
-/* Whether it was said what the points in space are to be, or where they go or
- * come from: then they light the picture. */
-static bool mesh_is_said(const struct light_mesh_settings *said)
-{
-    return said->shadows != MESH_SHADOWS_AUTO || said->density > 0 ||
-           said->radius > 0 || said->levels > 0 || said->threshold > 0 ||
-           said->regions.count > 0 || said->save_file || said->load_file;
-}
-
 /* The meshes, as far as they are known. */
 static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
-                      const struct interpolation *interpolation,
                       const struct mesh_known *known, struct diag *diag)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     const struct point_mesh *meshes[MESHES_MAX];
-    struct direct_options options = mesh_options(said, &mesh->stamp.frame);
-    options.interpolation = interpolation;
-    lattice_set_regions(&options.lattice, said->regions.items,
-                        said->regions.count);
-    lattice_make_finer(&options.lattice, options.refinement.levels);
-    mesh->few = mesh_few_way(said, mesh->lamps.count);
+    struct direct_options *options = &mesh->plan.direct;
     if (said->model == MESH_MODEL_SCALAR) {
-        mesh->scalar = mesh_literal(&mesh->lamps, said, &options);
+        mesh->scalar = mesh_literal(&mesh->lamps, said, options);
     } else {
-        mesh->direct = direct_mesh_new(&mesh->lamps, &options);
+        mesh->direct = direct_mesh_new(&mesh->lamps, options);
         mesh->near_direct = *mesh->direct;
         mesh->near_direct.points.lattice.eye = scene->camera.location;
     }
-    if (said->indirect.on && mesh->direct) {
-        mesh_bounces(mesh, said, &options);
+    if (mesh->plan.indirect.bounces > 0 && mesh->direct) {
+        mesh->emitters = emitters_new(mesh->lamps.world);
+        mesh->indirect =
+            indirect_mesh_new(mesh->direct, mesh->emitters, &mesh->ambience,
+                              &mesh->plan.indirect);
         mesh->near_indirect = *mesh->indirect;
         mesh->near_indirect.points.lattice.eye = scene->camera.location;
     }
@@ -288,38 +112,11 @@ static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
         .direct = mesh->direct,
         .indirect = mesh->indirect,
         .scalar = mesh->scalar,
-        .spacing = lattice_spacing(&options.lattice, options.lattice.usual),
-        .size = options.size,
+        .spacing = lattice_spacing(&options->lattice, options->lattice.usual),
+        .size = options->size,
         .bytes = MESH_BYTES,
     };
     return mesh_known_fill(known, meshes, mesh_points(mesh, meshes), diag);
-}
-
-/* Few lamps that surfaces ask themselves may look at pixels, and many if
- * nothing is said of the mesh that else would know of them. */
-static struct mesh_pixels mesh_looks(const struct mesh_lighting *mesh,
-                                     const struct scene *scene, double pixel)
-{
-    const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    const struct direct_mesh *direct = mesh->direct;
-    struct mesh_pixels pixels =
-        mesh_pixels_new(&mesh->lamps, scene, mesh_finer(said), pixel);
-    pixels.each = direct && !direct->many;
-    bool asks = pixels.each ? mesh->few == MESH_FEW_ASKED
-                            : direct && direct->facets && !mesh_is_said(said);
-    pixels.off = pixels.off || !asks;
-    pixels.soft = pixels.soft && pixels.each && asks;
-    return pixels;
-}
-
-/* What of `shadows` counts for what mesh points hold: of few lamps, and where
- * none is asked for, the same. */
-static enum mesh_shadows mesh_held(const struct light_mesh_settings *said,
-                                   size_t lamps)
-{
-    return lamps > FEW_LAMPS && said->shadows == MESH_SHADOWS_SHARP
-               ? MESH_SHADOWS_SHARP
-               : MESH_SHADOWS_SOFT;
 }
 
 static void *mesh_start(const struct world *world, const struct scene *scene,
@@ -341,12 +138,9 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     if (options->keep || said->load_file)
         mesh->stamp =
-            mesh_stamp_new(scene, mesh_held(said, mesh->lamps.count),
+            mesh_stamp_new(scene, plan_held(said, mesh->lamps.count),
                            said->indirect.on, options->quality, options->seed);
-    mesh->stamp.frame =
-        mesh_frame(said, &scene->camera, &outlook, options->attempt);
-    mesh->stamp.frame.coarser =
-        mesh_coarser(said, world, &scene->camera, &outlook, &mesh->stamp.frame);
+    mesh->stamp.frame = plan_frame(world, scene, &outlook, options->attempt);
     bool done =
         mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
     if (known.found)
@@ -354,10 +148,15 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     done =
         done && mesh_close_make(&mesh->close, world, scene,
                                 before ? &before->close : NULL, options, diag);
-    done = done && mesh_make(mesh, scene, interpolation, &known, diag);
-    mesh->pixels = mesh_looks(mesh, scene, outlook.pixel);
-    mesh->report.again =
-        !(said->density > 0) && !known.name && options->attempt < ATTEMPTS;
+    const struct skeleton *skeleton = mesh->close.skeleton;
+    mesh->plan =
+        plan_new(scene, &mesh->lamps, &mesh->stamp.frame, interpolation,
+                 skeleton ? mesh_close_light : NULL, skeleton);
+    done = done && mesh_make(mesh, scene, &known, diag);
+    mesh->pixels =
+        mesh_pixels_new(&mesh->lamps, scene, &mesh->plan, outlook.pixel);
+    mesh->report.again = !(said->density > 0) && !known.name &&
+                         options->attempt < SPACING_ATTEMPTS;
     mesh_known_end(&known);
     if (done)
         return mesh;
@@ -496,7 +295,8 @@ static struct diffuse_light mesh_illuminate(const void *state,
     if (mesh->direct->many)
         diffuse.irradiance = mesh_many(mesh, &light);
     else
-        mesh_few_give(&mesh->near_direct, mesh->few, &mesh->pixels, &light);
+        mesh_few_give(&mesh->near_direct, mesh->plan.lamps, &mesh->pixels,
+                      &light);
     if (mesh->indirect) {
         struct diffuse_light more = mesh_diffuse(
             &mesh->near_indirect, &mesh->ambience, worker, surface);
@@ -536,6 +336,8 @@ static bool mesh_again(const void *state)
 static void mesh_tell(const void *state, lighting_row *row, void *context)
 {
     const struct mesh_lighting *mesh = state;
+    if (!mesh->scalar)
+        plan_tell(&mesh->plan, row, context);
     mesh_report_tell(&mesh->report, row, context);
 }
 

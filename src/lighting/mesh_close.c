@@ -1,11 +1,7 @@
 /* The closing skeleton: see mesh_close.h. */
 #include "lighting/mesh_close.h"
 
-/* Errors at points are not larger with more of either (examples/light). */
-enum {
-    RESOLUTION = 48, /* voxels along the longest side */
-    RAYS = 30000     /* between its walls */
-};
+#include "lightmesh/tuning.h"
 
 bool mesh_close_make(struct void_skeleton *close, const struct world *world,
                      const struct scene *scene, struct void_skeleton *before,
@@ -13,7 +9,8 @@ bool mesh_close_make(struct void_skeleton *close, const struct world *world,
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     const struct void_skeleton none = { NULL, NULL };
-    struct void_skeleton_wish wish = { .resolution = RESOLUTION, .rays = RAYS };
+    struct void_skeleton_wish wish = { .resolution = CLOSE_VOXELS,
+                                       .rays = CLOSE_RAYS };
     *close = none;
     if (!said->indirect.on || !said->indirect.skeleton ||
         said->model == MESH_MODEL_SCALAR)

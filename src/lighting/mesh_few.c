@@ -13,7 +13,7 @@ struct mesh_half {
 struct mesh_question {
     struct lamplight light; /* first: its address is ours */
     const struct direct_mesh *direct;
-    enum mesh_few_way way;
+    enum plan_lamps way;
     struct mesh_half half[2];
 };
 
@@ -45,7 +45,7 @@ static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
     bool lit = few_has(verdict->lit, number);
     bool certain = (lit || few_has(verdict->dark, number)) &&
                    direct_mesh_agrees(&half->blend);
-    if (question->way == MESH_FEW_SETTLED && !certain &&
+    if (question->way == PLAN_SETTLED && !certain &&
         !few_has(verdict->faint, number))
         return lamplight_trace_fine(light, lamp, view);
     return lit ? rgb_grey(1)
@@ -99,8 +99,7 @@ static const uint64_t *mesh_hidden(struct mesh_question *question)
         if (surface->layer[i].finish->diffuse_back != 0)
             return NULL;
     const struct mesh_half *half = mesh_half(question, 0);
-    return question->way == MESH_FEW_SETTLED &&
-                   !direct_mesh_agrees(&half->blend)
+    return question->way == PLAN_SETTLED && !direct_mesh_agrees(&half->blend)
                ? NULL
                : half->verdict.dark;
 }
@@ -109,12 +108,12 @@ static const uint64_t *mesh_hidden(struct mesh_question *question)
 static bool mesh_asked(const struct mesh_question *question,
                        const struct lamp *lamp)
 {
-    return question->way == MESH_FEW_ASKED ||
-           (question->way == MESH_FEW_BLENDED &&
+    return question->way == PLAN_EACH ||
+           (question->way == PLAN_BLENDED &&
             lamps_soft(question->light.lamps, lamp));
 }
 
-void mesh_few_give(const struct direct_mesh *mesh, enum mesh_few_way way,
+void mesh_few_give(const struct direct_mesh *mesh, enum plan_lamps way,
                    const struct mesh_pixels *pixels,
                    const struct lamplight *light)
 {

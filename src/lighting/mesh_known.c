@@ -1,14 +1,8 @@
 /* See mesh_known.h. */
 #include "lighting/mesh_known.h"
 
+#include "lightmesh/tuning.h"
 #include "text/source.h"
-
-/* How much nearer to each other, or farther, points may be than wanted. */
-static const double nearer_most = 3, farther_most = 1.5;
-
-/* The picture before may fill so much of a table, lest the pictures of a long
- * way have no room at its end. */
-static const double full_before = 0.5;
 
 static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                       const struct lighting_kept *kept)
@@ -20,7 +14,7 @@ static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
         !mesh_stamp_same(&known->file.stamp, wanted, text, sizeof text))
         return false;
     double ratio = known->file.stamp.frame.wanted / wanted->frame.wanted;
-    return ratio <= farther_most && ratio * nearer_most >= 1;
+    return ratio <= kept_farther && ratio * kept_nearer >= 1;
 }
 
 static bool file_find(struct mesh_known *known, const struct mesh_stamp *wanted,
@@ -72,7 +66,7 @@ bool mesh_known_fill(const struct mesh_known *known,
                      struct diag *diag)
 {
     if (!known->found || mesh_file_fill(&known->file, meshes, count,
-                                        known->name ? 1 : full_before))
+                                        known->name ? 1 : kept_full))
         return true;
     diag_print(diag, DIAG_ERROR, span_none(), NULL,
                "can't use the light mesh '%s': its points hold something else; "

@@ -3,66 +3,34 @@
 
 #include "base/memory.h"
 #include "lightmesh/stagger.h"
+#include "lightmesh/tuning.h"
 #include "shade/surface.h"
-
-/* Larger pictures, and more points or lamps, take too much memory: 100 MB
- * for what is seen first, and 40 MB for a bit for each point and lamp. */
-static const double most_places = 2.5e6, most_pairs = 3.2e8;
-
-/* What shares of area lights may take, in bytes. */
-static const double most_shares = 64e6;
-
-/* With those of small surfaces there are about so many times the points. */
-static const double points_share = 1.5;
-
-/* Of lamps / lamps_apart pixels one is a point, of more lamps not so much
- * fewer: then points take about as long whatever their number. */
-static const double lamps_apart = 14;
-
-/* Measured, in seconds: what a lamp takes for each triangle and each point; a
- * ray; what points in space take for each pixel, more of more lamps up to
- * more_most. The first may be so many times as long, for it leaves a third of
- * the error. */
-static const double lamp_triangle = 26e-9, lamp_point = 15e-9, ray = 0.3e-6;
-static const double space_pixel = 0.8e-6, exact_worth = 3;
-static const double more_lamps = 100, more_most = 4;
-
-/* Shadow rays begin so far above a surface, and of what is nearer than part of
- * a pixel no shadow is seen. */
-static const double usual_detail = 1e-3, pixel_detail = 0.1;
-
-/* Of few lamps, which surfaces else ask by rays: it is to be so much quicker.
- */
-static const double rays_share = 0.25;
-
-/* Of pairs of points and lamps those that a ray may have to decide: half of the
- * lamps are behind the surface, and lines are longer than ways. */
-static const double asked_most = 0.3;
 
 static double lamps_more(const struct mesh_pixels *pixels)
 {
     double lamps = (double)pixels->lamps->count;
-    return fmin(fmax(lamps / more_lamps, 1), more_most);
+    return fmin(fmax(lamps / pixel_lamps_more, 1), pixel_more_most);
 }
 
 static int pixels_apart(const struct mesh_pixels *pixels)
 {
     double lamps = (double)pixels->lamps->count;
-    double apart = lamps / (lamps_apart * lamps_more(pixels));
+    double apart = lamps / (pixel_lamps_apart * lamps_more(pixels));
     if (pixels->each)
         return 1;
     return stagger_apart(apart / (pixels->finer * pixels->finer));
 }
 
 struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
-                                   const struct scene *scene, double finer,
-                                   double pixel)
+                                   const struct scene *scene,
+                                   const struct plan *plan, double pixel)
 {
     return (struct mesh_pixels){
-        .off = lamps->quality < QUALITY_SHADOWS,
-        .soft = lamps->quality >= QUALITY_AREA_LIGHTS,
-        .finer = finer,
-        .detail = fmax(usual_detail, pixel * pixel_detail),
+        .off = !plan->pixels,
+        .each = plan->lamps == PLAN_EACH,
+        .soft = plan->penumbras,
+        .finer = plan->finer,
+        .detail = fmax(pixel_detail_least, pixel * pixel_detail),
         .lamps = lamps,
         .scene = scene,
     };
@@ -102,7 +70,7 @@ static double pixels_places(const struct first_hits *grid)
 static double pixels_points(const struct mesh_pixels *pixels,
                             const struct first_hits *grid)
 {
-    double each = pixels->each ? 1 : points_share / pixels_apart(pixels);
+    double each = pixels->each ? 1 : pixel_points / pixels_apart(pixels);
     return each * pixels_places(grid);
 }
 
@@ -114,9 +82,10 @@ static double pixels_cost(const struct mesh_pixels *pixels,
     double points = pixels_points(pixels, grid);
     double triangles =
         (double)(casters->certain.count + casters->doubtful.count);
-    double rays = asked_most * (1 - exp(-casters->doubt)) * points;
+    double rays = pixel_rays_most * (1 - exp(-casters->doubt)) * points;
     return (double)pixels->lamps->count *
-           (triangles * lamp_triangle + points * lamp_point + rays * ray);
+           (triangles * time_lamp_triangle + points * time_lamp_point +
+            rays * time_ray);
 }
 
 /* Seconds that it may take before points in space are better. */
@@ -124,9 +93,9 @@ static double pixels_worth(const struct mesh_pixels *pixels,
                            const struct first_hits *grid)
 {
     if (pixels->each)
-        return pixels_places(grid) * (double)pixels->lamps->count * ray *
-               rays_share;
-    return exact_worth * pixels_places(grid) * space_pixel *
+        return pixels_places(grid) * (double)pixels->lamps->count * time_ray *
+               pixel_rays_share;
+    return pixel_worth * pixels_places(grid) * time_space_pixel *
            lamps_more(pixels) * pixels->finer;
 }
 
@@ -138,8 +107,8 @@ static bool pixels_soft(const struct mesh_pixels *pixels,
     size_t count = 0;
     for (size_t i = 0; pixels->soft && i < lamps->count; i++)
         count += penumbra_takes(lamps, &lamps->items[i]);
-    return count > 0 && pixels_places(grid) <= most_places &&
-           penumbras_bytes(pixels_places(grid), count) <= most_shares;
+    return count > 0 && pixels_places(grid) <= pixels_most &&
+           penumbras_bytes(pixels_places(grid), count) <= penumbra_bytes_most;
 }
 
 /* Whether lamps that are points are to look at them. */
@@ -149,9 +118,10 @@ static bool pixels_sharp(struct mesh_pixels *pixels,
     const struct world *world = pixels->lamps->world;
     double lamps = (double)pixels->lamps->count;
     double worth = pixels_worth(pixels, grid);
-    if (pixels->off || pixels_places(grid) > most_places ||
-        pixels_points(pixels, grid) * lamps > most_pairs ||
-        (double)world_triangle_count(world) * lamps * lamp_triangle > worth)
+    if (pixels->off || pixels_places(grid) > pixels_most ||
+        pixels_points(pixels, grid) * lamps > pixel_pairs_most ||
+        (double)world_triangle_count(world) * lamps * time_lamp_triangle >
+            worth)
         return false;
     return !pixels->takes && pixels_start(pixels) &&
            pixels_cost(pixels, grid) <= worth;

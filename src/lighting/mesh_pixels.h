@@ -5,6 +5,7 @@
 
 #include "lightmesh/penumbra.h"
 #include "lightmesh/pixel_mesh.h"
+#include "lightmesh/plan.h"
 #include "scene/light_settings.h"
 
 struct mesh_pixels {
@@ -23,8 +24,8 @@ struct mesh_pixels {
 
 /* `pixel` is the size of what one shows, in the world. */
 struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
-                                   const struct scene *scene, double finer,
-                                   double pixel);
+                                   const struct scene *scene,
+                                   const struct plan *plan, double pixel);
 void mesh_pixels_free(struct mesh_pixels *pixels);
 
 /* As foresees and prepare of lighting/lighting.h. */

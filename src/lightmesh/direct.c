@@ -6,22 +6,10 @@
 #include "lightmesh/facet_mesh.h"
 #include "lightmesh/light_tree.h"
 #include "lightmesh/table.h"
+#include "lightmesh/tuning.h"
 
 /* A visible share as it is kept, three for each lamp. */
 enum { SHARE_ONE = 65535 };
-
-/* Fewer points don't decide what is sharp. */
-enum { AGREEING_POINTS = 3 };
-
-/* The error that lamps whose light is faint may make together in sharp
- * shadows, relative to all light. */
-static const double faint_error = 0.13;
-
-/* Of the memory, one part in so many is for points on triangles. */
-enum { FACET_SHARE = 3 };
-
-/* So few lamps are all settled. */
-enum { FAINT_FROM = 24 };
 
 /* A mesh point under few lamps keeps the sets of struct direct_verdict, each
  * of so many words, then the shares. */
@@ -84,7 +72,7 @@ static void fill_shares(const void *context, struct worker *worker,
         if ((share[0] | share[1] | share[2]) == 0)
             dark[i / 64] |= bit;
     }
-    for (size_t i = 0; count > FAINT_FROM && i < count; i++)
+    for (size_t i = 0; count > FEW_LAMPS && i < count; i++)
         if (light[i] * sqrt((double)count) < faint_error * sum)
             faint[i / 64] |= 1ull << (i % 64);
 }
@@ -188,23 +176,13 @@ static double harmonics_amount(const void *payload)
     return (double)(light->r[0] + light->g[0] + light->b[0]);
 }
 
-/* The more lamps, the more rays a mesh saves: part of that is given back to be
- * right. How many times the usual budget. */
-static double budget_factor(size_t lamps)
-{
-    return fmin(fmax((double)lamps / 100, 1), 4);
-}
-
 struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
                                     const struct direct_options *options)
 {
     struct direct_mesh *mesh = memory_new(sizeof *mesh);
     mesh->lamps = lamps;
-    mesh->many = lamps->count > (size_t)options->few;
-    if (lamps->count > FEW_MAX)
-        mesh->many = true;
-    double more = budget_factor(lamps->count);
-    mesh->budget = (int)fmin(more * options->budget, PICKS_MAX);
+    mesh->many = options->many;
+    mesh->budget = (int)fmin(options->budget, PICKS_MAX);
     if (mesh->many)
         mesh->tree = light_tree_new(lamps, options->centre, options->size);
     mesh->points = (struct point_mesh){
@@ -222,11 +200,11 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
         .context = mesh,
     };
     size_t bytes = options->bytes;
-    if (mesh->many && options->interpolation == interpolation_at(0)) {
-        bytes -= bytes / FACET_SHARE;
+    if (options->surfaces) {
+        bytes -= bytes / SURFACE_PART;
         mesh->facets =
-            facet_mesh_new(lamps, mesh->tree, (int)(more * options->budget),
-                           mesh->points.full, options->bytes / FACET_SHARE);
+            facet_mesh_new(lamps, mesh->tree, options->budget,
+                           mesh->points.full, options->bytes / SURFACE_PART);
     }
     point_mesh_start(&mesh->points, bytes);
     return mesh;

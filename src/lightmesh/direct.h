@@ -38,10 +38,10 @@ struct direct_options {
     const struct interpolation *interpolation;
     double radius; /* of interpolation, in spacings; 0: its own */
     struct refinement refinement;
-    int few;      /* more lamps than this are many; at most FEW_MAX */
-    int budget;   /* lamps that a mesh point asks, of 100 */
-    double finer; /* than quality 5: a factor */
-    vec3 centre;  /* of what is seen */
+    bool many;     /* lamps: the light of all is summed; or at most FEW_MAX */
+    bool surfaces; /* many lamps: surfaces have points of their own, too */
+    int budget;    /* many lamps: that a point asks */
+    vec3 centre;   /* of what is seen */
     double size;
     size_t bytes; /* of memory */
 };

@@ -5,12 +5,9 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "lightmesh/tuning.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
-
-/* Of more triangles none are found to be alone: most are too small to be of
- * use, and sorting them takes memory. */
-enum { FACETS_MAX = 250000 };
 
 /* How many triangles have a corner at a place, by half of a hash of it: that
  * two places have the same takes a chance in thousands, and a leaf then has
@@ -142,7 +139,7 @@ struct facets *facets_new(const struct world *world)
     while (places < 4 * world_triangle_count(world))
         places *= 2;
     facets->mask = places - 1;
-    if (world_triangle_count(world) <= FACETS_MAX)
+    if (world_triangle_count(world) <= FACETS_MOST)
         facets->corners = memory_new(places * sizeof *facets->corners);
     visit_leaves(facets, world, take_leaf);
     for (size_t i = 0; facets->corners && i < facets->leaf_count; i++)

@@ -4,12 +4,7 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "lightmesh/light_tree.h"
-
-/* Of more lamps than this a site considers clusters only. */
-enum { ALL_LAMPS = 1024, CLUSTERS = PICKS_MAX };
-
-/* How often the lamps that are asked for certain are counted again. */
-enum { CERTAIN_ROUNDS = 4 };
+#include "lightmesh/tuning.h"
 
 /* Cosine of the angle up to which a normal is the true one. */
 static const double untilted = 1 - 1e-9;
@@ -31,9 +26,9 @@ struct facet_lamps {
  * Loops over them are without branches, which chance would decide. */
 struct facet_picks {
     int count;
-    float amount[ALL_LAMPS + 1];
-    float weight[ALL_LAMPS + 1];
-    uint32_t place[ALL_LAMPS + 1];
+    float amount[SURFACE_LAMPS + 1];
+    float weight[SURFACE_LAMPS + 1];
+    uint32_t place[SURFACE_LAMPS + 1];
 };
 
 static bool lamp_plain(const struct lamp *lamp)
@@ -129,9 +124,9 @@ static void picks_add(struct facet_picks *picks, size_t place, float weight,
 static void picks_find(const struct facet_lamps *lamps,
                        const struct facet_site *site, struct facet_picks *picks)
 {
-    float amount[ALL_LAMPS];
+    float amount[SURFACE_LAMPS];
     picks->count = 0;
-    if (lamps->count <= ALL_LAMPS) {
+    if (lamps->count <= SURFACE_LAMPS) {
         plain_amounts(lamps, site, amount);
         for (size_t i = 0; !lamps->plain && i < lamps->count; i++)
             if (!lamp_plain(lamps->items[i]))
@@ -140,9 +135,9 @@ static void picks_find(const struct facet_lamps *lamps,
             picks_add(picks, i, 1, amount[i]);
         return;
     }
-    struct light_pick clusters[CLUSTERS];
+    struct light_pick clusters[PICKS_MAX];
     int found = light_tree_pick(lamps->tree, site->place, site->dither,
-                                CLUSTERS, clusters);
+                                PICKS_MAX, clusters);
     for (int i = 0; i < found; i++) {
         float weight = (float)clusters[i].weight;
         size_t place = lamps->place[clusters[i].lamp->number];

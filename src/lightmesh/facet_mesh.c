@@ -5,46 +5,7 @@
 #include "base/random.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/table.h"
-
-/* Square roots of areas, in spacings of the lattice: smaller pieces have no
- * points of their own, if they are triangles that stand alone, or share corners
- * with others, or parallelograms. */
-static const double smallest = 0.05, smallest_shared = 2, smallest_square = 1;
-
-/* Longest edge, in the lattice's least spacings: of larger pieces the edges
- * can't be halved often enough. */
-static const double largest = 4096;
-
-/* Narrower pieces, relative to their longest edge, would have points nearer to
- * each other than is any use ... */
-static const double narrowest = 0.2;
-
-/* ... but for a chain of points along the middle of triangles at least so long
- * and between so wide, in spacings. */
-static const double chain_long = 2, chain_thin = 0.1, chain_wide = 1.5;
-
-/* How far points are from each other, in spacings: those of a leaf, of other
- * pieces, of chains. */
-static const double apart_alone = 0.7, apart_shared = 1.4, apart_chain = 3;
-
-/* How much of the way to the next point the rays of a point begin on; of a
- * triangle that has but one, how much of the triangle. */
-static const double spread = 0.5, spread_single = 0.94;
-
-/* Lamps that a point asks, relative to the budget. The shadow of leaves on the
- * ground is seen better than the leaves' own. */
-static const double asked_cell = 0.6, asked_shared = 4;
-
-/* A triangle with one point that is smaller, in spacings, has a smaller budget.
- */
-static const double full_size = 0.3;
-
-/* Points whose amounts of light differ by less than this factor are about
- * alike: no matter then which of them see the place. */
-static const double alike = 3;
-
-/* How high above the surface it is asked whether they do, in spacings. */
-static const double lift = 0.05;
+#include "lightmesh/tuning.h"
 
 enum { SQUARE_DIVISION = 1, DIVISION_MAX = 13, FOUND_MAX = 6 };
 
@@ -104,7 +65,7 @@ static vec3 point_place(const struct facet *facet,
                         const struct facet_point *point, double *wide)
 {
     double n = 1 << point->division, share[3] = { 0, 0, 0 };
-    *wide = point->kind == FACET_SINGLE ? spread_single : spread / n;
+    *wide = point->kind == FACET_SINGLE ? spread_single : spread_cell / n;
     if (point->kind == FACET_CELLS) {
         share[1] = point->i / n;
         share[2] = point->j / n;
@@ -186,7 +147,7 @@ static int seeker_budget(const struct facet_seeker *seeker,
 {
     double budget = seeker->mesh->budget;
     if (kind == FACET_SINGLE)
-        budget *= fmin(seeker->facet.size / (full_size * seeker->spacing), 1);
+        budget *= fmin(seeker->facet.size / (asked_fully * seeker->spacing), 1);
     else if (kind == FACET_CELLS)
         budget *= seeker->facet.alone ? asked_cell : asked_shared;
     return (int)fmax(budget, 1);
@@ -306,7 +267,7 @@ static void seek_points(struct facet_seeker *seeker, int division, double share)
 
 static bool seeker_sees(const struct facet_seeker *seeker, vec3 place)
 {
-    vec3 up = vec3_scale(seeker->question->side, lift * seeker->spacing);
+    vec3 up = vec3_scale(seeker->question->side, facet_lift * seeker->spacing);
     vec3 offset = vec3_sub(place, seeker->question->at->point);
     double length = vec3_length(offset);
     if (!(length > 0))
@@ -327,7 +288,7 @@ static bool seeker_trusts(const struct facet_seeker *seeker)
         least = fmin(least, amount);
         most = fmax(most, amount);
     }
-    return seeker->facet.alone || most <= alike * least;
+    return seeker->facet.alone || most <= alike_amounts * least;
 }
 
 static bool seeker_blend(const struct facet_seeker *seeker,
@@ -353,18 +314,19 @@ static enum facet_kind facet_kind(const struct facet *facet, double spacing)
 {
     double cells = facet->size / spacing, length = facet->longest / spacing;
     double width = 2 * cells * cells / length;
-    if (facet->alone && cells < smallest)
+    if (facet->alone && cells < facet_least)
         return FACET_NONE;
     if (facet->square)
-        return width < narrowest * length || cells < smallest_square
+        return width < facet_narrow * length || cells < facet_least_square
                    ? FACET_NONE
                    : FACET_CELLS;
     if (length > chain_long && width > chain_thin && width < chain_wide)
         return FACET_CHAIN;
     if (facet->alone)
-        return width < narrowest * length ? FACET_SINGLE : FACET_CELLS;
-    return width < narrowest * length || cells < smallest_shared ? FACET_NONE
-                                                                 : FACET_CELLS;
+        return width < facet_narrow * length ? FACET_SINGLE : FACET_CELLS;
+    return width < facet_narrow * length || cells < facet_least_shared
+               ? FACET_NONE
+               : FACET_CELLS;
 }
 
 /* How often the edges are halved; below 0: one point is enough. Those of a
@@ -401,7 +363,8 @@ bool facet_mesh_light(const struct facet_mesh *mesh, struct worker *worker,
     seeker.spacing = lattice_spacing(question->lattice, level);
     seeker.kind = facet_kind(&seeker.facet, seeker.spacing);
     if (seeker.kind == FACET_NONE ||
-        seeker.facet.longest > largest * lattice_spacing(question->lattice, 0))
+        seeker.facet.longest >
+            facet_most * lattice_spacing(question->lattice, 0))
         return false;
     if (!seeker.facet.alone) {
         level = lattice_level(question->lattice, question->at->point, &coarse);

@@ -2,22 +2,10 @@
 #include "lightmesh/gather.h"
 
 #include "lightmesh/indirect.h"
+#include "lightmesh/tuning.h"
 #include "shade/background.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
-
-enum {
-    PANES_MAX = 64,  /* that a ray passes straight through */
-    MIRRORS_MAX = 3, /* on one way */
-    LAMPS_ASKED = 4, /* by shadow rays: more are the direct mesh's */
-};
-
-/* What counts for less than this is left off. */
-static const double least = 0.02;
-
-/* Mirrors are followed so many times as often as their share of the light, and
- * surfaces lit as often as what they send back would count. */
-static const double often_mirrored = 2, often_lit = 4;
 
 /* A gather ray on its way. */
 struct gathering {
@@ -96,7 +84,7 @@ static rgb gathering_direct(const struct gathering *gathering,
 {
     const struct lamps *lamps = gathering->gather->lamps;
     rgb light = rgb_grey(0);
-    if (lamps->count > LAMPS_ASKED)
+    if (lamps->count > GATHER_LAMPS)
         return direct_mesh_nearest(gathering->gather->direct, gathering->worker,
                                    surface->point, surface->side, normal,
                                    gathering_jitter(gathering));
@@ -166,13 +154,13 @@ static rgb gathering_mirrors(const struct gathering *gathering,
                              const struct surface *surface)
 {
     rgb light = rgb_grey(0);
-    if (gathering->mirrors >= MIRRORS_MAX)
+    if (gathering->mirrors >= GATHER_MIRRORS)
         return light;
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         rgb share = rgb_mul(layer->weight, layer->reflection);
         vec3 in = gathering->ray.direction;
-        if (rgb_peak(rgb_mul(share, gathering->share)) < least)
+        if (rgb_peak(rgb_mul(share, gathering->share)) < gather_least)
             continue;
         double count =
             gathering_chance(gathering, often_mirrored * rgb_peak(share),
@@ -205,7 +193,7 @@ void gather_surface(const struct gather *gather, const struct ray *ray,
         .direction = ray->direction,
         .ior = surface_ior(at),
         .quality = gather->lamps->quality,
-        .bailout = least,
+        .bailout = gather_least,
         .smooth = true,
     };
     surface_fill(surface, at, &view);
@@ -227,7 +215,7 @@ static bool gathering_meet(struct gathering *gathering,
     gathering->share = rgb_mul(gathering->share, surface.through);
     gathering->ray.origin = surface.point;
     gathering->met++;
-    return rgb_peak(gathering->share) >= least;
+    return rgb_peak(gathering->share) >= gather_least;
 }
 
 /* The ray leaves the scene. */
@@ -249,7 +237,7 @@ static rgb gathering_follow(struct gathering *gathering,
     const struct lamps *lamps = gathering->gather->lamps;
     rgb light = rgb_grey(0);
     struct intersection next, *at = first ? first : &next;
-    for (int i = 0; i < PANES_MAX; i++) {
+    for (int i = 0; i < GATHER_PANES; i++) {
         double offset = surface_offset(gathering->ray.origin);
         gathering->worker->counters.shadow_rays++;
         bool met = world_closest(lamps->world, &gathering->ray, offset,

@@ -5,32 +5,8 @@
 #include "base/memory.h"
 #include "base/warp.h"
 #include "lightmesh/table.h"
+#include "lightmesh/tuning.h"
 #include "shade/shadow.h"
-
-enum {
-    FIRST_SAMPLES = 128, /* a mesh point's least, of kept points */
-    LONE_SAMPLES = 32,   /* of places that are their own mesh point */
-    LONE_FIRST = 16,
-    LONE_SHARE = 8,    /* such places of later bounces gather fewer each */
-    HIT_LEVELS = 1,    /* direct light on what they meet is coarser */
-    WALL_SHARE = 4,    /* of ways into the only wall so many fewer are gone */
-    LATER_SHARE = 8,   /* later bounces gather so many times fewer */
-    WAYS_MOST = 65536, /* directions that are kept */
-};
-
-/* Halves are far apart if their error is so many times what is allowed. */
-static const double rough = 1.7;
-
-/* Light that makes no difference: in the units of halves_error, where
- * irradiance 1 from all sides is 6.8, a hundredth of it. */
-static const double unseen = 0.068;
-
-/* What is worth so little is not gathered, if the skeleton knows it. */
-static const double worth_least = 0.02;
-
-/* Places that are their own mesh points and worth less than this gather fewer:
- * as many as give the picture the same noise. */
-static const double worth_whole = 0.5;
 
 static const struct indirect_light light_none = { { { 0 }, { 0 }, { 0 } },
                                                   { 0 } };
@@ -214,7 +190,7 @@ static double halves_error(const struct gathered *a, const struct gathered *b,
         double z = (double)(lamps->r[i] + lamps->g[i] + lamps->b[i]);
         whole += (x + y + 2 * z) * (x + y + 2 * z);
     }
-    return sqrt(apart) / (sqrt(whole) + unseen);
+    return sqrt(apart) / (sqrt(whole) + gather_unseen);
 }
 
 static void gathered_average(struct gathered *sum, const struct gathered *more)
@@ -228,7 +204,7 @@ static void gathered_average(struct gathered *sum, const struct gathered *more)
 static uint32_t lone_samples(const struct indirect_mesh *mesh,
                              const struct mesh_site *site)
 {
-    double worth = fmin(site->worth / worth_whole, 1);
+    double worth = fmin(site->worth / gather_worth_whole, 1);
     return (uint32_t)ceil(worth * worth * mesh->lone_samples);
 }
 
@@ -239,8 +215,8 @@ static void fill_gather(const void *context, struct worker *worker,
                         const struct mesh_site *site, void *payload)
 {
     const struct indirect_mesh *mesh = context;
-    struct gatherer gatherer = { mesh, worker, site, WALL_SHARE };
-    uint32_t most = (uint32_t)mesh->samples, count = FIRST_SAMPLES / 2;
+    struct gatherer gatherer = { mesh, worker, site, WALL_PART };
+    uint32_t most = (uint32_t)mesh->samples, count = GATHER_FIRST / 2;
     if (site->lone) {
         uint32_t lone = lone_samples(mesh, site);
         most = most < lone ? most : lone;
@@ -250,7 +226,7 @@ static void fill_gather(const void *context, struct worker *worker,
         count = (uint32_t)mesh->usual;
     if (count > most)
         count = most;
-    if (count % WALL_SHARE > 0)
+    if (count % WALL_PART > 0)
         gatherer.wall_share = 1;
     struct gathered light = gatherer_mean(&gatherer, 0, count);
     struct harmonics lamps = { { 0 }, { 0 }, { 0 } };
@@ -262,7 +238,8 @@ static void fill_gather(const void *context, struct worker *worker,
             halves_error(&light, &more, &lamps, mesh->gather.ambience);
         gathered_average(&light, &more);
         count *= 2;
-        if (error < mesh->error * (count < (uint32_t)mesh->usual ? 1 : rough))
+        if (error <
+            mesh->error * (count < (uint32_t)mesh->usual ? 1 : gather_rough))
             break;
     }
     light_mix(&light.light, &light.wall, 1);
@@ -285,6 +262,7 @@ static void mesh_ways(struct indirect_mesh *mesh)
 
 static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
                                         const struct emitters *emitters,
+                                        const struct ambience *ambience,
                                         const struct indirect_options *options,
                                         int bounce)
 {
@@ -295,7 +273,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .lamps = direct->lamps,
         .direct = &mesh->direct,
         .emitters = emitters,
-        .ambience = options->ambience,
+        .ambience = ambience,
         .close = options->close,
         .close_context = options->close_context,
     };
@@ -303,7 +281,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     mesh->usual = options->usual;
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
-        mesh->lone_samples /= LONE_SHARE;
+        mesh->lone_samples /= LONE_PART;
     if (mesh->lone_samples < 1)
         mesh->lone_samples = 1;
     mesh->error = options->error;
@@ -324,7 +302,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     if (bounce > 1) {
         mesh->points.refinement.levels = 0;
         mesh->points.lattice.spacing *= bounce > 2 ? 4 : 2;
-        mesh->samples = mesh->usual /= LATER_SHARE;
+        mesh->samples = mesh->usual /= LATER_PART;
         mesh->error *= 2;
     }
     if (mesh->samples < 1)
@@ -338,12 +316,13 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
 
 struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct emitters *emitters,
+                                        const struct ambience *ambience,
                                         const struct indirect_options *options)
 {
     struct indirect_mesh *mesh = NULL;
     for (int bounce = options->bounces; bounce >= 1; bounce--) {
         struct indirect_mesh *closer =
-            bounce_new(direct, emitters, options, bounce);
+            bounce_new(direct, emitters, ambience, options, bounce);
         closer->next = mesh;
         closer->gather.indirect = mesh;
         mesh = closer;
@@ -378,7 +357,7 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
     const struct gather *gather = &mesh->gather;
     struct mesh_blend blend;
     struct indirect_light sum = light_none;
-    if (at->worth < worth_least && gather->close)
+    if (at->worth < gather_worth_least && gather->close)
         return (struct indirect_share){ gather->close(gather->close_context,
                                                       worker, at->place,
                                                       at->normal, at->from),

@@ -22,7 +22,6 @@ struct indirect_light {
 };
 
 struct indirect_options {
-    const struct ambience *ambience;
     struct lattice lattice;       /* of the first bounce */
     struct refinement refinement; /* likewise */
     const struct interpolation *interpolation;
@@ -50,6 +49,7 @@ struct indirect_mesh {
 /* Frees with indirect_mesh_free. All that is given must outlive it. */
 struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct emitters *emitters,
+                                        const struct ambience *ambience,
                                         const struct indirect_options *options);
 void indirect_mesh_free(struct indirect_mesh *mesh);
 

@@ -2,15 +2,13 @@
 #include "lightmesh/lattice.h"
 
 #include "base/random.h"
+#include "lightmesh/tuning.h"
 
 /* Where the origin lies in its cell of the usual level, less 1/3: irrational
  * looking, so that no cell boundary lies in a wall for long. */
 static const vec3 lattice_shift = { 0.0386, 0.0809, -0.0516 };
 
 static const double lattice_rim = (1 << 18) - 64;
-
-/* From here on the next level is blended in, as a share of the logarithm. */
-static const double blend_start = 0.75;
 
 /* Halving 1/3 gives 2/3 if the origin's cell is the second half of the coarser
  * one, and halving 2/3 gives 1/3 if it is the first: so, by turns, the levels
@@ -92,12 +90,12 @@ int lattice_level(const struct lattice *lattice, vec3 place, double *blend)
         exact = fmax(log2(distance / lattice->near) + 1, 0);
     }
     exact += lattice->usual + lattice->coarser - lattice_finer(lattice, place);
-    if (!(exact > blend_start))
+    if (!(exact > level_blend))
         return 0;
     if (exact >= LATTICE_LEVELS - 1)
         return LATTICE_LEVELS - 1;
     double level = floor(exact);
-    double over = (exact - level - blend_start) / (1 - blend_start);
+    double over = (exact - level - level_blend) / (1 - level_blend);
     if (over > 0)
         *blend = over;
     return (int)level;

@@ -3,8 +3,7 @@
 
 #include <stdlib.h>
 
-/* A surface may be this much nearer than its interpolated distance. */
-static const double plane_tolerance = 0.03;
+#include "lightmesh/tuning.h"
 
 /* The directions are numbered (x + 1) + 3 (y + 1) + 9 (z + 1) for x, y, z in
  * -1, 0, 1, without the middle, 13. */
@@ -50,7 +49,7 @@ static bool obstacle_spares(const struct obstacles *obstacles, const int way[3],
     double along = way[0] * view->plane.x + way[1] * view->plane.y +
                    way[2] * view->plane.z;
     return near * view->length < 1 ||
-           near <= along * unit[axes] * (1 + plane_tolerance);
+           near <= along * unit[axes] * (1 + obstacle_plane);
 }
 
 /* 1/d of the place's plane in the direction w is w plane. The offset lies
@@ -144,7 +143,7 @@ vec3 obstacles_plane(const struct obstacles *obstacles, double reach)
         double least = far * vec3_length(offset);
         double wanted = fmax(vec3_dot(slope, offset), least);
         double found = fmax(obstacle_slope(obstacles, way), least);
-        if (fabs(found - wanted) > plane_tolerance * size)
+        if (fabs(found - wanted) > obstacle_plane * size)
             return none;
     }
     return vec3_scale(slope, 1 / size);

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "lightmesh/tuning.h"
 #include "shade/surface.h"
 
 /* The lattice has every second pixel, both ways, and each of its cells as many.
@@ -12,17 +13,6 @@ enum { CELL = 2, BLOCK_MOST = 4 };
 /* What a cell holds: the side of the block that it is in, 0 if there is none,
  * and whether all of that is lit. */
 enum { SIDES = 7, LIT = 8, TRIED = 16 };
-
-/* A penumbra is so many times as wide as a block, or more. */
-static const double wide = 2;
-
-/* The corners of a block don't differ by more than this, and where the light
- * begins or ends to be seen there is none: an edge shows. */
-static const float even = 0.2f;
-
-/* The normals in a block don't differ by a longer vector, and it is as flat, in
- * units of its side. */
-static const double most_bend = 0.3, most_swell = 0.25;
 
 /* Shares that aren't known, and that can't be. */
 static const float unknown = -1, none = -2;
@@ -167,7 +157,7 @@ static bool block_measure(const struct penumbras *all, struct block *block)
         block->bend = fmax(block->bend, vec3_length(turn));
     }
     double swell = vec3_length(vec3_sub(low, high)) / 4;
-    return block->bend < most_bend && swell < most_swell * block->side;
+    return block->bend < penumbra_bend && swell < penumbra_swell * block->side;
 }
 
 /* Whether the lamp is before a surface that is seen. */
@@ -194,8 +184,8 @@ static uint8_t block_try(const struct penumbra_pass *pass, int i, int j)
     if (!lamp_is_before(lamp, block.middle, block.normal, facing, &target.view))
         return 0;
     double blur = lamps_blur(all->lamps, lamp, &target, block.radius,
-                             2 * block.bend, wide * block.side);
-    if (blur < wide * block.side)
+                             2 * block.bend, penumbra_wide * block.side);
+    if (blur < penumbra_wide * block.side)
         return 0;
     return (uint8_t)(pass->side | (blur < HUGE_VAL ? TRIED : LIT));
 }
@@ -283,7 +273,8 @@ static bool block_is_even(const struct penumbra_pass *pass, int i, int j)
             low = fminf(low, shares[at[k]][c]);
             high = fmaxf(high, shares[at[k]][c]);
         }
-        if (high - low > even || (high > low && (low <= 0 || high >= 1)))
+        if (high - low > penumbra_even ||
+            (high > low && (low <= 0 || high >= 1)))
             return false;
     }
     return true;
@@ -403,8 +394,8 @@ static bool place_is_near(const struct penumbras *all,
                             place->weight[k]);
     vec3 off = vec3_sub(at->point, middle);
     return vec3_dot(off, off) <=
-               most_swell * most_swell * vec3_dot(across, across) &&
-           vec3_dot(turn, turn) <= 4 * most_bend * most_bend;
+               penumbra_swell * penumbra_swell * vec3_dot(across, across) &&
+           vec3_dot(turn, turn) <= 4 * penumbra_bend * penumbra_bend;
 }
 
 static bool block_place(const struct penumbras *all, const uint8_t *cells,

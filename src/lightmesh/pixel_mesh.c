@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "lightmesh/stagger.h"
+#include "lightmesh/tuning.h"
 #include "scene/camera.h"
 
 /* Those that are asked for one place, at most. */
@@ -14,10 +15,6 @@ enum { ASKED_MOST = (2 * STAGGER_REACH + 1) * (2 * STAGGER_REACH + 1) };
 _Static_assert(STAGGER_DEPTH *STAGGER_REACH + STAGGER_REACH + 2 <=
                    FIRST_HITS_APRON,
                "what decides a point, and then a place");
-
-/* Points whose normals differ more, by the cosine, share nothing; those that
- * differ count the less, by a power of it. */
-static const double alike = 0.5;
 
 /* As near, in pixels, is the place itself. */
 static const double same_place = 1e-6;
@@ -237,7 +234,7 @@ static void surface_ask(const struct pixel_mesh *mesh,
         return;
     vec3 normal = lamp_sights_normal(&mesh->points, (size_t)number);
     double cosine = vec3_dot(normal, seen->side);
-    if (cosine < alike)
+    if (cosine < pixel_alike)
         return;
     double across = i - seen->x, down = j - seen->y;
     double square = across * across + down * down + same_place;

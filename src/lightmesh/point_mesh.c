@@ -8,33 +8,8 @@
 #include "base/random.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/table.h"
+#include "lightmesh/tuning.h"
 #include "shade/shadow.h"
-
-/* The cell is looked for so far above the surface, in spacings: half of its
- * points would else be behind it. */
-static const double lift = 0.3;
-
-/* Points this near to the surface's plane, in spacings, count less, so that
- * they come and go smoothly where it is curved. */
-static const double rise_full = 0.2;
-
-/* A nearest point is at least so far before the surface, in spacings. */
-static const double nearest_rise = 0.1;
-
-/* Places that are worth less than this use a coarser level, and one more for
- * each time that they are worth so much less. */
-static const double worth_fine = 0.25, worth_step = 3;
-
-/* How far obstacles are looked for, in spacings. */
-static const double reach = 2.5;
-
-/* Only what is nearer to a point, in spacings, asks for it: in the corner of a
- * cell farthest from it, or at the rim of a disc of `smooth`. */
-static const double asking = 2.1;
-
-/* Points whose amounts of light differ by less than this factor are about
- * alike. */
-static const double alike = 3;
 
 /* What stands around points is kept apart from what they know: many are found
  * to be hidden, and then need know nothing. */
@@ -120,7 +95,8 @@ static const struct obstacles *around_get(const struct point_mesh *mesh,
     if (state == TABLE_READY)
         return record;
     obstacles_look(record, mesh->world, lattice_place(&mesh->lattice, point),
-                   reach * lattice_spacing(&mesh->lattice, point->level));
+                   obstacle_reach *
+                       lattice_spacing(&mesh->lattice, point->level));
     if (state == TABLE_MINE)
         table_publish(mesh->around, record);
     return record;
@@ -178,7 +154,7 @@ static const void *payload_get(const struct point_mesh *mesh,
     if (mesh->walled)
         site.wall = obstacles_plane(
             around_get(mesh, worker, &shared),
-            asking * lattice_spacing(&mesh->lattice, shared.level));
+            asking_reach * lattice_spacing(&mesh->lattice, shared.level));
     site_fill(mesh, worker, &site, record);
     if (state == TABLE_MINE)
         table_publish(mesh->table, record);
@@ -216,7 +192,7 @@ static double seeker_rise(const struct seeker *seeker, vec3 from,
                           double spacing)
 {
     double rise = vec3_dot(vec3_sub(from, seeker->place), seeker->normal);
-    double t = rise / (rise_full * spacing);
+    double t = rise / (seek_rise * spacing);
     if (t <= 0)
         return 0;
     return t >= 1 ? 1 : t * t * (3 - 2 * t);
@@ -238,7 +214,8 @@ static void seek_candidates(const struct seeker *seeker,
     const struct point_mesh *mesh = seeker->mesh;
     struct mesh_weight weights[INTERPOLATION_POINTS];
     double spacing = lattice_spacing(&mesh->lattice, seeker->level);
-    vec3 lifted = vec3_along(seeker->place, seeker->normal, lift * spacing);
+    vec3 lifted =
+        vec3_along(seeker->place, seeker->normal, seek_lift * spacing);
     vec3 at = lattice_units(&mesh->lattice, seeker->level, lifted);
     int count =
         mesh->interpolation->weights(at, seeker->normal, mesh->radius, weights);
@@ -273,7 +250,7 @@ static bool seek_alike(struct seeker *seeker,
         double amount = mesh->amount(payload);
         least = fmin(least, amount);
         most = fmax(most, amount);
-        if (most > alike * least)
+        if (most > alike_amounts * least)
             return false;
         blend->at[blend->count + i].payload = payload;
         blend->at[blend->count + i].weight = candidates->at[i].weight;
@@ -511,7 +488,7 @@ const void *point_mesh_nearest(const struct point_mesh *mesh,
     if (coarse > 0.5)
         seeker.level++;
     double spacing = lattice_spacing(&mesh->lattice, seeker.level);
-    vec3 lifted = vec3_along(place, normal, lift * spacing);
+    vec3 lifted = vec3_along(place, normal, seek_lift * spacing);
     vec3 at = lattice_units(&mesh->lattice, seeker.level, lifted);
     nearest_corners(vec3_add(at, jitter), corner);
     for (int traced = 0; traced < 2; traced++)

@@ -13,7 +13,7 @@
 #include "base/parallel.h"
 #include "render/workers.h"
 #include "shade/surface.h"
-#include "tracer/path.h"
+#include "tracer/integrator.h"
 
 enum {
     PASS_MOST = 16, /* samples of a pass */
@@ -35,6 +35,7 @@ struct tally {
 
 struct passes {
     const struct tracer *tracer;
+    const struct integrator *integrator;
     const struct render_options *options;
     struct worker *workers;
     unsigned threads;
@@ -62,9 +63,9 @@ static void sample_pixel(const struct passes *passes, struct worker *worker,
         draw_pair(&draws, SLOT_PIXEL, u);
         double column = x + 0.5 + options->jitter * (u[0] - 0.5);
         double row = y + 0.5 + options->jitter * (u[1] - 0.5);
-        struct radiance seen =
-            path_camera(passes->tracer, worker, column / options->width,
-                        row / options->height, &draws);
+        struct radiance seen = passes->integrator->sample(
+            passes->tracer, worker, column / options->width,
+            row / options->height, &draws);
         arena_reset(worker->scratch);
         tally->sum[0] += seen.colour.r;
         tally->sum[1] += seen.colour.g;
@@ -191,6 +192,7 @@ bool passes_run(const struct tracer *tracer,
     struct tracer ready = *tracer;
     struct passes passes = {
         .tracer = &ready,
+        .integrator = integrator_for(tracer->lighting),
         .options = options,
         .threads = options->threads ? options->threads : 1,
         .columns = (size_t)(options->column_end - options->column_start),
@@ -204,7 +206,7 @@ bool passes_run(const struct tracer *tracer,
     passes.workers = memory_new(passes.threads * sizeof *passes.workers);
     for (unsigned i = 0; i < passes.threads; i++)
         worker_start(&passes.workers[i], i, options->stop);
-    path_ready(&ready, &passes.workers[0]);
+    passes.integrator->ready(&ready, &passes.workers[0]);
     bool done = passes_all(&passes);
     if (done)
         passes_show(&passes, image);

@@ -7,7 +7,7 @@
 #include "render/workers.h"
 #include "shade/shadow.h"
 #include "tracer/crossing.h"
-#include "tracer/path.h"
+#include "tracer/integrator.h"
 
 enum { PROBE_CHUNK = 16 }; /* points a thread takes at a time */
 
@@ -164,10 +164,10 @@ static rgb probe_paths(const struct probing *all, struct worker *worker,
                        const struct probe_point *point)
 {
     vec3 normal = vec3_normalise(point->normal);
-    return path_irradiance(all->tracer, worker, point->place,
-                           point->directed ? &normal : NULL,
-                           (unsigned)all->options->samples,
-                           (uint64_t)all->options->seed)
+    return integrator_for(all->tracer->lighting)
+        ->irradiance(
+            all->tracer, worker, point->place, point->directed ? &normal : NULL,
+            (unsigned)all->options->samples, (uint64_t)all->options->seed)
         .mean;
 }
 
@@ -177,7 +177,7 @@ static struct probe_light probe_point(const struct probing *all,
 {
     const struct lighting *lighting = all->tracer->lighting;
     struct probe_light light = { .streams = lighting->stream };
-    if (lighting->whole_paths)
+    if (!lighting->illuminate)
         light.colour = probe_paths(all, worker, point);
     else if (point->directed)
         light.colour = probe_irradiance(all, worker, point);

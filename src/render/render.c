@@ -8,6 +8,7 @@
 #include "render/sampler.h"
 #include "render/workers.h"
 #include "shade/surface.h"
+#include "tracer/integrator.h"
 
 struct thread_state {
     struct worker worker;
@@ -207,7 +208,7 @@ bool render_run(const struct tracer *tracer,
         return true;
     struct tracer ready = *tracer;
     tracer_ready(&ready);
-    return tracer->lighting->whole_paths
+    return integrator_for(tracer->lighting)->sample
                ? passes_run(&ready, options, image, stats)
                : render_tiles(&ready, options, image, stats);
 }

@@ -128,7 +128,8 @@ static rgb surface_add_layers(struct surface *surface,
                             : layer_normal(source, place, surface->normal);
         layer_reflect(surface, layer, view);
         weight = rgb_mul(weight, layer_through(layer));
-        /* A mirror's light has no other weight: see tracer/recursive.c. */
+        /* A mirror's light has no other weight: see
+         * tracer/integrator/recursive.c. */
         layer->reflection = rgb_scale(layer->reflection, place->share);
         if (fabs(rgb_brightness(weight)) < view->bailout)
             break;

@@ -7,7 +7,7 @@
 #define TRACER_DIRECT_H
 
 #include "base/draw.h"
-#include "lighting/light_set.h"
+#include "tracer/light_set.h"
 #include "tracer/tracer.h"
 
 /* Who asks for light: a surface or a probe. */

@@ -9,7 +9,7 @@
 #include "harness.h"
 
 #include "parse/parse.h"
-#include "tracer/tracer.h"
+#include "tracer/integrator.h"
 
 struct pixel_options {
     int quality;
@@ -38,7 +38,7 @@ static inline struct radiance pixel_see(const char *scene_text,
     struct world *world = world_new(scene, 1, 0, &diag);
     assert_non_null(world);
     const struct lighting *lighting =
-        lighting_find(options.lighting ? options.lighting : "rays");
+        integrator_lighting_find(options.lighting ? options.lighting : "rays");
     struct lighting_options light = { .threads = 1,
                                       .quality = options.quality };
     struct tracer tracer = { .scene = scene,

@@ -195,3 +195,11 @@ struct path_light path_irradiance(const struct tracer *tracer,
           standard_error(sum.b, squares.b, n) },
     };
 }
+
+const struct integrator path_integrator = {
+    .name = "path",
+    .own = &path_lighting,
+    .ready = path_ready,
+    .sample = path_camera,
+    .irradiance = path_irradiance,
+};

@@ -1,9 +1,10 @@
-/* Whole paths: the reference. Here is only what shines; the tracer follows the
- * paths (tracer/path.h), because light that comes back again depends on all
- * that a ray does. */
+/* What shines: see light_set.h. The integrator follows the paths itself
+ * (integrator/path.c), because light that comes back again depends on all that
+ * a ray does. */
+#include "tracer/light_set.h"
+
 #include "base/memory.h"
 #include "base/warp.h"
-#include "lighting/light_set.h"
 #include "shade/area.h"
 
 static void path_finish(void *state)
@@ -87,7 +88,6 @@ bool light_set_look(const struct lamp *lamp, vec3 point, const double u[2],
 const struct lighting path_lighting = {
     .name = "path",
     .help = "the reference: all paths of light, sample by sample (--samples)",
-    .whole_paths = true,
     .start = path_start,
     .finish = path_finish,
 };

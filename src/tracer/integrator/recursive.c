@@ -10,11 +10,13 @@
  * - Total reflection takes the place of all that is transmitted and mirrored,
  *   at full weight.
  * - Fading in an interior weakens what passes where the ray leaves it. */
+#include "base/parallel.h"
 #include "shade/finish.h"
 #include "shade/interior.h"
 #include "shade/shadow.h"
 #include "shade/background.h"
 #include "tracer/crossing.h"
+#include "tracer/integrator.h"
 
 enum {
     SURFACES_MAX = 1000 * 1000 /* a ray passes straight through */
@@ -37,6 +39,13 @@ struct path {
     double clear; /* 1 - opacity so far */
     rgb light;    /* gathered */
 };
+
+/* Mirrors recurse: that they do so on the stack of a thread bounds their depth.
+ * What is asked at a surface has as much again, and more. */
+_Static_assert(4 * SETTINGS_LEVELS_MAX *
+                       (sizeof(struct path) + sizeof(struct crossing)) <
+                   PARALLEL_STACK,
+               "max_trace_level fits into the stack");
 
 static struct radiance path_follow(struct path *path);
 
@@ -187,7 +196,7 @@ static bool path_cross(struct path *path, struct crossing *crossing)
     const struct tracer *tracer = path->tracer;
     const struct settings *settings = &tracer->scene->settings;
     crossing_fill(crossing, tracer, path->ray.direction, &path->inside,
-                  settings->adc_bailout);
+                  settings->adc_bailout, false);
     crossing->surface.place = path->place;
     crossing->surface.weight = path->weight;
     path->place = NULL;
@@ -299,3 +308,5 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
         arena_reset(worker->scratch);
     }
 }
+
+const struct integrator recursive_integrator = { .name = "recursive" };

@@ -1,7 +1,7 @@
 /* All that shines, ready to be sampled: the lamps, and surfaces that glow.
- * The state of the lighting method `path`. */
-#ifndef LIGHTING_LIGHT_SET_H
-#define LIGHTING_LIGHT_SET_H
+ * What the integrator `path` lights by. */
+#ifndef TRACER_LIGHT_SET_H
+#define TRACER_LIGHT_SET_H
 
 #include "lighting/guide.h"
 #include "lighting/lighting.h"
@@ -18,6 +18,9 @@ struct light_set {
     struct guide *guide; /* or NULL */
     uint64_t seed;
 };
+
+/* Its state is a light_set; it answers no questions, the integrator does. */
+extern const struct lighting path_lighting;
 
 /* A place on the lamp, uniform over its area: the light as `point` sees it
  * from there. */

@@ -1,0 +1,226 @@
+/* Decisions: see plan.h. */
+#include "lightmesh/plan.h"
+
+#include "lightmesh/light_tree.h"
+#include "lightmesh/tuning.h"
+#include "shade/surface.h"
+
+/* Gathered light differs from point to point by chance, which lamps' doesn't:
+ * unless the scene says another it is evened out. */
+static const char gathered_interpolation[] = "smooth";
+
+static double plan_finer(const struct light_mesh_settings *said)
+{
+    double quality = said->quality > 0 ? said->quality : quality_usual;
+    return pow(quality_step, quality - quality_usual);
+}
+
+static struct lattice frame_lattice(const struct mesh_frame *frame)
+{
+    return (struct lattice){ .spacing = frame->spacing,
+                             .eye = frame->eye,
+                             .near = frame->near };
+}
+
+/* Shadows may be as fine as pixels; what surfaces give each other is as smooth
+ * as their distances are large, however large the picture is. */
+static struct lattice
+plan_indirect_lattice(const struct light_mesh_settings *said,
+                      const struct lattice *direct, double size)
+{
+    struct lattice lattice = *direct;
+    double least = size / (indirect_cells * plan_finer(said));
+    while (!(said->density > 0) &&
+           lattice_spacing(&lattice, lattice.usual) < least)
+        lattice.spacing *= 2;
+    return lattice;
+}
+
+/* Levels by which the indirect mesh is coarser than its lattice. Where the
+ * picture shows many cells at a time it may be rough: a cell serves few pixels,
+ * and no picture shows it. */
+static int frame_coarser(const struct world *world, const struct scene *scene,
+                         const struct outlook *outlook,
+                         const struct mesh_frame *frame)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    if (!said->indirect.on || said->density > 0)
+        return 0;
+    struct lattice lattice = frame_lattice(frame);
+    lattice = plan_indirect_lattice(said, &lattice, frame->size);
+    return outlook_crowding(world, &scene->camera, outlook, &lattice) >
+           crowded_cells;
+}
+
+struct mesh_frame plan_frame(const struct world *world,
+                             const struct scene *scene,
+                             const struct outlook *outlook, int attempt)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    double spacing = spacing_pixels * outlook->pixel;
+    spacing = fmin(fmax(spacing, outlook->size / spacing_cells_most),
+                   outlook->size / spacing_cells_least);
+    spacing /= plan_finer(said);
+    if (said->density > 0)
+        spacing = 1 / said->density;
+    struct mesh_frame frame = {
+        .spacing = spacing * pow(spacing_coarser, attempt),
+        .wanted = spacing,
+        .near = 2 * outlook->distance,
+        .eye = scene->camera.location,
+        .centre = outlook->centre,
+        .size = outlook->size,
+    };
+    frame.coarser = frame_coarser(world, scene, outlook, &frame);
+    return frame;
+}
+
+enum mesh_shadows plan_held(const struct light_mesh_settings *said,
+                            size_t lamps)
+{
+    return lamps > FEW_LAMPS && said->shadows == MESH_SHADOWS_SHARP
+               ? MESH_SHADOWS_SHARP
+               : MESH_SHADOWS_SOFT;
+}
+
+static enum plan_lamps plan_lamps(const struct light_mesh_settings *said,
+                                  size_t lamps)
+{
+    bool sharp = said->shadows == MESH_SHADOWS_SHARP;
+    if (lamps > (sharp ? SHARP_LAMPS : FEW_LAMPS))
+        return PLAN_SUMMED;
+    if (said->shadows == MESH_SHADOWS_SOFT)
+        return PLAN_BLENDED;
+    return lamps > FEW_LAMPS ? PLAN_SETTLED : PLAN_EACH;
+}
+
+/* Levels are none unless they, or a threshold, are said. */
+static struct refinement plan_refinement(const struct light_mesh_settings *said)
+{
+    int levels = said->threshold > 0 ? ADAPTIVE_LEVELS : 0;
+    return (struct refinement){
+        .levels = said->levels > 0 ? said->levels : levels,
+        .threshold = said->threshold > 0 ? said->threshold : adaptive_threshold,
+    };
+}
+
+/* Lamps that a point asks. The more lamps, the more rays a mesh saves: part of
+ * that is given back to be right. */
+static int plan_budget(double finer, size_t lamps)
+{
+    int budget = (int)(LAMP_BUDGET * finer);
+    double more = fmin(fmax((double)lamps / BUDGET_LAMPS, 1), BUDGET_MOST);
+    return (int)(more * budget);
+}
+
+static void plan_direct(struct plan *plan,
+                        const struct light_mesh_settings *said,
+                        const struct lamps *lamps,
+                        const struct interpolation *interpolation)
+{
+    const struct mesh_frame *frame = &plan->frame;
+    bool many = plan->lamps == PLAN_SUMMED;
+    plan->direct = (struct direct_options){
+        .lattice = frame_lattice(frame),
+        .interpolation = interpolation,
+        .radius = said->radius / frame->spacing,
+        .refinement = plan_refinement(said),
+        .many = many,
+        .surfaces = many && interpolation == interpolation_at(0),
+        .budget = plan_budget(plan->finer, lamps->count),
+        .centre = frame->centre,
+        .size = frame->size,
+        .bytes = MESH_BYTES - (said->indirect.on ? INDIRECT_BYTES : 0),
+    };
+    lattice_set_regions(&plan->direct.lattice, said->regions.items,
+                        said->regions.count);
+    lattice_make_finer(&plan->direct.lattice, plan->direct.refinement.levels);
+}
+
+static void plan_indirect(struct plan *plan,
+                          const struct light_mesh_settings *said,
+                          gather_close *close, const void *close_context)
+{
+    const struct direct_options *direct = &plan->direct;
+    int usual = close ? CLOSED_BOUNCES : BOUNCES;
+    int samples = said->indirect.samples, bounces = said->indirect.bounces;
+    int crowded = plan->frame.coarser;
+    double finer = plan->finer;
+    int enough = samples > 0 ? samples : (int)(GATHER_SAMPLES * finer * finer);
+    plan->indirect = (struct indirect_options){
+        .lattice = plan_indirect_lattice(said, &direct->lattice, direct->size),
+        .interpolation = said->interpolation
+                             ? direct->interpolation
+                             : interpolation_find(gathered_interpolation),
+        .radius = direct->radius,
+        .refinement = direct->refinement,
+        .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
+        .usual = enough,
+        .samples = samples > 0 || crowded > 0 ? enough : ROUGH_FACTOR * enough,
+        .error = gather_error / finer,
+        .bytes = INDIRECT_BYTES,
+        .close = close,
+        .close_context = close_context,
+    };
+    plan->indirect.lattice.coarser = crowded;
+}
+
+/* Whether it was said what the points in space are to be, or where they go or
+ * come from: then they light the picture. */
+static bool mesh_is_said(const struct light_mesh_settings *said)
+{
+    return said->shadows != MESH_SHADOWS_AUTO || said->density > 0 ||
+           said->radius > 0 || said->levels > 0 || said->threshold > 0 ||
+           said->regions.count > 0 || said->save_file || said->load_file;
+}
+
+struct plan plan_new(const struct scene *scene, const struct lamps *lamps,
+                     const struct mesh_frame *frame,
+                     const struct interpolation *interpolation,
+                     gather_close *close, const void *close_context)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    struct plan plan = {
+        .lamps = plan_lamps(said, lamps->count),
+        .finer = plan_finer(said),
+        .frame = *frame,
+    };
+    plan_direct(&plan, said, lamps, interpolation);
+    bool asks = plan.lamps == PLAN_EACH ||
+                (plan.direct.surfaces && !mesh_is_said(said));
+    plan.pixels = asks && lamps->quality >= QUALITY_SHADOWS;
+    plan.penumbras =
+        plan.lamps == PLAN_EACH && lamps->quality >= QUALITY_AREA_LIGHTS;
+    if (said->indirect.on)
+        plan_indirect(&plan, said, close, close_context);
+    return plan;
+}
+
+void plan_tell(const struct plan *plan, plan_row *row, void *context)
+{
+    static const char *const lamps[] = {
+        [PLAN_EACH] = "each by shadow rays",
+        [PLAN_BLENDED] = "each at mesh points",
+        [PLAN_SETTLED] = "by rays where mesh points differ",
+        [PLAN_SUMMED] = "summed at mesh points",
+    };
+    const struct lattice *direct = &plan->direct.lattice;
+    const struct lattice *indirect = &plan->indirect.lattice;
+    row(context, "plan lamps", NAN, lamps[plan->lamps]);
+    if (plan->lamps == PLAN_SUMMED)
+        row(context, "plan lamps asked", plan->direct.budget, "");
+    if (plan->lamps != PLAN_EACH)
+        row(context, "plan spacing", lattice_spacing(direct, direct->usual),
+            "units");
+    if (plan->indirect.bounces == 0)
+        return;
+    row(context, "plan bounces", plan->indirect.bounces, "");
+    row(context, "plan ends in", NAN,
+        plan->indirect.close ? "the skeleton's light" : "the dark");
+    row(context, "plan gather rays", plan->indirect.usual, "");
+    row(context, "plan rough rays", plan->indirect.samples, "");
+    row(context, "plan gather error", 100 * plan->indirect.error, "%");
+    row(context, "plan gather step",
+        lattice_spacing(indirect, indirect->usual + indirect->coarser),
+        "units");
+}

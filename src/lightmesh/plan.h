@@ -1,0 +1,59 @@
+/* What is decided for one picture before light meshes are made: who is asked
+ * about lamps, where mesh points are, how many rays they send, what memory they
+ * may have. Made of what the scene and the options say, of what the camera sees
+ * and of tuning.h; nobody else compares lamps with thresholds. `--stats` prints
+ * it. */
+#ifndef LIGHTMESH_PLAN_H
+#define LIGHTMESH_PLAN_H
+
+#include "lightmesh/direct.h"
+#include "lightmesh/indirect.h"
+#include "lightmesh/mesh_stamp.h"
+#include "lightmesh/outlook.h"
+#include "scene/scene.h"
+
+/* How lamps are asked. */
+enum plan_lamps {
+    PLAN_EACH,    /* each by shadow rays. Mesh points do not see what falls
+                   * between them, and cost more than those of two dozen lamps */
+    PLAN_BLENDED, /* each at the mesh points around; of area lights shadow rays,
+                   * which make their shadows soft anyway */
+    PLAN_SETTLED, /* by shadow rays those on which the mesh points around
+                   * differ */
+    PLAN_SUMMED,  /* all together at mesh points */
+};
+
+struct plan {
+    enum plan_lamps lamps;
+    bool pixels;    /* the picture's own pixels may be mesh points, ... */
+    bool penumbras; /* and know the shares of area lights */
+    double finer;   /* than quality 5: a factor */
+    struct mesh_frame frame;
+    struct direct_options direct;
+    struct indirect_options indirect; /* no bounces: there is none */
+};
+
+/* Where mesh points are; `attempt`: so often there were too many. */
+struct mesh_frame plan_frame(const struct world *world,
+                             const struct scene *scene,
+                             const struct outlook *outlook, int attempt);
+
+/* What of `shadows` counts for what mesh points hold: of few lamps, and where
+ * none is asked for, the same. */
+enum mesh_shadows plan_held(const struct light_mesh_settings *said,
+                            size_t lamps);
+
+/* The rest of it: `frame` is this picture's, or of the mesh it begins with;
+ * `interpolation` the one that is said, or the default; `close` ends the
+ * bounces, with its context, or NULL. The scene must outlive it. */
+struct plan plan_new(const struct scene *scene, const struct lamps *lamps,
+                     const struct mesh_frame *frame,
+                     const struct interpolation *interpolation,
+                     gather_close *close, const void *close_context);
+
+/* Takes a line: what, how much, and its unit or ""; NAN: the unit says all. */
+typedef void plan_row(void *context, const char *what, double amount,
+                      const char *unit);
+void plan_tell(const struct plan *plan, plan_row *row, void *context);
+
+#endif

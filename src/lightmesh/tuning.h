@@ -1,0 +1,153 @@
+/* All choices and thresholds of light meshes in one place, each written once:
+ * what it is of, its unit, and in brackets the row of tests/bench/rows.txt (or
+ * the scene of examples/) where it was measured: to change one is to run that
+ * row. Lengths "in spacings" are of the lattice there, shares are of 1. What
+ * only describes a layout (bits of a key, sizes of an array) stays where it is
+ * used. plan.h makes of these, of the settings and of the scene the figures of
+ * one picture. */
+#ifndef LIGHTMESH_TUNING_H
+#define LIGHTMESH_TUNING_H
+
+/* Who is asked. */
+enum {
+    FEW_LAMPS = 24, /* lamps that shadow rays ask one by one, at most; of more
+                     * the light is summed at mesh points [lights-10,
+                     * lights-100, hall] */
+    SHARP_LAMPS = 1000, /* the same where `shadows sharp` is said [hall] */
+    GATHER_LAMPS = 4,   /* that a gather ray asks itself [room] */
+};
+
+/* How near mesh points are to each other. */
+static const double quality_usual = 5;   /* if none is said */
+static const double quality_step = 1.3;  /* finer for each step [quality] */
+static const double spacing_pixels = 20; /* pixels [density, forest] */
+static const double spacing_cells_least = 24; /* across what is seen [room] */
+static const double spacing_cells_most = 256; /* likewise [pixels-1200] */
+static const double spacing_coarser = 1.4142135623730951; /* half as many on a
+                                                           * surface */
+static const double indirect_cells = 40; /* of the indirect mesh, across what
+                                          * is seen, are enough [room] */
+static const double crowded_cells = 4;   /* more than so many at a time: it is
+                                          * coarser [maze] */
+static const double adaptive_threshold = 0.2; /* relative difference
+                                               * [paper/surfaces] */
+enum {
+    ADAPTIVE_LEVELS = 2, /* finer, where a threshold is said */
+    SPACING_ATTEMPTS = 12,
+};
+
+/* Memory, bytes: issue 4 allows 64 MB more than rays [memory]. */
+enum {
+    MESH_BYTES = 120 * 1000 * 1000,
+    INDIRECT_BYTES = 30 * 1000 * 1000, /* of them, with indirect light */
+    SURFACE_PART = 3, /* one in so many is for points on surfaces */
+};
+static const double kept_full = 0.5; /* of a table, by the picture before */
+static const double kept_nearer = 3, kept_farther = 1.5; /* than wanted, factors
+                                                          * of the spacing */
+
+/* Mesh points in space [forest, thinwall, room]. */
+static const double seek_lift = 0.3;    /* above the surface, spacings */
+static const double seek_rise = 0.2;    /* points lower than that count less,
+                                         * spacings */
+static const double nearest_rise = 0.1; /* likewise, of the nearest */
+static const double worth_fine = 0.25;  /* what is worth less is a level
+                                         * coarser, share of the picture */
+static const double worth_step = 3;     /* and one more for each such factor */
+static const double obstacle_reach = 2.5;  /* spacings */
+static const double obstacle_plane = 0.03; /* flat within that share */
+static const double asking_reach = 2.1;    /* nothing farther asks, spacings */
+static const double alike_amounts = 3;  /* of light, a factor: no matter which
+                                         * points see the place */
+static const double level_blend = 0.75; /* of a level, then the next begins */
+
+/* Few lamps under `shadows soft` and `sharp` [hall]. */
+enum { AGREEING_POINTS = 3 };           /* fewer don't decide what is sharp */
+static const double faint_error = 0.13; /* of faint lamps together, relative */
+
+/* Many lamps, asked by points in space and on surfaces [lights-1000,
+ * lamps-10000]. */
+enum {
+    LAMP_BUDGET = 24,     /* that a point asks, of 100 at quality 5 */
+    BUDGET_LAMPS = 100,   /* of more the budget grows as they do, ... */
+    BUDGET_MOST = 4,      /* up to so many times */
+    SURFACE_LAMPS = 1024, /* points on surfaces look at each; of more at
+                           * clusters */
+    CERTAIN_ROUNDS = 4,   /* of counting lamps that are asked for certain */
+};
+
+/* Mesh points on surfaces [forest, triangles-50000]. Sizes are square roots of
+ * areas, in spacings. */
+static const double facet_least = 0.05;     /* of triangles that stand alone */
+static const double facet_least_shared = 2; /* of others */
+static const double facet_least_square = 1; /* of parallelograms */
+static const double facet_most = 4096;      /* longest edge */
+static const double facet_narrow = 0.2;     /* width over length */
+static const double chain_long = 2, chain_thin = 0.1, chain_wide = 1.5;
+static const double apart_alone = 0.7, apart_shared = 1.4, apart_chain = 3;
+static const double spread_cell = 0.5;    /* rays begin on so much of a cell */
+static const double spread_single = 0.94; /* and of a triangle */
+static const double asked_cell = 0.6, asked_shared = 4; /* of the budget */
+static const double asked_fully = 0.3; /* smaller triangles ask fewer lamps */
+static const double facet_lift = 0.05; /* from where points are looked for */
+enum {
+    FACETS_MOST = 250000
+}; /* of more triangles none stands alone
+    * [triangles-1000000] */
+
+/* Pixels as mesh points [lights-10 to lights-1000, forest]. Times in seconds,
+ * as measured; only their ratios count. */
+static const double pixels_most = 2.5e6;      /* places, 100 MB */
+static const double pixel_pairs_most = 3.2e8; /* bits, 40 MB */
+static const double pixel_points = 1.5;       /* with those of small surfaces */
+static const double pixel_lamps_apart = 14;   /* of lamps / 14 pixels one */
+static const double pixel_lamps_more = 100, pixel_more_most = 4;
+static const double time_lamp_triangle = 26e-9, time_lamp_point = 15e-9;
+static const double time_ray = 0.3e-6, time_space_pixel = 0.8e-6;
+static const double pixel_worth = 3; /* so much longer: a third of the
+                                      * error of points in space */
+static const double pixel_rays_share =
+    0.25;                                  /* of few lamps' rays it may take */
+static const double pixel_rays_most = 0.3; /* of pairs that a ray may decide */
+static const double pixel_detail_least = 1e-3; /* units: shadow rays begin there
+                                                */
+static const double pixel_detail = 0.1; /* of a pixel: no shadow is seen */
+static const double pixel_alike = 0.5;  /* cosine of normals that share light */
+
+/* Area lights at pixels [arealight]. */
+static const double penumbra_bytes_most = 64e6;
+static const double penumbra_wide = 2;     /* at least, in blocks */
+static const float penumbra_even = 0.2f;   /* corners differ by less */
+static const double penumbra_bend = 0.3;   /* of normals, in a block */
+static const double penumbra_swell = 0.25; /* of a block, in its side */
+
+/* Gathering [room, blocks, maze, room-error]. */
+enum {
+    BOUNCES = 6,
+    CLOSED_BOUNCES = 1,   /* when the skeleton knows the rest */
+    GATHER_SAMPLES = 256, /* rays of a mesh point, at most, */
+    ROUGH_FACTOR = 4,     /* so many times as many where they differ much */
+    GATHER_FIRST = 128,   /* at least, of kept points */
+    LONE_SAMPLES = 32,    /* of places that are their own mesh point */
+    LONE_FIRST = 16,
+    LONE_PART = 8,        /* of later bounces one in so many */
+    LATER_PART = 8,       /* likewise of kept points */
+    HIT_LEVELS = 1,       /* direct light on what they meet is coarser */
+    WALL_PART = 4,        /* of ways into the only wall one in so many */
+    WAYS_MOST = 65536,    /* directions that are kept */
+    GATHER_PANES = 64,    /* that a ray passes */
+    GATHER_MIRRORS = 3,   /* on one way */
+    CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
+    CLOSE_RAYS = 30000,   /* between its walls */
+    SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
+};
+static const double gather_error = 0.042;  /* relative, between halves */
+static const double gather_rough = 1.7;    /* times that: differ much */
+static const double gather_unseen = 0.068; /* light that makes no difference;
+                                            * irradiance 1 is 6.8 */
+static const double gather_worth_least = 0.02; /* then the skeleton answers */
+static const double gather_worth_whole = 0.5;  /* less gathers fewer rays */
+static const double gather_least = 0.02;       /* share that is followed */
+static const double often_mirrored = 2, often_lit = 4; /* roulette, factors */
+
+#endif

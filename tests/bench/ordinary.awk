@@ -1,0 +1,76 @@
+# Sums up ordinary.csv: geometric means, the least by name, the best; and what
+# has fallen below the baseline, which holds POV-Ray's time over glim's and its
+# memory over glim's. Times of one program vary by a quarter on a shared
+# machine, those below a twentieth of a second by more: `slack` allows for it.
+# With `accept` the baseline is written instead. Ends with 1 if any has fallen.
+BEGIN {
+    slack = 0.7
+    memory_slack = 0.85
+    while (!accept && (getline line < baseline) > 0) {
+        split(line, field, " ")
+        if (line !~ /^#/) {
+            least_time[field[1] "," field[2]] = field[3]
+            least_memory[field[1] "," field[2]] = field[4]
+        }
+    }
+}
+
+NR > 1 && $3 > 0 && $5 > 0 {
+    key = $1 "," $2
+    ratio = $5 / $3
+    memory = $6 / $4
+    if (!($1 in count))
+        order[++sections] = $1
+    n = ++count[$1]
+    name[$1, n] = $2
+    value[$1, n] = ratio
+    sum[$1] += log(ratio)
+    lines[++all] = sprintf("%s %s %.2f %.2f", $1, $2, ratio, memory)
+    if (key in least_time) {
+        allowed = least_time[key] * ($3 < 0.05 ? slack * slack : slack)
+        if (ratio < allowed)
+            fallen[++lost] = sprintf("%s %s: %.2f times quicker, was %.2f",
+                $1, $2, ratio, least_time[key])
+        if (memory < least_memory[key] * memory_slack)
+            fallen[++lost] = sprintf("%s %s: %.2f times less memory, was %.2f",
+                $1, $2, memory, least_memory[key])
+    }
+}
+
+# Sorts the rows of a section by ratio, least first.
+function sort_rows(section, n,    i, j, v, s) {
+    for (i = 2; i <= n; i++) {
+        v = value[section, i]
+        s = name[section, i]
+        for (j = i - 1; j > 0 && value[section, j] > v; j--) {
+            value[section, j + 1] = value[section, j]
+            name[section, j + 1] = name[section, j]
+        }
+        value[section, j + 1] = v
+        name[section, j + 1] = s
+    }
+}
+
+END {
+    print "\nPOV-Ray's processor time over glim's"
+    for (i = 1; i <= sections; i++) {
+        s = order[i]
+        n = count[s]
+        sort_rows(s, n)
+        printf "%-12s %3d rows, geometric mean %.2f, best %s %.1f\n", s, n,
+            exp(sum[s] / n), name[s, n], value[s, n]
+        printf "    least:"
+        for (k = 1; k <= 10 && k <= n; k++)
+            printf " %s %.2f", name[s, k], value[s, k]
+        print ""
+    }
+    if (accept) {
+        print "# SECTION ROW POV-Ray's time / glim's, its memory / glim's;" \
+            " written by BASELINE=accept" > baseline
+        for (i = 1; i <= all; i++)
+            print lines[i] > baseline
+    }
+    for (i = 1; i <= lost; i++)
+        print "fallen below the baseline: " fallen[i]
+    exit lost > 0
+}
