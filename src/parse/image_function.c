@@ -29,6 +29,13 @@ static bool picture_room(struct parser *p, struct span span, int width,
                     limit >> 20);
 }
 
+/* In two bytes, so that what is above 1 begins at 0 again (measured). */
+static double picture_number(double value)
+{
+    double number = trunc(value * 65535);
+    return (number - 65536 * floor(number / 65536)) / 65535;
+}
+
 static void picture_pixel(const struct function *function, vec3 point,
                           unsigned long *steps_left, float pixel[4])
 {
@@ -37,7 +44,8 @@ static void picture_pixel(const struct function *function, vec3 point,
     if (function->values)
         function->values->at(function->values, point, c);
     else
-        c[0] = c[1] = c[2] = function_evaluate(function, arguments, steps_left);
+        c[0] = c[1] = c[2] =
+            picture_number(function_evaluate(function, arguments, steps_left));
     double alpha = fmin(fmax(1 - c[4], 0), 1);
     for (int i = 0; i < 3; i++)
         pixel[i] = isfinite(c[i]) ? (float)(c[i] * alpha) : 0;

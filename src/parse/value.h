@@ -28,6 +28,9 @@ enum value_kind {
     VALUE_COLOUR_MAP,
     VALUE_PIGMENT_MAP,
     VALUE_TEXTURE_MAP,
+    VALUE_DENSITY,
+    VALUE_DENSITY_MAP,
+    VALUE_MEDIA,
     VALUE_NORMAL_MAP,
     VALUE_SLOPE_MAP,
     VALUE_FOG,
@@ -39,6 +42,7 @@ enum value_kind {
 struct array;
 struct data_file;
 struct macro;
+struct medium;
 struct function;
 struct spline;
 struct symbol;
@@ -62,6 +66,7 @@ struct value {
         const struct finish *finish;
         const struct interior *interior;
         const struct material *material;
+        const struct medium *medium;
         const affine *transform;
         const struct camera *camera;
         const struct blend_map *map;
