@@ -13,6 +13,7 @@ struct mesh_half {
 struct mesh_question {
     struct lamplight light; /* first: its address is ours */
     const struct direct_mesh *direct;
+    struct lattice_view view;
     enum plan_lamps way;
     struct mesh_half half[2];
 };
@@ -26,8 +27,13 @@ static const struct mesh_half *mesh_half(struct mesh_question *question,
     if (half->known)
         return half;
     half->known = true;
+    const struct receiver receiver = { .point = surface->point,
+                                       .side = normal,
+                                       .normal = normal,
+                                       .view = question->view,
+                                       .weight = 1 };
     point_mesh_blend(&question->direct->points, question->light.worker,
-                     surface->point, normal, 1, &half->blend);
+                     &receiver, &half->blend);
     direct_mesh_judge(question->direct, &half->blend, &half->verdict);
     return half;
 }
@@ -65,9 +71,10 @@ static bool pixels_share(const struct mesh_pixels *pixels,
                          rgb *share)
 {
     bool shines;
+    const struct receiver receiver = { .at = surface->at,
+                                       .pixel = surface->place };
     if (pixels->penumbras && surface->inside->count == 0 &&
-        penumbras_share(pixels->penumbras, surface->place, surface->at, lamp,
-                        share))
+        penumbras_share(pixels->penumbras, &receiver, lamp, share))
         return true;
     if (!pixels->mesh ||
         !pixel_mesh_sees(pixels->mesh, surface->place, lamp, &shines))
@@ -113,8 +120,8 @@ static bool mesh_asked(const struct mesh_question *question,
             lamps_soft(question->light.lamps, lamp));
 }
 
-void mesh_few_give(const struct direct_mesh *mesh, enum plan_lamps way,
-                   const struct mesh_pixels *pixels,
+void mesh_few_give(const struct direct_mesh *mesh, struct lattice_view view,
+                   enum plan_lamps way, const struct mesh_pixels *pixels,
                    const struct lamplight *light)
 {
     const struct lamps *lamps = light->lamps;
@@ -126,6 +133,7 @@ void mesh_few_give(const struct direct_mesh *mesh, enum plan_lamps way,
     question.light = *light;
     question.light.share = mesh_share;
     question.direct = mesh;
+    question.view = view;
     question.way = way;
     question.half[0].known = question.half[1].known = false;
     for (size_t i = 0; i < lamps->count; i++) {

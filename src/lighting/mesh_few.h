@@ -8,8 +8,8 @@
 
 /* Visits the lamps' samples. The mesh must not be of many lamps. What the
  * picture's points know is not asked. */
-void mesh_few_give(const struct direct_mesh *mesh, enum plan_lamps way,
-                   const struct mesh_pixels *pixels,
+void mesh_few_give(const struct direct_mesh *mesh, struct lattice_view view,
+                   enum plan_lamps way, const struct mesh_pixels *pixels,
                    const struct lamplight *light);
 
 #endif

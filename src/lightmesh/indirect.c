@@ -211,7 +211,7 @@ static void fill_gather(const void *context, struct worker *worker,
     struct gathered light = gatherer_mean(&gatherer, 0, count);
     struct harmonics lamps = { { 0 }, { 0 }, { 0 } };
     if (2 * count <= most)
-        direct_mesh_around(&mesh->direct, worker, site, &lamps);
+        direct_mesh_around(mesh->gather.direct, worker, site, &lamps);
     while (2 * count <= most && !worker_stopped(worker)) {
         struct gathered more = gatherer_mean(&gatherer, count, 2 * count);
         double error = halves_error(&light, &more, &lamps);
@@ -245,11 +245,10 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
                                         int bounce)
 {
     struct indirect_mesh *mesh = memory_new(sizeof *mesh);
-    mesh->direct = *direct;
-    mesh->direct.points.lattice.coarser = HIT_LEVELS;
     mesh->gather = (struct gather){
         .lamps = direct->lamps,
-        .direct = &mesh->direct,
+        .direct = direct,
+        .view = options->view,
         .emitters = emitters,
         .close = options->close,
         .close_context = options->close_context,
@@ -269,7 +268,6 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .radius = options->radius > 0 ? options->radius
                                       : options->interpolation->radius,
         .payload_size = sizeof(struct harmonics),
-        .full = direct->points.full,
         .refinement = options->refinement,
         .light = harmonics_received,
         .fill = fill_gather,
@@ -319,28 +317,28 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
 
 rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
                              struct worker *worker,
-                             const struct indirect_place *at)
+                             const struct receiver *receiver)
 {
     const struct gather *gather = &mesh->gather;
     struct mesh_blend blend;
     struct harmonics sum = { { 0 }, { 0 }, { 0 } };
-    if (at->worth < gather_worth_least && gather->close)
-        return gather->close(gather->close_context, worker, at->place,
-                             at->normal, at->from);
-    point_mesh_blend(&mesh->points, worker, at->place, at->side, at->worth,
-                     &blend);
+    if (receiver->weight < gather_worth_least && gather->close)
+        return gather->close(gather->close_context, worker, receiver->point,
+                             receiver->normal, receiver->from);
+    point_mesh_blend(&mesh->points, worker, receiver, &blend);
     for (int i = 0; i < blend.count; i++)
         harmonics_mix(&sum, blend.at[i].payload, (float)blend.at[i].weight);
-    return harmonics_irradiance(&sum, at->normal, 1);
+    return harmonics_irradiance(&sum, receiver->normal, 1);
 }
 
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
-                           struct worker *worker, vec3 place, vec3 side,
-                           vec3 normal, vec3 jitter, rgb *light)
+                           struct worker *worker,
+                           const struct receiver *receiver, vec3 jitter,
+                           rgb *light)
 {
     const struct harmonics *nearest =
-        point_mesh_nearest(&mesh->points, worker, place, side, jitter);
+        point_mesh_nearest(&mesh->points, worker, receiver, jitter);
     if (nearest)
-        *light = harmonics_irradiance(nearest, normal, 1);
+        *light = harmonics_irradiance(nearest, receiver->normal, 1);
     return nearest;
 }

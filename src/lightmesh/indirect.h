@@ -17,6 +17,7 @@ enum { BOUNCES_MAX = 20 };
 
 struct indirect_options {
     struct lattice lattice;       /* of the first bounce */
+    struct lattice_view view;     /* of gather rays */
     struct refinement refinement; /* likewise */
     const struct interpolation *interpolation;
     double radius;       /* of interpolation, in spacings; 0: its own */
@@ -31,7 +32,6 @@ struct indirect_options {
 
 struct indirect_mesh {
     struct gather gather;
-    struct direct_mesh direct; /* a coarser view of the given one */
     struct point_mesh points;
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
     int usual, samples, lone_samples;
@@ -46,23 +46,17 @@ struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct indirect_options *options);
 void indirect_mesh_free(struct indirect_mesh *mesh);
 
-/* A surface point; `side` is the true normal, on the side of `normal`. It is
- * seen from `from`. */
-struct indirect_place {
-    vec3 place, side, normal, from;
-    double worth; /* how much of what it gets the picture shows, 0 to 1 */
-};
-
-/* Indirect light on it, that of glowing surfaces included, in POV-Ray's
- * units. What is worth little is less exact. */
+/* Indirect light on a surface point, that of glowing surfaces included, in
+ * POV-Ray's units. What is worth little is less exact. */
 rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
                              struct worker *worker,
-                             const struct indirect_place *at);
+                             const struct receiver *receiver);
 
 /* Indirect light in *light by one mesh point, see point_mesh_nearest; false if
  * none sees the place. */
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
-                           struct worker *worker, vec3 place, vec3 side,
-                           vec3 normal, vec3 jitter, rgb *light);
+                           struct worker *worker,
+                           const struct receiver *receiver, vec3 jitter,
+                           rgb *light);
 
 #endif
