@@ -4,7 +4,6 @@
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
 #include "lighting/mesh_close.h"
-#include "lighting/mesh_few.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_pixels.h"
 #include "lighting/mesh_report.h"
@@ -28,6 +27,7 @@ struct mesh_lighting {
     struct scalar_mesh *scalar;     /* of model scalar, in place of them all */
     struct void_skeleton close;     /* what ends its bounces, if asked for */
     struct mesh_pixels pixels;      /* that lamps look at */
+    struct knowers knowers;
     struct mesh_report report;
     /* How this picture's camera asks; what mesh points hold must not depend on
      * it, only on the stamp's frame. */
@@ -223,6 +223,9 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     }
     mesh->pixels =
         mesh_pixels_new(&mesh->lamps, scene, &mesh->plan, outlook.pixel);
+    mesh->knowers = (struct knowers){ .plan = &mesh->plan,
+                                      .lamps = &mesh->lamps,
+                                      .direct = mesh->direct };
     mesh_report_on(mesh);
     return mesh;
 }
@@ -258,13 +261,6 @@ static void mesh_shine(const struct lamplight *asked, vec3 direction, rgb light)
         asked->visit(asked->context, &sample);
 }
 
-/* The light of lamps on one side of a surface, and where most of it comes from.
- */
-struct mesh_light {
-    rgb light, from_there;
-    vec3 direction;
-};
-
 /* A side of a surface that asks for light. */
 static struct receiver mesh_receiver(const struct surface *surface, vec3 side,
                                      vec3 normal, struct lattice_view view)
@@ -282,36 +278,6 @@ static struct receiver mesh_receiver(const struct surface *surface, vec3 side,
     };
 }
 
-static struct mesh_light mesh_light(const struct mesh_lighting *mesh,
-                                    const struct lamplight *asked, vec3 side,
-                                    vec3 normal)
-{
-    const struct direct_mesh *direct = mesh->direct;
-    const struct surface *surface = asked->surface;
-    double brilliance = surface->layer[0].finish->brilliance;
-    const struct receiver receiver =
-        mesh_receiver(surface, side, normal, mesh->direct_view);
-    struct facet_light own;
-    struct mesh_light light = { .from_there = rgb_grey(0) };
-    bool shines = mesh_shines(surface);
-    if ((mesh->pixels.mesh && receiver.pixel &&
-         pixel_mesh_light(mesh->pixels.mesh, &receiver, &own)) ||
-        (direct->facets &&
-         facet_mesh_light(direct->facets, asked->worker, &receiver, &own))) {
-        light.light = facet_light_irradiance(&own, side, normal, brilliance);
-        if (shines)
-            light.direction = facet_light_direction(&own, &light.from_there);
-        return light;
-    }
-    struct mesh_blend blend;
-    point_mesh_blend(&direct->points, asked->worker, &receiver, &blend);
-    struct harmonics around = direct_mesh_light(&blend);
-    light.light = harmonics_irradiance(&around, normal, brilliance);
-    if (shines)
-        light.direction = harmonics_direction(&around, &light.from_there);
-    return light;
-}
-
 /* What the lamps in front of the surface, or behind it, give its first layer,
  * to be multiplied by its diffuse share. */
 static rgb mesh_side(const struct mesh_lighting *mesh,
@@ -320,13 +286,22 @@ static rgb mesh_side(const struct mesh_lighting *mesh,
     const struct surface *surface = asked->surface;
     const struct surface_layer *layer = &surface->layer[0];
     double brilliance = layer->finish->brilliance;
-    struct mesh_light light =
-        mesh_light(mesh, asked, vec3_scale(surface->side, sign),
-                   vec3_scale(layer->normal, sign));
-    if (sign > 0)
-        mesh_shine(asked, light.direction, light.from_there);
+    const struct receiver receiver =
+        mesh_receiver(surface, vec3_scale(surface->side, sign),
+                      vec3_scale(layer->normal, sign), mesh->direct_view);
+    struct asking asking;
+    struct incident incident;
+    asking_start(&asking, &mesh->knowers, asked->worker, &receiver,
+                 surface->inside);
+    asking_all_lamps(&asking, &incident);
+    rgb light = incident_irradiance(&incident, &receiver, brilliance);
+    if (sign > 0 && mesh_shines(surface)) {
+        rgb from_there;
+        vec3 direction = incident_direction(&incident, &from_there);
+        mesh_shine(asked, direction, from_there);
+    }
     double albedo = layer->finish->diffuse_albedo ? (brilliance + 1) / 2 : 1;
-    return rgb_scale(light.light, albedo);
+    return rgb_scale(light, albedo);
 }
 
 static rgb mesh_many(const struct mesh_lighting *mesh,
@@ -341,6 +316,50 @@ static rgb mesh_many(const struct mesh_lighting *mesh,
         light = rgb_add_scaled(light, mesh_side(mesh, asked, -1),
                                back / finish->diffuse);
     return light;
+}
+
+/* A surface whose lamps are asked one by one. */
+struct mesh_asker {
+    struct lamplight light; /* first: its address is ours */
+    struct asking asking;
+};
+
+static rgb mesh_asker_share(struct lamplight *light, const struct lamp *lamp,
+                            const struct lamp_view *view)
+{
+    struct mesh_asker *asker = (struct mesh_asker *)light;
+    return asking_one_lamp(&asker->asking, lamp, view);
+}
+
+/* Whether what comes from behind counts too. */
+static bool mesh_both_sides(const struct surface *surface)
+{
+    if (surface->at->leaf->double_illuminate)
+        return true;
+    for (int i = 0; i < surface->count; i++)
+        if (surface->layer[i].finish->diffuse_back != 0)
+            return true;
+    return false;
+}
+
+/* Visits the lamps' samples. */
+static void mesh_few(const struct mesh_lighting *mesh,
+                     const struct lamplight *light)
+{
+    const struct surface *surface = light->surface;
+    const struct receiver receiver =
+        mesh_receiver(surface, surface->side, surface->side, mesh->direct_view);
+    bool both = mesh_both_sides(surface);
+    struct mesh_asker asker;
+    asker.light = *light;
+    asker.light.share = mesh_asker_share;
+    asking_start(&asker.asking, &mesh->knowers, light->worker, &receiver,
+                 surface->inside);
+    for (size_t i = 0; i < light->lamps->count; i++) {
+        const struct lamp *lamp = &light->lamps->items[i];
+        if (both || !asking_rules_out(&asker.asking, lamp))
+            lamplight_give(&asker.light, lamp);
+    }
 }
 
 /* Indirect light on the first layer. */
@@ -377,8 +396,7 @@ static struct diffuse_light mesh_illuminate(const void *state,
     if (mesh->direct->many)
         diffuse.irradiance = mesh_many(mesh, &light);
     else
-        mesh_few_give(mesh->direct, mesh->direct_view, mesh->plan.lamps,
-                      &mesh->pixels, &light);
+        mesh_few(mesh, &light);
     if (mesh->indirect)
         diffuse.irradiance =
             rgb_add(diffuse.irradiance, mesh_indirect(mesh, worker, surface));
@@ -396,8 +414,8 @@ static void mesh_look_ahead(void *state, const struct first_hits *hits,
 {
     struct mesh_lighting *mesh = state;
     mesh_pixels_make(&mesh->pixels, hits, workers, threads);
-    mesh->report.pixels = mesh->pixels.mesh;
-    mesh->report.penumbras = mesh->pixels.penumbras;
+    mesh->report.pixels = mesh->knowers.pixels = mesh->pixels.mesh;
+    mesh->report.penumbras = mesh->knowers.penumbras = mesh->pixels.penumbras;
 }
 
 static void mesh_tell(const void *state, lighting_row *row, void *context)
