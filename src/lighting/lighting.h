@@ -31,6 +31,7 @@ struct lighting_options {
                                        * only if it is of the same scene */
 };
 
+struct lamps;
 struct show;
 
 /* Something to see of what a method knows: --show NAME. */
@@ -77,6 +78,9 @@ struct lighting {
     struct diffuse_light (*illuminate)(const void *state, struct worker *worker,
                                        const struct surface *surface,
                                        light_visit *visit, void *context);
+    /* The lamps, which light media as they do under `rays`. NULL where
+     * illuminate is. */
+    const struct lamps *(*lamps)(const void *state);
     /* What it took, for --stats; may be NULL. */
     void (*tell)(const void *state, lighting_row *row, void *context);
     /* What is known by now, for the next picture or for --mesh-save. NULL:

@@ -52,7 +52,7 @@ static int frame_coarser(const struct world *world, const struct scene *scene,
 
 struct mesh_frame plan_frame(const struct world *world,
                              const struct scene *scene,
-                             const struct outlook *outlook, int attempt)
+                             const struct outlook *outlook, int coarser)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     double spacing = spacing_pixels * outlook->pixel;
@@ -62,7 +62,7 @@ struct mesh_frame plan_frame(const struct world *world,
     if (said->density > 0)
         spacing = 1 / said->density;
     struct mesh_frame frame = {
-        .spacing = spacing * pow(spacing_coarser, attempt),
+        .spacing = spacing * pow(spacing_coarser, coarser),
         .wanted = spacing,
         .near = 2 * outlook->distance,
         .eye = scene->camera.location,
