@@ -1,9 +1,11 @@
 /* Light meshes (Debelov and Sevastyanov 2002): lamps are asked from mesh
- * points, which surfaces then share. There is no ambient term. */
+ * points, which surfaces then share. `ambient` stands for what comes in from
+ * outside (shade/ambience.h). */
 #include "base/memory.h"
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
 #include "lighting/mesh_close.h"
+#include "lighting/mesh_diffuse.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_pixels.h"
 #include "lighting/mesh_report.h"
@@ -20,6 +22,7 @@
 
 struct mesh_lighting {
     struct lamps lamps;
+    struct ambience ambience;
     struct direct_mesh *direct;
     struct plan plan;
     struct emitters *emitters;      /* with indirect light */
@@ -109,8 +112,8 @@ static void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     }
     mesh->direct = direct_mesh_new(&mesh->lamps, &plan->direct);
     if (plan->indirect.bounces > 0)
-        mesh->indirect =
-            indirect_mesh_new(mesh->direct, mesh->emitters, &plan->indirect);
+        mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
+                                           &mesh->ambience, &plan->indirect);
 }
 
 /* How many times too many points there will be. */
@@ -208,7 +211,9 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     struct mesh_lighting *mesh = memory_new(sizeof *mesh);
     struct outlook outlook = outlook_of(world, scene, options->width);
-    ambient_dropped(scene, "mesh", diag);
+    mesh->ambience = ambience_new(world, scene);
+    if (mesh->ambience.sky)
+        ambient_dropped(scene, diag);
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     if (said->indirect.on)
         mesh->emitters = emitters_new(world);
@@ -362,26 +367,13 @@ static void mesh_few(const struct mesh_lighting *mesh,
     }
 }
 
-/* Indirect light on the first layer. */
-static rgb mesh_indirect(const struct mesh_lighting *mesh,
-                         struct worker *worker, const struct surface *surface)
-{
-    const struct surface_layer *layer = &surface->layer[0];
-    if (layer->finish->diffuse == 0)
-        return rgb_grey(0);
-    struct receiver receiver = mesh_receiver(
-        surface, surface->side, layer->normal, mesh->indirect_view);
-    receiver.weight = surface->weight * rgb_peak(surface_albedo(surface));
-    return indirect_mesh_irradiance(mesh->indirect, worker, &receiver);
-}
-
 static struct diffuse_light mesh_illuminate(const void *state,
                                             struct worker *worker,
                                             const struct surface *surface,
                                             light_visit *visit, void *context)
 {
     const struct mesh_lighting *mesh = state;
-    struct diffuse_light diffuse = { rgb_grey(0), rgb_grey(0) };
+    struct diffuse_light diffuse = { mesh->ambience.light, rgb_grey(0) };
     if (surface->count == 0)
         return diffuse;
     struct lamplight light = {
@@ -397,9 +389,13 @@ static struct diffuse_light mesh_illuminate(const void *state,
         diffuse.irradiance = mesh_many(mesh, &light);
     else
         mesh_few(mesh, &light);
-    if (mesh->indirect)
-        diffuse.irradiance =
-            rgb_add(diffuse.irradiance, mesh_indirect(mesh, worker, surface));
+    if (mesh->indirect) {
+        struct diffuse_light more =
+            mesh_diffuse(mesh->indirect, mesh->indirect_view, &mesh->ambience,
+                         worker, surface);
+        diffuse.ambient = more.ambient;
+        diffuse.irradiance = rgb_add(diffuse.irradiance, more.irradiance);
+    }
     return diffuse;
 }
 

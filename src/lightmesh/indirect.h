@@ -15,6 +15,12 @@
 
 enum { BOUNCES_MAX = 20 };
 
+/* What a mesh point keeps. */
+struct indirect_light {
+    struct harmonics light; /* first */
+    float open[HARMONICS];  /* as harmonics: where ambient light comes in */
+};
+
 struct indirect_options {
     struct lattice lattice;       /* of the first bounce */
     struct lattice_view view;     /* of gather rays */
@@ -43,20 +49,27 @@ struct indirect_mesh {
 /* Frees with indirect_mesh_free. All that is given must outlive it. */
 struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct emitters *emitters,
+                                        const struct ambience *ambience,
                                         const struct indirect_options *options);
 void indirect_mesh_free(struct indirect_mesh *mesh);
 
-/* Indirect light on a surface point, that of glowing surfaces included, in
- * POV-Ray's units. What is worth little is less exact. */
-rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
-                             struct worker *worker,
-                             const struct receiver *receiver);
+/* What a receiver gets. */
+struct indirect_share {
+    rgb light;   /* indirect, that of glowing surfaces included, in POV-Ray's
+                  * units */
+    double open; /* of the ambient light outside, 0 to 1 */
+};
 
-/* Indirect light in *light by one mesh point, see point_mesh_nearest; false if
- * none sees the place. */
+/* What is worth little is less exact. */
+struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
+                                          struct worker *worker,
+                                          const struct receiver *receiver);
+
+/* The same in *share by one mesh point, see point_mesh_nearest; false if none
+ * sees the place. */
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
                            struct worker *worker,
                            const struct receiver *receiver, vec3 jitter,
-                           rgb *light);
+                           struct indirect_share *share);
 
 #endif

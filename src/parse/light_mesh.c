@@ -5,12 +5,11 @@
 enum { REGION_LIMIT = 1000 };
 
 static const struct field mesh_names[] = {
-    { .name = "quality" },   { .name = "density" },
-    { .name = "radius" },    { .name = "model" },
-    { .name = "shadows" },   { .name = "interpolation" },
-    { .name = "threshold" }, { .name = "levels" },
-    { .name = "indirect" },  { .name = "region" },
-    { .name = "load_file" }, { .name = NULL },
+    { .name = "quality" },   { .name = "density" }, { .name = "radius" },
+    { .name = "model" },     { .name = "shadows" }, { .name = "interpolation" },
+    { .name = "threshold" }, { .name = "levels" },  { .name = "sky" },
+    { .name = "indirect" },  { .name = "region" },  { .name = "load_file" },
+    { .name = NULL },
 };
 
 static const struct field factor_fields[] = {

@@ -101,6 +101,9 @@ static void parse_run(struct parser *p, const struct source *main)
         return;
     if (parse_headers(p))
         parse_items(p);
+    if (p->options->light_said)
+        light_said_apply(p->options->light_said, p->options->light,
+                         &p->scene->settings);
     if (p->diag->errors == 0)
         settings_finish(p);
 }

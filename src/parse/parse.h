@@ -24,6 +24,10 @@ struct parse_options {
     double initial_clock, final_clock;
     int initial_frame, final_frame, frame_number;
     int image_width, image_height;
+    const struct light_said *light_said; /* wins over the scene's own settings,
+                                          * with the values in `light`; NULL:
+                                          * nothing is said */
+    const struct settings *light;
     double version;         /* +MV; 0: not said */
     size_t memory_limit;    /* bytes for text, parsing and scene together;
                              * 0: 4 GiB, or half of what there is */
