@@ -11,6 +11,7 @@
 struct parse_options {
     const char *const *include_paths; /* searched after the current directory */
     size_t include_path_count;
+    const char *const *standard_paths;  /* of POV-Ray's own; NULL ends them */
     const char *const *include_headers; /* +HI files, read before the scene */
     size_t include_header_count;
     /* Declare=NAME=VALUE, in order; the value is an expression or string. */

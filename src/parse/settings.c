@@ -27,7 +27,6 @@ static const struct field setting_names[] = {
 };
 
 static const struct unsupported_word setting_unsupported[] = {
-    { KEYWORD_SUBSURFACE, "'subsurface'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -88,9 +87,26 @@ static bool parse_noise_setting(struct parser *p)
     return true;
 }
 
+/* subsurface_value = "samples" float [","] float | "radiosity" [bool] .
+ * Of no effect where no finish has subsurface. */
+static bool parse_subsurface_value(struct parser *p)
+{
+    double ignored;
+    bool flag;
+    if (accept_keyword(p, KEYWORD_RADIOSITY))
+        return parse_bool(p, &flag);
+    if (!accept_word(p, "samples"))
+        return error_unknown_item(p, "subsurface", NULL);
+    if (!parse_float(p, &ignored))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return parse_float(p, &ignored);
+}
+
 /* setting_without_effect = "charset" name | "max_intersections" float
  *                        | "mm_per_unit" float | "irid_wavelength" colour
- *                        | "hf_gray_16" [bool] . */
+ *                        | "hf_gray_16" [bool]
+ *                        | "subsurface" "{" {subsurface_value} "}" . */
 static bool parse_setting_without_effect(struct parser *p, bool *found)
 {
     colour ignored;
@@ -112,6 +128,8 @@ static bool parse_setting_without_effect(struct parser *p, bool *found)
     case KEYWORD_HF_GRAY_16:
         stream_next(p);
         return parse_bool(p, &flag);
+    case KEYWORD_SUBSURFACE:
+        return block_items(p, parse_subsurface_value);
     default:
         *found = false;
         return true;

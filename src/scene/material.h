@@ -125,10 +125,10 @@ struct finish {
     double crand;    /* grain */
     struct reflection reflection;
     bool conserve_energy;
-    bool old_filter; /* before 3.7 a dark colour filters less: see
-                      * shade/finish.c */
-    double ior;      /* of scenes older than 3.1: the parser gives it to the
-                      * object's interior; 0: not said */
+    bool old_filter;      /* before 3.7 a dark colour filters less: see
+                           * shade/finish.c */
+    double ior, caustics; /* of scenes older than 3.1: the parser gives them
+                           * to the object's interior; 0: not said */
 };
 
 /* One layer of paint. No member is NULL but `normal`. */
