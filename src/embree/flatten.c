@@ -74,16 +74,16 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
 {
     struct inherited in = *up;
     in.depth++;
-    in.to_world = affine_compose(up->to_world, object->transform);
-    in.to_tree = affine_compose(up->to_tree, object->transform);
+    in.to_world = affine_compose(up->to_world, *object->transform);
+    in.to_tree = affine_compose(up->to_tree, *object->transform);
     if (object->texture) {
         in.texture = object->texture;
         in.from_texture =
-            affine_compose(up->to_world, object->texture_transform);
+            affine_compose(up->to_world, *object->texture_transform);
     }
     if (object->inner) {
         in.inner = object->inner;
-        in.from_inner = affine_compose(up->to_world, object->inner_transform);
+        in.from_inner = affine_compose(up->to_world, *object->inner_transform);
     }
     if (object->interior)
         in.interior = object->interior;
@@ -155,23 +155,32 @@ static const struct leaf_inner *build_inner(struct flat *flat,
     return inner;
 }
 
+/* What is painted where it stands has its texture's space for its own. */
+static void leaf_place(struct flat *flat, struct leaf *leaf,
+                       const struct inherited *in, const affine *to_object)
+{
+    struct arena *arena = flat->arena;
+    affine from = in->from_texture, to;
+    if (!affine_inverse(from, &to))
+        from = to = affine_unmoved;
+    leaf->to_world = affine_kept(arena, &in->to_world);
+    leaf->to_object = affine_kept(arena, to_object);
+    leaf->from_texture = affine_shared(arena, &from, leaf->to_world);
+    leaf->to_texture = affine_shared(arena, &to, leaf->to_object);
+    leaf->moved = leaf->to_object != &affine_unmoved;
+}
+
 /* NULL if its transformation squeezes it flat. */
 static struct leaf *build_leaf(struct flat *flat, const struct object *object,
                                const struct inherited *in)
 {
-    affine to_object, to_texture;
+    affine to_object;
     if (!affine_inverse(in->to_world, &to_object))
         return NULL;
     struct leaf *leaf = ARENA_NEW(flat->arena, struct leaf);
     leaf->object = object;
-    leaf->to_world = in->to_world;
-    leaf->to_object = to_object;
-    leaf->moved = !affine_is_identity(to_object);
+    leaf_place(flat, leaf, in, &to_object);
     leaf->texture = in->texture ? in->texture : flat->fallback;
-    leaf->from_texture = in->from_texture;
-    if (!affine_inverse(in->from_texture, &to_texture))
-        leaf->from_texture = to_texture = affine_identity();
-    leaf->to_texture = to_texture;
     leaf->inner = build_inner(flat, in);
     leaf->interior = in->interior;
     leaf->body = in->body;
@@ -216,7 +225,8 @@ static struct box3 complement(struct box3 box)
     return other;
 }
 
-static void measure_leaf(struct solid *solid, const affine *to_tree)
+static void measure_leaf(struct flat *flat, struct solid *solid,
+                         const affine *to_tree)
 {
     const struct leaf *leaf = solid->leaf;
     const struct object *object = leaf->object;
@@ -226,16 +236,17 @@ static void measure_leaf(struct solid *solid, const affine *to_tree)
     struct box3 box =
         shape ? object->primitive->bounds(object->shape) : object->mesh->bounds;
     solid->surface = solid_padded(affine_box(to_tree, box));
-    solid->region = box3_empty();
-    solid->holes = box3_infinite();
+    solid->region = &solid_nothing;
+    solid->holes = &solid_everything;
     if (!has_inside)
         return;
     /* A disc's inside is the half space behind it. */
     struct box3 inside = beyond ? box3_infinite() : solid->surface;
-    solid->region = leaf->inverse ? box3_infinite() : inside;
+    struct box3 region = leaf->inverse ? box3_infinite() : inside;
     if (leaf->inverse && shape && !beyond)
-        solid->region = solid_padded(affine_box(to_tree, complement(box)));
-    solid->holes = leaf->inverse ? inside : box3_infinite();
+        region = solid_padded(affine_box(to_tree, complement(box)));
+    solid_set_boxes(flat->arena, solid, region,
+                    leaf->inverse ? inside : box3_infinite());
 }
 
 static const struct mesh_tree *flat_tree(struct flat *flat,
@@ -260,11 +271,11 @@ static struct solid *build_leaf_solid(struct flat *flat,
     solid->kind = object->kind;
     solid->leaf = leaf;
     leaf->solid = solid;
-    solid->to_shape = to_shape;
-    solid->moved = !affine_is_identity(to_shape);
+    solid->to_shape = affine_shared(flat->arena, &to_shape, leaf->to_object);
+    solid->moved = solid->to_shape != &affine_unmoved;
     if (object->kind == OBJECT_MESH)
         solid->tree = flat_tree(flat, object->mesh);
-    measure_leaf(solid, &in->to_tree);
+    measure_leaf(flat, solid, &in->to_tree);
     return solid;
 }
 
@@ -368,7 +379,7 @@ static void add_limits(struct flat *flat, const struct object *object,
     if (root && object->kind == OBJECT_SHAPE &&
         object->primitive->bounded == BOUNDS_AS_BOX) {
         for (size_t i = 0; i < limits.count; i++)
-            solid_bound_by_box(solid, limits.items[i]);
+            solid_bound_by_box(flat->arena, solid, limits.items[i]);
     } else {
         solid->gates = limits.items;
         solid->gate_count = limits.count;
@@ -477,7 +488,7 @@ static void flatten_union(struct flat *flat, const struct object *object,
 static bool mesh_is_limited(const struct object *object,
                             const struct inherited *up)
 {
-    affine to_world = affine_compose(up->to_world, object->transform);
+    affine to_world = affine_compose(up->to_world, *object->transform);
     struct box3 box = affine_box(&to_world, object->mesh->bounds);
     if (up->clips.count || object->clip_count)
         return true;

@@ -243,12 +243,12 @@ static uint64_t mesh_hash(struct walk *walk, const struct mesh *mesh)
 static void walk_material(struct walk *walk, const struct object *object,
                           affine outer)
 {
-    affine place = affine_compose(outer, object->texture_transform);
+    affine place = affine_compose(outer, *object->texture_transform);
     const struct interior *interior = object->interior;
     const struct mesh *mesh = object->mesh;
     if (object->texture)
         walk_texture(walk, object->texture, &place);
-    affine inner = affine_compose(outer, object->inner_transform);
+    affine inner = affine_compose(outer, *object->inner_transform);
     if (object->inner)
         walk_texture(walk, object->inner, &inner);
     for (size_t i = 0; mesh && i < mesh->texture_count; i++)
@@ -325,7 +325,7 @@ static void walk_clips(struct walk *walk, const struct clip *clips,
 static void walk_object(struct walk *walk, const struct object *object,
                         affine outer)
 {
-    affine place = affine_compose(outer, object->transform);
+    affine place = affine_compose(outer, *object->transform);
     struct fingerprint *found = &walk->found;
     if (object->kind == OBJECT_LIGHT) {
         struct light light = light_moved(object->light, &place);
