@@ -19,6 +19,7 @@ struct work {
     const struct source *source;
     struct probe_file points;  /* of --probe */
     struct lighting_kept kept; /* by the frame before */
+    bool kept_told;            /* that a picture kept by +C is old */
     const atomic_int *stop;
     struct diag diag;
 };
@@ -164,7 +165,7 @@ static bool frame_render(struct work *work, const struct scene *scene,
     size_t lights;
     world_lights(world, &lights);
     if (!options->probe)
-        missing_tell(scene, lights, &work->diag);
+        missing_tell(scene, lights, world_leaf_count(world), &work->diag);
     struct lighting_options light = { .threads = options->render.threads,
                                       .width = options->render.width,
                                       .quality = options->quality,
@@ -212,9 +213,10 @@ static enum status frame_run(struct work *work, int number)
     parse.stop = work->stop;
     const char *name =
         frames_name(&options->frames, number, options->output, arena);
-    bool done = picture_is_there(options, name, &work->diag) ||
-                (picture_can_be(name, &work->diag) &&
-                 frame_make(work, &parse, name, arena));
+    bool done =
+        picture_is_there(options, name, &work->kept_told, &work->diag) ||
+        (picture_can_be(name, &work->diag) &&
+         frame_make(work, &parse, name, arena));
     arena_free(arena);
     if (done)
         return DONE;
@@ -277,18 +279,39 @@ static enum status work_run(struct work *work, struct arena *arena)
     return work_save(work) ? DONE : FAILED;
 }
 
-int main(int argc, char **argv)
+/* The command line, and all that it does. */
+struct command {
+    int argc;
+    char **argv;
+    enum status status;
+};
+
+static void command_run(void *context)
 {
+    struct command *command = context;
     struct work work = { .diag = diag_new(), .stop = interrupt_catch() };
     struct arena *arena = arena_new(0);
-    enum status status = FAILED;
-    if (options_parse(&work.options, argc, argv, arena, &work.diag)) {
+    if (options_parse(&work.options, command->argc, command->argv, arena,
+                      &work.diag)) {
         if (options_answers(&work.options))
-            status = options_answer(&work.options, &work.diag) ? DONE : FAILED;
+            command->status =
+                options_answer(&work.options, &work.diag) ? DONE : FAILED;
         else
-            status = work_run(&work, arena);
+            command->status = work_run(&work, arena);
     }
     memory_free(work.kept.bytes);
     arena_free(arena);
-    return status;
+}
+
+/* Nested scenes and mirrors that face each other need stack, so all is done on
+ * one of known size. */
+int main(int argc, char **argv)
+{
+    struct command command = { argc, argv, FAILED };
+    struct diag diag = diag_new();
+    if (!parallel_call(command_run, &command))
+        diag_print(&diag, DIAG_ERROR, span_none(), NULL,
+                   "the system gives no thread with a stack of %d MiB",
+                   PARALLEL_STACK >> 20);
+    return (int)command.status;
 }

@@ -4,6 +4,7 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <signal.h>
 
 #include "base/memory.h"
 
@@ -37,6 +38,20 @@ static void *parallel_work(void *argument)
     }
 }
 
+/* With a stack of known size, whatever `ulimit -s` says. */
+static bool thread_start(pthread_t *handle, void *(*work)(void *argument),
+                         void *argument)
+{
+    pthread_attr_t attributes;
+    if (pthread_attr_init(&attributes) != 0)
+        return false;
+    bool started =
+        pthread_attr_setstacksize(&attributes, PARALLEL_STACK) == 0 &&
+        pthread_create(handle, &attributes, work, argument) == 0;
+    pthread_attr_destroy(&attributes);
+    return started;
+}
+
 /* A thread that can't be started is no error: the others do its share. */
 bool parallel_run(unsigned threads, size_t count, const atomic_int *stop,
                   parallel_task *task, void *context)
@@ -51,7 +66,7 @@ bool parallel_run(unsigned threads, size_t count, const atomic_int *stop,
         pool[i] = (struct parallel_thread){ .job = &job, .number = i };
     for (unsigned i = 1; i < threads; i++)
         pool[i].started =
-            pthread_create(&pool[i].handle, NULL, parallel_work, &pool[i]) == 0;
+            thread_start(&pool[i].handle, parallel_work, &pool[i]);
     parallel_work(&pool[0]);
     for (unsigned i = 1; i < threads; i++)
         if (pool[i].started)
@@ -77,8 +92,7 @@ struct background *background_start(void (*task)(void *context), void *context)
 {
     struct background *background = memory_new(sizeof *background);
     *background = (struct background){ .task = task, .context = context };
-    if (pthread_create(&background->handle, NULL, background_work,
-                       background) == 0)
+    if (thread_start(&background->handle, background_work, background))
         return background;
     memory_free(background);
     return NULL;
@@ -90,6 +104,20 @@ void background_join(struct background *background)
         return;
     pthread_join(background->handle, NULL);
     memory_free(background);
+}
+
+bool parallel_call(void (*task)(void *context), void *context)
+{
+    sigset_t all, before;
+    struct background *background = background_start(task, context);
+    if (!background)
+        return false;
+    /* Signals end what the task waits for, not the waiting for the task. */
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    background_join(background);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return true;
 }
 
 void once_make(struct once *once, void (*make)(void))

@@ -7,6 +7,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+enum {
+    PARALLEL_STACK =
+        16 << 20, /* bytes of stack, of every thread started here */
+};
+
 /* Called with the item and the number of the thread, 0..threads-1. */
 typedef void parallel_task(void *context, size_t item, unsigned thread);
 
@@ -23,6 +28,10 @@ struct background *background_start(void (*task)(void *context), void *context);
 
 /* Waits for the end of it; NULL is none. */
 void background_join(struct background *background);
+
+/* Runs the task on a thread with PARALLEL_STACK bytes of stack and waits for
+ * it. False if there is none to be had: nothing is done. */
+bool parallel_call(void (*task)(void *context), void *context);
 
 /* Made by whoever needs it first: a static one, zeroed, for each thing. */
 struct once {

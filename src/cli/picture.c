@@ -1,14 +1,38 @@
 /* One frame's file: see picture.h. */
 #include "cli/picture.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/save.h"
 #include "image/output.h"
 #include "render/overlay.h"
 
+static bool file_is_newer(const char *name, const char *than)
+{
+    struct stat a, b;
+    if (stat(name, &a) != 0 || stat(than, &b) != 0)
+        return false;
+    return a.st_mtim.tv_sec != b.st_mtim.tv_sec
+               ? a.st_mtim.tv_sec > b.st_mtim.tv_sec
+               : a.st_mtim.tv_nsec > b.st_mtim.tv_nsec;
+}
+
+/* One warning is enough for all frames. */
+static void picture_tell_kept(const struct options *options, const char *name,
+                              bool *told, struct diag *diag)
+{
+    if (!*told && file_is_newer(options->path, name)) {
+        diag_print(diag, DIAG_WARNING, span_none(), NULL,
+                   "'%s' is kept, though '%s' has changed since; without +C "
+                   "it is rendered again",
+                   name, options->path);
+        *told = true;
+    }
+}
+
 bool picture_is_there(const struct options *options, const char *name,
-                      struct diag *diag)
+                      bool *told, struct diag *diag)
 {
     if (!options->continue_trace || !name || strcmp(name, "-") == 0 ||
         access(name, F_OK) != 0)
@@ -16,8 +40,11 @@ bool picture_is_there(const struct options *options, const char *name,
     char why[256];
     int width, height;
     if (image_probe(name, &width, &height, why, sizeof why)) {
-        if (width == options->render.width && height == options->render.height)
+        if (width == options->render.width &&
+            height == options->render.height) {
+            picture_tell_kept(options, name, told, diag);
             return true;
+        }
         snprintf(why, sizeof why, "it has %d x %d pixels", width, height);
     }
     diag_print(diag, DIAG_WARNING, span_none(), NULL,

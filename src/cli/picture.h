@@ -6,9 +6,11 @@
 #include "cli/options.h"
 
 /* +C: whether the file called `name` is a whole picture of the right size. If
- * there is one that isn't, says why it is rendered again. */
+ * there is one that isn't, says why it is rendered again. Warns, unless *told
+ * already, if the scene's file has been changed since; what it includes is not
+ * looked at. */
 bool picture_is_there(const struct options *options, const char *name,
-                      struct diag *diag);
+                      bool *told, struct diag *diag);
 
 /* Whether `name` (NULL: none) can be written, found out before the work.
  * Returns false after an error was printed. */

@@ -5,8 +5,10 @@
 #include "scene/scene.h"
 #include "text/diag.h"
 
-/* Warns if there is no camera, and if nothing gives light; `lights`: how many
- * light sources there are. */
-void missing_tell(const struct scene *scene, size_t lights, struct diag *diag);
+/* Warns if there is no camera, and if there is nothing to see or nothing that
+ * gives light; `lights` and `objects`: how many there are of light sources and
+ * of shapes. */
+void missing_tell(const struct scene *scene, size_t lights, size_t objects,
+                  struct diag *diag);
 
 #endif

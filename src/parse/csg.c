@@ -51,6 +51,10 @@ static bool csg_items(struct parser *p, struct csg *csg, bool difference)
             return false;
     if (!csg->children.count && stream_peek(p)->kind == TOKEN_RBRACE)
         warning_at(p, csg->object->span, NULL, "this '%s' is empty", csg->name);
+    if (difference && csg->children.count == 1)
+        warning_at(p, csg->object->span,
+                   "difference { box {...} sphere {...} }",
+                   "nothing is taken away: this 'difference' has one object");
     struct object *object = csg->object;
     object->children = csg->children.items;
     object->child_count = csg->children.count;

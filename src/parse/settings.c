@@ -1,8 +1,6 @@
 /* global_settings, #default, and the working space of colours. */
 #include "parse/rules.h"
 
-enum { TRACE_LEVEL_LIMIT = 256 }; /* POV-Ray's */
-
 #define SETTING(name, kind, member, low, high, help)                           \
     {                                                                          \
         name, kind, offsetof(struct settings, member), low, high, help         \
@@ -126,10 +124,10 @@ static bool setting_field(struct parser *p, const struct field *field)
     struct span span = stream_span(p);
     if (!parse_field(p, field, settings))
         return false;
-    if (settings->max_trace_level > TRACE_LEVEL_LIMIT) {
+    if (settings->max_trace_level > SETTINGS_LEVELS_MAX) {
         warning_at(p, span, NULL, "max_trace_level is at most %d",
-                   TRACE_LEVEL_LIMIT);
-        settings->max_trace_level = TRACE_LEVEL_LIMIT;
+                   SETTINGS_LEVELS_MAX);
+        settings->max_trace_level = SETTINGS_LEVELS_MAX;
     }
     if (settings->max_trace_level < 1)
         settings->max_trace_level = 1;

@@ -75,8 +75,8 @@ static void builder_points(struct builder *b)
     }
 }
 
-/* The normals are those of the grid; what is said here is whether they differ.
- */
+/* The normals are those of the grid, between which every face of a smooth
+ * field is blended, also where the three at its corners agree. */
 static void builder_push(struct builder *b, const uint32_t corner[3],
                          uint32_t i, uint32_t j, uint32_t k)
 {

@@ -20,7 +20,8 @@ static bool triangle_valid(const struct mesh *mesh,
 }
 
 /* Three equal normals don't smooth anything: POV-Ray then takes the face's
- * own. Nor does a normal of no length. */
+ * own. Nor does a normal of no length. Not so in a height field, where a face
+ * between normals that agree is as smooth as any other. */
 static void triangle_flatten(const struct mesh *mesh,
                              struct mesh_triangle *triangle)
 {
@@ -66,7 +67,7 @@ size_t mesh_prepare(struct mesh *mesh)
         struct mesh_triangle triangle = mesh->triangles[i];
         if (!triangle_valid(mesh, &triangle))
             continue;
-        if (triangle.normal[0] != MESH_NONE)
+        if (triangle.normal[0] != MESH_NONE && !mesh->columns)
             triangle_flatten(mesh, &triangle);
         if (mesh->uv_faces)
             memmove(mesh->uv_faces[kept], mesh->uv_faces[i],

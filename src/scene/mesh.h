@@ -46,7 +46,8 @@ struct mesh {
 bool mesh_degenerate(vec3 a, vec3 b, vec3 c);
 
 /* Removes degenerate triangles, normalises normals, makes triangles flat
- * whose three normals are equal (as POV-Ray does), fills bounds. Returns how
+ * whose three normals are equal (as POV-Ray does, but in a height field), fills
+ * bounds. Returns how
  * many triangles were removed. */
 size_t mesh_prepare(struct mesh *mesh);
 

@@ -37,6 +37,8 @@ enum gamma_kind {
     GAMMA_SRGB,  /* decoded by the sRGB curve */
 };
 
+enum { SETTINGS_LEVELS_MAX = 256 }; /* of max_trace_level, as in POV-Ray */
+
 /* global_settings */
 struct settings {
     enum gamma_kind gamma_kind;

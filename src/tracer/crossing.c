@@ -3,11 +3,22 @@
 
 #include "shade/background.h"
 
-enum { LEVELS_MAX = 256 }; /* of max_trace_level, as in POV-Ray */
+/* The ior by which POV-Ray's Fresnel mirrors. Where a ray leaves a body while
+ * it is in others, what it entered last counts as behind the surface, and that
+ * is mostly the body itself: glass under a sky that is a sphere mirrors nothing
+ * on its inside (measured). */
+static double crossing_mirror_ior(const struct crossing *crossing,
+                                  const struct interiors *inside)
+{
+    const struct interior *left = crossing->at.leaf->interior;
+    if (!crossing->leaving || inside->count < 2)
+        return crossing->ior;
+    return interiors_ior(inside) / (left && left->ior > 0 ? left->ior : 1);
+}
 
 void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
                    vec3 direction, const struct interiors *inside,
-                   double bailout)
+                   double bailout, bool exact)
 {
     interiors_copy(&crossing->beyond, inside);
     interiors_cross(&crossing->beyond, crossing->at.leaf);
@@ -16,7 +27,7 @@ void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
     struct surface_view view = {
         .direction = direction,
         .inside = inside,
-        .ior = crossing->ior,
+        .ior = exact ? crossing->ior : crossing_mirror_ior(crossing, inside),
         .quality = tracer->quality,
         .bailout = bailout,
     };
@@ -56,7 +67,7 @@ bool crossing_refracted(const struct crossing *crossing, vec3 direction,
 int tracer_levels(const struct tracer *tracer)
 {
     int levels = tracer->scene->settings.max_trace_level;
-    return levels < LEVELS_MAX ? levels : LEVELS_MAX;
+    return levels < SETTINGS_LEVELS_MAX ? levels : SETTINGS_LEVELS_MAX;
 }
 
 bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside)

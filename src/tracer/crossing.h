@@ -15,10 +15,11 @@ struct crossing {
 };
 
 /* Fills all but `at`, which is known. `inside` is what the ray came through and
- * must stay; layers below `bailout` are left out. */
+ * must stay; layers below `bailout` are left out. `exact`: Fresnel's mirrors
+ * are those of nature, not POV-Ray's, which differ inside several bodies. */
 void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
                    vec3 direction, const struct interiors *inside,
-                   double bailout);
+                   double bailout, bool exact);
 
 /* The mirrored direction for a layer's normal, unit. It never goes into the
  * surface: bumps that face away from the viewer don't mirror, and what would go

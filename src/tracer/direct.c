@@ -174,7 +174,7 @@ static bool approach_step(struct approach *approach, const struct question *q,
             approach->share,
             fog_veil(tracer->scene, &approach->ray, crossing->at.t).through);
     crossing_fill(crossing, tracer, approach->ray.direction, &approach->inside,
-                  0);
+                  0, true);
     return true;
 }
 

@@ -440,7 +440,7 @@ static bool walk_meet(struct walk *walk, struct meeting *meeting)
     struct crossing *crossing = &meeting->crossing;
     const struct surface *surface = &crossing->surface;
     crossing_fill(crossing, walk->tracer, walk->ray.direction, &walk->inside,
-                  layer_least);
+                  layer_least, true);
     if (walk->tracer->quality < QUALITY_LIT) {
         walk_gather(walk, colour_rgb(surface->layer[0].pigment));
         return false;

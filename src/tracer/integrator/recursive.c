@@ -10,6 +10,7 @@
  * - Total reflection takes the place of all that is transmitted and mirrored,
  *   at full weight.
  * - Fading in an interior weakens what passes where the ray leaves it. */
+#include "base/parallel.h"
 #include "shade/finish.h"
 #include "shade/interior.h"
 #include "shade/shadow.h"
@@ -38,6 +39,13 @@ struct path {
     double clear; /* 1 - opacity so far */
     rgb light;    /* gathered */
 };
+
+/* Mirrors recurse: that they do so on the stack of a thread bounds their depth.
+ * What is asked at a surface has as much again, and more. */
+_Static_assert(4 * SETTINGS_LEVELS_MAX *
+                       (sizeof(struct path) + sizeof(struct crossing)) <
+                   PARALLEL_STACK,
+               "max_trace_level fits into the stack");
 
 static struct radiance path_follow(struct path *path);
 
@@ -187,7 +195,7 @@ static bool path_cross(struct path *path, struct crossing *crossing)
     const struct tracer *tracer = path->tracer;
     const struct settings *settings = &tracer->scene->settings;
     crossing_fill(crossing, tracer, path->ray.direction, &path->inside,
-                  settings->adc_bailout);
+                  settings->adc_bailout, false);
     crossing->surface.place = path->place;
     crossing->surface.weight = path->weight;
     path->place = NULL;
