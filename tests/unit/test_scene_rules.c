@@ -193,7 +193,7 @@ static void default_counts_when_it_goes_into_the_scene(void **state)
     const struct object *bare = object_at(&r, 0);
     assert_number(object_layer(bare, 0)->pigment->colour.r, 1);
     assert_number(object_layer(bare, 0)->finish->ambient.g, .4);
-    assert_true(affine_is_identity(bare->texture_transform));
+    assert_true(affine_is_identity(*bare->texture_transform));
     assert_number(object_layer(object_at(&r, 1), 0)->pigment->colour.r, 0);
     const struct finish *finish = object_layer(object_at(&r, 2), 0)->finish;
     assert_number(finish->ambient.r, .4);
