@@ -1,8 +1,6 @@
 /* Affine maps: see affine.h. */
 #include "base/affine.h"
 
-#include <string.h>
-
 #include "base/arena.h"
 
 const affine affine_unmoved = {
@@ -21,13 +19,6 @@ const affine *affine_kept(struct arena *arena, const affine *a)
     affine *kept = ARENA_NEW(arena, affine);
     *kept = *a;
     return kept;
-}
-
-const affine *affine_shared(struct arena *arena, const affine *a,
-                            const affine *other)
-{
-    bool equal = memcmp(a, other, sizeof *a) == 0;
-    return equal ? other : affine_kept(arena, a);
 }
 
 affine affine_translation(vec3 t)

@@ -43,10 +43,6 @@ extern const affine affine_unmoved;
 /* The map in `arena`, or affine_unmoved if it is the identity. */
 const affine *affine_kept(struct arena *arena, const affine *a);
 
-/* The same, but `other` if that is equal: what is moved together shares it. */
-const affine *affine_shared(struct arena *arena, const affine *a,
-                            const affine *other);
-
 static inline vec3 affine_direction(const affine *a, vec3 d)
 {
     return (vec3){

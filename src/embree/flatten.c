@@ -155,31 +155,45 @@ static const struct leaf_inner *build_inner(struct flat *flat,
     return inner;
 }
 
-/* What is painted where it stands has its texture's space for its own. */
-static void leaf_place(struct flat *flat, struct leaf *leaf,
-                       const struct inherited *in, const affine *to_object)
+/* False if it has no inverse. */
+static bool find_place(struct flat *flat, const affine *outward,
+                       struct flat_place *place)
 {
-    struct arena *arena = flat->arena;
-    affine from = in->from_texture, to;
-    if (!affine_inverse(from, &to))
-        from = to = affine_unmoved;
-    leaf->to_world = affine_kept(arena, &in->to_world);
-    leaf->to_object = affine_kept(arena, to_object);
-    leaf->from_texture = affine_shared(arena, &from, leaf->to_world);
-    leaf->to_texture = affine_shared(arena, &to, leaf->to_object);
-    leaf->moved = leaf->to_object != &affine_unmoved;
+    affine inward;
+    if (affine_is_identity(*outward)) {
+        *place = (struct flat_place){ &affine_unmoved, &affine_unmoved };
+        return true;
+    }
+    for (int i = 0; i < FLAT_RECENT; i++) {
+        *place = flat->recent[i];
+        if (place->outward &&
+            memcmp(place->outward, outward, sizeof *outward) == 0)
+            return true;
+    }
+    if (!affine_inverse(*outward, &inward))
+        return false;
+    place->outward = affine_kept(flat->arena, outward);
+    place->inward = affine_kept(flat->arena, &inward);
+    flat->recent[flat->recent_next++ % FLAT_RECENT] = *place;
+    return true;
 }
 
 /* NULL if its transformation squeezes it flat. */
 static struct leaf *build_leaf(struct flat *flat, const struct object *object,
                                const struct inherited *in)
 {
-    affine to_object;
-    if (!affine_inverse(in->to_world, &to_object))
+    struct flat_place place, texture;
+    if (!find_place(flat, &in->to_world, &place))
         return NULL;
+    if (!find_place(flat, &in->from_texture, &texture))
+        texture = (struct flat_place){ &affine_unmoved, &affine_unmoved };
     struct leaf *leaf = ARENA_NEW(flat->arena, struct leaf);
     leaf->object = object;
-    leaf_place(flat, leaf, in, &to_object);
+    leaf->to_world = place.outward;
+    leaf->to_object = place.inward;
+    leaf->moved = place.inward != &affine_unmoved;
+    leaf->from_texture = texture.outward;
+    leaf->to_texture = texture.inward;
     leaf->texture = in->texture ? in->texture : flat->fallback;
     leaf->inner = build_inner(flat, in);
     leaf->interior = in->interior;
@@ -264,14 +278,14 @@ static struct solid *build_leaf_solid(struct flat *flat,
                                       const struct inherited *in)
 {
     struct leaf *leaf = build_leaf(flat, object, in);
-    affine to_shape;
-    if (!leaf || !affine_inverse(in->to_tree, &to_shape))
+    struct flat_place place;
+    if (!leaf || !find_place(flat, &in->to_tree, &place))
         return NULL;
     struct solid *solid = ARENA_NEW(flat->arena, struct solid);
     solid->kind = object->kind;
     solid->leaf = leaf;
     leaf->solid = solid;
-    solid->to_shape = affine_shared(flat->arena, &to_shape, leaf->to_object);
+    solid->to_shape = place.inward;
     solid->moved = solid->to_shape != &affine_unmoved;
     if (object->kind == OBJECT_MESH)
         solid->tree = flat_tree(flat, object->mesh);
@@ -356,9 +370,12 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
 /* The space of the root's own object. NULL if it has no inverse. */
 static const struct frame *build_frame(struct flat *flat, const affine *outward)
 {
+    struct flat_place place;
+    if (!find_place(flat, outward, &place))
+        return NULL;
     struct frame *frame = ARENA_NEW(flat->arena, struct frame);
-    frame->outward = *outward;
-    return affine_inverse(*outward, &frame->inward) ? frame : NULL;
+    *frame = (struct frame){ place.inward, place.outward };
+    return frame;
 }
 
 /* In POV-Ray a part of a CSG object heeds its bounds whatever it is. */

@@ -201,7 +201,7 @@ static void drop_gates(struct arena *arena, struct solid *solid)
 static struct boxes measure_frame(struct arena *arena, struct solid *solid,
                                   struct boxes boxes)
 {
-    const affine *outward = &solid->frame->outward;
+    const affine *outward = solid->frame->outward;
     struct box3 *inner = ARENA_NEW(arena, struct box3);
     *inner = boxes.surface;
     solid->inner = inner;

@@ -164,7 +164,7 @@ static struct overlap part_overlap(const struct overlap_query *query,
         return (struct overlap){ 0, true, false };
     struct overlap found;
     if (solid->frame) {
-        struct cell inner = cell_moved(cell, &solid->frame->inward);
+        struct cell inner = cell_moved(cell, solid->frame->inward);
         found = content_overlap(query, solid, &inner);
     } else {
         found = content_overlap(query, solid, cell);

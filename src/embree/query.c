@@ -175,7 +175,7 @@ bool query_solid(struct query *query, const struct solid *solid)
         return false;
     struct space space = { query->ray, query->slabs };
     if (solid->frame) {
-        space.ray = ray_into(&solid->frame->inward, &query->ray);
+        space.ray = ray_into(solid->frame->inward, &query->ray);
         space.slabs = slabs_of(&space.ray);
         if (!slabs_hit(&space.slabs, solid->inner, query->tmin, query->tmax))
             return false;

@@ -54,7 +54,7 @@ static bool content_inside(const struct solid *solid, vec3 point)
 
 static vec3 into_frame(const struct solid *solid, vec3 point)
 {
-    return solid->frame ? affine_point(&solid->frame->inward, point) : point;
+    return solid->frame ? affine_point(solid->frame->inward, point) : point;
 }
 
 bool solid_inside(const struct solid *solid, vec3 point)

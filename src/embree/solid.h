@@ -62,7 +62,7 @@ static inline vec3 leaf_corner(const struct leaf *leaf, size_t triangle, int k)
 /* The space a CSG tree is kept in: its object's own, in which its parts are
  * more often unmoved and its planes along the axes. */
 struct frame {
-    affine inward, outward;
+    const affine *inward, *outward;
 };
 
 /* A node of a tree. A root's space is the world's (or, for a clip, that of

@@ -62,7 +62,7 @@ static void mark_part(struct marking *marking, const struct solid *solid,
 {
     struct box3 box = solid->surface;
     if (frame && solid->parent)
-        box = affine_box(&frame->outward, box);
+        box = affine_box(frame->outward, box);
     if (solid->leaf)
         mark_leaf(marking, solid->leaf, box);
     for (size_t i = 0; i < solid->child_count; i++)
