@@ -15,6 +15,7 @@ struct object *object_new(struct arena *arena, enum object_kind kind,
     object->transform = &affine_unmoved;
     object->texture_transform = &affine_unmoved;
     object->inner_transform = &affine_unmoved;
+    object->interior_transform = &affine_unmoved;
     return object;
 }
 
@@ -55,11 +56,13 @@ void object_move(struct arena *arena, struct object *object,
                  const affine *transform)
 {
     const affine *before = object->transform;
-    object->transform = affine_moved(arena, transform, before, NULL, NULL);
-    object->texture_transform = affine_moved(
-        arena, transform, object->texture_transform, before, object->transform);
-    object->inner_transform = affine_moved(
-        arena, transform, object->inner_transform, before, object->transform);
+    const affine *after = affine_moved(arena, transform, before, NULL, NULL);
+    const affine **all[] = { &object->texture_transform,
+                             &object->inner_transform,
+                             &object->interior_transform };
+    object->transform = after;
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
+        *all[i] = affine_moved(arena, transform, *all[i], before, after);
     object->clips =
         clips_moved(arena, object->clips, object->clip_count, transform);
     object->bounds =

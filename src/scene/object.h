@@ -56,6 +56,7 @@ struct object {
     const struct texture *texture; /* NULL: the parent's, or the default */
     const struct texture *inner;   /* the same seen from inside, or NULL */
     const struct interior *interior;
+    const affine *interior_transform; /* its media's space to the parent's */
 
     const struct clip *clips;
     size_t clip_count;
