@@ -1,9 +1,11 @@
 /* The indirect mesh asked for one surface: see mesh_diffuse.h. */
 #include "lighting/mesh_diffuse.h"
 
+#include "base/telling.h"
 #include "shade/finish.h"
 
 struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
+                                  struct lattice_view view,
                                   const struct ambience *ambience,
                                   struct worker *worker,
                                   const struct surface *surface)
@@ -13,15 +15,24 @@ struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
     rgb ambient = rgb_mul(surface_ambient(surface), ambience->light);
     double most = fmax(rgb_peak(albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
-    struct indirect_place place = {
-        .place = surface->point,
+    const struct receiver receiver = {
+        .point = surface->point,
         .side = surface->side,
         .normal = layer->normal,
         .from = vec3_along(surface->point, surface->view, surface->at->t),
-        .worth = surface->weight * most,
+        .view = view,
+        .weight = surface->weight * most,
     };
+    unsigned long long rays = worker->counters.shadow_rays;
     if (layer->finish->diffuse != 0 || rgb_peak(ambient) > 0)
-        share = indirect_mesh_light(mesh, worker, &place);
+        share = indirect_mesh_light(mesh, worker, &receiver);
+    if (worker->telling)
+        telling_say(worker->telling,
+                    "indirect: %.4g %.4g %.4g, %.3g of the ambient light, by "
+                    "%s, %llu rays",
+                    share.light.r, share.light.g, share.light.b, share.open,
+                    indirect_mesh_source(mesh, &receiver),
+                    worker->counters.shadow_rays - rays);
     if (ambience->everywhere)
         share.open = 1;
     return (struct diffuse_light){ rgb_scale(ambience->light, share.open),

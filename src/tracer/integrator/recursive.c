@@ -11,6 +11,7 @@
  *   at full weight.
  * - Fading in an interior weakens what passes where the ray leaves it. */
 #include "base/parallel.h"
+#include "base/telling.h"
 #include "shade/finish.h"
 #include "shade/interior.h"
 #include "shade/media.h"
@@ -33,8 +34,8 @@ struct path {
     double weight; /* in the pixel, for adc_bailout */
     bool straight; /* the camera's line of sight: its opacity counts */
     struct interiors inside;
-    const double *place; /* in the picture, of a camera ray that has met nothing
-                          * yet; else NULL */
+    const struct picture_place *place; /* of a camera ray that has met nothing
+                                        * yet; else NULL */
 
     rgb share;    /* of what the ray meets next, in its radiance */
     double clear; /* 1 - opacity so far */
@@ -214,6 +215,28 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
     return true;
 }
 
+/* For --debug-pixel. */
+static void path_tell_meeting(const struct path *path,
+                              const struct intersection *at)
+{
+    struct telling *telling = path->worker->telling;
+    const struct span *span = &at->leaf->object->span;
+    unsigned line = 0;
+    if (span->source)
+        line = source_locate(span->source, span->offset).line;
+    telling->depth = path->level;
+    telling_say(telling, "%s:%u: <%.4g, %.4g, %.4g>, %.3g of the pixel",
+                span->source ? span->source->name : "", line, at->point.x,
+                at->point.y, at->point.z, path->weight);
+    telling->depth++;
+}
+
+static void path_tell_light(const struct path *path, rgb light)
+{
+    telling_say(path->worker->telling, "sends %.4g %.4g %.4g", light.r, light.g,
+                light.b);
+}
+
 /* At the surface: returns false if the ray ends here. */
 static bool path_cross(struct path *path, struct crossing *crossing)
 {
@@ -228,7 +251,12 @@ static bool path_cross(struct path *path, struct crossing *crossing)
         path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));
         return false;
     }
-    path_gather(path, path_shade(path, &crossing->surface));
+    if (path->worker->telling)
+        path_tell_meeting(path, &crossing->at);
+    rgb light = path_shade(path, &crossing->surface);
+    if (path->worker->telling)
+        path_tell_light(path, light);
+    path_gather(path, light);
     return path->level < tracer_levels(tracer) && path_pass(path, crossing);
 }
 
@@ -271,7 +299,7 @@ static struct radiance path_follow(struct path *path)
 }
 
 static void path_start(struct path *path, const struct tracer *tracer,
-                       struct worker *worker, const double place[2],
+                       struct worker *worker, const struct picture_place *place,
                        const struct ray *ray)
 {
     path->tracer = tracer;
@@ -286,23 +314,22 @@ static void path_start(struct path *path, const struct tracer *tracer,
 }
 
 struct radiance tracer_camera(const struct tracer *tracer,
-                              struct worker *worker, double x, double y)
+                              struct worker *worker,
+                              const struct picture_place *place)
 {
     struct path path;
-    const double place[2] = { x, y };
-    if (!camera_sees(&tracer->scene->camera, x, y))
+    const struct camera *camera = &tracer->scene->camera;
+    if (!camera_sees(camera, place->at[0], place->at[1]))
         return (struct radiance){ rgb_grey(0), 0 };
-    struct ray ray = camera_ray(&tracer->scene->camera, x, y);
+    struct ray ray = camera_ray(camera, place->at[0], place->at[1]);
     path_start(&path, tracer, worker, place, &ray);
     return path_follow(&path);
 }
 
-void tracer_rays(const struct tracer *tracer, const double (*places)[2],
-                 unsigned count, struct ray *rays)
+struct ray tracer_ray(const struct tracer *tracer,
+                      const struct picture_place *place)
 {
-    for (unsigned i = 0; i < count; i++)
-        rays[i] =
-            camera_ray(&tracer->scene->camera, places[i][0], places[i][1]);
+    return camera_ray(&tracer->scene->camera, place->at[0], place->at[1]);
 }
 
 void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
@@ -315,7 +342,7 @@ void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
 }
 
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const double (*places)[2], const struct ray *rays,
+                     const struct picture_place *places, const struct ray *rays,
                      const struct world_hit *hits, unsigned count,
                      struct radiance *out)
 {
@@ -323,9 +350,10 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
         struct path path;
         struct crossing crossing;
         out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(&tracer->scene->camera, places[i][0], places[i][1]))
+        if (!camera_sees(&tracer->scene->camera, places[i].at[0],
+                         places[i].at[1]))
             continue;
-        path_start(&path, tracer, worker, places[i], &rays[i]);
+        path_start(&path, tracer, worker, &places[i], &rays[i]);
         if (hits[i].leaf)
             world_describe(&path.ray, &hits[i], &crossing.at);
         out[i] = path_go_on(&path, &crossing, hits[i].leaf);
