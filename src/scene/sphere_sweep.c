@@ -8,7 +8,7 @@
 #include "scene/polynomial.h"
 
 enum {
-    SWEEP_PIECES = 4000000, /* of one sweep, more or less */
+    SWEEP_PIECES = 500000, /* of one sweep, more or less */
     SWEEP_CUTS = 512,       /* of one segment */
     SWEEP_STRETCHES = 64,   /* of one ray, apart from each other */
     SWEEP_ROUNDS = 8,       /* of Newton's method */
