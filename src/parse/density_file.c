@@ -59,25 +59,13 @@ static bool density_load(struct parser *p, const char *name, struct span span,
     return true;
 }
 
-/* density_file = "density_file" "df3" string ["interpolate" float] . */
+/* density_file = "density_file" "df3" string . */
 bool parse_density_file(struct parser *p, struct density_file *file)
 {
     const char *name;
-    int kind = 0;
     stream_next(p);
     if (!accept_keyword(p, KEYWORD_DF3))
         return error_expected(p, "'df3' and the name of a file");
     struct span span = stream_span(p);
-    if (!parse_string(p, &name) || !density_load(p, name, span, file))
-        return false;
-    if (!accept_keyword(p, KEYWORD_INTERPOLATE))
-        return true;
-    span = stream_span(p);
-    if (!parse_integer(p, &kind))
-        return false;
-    file->linear = kind == 1;
-    if (kind == 2)
-        return error_unsupported(p, span, "cubic interpolation of a df3 file");
-    return kind == 0 || kind == 1 ||
-           error_at(p, span, "1", "interpolate is 0 (none) or 1 (linear)");
+    return parse_string(p, &name) && density_load(p, name, span, file);
 }

@@ -9,9 +9,9 @@
 
 enum {
     SWEEP_PIECES = 500000, /* of one sweep, more or less */
-    SWEEP_CUTS = 512,       /* of one segment */
-    SWEEP_STRETCHES = 64,   /* of one ray, apart from each other */
-    SWEEP_ROUNDS = 8,       /* of Newton's method */
+    SWEEP_CUTS = 512,      /* of one segment */
+    SWEEP_STRETCHES = 64,  /* of one ray, apart from each other */
+    SWEEP_ROUNDS = 8,      /* of Newton's method */
 };
 
 /* A ball: middle and radius, or how they change. */

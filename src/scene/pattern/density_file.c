@@ -34,7 +34,7 @@ static double density_file_value(const struct pattern *pattern, vec3 point)
         first[i] = (int)x;
         share[i] = x - first[i];
     }
-    if (!file->linear)
+    if (file->interpolation == 0)
         return density_at(file, first);
     for (int corner = 0; corner < 8; corner++) {
         double weight = 1;
@@ -56,10 +56,17 @@ static const struct field density_file_arguments[] = {
     { .name = NULL },
 };
 
+static const struct field density_file_items[] = {
+    { "interpolate", FIELD_INTEGER,
+      offsetof(struct density_file, interpolation), 0, 1, "0 none, 1 linear" },
+    { .name = NULL },
+};
+
 const struct pattern_kind density_file_pattern = {
     .name = "density_file",
     .help = "numbers of a file: density_file df3 \"cloud.df3\" interpolate 1",
     .size = sizeof(struct density_file),
     .arguments = density_file_arguments,
+    .items = density_file_items,
     .value = density_file_value,
 };
