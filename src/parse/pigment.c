@@ -8,7 +8,6 @@ enum {
 };
 
 static const struct unsupported_word pigment_unsupported[] = {
-    { KEYWORD_DENSITY_MAP, "'density_map'" },
     { KEYWORD_NORMAL_MAP, "'normal_map'" },
     { KEYWORD_SLOPE_MAP, "'slope_map'" },
     { KEYWORD_TEXTURE_MAP, "'texture_map'" },
@@ -24,6 +23,24 @@ static const struct field pigment_names[] = {
     { .name = NULL },
 };
 
+static bool is_byte(double x)
+{
+    return x >= 0 && x <= 255 && x == floor(x);
+}
+
+/* Colours of other programs go from 0 to 255. */
+static void pigment_warn_bytes(struct parser *p, struct span span,
+                               const colour *c)
+{
+    double most = fmax(c->r, fmax(c->g, c->b));
+    bool grey = c->r == c->g && c->g == c->b && c->r != 255;
+    if (most < 32 || grey || !is_byte(c->r) || !is_byte(c->g) || !is_byte(c->b))
+        return;
+    warning_at(p, span,
+               arena_printf(p->arena, "rgb <%g, %g, %g>/255", c->r, c->g, c->b),
+               "colours go from 0 to 1, not to 255");
+}
+
 /* pigment_start = colour | image_map | pattern [block_list] .
  * Measured: a pattern in place of another keeps its map, and a list of colours
  * is a map of these at 0, 1, 2. */
@@ -38,7 +55,11 @@ static bool parse_pigment_start(struct parser *p, struct pigment *pigment,
     }
     if (at_colour(p)) {
         pigment->kind = PIGMENT_COLOUR;
-        return parse_colour(p, &pigment->colour);
+        struct span span = stream_span(p);
+        if (!parse_colour(p, &pigment->colour))
+            return false;
+        pigment_warn_bytes(p, span_join(span, p->last_span), &pigment->colour);
+        return true;
     }
     if (!parse_pattern(p, &pigment->pattern, found))
         return false;
@@ -102,8 +123,9 @@ static bool pigment_can_map(struct parser *p, const struct pigment *pigment)
     return true;
 }
 
-/* pigment_item = colour_map | pigment_map | "quick_colour" colour
- *              | pattern_item . */
+/* pigment_item = colour_map | pigment_map | density_map
+ *              | "quick_colour" colour | pattern_item .
+ * A density_map only in a density. */
 static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
                                bool *found)
 {
@@ -115,6 +137,11 @@ static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
     case KEYWORD_PIGMENT_MAP:
         return pigment_can_map(p, pigment) &&
                parse_pigment_map(p, pigment_is_average(pigment), &pigment->map);
+    case KEYWORD_DENSITY_MAP:
+        *found = p->density;
+        return !*found || (pigment_can_map(p, pigment) &&
+                           parse_density_entries(p, pigment_is_average(pigment),
+                                                 &pigment->map));
     case KEYWORD_QUICK_COLOUR:
         stream_next(p);
         pigment->has_quick_colour = true;
@@ -125,11 +152,13 @@ static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
     }
 }
 
-/* pigment_body = ["uv_mapping"] [PIGMENT] [pigment_start] {pigment_item} . */
+/* pigment_body = ["uv_mapping"] [PIGMENT | DENSITY] [pigment_start]
+ *                {pigment_item} . */
 bool parse_pigment_body(struct parser *p, const struct pigment **in)
 {
     bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING), found;
-    const struct value *value = accept_value(p, VALUE_PIGMENT);
+    const struct value *value =
+        accept_value(p, p->density ? VALUE_DENSITY : VALUE_PIGMENT);
     if (value)
         *in = value->pigment;
     if (value && !mapped && at_body_end(p))

@@ -120,8 +120,12 @@ bool normal_count(struct parser *p, struct normal *normal);
 bool parse_block_list(struct parser *p, const struct pattern *pattern,
                       const struct blend_map **out);
 
-/* png, jpeg ... before the name of a picture, or nothing. */
-bool parse_image_type(struct parser *p);
+/* png, jpeg ... before the name of a picture, or nothing: *found NULL. */
+bool parse_image_type(struct parser *p, const char **found);
+
+/* The path of a picture of that type, whose name may lack its extension; or
+ * NULL. */
+const char *image_file(struct parser *p, const char *name, const char *type);
 /* bump_map in a normal: bump_size goes where the last argument says. */
 bool parse_bump_map(struct parser *p, const struct image_map **out,
                     double *bump_size);
@@ -173,6 +177,17 @@ bool parse_height_field(struct parser *p, struct object **out);
 bool parse_isosurface(struct parser *p, struct object **out);
 bool parse_bicubic_patch(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
+
+/* ---- media.c; the keyword is next ---- */
+
+bool parse_density(struct parser *p, const struct pigment **out);
+bool parse_density_map(struct parser *p, const struct blend_map **out);
+/* colour_map.c: the same as of pigments, in the midst of a density. */
+bool parse_density_entries(struct parser *p, bool average,
+                           const struct blend_map **out);
+bool parse_medium(struct parser *p, const struct medium **out);
+/* One more of these. */
+bool parse_media(struct parser *p, struct media *media);
 
 /* ---- atmosphere.c; the keyword is next ---- */
 

@@ -1,10 +1,10 @@
 /* The scene file as a sequence of items, and what #declare can name besides
  * numbers and strings. */
+#include "parse/mistaken.h"
 #include "parse/rules.h"
 
 static const struct unsupported_word scene_unsupported[] = {
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
-    { KEYWORD_MEDIA, "'media'" },
     { KEYWORD_PHOTONS, "'photons'" },
     { KEYWORD_RADIOSITY, "'radiosity'" },
     { KEYWORD_RAINBOW, "'rainbow'" },
@@ -12,10 +12,7 @@ static const struct unsupported_word scene_unsupported[] = {
 };
 
 static const struct unsupported_word thing_unsupported[] = {
-    { KEYWORD_DENSITY, "'density'" },
-    { KEYWORD_DENSITY_MAP, "'density_map'" },
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
-    { KEYWORD_MEDIA, "'media'" },
     { KEYWORD_RAINBOW, "'rainbow'" },
     { KEYWORD_TEXTURE_MAP, "'texture_map'" },
     { KEYWORD_WARP, "'warp'" },
@@ -101,7 +98,7 @@ static bool thing_fog(struct parser *p, struct value *value)
 
 /* thing = texture {texture} | pigment | normal | finish | interior | material
  *       | transform | camera | fog | sky_sphere | colour_map | pigment_map
- *       | object . */
+ *       | density | density_map | media | object . */
 bool parse_thing(struct parser *p, struct value *value, bool *found)
 {
     enum keyword keyword = stream_keyword(p);
@@ -141,6 +138,15 @@ bool parse_thing(struct parser *p, struct value *value, bool *found)
     case KEYWORD_PIGMENT_MAP:
         value->kind = VALUE_PIGMENT_MAP;
         return parse_pigment_map(p, false, &value->map);
+    case KEYWORD_DENSITY:
+        value->kind = VALUE_DENSITY;
+        return parse_density(p, &value->pigment);
+    case KEYWORD_DENSITY_MAP:
+        value->kind = VALUE_DENSITY_MAP;
+        return parse_density_map(p, &value->map);
+    case KEYWORD_MEDIA:
+        value->kind = VALUE_MEDIA;
+        return parse_medium(p, &value->medium);
     case KEYWORD_NORMAL_MAP:
         value->kind = VALUE_NORMAL_MAP;
         return parse_normal_map(p, false, &value->normal_map);
@@ -215,6 +221,7 @@ bool at_scene_item(struct parser *p)
     case KEYWORD_BACKGROUND:
     case KEYWORD_SKY_SPHERE:
     case KEYWORD_FOG:
+    case KEYWORD_MEDIA:
     case KEYWORD_GLOBAL_SETTINGS:
     case KEYWORD_DEFAULT:
         return true;
@@ -234,6 +241,27 @@ static void scene_recover(struct parser *p)
             block_end(p, open, false);
 }
 
+/* What is no item of the scene, but can be declared. */
+static bool at_declarable(struct parser *p)
+{
+    switch (stream_keyword(p)) {
+    case KEYWORD_TEXTURE:
+    case KEYWORD_PIGMENT:
+    case KEYWORD_NORMAL:
+    case KEYWORD_FINISH:
+    case KEYWORD_INTERIOR:
+    case KEYWORD_MATERIAL:
+    case KEYWORD_TRANSFORM:
+    case KEYWORD_COLOUR_MAP:
+    case KEYWORD_PIGMENT_MAP:
+    case KEYWORD_FUNCTION:
+    case KEYWORD_ARRAY:
+        return true;
+    default:
+        return false;
+    }
+}
+
 static bool scene_unknown(struct parser *p)
 {
     struct span open;
@@ -241,11 +269,19 @@ static bool scene_unknown(struct parser *p)
         unsupported_name(scene_unsupported, stream_keyword(p));
     if (unsupported)
         return skip_unsupported(p, unsupported);
+    if (mistaken_statement(p))
+        return true; /* and read on right behind it */
     enum token_kind kind = stream_peek(p)->kind;
     if (at_word(p, "light_mesh") || at_word(p, "skeleton"))
         error_at(p, stream_span(p),
                  "#ifdef (Glim) global_settings { ... } #end",
                  "this belongs into 'global_settings'");
+    else if (at_declarable(p))
+        error_at(p, stream_span(p),
+                 arena_printf(p->arena, "#declare NAME = %s ...",
+                              stream_peek(p)->word->text),
+                 "'%s' is not allowed in the scene by itself",
+                 stream_peek(p)->word->text);
     else if (kind == TOKEN_WORD)
         error_unknown_item(p, "the scene", NULL);
     else if (kind == TOKEN_SEMICOLON)
@@ -262,7 +298,7 @@ static bool scene_unknown(struct parser *p)
     return false;
 }
 
-/* scene_item = camera | background | sky_sphere | fog | global_settings
+/* scene_item = camera | background | sky_sphere | fog | media | global_settings
  *            | default_block | object . */
 bool parse_scene_item(struct parser *p)
 {
@@ -279,6 +315,9 @@ bool parse_scene_item(struct parser *p)
         break;
     case KEYWORD_FOG:
         ok = scene_fog(p);
+        break;
+    case KEYWORD_MEDIA:
+        ok = parse_media(p, &p->scene->media);
         break;
     case KEYWORD_GLOBAL_SETTINGS:
         ok = parse_global_settings(p);

@@ -112,6 +112,8 @@ struct reflection {
 /* POV-Ray 3.7's defaults are in finish_default. */
 struct finish {
     rgb ambient, emission;
+    rgb glow; /* ambient light of what is meant to glow, ambient_light and all:
+               * seen whatever stands before it, and lights nothing else */
     double diffuse, diffuse_back; /* light on the viewer's / the other side */
     bool diffuse_albedo;
     double brilliance;
@@ -123,10 +125,10 @@ struct finish {
     double crand;    /* grain */
     struct reflection reflection;
     bool conserve_energy;
-    bool old_filter; /* before 3.7 a dark colour filters less: see
-                      * shade/finish.c */
-    double ior;      /* of scenes older than 3.1: the parser gives it to the
-                      * object's interior; 0: not said */
+    bool old_filter;      /* before 3.7 a dark colour filters less: see
+                           * shade/finish.c */
+    double ior, caustics; /* of scenes older than 3.1: the parser gives them
+                           * to the object's interior; 0: not said */
 };
 
 /* One layer of paint. No member is NULL but `normal`. */
@@ -184,12 +186,21 @@ rgb texture_transmittance(const struct texture *texture, vec3 point,
 const struct texture *texture_mapped(struct arena *arena,
                                      const struct texture *texture);
 
+/* All that fill one place at a time: see scene/medium.h. */
+struct media {
+    const struct medium **items;
+    size_t count;
+};
+
+enum { MEDIA_MAX = 64 }; /* in one place; the parser refuses more in one list */
+
 struct interior {
     double ior;           /* 1 */
     double fade_distance; /* 0: none */
     double fade_power;    /* 0: none */
     rgb fade_colour;      /* black */
     double caustics;      /* pretended, in shadows: shade/shadow.c; 0: none */
+    struct media media;   /* of the space that the interior is written in */
 };
 
 struct material {
@@ -199,6 +210,11 @@ struct material {
 };
 
 struct finish finish_default(void);
+
+/* Whether its ambient light is more than finishes have anyway, and than they
+ * would scatter in surroundings half as bright as white: then it doesn't stand
+ * for light from elsewhere, but the surface is meant to glow. */
+bool finish_is_to_glow(const struct finish *finish, rgb ambient_light);
 struct interior interior_default(void);
 
 /* Opaque black, as POV-Ray's. */

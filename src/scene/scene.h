@@ -52,6 +52,13 @@ struct settings {
     struct skeleton_settings skeleton;
 };
 
+/* Whether sky and background light the scene, as with radiosity; else what
+ * they would give is what `ambient` stands for (shade/ambience.h). */
+static inline bool settings_sky(const struct settings *settings)
+{
+    return settings->radiosity || settings->light_mesh.sky;
+}
+
 struct scene {
     struct arena *arena;
     struct camera camera;
@@ -69,6 +76,8 @@ struct scene {
         const struct object **items;
         size_t count, capacity;
     } objects;
+    struct media media;          /* of all space */
+    bool misty;                  /* there are media somewhere */
     struct noise_settings noise; /* of all patterns and fogs */
     double version; /* the language's version the scene asked for */
 };

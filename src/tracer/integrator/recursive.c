@@ -13,6 +13,7 @@
 #include "base/parallel.h"
 #include "shade/finish.h"
 #include "shade/interior.h"
+#include "shade/media.h"
 #include "shade/shadow.h"
 #include "shade/background.h"
 #include "tracer/crossing.h"
@@ -32,8 +33,8 @@ struct path {
     double weight; /* in the pixel, for adc_bailout */
     bool straight; /* the camera's line of sight: its opacity counts */
     struct interiors inside;
-    const double *place; /* in the picture, of a camera ray that has met nothing
-                          * yet; else NULL */
+    const struct picture_place *place; /* of a camera ray that has met nothing
+                                        * yet; else NULL */
 
     rgb share;    /* of what the ray meets next, in its radiance */
     double clear; /* 1 - opacity so far */
@@ -62,13 +63,36 @@ static void path_veil(struct path *path, const struct veil *veil)
     path->clear *= rgb_brightness(veil->through);
 }
 
-static void path_fog(struct path *path, double distance)
+static void path_media(struct path *path, double distance)
 {
     const struct tracer *tracer = path->tracer;
-    if (!tracer_foggy(tracer, &path->inside))
+    struct media_list media;
+    media_find(&media, &tracer->scene->media, &path->inside);
+    if (media.count == 0)
         return;
-    struct veil veil = fog_veil(tracer->scene, &path->ray, distance);
+    struct media_way way = {
+        .media = &media,
+        .origin = path->ray.origin,
+        .direction = path->ray.direction,
+        .length = distance,
+        .lamps = tracer->lighting->lamps(tracer->lighting_state),
+        .worker = path->worker,
+        .inside = &path->inside,
+    };
+    struct veil veil = media_veil(&way);
     path_veil(path, &veil);
+}
+
+/* Fog is before the media (measured). */
+static void path_air(struct path *path, double distance)
+{
+    const struct tracer *tracer = path->tracer;
+    if (tracer_foggy(tracer, &path->inside)) {
+        struct veil veil = fog_veil(tracer->scene, &path->ray, distance);
+        path_veil(path, &veil);
+    }
+    if (tracer_misty(tracer))
+        path_media(path, distance);
 }
 
 /* Sums the light of all lamps over the layers. */
@@ -100,6 +124,7 @@ static rgb path_shade(const struct path *path, const struct surface *surface)
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         rgb glow = finish_glow(layer, diffuse.ambient, diffuse.irradiance);
+        glow = rgb_add(glow, finish_shine(layer));
         gathering.light =
             rgb_add(gathering.light, rgb_mul(layer->weight, glow));
     }
@@ -224,7 +249,7 @@ static struct radiance path_go_on(struct path *path, struct crossing *crossing,
     for (int i = 0; i < SURFACES_MAX; i++) {
         if (worker_stopped(path->worker))
             break;
-        path_fog(path, met ? crossing->at.t : (double)INFINITY);
+        path_air(path, met ? crossing->at.t : (double)INFINITY);
         if (!met) {
             double clear;
             path_gather(path, tracer_background(tracer, path->ray.direction,
@@ -246,7 +271,7 @@ static struct radiance path_follow(struct path *path)
 }
 
 static void path_start(struct path *path, const struct tracer *tracer,
-                       struct worker *worker, const double place[2],
+                       struct worker *worker, const struct picture_place *place,
                        const struct ray *ray)
 {
     path->tracer = tracer;
@@ -261,23 +286,22 @@ static void path_start(struct path *path, const struct tracer *tracer,
 }
 
 struct radiance tracer_camera(const struct tracer *tracer,
-                              struct worker *worker, double x, double y)
+                              struct worker *worker,
+                              const struct picture_place *place)
 {
     struct path path;
-    const double place[2] = { x, y };
-    if (!camera_sees(&tracer->scene->camera, x, y))
+    const struct camera *camera = &tracer->scene->camera;
+    if (!camera_sees(camera, place->at[0], place->at[1]))
         return (struct radiance){ rgb_grey(0), 0 };
-    struct ray ray = camera_ray(&tracer->scene->camera, x, y);
+    struct ray ray = camera_ray(camera, place->at[0], place->at[1]);
     path_start(&path, tracer, worker, place, &ray);
     return path_follow(&path);
 }
 
-void tracer_rays(const struct tracer *tracer, const double (*places)[2],
-                 unsigned count, struct ray *rays)
+struct ray tracer_ray(const struct tracer *tracer,
+                      const struct picture_place *place)
 {
-    for (unsigned i = 0; i < count; i++)
-        rays[i] =
-            camera_ray(&tracer->scene->camera, places[i][0], places[i][1]);
+    return camera_ray(&tracer->scene->camera, place->at[0], place->at[1]);
 }
 
 void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
@@ -290,7 +314,7 @@ void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
 }
 
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const double (*places)[2], const struct ray *rays,
+                     const struct picture_place *places, const struct ray *rays,
                      const struct world_hit *hits, unsigned count,
                      struct radiance *out)
 {
@@ -298,9 +322,10 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
         struct path path;
         struct crossing crossing;
         out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(&tracer->scene->camera, places[i][0], places[i][1]))
+        if (!camera_sees(&tracer->scene->camera, places[i].at[0],
+                         places[i].at[1]))
             continue;
-        path_start(&path, tracer, worker, places[i], &rays[i]);
+        path_start(&path, tracer, worker, &places[i], &rays[i]);
         if (hits[i].leaf)
             world_describe(&path.ray, &hits[i], &crossing.at);
         out[i] = path_go_on(&path, &crossing, hits[i].leaf);
