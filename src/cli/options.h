@@ -34,10 +34,12 @@ struct options {
     bool to_file, continue_trace;
     enum { PROGRESS_TERMINAL, PROGRESS_NEVER, PROGRESS_ALWAYS } progress;
     bool stats;
+    bool watch;              /* --watch: again and again */
     bool messages, warnings; /* +GD and +GW: #debug, #warning and ours */
     int warning_level;
     const struct lighting *lighting;
-    const char *show; /* --show: a view of the lighting; NULL: none */
+    const char *debug_pixel; /* --debug-pixel: "x,y"; NULL: a picture */
+    const char *show;        /* --show: a view of the lighting; NULL: none */
     int quality, threads;
     struct settings light; /* of it only what is in light_said is said */
     struct light_said light_said;
@@ -50,7 +52,9 @@ struct options {
     struct render_options render;
 };
 
-/* Reads the start-up INI files, then the arguments from left to right, and
+/* Files that are read for it are put into options->parse.asked, which may be
+ * NULL and is all of *options that must be set before.
+ * Reads the start-up INI files, then the arguments from left to right, and
  * works out names, sizes and frames. Returns false after an error was printed.
  * Strings live in `arena`. */
 bool options_parse(struct options *options, int argc, char **argv,
