@@ -1,5 +1,5 @@
 /* Antialiasing: which pixels are sampled again, and how (section 5.10 of
- * notes/povray.md). Both methods first sample a grid over the whole picture,
+ * tests/povray.md). Both methods first sample a grid over the whole picture,
  * then look at it tile by tile. The tiles' places are those of the picture,
  * whatever part of it is wanted, so that every pixel is the same in every part,
  * with any number of threads. */
