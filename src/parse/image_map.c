@@ -54,7 +54,7 @@ static const struct unsupported_word image_unsupported[] = {
     { KEYWORD_NONE, NULL },
 };
 
-/* How a file's numbers become the scene's (measured; povray.md, section
+/* How a file's numbers become the scene's (measured; tests/povray.md, section
  * 5.9). */
 struct image_decoding {
     bool plain;     /* not at all */
