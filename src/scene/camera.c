@@ -13,6 +13,9 @@ struct camera camera_default(void)
         .up = { 0, 1, 0 },
         .sky = { 0, 1, 0 },
         .look_at = { 0, 0, 1 },
+        .focal_point = { 0, 0, 1 },
+        .confidence = 0.9,
+        .variance = 1e-4,
     };
 }
 
@@ -99,6 +102,8 @@ const char *camera_finish(struct camera *camera)
     const char *problem = camera_check(camera);
     if (problem)
         return problem;
+    camera->focus =
+        vec3_length(vec3_sub(camera->focal_point, camera->location));
     if (camera->kind == CAMERA_ORTHOGRAPHIC) {
         camera_size(camera);
     } else if (camera_is_bent(camera)) {
@@ -207,6 +212,22 @@ struct ray camera_ray(const struct camera *camera, double x, double y)
     else
         ray.direction = vec3_add(ray.direction, offset);
     ray.direction = vec3_normalise(ray.direction);
+    return ray;
+}
+
+/* What is in the plane at the distance of the focal point, straight ahead,
+ * stays where it is. */
+struct ray camera_lens_ray(const struct camera *camera, double x, double y,
+                           const double lens[2])
+{
+    struct ray ray = camera_ray(camera, x, y);
+    double ahead = vec3_dot(ray.direction, vec3_normalise(camera->direction));
+    vec3 sharp = vec3_along(ray.origin, ray.direction, camera->focus / ahead);
+    ray.origin = vec3_along(ray.origin, vec3_normalise(camera->right),
+                            lens[0] * camera->aperture);
+    ray.origin = vec3_along(ray.origin, vec3_normalise(camera->up),
+                            lens[1] * camera->aperture);
+    ray.direction = vec3_normalise(vec3_sub(sharp, ray.origin));
     return ray;
 }
 

@@ -29,6 +29,14 @@ struct camera {
                            * bend it; their vectors that turn are unit */
     vec3 look_at;
     bool has_look_at;
+    /* Focal blur: how wide the lens is, 0 for none; the point whose distance is
+     * that of the plane where all is sharp; rays of a place, at least and at
+     * most; and when fewer are enough. */
+    double aperture;
+    vec3 focal_point;
+    double focus;           /* that distance */
+    double blur_samples[2]; /* whole numbers */
+    double confidence, variance;
 };
 
 /* POV-Ray's: at the origin, looking along z, right 1.33 x, look_at z. */
@@ -39,6 +47,12 @@ struct camera camera_default(void);
 static inline bool camera_is_bent(const struct camera *camera)
 {
     return camera->kind > CAMERA_ORTHOGRAPHIC;
+}
+
+/* Whether its lens blurs what is out of focus. */
+static inline bool camera_blurs(const struct camera *camera)
+{
+    return camera->aperture != 0 && camera->blur_samples[1] >= 1;
 }
 
 /* Works `look_at` and `angle` into direction, right and up, once everything in
@@ -56,6 +70,11 @@ bool camera_sees(const struct camera *camera, double x, double y);
 
 /* The ray through the picture at (x, y). The direction is unit. */
 struct ray camera_ray(const struct camera *camera, double x, double y);
+
+/* The same through another point of the lens, from its middle along right and
+ * up, for an aperture of 1 (scene/lens.h). */
+struct ray camera_lens_ray(const struct camera *camera, double x, double y,
+                           const double lens[2]);
 
 /* A point from the camera: so many rights, ups and directions away from its
  * location. Not finite if these lie in a plane. */
