@@ -31,7 +31,6 @@ static const struct field camera_fields[] = {
 static const struct unsupported_word camera_unsupported[] = {
     { KEYWORD_MESH_CAMERA, "a 'mesh_camera'" },
     { KEYWORD_NORMAL, "a camera's 'normal'" },
-    { KEYWORD_OMNIMAX, "an 'omnimax' camera" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -50,7 +49,8 @@ static bool camera_cylinder(struct parser *p, struct camera *camera)
 }
 
 /* camera_kind = "perspective" | "orthographic" | "ultra_wide_angle"
- *             | "panoramic" | "fisheye" | "spherical" | "cylinder" float . */
+ *             | "panoramic" | "fisheye" | "omnimax" | "spherical"
+ *             | "cylinder" float . */
 static bool parse_camera_kind(struct parser *p, struct camera *camera,
                               bool *found)
 {
@@ -63,6 +63,7 @@ static bool parse_camera_kind(struct parser *p, struct camera *camera,
         { KEYWORD_ULTRA_WIDE_ANGLE, CAMERA_ULTRA_WIDE_ANGLE },
         { KEYWORD_PANORAMIC, CAMERA_PANORAMIC },
         { KEYWORD_FISHEYE, CAMERA_FISHEYE },
+        { KEYWORD_OMNIMAX, CAMERA_OMNIMAX },
     };
     *found = true;
     if (accept_word(p, "cylinder"))

@@ -17,6 +17,7 @@ enum camera_kind {
     CAMERA_CYLINDER_3, /* upright, each line seen from its own height */
     CAMERA_CYLINDER_4, /* lying, each column from its own place */
     CAMERA_FISHEYE,    /* a disc; the rest of the picture is black */
+    CAMERA_OMNIMAX,    /* a disc, cut off below: a dome's film */
 };
 
 struct camera {
@@ -65,7 +66,7 @@ const char *camera_finish(struct camera *camera);
 void camera_move(struct camera *camera, const affine *transform);
 
 /* Whether there is a picture at (x, y), both in [0,1] from the top left: round
- * a fisheye's disc there is none, and it is black. */
+ * the disc of a fisheye or a dome there is none, and it is black. */
 bool camera_sees(const struct camera *camera, double x, double y);
 
 /* The ray through the picture at (x, y). The direction is unit. */
