@@ -294,7 +294,7 @@ static uint64_t light_hash(uint64_t hash, const struct light *light)
         light->kind,       light->parallel,   light->radius,
         light->falloff,    light->tightness,  light->fade_distance,
         light->fade_power, light->shadowless, light->media_attenuation,
-        light->no_media,   light->area,       light->size1,
+        light->no_media,   light->group,      light->area,       light->size1,
         light->size2,      light->adaptive,   light->circular,
         light->orient,     light->jitter,     light->area_illumination,
     };
