@@ -172,6 +172,8 @@ static const struct option table[] = {
           "n", "new points where neighbours differ by more (0.2)"),
     LIGHT("Mesh_Levels", "mesh-levels", light_mesh_fields, "levels", "n",
           "how often the distance of points is halved for that (2)"),
+    LIGHT("Mesh_Sky", "mesh-sky", light_mesh_fields, "sky", "bool",
+          "sky and background light the scene, in place of ambient (off)"),
     LIGHT("Mesh_Indirect", "mesh-indirect", light_option_fields, "indirect",
           "bool", "light from surface to surface (on)"),
     LIGHT("Mesh_Samples", "mesh-samples", indirect_fields, "samples", "n",

@@ -166,8 +166,8 @@ static bool options_read_arguments(struct option_reader *reader, int argc,
 {
     bool good = true, ended = false;
     for (int i = 1; i < argc; i++) {
-        struct setting token = { .shown = argv[i] };
         const char *next = i + 1 < argc ? argv[i + 1] : NULL;
+        struct setting token = { .shown = argv[i], .next = next };
         if (ended) { /* after --: a scene, whatever its name */
             reader->options->input = argv[i];
             continue;
@@ -181,7 +181,8 @@ static bool options_read_arguments(struct option_reader *reader, int argc,
             i++;
         }
         bool known = option_read(reader, &token);
-        i += !known && option_wastes_next(argv[i], next);
+        i += !known && (reader->took_next || option_wastes_next(argv[i], next));
+        reader->took_next = false;
         good = known && good;
     }
     return good;
@@ -226,14 +227,7 @@ static bool options_find_input(struct option_reader *reader)
     options->path = option_search(reader, options->input, extensions);
     if (options->path)
         return true;
-    struct stat status;
-    bool directory = stat(options->input, &status) == 0;
-    diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
-               directory ? "'%s' is a directory, not a scene"
-                         : "there is no scene '%s', neither here nor along "
-                           "the library path",
-               options->input);
-    return false;
+    return option_scene_missing(reader, options->input);
 }
 
 /* A table of light goes to standard output, or where +O says. */
@@ -344,9 +338,11 @@ static void options_add_standard_library(struct option_reader *reader)
         "/usr/share/povray-3.7/include",
         "/usr/share/povray-3.7",
         "/usr/share/povray-3.7/ini",
+        NULL,
     };
-    for (size_t i = 0; i < sizeof standard / sizeof *standard; i++)
-        option_add_library(reader, standard[i]);
+    for (const char *const *path = standard; *path; path++)
+        option_add_library(reader, *path);
+    reader->options->parse.standard_paths = standard;
 }
 
 static void options_resolve_scene(struct option_reader *reader)
