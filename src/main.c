@@ -47,16 +47,6 @@ static bool frame_pixels(struct work *work, const struct tracer *tracer,
     return done;
 }
 
-/* Whether the lighting method stands by what it said. */
-static bool frame_sound(struct work *work, const struct tracer *tracer,
-                        struct stats *stats)
-{
-    const struct lighting *lighting = tracer->lighting;
-    stats_lighting(stats, tracer);
-    return !lighting->sound ||
-           lighting->sound(tracer->lighting_state, &work->diag);
-}
-
 /* World to picture. */
 static bool frame_draw(struct work *work, const struct tracer *tracer,
                        const char *name, struct stats *stats)
@@ -66,7 +56,7 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
         image_new(options->render.width, options->render.height);
     bool done = frame_pixels(work, tracer, name, image, stats);
     stats_lap(stats, &stats->rendering);
-    done = done && frame_sound(work, tracer, stats);
+    stats_lighting(stats, tracer);
     done =
         done && picture_show(image, options, tracer, work->stop, &work->diag);
     done = done && picture_write(image, options, &tracer->scene->settings, name,
@@ -92,7 +82,7 @@ static bool frame_probe(struct work *work, const struct tracer *tracer,
                           light, &stats->rays);
     progress_clear(&progress);
     stats_lap(stats, &stats->rendering);
-    done = done && frame_sound(work, tracer, stats);
+    stats_lighting(stats, tracer);
     done = done && probe_file_write(points, light, name, &work->diag);
     stats_lap(stats, &stats->writing);
     memory_free(light);
@@ -115,38 +105,35 @@ static void frame_keep(struct work *work, const struct tracer *tracer)
     work->kept = tracer->lighting->keep(tracer->lighting_state);
 }
 
-/* Lights the world; returns whether that is to be tried again, and then leaves
- * the state in light->before. */
-static bool frame_attempt(struct work *work, const struct world *world,
-                          const struct scene *scene,
-                          struct lighting_options *light, const char *name,
-                          struct stats *stats, bool *done)
+/* Lights the world. */
+static bool frame_light(struct work *work, const struct world *world,
+                        const struct scene *scene, const char *name,
+                        struct stats *stats)
 {
     const struct options *options = &work->options;
     const struct lighting *lighting = options->lighting;
-    void *state = lighting->start(world, scene, light, &work->diag);
-    if (light->before)
-        lighting->finish(light->before);
-    light->before = NULL;
+    const struct lighting_options light = { .threads = options->render.threads,
+                                            .width = options->render.width,
+                                            .height = options->render.height,
+                                            .quality = options->quality,
+                                            .stop = work->stop,
+                                            .keep = work_keeps(work),
+                                            .kept = &work->kept };
     struct tracer tracer = { .scene = scene,
                              .world = world,
                              .lighting = lighting,
-                             .lighting_state = state,
                              .quality = options->quality,
                              .alpha = options->alpha };
-    if (light->attempt == 0)
-        stats_world(stats, world);
-    *done = state && (options->probe ? frame_probe : frame_draw)(work, &tracer,
-                                                                 name, stats);
-    bool again = state && !*done && !atomic_load(work->stop) &&
-                 lighting->again && lighting->again(state);
-    if (*done)
+    tracer.lighting_state = lighting->start(world, scene, &light, &work->diag);
+    stats_world(stats, world);
+    if (!tracer.lighting_state)
+        return false;
+    bool done =
+        (options->probe ? frame_probe : frame_draw)(work, &tracer, name, stats);
+    if (done)
         frame_keep(work, &tracer);
-    if (again)
-        light->before = state;
-    else if (state)
-        lighting->finish(state);
-    return again;
+    lighting->finish(tracer.lighting_state);
+    return done;
 }
 
 /* Scene to picture or table. */
@@ -166,15 +153,7 @@ static bool frame_render(struct work *work, const struct scene *scene,
     world_lights(world, &lights);
     if (!options->probe)
         missing_tell(scene, lights, world_leaf_count(world), &work->diag);
-    struct lighting_options light = { .threads = options->render.threads,
-                                      .width = options->render.width,
-                                      .quality = options->quality,
-                                      .stop = work->stop,
-                                      .keep = work_keeps(work),
-                                      .kept = &work->kept };
-    bool done = false;
-    while (frame_attempt(work, world, scene, &light, name, stats, &done))
-        light.attempt++;
+    bool done = frame_light(work, world, scene, name, stats);
     world_free(world);
     return done;
 }

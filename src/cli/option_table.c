@@ -78,8 +78,9 @@ static const struct option table[] = {
                "write a picture (on); for the types see --list formats; a "
                "number gives the bits, g makes it grey: +FN16g"),
     VALUE(NULL, "Output_File_Type", set_file_type, "type", "as in +F (N)"),
-    INTEGER(NULL, "Bits_Per_Color", bits, 1, 16,
-            "of PNG and PPM files (8; grey PNG 16)"),
+    INTEGER(NULL, "Bits_Per_Color", bits, 1, 32,
+            "of PNG and PPM files, up to 16 (8; grey PNG 16); 32 makes OpenEXR "
+            "files of floats, not halves"),
     SWITCH(NULL, "Grayscale_Output", grey,
            "one channel, 0.297 red + 0.589 green + 0.114 blue (off)"),
     INTEGER(NULL, "Compression", compression, 0, 100,

@@ -307,6 +307,29 @@ static bool options_range(struct option_reader *reader, const char *what,
     return false;
 }
 
+/* Whether there are such files, and glim's half that writes them. */
+static bool options_check_file_type(struct option_reader *reader)
+{
+    const struct options *options = reader->options;
+    struct image_format format = options_format(options);
+    bool exr = options->file_type == 'E';
+    char why[512];
+    if (options->bits <= 16 || (exr && options->bits == 32)) {
+        if (!options->to_file || image_can_write(&format, why, sizeof why))
+            return true;
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "can't write %s files: %s",
+                   output_type_find(options->file_type)->format, why);
+        return false;
+    }
+    diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+               exr ? "OpenEXR files have 16 or 32 bits, not %d: type +FE32"
+                   : "%d bits are too many: PNG and PPM files have 1 to 16; "
+                     "floats are written by +FE32",
+               options->bits);
+    return false;
+}
+
 static bool options_resolve_picture(struct option_reader *reader)
 {
     struct options *options = reader->options;
@@ -322,6 +345,8 @@ static bool options_resolve_picture(struct option_reader *reader)
                        &render->column_start, &render->column_end) ||
         !options_range(reader, "Row", options->rows, render->height,
                        &render->row_start, &render->row_end))
+        return false;
+    if (!options_check_file_type(reader))
         return false;
     bool target = render->target_error > 0 || render->target_time > 0;
     render->samples = options->samples ? options->samples : target ? 65536 : 64;
