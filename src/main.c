@@ -7,6 +7,7 @@
 #include "cli/probe_file.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
+#include "cli/watch.h"
 #include "lighting/missing.h"
 #include "lighting/names.h"
 #include "tracer/integrator.h"
@@ -225,6 +226,7 @@ static enum status work_run(struct work *work, struct arena *arena)
 {
     const char *problem = NULL;
     const struct frames *frames = &work->options.frames;
+    file_list_add(work->options.parse.asked, work->options.path);
     work->source =
         source_read(arena, work->options.path, span_none(), &problem);
     if (!work->source && atomic_load(work->stop)) {
@@ -237,6 +239,8 @@ static enum status work_run(struct work *work, struct arena *arena)
                    problem);
         return FAILED;
     }
+    if (work->options.probe)
+        file_list_add(work->options.parse.asked, work->options.probe);
     if (work->options.probe && work->options.action == ACTION_RENDER &&
         !probe_file_read(&work->points, work->options.probe, arena,
                          &work->diag))
@@ -262,30 +266,60 @@ struct command {
     int argc;
     char **argv;
     enum status status;
+    bool told; /* what --watch waits for */
 };
+
+/* Says once that it goes on; returns whether it does. */
+static bool command_watch(struct command *command, struct work *work)
+{
+    struct file_list *files = work->options.parse.asked;
+    if (!work->options.watch || command->status == INTERRUPTED)
+        return false;
+    if (!command->told && work->options.warnings)
+        diag_print(&work->diag, DIAG_NOTE, span_none(), NULL,
+                   "watching %zu file%s; Ctrl-C ends", files->count,
+                   files->count == 1 ? "" : "s");
+    command->told = true;
+    return watch_wait(files, work->stop);
+}
+
+/* Returns true for once more. Wrong options are waited for only if an INI file
+ * was right before. */
+static bool command_once(struct command *command)
+{
+    struct arena *arena = arena_new(0);
+    struct file_list files = { .arena = arena };
+    struct work work = { .options.parse.asked = &files,
+                         .diag = diag_new(),
+                         .stop = interrupt_catch() };
+    bool again = command->told;
+    command->status = FAILED;
+    if (options_parse(&work.options, command->argc, command->argv, arena,
+                      &work.diag)) {
+        bool answers = options_answers(&work.options);
+        if (!answers)
+            command->status = work_run(&work, arena);
+        else if (options_answer(&work.options, &work.diag))
+            command->status = DONE;
+        again = !answers;
+    }
+    memory_free(work.kept.bytes);
+    again = again && command_watch(command, &work);
+    arena_free(arena);
+    return again;
+}
 
 static void command_run(void *context)
 {
-    struct command *command = context;
-    struct work work = { .diag = diag_new(), .stop = interrupt_catch() };
-    struct arena *arena = arena_new(0);
-    if (options_parse(&work.options, command->argc, command->argv, arena,
-                      &work.diag)) {
-        if (options_answers(&work.options))
-            command->status =
-                options_answer(&work.options, &work.diag) ? DONE : FAILED;
-        else
-            command->status = work_run(&work, arena);
-    }
-    memory_free(work.kept.bytes);
-    arena_free(arena);
+    while (command_once(context))
+        continue;
 }
 
 /* Nested scenes and mirrors that face each other need stack, so all is done on
  * one of known size. */
 int main(int argc, char **argv)
 {
-    struct command command = { argc, argv, FAILED };
+    struct command command = { .argc = argc, .argv = argv };
     struct diag diag = diag_new();
     if (!parallel_call(command_run, &command))
         diag_print(&diag, DIAG_ERROR, span_none(), NULL,
