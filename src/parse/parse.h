@@ -4,6 +4,7 @@
 
 #include <stdatomic.h>
 
+#include "base/file_list.h"
 #include "scene/scene.h"
 #include "text/diag.h"
 
@@ -11,6 +12,7 @@
 struct parse_options {
     const char *const *include_paths; /* searched after the current directory */
     size_t include_path_count;
+    const char *const *standard_paths;  /* of POV-Ray's own; NULL ends them */
     const char *const *include_headers; /* +HI files, read before the scene */
     size_t include_header_count;
     /* Declare=NAME=VALUE, in order; the value is an expression or string. */
@@ -24,11 +26,17 @@ struct parse_options {
     double initial_clock, final_clock;
     int initial_frame, final_frame, frame_number;
     int image_width, image_height;
-    double version;         /* +MV; 0: not said */
-    size_t memory_limit;    /* bytes for text, parsing and scene together;
-                             * 0: 4 GiB, or half of what there is */
-    unsigned round_limit;   /* rounds of one loop, 0: 10 million */
-    const atomic_int *stop; /* set by a signal: give up quietly; or NULL */
+    const struct light_said *light_said; /* wins over the scene's own settings,
+                                          * with the values in `light`; NULL:
+                                          * nothing is said */
+    const struct settings *light;
+    double version;          /* +MV; 0: not said */
+    size_t memory_limit;     /* bytes for text, parsing and scene together;
+                              * 0: 4 GiB, or half of what there is */
+    unsigned round_limit;    /* rounds of one loop, 0: 10 million */
+    struct file_list *asked; /* gets the names of all files that the scene
+                              * asks for; or NULL */
+    const atomic_int *stop;  /* set by a signal: give up quietly; or NULL */
 };
 
 /* Reads `main` into a new scene. Errors are printed to `diag`; on any error

@@ -23,7 +23,7 @@ static bool font_load(struct parser *p, const char *name, struct span span,
     const char *problem = NULL, *path = file_find(p, name, ".ttf");
     if (!path)
         return error_at(p, span, file_hint(p, name), "can't find the font '%s'",
-                        name);
+                        file_shown(p, name));
     for (struct font_cache *known = p->fonts; known; known = known->next)
         if (strcmp(known->path, path) == 0) {
             *out = known->font;

@@ -78,6 +78,11 @@ struct sampler sampler_new(const struct tracer *tracer,
     }
     size_t columns = (size_t)(sampler.first.right - sampler.first.left);
     size_t rows = (size_t)(sampler.first.bottom - sampler.first.top);
+    if (options->antialias) {
+        double gamma = options->antialias_gamma;
+        sampler.perceived = memory_new(sizeof *sampler.perceived);
+        perceived_fill(sampler.perceived, gamma > 0 ? 1 / gamma : 1);
+    }
     sampler.direct = !options->antialias && columns == (size_t)image->width &&
                      rows == (size_t)image->height;
     sampler.grid = sampler.direct
@@ -88,6 +93,7 @@ struct sampler sampler_new(const struct tracer *tracer,
 
 void sampler_free(struct sampler *sampler)
 {
+    memory_free(sampler->perceived);
     if (!sampler->direct)
         memory_free(sampler->grid);
     sampler->grid = NULL;
@@ -101,13 +107,22 @@ static void sampler_take(const struct radiance *seen, float out[4])
     out[3] = (float)seen->opacity;
 }
 
+/* Where in their pixels the places of the grid are, both ways. */
+static double sampler_middle(const struct sampler *sampler)
+{
+    return sampler_corners(sampler) ? 0 : 0.5;
+}
+
 /* What the camera sees at (x, y) in pixels from the top left. */
 static void sampler_see(const struct sampler *sampler, struct worker *worker,
                         double x, double y, float out[4])
 {
     const struct render_options *options = sampler->options;
-    struct radiance seen = tracer_camera(
-        sampler->tracer, worker, x / options->width, y / options->height);
+    double middle = sampler_middle(sampler);
+    const struct picture_place place = {
+        { x / options->width, y / options->height }, { x - middle, y - middle }
+    };
+    struct radiance seen = tracer_camera(sampler->tracer, worker, &place);
     arena_reset(worker->scratch);
     sampler_take(&seen, out);
 }
@@ -143,14 +158,14 @@ struct first_hits sampler_grid(const struct sampler *sampler)
         .top = area.top,
         .columns = area.right - area.left,
         .rows = area.bottom - area.top,
-        .middle = sampler_corners(sampler) ? 0 : 0.5,
+        .middle = sampler_middle(sampler),
     };
 }
 
 /* Places of the grid close together. */
 struct sampler_block {
     unsigned count;
-    double places[SAMPLER_BLOCK * SAMPLER_BLOCK][2];
+    struct picture_place places[SAMPLER_BLOCK * SAMPLER_BLOCK];
     struct ray rays[SAMPLER_BLOCK * SAMPLER_BLOCK];
     struct world_hit hits[SAMPLER_BLOCK * SAMPLER_BLOCK];
 };
@@ -163,10 +178,13 @@ static void block_start(const struct sampler *sampler,
                    "a packet");
     block->count = 0;
     for (int y = area.top; y < area.bottom; y++)
-        for (int x = area.left; x < area.right; x++)
-            first_hits_place(grid, x, y, block->places[block->count++]);
-    tracer_rays(sampler->tracer, (const double(*)[2])block->places,
-                block->count, block->rays);
+        for (int x = area.left; x < area.right; x++) {
+            struct picture_place *place = &block->places[block->count];
+            first_hits_place(grid, x, y, place->at);
+            place->grid[0] = x;
+            place->grid[1] = y;
+            block->rays[block->count++] = tracer_ray(sampler->tracer, place);
+        }
 }
 
 static void block_meet(const struct sampler *sampler,
@@ -178,7 +196,7 @@ static void block_meet(const struct sampler *sampler,
 void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
                   struct area area)
 {
-    struct sampler_block block;
+    struct sampler_block block = { 0 };
     unsigned count = 0;
     block_start(sampler, &block, hits, area);
     block_meet(sampler, &block);
@@ -191,7 +209,7 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
                    struct area area)
 {
     struct first_hits grid = sampler_grid(sampler);
-    struct sampler_block block;
+    struct sampler_block block = { 0 };
     struct radiance seen[SAMPLER_BLOCK * SAMPLER_BLOCK];
     unsigned count = 0;
     block_start(sampler, &block, &grid, area);
@@ -200,17 +218,12 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
     for (int y = area.top; sampler->hits && y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)
             block.hits[count++] = *first_hits_at(sampler->hits, x, y);
-    tracer_see_many(sampler->tracer, worker, (const double(*)[2])block.places,
-                    block.rays, block.hits, block.count, seen);
+    tracer_see_many(sampler->tracer, worker, block.places, block.rays,
+                    block.hits, block.count, seen);
     count = 0;
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)
             sampler_take(&seen[count++], sampler_place(sampler, x, y));
-}
-
-static double perceived(float value, double exponent)
-{
-    return value > 0 ? pow((double)value, exponent) : 0;
 }
 
 /* Sum of the differences after gamma correction; opacity counts when it is
@@ -218,16 +231,10 @@ static double perceived(float value, double exponent)
 static bool sampler_differ(const struct sampler *sampler, const float *a,
                            const float *b)
 {
-    const struct render_options *options = sampler->options;
-    double gamma =
-        options->antialias_gamma > 0 ? 1 / options->antialias_gamma : 1;
-    double sum = 0;
-    for (int i = 0; i < 3; i++)
-        if (a[i] != b[i])
-            sum += fabs(perceived(a[i], gamma) - perceived(b[i], gamma));
-    if (sampler->tracer->alpha)
-        sum += fabs((double)a[3] - (double)b[3]);
-    return sum > options->threshold;
+    double more =
+        sampler->tracer->alpha ? fabs((double)a[3] - (double)b[3]) : 0;
+    return perceived_differ(sampler->perceived, a, b, more,
+                            sampler->options->threshold);
 }
 
 /* In [-0.5, 0.5), by the place in the picture alone. */

@@ -62,7 +62,7 @@ static bool include_run(struct parser *p, struct span at)
         return false;
     if (!list && !path) {
         error_at(p, where, file_hint(p, name),
-                 "can't find the include file '%s'", name);
+                 "can't find the include file '%s'", file_shown(p, name));
         stream_abort(p);
         return false;
     }

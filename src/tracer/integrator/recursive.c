@@ -38,8 +38,8 @@ struct path {
     double weight; /* in the pixel, for adc_bailout */
     bool straight; /* the camera's line of sight: its opacity counts */
     struct interiors inside;
-    const double *place; /* in the picture, of a camera ray that has met nothing
-                          * yet; else NULL */
+    const struct picture_place *place; /* of a camera ray that has met nothing
+                                        * yet; else NULL */
 
     rgb share;    /* of what the ray meets next, in its radiance */
     double clear; /* 1 - opacity so far */
@@ -129,6 +129,7 @@ static rgb path_shade(const struct path *path, const struct surface *surface)
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         rgb glow = finish_glow(layer, diffuse.ambient, diffuse.irradiance);
+        glow = rgb_add(glow, finish_shine(layer));
         gathering.light =
             rgb_add(gathering.light, rgb_mul(layer->weight, glow));
     }
@@ -275,7 +276,7 @@ static struct radiance path_follow(struct path *path)
 }
 
 static void path_start(struct path *path, const struct tracer *tracer,
-                       struct worker *worker, const double place[2],
+                       struct worker *worker, const struct picture_place *place,
                        const struct ray *ray)
 {
     path->tracer = tracer;
@@ -318,9 +319,11 @@ static bool blur_settled(const struct blur *blur, const struct camera *camera)
 }
 
 static struct radiance tracer_blurred(const struct tracer *tracer,
-                                      struct worker *worker, double x, double y)
+                                      struct worker *worker,
+                                      const struct picture_place *place)
 {
     const struct camera *camera = &tracer->scene->camera;
+    double x = place->at[0], y = place->at[1];
     int most = (int)camera->blur_samples[1];
     struct blur blur = { .count = 0 };
     uint64_t bits[2];
@@ -343,25 +346,24 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
 }
 
 struct radiance tracer_camera(const struct tracer *tracer,
-                              struct worker *worker, double x, double y)
+                              struct worker *worker,
+                              const struct picture_place *place)
 {
     struct path path;
-    const double place[2] = { x, y };
-    if (!camera_sees(&tracer->scene->camera, x, y))
+    const struct camera *camera = &tracer->scene->camera;
+    if (!camera_sees(camera, place->at[0], place->at[1]))
         return (struct radiance){ rgb_grey(0), 0 };
-    if (camera_blurs(&tracer->scene->camera))
-        return tracer_blurred(tracer, worker, x, y);
-    struct ray ray = camera_ray(&tracer->scene->camera, x, y);
+    if (camera_blurs(camera))
+        return tracer_blurred(tracer, worker, place);
+    struct ray ray = camera_ray(camera, place->at[0], place->at[1]);
     path_start(&path, tracer, worker, place, &ray);
     return path_follow(&path);
 }
 
-void tracer_rays(const struct tracer *tracer, const double (*places)[2],
-                 unsigned count, struct ray *rays)
+struct ray tracer_ray(const struct tracer *tracer,
+                      const struct picture_place *place)
 {
-    for (unsigned i = 0; i < count; i++)
-        rays[i] =
-            camera_ray(&tracer->scene->camera, places[i][0], places[i][1]);
+    return camera_ray(&tracer->scene->camera, place->at[0], place->at[1]);
 }
 
 void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
@@ -374,7 +376,7 @@ void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
 }
 
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const double (*places)[2], const struct ray *rays,
+                     const struct picture_place *places, const struct ray *rays,
                      const struct world_hit *hits, unsigned count,
                      struct radiance *out)
 {
@@ -382,13 +384,14 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
         struct path path;
         struct crossing crossing;
         out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(&tracer->scene->camera, places[i][0], places[i][1]))
+        if (!camera_sees(&tracer->scene->camera, places[i].at[0],
+                         places[i].at[1]))
             continue;
         if (camera_blurs(&tracer->scene->camera)) {
-            out[i] = tracer_blurred(tracer, worker, places[i][0], places[i][1]);
+            out[i] = tracer_blurred(tracer, worker, &places[i]);
             continue;
         }
-        path_start(&path, tracer, worker, places[i], &rays[i]);
+        path_start(&path, tracer, worker, &places[i], &rays[i]);
         if (hits[i].leaf)
             world_describe(&path.ray, &hits[i], &crossing.at);
         out[i] = path_go_on(&path, &crossing, hits[i].leaf);
