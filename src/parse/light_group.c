@@ -63,8 +63,8 @@ bool parse_light_group(struct parser *p, const struct object **out)
 {
     struct span open;
     stream_next(p);
-    struct object *group = object_new(p->scene_arena, OBJECT_UNION,
-                                      p->last_span);
+    struct object *group =
+        object_new(p->scene_arena, OBJECT_UNION, p->last_span);
     *out = group;
     return block_begin(p, &open) &&
            block_end(p, open, light_group_items(p, group));

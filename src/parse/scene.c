@@ -228,11 +228,10 @@ static bool scene_light_group(struct parser *p)
         return false;
     unsigned number = ++p->scene->light_groups;
     for (size_t i = 0; i < group->child_count; i++) {
-        struct object *member =
-            object_copy(p->scene_arena, group->children[i]);
+        struct object *member = object_copy(p->scene_arena, group->children[i]);
         member->light_group = number;
         member->no_global_lights = group->no_global_lights;
-        object_move(p->scene_arena, member, &group->transform);
+        object_move(p->scene_arena, member, group->transform);
         object_link(p, member);
         *ARRAY_PUSH(p->scene_arena, &p->scene->objects) = member;
     }
