@@ -262,6 +262,31 @@ static int body_precedence(enum token_kind kind)
     return 2 * (int)operator_precedence(kind) + (kind == TOKEN_AND);
 }
 
+/* An operator whose right operand is the steps from number `before` on: one
+ * that only fetches it goes into the operator's own step. */
+static void compile_operator(struct compiler *c, enum token_kind kind,
+                             size_t before)
+{
+    enum step_kind plain = kind == TOKEN_PLUS    ? STEP_PLUS
+                           : kind == TOKEN_MINUS ? STEP_MINUS
+                           : kind == TOKEN_STAR  ? STEP_TIMES
+                           : kind == TOKEN_SLASH ? STEP_OVER
+                                                 : STEP_TWO;
+    struct step *last = &c->function->steps.items[before];
+    bool alone = c->function->steps.count == before + 1;
+    if (plain == STEP_TWO) {
+        compile_step(c, STEP_TWO, -1)->two = operator_function(kind);
+    } else if (alone && last->kind == STEP_LOCAL) {
+        last->kind = plain - STEP_PLUS + STEP_PLUS_LOCAL;
+        c->height--;
+    } else if (alone && last->kind == STEP_NUMBER) {
+        last->kind = plain - STEP_PLUS + STEP_PLUS_NUMBER;
+        c->height--;
+    } else {
+        compile_step(c, plain, -1);
+    }
+}
+
 static bool compile_climb(struct compiler *c, int lowest)
 {
     if (!parse_body_operand(c))
@@ -275,9 +300,10 @@ static bool compile_climb(struct compiler *c, int lowest)
             operator_precedence(kind) == PRECEDENCE_NONE || precedence < lowest)
             return true;
         stream_next(c->p);
+        size_t before = c->function->steps.count;
         if (!compile_climb(c, precedence + 1))
             return false;
-        compile_step(c, STEP_TWO, -1)->two = operator_function(kind);
+        compile_operator(c, kind, before);
     }
 }
 

@@ -13,8 +13,20 @@ enum step_kind {
     STEP_NUMBER, /* push number */
     STEP_LOCAL,  /* push a parameter or loop variable */
     STEP_NEGATE,
-    STEP_ONE,     /* a -> one(a) */
-    STEP_TWO,     /* a b -> two(a, b) */
+    STEP_ONE,  /* a -> one(a) */
+    STEP_TWO,  /* a b -> two(a, b) */
+    STEP_PLUS, /* a b -> a + b, and so on; */
+    STEP_MINUS,
+    STEP_TIMES,
+    STEP_OVER,
+    STEP_PLUS_LOCAL, /* the same where b is a parameter or loop variable, */
+    STEP_MINUS_LOCAL,
+    STEP_TIMES_LOCAL,
+    STEP_OVER_LOCAL,
+    STEP_PLUS_NUMBER, /* or a number */
+    STEP_MINUS_NUMBER,
+    STEP_TIMES_NUMBER,
+    STEP_OVER_NUMBER,
     STEP_SELECT,  /* x negative zero positive -> one of them; without the
                    * last, `slot` is 3 and zero stands for both */
     STEP_CALL,    /* arguments -> function(arguments) */
