@@ -25,6 +25,8 @@ struct sampler {
     int tile;           /* edge of a tile */
     struct perceived *perceived; /* NULL: nothing is sampled again */
     float *grid;
+    float *edges; /* or NULL; then the grid is the picture, although it is
+                   * sampled again: what tiles see of others is kept here */
     const struct first_hits *hits; /* at the grid's places, if known; or NULL */
     bool direct; /* the grid is the picture itself: nothing is sampled again */
 };
