@@ -289,7 +289,7 @@ static bool options_name_output(struct option_reader *reader)
 }
 
 /* `said` counted from 1, below 1 a share; see section 2.2 of
- * notes/povray.md. Returns the 0-based, end exclusive bounds. */
+ * tests/povray.md. Returns the 0-based, end exclusive bounds. */
 static bool options_range(struct option_reader *reader, const char *what,
                           const double said[2], int size, int *start, int *end)
 {

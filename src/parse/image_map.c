@@ -54,7 +54,7 @@ static const struct unsupported_word image_unsupported[] = {
     { KEYWORD_NONE, NULL },
 };
 
-/* How a file's numbers become the scene's (measured; povray.md, section
+/* How a file's numbers become the scene's (measured; tests/povray.md, section
  * 5.9). */
 struct image_decoding {
     bool plain;     /* not at all */
@@ -322,7 +322,7 @@ static struct entry_clear *entry_clear(struct parser *p, struct image_map *map,
         map->clear =
             ARENA_ARRAY(p->scene_arena, struct entry_clear, PALETTE_ENTRIES);
         for (int i = 0; i < PALETTE_ENTRIES; i++)
-            map->clear[i] = (struct entry_clear){ NAN, NAN };
+            map->clear[i] = (struct entry_clear){ (double)NAN, (double)NAN };
     }
     return &map->clear[entry];
 }
