@@ -204,6 +204,10 @@ bool parse_medium(struct parser *p, const struct medium **out);
 /* One more of these. */
 bool parse_media(struct parser *p, struct media *media);
 
+/* ---- light_group.c: a node with its members below it, moved together ---- */
+
+bool parse_light_group(struct parser *p, const struct object **out);
+
 /* ---- atmosphere.c; the keyword is next ---- */
 
 bool parse_background(struct parser *p, colour *out);
