@@ -161,10 +161,9 @@ static bool parse_heights(struct parser *p, struct height_field *field)
     if (!parse_string(p, &name))
         return false;
     span = span_join(span, p->last_span);
-    const char *path = file_find(p, name, NULL);
+    const char *path = file_need(p, span, "image", name, NULL);
     if (!path)
-        return error_at(p, span, file_hint(p, name),
-                        "can't find the image '%s'", name);
+        return false;
     struct image *image = image_read_numbers(path, problem, sizeof problem);
     if (!image)
         return error_at(p, span, NULL, "can't read the image '%s': %s", path,

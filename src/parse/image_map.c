@@ -187,10 +187,10 @@ static struct image *image_find(struct parser *p, const char *path,
 
 static bool image_open(struct parser *p, const struct image_request *request)
 {
-    const char *path = file_find(p, request->name, NULL);
+    const char *path =
+        file_need(p, request->span, "image", request->name, NULL);
     if (!path)
-        return error_at(p, request->span, file_hint(p, request->name),
-                        "can't find the image '%s'", request->name);
+        return false;
     request->map->image = image_find(p, path, request);
     return request->map->image != NULL;
 }

@@ -6,11 +6,13 @@
 
 #include "scene/scene.h"
 #include "text/diag.h"
+#include "text/permit.h"
 
 /* What the scene's text may ask about its surroundings. */
 struct parse_options {
     const char *const *include_paths; /* searched after the current directory */
     size_t include_path_count;
+    const struct permits *permits;      /* what the scene may read; NULL: all */
     const char *const *include_headers; /* +HI files, read before the scene */
     size_t include_header_count;
     /* Declare=NAME=VALUE, in order; the value is an expression or string. */
