@@ -17,9 +17,10 @@ enum status { DONE = 0, FAILED = 1, INTERRUPTED = 2 };
 struct work {
     struct options options;
     const struct source *source;
-    struct probe_file points;  /* of --probe */
-    struct lighting_kept kept; /* by the frame before */
-    bool kept_told;            /* that a picture kept by +C is old */
+    struct probe_file points;     /* of --probe */
+    struct lighting_kept kept;    /* by the frame before */
+    bool kept_told;               /* that a picture kept by +C is old */
+    struct unfinished unfinished; /* picture, if the work was stopped */
     const atomic_int *stop;
     struct diag diag;
 };
@@ -69,8 +70,12 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
     done = done && frame_sound(work, tracer, stats);
     done =
         done && picture_show(image, options, tracer, work->stop, &work->diag);
-    done = done && picture_write(image, options, &tracer->scene->settings, name,
-                                 &work->diag);
+    if (done)
+        done = picture_write(image, options, &tracer->scene->settings, name,
+                             &work->diag);
+    else if (atomic_load(work->stop))
+        picture_rescue(image, options, &tracer->scene->settings, name,
+                       &stats->rays, &work->unfinished, &work->diag);
     stats_lap(stats, &stats->writing);
     image_free(image);
     return done;
@@ -250,7 +255,7 @@ static enum status work_run(struct work *work, struct arena *arena)
     work->source =
         source_read(arena, work->options.path, span_none(), &problem);
     if (!work->source && atomic_load(work->stop)) {
-        progress_interrupted(frames, 0);
+        progress_interrupted(frames, 0, &work->unfinished);
         return INTERRUPTED;
     }
     if (!work->source) {
@@ -272,7 +277,7 @@ static enum status work_run(struct work *work, struct arena *arena)
                                  ? INTERRUPTED
                                  : frame_run(work, frames_number(frames, i));
         if (status == INTERRUPTED)
-            progress_interrupted(frames, i);
+            progress_interrupted(frames, i, &work->unfinished);
         if (status != DONE)
             return status;
     }

@@ -1,6 +1,7 @@
 /* Progress: see progress.h. */
 #include "cli/progress.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -102,11 +103,20 @@ void progress_finish(const struct progress *progress,
             clock_seconds() - progress->start);
 }
 
-void progress_interrupted(const struct frames *frames, int index)
+void progress_interrupted(const struct frames *frames, int index,
+                          const struct unfinished *unfinished)
 {
+    char where[64] = "";
     if (frames->animated)
-        fprintf(stderr, "glim: interrupted in frame %d, not written\n",
-                frames_number(frames, index));
+        snprintf(where, sizeof where, " in frame %d",
+                 frames_number(frames, index));
+    if (unfinished->name[0])
+        fprintf(stderr,
+                "glim: interrupted%s; '%s' has what was drawn, %.0f %% of the "
+                "pixels\n",
+                where, unfinished->name, floor(100 * unfinished->share));
+    else if (frames->animated)
+        fprintf(stderr, "glim: interrupted%s, not written\n", where);
     else
         fprintf(stderr, "glim: interrupted, nothing written\n");
 }

@@ -5,6 +5,7 @@
 #include <stdatomic.h>
 
 #include "cli/options.h"
+#include "cli/picture.h"
 
 struct progress {
     bool live;          /* on a terminal: one line, rewritten */
@@ -33,7 +34,9 @@ void progress_clear(const struct progress *progress);
 void progress_finish(const struct progress *progress,
                      const struct options *options);
 
-/* Says that a signal ended the work in the index-th frame. */
-void progress_interrupted(const struct frames *frames, int index);
+/* Says that a signal ended the work in the index-th frame, and what is left of
+ * that. */
+void progress_interrupted(const struct frames *frames, int index,
+                          const struct unfinished *unfinished);
 
 #endif

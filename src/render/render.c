@@ -191,6 +191,8 @@ static bool render_tiles(const struct tracer *tracer,
     bool done = render_foresee(&rendering, tracer, threads) &&
                 render_pass(&rendering, rendering.sampler.first, tile_first) &&
                 render_pass(&rendering, rendering.sampler.tiled, tile_pixels);
+    if (stats)
+        stats->share = done ? 1 : sampler_rescue(&rendering.sampler, image);
     threads_end(&rendering, threads, stats);
     sampler_free(&rendering.sampler);
     memory_free(rendering.hits.at);

@@ -83,6 +83,7 @@ struct sampler sampler_new(const struct tracer *tracer,
     sampler.grid = sampler.direct
                        ? image->pixels
                        : memory_new(columns * rows * 4 * sizeof *sampler.grid);
+    sampler.states = memory_new(columns * rows);
     return sampler;
 }
 
@@ -90,6 +91,7 @@ void sampler_free(struct sampler *sampler)
 {
     if (!sampler->direct)
         memory_free(sampler->grid);
+    memory_free(sampler->states);
     sampler->grid = NULL;
 }
 
@@ -112,12 +114,22 @@ static void sampler_see(const struct sampler *sampler, struct worker *worker,
     sampler_take(&seen, out);
 }
 
-static float *sampler_place(const struct sampler *sampler, int x, int y)
+static size_t sampler_index(const struct sampler *sampler, int x, int y)
 {
     const struct area *first = &sampler->first;
     size_t columns = (size_t)(first->right - first->left);
     size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
-    return sampler->grid + (row * columns + column) * 4;
+    return row * columns + column;
+}
+
+static float *sampler_place(const struct sampler *sampler, int x, int y)
+{
+    return sampler->grid + 4 * sampler_index(sampler, x, y);
+}
+
+static unsigned char *sampler_state(const struct sampler *sampler, int x, int y)
+{
+    return sampler->states + sampler_index(sampler, x, y);
 }
 
 struct area sampler_foreseen(const struct sampler *sampler)
@@ -202,10 +214,14 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
             block.hits[count++] = *first_hits_at(sampler->hits, x, y);
     tracer_see_many(sampler->tracer, worker, (const double(*)[2])block.places,
                     block.rays, block.hits, block.count, seen);
+    if (worker_stopped(worker)) /* while it was looked at */
+        return;
     count = 0;
     for (int y = area.top; y < area.bottom; y++)
-        for (int x = area.left; x < area.right; x++)
+        for (int x = area.left; x < area.right; x++) {
             sampler_take(&seen[count++], sampler_place(sampler, x, y));
+            *sampler_state(sampler, x, y) = SAMPLER_SEEN;
+        }
 }
 
 static double perceived(float value, double exponent)
@@ -405,16 +421,34 @@ void sampler_tile(const struct sampler *sampler, struct worker *worker,
     int bottom = smaller(tile.bottom, wanted->bottom);
     for (int y = larger(tile.top, wanted->top); y < bottom; y++)
         for (int x = left; x < right; x++) {
-            float *pixel = image_pixel(image, x, y);
-            if (worker_stopped(worker))
-                return;
+            float pixel[4];
             if (sampler_corners(sampler))
                 corners_pixel(sampler, worker, x, y, scratch, pixel);
             else if (sampler_centres(sampler))
-                memcpy(pixel, centres_place(&centres, x, y), 4 * sizeof *pixel);
+                memcpy(pixel, centres_place(&centres, x, y), sizeof pixel);
             else
-                memcpy(pixel, sampler_place(sampler, x, y), 4 * sizeof *pixel);
+                memcpy(pixel, sampler_place(sampler, x, y), sizeof pixel);
+            if (worker_stopped(worker))
+                return;
+            memcpy(image_pixel(image, x, y), pixel, sizeof pixel);
+            *sampler_state(sampler, x, y) = SAMPLER_DONE;
         }
+}
+
+double sampler_rescue(const struct sampler *sampler, struct image *image)
+{
+    const struct area *wanted = &sampler->wanted;
+    double known = 0, all = 0;
+    for (int y = wanted->top; y < wanted->bottom; y++)
+        for (int x = wanted->left; x < wanted->right; x++) {
+            unsigned char state = *sampler_state(sampler, x, y);
+            if (state == SAMPLER_SEEN && !sampler->direct)
+                memcpy(image_pixel(image, x, y), sampler_place(sampler, x, y),
+                       4 * sizeof(float));
+            known += state != SAMPLER_UNSEEN;
+            all++;
+        }
+    return known / all;
 }
 
 size_t sampler_scratch(const struct sampler *sampler)
