@@ -1,7 +1,9 @@
 /* Which files a scene may have read: --read-only-below, and povray.conf of the
  * system and of the user as POV-Ray documents it. Each is a list, and all must
  * permit a file. What the user names, the scene's own directory and those of
- * the library path, every list permits. */
+ * the library path, every list permits. The system's file, which Debian ships
+ * as strict as can be and POV-Ray doesn't heed (measured), also permits the
+ * directory above the scene's: "../textures" is where many have them. */
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +12,8 @@
 
 #include "base/text.h"
 #include "cli/option.h"
+
+static const char system_conf[] = "/etc/povray/3.7/povray.conf";
 
 /* One povray.conf while it is read. */
 struct conf {
@@ -104,7 +108,8 @@ static void conf_permit(struct conf *conf, struct text_piece line)
     path.end -= quoted;
     const char *name = conf_path(conf, path);
     if (name)
-        permit_add(conf->list, conf->reader->arena, name, below);
+        permit_add(conf->list, conf->reader->arena,
+                   (struct permit){ name, below, false });
 }
 
 static void conf_line(struct conf *conf, struct text_piece line)
@@ -152,20 +157,43 @@ static bool conf_read(struct option_reader *reader, const char *path)
     return true;
 }
 
+/* The directory above the scene's, unless it holds the homes of all users, or
+ * everything. */
+static const char *folder_above(struct option_reader *reader,
+                                const char *folder)
+{
+    char real[PATH_MAX];
+    if (!realpath(folder, real))
+        return folder;
+    char *slash = strrchr(real, '/');
+    *slash = '\0';
+    return strrchr(real, '/') > real
+               ? arena_copy_text(reader->arena, real, strlen(real))
+               : folder;
+}
+
 /* What was named by who called the program is not the scene's to choose. */
 static void permits_add_named(struct option_reader *reader)
 {
     const char *scene = reader->options->path;
     const char *slash = scene ? strrchr(scene, '/') : NULL;
-    const char *folder = !slash ? "."
-                                : arena_copy_text(reader->arena, scene,
-                                                  (size_t)(slash - scene) + 1);
+    const char *folder = slash ? arena_copy_text(reader->arena, scene,
+                                                 (size_t)(slash - scene) + 1)
+                               : ".";
     for (size_t i = 0; i < reader->permits.count; i++) {
         struct permit_list *list = &reader->permits.items[i];
+        const char *top = strcmp(list->where, system_conf) == 0
+                              ? folder_above(reader, folder)
+                              : folder;
         if (scene && strcmp(scene, "-") != 0)
-            permit_add(list, reader->arena, folder, true);
+            permit_add(list, reader->arena,
+                       (struct permit){ top, true, false });
         for (size_t k = 0; k < reader->library.count; k++)
-            permit_add(list, reader->arena, reader->library.items[k], true);
+            permit_add(
+                list, reader->arena,
+                (struct permit){ reader->library.items[k], true, false });
+        permit_add(list, reader->arena,
+                   (struct permit){ OPTION_POVRAY_FOLDER, true, true });
     }
 }
 
@@ -177,9 +205,10 @@ bool permits_resolve(struct option_reader *reader)
         if (!below)
             below = permits_begin(&reader->permits, reader->arena,
                                   "--read-only-below");
-        permit_add(below, reader->arena, reader->below.items[i], true);
+        permit_add(below, reader->arena,
+                   (struct permit){ reader->below.items[i], true, false });
     }
-    if (!conf_read(reader, "/etc/povray/3.7/povray.conf") ||
+    if (!conf_read(reader, system_conf) ||
         (home &&
          !conf_read(reader, arena_printf(reader->arena,
                                          "%s/.povray/3.7/povray.conf", home))))

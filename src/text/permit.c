@@ -17,13 +17,13 @@ struct permit_list *permits_begin(struct permits *permits, struct arena *arena,
 }
 
 void permit_add(struct permit_list *list, struct arena *arena,
-                const char *directory, bool below)
+                struct permit permit)
 {
     char real[PATH_MAX];
-    if (!realpath(directory, real))
+    if (!realpath(permit.directory, real))
         return;
-    *ARRAY_PUSH(arena, list) =
-        (struct permit){ arena_copy_text(arena, real, strlen(real)), below };
+    permit.directory = arena_copy_text(arena, real, strlen(real));
+    *ARRAY_PUSH(arena, list) = permit;
 }
 
 /* Both without links; the root alone ends in a slash. */
@@ -39,13 +39,21 @@ static bool permit_covers(const struct permit *permit, const char *directory)
             (permit->below || directory[length + 1] == '\0'));
 }
 
+/* Where a file is: the directory it is named in, and that of what a link
+ * leads to. */
+struct whereabouts {
+    char named[PATH_MAX], real[PATH_MAX];
+};
+
 static const struct permit_list *denier(const struct permits *permits,
-                                        const char *directory)
+                                        const struct whereabouts *at)
 {
     for (size_t i = 0; i < permits->count; i++) {
         const struct permit_list *list = &permits->items[i];
         size_t k = 0;
-        while (k < list->count && !permit_covers(&list->items[k], directory))
+        while (k < list->count &&
+               !permit_covers(&list->items[k],
+                              list->items[k].links ? at->named : at->real))
             k++;
         if (k == list->count)
             return list;
@@ -53,25 +61,40 @@ static const struct permit_list *denier(const struct permits *permits,
     return NULL;
 }
 
+/* "/a/b" to "/a", "b" to "." */
+static void cut_last(char *path)
+{
+    char *slash = strrchr(path, '/');
+    if (slash)
+        slash[slash == path] = '\0';
+    else
+        strcpy(path, ".");
+}
+
 const struct permit_list *permits_denier_of(const struct permits *permits,
                                             const char *directory)
 {
-    char real[PATH_MAX];
+    struct whereabouts at;
     if (!permits || permits->count == 0)
         return NULL;
-    return realpath(directory, real) ? denier(permits, real)
-                                     : &permits->items[0];
+    if (!realpath(directory, at.real))
+        return &permits->items[0];
+    strcpy(at.named, at.real);
+    return denier(permits, &at);
 }
 
 const struct permit_list *permits_denier(const struct permits *permits,
                                          const char *path)
 {
-    char real[PATH_MAX];
+    struct whereabouts at;
+    char folder[PATH_MAX];
     if (!permits || permits->count == 0)
         return NULL;
-    if (!realpath(path, real))
+    if (strlen(path) >= sizeof folder || !realpath(path, at.real))
         return &permits->items[0];
-    char *slash = strrchr(real, '/');
-    slash[slash == real] = '\0';
-    return denier(permits, real);
+    cut_last(at.real);
+    strcpy(folder, path);
+    cut_last(folder);
+    return realpath(folder, at.named) ? denier(permits, &at)
+                                      : &permits->items[0];
 }

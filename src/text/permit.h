@@ -10,6 +10,7 @@
 struct permit {
     const char *directory; /* with no link in it */
     bool below;            /* what is deeper in it too */
+    bool links;            /* and what links in it, of files, lead to */
 };
 
 /* What one file or option permits. */
@@ -29,10 +30,10 @@ struct permits {
 struct permit_list *permits_begin(struct permits *permits, struct arena *arena,
                                   const char *where);
 
-/* Permits files in `directory`, with `below` in all it holds; a relative one is
- * seen from the current directory, now. One that doesn't exist is left out. */
+/* Permits files as `permit` says; a relative directory is seen from the current
+ * one, now. One that doesn't exist is left out. */
 void permit_add(struct permit_list *list, struct arena *arena,
-                const char *directory, bool below);
+                struct permit permit);
 
 /* The first list that does not permit to read the file at `path`, which exists:
  * links and ".." are followed first. NULL: it may be read. `permits` may be
