@@ -221,7 +221,7 @@ static void measure_leaf(struct solid *solid, const affine *to_tree)
     const struct leaf *leaf = solid->leaf;
     const struct object *object = leaf->object;
     bool shape = object->kind == OBJECT_SHAPE;
-    bool beyond = shape ? object->primitive->beyond : object->mesh->beyond;
+    bool beyond = shape && object->primitive->beyond;
     bool has_inside = shape ? object->primitive->solid : object->mesh->solid;
     struct box3 box =
         shape ? object->primitive->bounds(object->shape) : object->mesh->bounds;

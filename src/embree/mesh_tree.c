@@ -1,7 +1,7 @@
 /* Boxes over the triangles of a mesh: see mesh_tree.h. */
 #include "embree/mesh_tree.h"
 
-#include "embree/slab.h"
+#include "scene/slab.h"
 
 enum {
     TREE_LEAF = 4,   /* triangles */
@@ -119,7 +119,7 @@ const struct mesh_tree *mesh_tree_new(struct arena *arena,
 
 static bool visit_leaf(const struct mesh_tree *tree,
                        const struct tree_node *node, const struct ray *ray,
-                       double tmin, double tmax, mesh_visit *visit,
+                       double tmin, double tmax, hit_visit *visit,
                        void *context)
 {
     for (uint32_t i = 0; i < node->count; i++) {
@@ -133,7 +133,7 @@ static bool visit_leaf(const struct mesh_tree *tree,
 }
 
 void mesh_tree_crossings(const struct mesh_tree *tree, const struct ray *ray,
-                         double tmin, double tmax, mesh_visit *visit,
+                         double tmin, double tmax, hit_visit *visit,
                          void *context)
 {
     uint32_t stack[TREE_DEPTH];
@@ -205,7 +205,7 @@ bool mesh_tree_inside(const struct mesh_tree *tree, vec3 point)
 {
     unsigned count = 0;
     const struct mesh *mesh = tree->mesh;
-    if (!mesh->solid || (!mesh->beyond && !box3_contains(mesh->bounds, point)))
+    if (!mesh->solid || !box3_contains(mesh->bounds, point))
         return false;
     struct ray ray = { point, mesh->inside_vector };
     mesh_tree_crossings(tree, &ray, 0, HUGE_VAL, count_crossing, &count);

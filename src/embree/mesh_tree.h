@@ -13,12 +13,9 @@ struct mesh_tree;
 const struct mesh_tree *mesh_tree_new(struct arena *arena,
                                       const struct mesh *mesh);
 
-/* Takes a crossing; returns true when no more are wanted. */
-typedef bool mesh_visit(void *context, const struct hit *hit);
-
 /* Calls visit for the crossings with t in (tmin, tmax), in no order. */
 void mesh_tree_crossings(const struct mesh_tree *tree, const struct ray *ray,
-                         double tmin, double tmax, mesh_visit *visit,
+                         double tmin, double tmax, hit_visit *visit,
                          void *context);
 
 /* Whether a triangle meets the axis-aligned box around the cell. */

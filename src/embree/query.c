@@ -101,6 +101,30 @@ static bool query_is_plain(const struct query *query, const struct solid *solid)
            (solid->leaf->opaque || !query->filter);
 }
 
+struct crossing_query {
+    struct query *query;
+    const struct solid *solid;
+    const struct ray *ray;
+};
+
+static bool take_crossing(void *context, const struct hit *hit)
+{
+    struct crossing_query *crossing = context;
+    return take_if_counts(crossing->query, crossing->solid, crossing->ray, hit);
+}
+
+/* Of a shape that may have any number of them; `inner` is the ray in its space.
+ */
+static bool query_crossings(struct query *query, const struct solid *solid,
+                            const struct ray *ray, const struct ray *inner)
+{
+    const struct object *object = solid->leaf->object;
+    struct crossing_query context = { query, solid, ray };
+    object->primitive->crossings(object->shape, inner, query->tmin, query->tmax,
+                                 take_crossing, &context);
+    return query->blocked;
+}
+
 static bool query_shape(struct query *query, const struct solid *solid,
                         const struct ray *ray)
 {
@@ -118,6 +142,8 @@ static bool query_shape(struct query *query, const struct solid *solid,
         local = ray_into(&solid->to_shape, ray);
         inner = &local;
     }
+    if (primitive->crossings && !(solid->simple && !query->occlusion))
+        return query_crossings(query, solid, ray, inner);
     if (!query->occlusion && solid->simple && primitive->first)
         hits.count = primitive->first(object->shape, inner, query->tmin,
                                       query->tmax, &hits.at[0]);
@@ -129,25 +155,13 @@ static bool query_shape(struct query *query, const struct solid *solid,
     return false;
 }
 
-struct mesh_query {
-    struct query *query;
-    const struct solid *solid;
-    const struct ray *ray;
-};
-
-static bool mesh_crossing(void *context, const struct hit *hit)
-{
-    struct mesh_query *mesh = context;
-    return take_if_counts(mesh->query, mesh->solid, mesh->ray, hit);
-}
-
 static bool query_mesh(struct query *query, const struct solid *solid,
                        const struct ray *ray)
 {
-    struct mesh_query context = { query, solid, ray };
+    struct crossing_query context = { query, solid, ray };
     struct ray local = ray_into(&solid->to_shape, ray);
     mesh_tree_crossings(solid->tree, &local, query->tmin, query->tmax,
-                        mesh_crossing, &context);
+                        take_crossing, &context);
     return query->blocked;
 }
 
@@ -291,24 +305,37 @@ static vec3 leaf_normal(const struct leaf *leaf, vec3 point,
 {
     const struct object *object = leaf->object;
     if (object->kind == OBJECT_MESH)
-        return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v,
-                           leaf->moved ? &leaf->to_object : NULL);
+        return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v);
     if (leaf->moved)
         point = affine_point(&leaf->to_object, point);
+    if (object->primitive->normal_placed)
+        return object->primitive->normal_placed(
+            object->shape, point, hit, leaf->moved ? &leaf->to_object : NULL);
     return object->primitive->normal(object->shape, point, hit);
 }
 
-/* The normal of a triangle whose interpolated one is known; of other shapes
- * they are the same. */
+/* Of what was hit of a shape or a mesh whose normals are interpolated there; 0:
+ * they are not. */
+static vec3 leaf_face(const struct object *object, const struct hit *hit)
+{
+    if (object->kind == OBJECT_MESH) {
+        if (object->mesh->triangles[hit->part].normal[0] != MESH_NONE)
+            return mesh_face(object->mesh, (size_t)hit->part);
+    } else if (object->primitive->face) {
+        return object->primitive->face(object->shape, hit);
+    }
+    return vec3_make(0, 0, 0);
+}
+
+/* The normal of a facet whose interpolated one is known; of other shapes they
+ * are the same. */
 static void describe_face(const struct leaf *leaf, const struct hit *hit,
                           struct intersection *out)
 {
-    const struct object *object = leaf->object;
+    vec3 face = leaf_face(leaf->object, hit);
     out->face = out->normal;
-    if (object->kind != OBJECT_MESH ||
-        object->mesh->triangles[hit->part].normal[0] == MESH_NONE)
+    if (vec3_dot(face, face) == 0)
         return;
-    vec3 face = mesh_face(object->mesh, (size_t)hit->part);
     if (leaf->moved)
         face = affine_normal(&leaf->to_object, face);
     face = unit(face);
@@ -340,7 +367,7 @@ static bool describe_inside(const struct ray *ray, const struct leaf *leaf,
 {
     const struct object *object = leaf->object;
     if (object->kind != OBJECT_MESH)
-        return vec3_dot(out->normal, ray->direction) > 0;
+        return vec3_dot(out->face, ray->direction) > 0;
     vec3 face = mesh_face(object->mesh, (size_t)out->part);
     if (leaf->moved)
         face = affine_normal(&leaf->to_object, face);

@@ -7,7 +7,7 @@
 #define EMBREE_QUERY_H
 
 #include "embree/rtcore.h"
-#include "embree/slab.h"
+#include "scene/slab.h"
 #include "embree/world.h"
 
 enum { QUERY_RECENT = 16 };

@@ -4,7 +4,7 @@
 #include <float.h>
 
 #include "embree/shaft_tree.h"
-#include "embree/slab.h"
+#include "scene/slab.h"
 #include "scene/primitive.h"
 
 /* A half space that holds all rays of a shaft: normal . p <= limit. */

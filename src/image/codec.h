@@ -11,12 +11,15 @@
 extern "C" {
 #endif
 
-/* Filled in by codec_decode. */
+/* Filled in by codec_decode, before it allocates. */
 struct codec_target {
     /* Makes room for width * height * 4 floats once the size is known, or
      * returns NULL with the reason in error[size]. */
     float *(*allocate)(void *context, int width, int height, char *error,
                        size_t size);
+    /* Not NULL: there is room for one row only, which is taken, row y, as soon
+     * as it is there. */
+    void (*take)(void *context, int y);
     void *context;
     bool has_alpha, linear;
     double gamma;

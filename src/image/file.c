@@ -65,17 +65,23 @@ void image_prepare(void *format)
         file_module();
 }
 
+static bool file_size_allowed(int width, int height, char *error, size_t size)
+{
+    bool allowed = width >= 1 && height >= 1 &&
+                   (long long)width * height <= IMAGE_PIXEL_LIMIT;
+    if (!allowed)
+        snprintf(error, size,
+                 "it has %d x %d pixels; glim's limit is %d in all", width,
+                 height, IMAGE_PIXEL_LIMIT);
+    return allowed;
+}
+
 static float *file_allocate(void *context, int width, int height, char *error,
                             size_t size)
 {
     struct image **image = context;
-    if (width < 1 || height < 1 ||
-        (long long)width * height > IMAGE_PIXEL_LIMIT) {
-        snprintf(error, size,
-                 "it has %d x %d pixels; glim's limit is %d in all", width,
-                 height, IMAGE_PIXEL_LIMIT);
+    if (!file_size_allowed(width, height, error, size))
         return NULL;
-    }
     *image = image_new(width, height);
     return (*image)->pixels;
 }
@@ -125,38 +131,48 @@ static bool file_begins_as_png(const char *path, bool *whole)
     return begins;
 }
 
-static struct image *file_read(const char *path, bool numbers, char *error,
-                               size_t size)
+static bool file_decode(const char *path, struct codec_target *target,
+                        char *error, size_t size)
 {
     if (!file_readable(path, error, size))
-        return NULL;
+        return false;
     bool whole, png = file_begins_as_png(path, &whole);
     if (png && !whole) {
         snprintf(error, size, "it is cut short");
-        return NULL;
+        return false;
     }
     codec_decode_function *decode = png_decode;
     if (!png)
         *(void **)&decode = file_codec("codec_decode", error, size);
-    if (!decode)
-        return NULL;
+    *error = '\0';
+    return decode && decode(path, target, error, size);
+}
+
+static void file_describe(struct image *image,
+                          const struct codec_target *target)
+{
+    image->has_alpha = target->has_alpha;
+    image->linear = target->linear;
+    image->gamma = target->gamma;
+    image->plain = target->plain;
+    image->indexed = target->indexed;
+    image->channels = target->channels;
+    image->bits = target->bits;
+}
+
+static struct image *file_read(const char *path, bool numbers, char *error,
+                               size_t size)
+{
     struct image *image = NULL;
     struct codec_target target = { .allocate = file_allocate,
                                    .context = &image,
                                    .numbers = numbers };
-    *error = '\0';
-    if (!decode(path, &target, error, size)) {
+    if (!file_decode(path, &target, error, size)) {
         file_tidy(error, size);
         image_free(image);
         return NULL;
     }
-    image->has_alpha = target.has_alpha;
-    image->linear = target.linear;
-    image->gamma = target.gamma;
-    image->plain = target.plain;
-    image->indexed = target.indexed;
-    image->channels = target.channels;
-    image->bits = target.bits;
+    file_describe(image, &target);
     return image;
 }
 
@@ -168,6 +184,54 @@ struct image *image_read(const char *path, char *error, size_t size)
 struct image *image_read_numbers(const char *path, char *error, size_t size)
 {
     return file_read(path, true, error, size);
+}
+
+/* A picture on its way through, of which one row is there. */
+struct file_stream {
+    struct codec_target target;
+    struct image image; /* without pixels */
+    const struct image_rows *rows;
+    float *row;
+    bool refused;
+};
+
+static float *stream_allocate(void *context, int width, int height, char *error,
+                              size_t size)
+{
+    struct file_stream *stream = context;
+    if (!file_size_allowed(width, height, error, size))
+        return NULL;
+    stream->image.width = width;
+    stream->image.height = height;
+    file_describe(&stream->image, &stream->target);
+    stream->refused =
+        !stream->rows->begin(stream->rows->context, &stream->image);
+    if (!stream->refused)
+        stream->row = memory_new((size_t)width * 4 * sizeof *stream->row);
+    return stream->row;
+}
+
+static void stream_take(void *context, int y)
+{
+    struct file_stream *stream = context;
+    stream->rows->take(stream->rows->context, &stream->image, y, stream->row);
+}
+
+bool image_read_rows(const char *path, const struct image_rows *rows,
+                     char *error, size_t size)
+{
+    struct file_stream stream = { .rows = rows };
+    stream.target = (struct codec_target){ .allocate = stream_allocate,
+                                           .take = stream_take,
+                                           .context = &stream,
+                                           .numbers = true };
+    bool done = file_decode(path, &stream.target, error, size);
+    if (!done && stream.refused)
+        *error = '\0';
+    else if (!done)
+        file_tidy(error, size);
+    memory_free(stream.row);
+    return done;
 }
 
 bool image_probe(const char *path, int *width, int *height, char *error,

@@ -218,6 +218,45 @@ static void codec_premultiply(float *pixels, size_t count)
             pixels[c] *= pixels[3];
 }
 
+// What is done to pixels as they are read.
+struct codec_finish {
+    int channels, alpha;
+    bool premultiply;
+
+    void apply(float *pixels, size_t count) const
+    {
+        codec_spread(pixels, count, channels, alpha);
+        if (premultiply)
+            codec_premultiply(pixels, count);
+    }
+};
+
+// Row by row; of files in tiles all must be read before the first.
+static bool codec_stream(ImageInput &input, const struct codec_target *target,
+                         const codec_finish &finish, float *row, char *error,
+                         size_t size)
+{
+    const ImageSpec &spec = input.spec();
+    size_t count = size_t(spec.width) * size_t(finish.channels);
+    std::vector<float> all;
+    if (spec.tile_width)
+        all.resize(count * size_t(spec.height));
+    if (spec.tile_width &&
+        !input.read_image(0, 0, 0, finish.channels, TypeFloat, all.data()))
+        return codec_fail(error, size, input.geterror());
+    for (int y = 0; y < spec.height; y++) {
+        if (spec.tile_width)
+            std::memcpy(row, all.data() + count * size_t(y),
+                        count * sizeof *row);
+        else if (!input.read_scanlines(0, 0, spec.y + y, spec.y + y + 1, 0, 0,
+                                       finish.channels, TypeFloat, row))
+            return codec_fail(error, size, input.geterror());
+        finish.apply(row, size_t(spec.width));
+        target->take(target->context, y);
+    }
+    return true;
+}
+
 static bool codec_decode_checked(const char *path, struct codec_target *target,
                                  char *error, size_t size)
 {
@@ -250,12 +289,12 @@ static bool codec_decode_checked(const char *path, struct codec_target *target,
         target->allocate(target->context, spec.width, spec.height, error, size);
     if (!pixels)
         return false;
-    size_t count = size_t(spec.width) * size_t(spec.height);
+    codec_finish finish = { channels, alpha, straight && alpha >= 0 };
+    if (target->take)
+        return codec_stream(*input, target, finish, pixels, error, size);
     if (!input->read_image(0, 0, 0, channels, TypeFloat, pixels))
         return codec_fail(error, size, input->geterror());
-    codec_spread(pixels, count, channels, alpha);
-    if (straight && alpha >= 0)
-        codec_premultiply(pixels, count);
+    finish.apply(pixels, size_t(spec.width) * size_t(spec.height));
     return true;
 }
 

@@ -23,6 +23,21 @@ struct image *image_read(const char *path, char *error, size_t size);
 /* The same, but of a PNG with a palette the numbers, not the colours. */
 struct image *image_read_numbers(const char *path, char *error, size_t size);
 
+/* Who takes the numbers of a picture without keeping it. */
+struct image_rows {
+    /* Told first what it is, without pixels; false: it isn't wanted. */
+    bool (*begin)(void *context, const struct image *image);
+    /* Then each row, from the top. */
+    void (*take)(void *context, const struct image *image, int y,
+                 const float *pixels);
+    void *context;
+};
+
+/* As image_read_numbers, row by row. False with the reason, which is empty if
+ * it wasn't wanted. */
+bool image_read_rows(const char *path, const struct image_rows *rows,
+                     char *error, size_t size);
+
 /* The size of the picture in the file at `path`, if all of it can be read. On
  * failure (missing, cut short, no image) returns false with the reason. */
 bool image_probe(const char *path, int *width, int *height, char *error,

@@ -18,7 +18,7 @@ struct image {
                      * file (PNG); 0: it says nothing */
     int channels;   /* read: 1 grey, 2 with alpha, 3 colour, 4 with alpha */
     int bits;       /* read: of a channel, 8 or more */
-    bool indexed;   /* read by image_read_numbers: pixels are a palette's
+    bool indexed;   /* read as numbers: pixels are a palette's
                      * numbers, 1 being 255 */
     bool plain;     /* read: of a kind whose numbers POV-Ray takes for the
                      * scene's own, whatever they are (PPM, PGM, TIFF) */

@@ -186,7 +186,7 @@ struct png_reader {
     struct codec_target *target;
     struct png_trouble trouble;
     FILE *file;
-    float *pixels;       /* the target's */
+    float *pixels;       /* the target's, all or one row */
     unsigned char *rows; /* all of an interlaced picture, or one row */
     int width, height;
     int channels; /* 1 Y, 2 YA, 3 RGB, 4 RGBA */
@@ -269,11 +269,15 @@ static bool png_read(struct png_reader *r)
     }
     bool begun = png_begin(png, info, r);
     bool whole = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
+    size_t line = 4 * (size_t)r->width;
     size_t size = whole ? png_get_rowbytes(png, info) : 0;
     for (int y = 0; begun && y < r->height; y++) {
         unsigned char *row = r->rows + size * (size_t)y;
         png_read_row(png, row, NULL);
-        png_take_row(r, row, r->pixels + 4 * (size_t)y * (size_t)r->width);
+        png_take_row(r, row,
+                     r->pixels + (r->target->take ? 0 : line * (size_t)y));
+        if (r->target->take)
+            r->target->take(r->target->context, y);
     }
     if (begun)
         png_read_end(png, NULL);

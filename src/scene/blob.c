@@ -5,10 +5,14 @@
 #include <stdlib.h>
 
 #include "base/warp.h"
+#include "scene/blob_tree.h"
+#include "scene/crossings.h"
 #include "scene/polynomial.h"
 
-/* Parts that one line may meet; more are left out. */
-enum { STRETCHES_MAX = 256 };
+enum {
+    STRETCHES_MAX = 1024, /* parts that one line may meet; more are left out */
+    STRETCHES_FEW = 24,   /* to be sorted by hand */
+};
 
 static const struct field blob_fields[] = {
     { "parts", FIELD_TERMS, offsetof(struct blob, parts), 0, 0, "what adds up",
@@ -67,15 +71,12 @@ static const char *blob_prepare(void *shape, struct arena *arena,
     struct blob *blob = shape;
     size_t count;
     const struct blob_part *parts = blob_parts(blob, &count);
-    (void)arena;
     (void)warning;
     blob->bounds = box3_empty();
-    for (size_t i = 0; i < count; i++) {
-        struct box3 box = { { -1, -1, -1 }, { 1, 1, 1 + parts[i].length } };
-        affine outward;
-        if (parts[i].strength > 0 && affine_inverse(parts[i].inward, &outward))
-            blob->bounds = box3_union(blob->bounds, affine_box(&outward, box));
-    }
+    for (size_t i = 0; i < count; i++)
+        if (parts[i].strength > 0)
+            blob->bounds = box3_union(blob->bounds, blob_part_box(&parts[i]));
+    blob->tree = blob_tree_new(arena, parts, count);
     return blob->threshold > 0 ? NULL : "its threshold must be above 0";
 }
 
@@ -85,165 +86,293 @@ static struct box3 blob_bounds(const void *shape)
     return blob->bounds;
 }
 
-/* Where a point of the part's space is from the part's middle line. */
+/* From the part's middle line to a point, both in its space. */
 static vec3 part_offset(const struct blob_part *part, vec3 p)
 {
-    p.z -= fmin(fmax(p.z, 0), part->length);
+    double z = p.z < part->length ? p.z : part->length;
+    p.z -= z > 0 ? z : 0;
     return p;
 }
 
-static double blob_density(const struct blob *blob, vec3 point)
+/* Calls visit for the parts that have a density at the point: how far it is
+ * from the middle line in the part's space, and 1 less that squared. */
+typedef void part_visit(void *context, const struct blob_part *part,
+                        vec3 offset, double rest);
+
+static void blob_visit(const struct blob *blob, vec3 point, part_visit *visit,
+                       void *context)
 {
-    size_t count;
-    const struct blob_part *parts = blob_parts(blob, &count);
-    double density = 0;
-    for (size_t i = 0; i < count; i++) {
-        vec3 d = part_offset(&parts[i], affine_point(&parts[i].inward, point));
-        double rest = 1 - vec3_dot(d, d);
-        if (rest > 0)
-            density += parts[i].strength * rest * rest;
+    const struct blob_tree *tree = blob->tree;
+    const struct blob_node *leaf = blob_tree_leaf_at(tree, 0, point);
+    for (; leaf; leaf = blob_tree_leaf_at(tree, leaf->next, point)) {
+        for (uint32_t i = leaf->first; i < leaf->first + leaf->count; i++) {
+            const struct blob_part *part = &tree->bodies[i].part;
+            vec3 d = part_offset(part, affine_point(&part->inward, point));
+            double rest = 1 - vec3_dot(d, d);
+            if (rest > 0)
+                visit(context, part, d, rest);
+        }
     }
-    return density;
+}
+
+static void add_density(void *context, const struct blob_part *part,
+                        vec3 offset, double rest)
+{
+    (void)offset;
+    *(double *)context += part->strength * rest * rest;
 }
 
 static bool blob_inside(const void *shape, vec3 point)
 {
     const struct blob *blob = shape;
-    return blob_density(blob, point) > blob->threshold;
+    double density = 0;
+    blob_visit(blob, point, add_density, &density);
+    return density > blob->threshold;
+}
+
+static void add_slope(void *context, const struct blob_part *part, vec3 offset,
+                      double rest)
+{
+    vec3 *sum = context;
+    *sum = vec3_along(*sum, affine_normal(&part->inward, offset),
+                      part->strength * rest);
 }
 
 /* Against the density's slope. */
 static vec3 blob_normal(const void *shape, vec3 point, const struct hit *hit)
 {
-    const struct blob *blob = shape;
-    size_t count;
-    const struct blob_part *parts = blob_parts(blob, &count);
     vec3 sum = { 0, 0, 0 };
     (void)hit;
-    for (size_t i = 0; i < count; i++) {
-        const affine *inward = &parts[i].inward;
-        vec3 d = part_offset(&parts[i], affine_point(inward, point));
-        double rest = 1 - vec3_dot(d, d);
-        if (rest > 0)
-            sum = vec3_along(sum, affine_normal(inward, d),
-                             parts[i].strength * rest);
-    }
+    blob_visit(shape, point, add_slope, &sum);
     return vec3_dot(sum, sum) > 0 ? sum : vec3_make(0, 1, 0);
 }
 
-/* Between low and high the density is strength (1 - (a t^2 + 2 b t + c))^2. */
+/* ---- rays ---- */
+
+/* Between low and high a part's density is strength q^2, where
+ * q = most - a (t - nearest)^2: in this form no digits are lost. */
 struct stretch {
-    double low, high, strength, a, b, c;
+    double low, high, strength, a, nearest, most;
 };
 
 struct stretches {
-    struct stretch items[STRETCHES_MAX];
+    double tmin, tmax; /* what is wanted of the ray */
     int count;
+    struct stretch items[STRETCHES_MAX];
 };
 
-/* The part of the line nearer than 1 to an axis or a point, between limits. */
+/* The part of the line where q is positive, between limits. */
 static void stretch_add(struct stretches *all, double strength, double a,
-                        double b, double c, double low, double high)
+                        double nearest, double most, double low, double high)
 {
-    double roots[2];
-    if (a > 0) {
-        if (quadratic_roots(a, b, c - 1, roots) != 2)
-            return;
-        low = fmax(low, roots[0]);
-        high = fmin(high, roots[1]);
-    } else if (!(c < 1)) {
+    if (!(most > 0) || all->count == STRETCHES_MAX)
         return;
+    if (a > 0) {
+        double half = sqrt(most / a);
+        low = low > nearest - half ? low : nearest - half;
+        high = high < nearest + half ? high : nearest + half;
     }
-    if (low < high && all->count < STRETCHES_MAX)
+    low = low > all->tmin ? low : all->tmin;
+    high = high < all->tmax ? high : all->tmax;
+    if (low < high)
         all->items[all->count++] =
-            (struct stretch){ low, high, strength, a, b, c };
+            (struct stretch){ low, high, strength, a, nearest, most };
 }
 
-/* A ball; or the round ends below 0 and beyond the length, and between them. */
-static void part_stretches(const struct blob_part *part, const struct ray *ray,
-                           struct stretches *all)
+/* A ball of radius 1 around the origin. */
+static void ball_stretch(struct stretches *all, double strength, vec3 o, vec3 d,
+                         double low, double high)
 {
-    vec3 o = affine_point(&part->inward, ray->origin);
-    vec3 d = affine_direction(&part->inward, ray->direction);
-    double strength = part->strength, length = part->length;
-    double a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y;
-    double c = o.x * o.x + o.y * o.y, top = o.z - length;
-    double aa = a + d.z * d.z;
-    if (length == 0) {
-        stretch_add(all, strength, aa, b + o.z * d.z, c + o.z * o.z, -HUGE_VAL,
-                    HUGE_VAL);
-        return;
-    }
-    double in = -o.z / d.z, out = -top / d.z;
+    double a = vec3_dot(d, d), nearest = -vec3_dot(o, d) / a;
+    vec3 p = vec3_along(o, d, nearest);
+    stretch_add(all, strength, a, nearest, 1 - vec3_dot(p, p), low, high);
+}
+
+/* The round ends below 0 and beyond the length, and what is between them. */
+static void cylinder_stretches(struct stretches *all,
+                               const struct blob_part *part, vec3 o, vec3 d)
+{
+    double top = o.z - part->length, in = -o.z / d.z, out = -top / d.z;
     bool up = d.z > 0;
     if (d.z == 0) {
         in = o.z < 0 ? HUGE_VAL : -HUGE_VAL;
         out = top > 0 ? -HUGE_VAL : HUGE_VAL;
         up = true;
     }
-    stretch_add(all, strength, aa, b + o.z * d.z, c + o.z * o.z,
-                up ? -HUGE_VAL : in, up ? in : HUGE_VAL);
-    stretch_add(all, strength, a, b, c, fmin(in, out), fmax(in, out));
-    stretch_add(all, strength, aa, b + top * d.z, c + top * top,
-                up ? out : -HUGE_VAL, up ? HUGE_VAL : out);
+    ball_stretch(all, part->strength, o, d, up ? -HUGE_VAL : in,
+                 up ? in : HUGE_VAL);
+    double a = d.x * d.x + d.y * d.y;
+    double nearest = a > 0 ? -(o.x * d.x + o.y * d.y) / a : 0;
+    double x = o.x + nearest * d.x, y = o.y + nearest * d.y;
+    stretch_add(all, part->strength, a, nearest, 1 - x * x - y * y,
+                fmin(in, out), fmax(in, out));
+    o.z = top;
+    ball_stretch(all, part->strength, o, d, up ? out : -HUGE_VAL,
+                 up ? HUGE_VAL : out);
 }
 
-static int order_number(const void *a, const void *b)
+static void body_stretches(struct stretches *all, const struct blob_body *body,
+                           const struct ray *ray)
 {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* The density less the threshold between two ends of stretches, in t - middle,
- * which loses no digits; and where it changes its sign. */
-static void blob_piece(const struct stretches *all, double threshold,
-                       double low, double high, struct hits *hits)
-{
-    double middle = low + (high - low) / 2, sum[5] = { -threshold }, roots[4];
-    for (int i = 0; i < all->count; i++) {
-        const struct stretch *s = &all->items[i];
-        if (!(s->low <= middle && middle <= s->high))
-            continue;
-        double q0 = 1 - ((s->a * middle + 2 * s->b) * middle + s->c);
-        double q1 = -2 * (s->a * middle + s->b), q2 = -s->a;
-        sum[0] += s->strength * q0 * q0;
-        sum[1] += s->strength * 2 * q0 * q1;
-        sum[2] += s->strength * (q1 * q1 + 2 * q0 * q2);
-        sum[3] += s->strength * 2 * q1 * q2;
-        sum[4] += s->strength * q2 * q2;
+    const struct blob_part *part = &body->part;
+    if (body->round) {
+        vec3 o = vec3_sub(ray->origin, body->centre), d = ray->direction;
+        double square = vec3_dot(d, d), nearest = -vec3_dot(o, d) / square;
+        vec3 p = vec3_along(o, d, nearest);
+        stretch_add(all, part->strength, square * body->inverse, nearest,
+                    1 - vec3_dot(p, p) * body->inverse, -HUGE_VAL, HUGE_VAL);
+        return;
     }
-    int count = polynomial_roots(sum, 4, low - middle, high - middle, roots, 4);
-    for (int i = 0; i < count; i++)
-        hits_add(hits, middle + roots[i], 0);
+    vec3 o = affine_point(&part->inward, ray->origin);
+    vec3 d = affine_direction(&part->inward, ray->direction);
+    if (part->length > 0)
+        cylinder_stretches(all, part, o, d);
+    else
+        ball_stretch(all, part->strength, o, d, -HUGE_VAL, HUGE_VAL);
 }
 
-/* From near the blob, where numbers are small. */
+static int stretch_order(const void *a, const void *b)
+{
+    const struct stretch *x = a, *y = b;
+    return (x->low > y->low) - (x->low < y->low);
+}
+
+static void stretches_sort(struct stretches *all)
+{
+    if (all->count > STRETCHES_FEW) {
+        qsort(all->items, (size_t)all->count, sizeof *all->items,
+              stretch_order);
+        return;
+    }
+    for (int i = 1; i < all->count; i++) {
+        struct stretch s = all->items[i];
+        int k = i;
+        for (; k > 0 && all->items[k - 1].low > s.low; k--)
+            all->items[k] = all->items[k - 1];
+        all->items[k] = s;
+    }
+}
+
+/* Those that there are at some place of the ray, as it goes along. */
+struct sweep {
+    const struct stretch *now[STRETCHES_MAX];
+    int count;
+    double at;
+    bool known;  /* the ray was followed to there: */
+    double last; /* the density there less the threshold */
+};
+
+/* Takes out what ends here, and returns where the next one does. */
+static double sweep_end(struct sweep *sweep)
+{
+    double end = HUGE_VAL;
+    int kept = 0;
+    for (int i = 0; i < sweep->count; i++) {
+        const struct stretch *s = sweep->now[i];
+        if (!(s->high > sweep->at))
+            continue;
+        sweep->now[kept++] = s;
+        end = s->high < end ? s->high : end;
+    }
+    sweep->count = kept;
+    return end;
+}
+
+/* The density less the threshold as Bernstein polynomials over a piece: the
+ * product of two of the second degree each. Its sign where the piece begins is
+ * what it was where the last one ended. */
+static int sweep_piece(struct sweep *sweep, double threshold, double end,
+                       double *roots)
+{
+    double width = end - sweep->at;
+    double b[5] = { -threshold, -threshold, -threshold, -threshold,
+                    -threshold };
+    for (int i = 0; i < sweep->count; i++) {
+        const struct stretch *s = sweep->now[i];
+        double from = sweep->at - s->nearest, to = end - s->nearest;
+        double q0 = s->most - s->a * from * from;
+        double q1 = q0 - s->a * from * width;
+        double q2 = s->most - s->a * to * to;
+        b[0] += s->strength * q0 * q0;
+        b[1] += s->strength * q0 * q1;
+        b[2] += s->strength * (2 * q1 * q1 + q0 * q2) * (1.0 / 3);
+        b[3] += s->strength * q1 * q2;
+        b[4] += s->strength * q2 * q2;
+    }
+    if (sweep->known && (b[0] < 0) != (sweep->last < 0))
+        b[0] = sweep->last;
+    sweep->last = b[4];
+    return polynomial_bernstein_roots(b, 4, roots);
+}
+
+static void sweep_stretches(struct stretches *all, double threshold,
+                            hit_visit *visit, void *context)
+{
+    struct sweep sweep;
+    int next = 0;
+    sweep.count = 0;
+    sweep.last = -1;
+    while (sweep.count > 0 || next < all->count) {
+        double roots[2 * BERNSTEIN_DEGREE];
+        if (sweep.count == 0)
+            sweep.at = all->items[next].low;
+        for (; next < all->count && all->items[next].low <= sweep.at; next++)
+            sweep.now[sweep.count++] = &all->items[next];
+        double end = sweep_end(&sweep);
+        if (next < all->count && all->items[next].low < end)
+            end = all->items[next].low;
+        if (sweep.count == 0) {
+            sweep.last = -1;
+            continue;
+        }
+        sweep.known = sweep.at > all->tmin;
+        int count = sweep_piece(&sweep, threshold, end, roots);
+        for (int i = 0; i < count; i++) {
+            double t = sweep.at + (end - sweep.at) * roots[i];
+            struct hit hit = { t, 0, 0, 0 };
+            if (t > all->tmin && t < all->tmax && visit(context, &hit))
+                return;
+        }
+        sweep.at = end;
+    }
+}
+
+static void blob_crossings(const void *shape, const struct ray *ray,
+                           double tmin, double tmax, hit_visit *visit,
+                           void *context)
+{
+    const struct blob *blob = shape;
+    const struct blob_tree *tree = blob->tree;
+    struct slabs slabs = slabs_of(ray);
+    struct stretches all;
+    all.tmin = tmin;
+    all.tmax = tmax;
+    all.count = 0;
+    const struct blob_node *leaf = blob_tree_leaf(tree, 0, &slabs, tmin, tmax);
+    for (; leaf; leaf = blob_tree_leaf(tree, leaf->next, &slabs, tmin, tmax))
+        for (uint32_t i = leaf->first; i < leaf->first + leaf->count; i++)
+            body_stretches(&all, &tree->bodies[i], ray);
+    stretches_sort(&all);
+    sweep_stretches(&all, blob->threshold, visit, context);
+}
+
+static bool blob_first(const void *shape, const struct ray *ray, double tmin,
+                       double tmax, struct hit *hit)
+{
+    return crossings_first(blob_crossings, shape, ray, tmin, tmax, hit);
+}
+
+static bool blob_crosses(const void *shape, const struct ray *ray, double tmin,
+                         double tmax)
+{
+    struct hit hit;
+    return blob_first(shape, ray, tmin, tmax, &hit);
+}
+
 static void blob_intersect(const void *shape, const struct ray *ray,
                            struct hits *hits)
 {
-    const struct blob *blob = shape;
-    struct stretches all = { .count = 0 };
-    double ends[2 * STRETCHES_MAX];
-    size_t count;
-    const struct blob_part *parts = blob_parts(blob, &count);
-    vec3 centre =
-        vec3_scale(vec3_add(blob->bounds.low, blob->bounds.high), 0.5);
-    double shift = vec3_dot(vec3_sub(centre, ray->origin), ray->direction) /
-                   vec3_dot(ray->direction, ray->direction);
-    struct ray near = { ray_point(ray, shift), ray->direction };
-    int first = hits->count;
-    for (size_t i = 0; i < count; i++)
-        part_stretches(&parts[i], &near, &all);
-    for (int i = 0; i < all.count; i++) {
-        ends[2 * i] = all.items[i].low;
-        ends[2 * i + 1] = all.items[i].high;
-    }
-    qsort(ends, 2 * (size_t)all.count, sizeof *ends, order_number);
-    for (int i = 1; i < 2 * all.count; i++)
-        if (ends[i] > ends[i - 1])
-            blob_piece(&all, blob->threshold, ends[i - 1], ends[i], hits);
-    for (int i = first; i < hits->count; i++)
-        hits->at[i].t += shift;
+    crossings_all(blob_crossings, shape, ray, hits);
 }
 
 const struct primitive blob_primitive = {
@@ -256,6 +385,9 @@ const struct primitive blob_primitive = {
     .prepare = blob_prepare,
     .bounds = blob_bounds,
     .intersect = blob_intersect,
+    .crossings = blob_crossings,
+    .first = blob_first,
+    .crosses = blob_crosses,
     .normal = blob_normal,
     .inside = blob_inside,
 };

@@ -18,11 +18,14 @@ enum {
     BLOB_PARTS_LIMIT = 100000
 };
 
+struct blob_tree;
+
 struct blob {
     struct terms parts; /* struct blob_part after part, as numbers */
     double threshold;
     bool ignored; /* sturm and hierarchy: needless */
     struct box3 bounds;
+    const struct blob_tree *tree; /* over the parts */
 };
 
 extern const struct primitive blob_primitive;

@@ -1,145 +1,243 @@
-/* Height fields as meshes: see height_field.h. How squares are split and what
- * the smooth normals are was measured with POV-Ray 3.7. */
+/* Height fields: see height_field.h. How squares are split and what the smooth
+ * normals are was measured with POV-Ray 3.7. */
 #include "scene/height_field.h"
 
-#include "base/array.h"
+#include "base/hash.h"
+#include "scene/crossings.h"
 
 /* POV-Ray's unit of height, by which its normals are made and rounded. */
 static const double unit = 65536;
 
-struct builder {
-    const struct height_field *field;
-    struct arena *arena;
-    struct {
-        vec3 *items;
-        size_t count, capacity;
-    } vertices, normals;
-    struct {
-        struct mesh_triangle *items;
-        size_t count, capacity;
-    } triangles;
+static const struct field height_arguments[] = {
+    { "heights", FIELD_TERMS, offsetof(struct height_field, digest), 0, 0,
+      "what they are, in short", false },
+    { .name = NULL },
 };
 
-static double height_at(const struct height_field *field, int x, int y)
+static const struct field height_items[] = {
+    { "smooth", FIELD_FLAG, offsetof(struct height_field, smooth), 0, 0,
+      "normals between those of the corners" },
+    { "water_level", FIELD_FLOAT, offsetof(struct height_field, water_level), 0,
+      0, "what is lower is not there, 0" },
+    { .name = NULL },
+};
+
+static void height_digest(struct height_field *field, struct arena *arena)
 {
-    return field->heights[(size_t)y * (size_t)field->width + (size_t)x];
+    const struct height_grid *grid = &field->grid;
+    uint64_t hash = hash_bytes((uint64_t)grid->width, grid->heights,
+                               (size_t)grid->width * (size_t)grid->height * 2);
+    double *numbers = ARENA_ARRAY(arena, double, 2);
+    numbers[0] = (double)(hash >> 32);
+    numbers[1] = (double)(hash & UINT32_MAX);
+    field->digest = (struct terms){ numbers, 2 };
+}
+
+static const char *height_prepare(void *shape, struct arena *arena,
+                                  const char **warning)
+{
+    struct height_field *field = shape;
+    (void)warning;
+    field->grid.water = field->water_level * unit;
+    height_grid_prepare(&field->grid, arena);
+    height_digest(field, arena);
+    return NULL;
+}
+
+static struct box3 height_bounds(const void *shape)
+{
+    const struct height_field *field = shape;
+    struct height_range range = height_grid_range(&field->grid);
+    double low = fmax(range.low / unit, field->water_level);
+    if (range.high < field->grid.water)
+        return box3_empty();
+    return (struct box3){ { 0, low, 0 }, { 1, range.high / unit, 1 } };
+}
+
+static vec3 into_grid(const struct height_grid *grid, vec3 p)
+{
+    return vec3_make(p.x * (grid->width - 1), p.y * unit,
+                     (1 - p.z) * (grid->height - 1));
+}
+
+static struct ray ray_into_grid(const struct height_grid *grid,
+                                const struct ray *ray)
+{
+    vec3 d = ray->direction;
+    return (struct ray){ into_grid(grid, ray->origin),
+                         { d.x * (grid->width - 1), d.y * unit,
+                           -d.z * (grid->height - 1) } };
+}
+
+static void height_crossings(const void *shape, const struct ray *ray,
+                             double tmin, double tmax, hit_visit *visit,
+                             void *context)
+{
+    const struct height_field *field = shape;
+    struct ray there = ray_into_grid(&field->grid, ray);
+    height_grid_crossings(&field->grid, &there, tmin, tmax, visit, context);
+}
+
+static void height_intersect(const void *shape, const struct ray *ray,
+                             struct hits *hits)
+{
+    crossings_all(height_crossings, shape, ray, hits);
+}
+
+static bool height_first(const void *shape, const struct ray *ray, double tmin,
+                         double tmax, struct hit *hit)
+{
+    return crossings_first(height_crossings, shape, ray, tmin, tmax, hit);
+}
+
+static bool height_crosses(const void *shape, const struct ray *ray,
+                           double tmin, double tmax)
+{
+    struct hit hit;
+    return height_first(shape, ray, tmin, tmax, &hit);
 }
 
 /* The mean of the unit normals of the squares around, each as if it had these
  * two slopes, where a step is 1 and heights are in units: steep places all but
  * lie flat. */
-static vec3 height_normal(const struct height_field *field, int x, int y)
+static vec3 grid_normal(const struct height_grid *grid, int x, int y)
 {
-    double here = height_at(field, x, y);
+    double here = height_grid_at(grid, x, y);
     vec3 sum = { 0, 0, 0 };
     for (int i = -1; i <= 1; i += 2) {
         for (int j = -1; j <= 1; j += 2) {
-            if (x + i < 0 || x + i >= field->width || y + j < 0 ||
-                y + j >= field->height)
+            if (x + i < 0 || x + i >= grid->width || y + j < 0 ||
+                y + j >= grid->height)
                 continue;
-            double along = height_at(field, x + i, y) - here;
-            double across = height_at(field, x, y + j) - here;
-            sum = vec3_add(sum, vec3_normalise(vec3_make(-along * i * unit, 1,
-                                                         across * j * unit)));
+            double along = height_grid_at(grid, x + i, y) - here;
+            double across = height_grid_at(grid, x, y + j) - here;
+            sum = vec3_add(
+                sum, vec3_normalise(vec3_make(-along * i, 1, across * j)));
         }
     }
     return vec3_normalise(sum);
 }
 
-/* As it is kept, in 16 bits a number, then in the field's own proportions. */
-static vec3 height_normal_kept(const struct height_field *field, int x, int y)
+/* As it is kept, in 16 bits a number, then in the field's own proportions, and
+ * as much of it as is unit length where the object stands: there normals are
+ * blended (measured). */
+static vec3 normal_share(const struct height_grid *grid, int x, int y,
+                         const affine *to_object, double share)
 {
-    vec3 n = vec3_scale(height_normal(field, x, y), 32767);
+    vec3 n = vec3_scale(grid_normal(grid, x, y), 32767);
     n = vec3_make(trunc(n.x), trunc(n.y), trunc(n.z));
-    return vec3_normalise(vec3_make(n.x * (field->width - 1), n.y * unit,
-                                    n.z * (field->height - 1)));
+    n = vec3_normalise(vec3_make(n.x * (grid->width - 1), n.y * unit,
+                                 n.z * (grid->height - 1)));
+    vec3 there = to_object ? affine_normal(to_object, n) : n;
+    double length = vec3_length(there);
+    return vec3_scale(n, length > 0 ? share / length : 0);
 }
 
-static void builder_points(struct builder *b)
+/* Between the four normals around the point, also where the three at the
+ * corners of a face agree. */
+static vec3 smooth_normal(const struct height_grid *grid, vec3 point,
+                          const affine *to_object)
 {
-    const struct height_field *field = b->field;
-    size_t count = (size_t)field->width * (size_t)field->height;
-    ARRAY_RESERVE(b->arena, &b->vertices, count);
-    if (field->smooth)
-        ARRAY_RESERVE(b->arena, &b->normals, count);
-    for (int y = 0; y < field->height; y++) {
-        for (int x = 0; x < field->width; x++) {
-            vec3 point = { (double)x / (field->width - 1),
-                           height_at(field, x, y),
-                           1 - (double)y / (field->height - 1) };
-            *ARRAY_PUSH(b->arena, &b->vertices) = point;
-            if (field->smooth)
-                *ARRAY_PUSH(b->arena, &b->normals) =
-                    height_normal_kept(field, x, y);
-        }
-    }
+    vec3 p = into_grid(grid, point);
+    double x = fmin(fmax(p.x, 0), grid->width - 1);
+    double y = fmin(fmax(p.z, 0), grid->height - 1);
+    int i = (int)fmin(x, grid->width - 2), j = (int)fmin(y, grid->height - 2);
+    double u = x - i, v = y - j;
+    vec3 upper =
+        vec3_add(normal_share(grid, i, j, to_object, (1 - u) * (1 - v)),
+                 normal_share(grid, i + 1, j, to_object, u * (1 - v)));
+    vec3 lower = vec3_add(normal_share(grid, i, j + 1, to_object, (1 - u) * v),
+                          normal_share(grid, i + 1, j + 1, to_object, u * v));
+    return vec3_add(upper, lower);
 }
 
-/* The normals are those of the grid, between which every face of a smooth
- * field is blended, also where the three at its corners agree. */
-static void builder_push(struct builder *b, const uint32_t corner[3],
-                         uint32_t i, uint32_t j, uint32_t k)
+static vec3 facet_normal(const struct height_grid *grid, const struct hit *hit)
 {
-    struct mesh_triangle triangle = { { i, j, k },
-                                      { corner[0], corner[1], corner[2] },
-                                      MESH_NONE };
-    if (!b->field->smooth)
-        triangle.normal[0] = MESH_NONE;
-    *ARRAY_PUSH(b->arena, &b->triangles) = triangle;
+    int i, j;
+    struct height_plane plane = height_grid_part(grid, hit->part, &i, &j);
+    return vec3_make(-plane.slope_u * (grid->width - 1), unit,
+                     plane.slope_v * (grid->height - 1));
 }
 
-/* The point where the line between two meets the water. */
-static uint32_t builder_shore(struct builder *b, uint32_t i, uint32_t j)
+static vec3 height_face(const void *shape, const struct hit *hit)
 {
-    vec3 from = b->vertices.items[i], to = b->vertices.items[j];
-    double t = (b->field->water_level - from.y) / (to.y - from.y);
-    vec3 point = vec3_mix(from, to, t);
-    point.y = b->field->water_level;
-    *ARRAY_PUSH(b->arena, &b->vertices) = point;
-    return (uint32_t)(b->vertices.count - 1);
+    const struct height_field *field = shape;
+    return field->smooth ? facet_normal(&field->grid, hit) : vec3_make(0, 0, 0);
 }
 
-/* The part of the triangle above water: nothing, a triangle or a quadrangle. */
-static void builder_triangle(struct builder *b, const uint32_t corner[3])
+static vec3 height_normal_placed(const void *shape, vec3 point,
+                                 const struct hit *hit, const affine *to_object)
 {
-    uint32_t outline[4];
-    int count = 0;
-    for (int i = 0; i < 3; i++) {
-        uint32_t here = corner[i], next = corner[(i + 1) % 3];
-        bool dry = b->vertices.items[here].y >= b->field->water_level;
-        if (dry)
-            outline[count++] = here;
-        if (dry != (b->vertices.items[next].y >= b->field->water_level))
-            outline[count++] = builder_shore(b, here, next);
-    }
-    for (int i = 2; i < count; i++)
-        builder_push(b, corner, outline[0], outline[i - 1], outline[i]);
+    const struct height_field *field = shape;
+    return field->smooth ? smooth_normal(&field->grid, point, to_object)
+                         : facet_normal(&field->grid, hit);
 }
 
-void height_field_build(struct arena *arena, const struct height_field *field,
-                        struct mesh *mesh)
+static vec3 height_normal(const void *shape, vec3 point, const struct hit *hit)
 {
-    struct builder b = { .field = field, .arena = arena };
-    uint32_t width = (uint32_t)field->width;
-    builder_points(&b);
-    ARRAY_RESERVE(arena, &b.triangles,
-                  2 * (size_t)(field->width - 1) * (size_t)(field->height - 1));
-    for (uint32_t y = 0; y + 1 < (uint32_t)field->height; y++) {
-        for (uint32_t x = 0; x + 1 < width; x++) {
-            uint32_t i = y * width + x;
-            builder_triangle(&b, (uint32_t[]){ i, i + width + 1, i + 1 });
-            builder_triangle(&b, (uint32_t[]){ i, i + width, i + width + 1 });
-        }
-    }
-    mesh->columns = field->smooth ? field->width : 0;
-    mesh->rows = field->height;
-    mesh->vertices = b.vertices.items;
-    mesh->vertex_count = b.vertices.count;
-    mesh->normals = b.normals.items;
-    mesh->normal_count = b.normals.count;
-    mesh->triangles = b.triangles.items;
-    mesh->triangle_count = b.triangles.count;
-    /* What is under it is its inside. */
-    mesh->inside_vector = vec3_make(0, 1, 0);
-    mesh->beyond = true;
+    return height_normal_placed(shape, point, hit, NULL);
 }
+
+static bool height_inside(const void *shape, vec3 point)
+{
+    const struct height_field *field = shape;
+    vec3 p = into_grid(&field->grid, point);
+    double height;
+    return height_grid_over(&field->grid, p.x, p.z, &height) && p.y < height;
+}
+
+struct height_meeting {
+    const struct height_grid *grid;
+    const struct cell *cell;
+};
+
+static vec3 grid_point(const struct height_grid *grid, int i, int j)
+{
+    return vec3_make((double)i / (grid->width - 1),
+                     height_grid_at(grid, i, j) / unit,
+                     1 - (double)j / (grid->height - 1));
+}
+
+static bool square_meets(void *context, int i, int j)
+{
+    const struct height_meeting *meeting = context;
+    const struct height_grid *grid = meeting->grid;
+    vec3 a = grid_point(grid, i, j), d = grid_point(grid, i + 1, j + 1);
+    return cell_meets_triangle(meeting->cell, a, d,
+                               grid_point(grid, i + 1, j)) ||
+           cell_meets_triangle(meeting->cell, a, grid_point(grid, i, j + 1), d);
+}
+
+static unsigned height_meets(const void *shape, const struct cell *cell)
+{
+    const struct height_field *field = shape;
+    struct height_meeting meeting = { &field->grid, cell };
+    struct box3 box = cell_box(cell);
+    vec3 a = into_grid(&field->grid, box.low);
+    vec3 b = into_grid(&field->grid, box.high);
+    struct box3 there = { { a.x, a.y, b.z }, { b.x, b.y, a.z } };
+    return height_grid_search(&field->grid, there, square_meets, &meeting)
+               ? CELL_SURFACE | CELL_BORDER
+               : 0;
+}
+
+const struct primitive height_field_primitive = {
+    .name = "height_field",
+    .help = "a landscape over a grid of heights",
+    .size = sizeof(struct height_field),
+    .arguments = height_arguments,
+    .items = height_items,
+    .solid = true,
+    .beyond = true,
+    .prepare = height_prepare,
+    .bounds = height_bounds,
+    .intersect = height_intersect,
+    .crossings = height_crossings,
+    .first = height_first,
+    .crosses = height_crosses,
+    .normal = height_normal,
+    .normal_placed = height_normal_placed,
+    .face = height_face,
+    .inside = height_inside,
+    .meets = height_meets,
+};

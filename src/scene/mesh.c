@@ -20,8 +20,7 @@ static bool triangle_valid(const struct mesh *mesh,
 }
 
 /* Three equal normals don't smooth anything: POV-Ray then takes the face's
- * own. Nor does a normal of no length. Not so in a height field, where a face
- * between normals that agree is as smooth as any other. */
+ * own. Nor does a normal of no length. */
 static void triangle_flatten(const struct mesh *mesh,
                              struct mesh_triangle *triangle)
 {
@@ -67,7 +66,7 @@ size_t mesh_prepare(struct mesh *mesh)
         struct mesh_triangle triangle = mesh->triangles[i];
         if (!triangle_valid(mesh, &triangle))
             continue;
-        if (triangle.normal[0] != MESH_NONE && !mesh->columns)
+        if (triangle.normal[0] != MESH_NONE)
             triangle_flatten(mesh, &triangle);
         if (mesh->uv_faces)
             memmove(mesh->uv_faces[kept], mesh->uv_faces[i],
@@ -170,51 +169,12 @@ vec3 mesh_face(const struct mesh *mesh, size_t index)
                       vec3_sub(mesh->vertices[p[2]], a));
 }
 
-/* As much of a grid's normal as is unit length where the object stands: there
- * they are blended (measured). */
-static vec3 mesh_grid_share(vec3 normal, const affine *to_object, double share)
-{
-    vec3 there = to_object ? affine_normal(to_object, normal) : normal;
-    double length = vec3_length(there);
-    return vec3_scale(normal, length > 0 ? share / length : 0);
-}
-
-/* Between the four normals around the point. */
-static vec3 mesh_grid_normal(const struct mesh *mesh, vec3 point,
-                             const affine *to_object)
-{
-    double x = fmin(fmax(point.x, 0), 1) * (mesh->columns - 1);
-    double y = fmin(fmax(1 - point.z, 0), 1) * (mesh->rows - 1);
-    int i = (int)fmin(x, mesh->columns - 2), j = (int)fmin(y, mesh->rows - 2);
-    const vec3 *above = mesh->normals + (size_t)j * (size_t)mesh->columns + i;
-    const vec3 *below = above + mesh->columns;
-    double u = x - i, v = y - j;
-    vec3 upper =
-        vec3_add(mesh_grid_share(above[0], to_object, (1 - u) * (1 - v)),
-                 mesh_grid_share(above[1], to_object, u * (1 - v)));
-    vec3 lower = vec3_add(mesh_grid_share(below[0], to_object, (1 - u) * v),
-                          mesh_grid_share(below[1], to_object, u * v));
-    return vec3_add(upper, lower);
-}
-
-static vec3 mesh_point(const struct mesh *mesh, size_t index, double u,
-                       double v)
-{
-    const uint32_t *p = mesh->triangles[index].vertex;
-    vec3 point = vec3_scale(mesh->vertices[p[0]], 1 - u - v);
-    point = vec3_along(point, mesh->vertices[p[1]], u);
-    return vec3_along(point, mesh->vertices[p[2]], v);
-}
-
-vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v,
-                 const affine *to_object)
+vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v)
 {
     const struct mesh_triangle *triangle = &mesh->triangles[index];
     const uint32_t *n = triangle->normal;
     if (n[0] == MESH_NONE)
         return mesh_face(mesh, index);
-    if (mesh->columns)
-        return mesh_grid_normal(mesh, mesh_point(mesh, index, u, v), to_object);
     vec3 normal = vec3_scale(mesh->normals[n[0]], 1 - u - v);
     normal = vec3_along(normal, mesh->normals[n[1]], u);
     normal = vec3_along(normal, mesh->normals[n[2]], v);

@@ -35,10 +35,6 @@ struct mesh {
     vec3 inside_vector;      /* direction of the ray that counts crossings */
     bool turned; /* outside is where corners turn to the right: a lone triangle,
                   * a patch (measured) */
-    /* Of a height field: its normals are those of a grid of so many points
-     * over the square from 0 to 1 in x and z; the first are at z = 1. */
-    int columns, rows;
-    bool beyond; /* its inside reaches beyond its bounds */
     struct box3 bounds;
 };
 
@@ -46,8 +42,7 @@ struct mesh {
 bool mesh_degenerate(vec3 a, vec3 b, vec3 c);
 
 /* Removes degenerate triangles, normalises normals, makes triangles flat
- * whose three normals are equal (as POV-Ray does, but in a height field), fills
- * bounds. Returns how
+ * whose three normals are equal (as POV-Ray does), fills bounds. Returns how
  * many triangles were removed. */
 size_t mesh_prepare(struct mesh *mesh);
 
@@ -71,9 +66,7 @@ void mesh_uv(const struct mesh *mesh, size_t index, vec3 point, double uv[2]);
 /* The flat normal, any length. */
 vec3 mesh_face(const struct mesh *mesh, size_t index);
 
-/* The interpolated or flat normal, any length, in the mesh's own space.
- * to_object leads there from where the mesh stands; NULL: it does not move. */
-vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v,
-                 const affine *to_object);
+/* The interpolated or flat normal, any length. */
+vec3 mesh_normal(const struct mesh *mesh, size_t index, double u, double v);
 
 #endif

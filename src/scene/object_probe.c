@@ -127,18 +127,42 @@ static void probe_crossing(struct probe *probe, const struct level *level,
     probe->normal = level->inverse ? vec3_negate(normal) : normal;
 }
 
+struct probe_shape {
+    struct probe *probe;
+    const struct level *level;
+    const struct ray *ray;
+};
+
+static bool probe_hit(void *context, const struct hit *hit)
+{
+    const struct probe_shape *shape = context;
+    const struct object *object = shape->level->object;
+    const struct primitive *primitive = object->primitive;
+    if (!(hit->t < shape->probe->best))
+        return false;
+    vec3 point = ray_point(shape->ray, hit->t);
+    vec3 normal = primitive->normal_placed
+                      ? primitive->normal_placed(object->shape, point, hit,
+                                                 &shape->level->to_own)
+                      : primitive->normal(object->shape, point, hit);
+    probe_crossing(shape->probe, shape->level, hit->t, normal);
+    return false;
+}
+
 static void probe_shape(struct probe *probe, const struct level *level,
                         const struct ray *ray)
 {
     const struct object *object = level->object;
+    struct probe_shape shape = { probe, level, ray };
     struct hits hits = { .count = 0 };
+    if (object->primitive->crossings) {
+        object->primitive->crossings(object->shape, ray, 0, probe->best,
+                                     probe_hit, &shape);
+        return;
+    }
     object->primitive->intersect(object->shape, ray, &hits);
     for (int i = 0; i < hits.count; i++)
-        if (hits.at[i].t < probe->best)
-            probe_crossing(
-                probe, level, hits.at[i].t,
-                object->primitive->normal(
-                    object->shape, ray_point(ray, hits.at[i].t), &hits.at[i]));
+        probe_hit(&shape, &hits.at[i]);
 }
 
 /* The normal of a flat triangle a, b, c is (c - a) x (b - a) (measured): the
@@ -151,7 +175,7 @@ static void probe_mesh(struct probe *probe, const struct level *level,
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         if (!mesh_intersect(mesh, i, ray, &hit))
             continue;
-        vec3 normal = mesh_normal(mesh, i, hit.u, hit.v, &level->to_own);
+        vec3 normal = mesh_normal(mesh, i, hit.u, hit.v);
         if (mesh->triangles[i].normal[0] == MESH_NONE)
             normal = vec3_negate(normal);
         probe_crossing(probe, level, hit.t, normal);

@@ -5,7 +5,6 @@
 #include <stdbool.h>
 
 enum {
-    BERNSTEIN_DEGREE = 8,
     BERNSTEIN_DEPTH = 10,
     BERNSTEIN_WIDTH = 1000, /* wider, the coefficients lose digits */
 };
@@ -246,6 +245,26 @@ int polynomial_roots(const double *c, int degree, double low, double high,
     for (int i = 0; i < count; i++)
         roots[i] = found[i];
     return count;
+}
+
+int polynomial_bernstein_roots(const double *b, int degree, double *roots)
+{
+    struct piece piece = { .degree = degree, .high = 1 };
+    double c[BERNSTEIN_DEGREE + 1], binomial = 1;
+    for (int i = 0; i <= degree; i++)
+        piece.b[i] = c[i] = b[i];
+    if (sign_changes(&piece) == 0)
+        return 0;
+    /* Differences are the coefficients of 1, t, t^2 ... */
+    for (int k = 1; k <= degree; k++)
+        for (int i = degree; i >= k; i--)
+            c[i] -= c[i - 1];
+    for (int k = 1; k <= degree; k++) {
+        binomial = binomial * (degree + 1 - k) / k;
+        c[k] *= binomial;
+    }
+    piece.c = c;
+    return roots_of_piece(&piece, roots, 0);
 }
 
 double polynomial_bound(const double *c, int degree)

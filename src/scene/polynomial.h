@@ -3,7 +3,7 @@
 #ifndef SCENE_POLYNOMIAL_H
 #define SCENE_POLYNOMIAL_H
 
-enum { POLYNOMIAL_DEGREE_MAX = 35 };
+enum { POLYNOMIAL_DEGREE_MAX = 35, BERNSTEIN_DEGREE = 8 };
 
 /* Both roots of a t^2 + 2 b t + c, increasing, without cancellation; note the
  * 2. Returns how many: 0, 1 (a is 0) or 2; a double root counts as none. */
@@ -18,6 +18,11 @@ int quadratic_roots(double a, double b, double c, double roots[2]);
  * derivative's roots are found in the same way. */
 int polynomial_roots(const double *c, int degree, double low, double high,
                      double *roots, int limit);
+
+/* The same between 0 and 1 of b[0] B(0) + ... + b[degree] B(degree), where B(i)
+ * is the Bernstein polynomial i of that degree, at most BERNSTEIN_DEGREE.
+ * There is room for twice as many roots as that. */
+int polynomial_bernstein_roots(const double *b, int degree, double *roots);
 
 /* A bound on the magnitude of every root (Fujiwara 1916, rounded up to a
  * power of two); HUGE_VAL when c[degree] is 0. */

@@ -49,6 +49,11 @@ struct primitive {
     void (*half_space)(const void *shape, vec3 *normal, double *distance);
     void (*intersect)(const void *shape, const struct ray *ray,
                       struct hits *hits);
+    /* Calls visit for the crossings between tmin and tmax, by increasing t,
+     * until it returns true. NULL: there are no more than HITS_MAX, and
+     * intersect tells them all. */
+    void (*crossings)(const void *shape, const struct ray *ray, double tmin,
+                      double tmax, hit_visit *visit, void *context);
     /* Whether the ray meets the surface at a t between tmin and tmax. NULL:
      * intersect says it as quickly. */
     bool (*crosses)(const void *shape, const struct ray *ray, double tmin,
@@ -58,6 +63,13 @@ struct primitive {
                   double tmax, struct hit *hit);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */
     vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
+    /* The same where normals depend on how the shape stands, to which
+     * to_object leads; NULL: as it is. Itself NULL: they don't. */
+    vec3 (*normal_placed)(const void *shape, vec3 point, const struct hit *hit,
+                          const affine *to_object);
+    /* Where normals are interpolated, that of the facet that was hit, of any
+     * length; 0 elsewhere. NULL: nowhere. */
+    vec3 (*face)(const void *shape, const struct hit *hit);
     /* The surface's own coordinates at one of its points, for uv_mapping; NULL:
      * it has none, and x and y of the world are taken (measured). */
     void (*uv)(const void *shape, vec3 point, double uv[2]);

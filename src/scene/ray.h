@@ -20,6 +20,9 @@ struct hit {
     double u, v;
 };
 
+/* Takes a crossing; returns true when no more are wanted. */
+typedef bool hit_visit(void *context, const struct hit *hit);
+
 /* Every crossing of one shape, in any order. A poly{} of order 35 could have
  * three more, were it made to. */
 enum { HITS_MAX = 32 };

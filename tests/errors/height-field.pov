@@ -3,6 +3,6 @@ height_field { pot "terrain.pot" }
 height_field { png "../render/parts/dot.png" }
 height_field { png "../render/parts/heights8.png" smoth }
 height_field { function 1, 10 { x } }
-height_field { function 5000, 5000 { x } }
-height_field { function 4000, 4000 { sum(i, 0, 1000, x + i) } }
+height_field { function 20000, 20000 { x } }
+height_field { function 9000, 9000 { (x + y)*(x - y)*x*y + x*x*y - y*y*x } }
 height_field { function { x } }

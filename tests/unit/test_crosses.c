@@ -56,6 +56,10 @@ static void crossings_asked_for_alone_agree(void **state)
         "contained_by { sphere { 0, 1 } } accuracy 1e-5 }",
         "isosurface { function { x*x + y*y - z*z - .2 } max_gradient 4 open "
         "contained_by { box { -1, 1 } } accuracy 1e-5 }",
+        "blob { threshold .4 sphere { <-.5,.2,0>, .9, 1 } "
+        "sphere { <.5,0,.1>, .8, 1 scale <1,.7,1.3> } "
+        "cylinder { -y, <.3,1,.2>, .6, .8 } sphere { <0,.3,-.5>, .5, -.7 } "
+        "sphere { <.6,.9,.3>, .5, 1 } }",
     };
     (void)state;
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {

@@ -1,7 +1,7 @@
 /* Whether a ray meets a box (Kay and Kajiya 1986), in double precision. A
  * little generous, since it only tells what need not be looked at. */
-#ifndef EMBREE_SLAB_H
-#define EMBREE_SLAB_H
+#ifndef SCENE_SLAB_H
+#define SCENE_SLAB_H
 
 #include "base/affine.h"
 #include "scene/ray.h"

@@ -1,0 +1,364 @@
+/* Blocks of heights: see height_grid.h. */
+#include "scene/height_grid.h"
+
+static int level_count(int width, int height)
+{
+    int squares = (width > height ? width : height) - 1, top = 0;
+    while (squares > 1 << top)
+        top++;
+    return top;
+}
+
+static int level_side(int points, int level)
+{
+    return (int)(((int64_t)points - 2 + (1 << level)) >> level);
+}
+
+size_t height_grid_size(int width, int height)
+{
+    size_t blocks = 0;
+    for (int k = level_count(width, height); k > 0; k--)
+        blocks += (size_t)level_side(width, k) * (size_t)level_side(height, k);
+    return blocks * sizeof(struct height_range);
+}
+
+static struct height_range range_join(struct height_range a,
+                                      struct height_range b)
+{
+    return (struct height_range){ a.low < b.low ? a.low : b.low,
+                                  a.high > b.high ? a.high : b.high };
+}
+
+/* Of 2 x 2 squares. */
+static struct height_range range_of_points(const struct height_grid *grid,
+                                           int column, int row)
+{
+    struct height_range range = { UINT16_MAX, 0 };
+    for (int j = 2 * row; j <= 2 * row + 2 && j < grid->height; j++) {
+        for (int i = 2 * column; i <= 2 * column + 2 && i < grid->width; i++) {
+            uint16_t h = (uint16_t)height_grid_at(grid, i, j);
+            range = range_join(range, (struct height_range){ h, h });
+        }
+    }
+    return range;
+}
+
+static struct height_range range_of_blocks(const struct height_level *below,
+                                           int column, int row)
+{
+    struct height_range range = { UINT16_MAX, 0 };
+    for (int j = 2 * row; j <= 2 * row + 1 && j < below->rows; j++) {
+        for (int i = 2 * column; i <= 2 * column + 1 && i < below->columns; i++)
+            range = range_join(
+                range,
+                below->blocks[(size_t)j * (size_t)below->columns + (size_t)i]);
+    }
+    return range;
+}
+
+void height_grid_prepare(struct height_grid *grid, struct arena *arena)
+{
+    grid->top = level_count(grid->width, grid->height);
+    for (int k = 0; k <= grid->top; k++) {
+        struct height_level *level = &grid->levels[k];
+        level->columns = level_side(grid->width, k);
+        level->rows = level_side(grid->height, k);
+        if (k == 0)
+            continue;
+        size_t columns = (size_t)level->columns;
+        level->blocks = ARENA_ARRAY(arena, struct height_range,
+                                    columns * (size_t)level->rows);
+        for (int j = 0; j < level->rows; j++) {
+            struct height_range *row = level->blocks + (size_t)j * columns;
+            for (int i = 0; i < level->columns; i++)
+                row[i] = k == 1 ? range_of_points(grid, i, j)
+                                : range_of_blocks(level - 1, i, j);
+        }
+    }
+}
+
+static struct height_range block_range(const struct height_grid *grid,
+                                       int level, int i, int j)
+{
+    const struct height_level *all = &grid->levels[level];
+    if (level > 0)
+        return all->blocks[(size_t)j * (size_t)all->columns + (size_t)i];
+    const uint16_t *h =
+        grid->heights + (size_t)j * (size_t)grid->width + (size_t)i;
+    const uint16_t *g = h + grid->width;
+    struct height_range a = { h[0] < h[1] ? h[0] : h[1],
+                              h[0] > h[1] ? h[0] : h[1] };
+    struct height_range b = { g[0] < g[1] ? g[0] : g[1],
+                              g[0] > g[1] ? g[0] : g[1] };
+    return range_join(a, b);
+}
+
+struct height_range height_grid_range(const struct height_grid *grid)
+{
+    return block_range(grid, grid->top, 0, 0);
+}
+
+struct height_plane height_grid_plane(const struct height_grid *grid, int i,
+                                      int j, bool right)
+{
+    const uint16_t *h =
+        grid->heights + (size_t)j * (size_t)grid->width + (size_t)i;
+    const uint16_t *g = h + grid->width;
+    double a = h[0], d = g[1], corner = right ? h[1] : g[0];
+    if (right)
+        return (struct height_plane){ a, corner - a, d - corner };
+    return (struct height_plane){ a, d - corner, corner - a };
+}
+
+static int part_of(const struct height_grid *grid, int i, int j, bool right)
+{
+    return 2 * (j * (grid->width - 1) + i) + right;
+}
+
+struct height_plane height_grid_part(const struct height_grid *grid, int part,
+                                     int *i, int *j)
+{
+    int square = part / 2;
+    *i = square % (grid->width - 1);
+    *j = square / (grid->width - 1);
+    return height_grid_plane(grid, *i, *j, part % 2);
+}
+
+bool height_grid_over(const struct height_grid *grid, double x, double z,
+                      double *height)
+{
+    if (!(x >= 0 && z >= 0 && x <= grid->width - 1 && z <= grid->height - 1))
+        return false;
+    int i = (int)fmin(x, grid->width - 2), j = (int)fmin(z, grid->height - 2);
+    double u = x - i, v = z - j;
+    struct height_plane plane = height_grid_plane(grid, i, j, u >= v);
+    *height = plane.base + u * plane.slope_u + v * plane.slope_v;
+    return *height >= grid->water;
+}
+
+/* ---- rays ---- */
+
+/* A ray on its way over the squares, block by block: up a level where it leaves
+ * the block of that level, down where it may meet what is in one. */
+struct height_walk {
+    const struct height_grid *grid;
+    vec3 origin, direction;
+    double inverse_x, inverse_z; /* 0: it goes along the rows or columns */
+    double doubt;                /* how far heights along the ray may be off */
+    double tmin, tmax;
+    double from, to; /* of the ray, over the block at hand */
+    double end;
+    int level, i, j; /* the square at `from`; its block of this level */
+    int side; /* of the surface, where the ray is: 1 above, -1 below, 0 not
+               * known */
+    hit_visit *visit;
+    void *context;
+};
+
+/* Over one triangle; the ray is on the side that it came to its edge on. */
+static bool walk_triangle(struct height_walk *w, bool right, double from,
+                          double to)
+{
+    const struct height_plane p = height_grid_plane(w->grid, w->i, w->j, right);
+    vec3 o = w->origin, d = w->direction;
+    double u = o.x - w->i, v = o.z - w->j;
+    double above = o.y - p.base - p.slope_u * u - p.slope_v * v;
+    double rate = d.y - p.slope_u * d.x - p.slope_v * d.z;
+    if (w->side == 0)
+        w->side = above + rate * from > 0 ? 1 : -1;
+    int after = above + rate * to > 0 ? 1 : -1;
+    if (after == w->side)
+        return false;
+    w->side = after;
+    double t = -above / rate;
+    t = t < from ? from : t > to ? to : t;
+    double height =
+        p.base + p.slope_u * (u + d.x * t) + p.slope_v * (v + d.z * t);
+    if (!(t > w->tmin && t < w->tmax && height >= w->grid->water))
+        return false;
+    struct hit hit = { t, part_of(w->grid, w->i, w->j, right), 0, 0 };
+    return w->visit(w->context, &hit);
+}
+
+static bool walk_square(struct height_walk *w)
+{
+    double lead = (w->origin.x - w->i) - (w->origin.z - w->j);
+    double rate = w->direction.x - w->direction.z;
+    double when = rate != 0 ? -lead / rate : HUGE_VAL;
+    bool right = rate > 0   ? w->from >= when
+                 : rate < 0 ? w->from < when
+                            : lead >= 0;
+    if (!(when > w->from && when < w->to))
+        return walk_triangle(w, right, w->from, w->to);
+    return walk_triangle(w, right, w->from, when) ||
+           walk_triangle(w, !right, when, w->to);
+}
+
+/* Whether all of the block is on one side of the ray, or under water. */
+static inline bool walk_passes(struct height_walk *w)
+{
+    struct height_range range =
+        block_range(w->grid, w->level, w->i >> w->level, w->j >> w->level);
+    double a = w->origin.y + w->direction.y * w->from;
+    double b = w->origin.y + w->direction.y * w->to;
+    double low = range.low - w->doubt, high = range.high + w->doubt;
+    if (a < low && b < low)
+        w->side = -1;
+    else if (a > high && b > high)
+        w->side = 1;
+    else if (range.high < w->grid->water)
+        w->side = 0;
+    else
+        return false;
+    return true;
+}
+
+/* Where the ray leaves the block at hand; infinite along it. */
+static inline double block_end(int at, int level, double origin, double inverse)
+{
+    int64_t edge = ((int64_t)(at >> level) + (inverse > 0)) << level;
+    return inverse != 0 ? ((double)edge - origin) * inverse : HUGE_VAL;
+}
+
+/* The number of the square that is at `place`, which is in the block. */
+static inline int square_at(double place, int block, int level, int last)
+{
+    int first = block << level, end = first + (1 << level) - 1;
+    if (place < first)
+        return first;
+    end = end < last ? end : last;
+    return place < end ? (int)place : end;
+}
+
+/* To the next block, of the largest size that begins there. False: that was the
+ * last one. */
+static bool walk_on(struct height_walk *w, double end_x, double end_z)
+{
+    const struct height_level *squares = w->grid->levels;
+    bool along_x = end_x <= end_z;
+    int *at = along_x ? &w->i : &w->j, *beside = along_x ? &w->j : &w->i;
+    bool up = (along_x ? w->inverse_x : w->inverse_z) > 0;
+    int block = *at >> w->level;
+    if (w->to >= w->end)
+        return false;
+    w->from = w->to;
+    *beside =
+        along_x
+            ? square_at(w->origin.z + w->direction.z * w->from,
+                        *beside >> w->level, w->level, squares->rows - 1)
+            : square_at(w->origin.x + w->direction.x * w->from,
+                        *beside >> w->level, w->level, squares->columns - 1);
+    *at = up ? (block + 1) << w->level : (block << w->level) - 1;
+    if (*at < 0 || *at >= (along_x ? squares->columns : squares->rows))
+        return false;
+    /* Into a block whose parent is another one. */
+    if (up == !(*at >> w->level & 1) && w->level < w->grid->top)
+        w->level++;
+    return true;
+}
+
+static void walk_grid(struct height_walk *w)
+{
+    for (;;) {
+        double end_x = block_end(w->i, w->level, w->origin.x, w->inverse_x);
+        double end_z = block_end(w->j, w->level, w->origin.z, w->inverse_z);
+        double to = end_x < end_z ? end_x : end_z;
+        w->to = to < w->end ? to : w->end;
+        if (!walk_passes(w)) {
+            if (w->level > 0) {
+                w->level--;
+                continue;
+            }
+            if (walk_square(w))
+                return;
+        }
+        if (!walk_on(w, end_x, end_z))
+            return;
+    }
+}
+
+static void clip_slab(double low, double high, double origin, double direction,
+                      double *from, double *to)
+{
+    if (direction == 0) {
+        if (!(origin >= low && origin <= high))
+            *to = -HUGE_VAL;
+        return;
+    }
+    double inverse = 1 / direction;
+    double a = (low - origin) * inverse, b = (high - origin) * inverse;
+    double near = a < b ? a : b, far = a < b ? b : a;
+    *from = *from > near ? *from : near;
+    *to = *to < far ? *to : far;
+}
+
+void height_grid_crossings(const struct height_grid *grid,
+                           const struct ray *ray, double tmin, double tmax,
+                           hit_visit *visit, void *context)
+{
+    vec3 o = ray->origin, d = ray->direction;
+    struct height_range range = height_grid_range(grid);
+    double from = tmin, to = tmax;
+    clip_slab(0, grid->width - 1, o.x, d.x, &from, &to);
+    clip_slab(0, grid->height - 1, o.z, d.z, &from, &to);
+    clip_slab(range.low - 1.0, range.high + 1.0, o.y, d.y, &from, &to);
+    if (!(from < to) || !isfinite(from) || !isfinite(to))
+        return;
+    struct height_walk walk = { .grid = grid,
+                                .origin = o,
+                                .direction = d,
+                                .inverse_x = d.x != 0 ? 1 / d.x : 0,
+                                .inverse_z = d.z != 0 ? 1 / d.z : 0,
+                                .tmin = tmin,
+                                .tmax = tmax,
+                                .from = from,
+                                .end = to,
+                                .level = grid->top,
+                                .visit = visit,
+                                .context = context };
+    double far = -from > to ? -from : to;
+    walk.doubt = 1e-6 + 1e-12 * (fabs(o.y) + fabs(d.y) * far);
+    walk.i = square_at(o.x + d.x * from, 0, grid->top, grid->width - 2);
+    walk.j = square_at(o.z + d.z * from, 0, grid->top, grid->height - 2);
+    walk_grid(&walk);
+}
+
+/* ---- boxes ---- */
+
+struct block {
+    int level, i, j;
+};
+
+static bool block_meets(const struct height_grid *grid, struct block b,
+                        const struct box3 *box)
+{
+    double size = ldexp(1, b.level), x = b.i * size, z = b.j * size;
+    if (box->low.x > x + size || box->high.x < x || box->low.z > z + size ||
+        box->high.z < z)
+        return false;
+    struct height_range range = block_range(grid, b.level, b.i, b.j);
+    return box->low.y <= range.high && box->high.y >= range.low &&
+           range.high >= grid->water && box->high.y >= grid->water;
+}
+
+bool height_grid_search(const struct height_grid *grid, struct box3 box,
+                        height_visit *visit, void *context)
+{
+    struct block stack[4 * HEIGHT_GRID_LEVELS] = { { grid->top, 0, 0 } };
+    int depth = 1;
+    while (depth > 0) {
+        struct block b = stack[--depth];
+        if (!block_meets(grid, b, &box))
+            continue;
+        if (b.level == 0 && visit(context, b.i, b.j))
+            return true;
+        for (int k = 0; k < 4 && b.level > 0; k++) {
+            const struct height_level *below = &grid->levels[b.level - 1];
+            struct block part = { b.level - 1, 2 * b.i + (k & 1),
+                                  2 * b.j + (k >> 1) };
+            if (part.i < below->columns && part.j < below->rows)
+                stack[depth++] = part;
+        }
+    }
+    return false;
+}
