@@ -3,6 +3,7 @@
 
 #include "embree/mesh_tree.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
@@ -85,8 +86,10 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
         in.inner = object->inner;
         in.from_inner = affine_compose(up->to_world, object->inner_transform);
     }
-    if (object->interior)
-        in.interior = object->interior;
+    if (object->interior) {
+        affine place = affine_compose(up->to_world, object->interior_transform);
+        in.interior = interior_moved(flat->arena, object->interior, &place);
+    }
     if (object->interior || up->depth == 0)
         in.body = flat->bodies++;
     if (up->depth == 0)

@@ -34,6 +34,7 @@ struct lighting_options {
                                        * only if it is of the same scene */
 };
 
+struct lamps;
 struct show;
 
 /* Something to see of what a method knows: --show NAME. */
@@ -80,6 +81,9 @@ struct lighting {
     struct diffuse_light (*illuminate)(const void *state, struct worker *worker,
                                        const struct surface *surface,
                                        light_visit *visit, void *context);
+    /* The lamps, which light media as they do under `rays`. NULL where
+     * illuminate is. */
+    const struct lamps *(*lamps)(const void *state);
     /* Whether the light given was right, asked at the end; if not, the picture
      * is worth nothing. Then either `again` is true, and the next attempt may
      * succeed, or an error was printed. NULL: always right. */

@@ -315,6 +315,12 @@ static struct diffuse_light mesh_illuminate(const void *state,
     return diffuse;
 }
 
+static const struct lamps *mesh_lamps(const void *state)
+{
+    const struct mesh_lighting *mesh = state;
+    return &mesh->lamps;
+}
+
 static bool mesh_foresees(void *state, const struct first_hits *grid)
 {
     struct mesh_lighting *mesh = state;
@@ -387,6 +393,7 @@ const struct lighting mesh_lighting = {
     .foresees = mesh_foresees,
     .prepare = mesh_look_ahead,
     .illuminate = mesh_illuminate,
+    .lamps = mesh_lamps,
     .sound = mesh_sound,
     .again = mesh_again,
     .tell = mesh_tell,

@@ -45,10 +45,16 @@ static struct diffuse_light rays_illuminate(const void *state,
                                        lamps->scene->settings.ambient_light };
 }
 
+static const struct lamps *rays_lamps(const void *state)
+{
+    return state;
+}
+
 const struct lighting rays_lighting = {
     .name = "rays",
     .help = "POV-Ray's own: shadow rays to every light and an ambient term",
     .start = rays_start,
     .finish = rays_finish,
     .illuminate = rays_illuminate,
+    .lamps = rays_lamps,
 };

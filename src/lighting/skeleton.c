@@ -62,6 +62,12 @@ static struct diffuse_light skeleton_illuminate(const void *state,
                                        surface->point, surface->normal) };
 }
 
+static const struct lamps *skeleton_lamps(const void *state)
+{
+    const struct skeleton_lighting *lighting = state;
+    return &lighting->lamps;
+}
+
 static vec3 skeleton_stream(const void *state, struct worker *worker,
                             vec3 place, vec3 normal)
 {
@@ -101,6 +107,7 @@ const struct lighting skeleton_lighting = {
     .start = skeleton_start,
     .finish = skeleton_finish,
     .illuminate = skeleton_illuminate,
+    .lamps = skeleton_lamps,
     .stream = skeleton_stream,
     .views = skeleton_views,
 };

@@ -129,6 +129,17 @@ bool parse_pigment_map(struct parser *p, bool average,
                                  average, out));
 }
 
+bool parse_density_entries(struct parser *p, bool average,
+                           const struct blend_map **out)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open,
+                     map_entries(p, VALUE_DENSITY_MAP, parse_pigment_map_entry,
+                                 average, out));
+}
+
 static struct blend_entry block_default(const struct pattern_kind *kind, int i)
 {
     struct blend_entry entry = { .value = i };
@@ -147,7 +158,8 @@ bool parse_block_list(struct parser *p, const struct pattern *pattern,
 {
     const struct pattern_kind *kind = pattern->kind;
     struct map_builder builder = { .count = 0 };
-    bool pigments = stream_keyword(p) == KEYWORD_PIGMENT;
+    enum keyword word = p->density ? KEYWORD_DENSITY : KEYWORD_PIGMENT;
+    bool pigments = stream_keyword(p) == word;
     bool more = pigments || at_any_colour(p);
     for (int i = 0; i < kind->blocks; i++) {
         struct blend_entry entry = block_default(kind, i);
@@ -163,8 +175,8 @@ bool parse_block_list(struct parser *p, const struct pattern *pattern,
         if (!map_push(p, &builder, entry))
             return false;
         accept(p, TOKEN_COMMA);
-        more = more && (pigments ? stream_keyword(p) == KEYWORD_PIGMENT
-                                 : at_any_colour(p));
+        more =
+            more && (pigments ? stream_keyword(p) == word : at_any_colour(p));
     }
     *out = map_finish(p, &builder);
     return true;

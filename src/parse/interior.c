@@ -21,11 +21,6 @@ static const struct field interior_fields[] = {
     { NULL },
 };
 
-static const struct unsupported_word interior_unsupported[] = {
-    { KEYWORD_MEDIA, "'media'" },
-    { KEYWORD_NONE, NULL },
-};
-
 /* old_interior_value = "dispersion" float | "dispersion_samples" float
  *                    | "refraction" float .
  * Fine as long as they change nothing. */
@@ -47,18 +42,19 @@ static bool parse_old_interior_value(struct parser *p, bool *found)
     return true;
 }
 
-/* interior_item = interior_value | old_interior_value . */
+/* interior_item = interior_value | media | old_interior_value . */
 static bool parse_interior_item(struct parser *p, struct interior *interior)
 {
     bool found;
     const struct field *field = accept_field(p, interior_fields);
     if (field)
         return parse_field(p, field, interior);
+    if (stream_keyword(p) == KEYWORD_MEDIA)
+        return parse_media(p, &interior->media);
     if (!parse_old_interior_value(p, &found))
         return false;
     return found ||
-           (check_supported(p, interior_unsupported) &&
-            error_unknown_thing(p, "interior", interior_fields, "an interior"));
+           error_unknown_thing(p, "interior", interior_fields, "an interior");
 }
 
 static bool interior_items(struct parser *p, const struct interior **out)

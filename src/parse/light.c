@@ -137,17 +137,22 @@ static bool parse_looks_like(struct parser *p, struct object *owner,
     return object_adopt(p, owner, *looks);
 }
 
-/* light_without_effect = "media_interaction" [bool]
- *                      | "photons" "{" {name [float]} "}" . */
+/* media_interaction = "media_interaction" [bool] . */
+static bool parse_media_interaction(struct parser *p, struct light *light)
+{
+    bool on;
+    stream_next(p);
+    bool ok = parse_bool(p, &on);
+    light->no_media = !on;
+    return ok;
+}
+
+/* light_without_effect = "photons" "{" {name [float]} "}" . */
 static bool parse_light_without_effect(struct parser *p, bool *found)
 {
-    bool on = false;
     struct span open;
     *found = true;
     switch (stream_keyword(p)) {
-    case KEYWORD_MEDIA_INTERACTION:
-        stream_next(p);
-        return parse_bool(p, &on);
     case KEYWORD_PHOTONS:
         stream_next(p);
         return block_begin(p, &open) && block_end(p, open, skip_block(p));
@@ -187,7 +192,8 @@ static bool light_check_directed(struct parser *p, const struct light *light)
 }
 
 /* light_item = light_value | directed_value | light_kind | area_light
- *            | looks_like | light_without_effect | transformation . */
+ *            | looks_like | media_interaction | light_without_effect
+ *            | transformation . */
 static bool parse_light_item(struct parser *p, struct object *object,
                              struct light *light, struct object **looks)
 {
@@ -204,6 +210,8 @@ static bool parse_light_item(struct parser *p, struct object *object,
         return parse_area_light(p, light);
     if (stream_keyword(p) == KEYWORD_LOOKS_LIKE)
         return parse_looks_like(p, object, light, looks);
+    if (stream_keyword(p) == KEYWORD_MEDIA_INTERACTION)
+        return parse_media_interaction(p, light);
     bool ok = parse_light_kind(p, light, &found);
     if (ok && !found)
         ok = light_move(p, light, *looks, &found);

@@ -1,5 +1,6 @@
 /* Materials: a texture and an interior under one name. */
 #include "parse/rules.h"
+#include "scene/medium.h"
 
 static const struct field material_names[] = {
     { .name = "texture" },
@@ -51,6 +52,9 @@ static bool parse_material_item(struct parser *p, struct material *material)
     if (found && material->interior_texture)
         material->interior_texture =
             texture_moved(p->scene_arena, material->interior_texture, &step);
+    if (found && material->interior)
+        material->interior =
+            interior_moved(p->scene_arena, material->interior, &step);
     return found ||
            error_unknown_thing(p, "material", material_names, "a material");
 }

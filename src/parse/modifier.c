@@ -62,8 +62,10 @@ static bool modifier_material(struct parser *p, struct object *object)
         return false;
     if (material.texture)
         object_set_texture(p, object, material.texture);
-    if (material.interior)
+    if (material.interior) {
         object->interior = material.interior;
+        object->interior_transform = affine_identity();
+    }
     if (material.interior_texture)
         object->inner = material.interior_texture;
     if (material.interior_texture)
@@ -104,6 +106,7 @@ static bool parse_covering(struct parser *p, struct object *object, bool *found)
     case KEYWORD_INTERIOR_TEXTURE:
         return object_interior_texture(p, object);
     case KEYWORD_INTERIOR:
+        object->interior_transform = affine_identity();
         return parse_interior(p, &object->interior);
     case KEYWORD_MATERIAL:
         return modifier_material(p, object);

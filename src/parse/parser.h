@@ -76,6 +76,7 @@ struct parser {
         const struct normal *normal;
         const struct finish *finish;
     } defaults;
+    bool density; /* what is read is a pigment by the name of density */
     struct {
         struct finish **items;
         size_t count, capacity;

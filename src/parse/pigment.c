@@ -8,7 +8,6 @@ enum {
 };
 
 static const struct unsupported_word pigment_unsupported[] = {
-    { KEYWORD_DENSITY_MAP, "'density_map'" },
     { KEYWORD_NORMAL_MAP, "'normal_map'" },
     { KEYWORD_SLOPE_MAP, "'slope_map'" },
     { KEYWORD_TEXTURE_MAP, "'texture_map'" },
@@ -102,8 +101,9 @@ static bool pigment_can_map(struct parser *p, const struct pigment *pigment)
     return true;
 }
 
-/* pigment_item = colour_map | pigment_map | "quick_colour" colour
- *              | pattern_item . */
+/* pigment_item = colour_map | pigment_map | density_map
+ *              | "quick_colour" colour | pattern_item .
+ * A density_map only in a density. */
 static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
                                bool *found)
 {
@@ -115,6 +115,11 @@ static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
     case KEYWORD_PIGMENT_MAP:
         return pigment_can_map(p, pigment) &&
                parse_pigment_map(p, pigment_is_average(pigment), &pigment->map);
+    case KEYWORD_DENSITY_MAP:
+        *found = p->density;
+        return !*found || (pigment_can_map(p, pigment) &&
+                           parse_density_entries(p, pigment_is_average(pigment),
+                                                 &pigment->map));
     case KEYWORD_QUICK_COLOUR:
         stream_next(p);
         pigment->has_quick_colour = true;
@@ -125,11 +130,13 @@ static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
     }
 }
 
-/* pigment_body = ["uv_mapping"] [PIGMENT] [pigment_start] {pigment_item} . */
+/* pigment_body = ["uv_mapping"] [PIGMENT | DENSITY] [pigment_start]
+ *                {pigment_item} . */
 bool parse_pigment_body(struct parser *p, const struct pigment **in)
 {
     bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING), found;
-    const struct value *value = accept_value(p, VALUE_PIGMENT);
+    const struct value *value =
+        accept_value(p, p->density ? VALUE_DENSITY : VALUE_PIGMENT);
     if (value)
         *in = value->pigment;
     if (value && !mapped && at_body_end(p))

@@ -174,6 +174,17 @@ bool parse_isosurface(struct parser *p, struct object **out);
 bool parse_bicubic_patch(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 
+/* ---- media.c; the keyword is next ---- */
+
+bool parse_density(struct parser *p, const struct pigment **out);
+bool parse_density_map(struct parser *p, const struct blend_map **out);
+/* colour_map.c: the same as of pigments, in the midst of a density. */
+bool parse_density_entries(struct parser *p, bool average,
+                           const struct blend_map **out);
+bool parse_medium(struct parser *p, const struct medium **out);
+/* One more of these. */
+bool parse_media(struct parser *p, struct media *media);
+
 /* ---- atmosphere.c; the keyword is next ---- */
 
 bool parse_background(struct parser *p, colour *out);

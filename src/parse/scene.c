@@ -4,7 +4,6 @@
 
 static const struct unsupported_word scene_unsupported[] = {
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
-    { KEYWORD_MEDIA, "'media'" },
     { KEYWORD_PHOTONS, "'photons'" },
     { KEYWORD_RADIOSITY, "'radiosity'" },
     { KEYWORD_RAINBOW, "'rainbow'" },
@@ -12,10 +11,7 @@ static const struct unsupported_word scene_unsupported[] = {
 };
 
 static const struct unsupported_word thing_unsupported[] = {
-    { KEYWORD_DENSITY, "'density'" },
-    { KEYWORD_DENSITY_MAP, "'density_map'" },
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
-    { KEYWORD_MEDIA, "'media'" },
     { KEYWORD_RAINBOW, "'rainbow'" },
     { KEYWORD_TEXTURE_MAP, "'texture_map'" },
     { KEYWORD_WARP, "'warp'" },
@@ -101,7 +97,7 @@ static bool thing_fog(struct parser *p, struct value *value)
 
 /* thing = texture {texture} | pigment | normal | finish | interior | material
  *       | transform | camera | fog | sky_sphere | colour_map | pigment_map
- *       | object . */
+ *       | density | density_map | media | object . */
 bool parse_thing(struct parser *p, struct value *value, bool *found)
 {
     enum keyword keyword = stream_keyword(p);
@@ -141,6 +137,15 @@ bool parse_thing(struct parser *p, struct value *value, bool *found)
     case KEYWORD_PIGMENT_MAP:
         value->kind = VALUE_PIGMENT_MAP;
         return parse_pigment_map(p, false, &value->map);
+    case KEYWORD_DENSITY:
+        value->kind = VALUE_DENSITY;
+        return parse_density(p, &value->pigment);
+    case KEYWORD_DENSITY_MAP:
+        value->kind = VALUE_DENSITY_MAP;
+        return parse_density_map(p, &value->map);
+    case KEYWORD_MEDIA:
+        value->kind = VALUE_MEDIA;
+        return parse_medium(p, &value->medium);
     case KEYWORD_NORMAL_MAP:
         value->kind = VALUE_NORMAL_MAP;
         return parse_normal_map(p, false, &value->normal_map);
@@ -215,6 +220,7 @@ bool at_scene_item(struct parser *p)
     case KEYWORD_BACKGROUND:
     case KEYWORD_SKY_SPHERE:
     case KEYWORD_FOG:
+    case KEYWORD_MEDIA:
     case KEYWORD_GLOBAL_SETTINGS:
     case KEYWORD_DEFAULT:
         return true;
@@ -262,7 +268,7 @@ static bool scene_unknown(struct parser *p)
     return false;
 }
 
-/* scene_item = camera | background | sky_sphere | fog | global_settings
+/* scene_item = camera | background | sky_sphere | fog | media | global_settings
  *            | default_block | object . */
 bool parse_scene_item(struct parser *p)
 {
@@ -279,6 +285,9 @@ bool parse_scene_item(struct parser *p)
         break;
     case KEYWORD_FOG:
         ok = scene_fog(p);
+        break;
+    case KEYWORD_MEDIA:
+        ok = parse_media(p, &p->scene->media);
         break;
     case KEYWORD_GLOBAL_SETTINGS:
         ok = parse_global_settings(p);

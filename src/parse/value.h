@@ -26,6 +26,9 @@ enum value_kind {
     VALUE_CAMERA,
     VALUE_COLOUR_MAP,
     VALUE_PIGMENT_MAP,
+    VALUE_DENSITY,
+    VALUE_DENSITY_MAP,
+    VALUE_MEDIA,
     VALUE_NORMAL_MAP,
     VALUE_SLOPE_MAP,
     VALUE_FOG,
@@ -37,6 +40,7 @@ enum value_kind {
 struct array;
 struct data_file;
 struct macro;
+struct medium;
 struct function;
 struct symbol;
 struct unsupported;
@@ -58,6 +62,7 @@ struct value {
         const struct finish *finish;
         const struct interior *interior;
         const struct material *material;
+        const struct medium *medium;
         const affine *transform;
         const struct camera *camera;
         const struct blend_map *map;

@@ -1,6 +1,5 @@
 /* A walk through everything that the scene holds: see fingerprint.h. Structs
  * are hashed member by member, as they have padding and pointers. */
-#include "scene/warp.h"
 #include "scene/fingerprint.h"
 
 #include "base/hash.h"
@@ -8,8 +7,10 @@
 #include "base/random.h"
 #include "image/image.h"
 #include "scene/light.h"
+#include "scene/medium.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
+#include "scene/warp.h"
 
 /* Hashes of what is shared by many objects, by its address. */
 struct known {
@@ -240,6 +241,26 @@ static uint64_t mesh_hash(struct walk *walk, const struct mesh *mesh)
     return known_add(walk, mesh, hash);
 }
 
+static uint64_t media_hash(struct walk *walk, uint64_t hash,
+                           const struct media *media)
+{
+    for (size_t i = 0; i < media->count; i++) {
+        const struct medium *m = media->items[i];
+        const double numbers[] = {
+            m->phase,   m->eccentricity, m->extinction,   m->method,
+            m->samples, m->intervals,    m->samples_most, m->levels,
+            m->ratio,   m->threshold,    m->confidence,   m->variance,
+            m->jitter,
+        };
+        hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
+        hash = hash_rgb(hash_rgb(hash, m->absorption), m->emission);
+        hash = hash_rgb(hash, m->scattering);
+        for (size_t k = 0; k < m->density_count; k++)
+            hash = pigment_hash(walk, hash, m->densities[k]);
+    }
+    return hash;
+}
+
 static void walk_material(struct walk *walk, const struct object *object,
                           affine outer)
 {
@@ -260,28 +281,22 @@ static void walk_material(struct walk *walk, const struct object *object,
                                interior->fade_power, interior->caustics };
     *textures = hash_numbers(*textures, numbers, 4);
     *textures = hash_rgb(*textures, interior->fade_colour);
+    if (interior->media.count == 0)
+        return;
+    affine media = affine_compose(outer, object->interior_transform);
+    *textures =
+        media_hash(walk, hash_affine(*textures, &media), &interior->media);
 }
 
 static uint64_t light_hash(uint64_t hash, const struct light *light)
 {
     const double numbers[] = {
-        light->kind,
-        light->parallel,
-        light->radius,
-        light->falloff,
-        light->tightness,
-        light->fade_distance,
-        light->fade_power,
-        light->shadowless,
-        light->media_attenuation,
-        light->area,
-        light->size1,
-        light->size2,
-        light->adaptive,
-        light->circular,
-        light->orient,
-        light->jitter,
-        light->area_illumination,
+        light->kind,       light->parallel,   light->radius,
+        light->falloff,    light->tightness,  light->fade_distance,
+        light->fade_power, light->shadowless, light->media_attenuation,
+        light->no_media,   light->area,       light->size1,
+        light->size2,      light->adaptive,   light->circular,
+        light->orient,     light->jitter,     light->area_illumination,
     };
     hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
     hash = hash_vector(hash_vector(hash, light->location), light->point_at);
@@ -377,7 +392,8 @@ struct fingerprint scene_fingerprint(const struct scene *scene, bool colours)
     walk.known = memory_new(walk.capacity * sizeof *walk.known);
     for (size_t i = 0; i < scene->objects.count; i++)
         walk_object(&walk, scene->objects.items[i], affine_identity());
-    walk.found.surroundings = fogs_hash(scene);
+    walk.found.surroundings =
+        media_hash(&walk, fogs_hash(scene), &scene->media);
     if (colours)
         walk.found.surroundings =
             random_key(walk.found.surroundings, sky_hash(&walk, scene));

@@ -22,7 +22,8 @@ struct light {
     double tightness;
     double fade_distance, fade_power; /* both > 0, else no fading */
     bool shadowless;
-    bool media_attenuation; /* weakened by fog on its way */
+    bool media_attenuation; /* weakened by fog and media on its way */
+    bool no_media;          /* media scatter none of it */
 
     bool area;
     vec3 axis1, axis2;

@@ -184,12 +184,21 @@ rgb texture_transmittance(const struct texture *texture, vec3 point,
 const struct texture *texture_mapped(struct arena *arena,
                                      const struct texture *texture);
 
+/* All that fill one place at a time: see scene/medium.h. */
+struct media {
+    const struct medium **items;
+    size_t count;
+};
+
+enum { MEDIA_MAX = 64 }; /* in one place; the parser refuses more in one list */
+
 struct interior {
     double ior;           /* 1 */
     double fade_distance; /* 0: none */
     double fade_power;    /* 0: none */
     rgb fade_colour;      /* black */
     double caustics;      /* pretended, in shadows: shade/shadow.c; 0: none */
+    struct media media;   /* of the space that the interior is written in */
 };
 
 struct material {

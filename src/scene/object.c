@@ -15,6 +15,7 @@ struct object *object_new(struct arena *arena, enum object_kind kind,
     object->transform = affine_identity();
     object->texture_transform = affine_identity();
     object->inner_transform = affine_identity();
+    object->interior_transform = affine_identity();
     return object;
 }
 
@@ -48,6 +49,8 @@ void object_move(struct arena *arena, struct object *object,
         affine_compose(*transform, object->texture_transform);
     object->inner_transform =
         affine_compose(*transform, object->inner_transform);
+    object->interior_transform =
+        affine_compose(*transform, object->interior_transform);
     object->clips =
         clips_moved(arena, object->clips, object->clip_count, transform);
     object->bounds =

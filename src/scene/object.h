@@ -56,6 +56,7 @@ struct object {
     const struct texture *inner;   /* the same seen from inside, or NULL */
     affine inner_transform;
     const struct interior *interior;
+    affine interior_transform; /* its media's space to the parent's */
 
     const struct clip *clips;
     size_t clip_count;

@@ -69,6 +69,8 @@ struct scene {
         const struct object **items;
         size_t count, capacity;
     } objects;
+    struct media media;          /* of all space */
+    bool misty;                  /* there are media somewhere */
     struct noise_settings noise; /* of all patterns and fogs */
     double version; /* the language's version the scene asked for */
 };

@@ -64,7 +64,12 @@ static struct lamp_question lamp_question(const struct lamps *lamps,
 static bool lamp_fog(const struct lamps *lamps, const struct lamp *lamp)
 {
     return lamp->light->media_attenuation && lamps->quality >= QUALITY_FOG &&
-           lamps->scene->fogs.count > 0;
+           (lamps->scene->fogs.count > 0 || lamps->scene->media.count > 0);
+}
+
+static bool lamps_misty(const struct lamps *lamps)
+{
+    return lamps->scene->misty && lamps->quality >= QUALITY_FOG;
 }
 
 /* `place` is one in the question's shaft. */
@@ -81,6 +86,7 @@ static rgb lamp_trace(const struct lamp_question *q, vec3 direction,
         .shaft = q->shaft,
         .place = { place[0], place[1] },
         .fog = lamp_fog(lamps, q->lamp) ? lamps->scene : NULL,
+        .misty = lamps_misty(lamps),
     };
     return shadow_visibility(lamps->world, q->worker, &path);
 }
@@ -152,7 +158,8 @@ static void lamp_shaft(struct lamp_question *q, const struct area_grid *grid,
     struct shaft_rays rays = lamp_rays(q, grid);
     world_shaft(q->lamps->world, &rays, shaft);
     q->shaft = shaft;
-    q->clear = !shaft->crowded && !lamp_fog(q->lamps, q->lamp);
+    q->clear = !shaft->crowded && !lamp_fog(q->lamps, q->lamp) &&
+               !lamps_misty(q->lamps);
     q->plain = q->clear && shaft->plain;
 }
 

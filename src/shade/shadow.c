@@ -7,6 +7,7 @@
 #include "shade/shadow.h"
 
 #include "shade/background.h"
+#include "shade/free_path.h"
 #include "shade/interior.h"
 #include "shade/surface.h"
 
@@ -76,26 +77,51 @@ static bool shadow_filter(void *context, const struct intersection *at)
     return false;
 }
 
-/* What the fog on a stretch of the way lets pass. */
-static rgb shadow_fog(const struct shadow_path *path,
+/* What media on a stretch of the way let pass. */
+static rgb shadow_media(const struct shadow_path *path,
+                        const struct interiors *inside, const struct ray *ray,
+                        double distance, struct worker *worker)
+{
+    struct media_list media;
+    media_find(&media, path->fog ? &path->fog->media : NULL, inside);
+    struct media_way way = { .media = &media,
+                             .origin = ray->origin,
+                             .direction = ray->direction,
+                             .length = distance,
+                             .worker = worker,
+                             .inside = inside };
+    if (media.count == 0)
+        return rgb_grey(1);
+    return path->key ? free_path_through(&way, path->key)
+                     : media_veil(&way).through;
+}
+
+/* What fog and media on a stretch of the way let pass. */
+static rgb shadow_air(const struct shadow_path *path,
                       const struct interiors *inside, double from,
-                      double distance)
+                      double distance, struct worker *worker)
 {
     struct ray ray = { vec3_along(path->point, path->direction, from),
                        path->direction };
-    if (!path->fog || !interiors_open(inside))
-        return rgb_grey(1);
-    return fog_veil(path->fog, &ray, distance).through;
+    rgb through = rgb_grey(1);
+    if ((!path->fog && !path->misty) || !interiors_open(inside))
+        return through;
+    if (path->fog)
+        through = fog_veil(path->fog, &ray, distance).through;
+    if (path->misty)
+        through = rgb_mul(through,
+                          shadow_media(path, inside, &ray, distance, worker));
+    return through;
 }
 
 /* What all crossings let pass, from the point on. */
 static rgb shadow_share(const struct shadow_ray *shadow,
-                        const struct shadow_path *path)
+                        const struct shadow_path *path, struct worker *worker)
 {
     struct interiors inside;
     rgb share = shadow->share;
     double from = 0;
-    if (shadow->count == 0 && !path->fog)
+    if (shadow->count == 0 && !path->fog && !path->misty)
         return share;
     inside.count = 0;
     if (path->inside)
@@ -107,7 +133,8 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         if (distance < shadow_margin)
             continue;
         share = rgb_mul(share, crossing->through);
-        share = rgb_mul(share, shadow_fog(path, &inside, from, distance));
+        share =
+            rgb_mul(share, shadow_air(path, &inside, from, distance, worker));
         if (interior_dims_shadows(leaf->interior) &&
             interiors_find(&inside, leaf->body) >= 0)
             share = rgb_mul(share, interior_fade(leaf->interior, distance));
@@ -115,7 +142,7 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         from = crossing->t;
     }
     double rest = path->distance - from;
-    return rgb_mul(share, shadow_fog(path, &inside, from, rest));
+    return rgb_mul(share, shadow_air(path, &inside, from, rest, worker));
 }
 
 double shadow_start(vec3 point)
@@ -157,5 +184,5 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
     worker->counters.shadow_rays++;
     if (shadow_blocked(world, path, from, to, &shadow))
         return rgb_grey(0);
-    return shadow_share(&shadow, path);
+    return shadow_share(&shadow, path, worker);
 }

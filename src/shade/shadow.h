@@ -15,7 +15,11 @@ struct shadow_path {
     const struct interiors *inside; /* bodies the point is in; may be NULL */
     const struct shaft *shaft;      /* the way is in it; NULL: in none */
     double place[2];                /* where in it */
-    const struct scene *fog; /* whose fogs weaken the light; NULL: none do */
+    const struct scene *fog; /* whose fogs and media weaken the light; NULL:
+                              * only media in objects do */
+    bool misty;              /* there are some */
+    uint64_t key; /* of random numbers: media are met without bias; 0: as
+                   * POV-Ray samples them */
 };
 
 /* The share of light that gets there, tinted by transparent objects and faded

@@ -76,6 +76,11 @@ bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside)
            interiors_open(inside);
 }
 
+bool tracer_misty(const struct tracer *tracer)
+{
+    return tracer->scene->misty && tracer->quality >= QUALITY_FOG;
+}
+
 /* Without +UA the background's transmit darkens it and its filter does
  * nothing. With +UA both make it transparent where the camera sees it, and
  * neither matters in a mirror. */

@@ -38,6 +38,9 @@ int tracer_levels(const struct tracer *tracer);
 /* Whether fog reaches a ray that is inside of these. */
 bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside);
 
+/* Whether there are media to be looked for. */
+bool tracer_misty(const struct tracer *tracer);
+
 /* The light of a ray that meets nothing: sky and background. `straight`: on the
  * camera's line of sight. *clear: the share of opacity that is still open. */
 rgb tracer_background(const struct tracer *tracer, vec3 direction,

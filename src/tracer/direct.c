@@ -6,6 +6,7 @@
 #include "shade/finish.h"
 #include "shade/shadow.h"
 #include "tracer/crossing.h"
+#include "tracer/drift.h"
 
 enum {
     LAMPS_ALL = 8,         /* as many are asked every one */
@@ -33,21 +34,32 @@ const struct interiors *receiver_inside(const struct receiver *receiver,
     return front ? receiver->inside : receiver->behind;
 }
 
+/* Of what happens on the way to a lamp. */
+static uint64_t question_key(const struct question *q, int lamp)
+{
+    uint64_t key = random_key(q->draws->key, q->draws->index);
+    return random_key(key, (uint64_t)lamp + 1) | 1;
+}
+
 /* Lamps' light goes the way that shadow rays go for POV-Ray: straight through
  * what is transparent. */
 static rgb lamp_visibility(const struct question *q, const struct lamp *lamp,
                            const struct lamp_pick *pick)
 {
     const struct tracer *tracer = q->tracer;
+    const struct scene *scene = tracer->scene;
     bool fog = lamp->light->media_attenuation &&
-               tracer->quality >= QUALITY_FOG && tracer->scene->fogs.count > 0;
+               tracer->quality >= QUALITY_FOG &&
+               (scene->fogs.count > 0 || scene->media.count > 0);
     struct shadow_path path = {
         .point = q->receiver->point,
         .direction = pick->towards,
         .distance = pick->distance,
         .light = lamp->number,
         .inside = q->receiver->inside,
-        .fog = fog ? tracer->scene : NULL,
+        .fog = fog ? scene : NULL,
+        .misty = tracer_misty(tracer),
+        .key = question_key(q, lamp->number),
     };
     if (lamp->light->shadowless || tracer->quality < QUALITY_SHADOWS)
         return rgb_grey(1);
@@ -70,6 +82,8 @@ static rgb lamp_unshadowed(const struct question *q, size_t number,
 {
     const struct receiver *receiver = q->receiver;
     const struct light *light = q->set->lamps[number].light;
+    if (receiver->in_media && light->no_media)
+        return rgb_grey(0);
     rgb share = receiver->response(receiver->context, pick->view.direction,
                                    true, !light->shadowless);
     return rgb_scale(rgb_mul(share, light->colour), pick->view.attenuation);
@@ -173,6 +187,10 @@ static bool approach_step(struct approach *approach, const struct question *q,
         approach->share = rgb_mul(
             approach->share,
             fog_veil(tracer->scene, &approach->ray, crossing->at.t).through);
+    approach->share =
+        rgb_mul(approach->share,
+                drift_through(tracer, q->worker, &approach->ray, crossing->at.t,
+                              &approach->inside, question_key(q, -2)));
     crossing_fill(crossing, tracer, approach->ray.direction, &approach->inside,
                   0, true);
     return true;

@@ -23,6 +23,7 @@ struct receiver {
     /* The density of the rays it scatters there; 0: it scatters none. */
     double (*density)(const void *context, vec3 direction);
     const void *context;
+    bool in_media; /* that lamps may say they don't light */
 };
 
 /* The bodies that light to this direction goes through. */

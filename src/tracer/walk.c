@@ -23,6 +23,7 @@
 #include "shade/shadow.h"
 #include "tracer/crossing.h"
 #include "tracer/direct.h"
+#include "tracer/drift.h"
 #include "tracer/lobes.h"
 
 enum {
@@ -467,14 +468,20 @@ struct radiance walk_follow(struct walk *walk)
         bool met = world_closest(tracer->world, &walk->ray,
                                  surface_offset(walk->ray.origin), walk->kind,
                                  &meeting.crossing.at);
-        walk_fog(walk, met ? meeting.crossing.at.t : (double)INFINITY);
+        double distance = met ? meeting.crossing.at.t : (double)INFINITY;
+        meeting.draws = draws_within(&walk->draws, (uint64_t)vertex);
+        if (walk_drift(walk, &meeting.draws, &distance)) {
+            if (walk_survives(walk, &meeting.draws, vertex))
+                continue;
+            break;
+        }
+        walk_fog(walk, distance);
         if (!met) {
             double clear;
             walk_gather(walk, tracer_background(tracer, walk->ray.direction,
                                                 walk->straight, &clear));
             return (struct radiance){ walk->light, 1 - walk->clear * clear };
         }
-        meeting.draws = draws_within(&walk->draws, (uint64_t)vertex);
         if (!walk_meet(walk, &meeting) ||
             !walk_survives(walk, &meeting.draws, vertex))
             break;

@@ -578,7 +578,7 @@ static void unsupported_things_wait_for_their_use(void **state)
 {
     (void)state;
     struct reading r = scene_good(
-        "#declare A = media { emission 1 }"
+        "#declare A = rainbow { angle 40 }"
         "#declare B = texture { gradient x texture_map { [0 A] [1 A] } }"
         "             texture { pigment { rgb 1 } }"
         "#declare C = julia_fractal { <0, 0, 0, 0> }"

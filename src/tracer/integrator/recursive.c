@@ -13,6 +13,7 @@
 #include "base/parallel.h"
 #include "shade/finish.h"
 #include "shade/interior.h"
+#include "shade/media.h"
 #include "shade/shadow.h"
 #include "shade/background.h"
 #include "tracer/crossing.h"
@@ -62,13 +63,36 @@ static void path_veil(struct path *path, const struct veil *veil)
     path->clear *= rgb_brightness(veil->through);
 }
 
-static void path_fog(struct path *path, double distance)
+static void path_media(struct path *path, double distance)
 {
     const struct tracer *tracer = path->tracer;
-    if (!tracer_foggy(tracer, &path->inside))
+    struct media_list media;
+    media_find(&media, &tracer->scene->media, &path->inside);
+    if (media.count == 0)
         return;
-    struct veil veil = fog_veil(tracer->scene, &path->ray, distance);
+    struct media_way way = {
+        .media = &media,
+        .origin = path->ray.origin,
+        .direction = path->ray.direction,
+        .length = distance,
+        .lamps = tracer->lighting->lamps(tracer->lighting_state),
+        .worker = path->worker,
+        .inside = &path->inside,
+    };
+    struct veil veil = media_veil(&way);
     path_veil(path, &veil);
+}
+
+/* Fog is before the media (measured). */
+static void path_air(struct path *path, double distance)
+{
+    const struct tracer *tracer = path->tracer;
+    if (tracer_foggy(tracer, &path->inside)) {
+        struct veil veil = fog_veil(tracer->scene, &path->ray, distance);
+        path_veil(path, &veil);
+    }
+    if (tracer_misty(tracer))
+        path_media(path, distance);
 }
 
 /* Sums the light of all lamps over the layers. */
@@ -224,7 +248,7 @@ static struct radiance path_go_on(struct path *path, struct crossing *crossing,
     for (int i = 0; i < SURFACES_MAX; i++) {
         if (worker_stopped(path->worker))
             break;
-        path_fog(path, met ? crossing->at.t : (double)INFINITY);
+        path_air(path, met ? crossing->at.t : (double)INFINITY);
         if (!met) {
             double clear;
             path_gather(path, tracer_background(tracer, path->ray.direction,

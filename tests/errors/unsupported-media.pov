@@ -1,1 +1,0 @@
-sphere { 0, 1 interior { media { emission 1 } } }
