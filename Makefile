@@ -1,17 +1,22 @@
 # glim: `make` builds build/glim, `make help` lists what else there is.
 #   MODE=release (default), debug, asan, tsan     CC=gcc or clang
 #   BUILD=DIR builds elsewhere                    PREFIX, DESTDIR for install
+#   IMAGES=png does without OpenImageIO           EMBREE=3 or 4, if both are here
 
 MODE   ?= release
 PREFIX ?= /usr/local
 BUILD  ?= build$(if $(filter-out release,$(MODE)),/$(MODE))
 VERSION = 0.1
 
-# What building needs, and what testing needs besides; Debian's names.
-PACKAGES      = gcc g++ make libembree-dev libopenimageio-dev libopenexr-dev \
-	libpng-dev
+# What building needs, and what testing needs besides; Debian's names. Other
+# systems' are in tests/tools/packages. Some releases lack one that ends in "?".
+PACKAGES      = gcc g++ make libembree-dev libpng-dev $(IMAGE_PACKAGES)
 TEST_PACKAGES = libcmocka-dev mandoc povray povray-includes povray-examples \
-	openimageio-tools clang-format
+	openimageio-tools $(CLANG_FORMAT)?
+GIVEN_CPPFLAGS := $(CPPFLAGS)
+DEPS = CC="$(CC)" CXX="$(CXX)" CPPFLAGS="$(GIVEN_CPPFLAGS)" tests/tools/deps
+# The version that the tree is written in, and the only one that checks it.
+CLANG_FORMAT := $(shell sed -n 's/^\# //p' src/.clang-format)
 
 WARNINGS = -Wall -Wextra -Wshadow -Wundef -Wwrite-strings -Wdouble-promotion \
 	-Wpointer-arith -Wcast-qual -Wno-missing-field-initializers
@@ -36,7 +41,7 @@ FLAGS = $(FLAGS_$(MODE)) -fno-math-errno -ffp-contract=off
 ifeq ($(MODE),release)
 ifeq (,$(findstring clang,$(shell $(CC) --version)))
 LTO_COMPILE = -flto -ffat-lto-objects
-LTO_LINK    = -flto=2
+LTO_LINK    = -flto=auto
 NO_LTO_LINK = -fno-lto
 endif
 endif
@@ -45,15 +50,19 @@ endif
 EMBREE := $(shell $(CC) $(CPPFLAGS) -E -x c -include embree4/rtcore.h \
 	/dev/null > /dev/null 2>&1 && echo 4 || echo 3)
 
-CFLAGS   += -std=c11 $(C_WARNINGS) $(FLAGS)
-CXXFLAGS += -std=c++17 $(WARNINGS) -Wno-cast-qual $(FLAGS)
-CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
+override CFLAGS   += -std=c11 $(C_WARNINGS) $(FLAGS)
+override CXXFLAGS += -std=c++17 $(WARNINGS) -Wno-cast-qual $(FLAGS)
+override CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
 	-DGLIM_VERSION='"$(VERSION)"' -DGLIM_VERSION_NUMBER=$(VERSION) \
 	-DGLIM_EMBREE=$(EMBREE)
-LDLIBS   += -lembree$(EMBREE) -lpng -lpthread -lm -ldl
+override LDLIBS   += -lembree$(EMBREE) -lpng -lz -lpthread -lm -ldl
 # Image files are a module of their own, loaded when needed: see src/image/codec.h.
-MODULE_LDLIBS = -lOpenImageIO -lOpenImageIO_Util
+# PNG needs none of it.
+ifneq ($(IMAGES),png)
 MODULE = $(BUILD)/glim-image.so
+IMAGE_PACKAGES = libopenimageio-dev
+endif
+MODULE_LDLIBS = -lOpenImageIO -lOpenImageIO_Util
 
 C_SOURCES   = $(shell find src -name '*.c')
 CXX_SOURCES = $(shell find src -name '*.cpp')
@@ -62,47 +71,58 @@ MODULE_OBJECTS = $(CXX_SOURCES:%=$(BUILD)/%.o)
 LIBRARY_OBJECTS = $(filter-out %/main.o,$(OBJECTS))
 PROGRAMS = $(BUILD)/glim $(BUILD)/glim-compare
 
+# Which of how many: only the dry run before knows how many there are.
+TICK = @$(eval TICKS += .)echo "  $(if $(TOTAL),[$(words $(TICKS))/$(TOTAL)] )$(1)"
+BUILD_ALL = total=$$($(MAKE) -n $(1) | grep -c '^echo "  '); \
+	$(MAKE) --no-print-directory $(CORES) TOTAL=$$total $(1)
+# All cores, unless -j says something else.
+CORES = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell \
+	nproc 2> /dev/null || getconf _NPROCESSORS_ONLN))
+
 all: deps ## build build/glim, build/glim-compare (installs what is missing)
-	@$(MAKE) --no-print-directory $(PROGRAMS)
+	@$(call BUILD_ALL,$(PROGRAMS))
 
 $(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE)
+	$(call TICK,link $@)
 	@$(CXX) $(FLAGS) $(LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # No Embree: nothing of the tracer is in it.
 $(BUILD)/glim-compare: $(BUILD)/src/compare/main.o $(BUILD)/libglim.a | \
 		$(MODULE)
-	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -lpng -lpthread -lm -ldl
+	$(call TICK,link $@)
+	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -lpng -lz -lpthread -lm -ldl
 
 $(MODULE): $(MODULE_OBJECTS)
-	$(CXX) $(FLAGS) -shared -o $@ $^ $(MODULE_LDLIBS)
+	$(call TICK,link $@)
+	@$(CXX) $(FLAGS) -shared -o $@ $^ $(MODULE_LDLIBS)
 
 $(BUILD)/libglim.a: $(LIBRARY_OBJECTS)
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
 $(BUILD)/%.o: %.c
+	$(call TICK,$(CC) $<)
 	@mkdir -p $(@D)
-	@echo "  $(CC) $<"
 	@$(CC) $(CPPFLAGS) $(CFLAGS) $(LTO_COMPILE) -MMD -MP -c -o $@ $<
 
 $(BUILD)/%.cpp.o: %.cpp
+	$(call TICK,$(CXX) $<)
 	@mkdir -p $(@D)
-	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -fPIC -isystem /usr/include/Imath \
+	@$(CXX) $(CPPFLAGS) $(CXXFLAGS) -fPIC -isystem /usr/include/Imath \
 		-MMD -MP -c -o $@ $<
 
 demo: deps ## build, render an example, say where the picture is
-	@$(MAKE) --no-print-directory $(PROGRAMS)
+	@$(call BUILD_ALL,$(PROGRAMS))
 	@tests/tools/demo $(BUILD)/glim
 
 deps: ## install the Debian packages that building needs
-	@tests/tools/deps $(PACKAGES)
+	@$(DEPS) $(PACKAGES)
 
 test-deps: ## install the Debian packages that testing needs
-	@tests/tools/deps $(PACKAGES) $(TEST_PACKAGES)
+	@$(DEPS) $(PACKAGES) $(TEST_PACKAGES)
 
 test: test-deps ## everything: "N passed, N failed" is the last line
-	@$(MAKE) --no-print-directory -j2 $(PROGRAMS) $(UNIT_TESTS) \
-		$(TEST_TOOLS)
+	@$(call BUILD_ALL,$(PROGRAMS) $(UNIT_TESTS) $(TEST_TOOLS))
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) \
 		tests/run
 
@@ -123,8 +143,7 @@ $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/parser.o \
 .SECONDARY:
 
 conformance: all ## every scene of povray-examples by both programs
-	@tests/tools/deps povray povray-includes povray-examples \
-		openimageio-tools
+	@$(DEPS) povray povray-includes povray-examples openimageio-tools
 	@$(MAKE) --no-print-directory $(BUILD)/tests/tools/compare
 	@GLIM=$(abspath $(BUILD)/glim) tests/conformance/run
 
@@ -132,7 +151,7 @@ bench: all ## what light costs, and how right it is, as ratios (BENCH=quick)
 	@GLIM=$(abspath $(BUILD)/glim) tests/bench/run
 
 reference: all $(BUILD)/tests/tools/figures ## path against POV-Ray's radiosity and Embree's path tracer
-	@tests/tools/deps povray openimageio-tools embree-tools
+	@$(DEPS) povray openimageio-tools embree-tools
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/reference/run
 
 # The scenes that are too large to be kept; the others are in examples/light.
@@ -147,8 +166,8 @@ hostile: all ## 700 inputs that mean harm: an error or a picture, soon
 
 FUZZ_SECONDS ?= 600
 fuzz: ## the parser under libFuzzer for FUZZ_SECONDS (600)
-	@tests/tools/deps clang $(PACKAGES)
-	@$(MAKE) --no-print-directory -j2 MODE=fuzz CC=clang CXX=clang++ \
+	@$(DEPS) clang $(PACKAGES)
+	@$(MAKE) --no-print-directory $(CORES) MODE=fuzz CC=clang CXX=clang++ \
 		BUILD=build/fuzz build/fuzz/fuzz-parser
 	tests/fuzz/run build/fuzz/fuzz-parser $(FUZZ_SECONDS)
 
@@ -162,16 +181,14 @@ lint: ## layers, grammar, format, man pages
 	@mandoc -Tlint -Wwarning man/*.[15]
 
 format: ## rewrite the sources in the project's style
-	clang-format -i --style=file:src/.clang-format $(C_SOURCES) \
-		$(CXX_SOURCES) $(shell find src tests -name '*.h') \
-		$(shell find tests -name '*.c')
+	@tests/tools/check-format -i
 
 install: all ## into DESTDIR PREFIX
 	install -D -m 755 $(BUILD)/glim $(DESTDIR)$(PREFIX)/bin/glim
 	install -D -m 755 $(BUILD)/glim-compare \
 		$(DESTDIR)$(PREFIX)/bin/glim-compare
-	install -D -m 644 $(MODULE) \
-		$(DESTDIR)$(PREFIX)/lib/glim/glim-image.so
+	$(if $(MODULE),install -D -m 644 $(MODULE) \
+		$(DESTDIR)$(PREFIX)/lib/glim/glim-image.so)
 	install -D -m 644 man/glim.1 $(DESTDIR)$(PREFIX)/share/man/man1/glim.1
 	install -D -m 644 man/glim-compare.1 \
 		$(DESTDIR)$(PREFIX)/share/man/man1/glim-compare.1

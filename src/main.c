@@ -192,9 +192,6 @@ static bool frame_make(struct work *work, const struct parse_options *parse,
     struct stats stats = stats_start();
     struct scene *scene =
         parse_scene(work->source, parse, sources, &work->diag);
-    if (scene)
-        light_said_apply(&options->light_said, &options->light,
-                         &scene->settings);
     bool good = scene && names_good(&scene->settings, &work->diag);
     if (!good || options->action == ACTION_CHECK) {
         scene_free(scene);
@@ -216,6 +213,8 @@ static enum status frame_run(struct work *work, int number)
     struct parse_options parse = options->parse;
     frames_tell(&options->frames, number, &parse);
     parse.stop = work->stop;
+    parse.light_said = &options->light_said;
+    parse.light = &options->light;
     const char *name =
         frames_name(&options->frames, number, options->output, arena);
     bool done =

@@ -12,6 +12,7 @@ global_settings {
   #if (Radiosity)
     radiosity { count 400 error_bound 0.5 recursion_limit 4 }
   #end
+  #ifdef (Glim) light_mesh { sky on } #end
 }
 #default { finish { ambient 0 diffuse Albedo } }
 

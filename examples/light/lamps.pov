@@ -4,7 +4,10 @@
 //   Declare=Lamps=10000    how many; the light of all together stays the same
 #version 3.7;
 #ifndef (Lamps) #declare Lamps = 10000; #end
-global_settings { assumed_gamma 1 }
+global_settings {
+  assumed_gamma 1
+  #ifdef (Glim) light_mesh { sky on } #end
+}
 #default { finish { ambient 0 diffuse 0.8 } }
 
 camera {

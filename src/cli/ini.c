@@ -282,9 +282,21 @@ static bool ini_missing(struct option_reader *reader, const char *name,
                            "the library path",
                            name);
     const char *meant = option_meant(reader->arena, name);
-    double number;
+    double number, height;
+    size_t across = strcspn(name, "x");
+    if (name[across] == 'x' && option_number(name + across + 1, &height) &&
+        option_number(arena_copy_text(reader->arena, name, across), &number))
+        return reader->diag->errors > 0 ||
+               option_fail(reader, &plain,
+                           "'%s' is no option like this: type +W%.*s +H%s",
+                           name, (int)across, name, name + across + 1);
     if (reader->diag->errors > 0 && option_number(name, &number))
         return false; /* a value of what was reported */
+    if (option_number(name, &number))
+        return option_fail(reader, &plain,
+                           "'%s' alone means nothing: the value of an option "
+                           "stands right behind it, as in +W320",
+                           name);
     if (meant)
         return option_fail(reader, &plain,
                            "'%s' is no option like this: type %s", name, meant);

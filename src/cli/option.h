@@ -31,6 +31,7 @@ struct option_reader {
         struct parse_declare *items;
         size_t count, capacity;
     } declares;
+    bool took_next;     /* that argument belonged to what was reported */
     const char *output; /* as +O says */
     const char *scene;  /* named on the command line, or NULL */
     /* Settings of the command line that not every lighting uses. */
@@ -48,6 +49,7 @@ struct setting {
     bool by_key;
     struct span span;       /* all of it; nowhere on the command line */
     struct span value_span; /* the value alone */
+    const char *next;       /* the argument after it, or NULL */
 };
 
 struct option;
@@ -99,6 +101,10 @@ option_warn(struct option_reader *reader, const struct setting *setting,
  * returns false. */
 bool option_unknown(struct option_reader *reader, const struct setting *setting,
                     const char *name);
+
+/* Reports that there is no such scene, with the name that may be meant;
+ * returns false. */
+bool option_scene_missing(struct option_reader *reader, const char *name);
 
 /* The option that a bare word may have been meant as: "Width", "H10"; in the
  * arena, or NULL. */

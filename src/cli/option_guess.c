@@ -1,6 +1,9 @@
 /* What was meant by what is no option: for the words of errors. */
 #include "cli/option.h"
 
+#include <dirent.h>
+#include <sys/stat.h>
+
 #include "base/text.h"
 
 /* Keys are written with '_', words with '-': --output-alpha is near to
@@ -53,6 +56,69 @@ static const char *guess_spelling(struct arena *arena, const char *name,
     return option_spelling(option, by_word, arena);
 }
 
+/* What other programs call it. */
+static const char *guess_synonym(const char *name)
+{
+    static const struct {
+        const char *name, *meant;
+    } synonyms[] = {
+        { "output", "+Oname" },
+        { "out", "+Oname" },
+        { "input", "+Iscene.pov" },
+        { "size", "+W320 +H240" },
+        { "s", "+W320 +H240" },
+        { "resolution", "+W320 +H240" },
+        { "frames", "+KFF10" },
+        { "jobs", "--threads 4" },
+        { "t", "--threads 4" },
+        { "n", "--threads 4" },
+        { "antialias", "+A0.3" },
+        { "antialiasing", "+A0.3" },
+        { "aa", "+A0.3" },
+        { "include", "+Ldirectory" },
+        { "format", "+FN" },
+        { "method", "--lighting rays" },
+        { "define", "Declare=Name=1" },
+    };
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
+        if (text_equal_nocase(name, synonyms[i].name))
+            return synonyms[i].meant;
+    return NULL;
+}
+
+bool option_scene_missing(struct option_reader *reader, const char *name)
+{
+    struct stat status;
+    const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
+    int folder = (int)(last - name);
+    struct text_nearest nearest = text_nearest_start(last);
+    if (stat(name, &status) == 0) {
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "'%s' is a directory, not a scene", name);
+        return false;
+    }
+    DIR *directory = opendir(
+        folder ? arena_printf(reader->arena, "%.*s", folder, name) : ".");
+    struct dirent *entry;
+    while (directory && (entry = readdir(directory)) != NULL) {
+        size_t length = strlen(entry->d_name);
+        if (length > 4 && text_equal_nocase(entry->d_name + length - 4, ".pov"))
+            text_nearest_try(&nearest,
+                             arena_printf(reader->arena, "%s", entry->d_name));
+    }
+    if (directory)
+        closedir(directory);
+    const char *hint =
+        nearest.best ? arena_printf(reader->arena, "did you mean '%.*s%s'?",
+                                    folder, name, nearest.best)
+                     : NULL;
+    diag_print(
+        reader->diag, DIAG_ERROR, span_none(), hint,
+        "there is no scene '%s', neither here nor along the library path",
+        name);
+    return false;
+}
+
 bool option_unknown(struct option_reader *reader, const struct setting *setting,
                     const char *name)
 {
@@ -64,14 +130,19 @@ bool option_unknown(struct option_reader *reader, const struct setting *setting,
     const char *hint = guess_spelling(arena, plain, rest, word);
     const struct option *letters =
         start == 1 ? option_find_letters(name + 1) : NULL;
-    if (hint && !setting->span.source)
+    const char *synonym = guess_synonym(plain);
+    if (synonym && !setting->span.source) {
+        hint = arena_printf(arena, "type %s", synonym);
+        reader->took_next = setting->next && !strpbrk(setting->next, "+-=./");
+    } else if (hint && !setting->span.source) {
         hint = arena_printf(arena, "did you mean '%s'?", hint);
-    else if (!hint && letters && letters->argument)
+    } else if (!hint && letters && letters->argument) {
         hint = arena_printf(arena,
                             "+%s wants a number; glim --help lists the options",
                             letters->letters);
-    else if (!hint && !setting->span.source)
+    } else if (!hint && !setting->span.source) {
         hint = "glim --help lists the options";
+    }
     diag_print(reader->diag, DIAG_ERROR, setting->span, hint,
                "unknown option '%s'", name);
     return false;

@@ -46,6 +46,13 @@ bool option_wants(struct option_reader *reader, const struct option *option,
 {
     if (setting->value && *setting->value)
         return true;
+    const char *next = setting->next;
+    bool scene = next && text_equal_nocase(next + strcspn(next, "."), ".pov");
+    if (next && *next && !strchr("+-", *next) &&
+        (!scene || strstr(example, ".pov"))) {
+        reader->took_next = true;
+        example = next;
+    }
     return option_fail(reader, setting, "%s needs a value: type %s%s",
                        option->key ? option->key : option->word,
                        option_typed(reader, option, setting), example);
@@ -60,8 +67,18 @@ bool option_read_number(struct option_reader *reader,
     if (option_number(setting->value, number))
         return true;
     if (!setting->by_key && !isdigit((unsigned char)*setting->value) &&
-        !strchr("+-.", *setting->value))
+        !strchr("+-.=", *setting->value))
         return option_unknown(reader, setting, setting->shown);
+    if (*setting->value == '=' && option_number(setting->value + 1, number))
+        return option_fail(reader, setting, "no '=' stands here: type +%s%s",
+                           option->letters, setting->value + 1);
+    size_t first = strspn(setting->value, "0123456789.");
+    if (!setting->by_key && first && strchr("+- ", setting->value[first]))
+        return option_fail(reader, setting,
+                           "options are apart from each other: type +%s%.*s %s",
+                           option->letters, (int)first, setting->value,
+                           setting->value + first +
+                               (setting->value[first] == ' '));
     return option_fail(reader, setting, "%s wants a number, not '%s'%s",
                        option->key, setting->value,
                        setting->span.source && strchr(setting->value, '=')
@@ -390,9 +407,13 @@ bool set_lighting(struct option_reader *reader, const struct option *option,
     struct text_nearest nearest = text_nearest_start(setting->value);
     for (size_t i = 0; integrator_lighting_at(i); i++)
         text_nearest_try(&nearest, integrator_lighting_at(i)->name);
-    return option_fail(
-        reader, setting, "there is no lighting '%s': type %s", setting->value,
-        nearest.best ? nearest.best : integrator_lighting_at(0)->name);
+    const char *all = integrator_lighting_at(0)->name;
+    for (size_t i = 1; !nearest.best && integrator_lighting_at(i); i++)
+        all = arena_printf(reader->arena, "%s%s%s", all,
+                           integrator_lighting_at(i + 1) ? ", " : " or ",
+                           integrator_lighting_at(i)->name);
+    return option_fail(reader, setting, "there is no lighting '%s': type %s",
+                       setting->value, nearest.best ? nearest.best : all);
 }
 
 bool set_action(struct option_reader *reader, const struct option *option,

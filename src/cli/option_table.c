@@ -78,8 +78,9 @@ static const struct option table[] = {
                "write a picture (on); for the types see --list formats; a "
                "number gives the bits, g makes it grey: +FN16g"),
     VALUE(NULL, "Output_File_Type", set_file_type, "type", "as in +F (N)"),
-    INTEGER(NULL, "Bits_Per_Color", bits, 1, 16,
-            "of PNG and PPM files (8; grey PNG 16)"),
+    INTEGER(NULL, "Bits_Per_Color", bits, 1, 32,
+            "of PNG and PPM files, up to 16 (8; grey PNG 16); 32 makes OpenEXR "
+            "files of floats, not halves"),
     SWITCH(NULL, "Grayscale_Output", grey,
            "one channel, 0.297 red + 0.589 green + 0.114 blue (off)"),
     INTEGER(NULL, "Compression", compression, 0, 100,
@@ -177,6 +178,8 @@ static const struct option table[] = {
           "n", "new points where neighbours differ by more (0.2)"),
     LIGHT("Mesh_Levels", "mesh-levels", light_mesh_fields, "levels", "n",
           "how often the distance of points is halved for that (2)"),
+    LIGHT("Mesh_Sky", "mesh-sky", light_mesh_fields, "sky", "bool",
+          "sky and background light the scene, in place of ambient (off)"),
     LIGHT("Mesh_Indirect", "mesh-indirect", light_option_fields, "indirect",
           "bool", "light from surface to surface (on)"),
     LIGHT("Mesh_Samples", "mesh-samples", indirect_fields, "samples", "n",

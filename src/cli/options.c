@@ -166,8 +166,8 @@ static bool options_read_arguments(struct option_reader *reader, int argc,
 {
     bool good = true, ended = false;
     for (int i = 1; i < argc; i++) {
-        struct setting token = { .shown = argv[i] };
         const char *next = i + 1 < argc ? argv[i + 1] : NULL;
+        struct setting token = { .shown = argv[i], .next = next };
         if (ended) { /* after --: a scene, whatever its name */
             reader->options->input = argv[i];
             continue;
@@ -181,7 +181,8 @@ static bool options_read_arguments(struct option_reader *reader, int argc,
             i++;
         }
         bool known = option_read(reader, &token);
-        i += !known && option_wastes_next(argv[i], next);
+        i += !known && (reader->took_next || option_wastes_next(argv[i], next));
+        reader->took_next = false;
         good = known && good;
     }
     return good;
@@ -226,14 +227,7 @@ static bool options_find_input(struct option_reader *reader)
     options->path = option_search(reader, options->input, extensions);
     if (options->path)
         return true;
-    struct stat status;
-    bool directory = stat(options->input, &status) == 0;
-    diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
-               directory ? "'%s' is a directory, not a scene"
-                         : "there is no scene '%s', neither here nor along "
-                           "the library path",
-               options->input);
-    return false;
+    return option_scene_missing(reader, options->input);
 }
 
 /* A table of light goes to standard output, or where +O says. */
@@ -313,6 +307,29 @@ static bool options_range(struct option_reader *reader, const char *what,
     return false;
 }
 
+/* Whether there are such files, and glim's half that writes them. */
+static bool options_check_file_type(struct option_reader *reader)
+{
+    const struct options *options = reader->options;
+    struct image_format format = options_format(options);
+    bool exr = options->file_type == 'E';
+    char why[512];
+    if (options->bits <= 16 || (exr && options->bits == 32)) {
+        if (!options->to_file || image_can_write(&format, why, sizeof why))
+            return true;
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "can't write %s files: %s",
+                   output_type_find(options->file_type)->format, why);
+        return false;
+    }
+    diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+               exr ? "OpenEXR files have 16 or 32 bits, not %d: type +FE32"
+                   : "%d bits are too many: PNG and PPM files have 1 to 16; "
+                     "floats are written by +FE32",
+               options->bits);
+    return false;
+}
+
 static bool options_resolve_picture(struct option_reader *reader)
 {
     struct options *options = reader->options;
@@ -329,6 +346,8 @@ static bool options_resolve_picture(struct option_reader *reader)
         !options_range(reader, "Row", options->rows, render->height,
                        &render->row_start, &render->row_end))
         return false;
+    if (!options_check_file_type(reader))
+        return false;
     bool target = render->target_error > 0 || render->target_time > 0;
     render->samples = options->samples ? options->samples : target ? 65536 : 64;
     if (!options->jitter)
@@ -344,9 +363,11 @@ static void options_add_standard_library(struct option_reader *reader)
         OPTION_POVRAY_FOLDER "/include",
         OPTION_POVRAY_FOLDER,
         OPTION_POVRAY_FOLDER "/ini",
+        NULL,
     };
-    for (size_t i = 0; i < sizeof standard / sizeof *standard; i++)
-        option_add_library(reader, standard[i]);
+    for (const char *const *path = standard; *path; path++)
+        option_add_library(reader, *path);
+    reader->options->parse.standard_paths = standard;
 }
 
 static void options_resolve_scene(struct option_reader *reader)

@@ -5,7 +5,8 @@
 
 static const struct output_type types[] = {
     { 'N', ".png", "png", "PNG, 1 to 16 bits" },
-    { 'E', ".exr", "openexr", "OpenEXR, half floats, linear light" },
+    { 'E', ".exr", "openexr",
+      "OpenEXR, linear light; half floats, +FE32 floats" },
     { 'H', ".hdr", "hdr", "Radiance HDR, linear light" },
     { 'J', ".jpg", "jpeg", "JPEG; Compression is its quality" },
     { 'P', ".ppm", "pnm", "PPM, 1 to 16 bits; PGM when grey" },

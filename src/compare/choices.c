@@ -223,6 +223,11 @@ static bool choices_take_scene(struct choices_reader *reader, size_t scene)
         else if (choices_is_scene(word))
             return choices_fail(reader, "one scene at a time: '%s' and '%s'",
                                 choices->names[0], word);
+        else if (!strchr("+-", *word) && !strchr(word, '='))
+            return choices_fail(reader,
+                                "'%s' is no scene and no option of a renderer: "
+                                "a scene or two pictures are compared",
+                                word);
         else {
             *ARRAY_PUSH(reader->arena, &choices->povray) = word;
             *ARRAY_PUSH(reader->arena, &choices->glim) = word;
@@ -301,6 +306,8 @@ bool choices_parse(struct choices *choices, int argc, char **argv,
         used = 1;
         if (names_only == SIZE_MAX && strcmp(argv[i], "--") == 0)
             names_only = reader.plain.count;
+        else if (strcmp(argv[i], "-h") == 0 || strcmp(argv[i], "-?") == 0)
+            choices->help = true;
         else if (names_only == SIZE_MAX && strncmp(argv[i], "--", 2) == 0) {
             if (!choices_read_word(&reader, argv[i], argv[i + 1], &used))
                 return false;

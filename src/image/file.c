@@ -13,6 +13,8 @@
 #include "base/memory.h"
 #include "base/save.h"
 #include "image/codec.h"
+#include "image/exr.h"
+#include "image/kind.h"
 #include "image/png.h"
 
 #define MODULE "glim-image.so"
@@ -21,11 +23,14 @@
  * where `make install` puts it, and above the unit tests. */
 static const char *const places[] = { "/", "/../lib/glim/", "/../../" };
 
-/* The module, loaded, or NULL. It stays loaded; dlopen counts, and is quick
- * the second time. */
-static void *file_module(void)
+#define NO_MODULE                                                              \
+    "files other than PNG and EXR need glim's module glim-image.so, which "    \
+    "'make' builds with OpenImageIO and which belongs in ../lib/glim seen "    \
+    "from the program (%s)"
+
+/* Whether it is there; its name, of PATH_MAX + 64 characters at most. */
+static bool file_find_module(char *name)
 {
-    char name[PATH_MAX + 64];
     ssize_t length = readlink("/proc/self/exe", name, PATH_MAX);
     if (length < 0)
         length = 0;
@@ -36,8 +41,17 @@ static void *file_module(void)
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         sprintf(end, "%s" MODULE, places[i]);
         if (access(name, R_OK) == 0)
-            break;
+            return true;
     }
+    return false;
+}
+
+/* The module, loaded, or NULL. It stays loaded; dlopen counts, and is quick
+ * the second time. */
+static void *file_module(void)
+{
+    char name[PATH_MAX + 64];
+    file_find_module(name);
     return dlopen(name, RTLD_LAZY | RTLD_LOCAL);
 }
 
@@ -47,22 +61,33 @@ static void *file_codec(const char *name, char *error, size_t size)
     void *module = file_module();
     void *function = module ? dlsym(module, name) : NULL;
     if (!function)
-        snprintf(error, size,
-                 "can't load glim's module for image files, which belongs in "
-                 "../lib/glim seen from the program (%s)",
-                 dlerror());
+        snprintf(error, size, NO_MODULE, dlerror());
     return function;
 }
 
-static bool file_is_png(const struct image_format *format)
+/* What writes such files, if it isn't the module. */
+static codec_encode_function *
+file_own_encoder(const struct image_format *format)
 {
-    return strcmp(format->type, "png") == 0;
+    return strcmp(format->type, "png") == 0       ? png_encode
+           : strcmp(format->type, "openexr") == 0 ? exr_encode
+                                                  : NULL;
 }
 
 void image_prepare(void *format)
 {
-    if (!file_is_png(format))
+    if (!file_own_encoder(format))
         file_module();
+}
+
+bool image_can_write(const struct image_format *format, char *error,
+                     size_t size)
+{
+    char name[PATH_MAX + 64];
+    if (file_own_encoder(format) || file_find_module(name))
+        return true;
+    snprintf(error, size, NO_MODULE, "it is not there");
+    return false;
 }
 
 static bool file_size_allowed(int width, int height, char *error, size_t size)
@@ -115,20 +140,28 @@ static void file_tidy(char *error, size_t size)
         *end = end[1] ? ';' : '\0';
 }
 
-/* Whether it begins as a PNG, and whether it ends as one. */
-static bool file_begins_as_png(const char *path, bool *whole)
+/* OIIO's name of what it holds, or NULL with the reason. */
+static const char *file_kind(const char *path, char *error, size_t size)
 {
-    static const char head[8] = "\x89PNG\r\n\x1a\n";
     static const char tail[8] = "IEND\xae\x42\x60\x82";
-    char first[8] = "", last[8] = "";
+    unsigned char first[KIND_BYTES];
+    char last[8] = "";
     FILE *file = fopen(path, "rb");
-    if (!file)
-        return false;
-    bool begins = fread(first, 1, 8, file) == 8 && memcmp(first, head, 8) == 0;
-    *whole = fseek(file, -8, SEEK_END) == 0 && fread(last, 1, 8, file) == 8 &&
-             memcmp(last, tail, 8) == 0;
+    if (!file) {
+        snprintf(error, size, "%s", strerror(errno));
+        return NULL;
+    }
+    const char *kind = kind_of_bytes(first, fread(first, 1, KIND_BYTES, file));
+    bool whole = fseek(file, -8, SEEK_END) == 0 &&
+                 fread(last, 1, 8, file) == 8 && memcmp(last, tail, 8) == 0;
     fclose(file);
-    return begins;
+    if (kind && strcmp(kind, "png") == 0 && !whole) {
+        snprintf(error, size, "it is cut short");
+        return NULL;
+    }
+    if (!kind)
+        snprintf(error, size, "it is no picture that glim reads: " KIND_NAMES);
+    return kind;
 }
 
 static bool file_decode(const char *path, struct codec_target *target,
@@ -136,15 +169,13 @@ static bool file_decode(const char *path, struct codec_target *target,
 {
     if (!file_readable(path, error, size))
         return false;
-    bool whole, png = file_begins_as_png(path, &whole);
-    if (png && !whole) {
-        snprintf(error, size, "it is cut short");
+    target->type = file_kind(path, error, size);
+    if (!target->type)
         return false;
-    }
-    codec_decode_function *decode = png_decode;
-    if (!png)
-        *(void **)&decode = file_codec("codec_decode", error, size);
     *error = '\0';
+    codec_decode_function *decode = png_decode;
+    if (strcmp(target->type, "png") != 0)
+        *(void **)&decode = file_codec("codec_decode", error, size);
     return decode && decode(path, target, error, size);
 }
 
@@ -249,8 +280,8 @@ bool image_probe(const char *path, int *width, int *height, char *error,
 static codec_encode_function *file_encoder(const struct image_format *format,
                                            char *error, size_t size)
 {
-    codec_encode_function *encode = png_encode;
-    if (!file_is_png(format))
+    codec_encode_function *encode = file_own_encoder(format);
+    if (!encode)
         *(void **)&encode = file_codec("codec_encode", error, size);
     return encode;
 }

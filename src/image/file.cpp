@@ -1,5 +1,6 @@
-// Image formats through OpenImageIO 2.4: the only C++ and the only user of
-// that library. Built as a module of its own, see codec.h.
+// Image formats through OpenImageIO, 2.2 to 3: the only C++ and the only user
+// of that library. Built as a module of its own, see codec.h. PNG and what is
+// written as OpenEXR never come here.
 #include "image/codec.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -45,9 +46,8 @@ static float codec_level(float value, int bits, float top)
 struct row_writer {
     const struct image *image;
     int channels; // 1 Y, 2 YA, 3 RGB, 4 RGBA
-    int bits;     // 0: float
+    int bits;     // of integers, up to 16; 0: float
     std::vector<float> floats;
-    std::vector<unsigned short> shorts;
     std::vector<unsigned char> bytes;
 
     // Where channel c of the file is in an RGBA pixel.
@@ -78,10 +78,6 @@ struct row_writer {
         fetch(y);
         if (bits == 0)
             return output.write_scanline(y, 0, TypeFloat, floats.data());
-        if (bits > 8) {
-            shorts.assign(floats.begin(), floats.end());
-            return output.write_scanline(y, 0, TypeUInt16, shorts.data());
-        }
         bytes.assign(floats.begin(), floats.end());
         return output.write_scanline(y, 0, TypeUInt8, bytes.data());
     }
@@ -92,29 +88,16 @@ static bool codec_is(const struct image_format *format, const char *type)
     return std::strcmp(format->type, type) == 0;
 }
 
-static bool codec_has_depth(const struct image_format *format)
-{
-    return codec_is(format, "png") || codec_is(format, "pnm");
-}
-
 static ImageSpec codec_spec(const struct image *image, int channels,
                             const struct image_format *format)
 {
-    bool exr = codec_is(format, "openexr"), hdr = codec_is(format, "hdr");
-    TypeDesc type = exr                                           ? TypeHalf
-                    : hdr                                         ? TypeFloat
-                    : format->bits > 8 && codec_has_depth(format) ? TypeUInt16
-                                                                  : TypeUInt8;
-    ImageSpec spec(image->width, image->height, channels, type);
+    ImageSpec spec(image->width, image->height, channels,
+                   codec_is(format, "hdr") ? TypeFloat : TypeUInt8);
     if (channels == 2) {
         spec.channelnames = { "Y", "A" };
         spec.alpha_channel = 1;
     }
     spec.attribute("Software", "glim " GLIM_VERSION);
-    if (exr) {
-        spec.attribute("compression", "zip");
-        return spec;
-    }
     if (codec_is(format, "jpeg")) {
         spec.attribute("Compression",
                        "jpeg:" + std::to_string(format->quality));
@@ -170,9 +153,10 @@ static bool codec_encode_checked(const struct image *image,
     row_writer rows;
     rows.image = image;
     rows.channels = (grey ? 1 : 3) + (alpha ? 1 : 0);
-    bool floats = codec_is(format, "openexr") || codec_is(format, "hdr");
-    rows.bits = floats ? 0 : codec_has_depth(format) ? format->bits : 8;
-    if (rows.bits > 8 && codec_is(format, "pnm"))
+    rows.bits = codec_is(format, "hdr")   ? 0
+                : codec_is(format, "pnm") ? format->bits
+                                          : 8;
+    if (rows.bits > 8)
         return codec_encode_deep_pnm(rows, sink, error, size);
     Filesystem::IOVecOutput memory;
     output->set_ioproxy(&memory);
@@ -264,10 +248,12 @@ static bool codec_decode_checked(const char *path, struct codec_target *target,
     ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);
     wish.attribute("oiio:missingcolor", "");
-    auto input = ImageInput::open(path, &wish);
+    auto input = ImageInput::create(target->type);
     if (!input)
         return codec_fail(error, size, OIIO::geterror());
-    const ImageSpec &spec = input->spec();
+    ImageSpec spec;
+    if (!input->open(path, spec, wish))
+        return codec_fail(error, size, input->geterror());
     if (spec.depth > 1 || spec.deep)
         return codec_fail(error, size, "it is not a flat picture");
     int channels = spec.nchannels < 4 ? spec.nchannels : 4;
@@ -309,6 +295,8 @@ extern "C" bool codec_encode(const struct image *image,
         return codec_encode_checked(image, format, sink, error, size);
     } catch (const std::exception &e) {
         return codec_fail(error, size, e.what());
+    } catch (...) {
+        return codec_fail(error, size, "");
     }
 }
 
@@ -319,5 +307,7 @@ extern "C" bool codec_decode(const char *path, struct codec_target *target,
         return codec_decode_checked(path, target, error, size);
     } catch (const std::exception &e) {
         return codec_fail(error, size, e.what());
+    } catch (...) {
+        return codec_fail(error, size, "");
     }
 }

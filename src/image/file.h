@@ -9,15 +9,16 @@
 struct image_format {
     const char *type; /* OIIO format name: "png", "openexr", "hdr", "jpeg",
                        * "targa", "bmp", "pnm" */
-    int bits;         /* per channel, 1..16; ignored by float formats */
+    int bits;         /* per channel, 1..16; of "openexr" more: floats; not
+                       * heeded by the others */
     bool grey, alpha;
     bool packed;  /* run-length coded, for "targa" */
     int quality;  /* JPEG, 1..100 */
     double gamma; /* written as gAMA: 0 for sRGB */
 };
 
-/* Reads any image OIIO knows; on failure returns NULL and puts the reason
- * into error[size]. 8- and 16-bit numbers become 0..1, not decoded. */
+/* Reads an image of the kinds of kind.h; on failure returns NULL and puts the
+ * reason into error[size]. 8- and 16-bit numbers become 0..1, not decoded. */
 struct image *image_read(const char *path, char *error, size_t size);
 
 /* The same, but of a PNG with a palette the numbers, not the colours. */
@@ -49,9 +50,14 @@ bool image_probe(const char *path, int *width, int *height, char *error,
 bool image_write(const struct image *image, const char *path,
                  const struct image_format *format, char *error, size_t size);
 
+/* Whether this installation of glim writes pictures of this format; if not,
+ * the reason is in error[size]. Quick. */
+bool image_can_write(const struct image_format *format, char *error,
+                     size_t size);
+
 /* Makes ready for writing a picture of this format, a struct image_format:
- * loads OpenImageIO, which takes 0.2 s, unless it is "png". May run on a
- * thread of its own beside anything. */
+ * loads OpenImageIO, which takes 0.3 s, if it is needed. May run on a thread of
+ * its own beside anything. */
 void image_prepare(void *format);
 
 #endif

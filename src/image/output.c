@@ -6,8 +6,9 @@
 
 enum { TABLE_WORTH = 30000 }; /* pixels; a table costs 10,000 powers */
 
-/* The largest half; floats beyond it would become infinite in an EXR. */
-static const double largest = 65504;
+/* The largest half and, nearly, the largest float: what is beyond would become
+ * infinite in the file. */
+static const double largest_half = 65504, largest_float = 1e38;
 
 static double output_clamp(double value, double low, double high)
 {
@@ -47,6 +48,7 @@ static void output_pixel(float *pixel, const struct conversion *conversion)
     /* POV-Ray undoes the premultiplication in the working space, yet decodes
      * premultiplied numbers for float files. */
     bool straight = space->alpha && !space->linear_file && alpha > 0;
+    double most = space->half ? largest_half : largest_float;
     for (int i = 0; straight && i < 3; i++)
         c[i] /= alpha;
     for (int i = 0; gamma != 1 && i < 3; i++)
@@ -55,8 +57,7 @@ static void output_pixel(float *pixel, const struct conversion *conversion)
         output_grey(c);
     for (int i = 0; i < 3; i++) {
         if (space->linear_file)
-            c[i] =
-                output_clamp(c[i], space->no_negative ? 0 : -largest, largest);
+            c[i] = output_clamp(c[i], space->no_negative ? 0 : -most, most);
         else
             c[i] = output_number(output_clamp(c[i], 0, 1), conversion);
         pixel[i] = (float)c[i];

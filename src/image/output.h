@@ -12,6 +12,7 @@ struct output_space {
     bool keep_numbers;
     bool linear_file;  /* float formats: linear light, premultiplied */
     bool no_negative;  /* of those, Radiance's */
+    bool half;         /* of those, half floats: none beyond 65504 */
     double file_gamma; /* of the others; 0: sRGB */
     bool alpha;        /* the file has opacity; else the picture is on black */
     bool grey;         /* all three channels become the luminance */

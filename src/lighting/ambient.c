@@ -3,25 +3,18 @@
 
 #include "lighting/finishes.h"
 
-/* Most ambient light stands for that of other surfaces, which the method finds
- * by itself. More than finishes have anyway, and than they would scatter in
- * surroundings half as bright as white: then the surface is to glow. */
 static bool ambient_glows(const struct finish *finish,
                           const struct settings *settings)
 {
-    double ambient =
-        rgb_peak(rgb_mul(finish->ambient, settings->ambient_light));
-    return ambient > rgb_peak(finish_default().ambient) &&
-           ambient > 0.5 * finish->diffuse;
+    return finish_is_to_glow(finish, settings->ambient_light);
 }
 
-void ambient_dropped(const struct scene *scene, const char *method,
-                     struct diag *diag)
+void ambient_dropped(const struct scene *scene, struct diag *diag)
 {
     const struct object *found = finishes_find(scene, ambient_glows);
     if (found)
-        diag_print(diag, DIAG_WARNING, found->span, NULL,
-                   "'--lighting %s' has no ambient light: for surfaces that "
-                   "glow, write 'emission' in place of 'ambient'",
-                   method);
+        diag_print(diag, DIAG_WARNING, found->span,
+                   "finish { emission 1 ambient 0 }",
+                   "there is no ambient light where sky and background light "
+                   "the scene; to make this glow write 'emission'");
 }

@@ -1,9 +1,11 @@
 /* Light meshes (Debelov and Sevastyanov 2002): lamps are asked from mesh
- * points, which surfaces then share. There is no ambient term. */
+ * points, which surfaces then share. `ambient` stands for what comes in from
+ * outside (shade/ambience.h). */
 #include "base/memory.h"
 #include "lighting/ambient.h"
 #include "lighting/lamplight.h"
 #include "lighting/mesh_close.h"
+#include "lighting/mesh_diffuse.h"
 #include "lighting/mesh_few.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_pixels.h"
@@ -20,6 +22,7 @@
 
 struct mesh_lighting {
     struct lamps lamps;
+    struct ambience ambience;
     struct direct_mesh *direct;
     struct plan plan;
     struct emitters *emitters;      /* with indirect light */
@@ -99,8 +102,9 @@ static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     }
     if (mesh->plan.indirect.bounces > 0 && mesh->direct) {
         mesh->emitters = emitters_new(mesh->lamps.world);
-        mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
-                                           &mesh->plan.indirect);
+        mesh->indirect =
+            indirect_mesh_new(mesh->direct, mesh->emitters, &mesh->ambience,
+                              &mesh->plan.indirect);
         mesh->near_indirect = *mesh->indirect;
         mesh->near_indirect.points.lattice.eye = scene->camera.location;
     }
@@ -128,8 +132,9 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     struct mesh_lighting *before = options->before;
     struct outlook outlook = outlook_of(world, scene, options->width);
     struct mesh_known known;
-    if (options->attempt == 0)
-        ambient_dropped(scene, "mesh", diag);
+    mesh->ambience = ambience_new(world, scene);
+    if (options->attempt == 0 && mesh->ambience.sky)
+        ambient_dropped(scene, diag);
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     if (options->keep || said->load_file)
         mesh->stamp =
@@ -269,30 +274,13 @@ static rgb mesh_many(const struct mesh_lighting *mesh,
     return light;
 }
 
-/* Indirect light on the first layer. */
-static rgb mesh_indirect(const struct mesh_lighting *mesh,
-                         struct worker *worker, const struct surface *surface)
-{
-    const struct surface_layer *layer = &surface->layer[0];
-    if (layer->finish->diffuse == 0)
-        return rgb_grey(0);
-    struct indirect_place place = {
-        .place = surface->point,
-        .side = surface->side,
-        .normal = layer->normal,
-        .from = vec3_along(surface->point, surface->view, surface->at->t),
-        .worth = surface->weight * rgb_peak(surface_albedo(surface)),
-    };
-    return indirect_mesh_irradiance(&mesh->near_indirect, worker, &place);
-}
-
 static struct diffuse_light mesh_illuminate(const void *state,
                                             struct worker *worker,
                                             const struct surface *surface,
                                             light_visit *visit, void *context)
 {
     const struct mesh_lighting *mesh = state;
-    struct diffuse_light diffuse = { rgb_grey(0), rgb_grey(0) };
+    struct diffuse_light diffuse = { mesh->ambience.light, rgb_grey(0) };
     if (surface->count == 0)
         return diffuse;
     struct lamplight light = {
@@ -309,9 +297,12 @@ static struct diffuse_light mesh_illuminate(const void *state,
     else
         mesh_few_give(&mesh->near_direct, mesh->plan.lamps, &mesh->pixels,
                       &light);
-    if (mesh->indirect)
-        diffuse.irradiance =
-            rgb_add(diffuse.irradiance, mesh_indirect(mesh, worker, surface));
+    if (mesh->indirect) {
+        struct diffuse_light more = mesh_diffuse(
+            &mesh->near_indirect, &mesh->ambience, worker, surface);
+        diffuse.ambient = more.ambient;
+        diffuse.irradiance = rgb_add(diffuse.irradiance, more.irradiance);
+    }
     return diffuse;
 }
 

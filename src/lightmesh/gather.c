@@ -13,13 +13,37 @@ struct gathering {
     struct worker *worker;
     const struct draws *draws;
     struct ray ray;
-    rgb share; /* of what it meets next */
+    rgb share;    /* of what it meets next */
+    double *open; /* the sum of what leaves the scene */
     int mirrors;
     uint32_t met; /* surfaces */
 };
 
 static rgb gathering_follow(struct gathering *gathering,
                             struct intersection *first, rgb *glow);
+
+/* So much of what it met is open to ambient light. */
+static void gathering_opens(struct gathering *gathering, double open)
+{
+    double share = rgb_brightness(gathering->share);
+    if (!gathering->gather->ambience->sky)
+        *gathering->open += open * share;
+}
+
+/* Fog on the way over `distance`: it weakens what is behind, and is as much sky
+ * as it hides. */
+static void gathering_fog(struct gathering *gathering, double distance,
+                          rgb *light)
+{
+    const struct ambience *ambience = gathering->gather->ambience;
+    if (ambience->scene->fogs.count == 0)
+        return;
+    struct veil veil = fog_veil(ambience->scene, &gathering->ray, distance);
+    if (ambience->sky)
+        *light = rgb_add(*light, rgb_mul(gathering->share, veil.light));
+    gathering_opens(gathering, 1 - rgb_brightness(veil.through));
+    gathering->share = rgb_mul(gathering->share, veil.through);
+}
 
 static vec3 gathering_jitter(const struct gathering *gathering)
 {
@@ -70,28 +94,31 @@ static rgb gathering_direct(const struct gathering *gathering,
     return light;
 }
 
-static rgb gathering_irradiance(const struct gathering *gathering,
-                                const struct surface *surface, vec3 normal)
+/* All light on the surface. Where the skeleton ends the row of bounces it has
+ * the ambient light as well. */
+static struct indirect_share gathering_share(const struct gathering *gathering,
+                                             const struct surface *surface,
+                                             vec3 normal)
 {
     const struct gather *gather = gathering->gather;
     struct worker *worker = gathering->worker;
     vec3 place = surface->point, side = surface->side;
-    rgb light = gathering_direct(gathering, surface, normal), more;
+    rgb light = gathering_direct(gathering, surface, normal);
+    struct indirect_share more = { rgb_grey(0), 0 };
     if (gather->indirect &&
         indirect_mesh_nearest(gather->indirect, worker, place, side, normal,
-                              gathering_jitter(gathering), &more))
-        return rgb_add(light, more);
-    if (gather->close)
-        return rgb_add(light,
-                       gather->close(gather->close_context, worker, place,
-                                     normal, gathering->ray.origin));
-    if (gather->indirect)
-        return rgb_add(
-            light, indirect_mesh_irradiance(
-                       gather->indirect, worker,
-                       &(struct indirect_place){ place, side, normal,
-                                                 gathering->ray.origin, 1 }));
-    return light;
+                              gathering_jitter(gathering), &more)) {
+    } else if (gather->close) {
+        more.light = gather->close(gather->close_context, worker, place, normal,
+                                   gathering->ray.origin);
+    } else if (gather->indirect) {
+        more = indirect_mesh_light(
+            gather->indirect, worker,
+            &(struct indirect_place){ place, side, normal,
+                                      gathering->ray.origin, 1 });
+    }
+    more.light = rgb_add(more.light, light);
+    return more;
 }
 
 /* What counts little is looked at by few rays, for which it counts the more
@@ -115,8 +142,12 @@ static rgb gathering_shade(const struct gathering *gathering,
     double count = chance > 0 ? gathering_chance(gathering, chance, slot) : 0;
     if (count == 0)
         return light;
-    rgb arriving = gathering_irradiance(gathering, surface, surface->normal);
-    return rgb_add(light, rgb_mul(albedo, rgb_scale(arriving, count)));
+    struct indirect_share arriving =
+        gathering_share(gathering, surface, surface->normal);
+    rgb ambient = rgb_scale(gathering->gather->ambience->light, arriving.open);
+    rgb sent = rgb_add(rgb_mul(albedo, arriving.light),
+                       rgb_mul(surface_ambient(surface), ambient));
+    return rgb_add(light, rgb_scale(sent, count));
 }
 
 static rgb gathering_mirrors(const struct gathering *gathering,
@@ -177,6 +208,7 @@ static bool gathering_meet(struct gathering *gathering,
     gather_surface(gathering->gather, &gathering->ray, at, &surface);
     if (glow)
         *glow = rgb_mul(gathering->share, surface_glow(&surface));
+    gathering_opens(gathering, surface_sky(&surface));
     rgb sent = gathering_shade(gathering, &surface);
     sent = rgb_add(sent, gathering_mirrors(gathering, &surface));
     *light = rgb_add(*light, rgb_mul(gathering->share, sent));
@@ -184,6 +216,17 @@ static bool gathering_meet(struct gathering *gathering,
     gathering->ray.origin = surface.point;
     gathering->met++;
     return rgb_peak(gathering->share) >= gather_least;
+}
+
+/* The ray leaves the scene. */
+static rgb gathering_beyond(struct gathering *gathering)
+{
+    const struct ambience *ambience = gathering->gather->ambience;
+    gathering_opens(gathering, 1);
+    if (!ambience->sky)
+        return rgb_grey(0);
+    rgb sky = background_light(ambience->scene, gathering->ray.direction);
+    return rgb_mul(gathering->share, sky);
 }
 
 /* All light. What is met first into *first, and that one's own light into
@@ -197,11 +240,11 @@ static rgb gathering_follow(struct gathering *gathering,
     for (int i = 0; i < GATHER_PANES; i++) {
         double offset = surface_offset(gathering->ray.origin);
         gathering->worker->counters.shadow_rays++;
-        if (!world_closest(lamps->world, &gathering->ray, offset,
-                           RAY_REFLECTION, at)) {
-            rgb sky = background_light(lamps->scene, gathering->ray.direction);
-            return rgb_add(light, rgb_mul(gathering->share, sky));
-        }
+        bool met = world_closest(lamps->world, &gathering->ray, offset,
+                                 RAY_REFLECTION, at);
+        gathering_fog(gathering, met ? at->t : (double)INFINITY, &light);
+        if (!met)
+            return rgb_add(light, gathering_beyond(gathering));
         if (!gathering_meet(gathering, at, &light, i == 0 ? glow : NULL))
             break;
         at = &next;
@@ -209,21 +252,23 @@ static rgb gathering_follow(struct gathering *gathering,
     return light;
 }
 
-rgb gather_radiance(const struct gather *gather, struct worker *worker,
-                    const struct ray *ray, const struct draws *draws,
-                    struct intersection *at, rgb *glow)
+void gather_radiance(const struct gather *gather, struct worker *worker,
+                     const struct ray *ray, const struct draws *draws,
+                     struct gathered_ray *gathered)
 {
+    gathered->open = 0;
+    gathered->glow = rgb_grey(0);
+    gathered->at.leaf = NULL;
     struct gathering gathering = {
         .gather = gather,
         .worker = worker,
         .draws = draws,
         .ray = *ray,
         .share = rgb_grey(1),
+        .open = &gathered->open,
     };
-    at->leaf = NULL;
-    if (glow)
-        *glow = rgb_grey(0);
-    return gathering_follow(&gathering, at, glow);
+    gathered->light =
+        gathering_follow(&gathering, &gathered->at, &gathered->glow);
 }
 
 rgb gather_glow(const struct gather *gather, struct worker *worker,

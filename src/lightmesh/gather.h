@@ -7,6 +7,7 @@
 
 #include "base/draw.h"
 #include "lightmesh/direct.h"
+#include "shade/ambience.h"
 #include "shade/emitters.h"
 
 struct indirect_mesh;
@@ -24,6 +25,7 @@ struct gather {
     const struct direct_mesh *direct;
     const struct indirect_mesh *indirect; /* of one bounce less, or NULL */
     const struct emitters *emitters;
+    const struct ambience *ambience;
     gather_close *close;
     const void *close_context;
 };
@@ -47,12 +49,19 @@ enum gather_slot {
 void gather_surface(const struct gather *gather, const struct ray *ray,
                     const struct intersection *at, struct surface *surface);
 
-/* Radiance along the ray, sample `draws`, of which *glow is what its first
- * surface has of its own (glow may be NULL); *at is where (at->leaf NULL:
- * nowhere). Mirrors and panes are followed. */
-rgb gather_radiance(const struct gather *gather, struct worker *worker,
-                    const struct ray *ray, const struct draws *draws,
-                    struct intersection *at, rgb *glow);
+/* What comes along a ray. */
+struct gathered_ray {
+    rgb light;
+    double open;            /* to the ambient light outside, 0 to 1 */
+    rgb glow;               /* of the light, what its first surface has of its
+                             * own */
+    struct intersection at; /* where; at.leaf NULL: nowhere */
+};
+
+/* The ray is sample `draws`. Mirrors and panes are followed. */
+void gather_radiance(const struct gather *gather, struct worker *worker,
+                     const struct ray *ray, const struct draws *draws,
+                     struct gathered_ray *gathered);
 
 /* What glows of itself at the first surface along the ray, alone. */
 rgb gather_glow(const struct gather *gather, struct worker *worker,

@@ -1,24 +1,42 @@
 /* Irradiance from spherical harmonics: see harmonics.h. */
 #include "lightmesh/harmonics.h"
 
-/* The zonal coefficients of max(0, cosine)^b: integrals of t^b P_l(t) over
- * [0,1], times 2 pi; for b = 1 pi, 2 pi / 3 and pi / 4. */
+/* What each coefficient gives a surface. The zonal ones of max(0, cosine)^b are
+ * integrals of t^b P_l(t) over [0,1], times 2 pi; for b = 1 pi, 2 pi / 3 and
+ * pi / 4. */
+static void harmonics_weights(vec3 normal, double brilliance,
+                              double weights[HARMONICS])
+{
+    const double tau = 6.283185307179586;
+    double b = brilliance;
+    double order0 = tau / (b + 1), order1 = tau / (b + 2);
+    double order2 = tau / 2 * (3 / (b + 3) - 1 / (b + 1));
+    harmonics_basis(normal, weights);
+    for (int i = 0; i < HARMONICS; i++)
+        weights[i] *= i == 0 ? order0 : i < 4 ? order1 : order2;
+}
+
 rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
                          double brilliance)
 {
-    const double tau = 6.283185307179586;
-    double basis[HARMONICS], b = brilliance;
-    double order0 = tau / (b + 1), order1 = tau / (b + 2);
-    double order2 = tau / 2 * (3 / (b + 3) - 1 / (b + 1));
+    double weights[HARMONICS];
     rgb light = rgb_grey(0);
-    harmonics_basis(normal, basis);
+    harmonics_weights(normal, brilliance, weights);
     for (int i = 0; i < HARMONICS; i++) {
-        double weight = basis[i] * (i == 0 ? order0 : i < 4 ? order1 : order2);
-        light.r += weight * (double)harmonics->r[i];
-        light.g += weight * (double)harmonics->g[i];
-        light.b += weight * (double)harmonics->b[i];
+        light.r += weights[i] * (double)harmonics->r[i];
+        light.g += weights[i] * (double)harmonics->g[i];
+        light.b += weights[i] * (double)harmonics->b[i];
     }
     return rgb_make(fmax(light.r, 0), fmax(light.g, 0), fmax(light.b, 0));
+}
+
+double harmonics_share(const float share[HARMONICS], vec3 normal)
+{
+    double weights[HARMONICS], sum = 0;
+    harmonics_weights(normal, 1, weights);
+    for (int i = 0; i < HARMONICS; i++)
+        sum += weights[i] * (double)share[i];
+    return fmin(fmax(sum, 0), 1);
 }
 
 rgb harmonics_received(const void *context, vec3 place, vec3 normal,

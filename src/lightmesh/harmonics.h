@@ -54,6 +54,19 @@ static inline void harmonics_mix(struct harmonics *sum,
         sum->b[i] += weight * from->b[i];
 }
 
+/* The same of one number instead of three: a share of what comes from there,
+ * and what a surface gets of it, 0 to 1 where all directions are 1 or less. */
+static inline void harmonics_add_share(float share[HARMONICS], vec3 direction,
+                                       double amount)
+{
+    double basis[HARMONICS];
+    harmonics_basis(direction, basis);
+    for (int i = 0; i < HARMONICS; i++)
+        share[i] += (float)(amount * basis[i]);
+}
+
+double harmonics_share(const float share[HARMONICS], vec3 normal);
+
 /* All of it, from whatever direction: without cosines. */
 rgb harmonics_total(const struct harmonics *harmonics);
 

@@ -8,6 +8,9 @@
 #include "lightmesh/tuning.h"
 #include "shade/shadow.h"
 
+static const struct indirect_light light_none = { { { 0 }, { 0 }, { 0 } },
+                                                  { 0 } };
+
 /* A mesh point that gathers. */
 struct gatherer {
     const struct indirect_mesh *mesh;
@@ -19,7 +22,7 @@ struct gatherer {
 /* What came from the only wall near is kept apart: it lights nothing, and is
  * rougher. */
 struct gathered {
-    struct harmonics light, wall;
+    struct indirect_light light, wall;
 };
 
 /* All ways are equally likely, on a surface those before it; but of those into
@@ -35,12 +38,14 @@ static double gatherer_density(const struct gatherer *gatherer, vec3 way)
 
 /* The mean over a hemisphere weighted with the cosine is 1/pi of the
  * integral. */
-static void light_add(struct harmonics *light, vec3 direction, rgb radiance,
-                      double density)
+static void light_add(struct indirect_light *light, vec3 direction,
+                      rgb radiance, double open, double density)
 {
     double weight = 1 / (WARP_PI * density);
     if (rgb_peak(radiance) > 0)
-        harmonics_add(light, direction, rgb_scale(radiance, weight));
+        harmonics_add(&light->light, direction, rgb_scale(radiance, weight));
+    if (open > 0)
+        harmonics_add_share(light->open, direction, open * weight);
 }
 
 static vec3 way_drawn(uint64_t key, uint32_t index)
@@ -65,29 +70,27 @@ static vec3 gatherer_way(const struct gatherer *gatherer,
 /* One gather ray. What glows counts by how likely it is to be found so. */
 static void gatherer_look(const struct gatherer *gatherer,
                           const struct draws *draws, vec3 way,
-                          struct harmonics *light)
+                          struct indirect_light *light)
 {
     const struct gather *gather = &gatherer->mesh->gather;
     const struct mesh_site *site = gatherer->site;
     double density = gatherer_density(gatherer, way);
-    struct intersection at;
-    rgb glow;
-    bool picks = emitters_any(gather->emitters);
+    struct gathered_ray found;
     struct ray ray = { site->place, way };
-    rgb radiance = gather_radiance(gather, gatherer->worker, &ray, draws, &at,
-                                   picks ? &glow : NULL);
-    if (picks && at.leaf && rgb_peak(glow) > 0) {
-        double other =
-            emitters_density(gather->emitters, ray.origin, ray.direction, &at);
+    gather_radiance(gather, gatherer->worker, &ray, draws, &found);
+    if (emitters_any(gather->emitters) && rgb_peak(found.glow) > 0) {
+        double other = emitters_density(gather->emitters, ray.origin,
+                                        ray.direction, &found.at);
         double twice = isfinite(other) ? other / (density + other) : 1;
-        radiance = rgb_add_scaled(radiance, glow, -twice);
+        found.light = rgb_add_scaled(found.light, found.glow, -twice);
     }
-    light_add(light, ray.direction, radiance, density);
+    light_add(light, ray.direction, found.light, found.open, density);
 }
 
 /* The same for a place on something that glows. */
 static void gatherer_pick(const struct gatherer *gatherer,
-                          const struct draws *draws, struct harmonics *light)
+                          const struct draws *draws,
+                          struct indirect_light *light)
 {
     const struct gather *gather = &gatherer->mesh->gather;
     double which = draw_unit(draws, GATHER_WHICH), u[2];
@@ -104,14 +107,22 @@ static void gatherer_pick(const struct gatherer *gatherer,
     bool anywhere = isinf(pick.distance);
     if (!anywhere && fabs(at.t - pick.distance) > 1e-5 * (1 + at.t))
         return;
-    light_add(light, ray.direction, glow,
+    light_add(light, ray.direction, glow, 0,
               pick.density + gatherer_density(gatherer, ray.direction));
 }
 
-static void harmonics_scale(struct harmonics *light, float factor)
+static void light_mix(struct indirect_light *sum,
+                      const struct indirect_light *from, float weight)
 {
-    struct harmonics sum = { { 0 }, { 0 }, { 0 } };
-    harmonics_mix(&sum, light, factor);
+    harmonics_mix(&sum->light, &from->light, weight);
+    for (int i = 0; i < HARMONICS; i++)
+        sum->open[i] += weight * from->open[i];
+}
+
+static void light_scale(struct indirect_light *light, float factor)
+{
+    struct indirect_light sum = light_none;
+    light_mix(&sum, light, factor);
     *light = sum;
 }
 
@@ -133,7 +144,7 @@ static struct draws gatherer_draws(const struct gatherer *gatherer,
 static struct gathered gatherer_mean(const struct gatherer *gatherer,
                                      uint32_t first, uint32_t end)
 {
-    struct gathered sum = { { { 0 }, { 0 }, { 0 } }, { { 0 }, { 0 }, { 0 } } };
+    struct gathered sum = { light_none, light_none };
     bool picks = emitters_any(gatherer->mesh->gather.emitters);
     uint32_t wall_end = first + (end - first) / gatherer->wall_share;
     for (uint32_t i = first; i < end; i++) {
@@ -147,26 +158,35 @@ static struct gathered gatherer_mean(const struct gatherer *gatherer,
         if (picks)
             gatherer_pick(gatherer, &draws, &sum.light);
     }
-    harmonics_scale(&sum.light, 1 / (float)(end - first));
-    harmonics_scale(&sum.wall, 1 / (float)(end - first));
+    light_scale(&sum.light, 1 / (float)(end - first));
+    light_scale(&sum.wall, 1 / (float)(end - first));
     return sum;
+}
+
+/* One coefficient of all colours, ambient light from outside included. */
+static double light_order(const struct indirect_light *light, int i,
+                          double outside)
+{
+    const struct harmonics *h = &light->light;
+    return (double)(h->r[i] + h->g[i] + h->b[i]) +
+           outside * (double)light->open[i];
 }
 
 /* About how far two halves are apart, relative to the light there is, that of
  * lamps and what little is never seen included: four coefficients say how
  * strong it is and where from. */
 static double halves_error(const struct gathered *a, const struct gathered *b,
-                           const struct harmonics *lamps)
+                           const struct harmonics *lamps,
+                           const struct ambience *ambience)
 {
     double apart = 0, whole = 0;
+    double outside = ambience->share * 3 * rgb_brightness(ambience->light);
     for (int i = 0; i < 4; i++) {
-        const struct harmonics *f = &a->light, *g = &b->light;
-        double x = (double)(f->r[i] + f->g[i] + f->b[i]);
-        double y = (double)(g->r[i] + g->g[i] + g->b[i]);
+        double x = light_order(&a->light, i, outside);
+        double y = light_order(&b->light, i, outside);
         apart += (x - y) * (x - y);
-        f = &a->wall, g = &b->wall;
-        x += (double)(f->r[i] + f->g[i] + f->b[i]);
-        y += (double)(g->r[i] + g->g[i] + g->b[i]);
+        x += light_order(&a->wall, i, outside);
+        y += light_order(&b->wall, i, outside);
         double z = (double)(lamps->r[i] + lamps->g[i] + lamps->b[i]);
         whole += (x + y + 2 * z) * (x + y + 2 * z);
     }
@@ -175,10 +195,10 @@ static double halves_error(const struct gathered *a, const struct gathered *b,
 
 static void gathered_average(struct gathered *sum, const struct gathered *more)
 {
-    harmonics_scale(&sum->light, 0.5f);
-    harmonics_mix(&sum->light, &more->light, 0.5f);
-    harmonics_scale(&sum->wall, 0.5f);
-    harmonics_mix(&sum->wall, &more->wall, 0.5f);
+    light_scale(&sum->light, 0.5f);
+    light_mix(&sum->light, &more->light, 0.5f);
+    light_scale(&sum->wall, 0.5f);
+    light_mix(&sum->wall, &more->wall, 0.5f);
 }
 
 static uint32_t lone_samples(const struct indirect_mesh *mesh,
@@ -214,15 +234,16 @@ static void fill_gather(const void *context, struct worker *worker,
         direct_mesh_around(&mesh->direct, worker, site, &lamps);
     while (2 * count <= most && !worker_stopped(worker)) {
         struct gathered more = gatherer_mean(&gatherer, count, 2 * count);
-        double error = halves_error(&light, &more, &lamps);
+        double error =
+            halves_error(&light, &more, &lamps, mesh->gather.ambience);
         gathered_average(&light, &more);
         count *= 2;
         if (error <
             mesh->error * (count < (uint32_t)mesh->usual ? 1 : gather_rough))
             break;
     }
-    harmonics_mix(&light.light, &light.wall, 1);
-    *(struct harmonics *)payload = light.light;
+    light_mix(&light.light, &light.wall, 1);
+    *(struct indirect_light *)payload = light.light;
 }
 
 /* All mesh points look along the same ways: they are drawn once. */
@@ -241,6 +262,7 @@ static void mesh_ways(struct indirect_mesh *mesh)
 
 static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
                                         const struct emitters *emitters,
+                                        const struct ambience *ambience,
                                         const struct indirect_options *options,
                                         int bounce)
 {
@@ -251,6 +273,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .lamps = direct->lamps,
         .direct = &mesh->direct,
         .emitters = emitters,
+        .ambience = ambience,
         .close = options->close,
         .close_context = options->close_context,
     };
@@ -268,7 +291,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .interpolation = options->interpolation,
         .radius = options->radius > 0 ? options->radius
                                       : options->interpolation->radius,
-        .payload_size = sizeof(struct harmonics),
+        .payload_size = sizeof(struct indirect_light),
         .full = direct->points.full,
         .refinement = options->refinement,
         .light = harmonics_received,
@@ -293,12 +316,13 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
 
 struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct emitters *emitters,
+                                        const struct ambience *ambience,
                                         const struct indirect_options *options)
 {
     struct indirect_mesh *mesh = NULL;
     for (int bounce = options->bounces; bounce >= 1; bounce--) {
         struct indirect_mesh *closer =
-            bounce_new(direct, emitters, options, bounce);
+            bounce_new(direct, emitters, ambience, options, bounce);
         closer->next = mesh;
         closer->gather.indirect = mesh;
         mesh = closer;
@@ -317,30 +341,42 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
     }
 }
 
-rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
-                             struct worker *worker,
-                             const struct indirect_place *at)
+static struct indirect_share light_share(const struct indirect_light *light,
+                                         vec3 normal)
+{
+    return (struct indirect_share){
+        harmonics_irradiance(&light->light, normal, 1),
+        harmonics_share(light->open, normal),
+    };
+}
+
+struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
+                                          struct worker *worker,
+                                          const struct indirect_place *at)
 {
     const struct gather *gather = &mesh->gather;
     struct mesh_blend blend;
-    struct harmonics sum = { { 0 }, { 0 }, { 0 } };
+    struct indirect_light sum = light_none;
     if (at->worth < gather_worth_least && gather->close)
-        return gather->close(gather->close_context, worker, at->place,
-                             at->normal, at->from);
+        return (struct indirect_share){ gather->close(gather->close_context,
+                                                      worker, at->place,
+                                                      at->normal, at->from),
+                                        0 };
     point_mesh_blend(&mesh->points, worker, at->place, at->side, at->worth,
                      &blend);
     for (int i = 0; i < blend.count; i++)
-        harmonics_mix(&sum, blend.at[i].payload, (float)blend.at[i].weight);
-    return harmonics_irradiance(&sum, at->normal, 1);
+        light_mix(&sum, blend.at[i].payload, (float)blend.at[i].weight);
+    return light_share(&sum, at->normal);
 }
 
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
                            struct worker *worker, vec3 place, vec3 side,
-                           vec3 normal, vec3 jitter, rgb *light)
+                           vec3 normal, vec3 jitter,
+                           struct indirect_share *share)
 {
-    const struct harmonics *nearest =
+    const struct indirect_light *nearest =
         point_mesh_nearest(&mesh->points, worker, place, side, jitter);
     if (nearest)
-        *light = harmonics_irradiance(nearest, normal, 1);
+        *share = light_share(nearest, normal);
     return nearest;
 }

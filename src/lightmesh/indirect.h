@@ -15,6 +15,12 @@
 
 enum { BOUNCES_MAX = 20 };
 
+/* What a mesh point keeps. */
+struct indirect_light {
+    struct harmonics light; /* first */
+    float open[HARMONICS];  /* as harmonics: where ambient light comes in */
+};
+
 struct indirect_options {
     struct lattice lattice;       /* of the first bounce */
     struct refinement refinement; /* likewise */
@@ -43,6 +49,7 @@ struct indirect_mesh {
 /* Frees with indirect_mesh_free. All that is given must outlive it. */
 struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct emitters *emitters,
+                                        const struct ambience *ambience,
                                         const struct indirect_options *options);
 void indirect_mesh_free(struct indirect_mesh *mesh);
 
@@ -53,16 +60,23 @@ struct indirect_place {
     double worth; /* how much of what it gets the picture shows, 0 to 1 */
 };
 
-/* Indirect light on it, that of glowing surfaces included, in POV-Ray's
- * units. What is worth little is less exact. */
-rgb indirect_mesh_irradiance(const struct indirect_mesh *mesh,
-                             struct worker *worker,
-                             const struct indirect_place *at);
+/* What it gets. */
+struct indirect_share {
+    rgb light;   /* indirect, that of glowing surfaces included, in POV-Ray's
+                  * units */
+    double open; /* of the ambient light outside, 0 to 1 */
+};
 
-/* Indirect light in *light by one mesh point, see point_mesh_nearest; false if
- * none sees the place. */
+/* What is worth little is less exact. */
+struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
+                                          struct worker *worker,
+                                          const struct indirect_place *at);
+
+/* The same in *share by one mesh point, see point_mesh_nearest; false if none
+ * sees the place. */
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
                            struct worker *worker, vec3 place, vec3 side,
-                           vec3 normal, vec3 jitter, rgb *light);
+                           vec3 normal, vec3 jitter,
+                           struct indirect_share *share);
 
 #endif

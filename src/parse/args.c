@@ -199,6 +199,25 @@ static bool field_chosen(struct parser *p, const struct field *field, int *out)
                     choices, word);
 }
 
+/* A value is missing since `0 -1` without a comma is one number. */
+static bool field_subtracted(struct parser *p)
+{
+    struct span last = p->last_span;
+    const char *text = last.source ? last.source->text : NULL;
+    if (!text || last.offset < 2 || text[last.offset - 1] != '-' ||
+        text[last.offset - 2] != ' ')
+        return false;
+    last.offset--;
+    last.length++;
+    error_at(
+        p, last,
+        arena_printf(p->arena, ", %.*s", (int)last.length, text + last.offset),
+        "this is subtracted from what stands before it; a comma makes it "
+        "'%s'",
+        p->field->name);
+    return true;
+}
+
 /* The error where a value is left out names what it is for. */
 static bool field_missing(struct parser *p, const struct field *field)
 {
@@ -215,12 +234,12 @@ static bool field_missing(struct parser *p, const struct field *field)
     if (!begins_none || field->kind >= sizeof kinds / sizeof *kinds ||
         !kinds[field->kind])
         return false;
-    error_expected(p, arena_printf(p->arena, "%s for '%s'", kinds[field->kind],
-                                   field->name));
+    if (!field_subtracted(p))
+        error_expected(p, kinds[field->kind]);
     return true;
 }
 
-bool parse_field(struct parser *p, const struct field *field, void *base)
+static bool field_read(struct parser *p, const struct field *field, void *base)
 {
     void *at = (char *)base + field->offset;
     struct cursor *outer;
@@ -263,6 +282,18 @@ bool parse_field(struct parser *p, const struct field *field, void *base)
         return parse_points(p, field, at);
     }
     return false;
+}
+
+bool parse_field(struct parser *p, const struct field *field, void *base)
+{
+    const struct field *outer = p->field;
+    unsigned nesting = p->field_nesting;
+    p->field = field;
+    p->field_nesting = p->nesting;
+    bool ok = field_read(p, field, base);
+    p->field = outer;
+    p->field_nesting = nesting;
+    return ok;
 }
 
 bool parse_arguments(struct parser *p, const struct field *table, void *base)

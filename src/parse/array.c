@@ -106,6 +106,19 @@ static bool parse_subscripts(struct parser *p, struct array *array,
     }
 }
 
+size_t array_subscripts_end(const struct token *tokens, size_t left, size_t i)
+{
+    unsigned depth = 0;
+    for (size_t at = i; at < left && tokens[at].kind != TOKEN_SEMICOLON; at++) {
+        enum token_kind kind = tokens[at].kind;
+        if (depth == 0 && kind != TOKEN_LBRACKET)
+            return at;
+        depth += kind == TOKEN_LBRACKET;
+        depth -= kind == TOKEN_RBRACKET;
+    }
+    return i;
+}
+
 bool array_element(struct parser *p, struct array *array, struct value **slot)
 {
     if (!expression_enter(p))
@@ -225,7 +238,7 @@ bool parse_array(struct parser *p, struct value *value)
     stream_next(p);
     array->count = 1;
     if (stream_peek(p)->kind != TOKEN_LBRACKET)
-        return error_expected(p, "'[' and the size of the array");
+        return error_expected_hint(p, "'[' and the size of the array", "[3]");
     while (stream_peek_infix(p)->kind == TOKEN_LBRACKET)
         if (!array_add_dimension(p, array))
             return false;

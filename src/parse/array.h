@@ -27,4 +27,8 @@ int array_dimension_size(const struct array *array, int dimension);
 bool array_copy(struct parser *p, struct span span, struct array *array,
                 struct array **copy);
 
+/* Where the subscripts that begin at `i` of `left` raw tokens end; `i` if there
+ * are none. */
+size_t array_subscripts_end(const struct token *tokens, size_t left, size_t i);
+
 #endif

@@ -101,6 +101,18 @@ static bool parse_model(struct parser *p, struct value *value)
     return !model->encoded || colour_decode_srgb(p, keyword, value->number);
 }
 
+/* `color red`: the channel's number is missing, or the colour is meant. */
+static bool channel_missing(struct parser *p)
+{
+    struct span span = p->last_span;
+    const char *text = span.source->text + span.offset;
+    const char *word = arena_printf(p->arena, "%.*s", (int)span.length, text);
+    return error_at(p, span, arena_printf(p->arena, "%s 1", word),
+                    "'%s' wants a number after it; the colours of colors.inc "
+                    "have capital letters",
+                    word);
+}
+
 /* channels = {( "red" | "green" | "blue" | "filter" | "transmit" | "alpha" )
  *             float} . */
 bool parse_channels(struct parser *p, struct value *value)
@@ -116,6 +128,9 @@ bool parse_channels(struct parser *p, struct value *value)
             warning_at(p, p->token_span, "filter",
                        "'alpha' is the old name of 'filter'");
         stream_next(p);
+        if (stream_peek(p)->kind == TOKEN_RBRACE ||
+            stream_peek(p)->kind == TOKEN_RBRACKET)
+            return channel_missing(p);
         if (!parse_float(p, &value->number[index]))
             return false;
     }

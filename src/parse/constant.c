@@ -1,5 +1,6 @@
 /* Words that are values: pi, x, clock, on ... */
 #include "parse/expression.h"
+#include "parse/function.h"
 
 static bool constant_vector(enum keyword keyword, struct value *value)
 {
@@ -41,32 +42,11 @@ static bool constant_number(const struct parser *p, enum keyword keyword,
     case KEYWORD_CLOCK:
         *out = o->clock;
         return true;
-    case KEYWORD_CLOCK_DELTA:
-        *out = o->clock_delta;
-        return true;
     case KEYWORD_CLOCK_ON:
         *out = o->clock_on;
         return true;
-    case KEYWORD_INITIAL_CLOCK:
-        *out = o->initial_clock;
-        return true;
-    case KEYWORD_FINAL_CLOCK:
-        *out = o->final_clock;
-        return true;
-    case KEYWORD_INITIAL_FRAME:
-        *out = o->initial_frame;
-        return true;
-    case KEYWORD_FINAL_FRAME:
-        *out = o->final_frame;
-        return true;
-    case KEYWORD_FRAME_NUMBER:
-        *out = o->frame_number;
-        return true;
-    case KEYWORD_IMAGE_WIDTH:
-        *out = o->image_width;
-        return true;
-    case KEYWORD_IMAGE_HEIGHT:
-        *out = o->image_height;
+    case KEYWORD_NOW:
+        *out = text_days_now();
         return true;
     case KEYWORD_VERSION:
         *out = p->version;
@@ -77,9 +57,8 @@ static bool constant_number(const struct parser *p, enum keyword keyword,
 }
 
 /* constant = "pi" | "true" | "yes" | "on" | "false" | "no" | "off" | "x" | "y"
- *          | "z" | "t" | "u" | "v" | "clock" | "clock_delta" | "clock_on"
- *          | "initial_clock" | "final_clock" | "initial_frame" | "final_frame"
- *          | "frame_number" | "image_width" | "image_height" | "version" . */
+ *          | "z" | "t" | "u" | "v" | "clock" | "clock_on" | "now"
+ *          | "version" . */
 bool parse_constant(struct parser *p, enum keyword keyword, struct value *value)
 {
     if (constant_vector(keyword, value))

@@ -109,6 +109,17 @@ static bool point_same(vec3 a, vec3 b)
     return a.x == b.x && a.y == b.y;
 }
 
+/* POV-Ray closes polygons, and only those. */
+static void curve_close(struct parser *p, struct curve_builder *b, size_t first)
+{
+    const vec3 *begin = &b->points.items[first];
+    const vec3 *end = &b->points.items[b->points.count - 1];
+    *ARRAY_PUSH(p->scene_arena, &b->segments) = segment_line(
+        (double[]){ end->x, end->y }, (double[]){ begin->x, begin->y });
+    warning_at(p, b->span, NULL,
+               "an outline is not closed; a line to its first point closes it");
+}
+
 /* Outlines, each closed by its first point, which for splines is the second
  * that is written; cubic ones have another point after that. */
 static bool curve_closed(struct parser *p, struct curve_builder *b)
@@ -124,7 +135,9 @@ static bool curve_closed(struct parser *p, struct curve_builder *b)
         first = i + reach;
         i = first - 1;
     }
-    return first == count ||
+    if (first < count && b->curve == CURVE_LINEAR)
+        curve_close(p, b, first);
+    return first == count || b->curve == CURVE_LINEAR ||
            error_at(p, b->span, NULL,
                     "an outline is not closed: its first point must be "
                     "repeated at its end");

@@ -1,7 +1,7 @@
 /* Running directives, and the blocks they open: see directive.h. */
 #include "parse/directive.h"
 
-#include "base/text.h"
+#include "parse/mistaken.h"
 
 #define X(keyword, name) extern const struct directive name##_directive;
 #include "parse/directive/list.h"
@@ -13,28 +13,16 @@ static const struct directive *const directives[KEYWORDS_TOTAL] = {
 #undef X
 };
 
-static bool directive_unknown(struct parser *p, const struct word *word,
-                              struct span at)
+bool directive_is(enum keyword keyword)
 {
-    struct text_nearest nearest = text_nearest_start(word->text);
-    for (int i = 1; i < KEYWORDS_TOTAL; i++)
-        if (directives[i])
-            text_nearest_try(&nearest, keyword_spelling(i));
-    const char *hint =
-        nearest.best ? arena_printf(p->arena, "#%s", nearest.best) : NULL;
-    return error_at(p, at, hint, "there is no directive '#%s'", word->text);
+    return directives[keyword] != NULL;
 }
 
-bool directive_run(struct parser *p)
+/* A directive in a block in a #declare in a block ... */
+static bool directive_start(struct parser *p, enum keyword keyword,
+                            struct span at)
 {
-    struct cursor *cursor = p->cursor;
-    struct span at = token_span(cursor->list, cursor->index);
-    const struct word *word = cursor->list->tokens[cursor->index++].word;
-    const struct directive *directive = directives[word->keyword];
-    if (!directive)
-        return directive_unknown(p, word, at);
     p->last_span = at;
-    /* A directive in a block in a #declare in a block ... */
     if (p->nesting >= PARSE_NESTING_LIMIT) {
         error_at(p, at, NULL, "blocks are nested more than %d deep",
                  PARSE_NESTING_LIMIT);
@@ -42,9 +30,54 @@ bool directive_run(struct parser *p)
         return false;
     }
     p->nesting++;
-    bool ok = directive->run(p, at);
+    bool ok = directives[keyword]->run(p, at);
     p->nesting--;
     return ok;
+}
+
+bool directive_run_as(struct parser *p, enum keyword keyword, struct span at)
+{
+    bool outer = p->told;
+    p->told = true;
+    directive_start(p, keyword, at);
+    p->told = outer;
+    return false;
+}
+
+/* Whether it is a declaration but for its directive. */
+static bool directive_declares(const struct cursor *cursor)
+{
+    const struct token *tokens = cursor->list->tokens + cursor->index;
+    return cursor->index + 1 < cursor->end && tokens[0].kind == TOKEN_WORD &&
+           (tokens[1].kind == TOKEN_EQUAL || tokens[1].kind == TOKEN_LBRACKET);
+}
+
+static bool directive_unknown(struct parser *p, const struct word *word,
+                              struct span at)
+{
+    enum keyword meant = mistaken_directive_word(word);
+    const char *shade = mistaken_hexadecimal(p, word);
+    const char *hint =
+        shade   ? shade
+        : meant ? arena_printf(p->arena, "#%s", keyword_spelling(meant))
+                : NULL;
+    error_at(p, at, hint, "there is no directive '#%s'%s", word->text,
+             shade ? "; a colour is written in numbers" : "");
+    if (meant == KEYWORD_DECLARE && !directive_declares(p->cursor))
+        mistaken_define(p, at);
+    else if (meant && !shade)
+        directive_run_as(p, meant, at);
+    return false;
+}
+
+bool directive_run(struct parser *p)
+{
+    struct cursor *cursor = p->cursor;
+    struct span at = token_span(cursor->list, cursor->index);
+    const struct word *word = cursor->list->tokens[cursor->index++].word;
+    if (!directive_is(word->keyword))
+        return directive_unknown(p, word, at);
+    return directive_start(p, word->keyword, at);
 }
 
 struct open_block *directive_block(struct parser *p)

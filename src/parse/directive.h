@@ -15,6 +15,13 @@ struct directive {
 /* Runs the directive that is the next raw token of the top cursor. */
 bool directive_run(struct parser *p);
 
+bool directive_is(enum keyword keyword);
+
+/* Runs this directive instead of what was written at `at` and is reported by
+ * now; the cursor is behind it. What else is wrong with it is not told.
+ * Returns false. */
+bool directive_run_as(struct parser *p, enum keyword keyword, struct span at);
+
 /* The innermost open block of the top cursor, or NULL. */
 struct open_block *directive_block(struct parser *p);
 struct open_block *directive_open(struct parser *p, enum block_kind kind,

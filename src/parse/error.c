@@ -4,17 +4,23 @@
 
 #include "base/text.h"
 #include "parse/expression.h"
+#include "parse/mistaken.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
 #include "parse/unsupported.h"
+#include "scene/pattern.h"
 
 enum { ERROR_TRACE_LIMIT = 8 }; /* most notes of one trace */
+
+static bool span_is(struct span a, struct span b)
+{
+    return a.source == b.source && a.offset == b.offset;
+}
 
 static bool error_reported(struct parser *p, struct span span)
 {
     for (unsigned i = 0; i < p->reported_count; i++)
-        if (p->reported[i].source == span.source &&
-            p->reported[i].offset == span.offset)
+        if (span_is(p->reported[i], span))
             return true;
     return false;
 }
@@ -24,7 +30,7 @@ static bool error_reported(struct parser *p, struct span span)
 static bool error_is_silent(struct parser *p)
 {
     struct span span = stream_span(p);
-    return p->failed || error_reported(p, span);
+    return p->failed || p->told || error_reported(p, library_user(p, span));
 }
 
 /* Whether the rule that was reported last has not read on since: what is
@@ -34,16 +40,18 @@ static bool error_follows(struct parser *p)
     return p->reported_count > 0 && p->taken_at_error == p->taken;
 }
 
-/* "in macro M called here", "included from here", innermost first. */
-static void error_trace(struct parser *p)
+/* "in macro M called here", "included from here", innermost first; but for
+ * the place `shown`, which the message itself shows. */
+static void error_trace(struct parser *p, struct span shown)
 {
     unsigned notes = 0, hidden = 0;
     struct span last = span_none();
     for (struct cursor *c = p->cursor; c; c = c->below) {
         if (!c->called_at.source)
             continue;
-        bool again = c->called_at.source == last.source &&
-                     c->called_at.offset == last.offset;
+        if (span_is(c->called_at, shown))
+            continue;
+        bool again = span_is(c->called_at, last);
         last = c->called_at;
         if (again || notes++ >= ERROR_TRACE_LIMIT) {
             hidden++;
@@ -64,16 +72,22 @@ bool error_at(struct parser *p, struct span span, const char *hint,
               const char *format, ...)
 {
     bool stopped = p->options->stop && *p->options->stop;
-    p->silent = p->failed || stopped || error_reported(p, span);
+    struct span user = library_user(p, span);
+    bool library = user.source != span.source;
+    p->silent = p->failed || p->told || stopped || error_reported(p, user);
     if (p->silent)
         return false;
     if (p->reported_count < DIAG_ERROR_LIMIT)
-        p->reported[p->reported_count++] = span;
+        p->reported[p->reported_count++] = user;
     va_list arguments;
     va_start(arguments, format);
-    diag_vprint(p->diag, DIAG_ERROR, span, hint, format, arguments);
+    diag_vprint(p->diag, DIAG_ERROR, user, library ? NULL : hint, format,
+                arguments);
     va_end(arguments);
-    error_trace(p);
+    if (library)
+        diag_print(p->diag, DIAG_NOTE, span, hint,
+                   "it shows here, in POV-Ray's own file");
+    error_trace(p, library ? user : span_none());
     p->taken_at_error = p->taken;
     if (p->diag->errors >= DIAG_ERROR_LIMIT) {
         note_at(p, span_none(), "%d errors are enough; the rest is not read",
@@ -91,7 +105,7 @@ void warning_at(struct parser *p, struct span span, const char *hint,
     va_start(arguments, format);
     diag_vprint(p->diag, DIAG_WARNING, span, hint, format, arguments);
     va_end(arguments);
-    error_trace(p);
+    error_trace(p, span_none());
 }
 
 void note_at(struct parser *p, struct span span, const char *format, ...)
@@ -125,13 +139,27 @@ static const char *error_declared(struct parser *p, const char *name)
 }
 
 /* An identifier that was never declared is the likeliest mistake of all. */
-static bool error_undeclared(struct parser *p, const char *wanted)
+static bool error_undeclared(struct parser *p, const char *wanted,
+                             const char *hint)
 {
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD || token->word->reserved ||
         symbol_lookup(p, token->word))
         return false;
-    error_at(p, p->token_span, error_declared(p, token->word->text),
+    if (!hint)
+        hint = mistaken_word(token->word, "");
+    if (!hint)
+        hint = error_declared(p, token->word->text);
+    if (!hint && strcmp(wanted, "a string") == 0)
+        hint = arena_printf(p->arena, "\"%s\"", token->word->text);
+    size_t left;
+    const struct token *next = stream_raw(p, &left);
+    bool names =
+        left > 0 && (next->kind == TOKEN_LESS || next->kind == TOKEN_NUMBER ||
+                     next->kind == TOKEN_EQUAL);
+    if (!hint && names)
+        hint = wanted_signature(p, 1);
+    error_at(p, p->token_span, hint,
              "expected %s, found '%s', which is not declared", wanted,
              token->word->text);
     return true;
@@ -146,7 +174,7 @@ static const char *error_kind(struct parser *p)
     return value ? value_kind_name(value->kind) : NULL;
 }
 
-bool error_expected(struct parser *p, const char *wanted)
+bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
 {
     if (p->blamed.source && p->blamed.source == p->last_span.source &&
         p->blamed.offset == p->last_span.offset) {
@@ -155,30 +183,24 @@ bool error_expected(struct parser *p, const char *wanted)
     }
     stream_peek(p);
     p->silent = true;
+    wanted = wanted_field(p, wanted, 1);
     if (error_follows(p) || unsupported_use(p) || error_is_silent(p) ||
-        error_undeclared(p, wanted))
+        error_undeclared(p, wanted, hint))
         return false;
     const char *kind = error_kind(p);
-    return error_at(p, stream_span(p), NULL, "expected %s, found %s%s%s",
-                    wanted, error_found(p), kind ? ", " : "", kind ? kind : "");
+    return error_at(p, stream_span(p), hint ? hint : wanted_signature(p, 1),
+                    "expected %s, found %s%s%s", wanted, error_found(p),
+                    kind ? ", " : "", kind ? kind : "");
+}
+
+bool error_expected(struct parser *p, const char *wanted)
+{
+    return error_expected_hint(p, wanted, NULL);
 }
 
 static void error_try_word(void *context, const struct word *word)
 {
     text_nearest_try(context, word->text);
-}
-
-void note_unclosed(struct parser *p)
-{
-    if (p->block_count == 0 || !at_scene_item(p))
-        return;
-    struct span at = p->token_span, open = p->blocks[p->block_count - 1];
-    const char *text = open.source->text;
-    bool apart =
-        at.source != open.source || at.offset < open.offset ||
-        memchr(text + open.offset, '\n', at.offset - open.offset) != NULL;
-    if (apart)
-        note_at(p, open, "the '}' to this '{' may be missing");
 }
 
 static bool error_file_ends(struct parser *p, const char *block)
@@ -207,11 +229,15 @@ static bool error_no_item(struct parser *p, const char *block)
         kind = next->kind;
     bool values = kind == TOKEN_NUMBER || kind == TOKEN_MINUS ||
                   kind == TOKEN_LPAREN || kind == TOKEN_LESS;
-    return error_at(p, p->token_span, NULL, "unexpected %s in %s%s",
-                    error_found(p), error_block(p, block),
-                    values  ? "; a vector is written <1, 2, 3>, a product 2*x"
-                    : comma ? "; no comma stands between items"
-                            : "");
+    const char *why = values  ? "; a vector is written <1, 2, 3>, a product 2*x"
+                      : comma ? "; no comma stands between items"
+                      : kind == TOKEN_SEMICOLON
+                          ? "; a ';' only ends #declare, #local and #version"
+                      : kind == TOKEN_LBRACE ? "; there is no item before it"
+                                             : "";
+    return error_at(
+        p, p->token_span, comma && values ? primitive_hint(p, block) : NULL,
+        "unexpected %s in %s%s", error_found(p), error_block(p, block), why);
 }
 
 /* A number right before x, y or z: 20y is meant as a product. */
@@ -219,9 +245,12 @@ static bool error_product(struct parser *p)
 {
     struct span number = p->last_span, word = p->token_span;
     if (!constant_is(p, p->token.word->keyword) ||
-        number.source != word.source ||
-        number.offset + number.length != word.offset ||
-        !strchr("0123456789.", word.source->text[word.offset - 1]))
+        number.source != word.source || number.offset >= word.offset)
+        return false;
+    size_t end = number.offset + number.length;
+    size_t blanks = strspn(word.source->text + end, " ");
+    if (end + blanks != word.offset ||
+        !strchr("0123456789.", word.source->text[end - 1]))
         return false;
     const char *text = number.source->text + number.offset;
     error_at(p, span_join(number, word),
@@ -233,8 +262,11 @@ static bool error_product(struct parser *p)
 
 /* What the word was meant to be. */
 static const char *error_meant(struct parser *p, const struct word *word,
-                               const struct field *fields)
+                               const char *block, const struct field *fields)
 {
+    const char *known = word->reserved ? NULL : mistaken_word(word, block);
+    if (known)
+        return known;
     struct text_nearest nearest = text_nearest_start(word->text);
     for (const struct field *f = fields; f && f->name; f++)
         text_nearest_try(&nearest, f->name);
@@ -249,27 +281,62 @@ static const char *error_meant(struct parser *p, const struct word *word,
     return include ? include : nearest.best;
 }
 
+/* A pattern that does not come first. */
+static bool error_pattern(struct parser *p, const struct word *word,
+                          const char *block)
+{
+    bool takes = strcmp(block, "pigment") == 0 ||
+                 strcmp(block, "normal") == 0 || strcmp(block, "texture") == 0;
+    if (!takes || !word->reserved || !pattern_find(word->text))
+        return false;
+    error_at(p, p->token_span, NULL,
+             "a pattern comes first in '%s', and there is one at most; '%s' "
+             "is not",
+             block, word->text);
+    return true;
+}
+
+/* `spotlight on`: on, off ... after a word that takes no value. */
+static bool error_flag(struct parser *p, const struct word *word)
+{
+    struct span last = p->last_span;
+    bool value = word->keyword == KEYWORD_ON || word->keyword == KEYWORD_OFF ||
+                 word->keyword == KEYWORD_YES || word->keyword == KEYWORD_NO ||
+                 word->keyword == KEYWORD_TRUE ||
+                 word->keyword == KEYWORD_FALSE;
+    if (!value || !last.source || last.length > 40)
+        return false;
+    error_at(p, p->token_span, NULL, "'%.*s' takes no value, found '%s'",
+             (int)last.length, last.source->text + last.offset, word->text);
+    return true;
+}
+
 bool error_unknown_item(struct parser *p, const char *block,
                         const struct field *fields)
 {
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_END)
         return error_file_ends(p, block);
-    if (error_follows(p) || unsupported_use(p) || error_is_silent(p))
+    if (error_follows(p) || unsupported_use(p) || mistaken_statement(p) ||
+        error_is_silent(p))
         return false;
     if (token->kind != TOKEN_WORD)
         return error_no_item(p, block);
     if (error_product(p))
         return false;
     const struct word *word = token->word;
-    const char *belongs = item_belongs(p, word, block);
+    const char *belongs = unclosed_hint(p);
+    if (!belongs)
+        belongs = item_belongs(p, word, block);
     const char *kind = error_kind(p);
+    if (error_pattern(p, word, block) || error_flag(p, word))
+        return false;
     if (kind)
         error_at(p, p->token_span, belongs, "'%s', %s, is not allowed in %s",
                  word->text, kind, error_block(p, block));
     else
         error_at(p, p->token_span,
-                 belongs ? belongs : error_meant(p, word, fields),
+                 belongs ? belongs : error_meant(p, word, block, fields),
                  word->reserved ? "'%s' is not allowed in %s"
                                 : "unknown item '%s' in %s",
                  word->text, error_block(p, block));

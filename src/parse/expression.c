@@ -41,14 +41,25 @@ bool parse_float(struct parser *p, double *out)
            value_to_float(p, start, &value, out);
 }
 
+/* The rest of a short line in parentheses. */
+static const char *condition_hint(struct parser *p, struct span start)
+{
+    const char *text = start.source->text + start.offset;
+    size_t length = strcspn(text, "(){}\r\n");
+    bool whole = text[length] == '\r' || text[length] == '\n';
+    return whole && length < 40
+               ? arena_printf(p->arena, "(%.*s)", (int)length, text)
+               : "(";
+}
+
 /* The directive's parentheses are read here, since they allow comparisons.
  * condition = operation . */
 bool parse_condition(struct parser *p, double *out)
 {
     struct value value;
     struct span open = stream_span(p);
-    if (!expect(p, TOKEN_LPAREN, span_none()))
-        return false;
+    if (!accept(p, TOKEN_LPAREN))
+        return error_expected_hint(p, "'('", condition_hint(p, open));
     struct cursor *outer = brackets_begin(p);
     struct span start = stream_span(p);
     bool ok = parse_operation(p, PRECEDENCE_CONDITION, "a condition", &value) &&
@@ -220,8 +231,8 @@ static size_t string_misquoted(struct parser *p)
     return name && memchr(text, '.', length) ? length : 0;
 }
 
-/* Reports and takes it. */
-static bool string_unquoted(struct parser *p)
+/* Reports and takes it, and goes on with the string that is meant. */
+static bool string_unquoted(struct parser *p, const char **out)
 {
     size_t length = string_misquoted(p);
     struct span span = p->token_span;
@@ -230,8 +241,8 @@ static bool string_unquoted(struct parser *p)
     const char *text = span.source->text + span.offset;
     bool quoted = *text == '\'';
     span.length = (uint32_t)length;
-    text = arena_copy_text(p->arena, text + quoted, length - 2 * quoted);
-    error_at(p, span, arena_printf(p->arena, "\"%s\"", text),
+    *out = arena_copy_text(p->arena, text + quoted, length - 2 * quoted);
+    error_at(p, span, arena_printf(p->arena, "\"%s\"", *out),
              "a string stands in double quotes");
     do
         stream_next(p);
@@ -244,8 +255,8 @@ static bool string_unquoted(struct parser *p)
 bool parse_string(struct parser *p, const char **out)
 {
     struct value value;
-    if (string_unquoted(p))
-        return false;
+    if (string_unquoted(p, out))
+        return true;
     struct span start = stream_span(p);
     return parse_operand(p, "a string", &value) &&
            value_to_text(p, start, &value, out);
@@ -268,6 +279,13 @@ static bool kind_is_thing(enum value_kind kind)
     return kind >= VALUE_OBJECT && kind <= VALUE_SKY_SPHERE;
 }
 
+/* Whether no operator follows. */
+static bool kind_ends(const struct token *tokens, size_t available, size_t i)
+{
+    enum token_kind kind = i < available ? tokens[i].kind : TOKEN_END;
+    return operator_precedence(kind) == PRECEDENCE_NONE && kind != TOKEN_DOT;
+}
+
 /* Whether the identifier that is next, whose value is `value`, and the token
  * after it stand for a texture, a whole array ... rather than an operand. */
 static bool expression_is_thing(struct parser *p, const struct value *value)
@@ -275,10 +293,12 @@ static bool expression_is_thing(struct parser *p, const struct value *value)
     size_t available;
     const struct token *after = stream_raw(p, &available);
     enum token_kind kind = available ? after->kind : TOKEN_END;
-    bool ends =
-        operator_precedence(kind) == PRECEDENCE_NONE && kind != TOKEN_DOT;
+    bool ends = kind_ends(after, available, 0);
     if (value->kind == VALUE_ARRAY && kind == TOKEN_LBRACKET)
-        return kind_is_thing(array_kind(value->array));
+        return kind_is_thing(array_kind(value->array)) ||
+               (array_kind(value->array) == VALUE_ARRAY &&
+                kind_ends(after, available,
+                          array_subscripts_end(after, available, 0)));
     if (value->kind == VALUE_ARRAY)
         return ends;
     if (value->kind == VALUE_FUNCTION)
@@ -299,6 +319,9 @@ static bool thing_element(struct parser *p, const struct word *word,
     else if (slot->kind == VALUE_NONE)
         error_at(p, span_join(at, p->last_span), NULL,
                  "this element of '%s' was never set", word->text);
+    if (slot->kind == VALUE_ARRAY)
+        return array_copy(p, span_join(at, p->last_span), slot->array,
+                          &value->array);
     return slot->kind != VALUE_UNSUPPORTED && slot->kind != VALUE_NONE;
 }
 

@@ -50,20 +50,32 @@ const char *file_find(struct parser *p, const char *name, const char *extension)
 const char *file_need(struct parser *p, struct span span, const char *what,
                       const char *name, const char *extension)
 {
-    const char *path = file_locate(p, name, extension);
+    return file_checked(p, span, what, name, file_locate(p, name, extension));
+}
+
+const char *file_checked(struct parser *p, struct span span, const char *what,
+                         const char *name, const char *path)
+{
     const struct permit_list *denier =
         path ? permits_denier(p->options->permits, path) : NULL;
     if (!path)
         error_at(p, span, file_hint(p, name), "can't find the %s '%s'", what,
-                 name);
+                 file_shown(p, name));
     else if (denier)
         error_at(p, span,
                  arena_printf(p->arena,
                               "%s forbids it; +LDIR permits what is "
                               "in DIR",
                               denier->where),
-                 "this scene may not read '%s'", path);
+                 "this scene may not read '%s'", file_shown(p, path));
     return denier ? NULL : path;
+}
+
+/* Where its last dot is, or its end. */
+static size_t file_stem(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    return dot ? (size_t)(dot - name) : strlen(name);
 }
 
 /* Tries the names in directory `place`, and those in its part `folder`. */
@@ -80,8 +92,60 @@ static void file_try_names(struct parser *p, const char *place,
         closedir(directory);
 }
 
+/* The +L that finds the file beside the text that names it, or NULL. */
+static const char *file_beside(struct parser *p, const char *name)
+{
+    const struct source *source = p->last_span.source;
+    const char *slash = source ? strrchr(source->name, '/') : NULL;
+    if (!slash || *name == '/')
+        return NULL;
+    int length = (int)(slash - source->name);
+    const char *path =
+        arena_printf(p->arena, "%.*s/%s", length, source->name, name);
+    if (!file_exists(path) &&
+        !file_exists(arena_printf(p->arena, "%s.inc", path)))
+        return NULL;
+    return arena_printf(p->arena,
+                        "it is beside the file that names it: +L%.*s finds it",
+                        length, source->name);
+}
+
+/* The name with '/' where a '\' made something else of it: "C:\temp". */
+static const char *file_without_escapes(struct parser *p, const char *name)
+{
+    const char *shown = file_shown(p, name);
+    struct span span = p->last_span;
+    if (shown == name || !span.source || span.length > 200 ||
+        span.source->text[span.offset] != '"')
+        return NULL;
+    char *text =
+        arena_copy_text(p->arena, span.source->text + span.offset, span.length);
+    for (char *c = text; *c; c++)
+        if (*c == '\\')
+            *c = '/';
+    return text;
+}
+
+const char *file_shown(struct parser *p, const char *name)
+{
+    char *shown = arena_copy_text(p->arena, name, strlen(name));
+    bool changed = false;
+    for (char *c = shown; *c; c++) {
+        bool control = (unsigned char)*c < 32 || *c == 127;
+        if (control)
+            *c = '?';
+        changed |= control;
+    }
+    return changed ? shown : name;
+}
+
 const char *file_hint(struct parser *p, const char *name)
 {
+    const char *better = file_without_escapes(p, name);
+    if (!better)
+        better = file_beside(p, name);
+    if (better)
+        return better;
     const struct parse_options *options = p->options;
     const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
     const char *folder =
@@ -98,5 +162,9 @@ const char *file_hint(struct parser *p, const char *name)
     }
     if (nearest.best)
         return arena_printf(p->arena, "\"%s%s\"", folder, nearest.best);
+    bool font = text_equal_nocase(last + file_stem(last), ".ttf");
+    if (font && file_search(p, "timrom.ttf"))
+        return "\"timrom.ttf\", \"cyrvetic.ttf\" and \"crystal.ttf\" come with "
+               "POV-Ray";
     return arena_printf(p->arena, "%s; +LDIR adds others", list);
 }

@@ -174,13 +174,13 @@ static bool parse_old_refraction(struct parser *p, struct finish *finish)
     double value;
     if (!parse_float(p, &value))
         return false;
-    if (word.word->keyword == KEYWORD_CAUSTICS && value != 0)
-        return error_unsupported(p, span, "'caustics'");
-    if (word.word->keyword != KEYWORD_IOR)
+    if (word.word->keyword == KEYWORD_REFRACTION)
         return true;
-    warning_at(p, span, "interior { ior ... }",
-               "'ior' belongs into the object's interior");
-    finish->ior = value;
+    bool caustics = word.word->keyword == KEYWORD_CAUSTICS;
+    warning_at(p, span,
+               caustics ? "interior { caustics ... }" : "interior { ior ... }",
+               "'%s' belongs into the object's interior", word.word->text);
+    *(caustics ? &finish->caustics : &finish->ior) = value;
     return true;
 }
 

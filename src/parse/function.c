@@ -26,6 +26,7 @@ static const struct function_row function_rows[KEYWORDS_TOTAL] = {
     [KEYWORD_CONCAT] = { "s+", NULL, NULL, text_concat },
     [KEYWORD_COS] = { "f", cos, NULL, NULL },
     [KEYWORD_COSH] = { "f", cosh, NULL, NULL },
+    [KEYWORD_DATETIME] = { "f|s", NULL, NULL, text_datetime },
     [KEYWORD_DEFINED] = { "d", NULL, NULL, number_defined },
     [KEYWORD_DEGREES] = { "f", number_degrees, NULL, NULL },
     [KEYWORD_DIMENSIONS] = { "a", NULL, NULL, number_dimensions },
@@ -77,15 +78,10 @@ const struct function_row *function_find(enum keyword keyword)
     return row->signature ? row : NULL;
 }
 
-static bool function_is_unsupported(enum keyword keyword)
-{
-    return keyword == KEYWORD_DATETIME;
-}
-
 bool function_is(enum keyword keyword)
 {
-    return function_find(keyword) || function_is_unsupported(keyword) ||
-           keyword == KEYWORD_SUM || keyword == KEYWORD_PROD;
+    return function_find(keyword) || keyword == KEYWORD_SUM ||
+           keyword == KEYWORD_PROD;
 }
 
 void call_error(struct parser *p, const struct call *call, struct value *result,
@@ -111,13 +107,9 @@ static bool call_refuse(struct parser *p, const struct word *word,
     if (!skip_brackets(p))
         return false;
     *value = value_poison();
-    if (function_is_unsupported(word->keyword))
-        error_unsupported(
-            p, name, arena_printf(p->arena, "the function %s()", word->text));
-    else
-        error_at(p, name, NULL,
-                 "%s() can be used inside function { } only; use a #for loop",
-                 word->text);
+    error_at(p, name, NULL,
+             "%s() can be used inside function { } only; use a #for loop",
+             word->text);
     return true;
 }
 

@@ -92,6 +92,9 @@ void text_file_exists(struct parser *, const struct call *, struct value *);
 void text_str(struct parser *, const struct call *, struct value *);
 void text_strcmp(struct parser *, const struct call *, struct value *);
 void text_strlen(struct parser *, const struct call *, struct value *);
+/* Days since the beginning of the year 2000, universal time. */
+double text_days_now(void);
+void text_datetime(struct parser *, const struct call *, struct value *);
 void text_strlwr(struct parser *, const struct call *, struct value *);
 void text_strupr(struct parser *, const struct call *, struct value *);
 void text_substr(struct parser *, const struct call *, struct value *);

@@ -1,7 +1,9 @@
 /* Functions of strings. Strings are UTF-8; positions and lengths count
  * characters, as POV-Ray's do. */
 #include <stdlib.h>
+#include <time.h>
 
+#include "base/text.h"
 #include "parse/expression.h"
 #include "parse/function.h"
 
@@ -146,6 +148,40 @@ void text_strlen(struct parser *p, const struct call *call,
 {
     (void)p;
     *result = value_float(text_length(argument(call, 0)));
+}
+
+enum { SECONDS_A_DAY = 86400, SECONDS_TO_2000 = 946684800, TIME_LENGTH = 200 };
+
+double text_days_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_REALTIME, &now);
+    return ((double)(now.tv_sec - SECONDS_TO_2000) + now.tv_nsec * 1e-9) /
+           SECONDS_A_DAY;
+}
+
+/* datetime(days [, format]): days since the year 2000 as strftime() writes
+ * them, in universal time. */
+void text_datetime(struct parser *p, const struct call *call,
+                   struct value *result)
+{
+    char text[TIME_LENGTH];
+    struct tm parts;
+    const char *format =
+        call->count > 1 ? argument(call, 1) : "%Y-%m-%d %H:%M:%SZ";
+    double days = call->arguments[0].number[0];
+    time_t seconds =
+        (time_t)floor(days * SECONDS_A_DAY + 0.5) + SECONDS_TO_2000;
+    if (!(fabs(days) < 1e8) || !gmtime_r(&seconds, &parts))
+        call_error(p, call, result, "now", "there is no date %s days from 2000",
+                   NUMBER_TEXT(days));
+    else if (!*format)
+        call_error(p, call, result, "\"%Y-%m-%d\"", "the format is empty");
+    else if (!strftime(text, sizeof text, format, &parts))
+        call_error(p, call, result, "\"%Y-%m-%d\"",
+                   "the date has more than %d characters", TIME_LENGTH - 1);
+    else
+        *result = value_text(arena_printf(p->arena, "%s", text));
 }
 
 /* Letters of ASCII between `first` and `last` moved by `shift`. */

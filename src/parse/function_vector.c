@@ -126,7 +126,7 @@ void vector_trace(struct parser *p, const struct call *call,
         point = ray_point(&ray, t);
     *result = value_vector(point);
     if (call->target) {
-        call->target->value = value_vector(normal);
+        symbol_give(call->target, value_vector(normal));
         p->changes++;
     }
 }

@@ -162,17 +162,18 @@ static bool height_function(struct parser *p, struct height_grid *grid)
 static bool parse_heights(struct parser *p, void *shape)
 {
     struct height_field *field = shape;
-    const char *name;
+    const char *type, *name;
     char problem[256] = "";
     if (stream_keyword(p) == KEYWORD_FUNCTION)
         return height_function(p, &field->grid);
-    if (!check_supported(p, height_unsupported) || !parse_image_type(p))
+    if (!check_supported(p, height_unsupported) || !parse_image_type(p, &type))
         return false;
     struct span span = stream_span(p);
     if (!parse_string(p, &name))
         return false;
     span = span_join(span, p->last_span);
-    const char *path = file_need(p, span, "image", name, NULL);
+    const char *path =
+        file_checked(p, span, "image", name, image_file(p, name, type));
     if (!path)
         return false;
     struct height_picture picture = { p, span, &field->grid };

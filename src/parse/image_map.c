@@ -2,6 +2,8 @@
  * working space, so that a missing one is reported where it is named. */
 #include "parse/rules.h"
 
+#include "base/text.h"
+
 #include "image/file.h"
 #include "image/tone.h"
 
@@ -17,7 +19,7 @@ struct image_cache {
 
 /* What is said in an image_map about the file. */
 struct image_request {
-    const char *name;
+    const char *name, *type; /* NULL: not said */
     struct span span;
     double gamma;       /* of the file's numbers; 0: sRGB, -1: not said */
     bool premultiplied; /* the file's colours are, whatever its kind says */
@@ -188,17 +190,57 @@ static struct image *image_find(struct parser *p, const char *path,
 static bool image_open(struct parser *p, const struct image_request *request)
 {
     const char *path =
-        file_need(p, request->span, "image", request->name, NULL);
+        file_checked(p, request->span, "image", request->name,
+                     image_file(p, request->name, request->type));
     if (!path)
         return false;
     request->map->image = image_find(p, path, request);
     return request->map->image != NULL;
 }
 
+static bool image_type_unknown(struct parser *p, const struct field *types)
+{
+    const char *word = stream_peek(p)->word->text, *list = types->name;
+    struct text_nearest nearest = text_nearest_start(word);
+    for (const struct field *type = types; type->name; type++) {
+        text_nearest_try(&nearest, type->name);
+        if (type > types)
+            list = arena_printf(p->arena, "%s%s%s", list,
+                                type[1].name ? ", " : " and ", type->name);
+    }
+    return error_at(p, stream_span(p), nearest.best,
+                    "there is no image format '%s'; there are %s", word, list);
+}
+
+/* What a file's name may lack, by its type. */
+static const struct image_ending {
+    const char *type, *ending;
+} image_endings[] = {
+    { "gif", ".gif" },   { "gif", ".GIF" },   { "tga", ".tga" },
+    { "tga", ".TGA" },   { "iff", ".iff" },   { "iff", ".IFF" },
+    { "ppm", ".ppm" },   { "ppm", ".PPM" },   { "pgm", ".pgm" },
+    { "pgm", ".PGM" },   { "png", ".png" },   { "png", ".PNG" },
+    { "jpeg", ".jpg" },  { "jpeg", ".JPG" },  { "jpeg", ".jpeg" },
+    { "jpeg", ".JPEG" }, { "tiff", ".tif" },  { "tiff", ".TIF" },
+    { "tiff", ".tiff" }, { "tiff", ".TIFF" }, { "exr", ".exr" },
+    { "exr", ".EXR" },   { "hdr", ".hdr" },   { "hdr", ".HDR" },
+    { "bmp", ".bmp" },   { "bmp", ".BMP" },
+};
+
+const char *image_file(struct parser *p, const char *name, const char *type)
+{
+    const char *path = file_locate(p, name, NULL);
+    size_t count = sizeof image_endings / sizeof *image_endings;
+    for (size_t i = 0; !path && type && i < count; i++)
+        if (strcmp(image_endings[i].type, type) == 0)
+            path = file_locate(p, name, image_endings[i].ending);
+    return path;
+}
+
 /* image_type = "gif" | "tga" | "iff" | "ppm" | "pgm" | "png" | "jpeg" | "tiff"
  *            | "sys" | "exr" | "hdr" | "bmp" .
  * The file itself tells its type better. */
-bool parse_image_type(struct parser *p)
+bool parse_image_type(struct parser *p, const char **found)
 {
     static const struct field types[] = {
         { .name = "gif" },  { .name = "tga" },  { .name = "iff" },
@@ -208,12 +250,15 @@ bool parse_image_type(struct parser *p)
         { .name = NULL },
     };
     size_t left;
+    *found = NULL;
     for (const struct field *type = types; type->name; type++)
-        if (accept_word(p, type->name))
+        if (accept_word(p, type->name)) {
+            *found = type->name;
             return true;
+        }
     bool wrong = stream_peek(p)->kind == TOKEN_WORD && !at_expression(p) &&
                  stream_raw(p, &left)->kind == TOKEN_STRING;
-    return !wrong || error_unknown_item(p, "image_map", types);
+    return !wrong || image_type_unknown(p, types);
 }
 
 /* map_type = "map_type" float . */
@@ -326,7 +371,7 @@ static bool image_items(struct parser *p, struct image_request *request)
 {
     if (!check_supported(p, image_unsupported))
         return false;
-    if (!parse_image_type(p))
+    if (!parse_image_type(p, &request->type))
         return false;
     request->span = stream_span(p);
     if (!parse_string(p, &request->name))

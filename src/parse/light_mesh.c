@@ -5,12 +5,11 @@
 enum { REGION_LIMIT = 1000 };
 
 static const struct field mesh_names[] = {
-    { .name = "quality" },   { .name = "density" },
-    { .name = "radius" },    { .name = "model" },
-    { .name = "shadows" },   { .name = "interpolation" },
-    { .name = "threshold" }, { .name = "levels" },
-    { .name = "indirect" },  { .name = "region" },
-    { .name = "load_file" }, { .name = NULL },
+    { .name = "quality" },   { .name = "density" }, { .name = "radius" },
+    { .name = "model" },     { .name = "shadows" }, { .name = "interpolation" },
+    { .name = "threshold" }, { .name = "levels" },  { .name = "sky" },
+    { .name = "indirect" },  { .name = "region" },  { .name = "load_file" },
+    { .name = NULL },
 };
 
 static const struct field factor_fields[] = {
@@ -161,10 +160,24 @@ static const struct field radiosity_fields[] = {
     { .name = "subsurface" },       { .name = NULL },
 };
 
-/* radiosity_value = name [bool | float [[","] float]] . */
+/* Of scenes before version 3.7. */
+static bool skip_radiosity_file(struct parser *p)
+{
+    const char *ignored;
+    warning_at(p, stream_span(p), NULL,
+               "'%s' is of no use here, as in POV-Ray since 3.7",
+               stream_peek(p)->word->text);
+    stream_next(p);
+    return parse_string(p, &ignored);
+}
+
+/* radiosity_value = ("load_file" | "save_file") string
+ *                 | name [bool | float [[","] float]] . */
 static bool parse_radiosity_value(struct parser *p)
 {
     struct value ignored;
+    if (at_word(p, "load_file") || at_word(p, "save_file"))
+        return skip_radiosity_file(p);
     if (!accept_field(p, radiosity_fields))
         return error_unknown_item(p, "radiosity", radiosity_fields);
     if (!at_expression(p))

@@ -2,6 +2,7 @@
  * call evaluates the arguments and reads that range again. */
 #include "parse/macro.h"
 
+#include "parse/array.h"
 #include "parse/directive.h"
 #include "parse/expression.h"
 #include "parse/symbol.h"
@@ -86,39 +87,65 @@ static bool macro_run(struct parser *p, struct span at)
     return ok;
 }
 
-/* A plain identifier, alone between commas, is passed by reference: the macro
- * may #declare it. */
-static bool macro_reference(struct parser *p, struct value *value)
+/* An argument: its value or, passed by reference, the element it is. */
+struct macro_value {
+    struct value value;
+    struct value *element; /* or NULL */
+};
+
+/* A plain identifier or an element of an array, alone between commas, is passed
+ * by reference: the macro may #declare it. */
+static struct symbol *macro_refers(struct parser *p)
 {
     size_t available;
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD || token->word->reserved)
-        return false;
-    const struct token *after = stream_raw(p, &available);
-    if (!available ||
-        (after->kind != TOKEN_COMMA && after->kind != TOKEN_RPAREN))
-        return false;
+        return NULL;
     struct symbol *symbol = symbol_lookup(p, token->word);
-    if (!symbol)
-        return false;
-    stream_next(p);
-    *value = (struct value){ .kind = VALUE_REFERENCE, .symbol = symbol };
-    return true;
+    const struct token *after = stream_raw(p, &available);
+    size_t end = symbol && symbol->value.kind == VALUE_ARRAY
+                     ? array_subscripts_end(after, available, 0)
+                     : 0;
+    bool alone = end < available && (after[end].kind == TOKEN_COMMA ||
+                                     after[end].kind == TOKEN_RPAREN);
+    return alone ? symbol : NULL;
 }
 
-static bool macro_argument(struct parser *p, struct value *value)
+/* One that was never set has no value to pass. */
+static bool macro_element(struct parser *p, const struct symbol *symbol,
+                          struct macro_value *out)
+{
+    struct span at = p->last_span;
+    if (!array_element(p, symbol->value.array, &out->element))
+        return false;
+    out->value = *out->element;
+    return out->value.kind != VALUE_NONE ||
+           error_at(p, span_join(at, p->last_span), NULL,
+                    "this element of '%s' was never set", symbol->word->text);
+}
+
+static bool macro_argument(struct parser *p, struct macro_value *out)
 {
     bool found = false;
-    if (macro_reference(p, value))
+    struct symbol *symbol = macro_refers(p);
+    out->element = NULL;
+    if (symbol) {
+        stream_next(p);
+        if (symbol->value.kind == VALUE_ARRAY &&
+            stream_peek(p)->kind == TOKEN_LBRACKET)
+            return macro_element(p, symbol, out);
+        out->value =
+            (struct value){ .kind = VALUE_REFERENCE, .symbol = symbol };
         return true;
-    if (!parse_thing(p, value, &found))
+    }
+    if (!parse_thing(p, &out->value, &found))
         return false;
-    return found || parse_expression(p, value);
+    return found || parse_expression(p, &out->value);
 }
 
 /* macro_arguments = "(" [value {[","] value}] ")" . */
 static bool macro_arguments(struct parser *p, const struct macro *macro,
-                            struct value *values)
+                            struct macro_value *values)
 {
     struct span open = stream_span(p);
     if (!expect(p, TOKEN_LPAREN, span_none())) {
@@ -173,7 +200,7 @@ static void macro_recover(struct parser *p)
 bool macro_call(struct parser *p, const struct word *word, struct span at)
 {
     const struct macro *macro = symbol_find(p, word)->macro;
-    struct value values[MACRO_PARAMETER_LIMIT];
+    struct macro_value values[MACRO_PARAMETER_LIMIT];
     struct cursor *directive = p->directive;
     if (!expression_enter(p))
         return false;
@@ -189,8 +216,11 @@ bool macro_call(struct parser *p, const struct word *word, struct span at)
         !stream_push_macro(p, macro->list, macro->first, macro->end, word, at))
         return false;
     scope_push(p);
-    for (int i = 0; i < macro->parameter_count; i++)
-        symbol_make_parameter(p, macro->parameters[i])->value = values[i];
+    for (int i = 0; i < macro->parameter_count; i++) {
+        struct symbol *symbol = symbol_make_parameter(p, macro->parameters[i]);
+        symbol->value = values[i].value;
+        symbol->element = values[i].element;
+    }
     return true;
 }
 

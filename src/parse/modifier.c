@@ -1,5 +1,6 @@
 /* What may follow in an object's block: where it is, what it is made of, how
  * it is cut and seen. */
+#include "parse/expression.h"
 #include "parse/rules.h"
 
 static const struct unsupported_word modifier_unsupported[] = {
@@ -265,13 +266,15 @@ static bool parse_modifier_without_effect(struct parser *p, bool *found)
     case KEYWORD_PHOTONS:
     case KEYWORD_RADIOSITY:
         return modifier_skip_block(p);
-    case KEYWORD_COLOUR:
-        warning_at(p, stream_span(p), "pigment { color ... }",
+    default:
+        *found = colour_begins(stream_keyword(p));
+        if (!*found)
+            return true;
+        warning_at(p, stream_span(p),
+                   arena_printf(p->arena, "pigment { %s ... }",
+                                stream_peek(p)->word->text),
                    "a colour belongs into a pigment; this one is ignored");
         return parse_colour(p, &no_colour);
-    default:
-        *found = false;
-        return true;
     }
 }
 
@@ -296,12 +299,17 @@ static bool modifier_unknown(struct parser *p, const struct modifiers *m)
 {
     if (!check_supported(p, modifier_unsupported))
         return false;
-    if (m->object->child_count && at_object(p)) {
+    if (m->object->kind != OBJECT_SHAPE && at_object(p)) {
         error_at(p, stream_span(p), NULL,
                  "the objects of '%s' come before its modifiers", m->block);
         note_unclosed(p);
         return false;
     }
+    if (stream_keyword(p) == KEYWORD_CONTAINED_BY &&
+        strcmp(m->block, "isosurface") == 0)
+        return error_at(p, stream_span(p), NULL,
+                        "'contained_by' comes before what moves and colours "
+                        "the isosurface");
     return error_unknown_item(p, m->block, modifier_names);
 }
 
@@ -336,15 +344,18 @@ static bool parse_modifier(struct parser *p, struct modifiers *m)
 /* Old scenes say the interior's ior in the finish. */
 static void object_old_ior(struct parser *p, struct object *object)
 {
-    double ior = 0;
-    for (size_t i = 0; object->texture && i < object->texture->count; i++)
-        if (object->texture->layers[i].finish->ior > 0)
-            ior = object->texture->layers[i].finish->ior;
-    if (ior == 0 || object->interior)
+    double ior = 0, caustics = 0;
+    for (size_t i = 0; object->texture && i < object->texture->count; i++) {
+        const struct finish *finish = object->texture->layers[i].finish;
+        ior = finish->ior > 0 ? finish->ior : ior;
+        caustics = finish->caustics > 0 ? finish->caustics : caustics;
+    }
+    if ((ior == 0 && caustics == 0) || object->interior)
         return;
     struct interior *interior = ARENA_NEW(p->scene_arena, struct interior);
     *interior = interior_default();
-    interior->ior = ior;
+    interior->ior = ior > 0 ? ior : interior->ior;
+    interior->caustics = caustics / 45; /* broader than there (measured) */
     object->interior = interior;
 }
 

@@ -161,8 +161,11 @@ bool parse_shape(struct parser *p, struct object **out,
     *out = object;
     if (!block_begin(p, &open))
         return false;
+    const char *outer = p->shape;
+    p->shape = rule ? NULL : primitive->name;
     bool ok =
         rule ? rule(p, shape) : parse_arguments(p, primitive->arguments, shape);
+    p->shape = outer;
     ok = ok && parse_modifiers(p, &m);
     return block_end(p, open, ok) && object_prepare(p, out, primitive, shape);
 }
@@ -190,6 +193,26 @@ static bool parse_object_use(struct parser *p, struct object **out)
     return block_end(p, open, ok);
 }
 
+/* A declared object and a block: `Ball { translate x }`. */
+static bool object_is_reshaped(struct parser *p)
+{
+    size_t left;
+    bool named = at_object_identifier(p);
+    const struct token *after = stream_raw(p, &left);
+    return named && left > 0 && after->kind == TOKEN_LBRACE;
+}
+
+static bool object_reshaped(struct parser *p)
+{
+    struct span open;
+    const char *name = stream_peek(p)->word->text;
+    error_at(p, stream_span(p),
+             arena_printf(p->arena, "object { %s ... }", name),
+             "a declared object is moved and coloured in 'object { }'");
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, false);
+}
+
 /* object = primitive | csg | object_use | mesh | mesh2 | triangle
  *        | smooth_triangle | blob | prism | lathe | text | height_field
  *        | isosurface | bicubic_patch | light_source | OBJECT . */
@@ -204,6 +227,8 @@ bool parse_object(struct parser *p, struct object **out)
         return parse_primitive(p, out, primitive);
     if (keyword && object_unsupported_name(keyword))
         return skip_unsupported(p, object_unsupported_name(keyword));
+    if (object_is_reshaped(p))
+        return object_reshaped(p);
     const struct value *value = accept_value(p, VALUE_OBJECT);
     if (!value)
         return error_expected(p, "an object");

@@ -41,8 +41,9 @@ static bool value_mismatch(struct parser *p, struct span start,
 {
     if (value_is_poison(value))
         return false;
-    return error_at(p, span_join(start, p->last_span), NULL,
-                    "expected %s, found %s", wanted, value_describe(value));
+    return error_at(p, span_join(start, p->last_span), wanted_signature(p, 0),
+                    "expected %s, found %s", wanted_field(p, wanted, 0),
+                    value_describe(value));
 }
 
 bool value_to_float(struct parser *p, struct span start,
@@ -134,6 +135,8 @@ static bool parse_vector_value(struct parser *p, struct value *value)
     stream_next(p);
     while (size < VECTOR_LIMIT &&
            (size < 2 || stream_peek(p)->kind != TOKEN_GREATER)) {
+        if (size > 1 && stream_peek(p)->kind == TOKEN_RBRACE)
+            break;
         if (!parse_float(p, &numbers[size++]))
             return false;
         accept(p, TOKEN_COMMA);
@@ -152,6 +155,16 @@ static bool parse_vector_value(struct parser *p, struct value *value)
     return true;
 }
 
+/* What stands in round brackets in angular ones, if it is short. */
+static const char *parentheses_hint(struct parser *p, struct span open)
+{
+    const char *text = open.source->text + open.offset + 1;
+    size_t length = strcspn(text, "()<>{}\n");
+    return text[length] == ')' && length < 60
+               ? arena_printf(p->arena, "<%.*s>", (int)length, text)
+               : NULL;
+}
+
 /* parentheses = "(" operation ")" . */
 static bool parse_parentheses(struct parser *p, const char *wanted,
                               struct value *value)
@@ -162,7 +175,7 @@ static bool parse_parentheses(struct parser *p, const char *wanted,
         return false;
     if (stream_peek(p)->kind != TOKEN_COMMA)
         return expect(p, TOKEN_RPAREN, open);
-    error_at(p, stream_span(p), NULL,
+    error_at(p, stream_span(p), parentheses_hint(p, open),
              "expected ')', found ','; a vector is written <1, 2, 3>");
     note_at(p, open, "to match this '('");
     return false;
@@ -313,6 +326,14 @@ static bool parse_component(struct parser *p, struct value *value)
     return true;
 }
 
+/* Whether nothing of the expression has been read, as its value is the first
+ * in a block. */
+static bool operand_is_first(const struct parser *p)
+{
+    struct span last = p->last_span;
+    return last.source && last.source->text[last.offset] == '{';
+}
+
 static bool parse_word_operand(struct parser *p, const char *wanted,
                                struct value *value)
 {
@@ -328,7 +349,7 @@ static bool parse_word_operand(struct parser *p, const char *wanted,
         bool ok = operand_recover(p, TOKEN_RPAREN, parse_call(p, value), value);
         return brackets_end(p, outer, ok);
     }
-    if (colour_begins(word->keyword))
+    if (colour_begins(word->keyword) && !operand_is_first(p))
         return error_at(p, p->token_span, NULL,
                         "'%s' is only allowed at the beginning of a colour, "
                         "as in: rgb 0.5 * <1, 0.8, 0>",

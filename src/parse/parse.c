@@ -17,6 +17,21 @@ static void parse_predeclare(struct parser *p, const char *name, double number)
                false);
 }
 
+/* What POV-Ray declares too before the first line: the scene may declare it
+ * anew (measured). */
+static void parse_predeclare_frame(struct parser *p)
+{
+    const struct parse_options *o = p->options;
+    parse_predeclare(p, "clock_delta", o->clock_delta);
+    parse_predeclare(p, "initial_clock", o->initial_clock);
+    parse_predeclare(p, "final_clock", o->final_clock);
+    parse_predeclare(p, "initial_frame", o->initial_frame);
+    parse_predeclare(p, "final_frame", o->final_frame);
+    parse_predeclare(p, "frame_number", o->frame_number);
+    parse_predeclare(p, "image_width", o->image_width);
+    parse_predeclare(p, "image_height", o->image_height);
+}
+
 static bool name_is_word(const char *name)
 {
     size_t letters = strspn(name, "abcdefghijklmnopqrstuvwxyz"
@@ -94,6 +109,7 @@ static void parse_run(struct parser *p, const struct source *main)
     scope_push(p);
     p->global = p->scope;
     parse_predeclare(p, "Glim", GLIM_VERSION_NUMBER);
+    parse_predeclare_frame(p);
     defaults_init(p);
     for (size_t i = 0; i < p->options->declare_count; i++)
         parse_declare(p, &p->options->declares[i]);
@@ -101,6 +117,9 @@ static void parse_run(struct parser *p, const struct source *main)
         return;
     if (parse_headers(p))
         parse_items(p);
+    if (p->options->light_said)
+        light_said_apply(p->options->light_said, p->options->light,
+                         &p->scene->settings);
     if (p->diag->errors == 0)
         settings_finish(p);
 }

@@ -13,6 +13,7 @@ struct parse_options {
     const char *const *include_paths; /* searched after the current directory */
     size_t include_path_count;
     const struct permits *permits;      /* what the scene may read; NULL: all */
+    const char *const *standard_paths;  /* of POV-Ray's own; NULL ends them */
     const char *const *include_headers; /* +HI files, read before the scene */
     size_t include_header_count;
     /* Declare=NAME=VALUE, in order; the value is an expression or string. */
@@ -26,6 +27,10 @@ struct parse_options {
     double initial_clock, final_clock;
     int initial_frame, final_frame, frame_number;
     int image_width, image_height;
+    const struct light_said *light_said; /* wins over the scene's own settings,
+                                          * with the values in `light`; NULL:
+                                          * nothing is said */
+    const struct settings *light;
     double version;         /* +MV; 0: not said */
     size_t memory_limit;    /* bytes for text, parsing and scene together;
                              * 0: 4 GiB, or half of what there is */

@@ -60,13 +60,20 @@ struct parser {
     unsigned nesting;
     struct span blocks[PARSE_NESTING_LIMIT]; /* the '{' of blocks being read */
     unsigned block_count;
-    unsigned declaring; /* #declares being read inside each other */
+    const struct field *field; /* whose value is being read, or NULL */
+    unsigned field_nesting;    /* when its reading began */
+    const char *shape;         /* whose arguments are being read, or NULL */
+    unsigned declaring;        /* #declares being read inside each other */
     const struct unsupported *unsupported; /* met inside a #declare */
     struct span blamed; /* the last token of a value that was reported and
                          * taken: what follows it is not at fault */
     struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */
     unsigned reported_count;
     unsigned long taken, taken_at_error; /* tokens; see error_follows */
+    bool told; /* what is being read was reported: nothing more about it */
+    bool spare_semicolon; /* a ';' that is next has no meaning */
+    bool unclosed;  /* the innermost block lacks its '}', as was said: it ends
+                     * here */
     bool silent;    /* the last error was not printed: nor are its notes */
     bool failed;    /* gave up: the stream only gives TOKEN_END from now on */
     double version; /* #version in force */
@@ -136,6 +143,12 @@ note_at(struct parser *p, struct span span, const char *format, ...);
 /* "expected WANTED, found 'x'" at the next token, with "did you mean" from
  * what `where` accepts when the token is a word. */
 bool error_expected(struct parser *p, const char *wanted);
+bool error_expected_hint(struct parser *p, const char *wanted,
+                         const char *hint);
+
+/* "expected '{' after 'pigment', found 'T'"; what stands there instead of the
+ * block is taken. */
+bool error_unopened(struct parser *p);
 
 /* A POV-Ray feature glim does not have: "'photons' is not supported". Inside
  * a #declare the error is kept and reported where the identifier is used. */
@@ -146,9 +159,35 @@ bool error_unsupported(struct parser *p, struct span span, const char *feature);
 bool error_unknown_item(struct parser *p, const char *block,
                         const struct field *fields);
 
-/* If the next token is an item of the scene on a later line than the '{' of
- * the block it is in: a note that the block may lack its '}'. */
+/* ---- unclosed.c ---- */
+
+/* If the next token can't stand in the block it is in because the block lacks
+ * its '}': a note at its '{', and block_end ends it before that token. */
 void note_unclosed(struct parser *p);
+
+/* "}" if the next token is, say, a 'finish' in a 'pigment'; else NULL. */
+const char *unclosed_hint(struct parser *p);
+
+/* ---- signature.c ---- */
+
+/* "sphere { <centre>, radius ... }", or NULL: no shape, or not by a table. */
+const char *primitive_signature(struct parser *p, const char *name);
+
+/* The same, unless something else than numbers was read in the block. */
+const char *primitive_hint(struct parser *p, const char *name);
+
+/* "a number for 'radius'" if that is what is being read, else `wanted`. The
+ * value itself is read `deeper` brackets than the field. */
+const char *wanted_field(struct parser *p, const char *wanted, unsigned deeper);
+
+/* The signature of the shape whose argument is being read, or NULL. */
+const char *wanted_signature(struct parser *p, unsigned deeper);
+
+/* ---- library.c ---- */
+
+/* Where an error is shown first: the place itself or, inside POV-Ray's own
+ * include files, what of the user's led there. */
+struct span library_user(struct parser *p, struct span span);
 
 /* ---- expression.c: values are evaluated as they are read ---- */
 
@@ -205,9 +244,17 @@ const char *file_find(struct parser *p, const char *name,
 const char *file_need(struct parser *p, struct span span, const char *what,
                       const char *name, const char *extension);
 
+/* The same for a path that was found, or NULL: returns it, or NULL after an
+ * error. */
+const char *file_checked(struct parser *p, struct span span, const char *what,
+                         const char *name, const char *path);
+
 /* The hint for a file that was not found: one with nearly that name, or
  * "looked in ., /usr/share/...; +LDIR adds others". */
 const char *file_hint(struct parser *p, const char *name);
+
+/* The name for messages: control characters as '?'. */
+const char *file_shown(struct parser *p, const char *name);
 
 /* ---- belongs.c ---- */
 

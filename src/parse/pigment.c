@@ -23,6 +23,24 @@ static const struct field pigment_names[] = {
     { .name = NULL },
 };
 
+static bool is_byte(double x)
+{
+    return x >= 0 && x <= 255 && x == floor(x);
+}
+
+/* Colours of other programs go from 0 to 255. */
+static void pigment_warn_bytes(struct parser *p, struct span span,
+                               const colour *c)
+{
+    double most = fmax(c->r, fmax(c->g, c->b));
+    bool grey = c->r == c->g && c->g == c->b && c->r != 255;
+    if (most < 32 || grey || !is_byte(c->r) || !is_byte(c->g) || !is_byte(c->b))
+        return;
+    warning_at(p, span,
+               arena_printf(p->arena, "rgb <%g, %g, %g>/255", c->r, c->g, c->b),
+               "colours go from 0 to 1, not to 255");
+}
+
 /* pigment_start = colour | image_map | pattern [block_list] .
  * Measured: a pattern in place of another keeps its map, and a list of colours
  * is a map of these at 0, 1, 2. */
@@ -37,7 +55,11 @@ static bool parse_pigment_start(struct parser *p, struct pigment *pigment,
     }
     if (at_colour(p)) {
         pigment->kind = PIGMENT_COLOUR;
-        return parse_colour(p, &pigment->colour);
+        struct span span = stream_span(p);
+        if (!parse_colour(p, &pigment->colour))
+            return false;
+        pigment_warn_bytes(p, span_join(span, p->last_span), &pigment->colour);
+        return true;
     }
     if (!parse_pattern(p, &pigment->pattern, found))
         return false;

@@ -47,7 +47,8 @@ bool at_number(struct parser *p)
 bool bracket_begin(struct parser *p, struct span *open)
 {
     *open = stream_span(p);
-    return expect(p, TOKEN_LBRACKET, span_none());
+    return accept(p, TOKEN_LBRACKET) ||
+           error_expected_hint(p, "'['", "[0 ...]");
 }
 
 bool skip_item(struct parser *p)

@@ -1,5 +1,6 @@
 /* The scene file as a sequence of items, and what #declare can name besides
  * numbers and strings. */
+#include "parse/mistaken.h"
 #include "parse/rules.h"
 
 static const struct unsupported_word scene_unsupported[] = {
@@ -240,6 +241,27 @@ static void scene_recover(struct parser *p)
             block_end(p, open, false);
 }
 
+/* What is no item of the scene, but can be declared. */
+static bool at_declarable(struct parser *p)
+{
+    switch (stream_keyword(p)) {
+    case KEYWORD_TEXTURE:
+    case KEYWORD_PIGMENT:
+    case KEYWORD_NORMAL:
+    case KEYWORD_FINISH:
+    case KEYWORD_INTERIOR:
+    case KEYWORD_MATERIAL:
+    case KEYWORD_TRANSFORM:
+    case KEYWORD_COLOUR_MAP:
+    case KEYWORD_PIGMENT_MAP:
+    case KEYWORD_FUNCTION:
+    case KEYWORD_ARRAY:
+        return true;
+    default:
+        return false;
+    }
+}
+
 static bool scene_unknown(struct parser *p)
 {
     struct span open;
@@ -247,11 +269,19 @@ static bool scene_unknown(struct parser *p)
         unsupported_name(scene_unsupported, stream_keyword(p));
     if (unsupported)
         return skip_unsupported(p, unsupported);
+    if (mistaken_statement(p))
+        return true; /* and read on right behind it */
     enum token_kind kind = stream_peek(p)->kind;
     if (at_word(p, "light_mesh") || at_word(p, "skeleton"))
         error_at(p, stream_span(p),
                  "#ifdef (Glim) global_settings { ... } #end",
                  "this belongs into 'global_settings'");
+    else if (at_declarable(p))
+        error_at(p, stream_span(p),
+                 arena_printf(p->arena, "#declare NAME = %s ...",
+                              stream_peek(p)->word->text),
+                 "'%s' is not allowed in the scene by itself",
+                 stream_peek(p)->word->text);
     else if (kind == TOKEN_WORD)
         error_unknown_item(p, "the scene", NULL);
     else if (kind == TOKEN_SEMICOLON)

@@ -27,7 +27,6 @@ static const struct field setting_names[] = {
 };
 
 static const struct unsupported_word setting_unsupported[] = {
-    { KEYWORD_SUBSURFACE, "'subsurface'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -88,9 +87,26 @@ static bool parse_noise_setting(struct parser *p)
     return true;
 }
 
+/* subsurface_value = "samples" float [","] float | "radiosity" [bool] .
+ * Of no effect where no finish has subsurface. */
+static bool parse_subsurface_value(struct parser *p)
+{
+    double ignored;
+    bool flag;
+    if (accept_keyword(p, KEYWORD_RADIOSITY))
+        return parse_bool(p, &flag);
+    if (!accept_word(p, "samples"))
+        return error_unknown_item(p, "subsurface", NULL);
+    if (!parse_float(p, &ignored))
+        return false;
+    accept(p, TOKEN_COMMA);
+    return parse_float(p, &ignored);
+}
+
 /* setting_without_effect = "charset" name | "max_intersections" float
  *                        | "mm_per_unit" float | "irid_wavelength" colour
- *                        | "hf_gray_16" [bool] . */
+ *                        | "hf_gray_16" [bool]
+ *                        | "subsurface" "{" {subsurface_value} "}" . */
 static bool parse_setting_without_effect(struct parser *p, bool *found)
 {
     colour ignored;
@@ -112,6 +128,8 @@ static bool parse_setting_without_effect(struct parser *p, bool *found)
     case KEYWORD_HF_GRAY_16:
         stream_next(p);
         return parse_bool(p, &flag);
+    case KEYWORD_SUBSURFACE:
+        return block_items(p, parse_subsurface_value);
     default:
         *found = false;
         return true;
@@ -221,23 +239,27 @@ static void settings_filters(struct parser *p)
         p->finishes.items[i]->old_filter = old;
 }
 
-/* What reflects no light can't have its ambient light stand for such: it glows,
- * as `emission` says. So skies painted on planes shine by every lighting. (The
- * usual ambient is of mirrors and glass for which nobody thought of it.) But
- * since version 3.7 radiosity takes the place of all ambient light. */
+/* What glows is seen as in POV-Ray by every lighting: skies painted on planes,
+ * signs, pictures. Where sky and background light the scene, what reflects
+ * nothing is a lamp as well, as `emission` says. But since version 3.7
+ * radiosity takes the place of all ambient light. */
 static void settings_glows(struct parser *p)
 {
-    if (p->scene->settings.radiosity && p->version_said && p->version >= 3.7)
+    const struct settings *settings = &p->scene->settings;
+    bool sky = settings_sky(settings);
+    if (settings->radiosity && p->version_said && p->version >= 3.7)
         return;
-    rgb light = p->scene->settings.ambient_light;
-    double usual = rgb_peak(finish_default().ambient);
     for (size_t i = 0; i < p->finishes.count; i++) {
         struct finish *finish = p->finishes.items[i];
-        if (finish->diffuse != 0 || finish->diffuse_back != 0 ||
-            rgb_peak(finish->ambient) <= usual)
+        bool lamp = finish->diffuse == 0 && finish->diffuse_back == 0;
+        rgb glow = rgb_mul(finish->ambient, settings->ambient_light);
+        if (!finish_is_to_glow(finish, settings->ambient_light) ||
+            (sky && !lamp))
             continue;
-        finish->emission =
-            rgb_add(finish->emission, rgb_mul(finish->ambient, light));
+        if (sky)
+            finish->emission = rgb_add(finish->emission, glow);
+        else
+            finish->glow = rgb_add(finish->glow, glow);
         finish->ambient = rgb_grey(0);
     }
 }

@@ -3,6 +3,7 @@
 
 #include "parse/directive.h"
 #include "parse/macro.h"
+#include "parse/mistaken.h"
 #include "parse/symbol.h"
 
 static struct span cursor_span(const struct cursor *cursor, size_t index)
@@ -169,6 +170,28 @@ static bool stream_interrupted(struct parser *p)
     return true;
 }
 
+/* A '#' before what is no directive is passed over, as in POV-Ray. */
+static bool stream_passes_sign(struct parser *p, const struct token *token)
+{
+    const struct word *word = token->word;
+    return !directive_is(word->keyword) &&
+           (word->reserved || symbol_find(p, word));
+}
+
+/* Two directives need no '#', since POV-Ray only warns. */
+static bool stream_lacks_sign(enum keyword keyword)
+{
+    return keyword == KEYWORD_DECLARE || keyword == KEYWORD_INCLUDE;
+}
+
+static void stream_warn_sign(struct parser *p, const struct token *token)
+{
+    const char *word = token->word->text;
+    warning_at(p, cursor_span(p->cursor, p->cursor->index),
+               arena_printf(p->arena, "#%s", word),
+               "'%s' should have a '#' before it", word);
+}
+
 /* Finds the next token of the scene: false at an end. */
 static bool stream_fetch(struct parser *p, bool infix)
 {
@@ -183,21 +206,37 @@ static bool stream_fetch(struct parser *p, bool infix)
         }
         const struct token *token = &cursor->list->tokens[cursor->index];
         bool stays = infix && cursor == p->directive;
-        if (token->kind == TOKEN_DIRECTIVE) {
+        bool spare = p->spare_semicolon;
+        p->spare_semicolon = false;
+        if (spare && !stays && token->kind == TOKEN_SEMICOLON) {
+            cursor->index++;
+            continue;
+        }
+        if (token->kind == TOKEN_DIRECTIVE && !stream_passes_sign(p, token)) {
             if (stays)
                 return false;
             directive_run(p);
-        } else if (token->kind == TOKEN_WORD && macro_is_call(p, token->word)) {
+        } else if (token->kind == TOKEN_WORD &&
+                   stream_lacks_sign(token->word->keyword)) {
+            if (stays)
+                return false;
+            stream_warn_sign(p, token);
+            directive_run(p);
+        } else if ((token->kind == TOKEN_WORD ||
+                    token->kind == TOKEN_DIRECTIVE) &&
+                   macro_is_call(p, token->word)) {
             if (stays)
                 return false;
             cursor->index++;
             macro_call(p, token->word, cursor_span(cursor, cursor->index - 1));
         } else if (token->kind == TOKEN_BAD) {
-            error_at(p, cursor_span(cursor, cursor->index++), NULL, "%s",
-                     token->text);
+            struct span span = cursor_span(cursor, cursor->index++);
+            error_at(p, span, mistaken_character(p, span), "%s", token->text);
         } else {
             p->token_span = cursor_span(cursor, cursor->index++);
             p->token = *token;
+            if (token->kind == TOKEN_DIRECTIVE)
+                p->token.kind = TOKEN_WORD;
             p->peeked = true;
             return true;
         }
@@ -314,8 +353,9 @@ void stream_skip_raw(struct parser *p, size_t n)
 bool block_begin(struct parser *p, struct span *open)
 {
     *open = stream_span(p);
-    if (!expect(p, TOKEN_LBRACE, span_none()))
-        return false;
+    if (stream_peek(p)->kind != TOKEN_LBRACE)
+        return error_unopened(p);
+    stream_next(p);
     if (++p->nesting > PARSE_NESTING_LIMIT) {
         error_at(p, *open, NULL, "blocks are nested more than %d deep",
                  PARSE_NESTING_LIMIT);
@@ -343,8 +383,9 @@ static void block_skip(struct parser *p)
 bool block_end(struct parser *p, struct span open, bool ok)
 {
     ok = ok && expect(p, TOKEN_RBRACE, open);
-    if (!ok)
+    if (!ok && !p->unclosed)
         block_skip(p);
+    p->unclosed = false;
     p->block_count--;
     p->nesting--;
     return ok;
@@ -375,9 +416,11 @@ enum keyword stream_skip_block(struct parser *p, const enum keyword *stops,
 {
     struct cursor *cursor = p->cursor;
     unsigned depth = 0;
+    bool bare = open.source->text[open.offset] != '#'; /* reported by now */
     for (; cursor->index < cursor->end; cursor->index++) {
         const struct token *token = &cursor->list->tokens[cursor->index];
-        if (token->kind != TOKEN_DIRECTIVE)
+        if (token->kind != TOKEN_DIRECTIVE &&
+            (token->kind != TOKEN_WORD || !bare))
             continue;
         enum keyword keyword = token->word->keyword;
         for (size_t i = 0; depth == 0 && stops[i]; i++)

@@ -75,6 +75,8 @@ struct symbol *symbol_lookup(struct parser *p, const struct word *word)
     struct symbol *symbol = p->symbols.items[word->id];
     while (symbol && symbol->value.kind == VALUE_REFERENCE)
         symbol = symbol->value.symbol;
+    if (symbol && symbol->element)
+        symbol->value = *symbol->element;
     return symbol;
 }
 
@@ -134,7 +136,14 @@ struct symbol *symbol_make(struct parser *p, const struct word *word,
 void symbol_set(struct parser *p, const struct word *word, struct value value,
                 bool local)
 {
-    symbol_make(p, word, local)->value = value;
+    symbol_give(symbol_make(p, word, local), value);
+}
+
+void symbol_give(struct symbol *symbol, struct value value)
+{
+    symbol->value = value;
+    if (symbol->element)
+        *symbol->element = value;
 }
 
 /* The symbol stays in its scope's list and is freed with it. */

@@ -14,10 +14,15 @@ struct symbol {
     struct scope *scope;
     const char *deprecated; /* message for its use, or NULL */
     bool deprecated_once;
+    struct value *element; /* of an array, which this parameter stands for: it
+                            * has the value, which is copied here */
 };
 
 bool scope_push(struct parser *p);
 void scope_pop(struct parser *p);
+
+/* Gives the symbol, and what it stands for, a value. */
+void symbol_give(struct symbol *symbol, struct value value);
 
 /* The innermost symbol, references followed; NULL: not declared. */
 struct symbol *symbol_lookup(struct parser *p, const struct word *word);

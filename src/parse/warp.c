@@ -4,7 +4,7 @@
 #include "parse/rules.h"
 #include "scene/noise.h"
 
-enum { WARP_LIMIT = 100 }; /* of one pattern: each is work at each point */
+enum { WARP_LIMIT = 1000 }; /* of one pattern: each is work at each point */
 
 static const struct field turbulence_fields[] = {
     { "octaves", FIELD_INTEGER, offsetof(struct warp, turbulence.octaves), 0, 0,

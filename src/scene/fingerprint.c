@@ -162,6 +162,7 @@ static uint64_t finish_hash(uint64_t hash, const struct finish *f)
         f->old_filter,
     };
     hash = hash_rgb(hash_rgb(hash, f->ambient), f->emission);
+    hash = hash_rgb(hash, f->glow);
     hash = hash_rgb(hash_rgb(hash, r->minimum), r->maximum);
     return hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
 }

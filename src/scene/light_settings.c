@@ -36,7 +36,7 @@ static const char *const guide_choices[] = {
 /* mesh_value = "quality" float | "density" float | "radius" float
  *            | "interpolation" name | "model" ( "directional" | "scalar" )
  *            | "shadows" ( "auto" | "soft" | "sharp" )
- *            | "threshold" float | "levels" float . */
+ *            | "threshold" float | "levels" float | "sky" [bool] . */
 const struct field light_mesh_fields[] = {
     NUMBER("quality", light_mesh.quality, 1, 10, "the knob to turn first, 5"),
     NUMBER("density", light_mesh.density, 1e-6, 1e6,
@@ -54,6 +54,8 @@ const struct field light_mesh_fields[] = {
            "new points where neighbours differ by more, 0.2"),
     COUNT("levels", light_mesh.levels, 1, 6,
           "how often the distance of points is halved for that, 2"),
+    { "sky", FIELD_BOOL, AT(light_mesh.sky), 0, 0,
+      "sky and background light the scene, in place of 'ambient' (off)" },
     { NULL },
 };
 

@@ -54,6 +54,7 @@ struct light_mesh_settings {
     const char *save_file, *load_file; /* or NULL; save_file never by a scene:
                                         * a scene must not write files */
     bool only; /* --mesh-only: the mesh is wanted, no picture */
+    bool sky;  /* sky and background are lamps, as they are with radiosity */
 };
 
 enum path_guide {

@@ -13,6 +13,13 @@ struct finish finish_default(void)
     };
 }
 
+bool finish_is_to_glow(const struct finish *finish, rgb ambient_light)
+{
+    double ambient = rgb_peak(rgb_mul(finish->ambient, ambient_light));
+    return ambient > rgb_peak(finish_default().ambient) &&
+           ambient > 0.5 * finish->diffuse;
+}
+
 struct interior interior_default(void)
 {
     return (struct interior){ .ior = 1 };

@@ -112,6 +112,8 @@ struct reflection {
 /* POV-Ray 3.7's defaults are in finish_default. */
 struct finish {
     rgb ambient, emission;
+    rgb glow; /* ambient light of what is meant to glow, ambient_light and all:
+               * seen whatever stands before it, and lights nothing else */
     double diffuse, diffuse_back; /* light on the viewer's / the other side */
     bool diffuse_albedo;
     double brilliance;
@@ -123,10 +125,10 @@ struct finish {
     double crand;    /* grain */
     struct reflection reflection;
     bool conserve_energy;
-    bool old_filter; /* before 3.7 a dark colour filters less: see
-                      * shade/finish.c */
-    double ior;      /* of scenes older than 3.1: the parser gives it to the
-                      * object's interior; 0: not said */
+    bool old_filter;      /* before 3.7 a dark colour filters less: see
+                           * shade/finish.c */
+    double ior, caustics; /* of scenes older than 3.1: the parser gives them
+                           * to the object's interior; 0: not said */
 };
 
 /* One layer of paint. No member is NULL but `normal`. */
@@ -208,6 +210,11 @@ struct material {
 };
 
 struct finish finish_default(void);
+
+/* Whether its ambient light is more than finishes have anyway, and than they
+ * would scatter in surroundings half as bright as white: then it doesn't stand
+ * for light from elsewhere, but the surface is meant to glow. */
+bool finish_is_to_glow(const struct finish *finish, rgb ambient_light);
 struct interior interior_default(void);
 
 /* Opaque black, as POV-Ray's. */

@@ -52,6 +52,13 @@ struct settings {
     struct skeleton_settings skeleton;
 };
 
+/* Whether sky and background light the scene, as with radiosity; else what
+ * they would give is what `ambient` stands for (shade/ambience.h). */
+static inline bool settings_sky(const struct settings *settings)
+{
+    return settings->radiosity || settings->light_mesh.sky;
+}
+
 struct scene {
     struct arena *arena;
     struct camera camera;

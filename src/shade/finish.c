@@ -132,6 +132,18 @@ rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance)
     return rgb_scale(light, layer_opacity(layer));
 }
 
+rgb finish_ambient(const struct surface_layer *layer)
+{
+    rgb share = rgb_mul(layer->finish->ambient, colour_rgb(layer->pigment));
+    return rgb_scale(share, layer_opacity(layer));
+}
+
+rgb finish_shine(const struct surface_layer *layer)
+{
+    rgb light = rgb_mul(layer->finish->glow, colour_rgb(layer->pigment));
+    return rgb_scale(light, layer_opacity(layer));
+}
+
 bool finish_lit_by(const struct finish *finish, double cosine, bool twice)
 {
     if (cosine > 0 || twice)
@@ -210,6 +222,17 @@ rgb surface_glow(const struct surface *surface)
     return sum;
 }
 
+rgb surface_shine(const struct surface *surface)
+{
+    rgb sum = rgb_grey(0);
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        if (rgb_peak(layer->finish->glow) > 0)
+            sum = rgb_add(sum, rgb_mul(layer->weight, finish_shine(layer)));
+    }
+    return sum;
+}
+
 rgb surface_albedo(const struct surface *surface)
 {
     rgb sum = rgb_grey(0);
@@ -219,5 +242,6 @@ rgb surface_albedo(const struct surface *surface)
         rgb albedo = rgb_scale(colour_rgb(layer->pigment), share);
         sum = rgb_add(sum, rgb_mul(layer->weight, albedo));
     }
-    return sum;
+    double peak = rgb_peak(sum);
+    return peak > ALBEDO_MOST ? rgb_scale(sum, ALBEDO_MOST / peak) : sum;
 }

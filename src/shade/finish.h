@@ -15,10 +15,25 @@ rgb finish_light(const struct surface *surface,
  * diffuse * pigment * irradiance). The layer's weight is not applied. */
 rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance);
 
-/* The light that a surface itself sends to its viewer: emission. */
+/* What the layer makes of ambient light 1. Likewise. */
+rgb finish_ambient(const struct surface_layer *layer);
+
+/* Light of its own that the layer shows its viewer and that lights nothing
+ * else: ambient light that is meant to glow. Likewise. */
+rgb finish_shine(const struct surface_layer *layer);
+
+/* The light that a surface itself sends to all others: emission. */
 rgb surface_glow(const struct surface *surface);
 
-/* What it sends back of irradiance, without highlights and mirrors. */
+/* The sum of finish_shine. */
+rgb surface_shine(const struct surface *surface);
+
+/* Whiter than any paint. */
+#define ALBEDO_MOST 0.95
+
+/* What it sends back of irradiance, without highlights and mirrors, on to other
+ * surfaces: never all of it, whatever the finish says, or the light between two
+ * of them would grow without end. */
 rgb surface_albedo(const struct surface *surface);
 
 /* Whether light that meets the layer at this cosine (negative: from behind)

@@ -7,7 +7,6 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "shade/area.h"
-#include "shade/background.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
 #include "skeleton/wall.h"
@@ -96,6 +95,8 @@ static rgb lamp_reaches(const struct patches_task *task,
                         const struct lamp *lamp,
                         const struct patch_point *point, uint64_t key)
 {
+    const struct scene *scene = task->from->ambience->scene;
+    bool fog = lamp->light->media_attenuation && scene->fogs.count > 0;
     struct worker worker = { 0 };
     struct lamp_view view;
     vec3 location = lamp_point(lamp, point->at.point, key);
@@ -103,7 +104,8 @@ static rgb lamp_reaches(const struct patches_task *task,
     struct shadow_path path = { .point = point->at.point,
                                 .direction = view.direction,
                                 .distance = view.distance,
-                                .light = lamp->number };
+                                .light = lamp->number,
+                                .fog = fog ? scene : NULL };
     if (rgb_peak(light) == 0 || lamp->light->shadowless)
         return light;
     return rgb_mul(light, shadow_visibility(task->from->world, &worker, &path));
@@ -191,24 +193,16 @@ static void fill_task(void *context, size_t item, unsigned thread)
         patch_fill(task, i);
 }
 
-static rgb sky_radiance(const struct scene *scene, vec3 direction)
-{
-    struct veil veil = sky_veil(scene, direction);
-    rgb back = rgb_scale(colour_rgb(scene->background),
-                         1 - scene->background.transmit);
-    return rgb_add(veil.light, rgb_mul(veil.through, back));
-}
-
 rgb patches_beyond(const struct patches_scene *from, vec3 direction,
                    const struct intersection *at, uint64_t key)
 {
     struct patches_task task = { .from = from, .lamps_each = BEYOND_LAMPS };
     struct patch_point point;
     if (!at)
-        return sky_radiance(from->scene, direction);
+        return ambience_beyond(from->ambience, direction);
     point.at = *at;
     patch_look(&point, direction);
-    rgb light = sky_radiance(from->scene, point.surface.normal);
+    rgb light = ambience_beyond(from->ambience, point.surface.normal);
     light = rgb_add(light, patch_direct(&task, &point, key));
     return rgb_add(rgb_mul(point.albedo, light), point.emission);
 }

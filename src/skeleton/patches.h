@@ -3,6 +3,7 @@
 #ifndef SKELETON_PATCHES_H
 #define SKELETON_PATCHES_H
 
+#include "shade/ambience.h"
 #include "shade/lamp.h"
 #include "skeleton/voxels.h"
 #include "base/worker.h"
@@ -29,7 +30,7 @@ struct patches {
 /* What the light of walls is asked of. */
 struct patches_scene {
     const struct world *world;
-    const struct scene *scene;
+    const struct ambience *ambience;
     const struct lamp *lamps;
     size_t lamp_count;
     uint64_t seed;

@@ -225,6 +225,7 @@ struct skeleton *skeleton_new(const struct world *world,
     skeleton->arena = arena;
     skeleton->world = world;
     skeleton->scene = scene;
+    skeleton->ambience = ambience_new(world, scene);
     skeleton->voxels = voxels;
     skeleton->seed = options->seed;
     skeleton->rays = options->rays ? options->rays : RAYS;

@@ -7,6 +7,7 @@
 
 #include "base/worker.h"
 #include "embree/world.h"
+#include "shade/ambience.h"
 #include "shade/lamp.h"
 #include "skeleton/graph.h"
 #include "skeleton/paths.h"
@@ -35,6 +36,7 @@ struct skeleton {
     struct arena *arena;
     const struct world *world;
     const struct scene *scene;
+    struct ambience ambience;
     const struct voxels *voxels;
     struct graph *graph;
     uint32_t *nearest;    /* node of each voxel, GRAPH_NONE: none */

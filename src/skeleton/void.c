@@ -14,6 +14,7 @@ static bool sky_counts(const struct scene *scene,
                        const struct void_space *space)
 {
     return space->light_count == 0 || scene->sky ||
+           !settings_sky(&scene->settings) ||
            rgb_peak(colour_rgb(scene->background)) > 0;
 }
 

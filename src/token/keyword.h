@@ -51,6 +51,7 @@
     X(BLOB, "blob")                                                            \
     X(BLUE, "blue")                                                            \
     X(BLUR_SAMPLES, "blur_samples")                                            \
+    X(BOKEH, "bokeh")                                                          \
     X(BOUNDED_BY, "bounded_by")                                                \
     X(BREAK, "break")                                                          \
     X(BRICK_SIZE, "brick_size")                                                \
@@ -67,7 +68,6 @@
     X(CIRCULAR, "circular")                                                    \
     X(CLIPPED_BY, "clipped_by")                                                \
     X(CLOCK, "clock")                                                          \
-    X(CLOCK_DELTA, "clock_delta")                                              \
     X(CLOCK_ON, "clock_on")                                                    \
     X(COLLECT, "collect")                                                      \
     X(COLOUR, "colour")                                                        \
@@ -137,8 +137,6 @@
     X(FCLOSE, "fclose")                                                        \
     X(FILE_EXISTS, "file_exists")                                              \
     X(FILTER, "filter")                                                        \
-    X(FINAL_CLOCK, "final_clock")                                              \
-    X(FINAL_FRAME, "final_frame")                                              \
     X(FINISH, "finish")                                                        \
     X(FISHEYE, "fisheye")                                                      \
     X(FLATNESS, "flatness")                                                    \
@@ -152,7 +150,6 @@
     X(FOPEN, "fopen")                                                          \
     X(FOR, "for")                                                              \
     X(FORM, "form")                                                            \
-    X(FRAME_NUMBER, "frame_number")                                            \
     X(FREQUENCY, "frequency")                                                  \
     X(FRESNEL, "fresnel")                                                      \
     X(FUNCTION, "function")                                                    \
@@ -164,7 +161,6 @@
     X(GRAY, "gray")                                                            \
     X(GRAY_THRESHOLD, "gray_threshold")                                        \
     X(GREEN, "green")                                                          \
-    X(H_ANGLE, "h_angle")                                                      \
     X(HDR, "hdr")                                                              \
     X(HEIGHT_FIELD, "height_field")                                            \
     X(HF_GRAY_16, "hf_gray_16")                                                \
@@ -175,13 +171,10 @@
     X(IFDEF, "ifdef")                                                          \
     X(IFF, "iff")                                                              \
     X(IFNDEF, "ifndef")                                                        \
-    X(IMAGE_HEIGHT, "image_height")                                            \
     X(IMAGE_MAP, "image_map")                                                  \
     X(IMAGE_PATTERN, "image_pattern")                                          \
-    X(IMAGE_WIDTH, "image_width")                                              \
+    X(IMPORTANCE, "importance")                                                \
     X(INCLUDE, "include")                                                      \
-    X(INITIAL_CLOCK, "initial_clock")                                          \
-    X(INITIAL_FRAME, "initial_frame")                                          \
     X(INSIDE, "inside")                                                        \
     X(INSIDE_VECTOR, "inside_vector")                                          \
     X(INT, "int")                                                              \
@@ -258,6 +251,9 @@
     X(NORMAL_INDICES, "normal_indices")                                        \
     X(NORMAL_MAP, "normal_map")                                                \
     X(NORMAL_VECTORS, "normal_vectors")                                        \
+    X(NOW, "now")                                                              \
+    X(NUMBER_OF_SIDES, "number_of_sides")                                      \
+    X(NUMBER_OF_TILES, "number_of_tiles")                                      \
     X(NUMBER_OF_WAVES, "number_of_waves")                                      \
     X(OBJECT, "object")                                                        \
     X(OCTAVES, "octaves")                                                      \
@@ -290,7 +286,6 @@
     X(PIGMENT_PATTERN, "pigment_pattern")                                      \
     X(PNG, "png")                                                              \
     X(POINT_AT, "point_at")                                                    \
-    X(POLARITY, "polarity")                                                    \
     X(POLY_WAVE, "poly_wave")                                                  \
     X(POLYNOMIAL, "polynomial")                                                \
     X(POT, "pot")                                                              \
@@ -343,6 +338,9 @@
     X(SIN, "sin")                                                              \
     X(SINE_WAVE, "sine_wave")                                                  \
     X(SINH, "sinh")                                                            \
+    X(SINT16LE, "sint16le")                                                    \
+    X(SINT32BE, "sint32be")                                                    \
+    X(SINT8, "sint8")                                                          \
     X(SIZE, "size")                                                            \
     X(SKY, "sky")                                                              \
     X(SKY_SPHERE, "sky_sphere")                                                \
@@ -411,6 +409,7 @@
     X(TYPE, "type")                                                            \
     X(U, "u")                                                                  \
     X(U_STEPS, "u_steps")                                                      \
+    X(UINT16BE, "uint16be")                                                    \
     X(ULTRA_WIDE_ANGLE, "ultra_wide_angle")                                    \
     X(UNDEF, "undef")                                                          \
     X(UNION, "union")                                                          \
@@ -423,7 +422,6 @@
     X(UV_MAPPING, "uv_mapping")                                                \
     X(UV_VECTORS, "uv_vectors")                                                \
     X(V, "v")                                                                  \
-    X(V_ANGLE, "v_angle")                                                      \
     X(V_STEPS, "v_steps")                                                      \
     X(VAL, "val")                                                              \
     X(VARIANCE, "variance")                                                    \
@@ -454,10 +452,8 @@
     X(COLOUR, "color")                                                         \
     X(COLOUR_MAP, "color_map")                                                 \
     X(FADE_COLOUR, "fade_color")                                               \
-    X(GRAY, "grey")                                                            \
     X(QUICK_COLOUR, "quick_color")                                             \
-    X(USE_COLOUR, "use_color")                                                 \
-    X(VNORMALIZE, "vnormalise")
+    X(USE_COLOUR, "use_color")
 
 enum keyword {
     KEYWORD_NONE,

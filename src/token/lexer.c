@@ -2,6 +2,7 @@
 #include "token/lexer.h"
 
 #include "base/array.h"
+#include "token/lookalike.h"
 #include "token/triangles.h"
 
 /* A longer word is an error in POV-Ray too, even in skipped text. */
@@ -319,11 +320,37 @@ static void lexer_punctuation(struct lexer *lexer)
     lexer->at++;
 }
 
+/* What only looks right is an error, and then what it looks like. */
+static bool lexer_lookalike(struct lexer *lexer)
+{
+    size_t start = lexer->at, open, close;
+    const char *text = lexer->text + start;
+    const struct lookalike *alike = lookalike_find(text);
+    size_t length = lookalike_string(text, &open, &close);
+    if (!alike || (alike->kind == TOKEN_STRING && length == 0))
+        return false;
+    if (length == 0)
+        length = strlen(alike->bytes);
+    lexer->at += length;
+    lexer_push_bad(lexer, start, lexer->at,
+                   alike->kind == TOKEN_STRING
+                       ? "a string stands in straight double quotes"
+                       : "this character only looks like the one meant");
+    if (alike->kind == TOKEN_STRING)
+        lexer_push(lexer, TOKEN_STRING, start, lexer->at)->text =
+            arena_copy_text(lexer->arena, text + open, length - open - close);
+    else if (alike->kind != TOKEN_END)
+        lexer_push(lexer, alike->kind, start, lexer->at);
+    return true;
+}
+
 /* A run of foreign characters is one error. After a NUL byte nothing is read:
  * this is no text, or UTF-16. */
 static void lexer_foreign(struct lexer *lexer)
 {
     size_t start = lexer->at;
+    if (lexer_lookalike(lexer))
+        return;
     while (lexer->at < lexer->length && lexer->text[lexer->at] &&
            is_foreign(lexer->text[lexer->at]))
         lexer->at++;

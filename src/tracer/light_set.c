@@ -35,6 +35,7 @@ static void *path_start(const struct world *world, const struct scene *scene,
         set->sums[i] = sum += isfinite(glow) ? glow : 0;
     }
     set->emitters = emitters_new(world);
+    set->ambience = ambience_new(world, scene);
     if (scene->settings.skeleton.guide == PATH_GUIDE_OFF)
         return set;
     set->guide = guide_new(world, scene, options, diag);

@@ -5,6 +5,7 @@
 
 #include "lighting/guide.h"
 #include "lighting/lighting.h"
+#include "shade/ambience.h"
 #include "shade/emitters.h"
 #include "shade/lamp.h"
 
@@ -13,6 +14,7 @@ struct light_set {
     double *sums; /* of the lamps' brightness, up to and with each */
     size_t count;
     struct emitters *emitters;
+    struct ambience ambience;
     struct guide *guide; /* or NULL */
     uint64_t seed;
 };

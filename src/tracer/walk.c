@@ -2,10 +2,12 @@
  * ray meets, and these beyond them:
  * - Light comes to a surface from everywhere. A scattered ray that meets
  *   something glowing counts with the balance heuristic's weight (direct.c).
- * - `ambient` and adc_bailout are ignored. max_trace_level holds, as the
- * scene's own word on mirrors and glass (without it light that a surface
- * scatters into a glass ball stays there for ever); a scattered ray begins
- * again at 1.
+ * - `ambient` is as bright as the scene is open there (shade/ambience.h), told
+ *   by one more ray a surface; what scattered rays meet of sky and background,
+ *   where these are no lamps, and of what only seems to glow, is dark.
+ *   adc_bailout is ignored. max_trace_level holds, as the scene's own word on
+ *   mirrors and glass (without it light that a surface scatters into a glass
+ *   ball stays there for ever); a scattered ray begins again at 1.
  * - Mirrors, panes and the scattering surface are all followed where the camera
  *   sees them, of later ones one, chosen by weight. Light that is mirrored or
  *   bent on its way from a glowing surface (caustics) is found by scattered
@@ -56,6 +58,7 @@ enum {
     SLOT_DIRECTION,
     SLOT_ROULETTE,
     SLOT_COPY,
+    SLOT_OPEN,
     SLOT_BRANCH
 };
 
@@ -93,11 +96,25 @@ static void walk_veil(struct walk *walk, const struct veil *veil)
     walk->clear *= rgb_brightness(veil->through);
 }
 
+static const struct ambience *walk_ambience(const struct walk *walk)
+{
+    const struct light_set *set = walk->tracer->lighting_state;
+    return &set->ambience;
+}
+
+/* Sky and fog are seen, but light nothing unless they are lamps. */
+static bool walk_sees_sky(const struct walk *walk)
+{
+    return walk->split || walk_ambience(walk)->sky;
+}
+
 static void walk_fog(struct walk *walk, double distance)
 {
     if (!tracer_foggy(walk->tracer, &walk->inside))
         return;
     struct veil veil = fog_veil(walk->tracer->scene, &walk->ray, distance);
+    if (!walk_sees_sky(walk))
+        veil.light = rgb_grey(0);
     walk_veil(walk, &veil);
 }
 
@@ -435,6 +452,42 @@ static bool walk_survives(struct walk *walk, const struct draws *draws,
     return true;
 }
 
+/* Light that only `ambient` speaks of. */
+static void walk_ambient(struct walk *walk, const struct meeting *meeting)
+{
+    const struct ambience *ambience = walk_ambience(walk);
+    const struct surface *surface = &meeting->crossing.surface;
+    if (walk->split)
+        walk_gather(walk, surface_shine(surface));
+    rgb share = rgb_mul(surface_ambient(surface), ambience->light);
+    if (rgb_peak(share) == 0)
+        return;
+    double u[2];
+    draw_pair(&meeting->draws, SLOT_OPEN, u);
+    struct ray ray = { surface->point, warp_lobe(u, surface->normal, 1) };
+    double open =
+        ambience_open(ambience, walk->tracer->world, walk->worker, &ray);
+    walk_gather(walk, rgb_scale(share, open));
+}
+
+/* Finishes may send back more than they get. What the camera sees of such a
+ * surface is as bright as it says; from one surface to the next the light must
+ * not grow (shade/finish.h, surface_albedo). */
+static void walk_restrain(struct walk *walk, const struct meeting *meeting)
+{
+    double total = meeting->lobes.total;
+    if (!walk->split && total > ALBEDO_MOST)
+        walk->share = rgb_scale(walk->share, ALBEDO_MOST / total);
+}
+
+/* What lies beyond all surfaces. */
+static rgb walk_beyond(const struct walk *walk, double *clear)
+{
+    rgb light = tracer_background(walk->tracer, walk->ray.direction,
+                                  walk->straight, clear);
+    return walk_sees_sky(walk) ? light : rgb_grey(0);
+}
+
 /* Meets what the ray hits. False if the path ends there. */
 static bool walk_meet(struct walk *walk, struct meeting *meeting)
 {
@@ -452,7 +505,9 @@ static bool walk_meet(struct walk *walk, struct meeting *meeting)
                                              walk->from, walk->ray.direction,
                                              walk->density, &crossing->at));
     walk_gather(walk, glow);
+    walk_ambient(walk, meeting);
     lobes_fill(&meeting->lobes, surface);
+    walk_restrain(walk, meeting);
     if (meeting->lobes.total > 0)
         walk_direct(walk, meeting);
     return walk_on(walk, meeting);
@@ -478,8 +533,7 @@ struct radiance walk_follow(struct walk *walk)
         walk_fog(walk, distance);
         if (!met) {
             double clear;
-            walk_gather(walk, tracer_background(tracer, walk->ray.direction,
-                                                walk->straight, &clear));
+            walk_gather(walk, walk_beyond(walk, &clear));
             return (struct radiance){ walk->light, 1 - walk->clear * clear };
         }
         if (!walk_meet(walk, &meeting) ||

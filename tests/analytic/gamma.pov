@@ -4,8 +4,7 @@
 //
 // Two parallel lights of .3, head on: .6^2.2 = .325037. The glowing box: pigment
 // .5 by emission .8: .4^2.2 = .133209. A background of <.9, .2, .05>: .793110,
-// .028991, .001373. In path the background lights the box, too: .6 and all of
-// <.9, .2, .05>, to the power of 2.2: 2.44006, .612066, .387623.
+// .028991, .001373.
 #version 3.7;
 global_settings { assumed_gamma 2.2 }
 camera { orthographic location <-.05, .05, -10> right 6.4*x up 4.8*y }

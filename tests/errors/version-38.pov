@@ -1,2 +1,2 @@
 #version 3.8;
-sphere { 0, 1 }
+wrong

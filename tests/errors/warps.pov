@@ -6,4 +6,4 @@ sphere { 0, 1 pigment { wood warp { black_hole <.8, .1, 0>, .3 repeat <.9, 0, 0>
 sphere { 0, 1 pigment { wood warp { displace } } }
 sphere { 0, 1 pigment { wood warp { toroidal orientation 0 } } }
 sphere { 0, 1 pigment { wood warp { spherical major_radius 2 } } }
-sphere { 0, 1 pigment { wood #for (I, 1, 101) warp { repeat x } #end } }
+sphere { 0, 1 pigment { wood #for (I, 1, 1001) warp { repeat x } #end } }

@@ -1,7 +1,7 @@
 // A corner with a glowing panel, a ball and a lamp: every kind of estimate that
 // path makes, small enough to be drawn often.
 #version 3.7;
-global_settings { assumed_gamma 1 }
+global_settings { assumed_gamma 1 light_mesh { sky on } }
 #default { finish { ambient 0 diffuse .7 } }
 camera { location <1.6, 1.8, -3.2> look_at <-.1, .6, 0> right 4/3*x angle 50 }
 background { rgb <.05, .08, .12> }

@@ -14,6 +14,7 @@
 
 #include <cmocka.h>
 
+#include "base/random.h"
 #include "base/save.h"
 #include "image/file.h"
 #include "image/output.h"
@@ -165,8 +166,14 @@ static void wild_numbers_are_tamed(void **state)
     const float wild[4] = { NAN, INFINITY, -INFINITY, NAN };
     struct output_space png = { .working_gamma = 1 };
     expect(wild, png, (double[]){ 0, 1, 0, 0 });
-    struct output_space exr = { .working_gamma = 1, .linear_file = true };
+    struct output_space exr = { .working_gamma = 1,
+                                .linear_file = true,
+                                .half = true };
     expect(wild, exr, (double[]){ 0, 65504, -65504, 0 });
+    const float much[4] = { 1e6f, -1e30f, 65504, 1 };
+    expect(much, exr, (double[]){ 65504, -65504, 65504, 1 });
+    exr.half = false;
+    expect(much, exr, (double[]){ (double)1e6f, (double)-1e30f, 65504, 1 });
 }
 
 /* A ramp of all kinds of numbers. */
@@ -235,6 +242,12 @@ static void formats_come_back(void **state)
     assert_true(round_trip("a.png", png, true) <= 1.1 / 4095);
     struct image_format exr = { .type = "openexr", .alpha = true };
     assert_true(round_trip("a.exr", exr, false) <= 0.0005);
+    exr.bits = 32;
+    assert_true(round_trip("a.exr", exr, false) <= 0);
+    exr.grey = true;
+    assert_true(round_trip("a.exr", exr, false) <= 0);
+    exr.alpha = false;
+    assert_true(round_trip("a.exr", exr, false) <= 0);
     struct image_format hdr = { .type = "hdr" };
     assert_true(round_trip("a.hdr", hdr, true) <= 1.0 / 128);
     struct image_format tga = { .type = "targa", .bits = 8, .alpha = true };
@@ -256,6 +269,49 @@ static void formats_come_back(void **state)
     assert_true(round_trip("a.ppm", ppm, true) <= 1.01 / 255);
     struct image_format jpeg = { .type = "jpeg", .bits = 8, .quality = 95 };
     assert_true(round_trip("a.jpg", jpeg, true) <= 0.1);
+}
+
+/* A picture of one row of blocks and a row more, of numbers that zlib can't
+ * pack and of those that are hard to round. */
+static struct image *hard_numbers(void)
+{
+    static const float numbers[] = { 0,       1,        -1,      65504,
+                                     65519,   6.1e-5f,  6e-5f,   1e-7f,
+                                     8.9e-8f, 2.98e-8f, 2.9e-8f, -3e-6f,
+                                     2049,    2051,     1.0005f, 0.33333f };
+    struct image *image = image_new(60, 17);
+    for (int i = 0; i < 60 * 17 * 4; i++)
+        image->pixels[i] = i < 60 ? numbers[i % 16]
+                                  : (float)random_unit((uint64_t)i) *
+                                        powf(10, (float)(i % 9 - 4));
+    return image;
+}
+
+static void exr_numbers_are_the_nearest(void **state)
+{
+    (void)state;
+    char error[256] = "";
+    struct image *out = hard_numbers();
+    struct image_format exr = { .type = "openexr", .alpha = true };
+    for (exr.bits = 16; exr.bits <= 32; exr.bits += 16) {
+        if (!image_write(out, "a.exr", &exr, error, sizeof error))
+            fail_msg("%s", error);
+        struct image *in = image_read("a.exr", error, sizeof error);
+        if (!in)
+            fail_msg("%s", error);
+        for (int i = 0; i < 60 * 17 * 4; i++) {
+            double wanted = (double)out->pixels[i];
+            int power;
+            frexp(wanted, &power);
+            double step = ldexp(1, power < -13 ? -24 : power - 11);
+            if (exr.bits == 16)
+                wanted = rint(wanted / step) * step;
+            assert_float_equal((double)in->pixels[i], wanted, 0);
+        }
+        image_free(in);
+    }
+    image_free(out);
+    assert_int_equal(unlink("a.exr"), 0);
 }
 
 /* 5 x 5 pixels in three interlaced passes of two bits: numbers of a palette of
@@ -367,6 +423,7 @@ int main(void)
         cmocka_unit_test(grey_has_povrays_weights),
         cmocka_unit_test(wild_numbers_are_tamed),
         cmocka_unit_test(formats_come_back),
+        cmocka_unit_test(exr_numbers_are_the_nearest),
         cmocka_unit_test(palettes_are_spread),
         cmocka_unit_test(failures_leave_nothing),
         cmocka_unit_test(files_cut_short_are_noticed),

@@ -144,17 +144,17 @@ static void later_pigment_takes_the_place(void **state)
 {
     (void)state;
     struct reading r = scene_good(
-        "#declare T = texture { pigment { rgb x } finish { ambient .7 } }"
-        "            texture { pigment { rgb y } finish { ambient .8 } }"
+        "#declare T = texture { pigment { rgb x } finish { ambient .2 } }"
+        "            texture { pigment { rgb y } finish { ambient .12 } }"
         "sphere { 0, 1 texture { T } pigment { rgb z } }"
         "sphere { 0, 1 texture { T finish { diffuse .3 } } }"
         "sphere { 0, 1 texture { T } }");
     const struct layer *top = object_layer(object_at(&r, 0), 1);
     assert_number(object_layer(object_at(&r, 0), 0)->pigment->colour.r, 1);
     assert_number(top->pigment->colour.b, 1);
-    assert_number(top->finish->ambient.r, .8);
+    assert_number(top->finish->ambient.r, .12);
     top = object_layer(object_at(&r, 1), 1);
-    assert_number(top->finish->ambient.r, .8);
+    assert_number(top->finish->ambient.r, .12);
     assert_number(top->finish->diffuse, .3);
     top = object_layer(object_at(&r, 2), 1);
     assert_number(top->finish->diffuse, .6);
@@ -186,18 +186,18 @@ static void default_counts_when_it_goes_into_the_scene(void **state)
     struct reading r =
         scene_good("#declare Bare = sphere { 0, 1 }"
                    "#declare Some = sphere { 0, 1 finish { phong 1 } }"
-                   "#default { pigment { rgb x } finish { ambient .4 } }"
+                   "#default { pigment { rgb x } finish { ambient .09 } }"
                    "object { Bare translate x }"
                    "object { Some }"
                    "default { finish { diffuse .2 } }"
                    "sphere { 0, 1 finish { phong 1 } }");
     const struct object *bare = object_at(&r, 0);
     assert_number(object_layer(bare, 0)->pigment->colour.r, 1);
-    assert_number(object_layer(bare, 0)->finish->ambient.g, .4);
+    assert_number(object_layer(bare, 0)->finish->ambient.g, .09);
     assert_true(affine_is_identity(bare->texture_transform));
     assert_number(object_layer(object_at(&r, 1), 0)->pigment->colour.r, 0);
     const struct finish *finish = object_layer(object_at(&r, 2), 0)->finish;
-    assert_number(finish->ambient.r, .4);
+    assert_number(finish->ambient.r, .09);
     assert_number(finish->diffuse, .2);
     scene_end(&r);
 }
@@ -465,26 +465,43 @@ static void settings(void **state)
     scene_end(&r);
 }
 
-/* What has no diffuse light of its own glows with its ambient, unless radiosity
- * takes the place of all that. */
+/* More ambient light than stands for light from elsewhere is seen in full and
+ * lights nothing; where sky and background light the scene, what has no diffuse
+ * light is a lamp, unless radiosity of version 3.7 takes the place of all that.
+ */
 static void ambient_glows(void **state)
 {
     (void)state;
     static const struct {
         const char *text;
-        double emission;
+        double emission, glow, ambient;
     } rows[] = {
-        { "#version 3.7; ", .8 },
-        { "#version 3.6; global_settings { radiosity { } } ", .8 },
-        { "#version 3.7; global_settings { radiosity { } } ", 0 },
+        { "#version 3.7; sphere { 0, 1 finish { ambient .8 diffuse 0 } }", 0,
+          .8, 0 },
+        { "sphere { 0, 1 finish { ambient .4 diffuse .6 } }", 0, .4, 0 },
+        { "sphere { 0, 1 finish { ambient .3 diffuse .7 } }", 0, 0, .3 },
+        { "sphere { 0, 1 finish { diffuse 0 } }", 0, 0, .1 },
+        { "global_settings { ambient_light 4 } sphere { 0, 1 }", 0, .4, 0 },
+        { "global_settings { light_mesh { sky on } } "
+          "sphere { 0, 1 finish { ambient .8 diffuse 0 } }",
+          .8, 0, 0 },
+        { "global_settings { light_mesh { sky } } "
+          "sphere { 0, 1 finish { ambient .8 diffuse .1 } }",
+          0, 0, .8 },
+        { "#version 3.6; global_settings { radiosity { } } "
+          "sphere { 0, 1 finish { ambient .8 diffuse 0 } }",
+          .8, 0, 0 },
+        { "#version 3.7; global_settings { radiosity { } } "
+          "sphere { 0, 1 finish { ambient .8 diffuse 0 } }",
+          0, 0, .8 },
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char text[200];
-        snprintf(text, sizeof text, "%s%s", rows[i].text,
-                 "sphere { 0, 1 finish { ambient .8 diffuse 0 } }");
-        struct reading r = scene_good(text);
+        struct reading r = scene_good(rows[i].text);
         const struct texture *texture = r.scene->objects.items[0]->texture;
-        assert_number(texture->layers->finish->emission.r, rows[i].emission);
+        const struct finish *finish = texture->layers->finish;
+        assert_number(finish->emission.r, rows[i].emission);
+        assert_number(finish->glow.r, rows[i].glow);
+        assert_number(finish->ambient.r, rows[i].ambient);
         scene_end(&r);
     }
 }

@@ -264,8 +264,11 @@ static void far_away_is_dark(void **state)
 static void the_sky_is_outside(void **state)
 {
     (void)state;
-    struct fixture *f = fixture_new(
-        &void_box, ".5", "background { rgb <.3, .4, .6> }", "network", 1);
+    struct fixture *f =
+        fixture_new(&void_box, ".5",
+                    "background { rgb <.3, .4, .6> }"
+                    " global_settings { light_mesh { sky on } }",
+                    "network", 1);
     rgb outside = ask(f, -3, -3, 2, up).indirect;
     assert_near(outside.r, 0.3, 1e-6);
     assert_near(outside.b, 0.6, 1e-6);

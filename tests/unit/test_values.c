@@ -233,7 +233,8 @@ static void test_errors(void **state)
           "1:14: error: colours in sRGB need to know the scene's "
           "assumed_gamma" },
         { "sphere { <0,0,0>, x }",
-          "1:19: error: expected a number, found a vector with 3 components" },
+          "1:19: error: expected a number for 'radius', found a vector with "
+          "3 components" },
         { "poly { 99, <1> }", "1:8: error: 'order' must be from 2 to" },
         { "sphere { <0,1/0,0>, 1 }",
           "1:10: error: 'centre' is not a finite number" },

@@ -347,8 +347,9 @@ static void doors_of_four_voxels_stay_open(void **state)
 
 static struct patches *voided_patches(const struct voided *v, unsigned threads)
 {
+    struct ambience ambience = ambience_new(v->all->world, v->all->scene);
     struct patches_scene from = { .world = v->all->world,
-                                  .scene = v->all->scene,
+                                  .ambience = &ambience,
                                   .seed = 1,
                                   .threads = threads };
     return patches_new(&v->space->voxels, &from);
@@ -444,10 +445,13 @@ static void odd_scenes_get_a_result_or_a_message(void **state)
         { "triangle { 0, x, y }", 1, NULL },
         { "triangle { 0, x, y } light_source { <3,3,-3>, 1 }", 1, NULL },
         { "plane { y, -1 } light_source { <3,3,-3>, 1 }", 1, NULL },
-        { "box { -1, 1 } light_source { 0, 1 }", 2,
-          "no light gets into the part" },
-        { "box { -1, 1 } light_source { 0, 1 } background { rgb 0.1 }", 2,
-          NULL },
+        { "box { -1, 1 } light_source { 0, 1 }", 2, NULL },
+        { "global_settings { light_mesh { sky on } }"
+          " box { -1, 1 } light_source { 0, 1 }",
+          2, "no light gets into the part" },
+        { "global_settings { light_mesh { sky on } }"
+          " box { -1, 1 } light_source { 0, 1 } background { rgb 0.1 }",
+          2, NULL },
         { "box { -5, 5 } box { -1, 1 } light_source { 0, 1 }", 2,
           "no light gets into the part" },
         { "box { -5, 5 } box { -1, 1 } light_source { 0, 1 }", 2,

@@ -47,7 +47,7 @@ static void stage_start(struct stage *stage, const char *text, int coarser)
         .interpolation = interpolation_find("trilinear"),
         .radius = 1,
         .full = &stage->full,
-        .payload_size = sizeof(struct harmonics),
+        .payload_size = sizeof(struct indirect_light),
         .fill = stage_fill,
         .context = stage,
     };
@@ -73,7 +73,7 @@ static size_t stage_ask(struct stage *stage, double worth)
             .from = vec3_make(0, 9, 0),
             .worth = worth,
         };
-        indirect_mesh_irradiance(&stage->mesh, &stage->worker, &place);
+        indirect_mesh_light(&stage->mesh, &stage->worker, &place);
         arena_reset(stage->worker.scratch);
     }
     return table_count(stage->mesh.points.table);
@@ -131,10 +131,10 @@ static void test_unknown_void(void **state)
                                     .worth = 0.01 };
     (void)state;
     stage_start(&stage, "plane { y, 0 }", 0);
-    rgb light = indirect_mesh_irradiance(&stage.mesh, &stage.worker, &place);
+    rgb light = indirect_mesh_light(&stage.mesh, &stage.worker, &place).light;
     assert_true(light.r == 1 && light.b == 1);
     stage.mesh.gather.close = NULL;
-    light = indirect_mesh_irradiance(&stage.mesh, &stage.worker, &place);
+    light = indirect_mesh_light(&stage.mesh, &stage.worker, &place).light;
     assert_true(light.r > 1 && light.b == 0);
     stage_end(&stage);
 }

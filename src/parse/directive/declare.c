@@ -13,29 +13,71 @@ static bool declare_deprecation(struct parser *p, const char **message,
     return parse_string(p, message);
 }
 
+/* A name that begins with a digit: `1st`. Returns false. */
+static bool declare_begins_wrong(struct parser *p)
+{
+    size_t left;
+    struct span span = p->token_span;
+    const struct token *next = stream_raw(p, &left);
+    if (p->token.kind != TOKEN_NUMBER || left == 0 ||
+        next->kind != TOKEN_WORD || next->offset != span.offset + span.length)
+        return false;
+    span.length += next->length;
+    error_at(p, span,
+             arena_printf(p->arena, "_%.*s", (int)span.length,
+                          span.source->text + span.offset),
+             "a name begins with a letter or '_'");
+    return false;
+}
+
+/* False after reporting a name like `my-ball` or `my.ball`. */
+static bool declare_name_ends(struct parser *p)
+{
+    struct span name = p->last_span;
+    enum token_kind kind = stream_peek_infix(p)->kind;
+    size_t left;
+    const struct token *next = stream_raw(p, &left);
+    bool joined = (kind == TOKEN_MINUS || kind == TOKEN_DOT) && left > 0 &&
+                  next->kind == TOKEN_WORD &&
+                  p->token_span.offset == name.offset + name.length &&
+                  next->offset == p->token_span.offset + 1;
+    if (!joined)
+        return true;
+    size_t after = next->offset + next->length;
+    char *hint = arena_copy_text(p->arena, name.source->text + name.offset,
+                                 after - name.offset);
+    hint[name.length] = '_';
+    name.length = (uint32_t)(after - name.offset);
+    return error_at(p, name, hint, "a name is made of letters, digits and '_'");
+}
+
 static bool declare_name(struct parser *p, const struct word **name)
 {
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD)
-        return error_expected(p, "a name to declare");
+        return declare_begins_wrong(p) ||
+               error_expected(p, "a name to declare");
     if (token->word->reserved)
         return error_at(p, p->token_span, NULL,
                         "'%s' is a reserved word; declare another name",
                         token->word->text);
     *name = stream_next(p).word;
-    return true;
+    return declare_name_ends(p);
 }
 
 /* A #declare of a number needs a ';': without it POV-Ray could not tell where
- * the expression ends. Before version 3.5 its lack was a warning. */
+ * the expression ends. Before version 3.5 its lack was a warning. One more may
+ * follow, wherever the text goes on: `#declare A = M();` with a M that ends in
+ * `;` (measured). */
 static bool declare_semicolon(struct parser *p, const struct value *value)
 {
-    if (stream_peek_infix(p)->kind == TOKEN_SEMICOLON) {
-        stream_next(p);
-        return true;
-    }
     bool needed = value->kind == VALUE_FLOAT || value->kind == VALUE_VECTOR ||
                   value->kind == VALUE_COLOUR;
+    if (stream_peek_infix(p)->kind == TOKEN_SEMICOLON) {
+        stream_next(p);
+        p->spare_semicolon = needed;
+        return true;
+    }
     if (!needed || (p->version_said && p->version < 3.5))
         return true;
     return error_at(p, p->last_span, ";",
@@ -131,7 +173,7 @@ static bool declare_read(struct parser *p, bool local)
         p->scope = scope;
         struct symbol *symbol = symbol_make(p, head.name, local);
         p->scope = inner;
-        symbol->value = value;
+        symbol_give(symbol, value);
         symbol->deprecated = head.deprecated;
         symbol->deprecated_once = head.once;
     }

@@ -9,6 +9,8 @@ static bool loop_round(struct parser *p, struct open_block *block)
     unsigned limit = stream_round_limit(p);
     bool stuck = block->kind == BLOCK_WHILE && block->rounds > 0 &&
                  block->changes == p->changes;
+    if (stuck && p->reported_count > 0) /* likely because of that */
+        return directive_skip_to_end(p) && false;
     if (stuck)
         error_at(p, block->span, NULL,
                  "this '#while' never ends: nothing changes in a round of it");
@@ -44,13 +46,20 @@ static bool while_run(struct parser *p, struct span at)
     return while_round(p);
 }
 
+static bool for_comma(struct parser *p, const struct open_block *block)
+{
+    return accept(p, TOKEN_COMMA) ||
+           error_expected_hint(p, "','",
+                               arena_printf(p->arena, "#for (%s, 0, 9)",
+                                            block->variable->text));
+}
+
 static bool for_numbers(struct parser *p, struct open_block *block,
                         struct span open)
 {
     block->step = 1;
-    if (!expect(p, TOKEN_COMMA, span_none()) ||
-        !parse_float(p, &block->value) ||
-        !expect(p, TOKEN_COMMA, span_none()) || !parse_float(p, &block->last))
+    if (!for_comma(p, block) || !parse_float(p, &block->value) ||
+        !for_comma(p, block) || !parse_float(p, &block->last))
         return false;
     if (accept(p, TOKEN_COMMA) && !parse_float(p, &block->step))
         return false;
@@ -61,8 +70,8 @@ static bool for_numbers(struct parser *p, struct open_block *block,
 static bool for_head(struct parser *p, struct open_block *block)
 {
     struct span open = stream_span(p);
-    if (!expect(p, TOKEN_LPAREN, span_none()))
-        return false;
+    if (!accept(p, TOKEN_LPAREN))
+        return error_expected_hint(p, "'('", "#for (i, 0, 9)");
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD || token->word->reserved)
         return error_expected(p, "the name of the loop's variable");

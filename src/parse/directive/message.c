@@ -1,4 +1,4 @@
-/* #debug #warning #error: the scene speaks to its user. */
+/* #debug #render #statistics #warning #error: the scene speaks to its user. */
 #include "parse/directive.h"
 
 /* debug_directive = "#debug" string . */
@@ -9,6 +9,25 @@ static bool debug_run(struct parser *p, struct span at)
         return false;
     diag_print(p->diag, DIAG_MESSAGE, at, NULL, "%s", text);
     return true;
+}
+
+/* POV-Ray 3.7 has these two streams no more. */
+static bool debug_run_as(struct parser *p, struct span at)
+{
+    warning_at(p, at, "#debug", "what this prints goes where '#debug' prints");
+    return debug_run(p, at);
+}
+
+/* render_directive = "#render" string . */
+static bool render_run(struct parser *p, struct span at)
+{
+    return debug_run_as(p, at);
+}
+
+/* statistics_directive = "#statistics" string . */
+static bool statistics_run(struct parser *p, struct span at)
+{
+    return debug_run_as(p, at);
 }
 
 /* warning_directive = "#warning" string . */
@@ -32,6 +51,9 @@ static bool error_run(struct parser *p, struct span at)
 }
 
 const struct directive debug_directive = { debug_run, "print a text" };
+const struct directive render_directive = { render_run, "the same as #debug" };
+const struct directive statistics_directive = { statistics_run,
+                                                "the same as #debug" };
 const struct directive warning_directive = { warning_run, "print a warning" };
 const struct directive error_directive = { error_run,
                                            "print an error and stop" };

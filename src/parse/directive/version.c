@@ -3,6 +3,8 @@
 #include "parse/directive.h"
 #include "parse/rules.h"
 
+#define VERSION_NEWEST 3.75 /* beyond it are POV-Ray's versions to come */
+
 /* version_directive = "#version" ["unofficial"] float [";"] . */
 static bool version_run(struct parser *p, struct span at)
 {
@@ -18,11 +20,17 @@ static bool version_run(struct parser *p, struct span at)
     stream_directive_end(p, outer);
     if (!ok)
         return false;
-    if (version > 3.75 || version < 1)
+    if (version >= 4 || version < 1)
         return error_at(p, span_join(at, p->last_span), "#version 3.7;",
                         "the scene asks for POV-Ray %s; glim speaks the "
                         "language of 3.7",
                         NUMBER_TEXT(version));
+    if (version > VERSION_NEWEST) {
+        warning_at(p, span_join(at, p->last_span), "#version 3.7;",
+                   "the scene is of POV-Ray %s; it is read as one of 3.7",
+                   NUMBER_TEXT(version));
+        version = 3.7;
+    }
     p->version = version;
     p->version_said = true;
     settings_follow_version(p);

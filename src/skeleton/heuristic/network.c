@@ -7,7 +7,6 @@
 #include "base/draw.h"
 #include "base/memory.h"
 #include "base/warp.h"
-#include "shade/background.h"
 #include "shade/surface.h"
 #include "skeleton/exchange.h"
 #include "skeleton/heuristic.h"
@@ -109,7 +108,7 @@ static rgb sky_irradiance(const struct skeleton *skeleton, int side)
         double u[2];
         draw_pair(&draws, 0, u);
         vec3 direction = warp_lobe(u, side_normal(side), 1);
-        sum = rgb_add(sum, background_light(skeleton->scene, direction));
+        sum = rgb_add(sum, ambience_beyond(&skeleton->ambience, direction));
     }
     return rgb_scale(sum, 1.0 / LOOKS);
 }
@@ -120,7 +119,7 @@ static void *network_start(const struct skeleton *skeleton)
     struct network *network = ARENA_NEW(arena, struct network);
     struct patches_scene scene = {
         .world = skeleton->world,
-        .scene = skeleton->scene,
+        .ambience = &skeleton->ambience,
         .lamps = skeleton->plain_lamps,
         .lamp_count = skeleton->lamp_count,
         .seed = skeleton->seed,

@@ -124,6 +124,7 @@ static rgb path_shade(const struct path *path, const struct surface *surface)
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         rgb glow = finish_glow(layer, diffuse.ambient, diffuse.irradiance);
+        glow = rgb_add(glow, finish_shine(layer));
         gathering.light =
             rgb_add(gathering.light, rgb_mul(layer->weight, glow));
     }

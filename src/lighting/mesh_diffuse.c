@@ -1,0 +1,29 @@
+/* The indirect mesh asked for one surface: see mesh_diffuse.h. */
+#include "lighting/mesh_diffuse.h"
+
+#include "shade/finish.h"
+
+struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
+                                  const struct ambience *ambience,
+                                  struct worker *worker,
+                                  const struct surface *surface)
+{
+    const struct surface_layer *layer = &surface->layer[0];
+    rgb albedo = surface_albedo(surface);
+    rgb ambient = rgb_mul(surface_ambient(surface), ambience->light);
+    double most = fmax(rgb_peak(albedo), rgb_peak(ambient));
+    struct indirect_share share = { rgb_grey(0), 0 };
+    struct indirect_place place = {
+        .place = surface->point,
+        .side = surface->side,
+        .normal = layer->normal,
+        .from = vec3_along(surface->point, surface->view, surface->at->t),
+        .worth = surface->weight * most,
+    };
+    if (layer->finish->diffuse != 0 || rgb_peak(ambient) > 0)
+        share = indirect_mesh_light(mesh, worker, &place);
+    if (ambience->everywhere)
+        share.open = 1;
+    return (struct diffuse_light){ rgb_scale(ambience->light, share.open),
+                                   share.light };
+}

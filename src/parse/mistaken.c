@@ -1,0 +1,257 @@
+/* Other languages' words and statements: see mistaken.h. */
+#include "parse/mistaken.h"
+
+#include "base/text.h"
+#include "parse/array.h"
+#include "parse/directive.h"
+#include "parse/expression.h"
+#include "parse/symbol.h"
+#include "token/lookalike.h"
+
+struct synonym {
+    const char *word, *block, *meant; /* block NULL: any */
+};
+
+static const struct synonym synonyms[] = {
+    { "fov", NULL, "angle" },
+    { "field_of_view", NULL, "angle" },
+    { "zoom", NULL, "angle" },
+    { "position", "camera", "location" },
+    { "origin", "camera", "location" },
+    { "eye", "camera", "location" },
+    { "target", "camera", "look_at" },
+    { "aspect", NULL, "right x*image_width/image_height" },
+    { "aspect_ratio", NULL, "right x*image_width/image_height" },
+    { "antialias", NULL, "+A on the command line" },
+    { "antialiasing", NULL, "+A on the command line" },
+    { "resolution", NULL, "+W320 +H240 on the command line" },
+    { "light", NULL, "light_source" },
+    { "lamp", NULL, "light_source" },
+    { "point_light", NULL, "light_source" },
+    { "pointlight", NULL, "light_source" },
+    { "intensity", NULL, "rgb 2" },
+    { "brightness", "light_source", "rgb 2" },
+    { "cast_shadow", NULL, "no_shadow" },
+    { "cast_shadows", NULL, "no_shadow" },
+    { "castshadow", NULL, "no_shadow" },
+    { "cube", NULL, "box" },
+    { "cuboid", NULL, "box" },
+    { "ball", NULL, "sphere" },
+    { "ellipsoid", NULL, "sphere { 0, 1 scale <2, 1, 1> }" },
+    { "circle", NULL, "disc" },
+    { "donut", NULL, "torus" },
+    { "tube", NULL, "cylinder" },
+    { "floor", "the scene", "plane { y, 0 }" },
+    { "ground", "the scene", "plane { y, 0 }" },
+    { "group", NULL, "union" },
+    { "subtract", NULL, "difference" },
+    { "intersect", NULL, "intersection" },
+    { "move", NULL, "translate" },
+    { "position", NULL, "translate" },
+    { "turn", NULL, "rotate" },
+    { "rotation", NULL, "rotate" },
+    { "translation", NULL, "translate" },
+    { "size", NULL, "scale" },
+    { "resize", NULL, "scale" },
+    { "shininess", NULL, "phong 1 phong_size 40" },
+    { "shiny", NULL, "phong 1" },
+    { "glossy", NULL, "specular 0.5" },
+    { "reflect", NULL, "reflection" },
+    { "mirror", NULL, "reflection" },
+    { "transparent", NULL, "transmit" },
+    { "transparency", NULL, "transmit" },
+    { "opacity", NULL, "transmit" },
+    { "refract", NULL, "ior" },
+    { "index_of_refraction", NULL, "ior" },
+    { "bump", NULL, "bumps" },
+    { "noise", NULL, "bozo" },
+    { "perlin", NULL, "bozo" },
+    { "ramp", NULL, "gradient y" },
+    { "gradient_map", NULL, "color_map" },
+    { "rgba", NULL, "rgbt" },
+    { "dist", "fog", "distance" },
+    { "background_color", NULL, "background { ... }" },
+    { "background_colour", NULL, "background { ... }" },
+    { "sky", "the scene", "sky_sphere { pigment { ... } }" },
+    { "settings", "the scene", "global_settings" },
+};
+
+const char *mistaken_word(const struct word *word, const char *block)
+{
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
+        if (text_equal_nocase(word->text, synonyms[i].word) &&
+            (!synonyms[i].block || strcmp(block, synonyms[i].block) == 0))
+            return synonyms[i].meant;
+    return NULL;
+}
+
+static const struct {
+    const char *word;
+    enum keyword meant;
+} directive_words[] = {
+    { "define", KEYWORD_DECLARE },  { "set", KEYWORD_DECLARE },
+    { "let", KEYWORD_DECLARE },     { "var", KEYWORD_DECLARE },
+    { "const", KEYWORD_DECLARE },   { "import", KEYWORD_INCLUDE },
+    { "require", KEYWORD_INCLUDE }, { "elif", KEYWORD_ELSEIF },
+    { "elsif", KEYWORD_ELSEIF },    { "endif", KEYWORD_END },
+    { "endwhile", KEYWORD_END },    { "endfor", KEYWORD_END },
+    { "endmacro", KEYWORD_END },    { "endswitch", KEYWORD_END },
+    { "fi", KEYWORD_END },          { "done", KEYWORD_END },
+    { "print", KEYWORD_DEBUG },     { "echo", KEYWORD_DEBUG },
+    { "unset", KEYWORD_UNDEF },
+};
+
+enum keyword mistaken_directive_word(const struct word *word)
+{
+    size_t count = sizeof directive_words / sizeof *directive_words;
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(word->text, directive_words[i].word) == 0)
+            return directive_words[i].meant;
+    struct text_nearest nearest = text_nearest_start(word->text);
+    enum keyword meant = KEYWORD_NONE;
+    for (enum keyword i = 1; i < KEYWORDS_TOTAL; i++) {
+        const char *before = nearest.best;
+        if (directive_is(i))
+            text_nearest_try(&nearest, keyword_spelling(i));
+        if (nearest.best != before)
+            meant = i;
+    }
+    return meant;
+}
+
+const char *mistaken_hexadecimal(struct parser *p, const struct word *word)
+{
+    unsigned red, green, blue;
+    if (word->length != 6 ||
+        strspn(word->text, "0123456789abcdefABCDEF") != 6 ||
+        sscanf(word->text, "%2x%2x%2x", &red, &green, &blue) != 3)
+        return NULL;
+    return arena_printf(p->arena, "srgb <%u, %u, %u>/255", red, green, blue);
+}
+
+const char *mistaken_character(struct parser *p, struct span span)
+{
+    size_t open, close;
+    const char *text = span.source->text + span.offset;
+    size_t length = lookalike_string(text, &open, &close);
+    if (length > 0)
+        return arena_printf(p->arena, "\"%.*s\"", (int)(length - open - close),
+                            text + open);
+    const struct lookalike *alike = lookalike_find(text);
+    return alike ? alike->meant : NULL;
+}
+
+/* ---- directives without '#' ---- */
+
+/* Words that nothing but a directive is called. */
+static bool directive_stands_bare(enum keyword keyword)
+{
+    return keyword == KEYWORD_IF || keyword == KEYWORD_IFDEF ||
+           keyword == KEYWORD_IFNDEF || keyword == KEYWORD_ELSE ||
+           keyword == KEYWORD_ELSEIF || keyword == KEYWORD_END ||
+           keyword == KEYWORD_WHILE || keyword == KEYWORD_FOR ||
+           keyword == KEYWORD_SWITCH || keyword == KEYWORD_CASE ||
+           keyword == KEYWORD_BREAK || keyword == KEYWORD_MACRO ||
+           keyword == KEYWORD_LOCAL || keyword == KEYWORD_UNDEF ||
+           keyword == KEYWORD_DEBUG;
+}
+
+/* Whether the next token, which is peeked, stands right behind an #else. */
+static bool mistaken_after_else(struct parser *p)
+{
+    struct cursor *cursor = p->cursor;
+    const struct token *before = cursor->list->tokens + cursor->index - 2;
+    return cursor->index > 1 && before->kind == TOKEN_DIRECTIVE &&
+           before->word->keyword == KEYWORD_ELSE;
+}
+
+static bool mistaken_bare(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD ||
+        !directive_stands_bare(token->word->keyword))
+        return false;
+    const struct word *word = token->word;
+    struct span at = p->token_span;
+    bool chained = word->keyword == KEYWORD_IF && mistaken_after_else(p);
+    if (chained)
+        error_at(p, at, "#elseif", "'#else' takes no condition");
+    else
+        error_at(p, at, arena_printf(p->arena, "#%s", word->text),
+                 "'%s' is a directive and wants a '#' before it", word->text);
+    stream_next(p);
+    if (!chained)
+        directive_run_as(p, word->keyword, at);
+    else if (stream_peek(p)->kind == TOKEN_LPAREN)
+        skip_brackets(p);
+    return true;
+}
+
+/* ---- declarations without #declare ---- */
+
+static bool word_is_type(const char *word)
+{
+    static const char *const types[] = { "var",    "let",    "const", "int",
+                                         "float",  "double", "real",  "number",
+                                         "define", "set",    "def",   "auto" };
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
+        if (strcmp(word, types[i]) == 0)
+            return true;
+    return false;
+}
+
+/* Whether a declaration follows: NAME = or `var NAME =`. */
+static bool mistaken_is_declaration(struct parser *p, bool *typed)
+{
+    size_t left;
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD ||
+        (token->word->reserved && token->word->keyword != KEYWORD_INT))
+        return false;
+    const struct token *raw = stream_raw(p, &left);
+    *typed = left > 1 && raw[0].kind == TOKEN_WORD && !raw[0].word->reserved &&
+             word_is_type(token->word->text);
+    size_t i = array_subscripts_end(raw, left, *typed);
+    return i < left && raw[i].kind == TOKEN_EQUAL &&
+           (*typed || !token->word->reserved);
+}
+
+static bool mistaken_declaration(struct parser *p)
+{
+    bool typed;
+    if (!mistaken_is_declaration(p, &typed))
+        return false;
+    struct span at = p->token_span, name = at;
+    if (typed) {
+        stream_next(p);
+        name = stream_span(p);
+    }
+    const char *text = name.source->text + name.offset;
+    int length = (int)strcspn(text, ";\r\n");
+    error_at(p, at,
+             length < 60
+                 ? arena_printf(p->arena, "#declare %.*s;", length, text)
+                 : "#declare",
+             "a name gets its value by '#declare'");
+    directive_run_as(p, KEYWORD_DECLARE, at);
+    return true;
+}
+
+bool mistaken_statement(struct parser *p)
+{
+    return mistaken_bare(p) || mistaken_declaration(p);
+}
+
+void mistaken_define(struct parser *p, struct span at)
+{
+    struct cursor *cursor = p->cursor;
+    const struct token *token = &cursor->list->tokens[cursor->index];
+    if (token->kind == TOKEN_WORD && !token->word->reserved)
+        symbol_set(p, token->word, (struct value){ .kind = VALUE_UNSUPPORTED },
+                   false);
+    const char *text = at.source->text + at.offset;
+    size_t end = at.offset + strcspn(text, "\r\n");
+    while (cursor->index < cursor->end &&
+           cursor->list->tokens[cursor->index].offset < end)
+        cursor->index++;
+}

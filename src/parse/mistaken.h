@@ -1,0 +1,30 @@
+/* Mistakes of those who come from another language or another renderer: what
+ * was meant, and reading on as if it had been written, so that one mistake is
+ * one error. */
+#ifndef PARSE_MISTAKEN_H
+#define PARSE_MISTAKEN_H
+
+#include "parse/parser.h"
+
+/* What to type for a word that no block knows: "angle" for fov. `block` is
+ * the one it stands in. NULL: nothing comes to mind. */
+const char *mistaken_word(const struct word *word, const char *block);
+
+/* The directive that is meant by the word after a '#', or KEYWORD_NONE. */
+enum keyword mistaken_directive_word(const struct word *word);
+
+/* If the next token is a directive without its '#', or a declaration without
+ * #declare: reports it, runs it and returns true. */
+bool mistaken_statement(struct parser *p);
+
+/* After an unknown directive like `#define A 1` was reported: declares the name
+ * as something whose uses are not reported, and drops the rest of the line. */
+void mistaken_define(struct parser *p, struct span at);
+
+/* "srgb <255, 128, 0>/255" for the word ff8000, or NULL. */
+const char *mistaken_hexadecimal(struct parser *p, const struct word *word);
+
+/* What to type for characters that only look right, or NULL. */
+const char *mistaken_character(struct parser *p, struct span span);
+
+#endif

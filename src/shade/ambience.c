@@ -1,0 +1,129 @@
+/* Ambient light from outside: see ambience.h. */
+#include "shade/ambience.h"
+
+#include "scene/mesh.h"
+#include "shade/background.h"
+#include "shade/finish.h"
+#include "shade/shadow.h"
+
+enum { PANES_MAX = 64 }; /* that a ray passes */
+
+/* Through less than this nothing is seen. */
+static const double least = 0.02;
+
+/* A walk over all textures. */
+struct tally {
+    size_t count;
+    double sum; /* of ambient / diffuse */
+    bool glows;
+};
+
+static void tally_texture(struct tally *tally, const struct texture *texture)
+{
+    for (size_t i = 0; texture && i < texture->count; i++) {
+        const struct finish *finish = texture->layers[i].finish;
+        double ambient = rgb_peak(finish->ambient);
+        tally->glows |= rgb_peak(finish->emission) > 0;
+        if (finish->diffuse <= 0)
+            continue;
+        tally->sum += fmin(ambient / finish->diffuse, 1);
+        tally->count++;
+    }
+}
+
+static void tally_leaf(void *context, const struct leaf *leaf)
+{
+    struct tally *tally = context;
+    tally_texture(tally, leaf->texture);
+    if (leaf->object->kind != OBJECT_MESH)
+        return;
+    const struct mesh *mesh = leaf->object->mesh;
+    for (size_t i = 0; i < mesh->texture_count; i++)
+        tally_texture(tally, mesh->textures[i]);
+}
+
+static void tally_solid(void *context, const struct solid *solid)
+{
+    if (solid->leaf)
+        tally_leaf(context, solid->leaf);
+    for (size_t i = 0; i < solid->child_count; i++)
+        tally_solid(context, solid->children[i]);
+}
+
+struct ambience ambience_new(const struct world *world,
+                             const struct scene *scene)
+{
+    struct ambience ambience = { .scene = scene,
+                                 .sky = settings_sky(&scene->settings) };
+    struct tally tally = { 0 };
+    size_t lamps;
+    if (ambience.sky)
+        return ambience;
+    world_visit(world, tally_solid, tally_leaf, &tally);
+    world_lights(world, &lamps);
+    ambience.everywhere = lamps == 0 && !tally.glows;
+    ambience.light = scene->settings.ambient_light;
+    ambience.share = tally.count > 0 ? tally.sum / (double)tally.count : 0;
+    return ambience;
+}
+
+rgb ambience_beyond(const struct ambience *ambience, vec3 direction)
+{
+    return ambience->sky ? background_light(ambience->scene, direction)
+                         : rgb_scale(ambience->light, ambience->share);
+}
+
+double surface_sky(const struct surface *surface)
+{
+    double sum = 0;
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        double glow = fmin(rgb_peak(layer->finish->glow), 1);
+        sum += glow * rgb_brightness(layer->weight) *
+               (1 - rgb_brightness(colour_transmittance(layer->pigment)));
+    }
+    return sum;
+}
+
+rgb surface_ambient(const struct surface *surface)
+{
+    rgb sum = rgb_grey(0);
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb share = finish_ambient(layer);
+        sum = rgb_add(sum, rgb_mul(layer->weight, share));
+    }
+    return sum;
+}
+
+double ambience_open(const struct ambience *ambience, const struct world *world,
+                     struct worker *worker, const struct ray *ray)
+{
+    struct ray rest = *ray;
+    double open = 0, left = 1;
+    if (ambience->everywhere)
+        return 1;
+    for (int i = 0; i < PANES_MAX && left >= least; i++) {
+        struct intersection at;
+        struct surface surface;
+        worker->counters.shadow_rays++;
+        if (!world_closest(world, &rest, surface_offset(rest.origin),
+                           RAY_REFLECTION, &at))
+            return open + left;
+        if (ambience->scene->fogs.count > 0) {
+            rgb clear = fog_veil(ambience->scene, &rest, at.t).through;
+            open += left * (1 - rgb_brightness(clear));
+            left *= rgb_brightness(clear);
+        }
+        struct surface_view view = { .direction = rest.direction,
+                                     .ior = 1,
+                                     .quality = QUALITY_FOG,
+                                     .bailout = least,
+                                     .smooth = true };
+        surface_fill(&surface, &at, &view);
+        open += left * surface_sky(&surface);
+        left *= fmax(rgb_brightness(surface.through), 0);
+        rest.origin = at.point;
+    }
+    return open;
+}
