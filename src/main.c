@@ -7,6 +7,7 @@
 #include "cli/probe_file.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
+#include "cli/watch.h"
 #include "lighting/missing.h"
 #include "lighting/names.h"
 #include "tracer/integrator.h"
@@ -48,16 +49,6 @@ static bool frame_pixels(struct work *work, const struct tracer *tracer,
     return done;
 }
 
-/* Whether the lighting method stands by what it said. */
-static bool frame_sound(struct work *work, const struct tracer *tracer,
-                        struct stats *stats)
-{
-    const struct lighting *lighting = tracer->lighting;
-    stats_lighting(stats, tracer);
-    return !lighting->sound ||
-           lighting->sound(tracer->lighting_state, &work->diag);
-}
-
 /* World to picture. */
 static bool frame_draw(struct work *work, const struct tracer *tracer,
                        const char *name, struct stats *stats)
@@ -67,7 +58,7 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
         image_new(options->render.width, options->render.height);
     bool done = frame_pixels(work, tracer, name, image, stats);
     stats_lap(stats, &stats->rendering);
-    done = done && frame_sound(work, tracer, stats);
+    stats_lighting(stats, tracer);
     done =
         done && picture_show(image, options, tracer, work->stop, &work->diag);
     if (done)
@@ -97,7 +88,7 @@ static bool frame_probe(struct work *work, const struct tracer *tracer,
                           light, &stats->rays);
     progress_clear(&progress);
     stats_lap(stats, &stats->rendering);
-    done = done && frame_sound(work, tracer, stats);
+    stats_lighting(stats, tracer);
     done = done && probe_file_write(points, light, name, &work->diag);
     stats_lap(stats, &stats->writing);
     memory_free(light);
@@ -120,38 +111,35 @@ static void frame_keep(struct work *work, const struct tracer *tracer)
     work->kept = tracer->lighting->keep(tracer->lighting_state);
 }
 
-/* Lights the world; returns whether that is to be tried again, and then leaves
- * the state in light->before. */
-static bool frame_attempt(struct work *work, const struct world *world,
-                          const struct scene *scene,
-                          struct lighting_options *light, const char *name,
-                          struct stats *stats, bool *done)
+/* Lights the world. */
+static bool frame_light(struct work *work, const struct world *world,
+                        const struct scene *scene, const char *name,
+                        struct stats *stats)
 {
     const struct options *options = &work->options;
     const struct lighting *lighting = options->lighting;
-    void *state = lighting->start(world, scene, light, &work->diag);
-    if (light->before)
-        lighting->finish(light->before);
-    light->before = NULL;
+    const struct lighting_options light = { .threads = options->render.threads,
+                                            .width = options->render.width,
+                                            .height = options->render.height,
+                                            .quality = options->quality,
+                                            .stop = work->stop,
+                                            .keep = work_keeps(work),
+                                            .kept = &work->kept };
     struct tracer tracer = { .scene = scene,
                              .world = world,
                              .lighting = lighting,
-                             .lighting_state = state,
                              .quality = options->quality,
                              .alpha = options->alpha };
-    if (light->attempt == 0)
-        stats_world(stats, world);
-    *done = state && (options->probe ? frame_probe : frame_draw)(work, &tracer,
-                                                                 name, stats);
-    bool again = state && !*done && !atomic_load(work->stop) &&
-                 lighting->again && lighting->again(state);
-    if (*done)
+    tracer.lighting_state = lighting->start(world, scene, &light, &work->diag);
+    stats_world(stats, world);
+    if (!tracer.lighting_state)
+        return false;
+    bool done =
+        (options->probe ? frame_probe : frame_draw)(work, &tracer, name, stats);
+    if (done)
         frame_keep(work, &tracer);
-    if (again)
-        light->before = state;
-    else if (state)
-        lighting->finish(state);
-    return again;
+    lighting->finish(tracer.lighting_state);
+    return done;
 }
 
 /* Scene to picture or table. */
@@ -171,15 +159,7 @@ static bool frame_render(struct work *work, const struct scene *scene,
     world_lights(world, &lights);
     if (!options->probe)
         missing_tell(scene, lights, world_leaf_count(world), &work->diag);
-    struct lighting_options light = { .threads = options->render.threads,
-                                      .width = options->render.width,
-                                      .quality = options->quality,
-                                      .stop = work->stop,
-                                      .keep = work_keeps(work),
-                                      .kept = &work->kept };
-    bool done = false;
-    while (frame_attempt(work, world, scene, &light, name, stats, &done))
-        light.attempt++;
+    bool done = frame_light(work, world, scene, name, stats);
     world_free(world);
     return done;
 }
@@ -251,6 +231,7 @@ static enum status work_run(struct work *work, struct arena *arena)
 {
     const char *problem = NULL;
     const struct frames *frames = &work->options.frames;
+    file_list_add(work->options.parse.asked, work->options.path);
     work->source =
         source_read(arena, work->options.path, span_none(), &problem);
     if (!work->source && atomic_load(work->stop)) {
@@ -263,6 +244,8 @@ static enum status work_run(struct work *work, struct arena *arena)
                    problem);
         return FAILED;
     }
+    if (work->options.probe)
+        file_list_add(work->options.parse.asked, work->options.probe);
     if (work->options.probe && work->options.action == ACTION_RENDER &&
         !probe_file_read(&work->points, work->options.probe, arena,
                          &work->diag))
@@ -288,30 +271,60 @@ struct command {
     int argc;
     char **argv;
     enum status status;
+    bool told; /* what --watch waits for */
 };
+
+/* Says once that it goes on; returns whether it does. */
+static bool command_watch(struct command *command, struct work *work)
+{
+    struct file_list *files = work->options.parse.asked;
+    if (!work->options.watch || command->status == INTERRUPTED)
+        return false;
+    if (!command->told && work->options.warnings)
+        diag_print(&work->diag, DIAG_NOTE, span_none(), NULL,
+                   "watching %zu file%s; Ctrl-C ends", files->count,
+                   files->count == 1 ? "" : "s");
+    command->told = true;
+    return watch_wait(files, work->stop);
+}
+
+/* Returns true for once more. Wrong options are waited for only if an INI file
+ * was right before. */
+static bool command_once(struct command *command)
+{
+    struct arena *arena = arena_new(0);
+    struct file_list files = { .arena = arena };
+    struct work work = { .options.parse.asked = &files,
+                         .diag = diag_new(),
+                         .stop = interrupt_catch() };
+    bool again = command->told;
+    command->status = FAILED;
+    if (options_parse(&work.options, command->argc, command->argv, arena,
+                      &work.diag)) {
+        bool answers = options_answers(&work.options);
+        if (!answers)
+            command->status = work_run(&work, arena);
+        else if (options_answer(&work.options, &work.diag))
+            command->status = DONE;
+        again = !answers;
+    }
+    memory_free(work.kept.bytes);
+    again = again && command_watch(command, &work);
+    arena_free(arena);
+    return again;
+}
 
 static void command_run(void *context)
 {
-    struct command *command = context;
-    struct work work = { .diag = diag_new(), .stop = interrupt_catch() };
-    struct arena *arena = arena_new(0);
-    if (options_parse(&work.options, command->argc, command->argv, arena,
-                      &work.diag)) {
-        if (options_answers(&work.options))
-            command->status =
-                options_answer(&work.options, &work.diag) ? DONE : FAILED;
-        else
-            command->status = work_run(&work, arena);
-    }
-    memory_free(work.kept.bytes);
-    arena_free(arena);
+    while (command_once(context))
+        continue;
 }
 
 /* Nested scenes and mirrors that face each other need stack, so all is done on
  * one of known size. */
 int main(int argc, char **argv)
 {
-    struct command command = { argc, argv, FAILED };
+    struct command command = { .argc = argc, .argv = argv };
     struct diag diag = diag_new();
     if (!parallel_call(command_run, &command))
         diag_print(&diag, DIAG_ERROR, span_none(), NULL,

@@ -7,10 +7,13 @@
 
 #include "base/arena.h"
 
+struct telling;
+
 struct worker {
     unsigned number;
-    const atomic_int *stop; /* non-zero: leave off; NULL: never */
-    struct arena *scratch;  /* reset after every camera ray */
+    const atomic_int *stop;  /* non-zero: leave off; NULL: never */
+    struct arena *scratch;   /* reset after every camera ray */
+    struct telling *telling; /* of --debug-pixel; NULL: nobody asks */
     struct {
         unsigned long long camera_rays, secondary_rays, shadow_rays;
         unsigned long long mesh_rays; /* of them, those of mesh points */

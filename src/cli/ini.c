@@ -227,6 +227,7 @@ static bool ini_read_file(struct option_reader *reader, const char *path,
     struct ini ini = {
         .reader = reader, .section = section, .active = true, .good = true
     };
+    file_list_add(reader->options->parse.asked, path);
     ini.source = source_read(reader->arena, path, setting->span, &problem);
     if (!ini.source)
         return option_fail(reader, setting, "can't read %s: %s", path, problem);

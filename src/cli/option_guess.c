@@ -130,6 +130,9 @@ bool option_unknown(struct option_reader *reader, const struct setting *setting,
     const char *hint = guess_spelling(arena, plain, rest, word);
     const struct option *letters =
         start == 1 ? option_find_letters(name + 1) : NULL;
+    /* +Wabc is no word mistyped. */
+    if (letters && letters->argument && length <= 4 && !*rest)
+        hint = NULL;
     const char *synonym = guess_synonym(plain);
     if (synonym && !setting->span.source) {
         hint = arena_printf(arena, "type %s", synonym);

@@ -254,6 +254,8 @@ static const struct option table[] = {
          "objects, rays and times, and what light meshes took"),
 
     GROUP("Other things to do"),
+    WORD("watch", set_flag, AT(watch), NULL,
+         "render again whenever the scene or a file it uses changes"),
     WORD("check", set_action, ACTION_CHECK, NULL,
          "read the scene and report what is wrong; render nothing"),
     WORD("probe", set_text, AT(probe), "file",

@@ -222,6 +222,11 @@ static bool options_find_input(struct option_reader *reader)
         return false;
     }
     options->path = options->input;
+    if (strcmp(options->input, "-") == 0 && options->watch) {
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "--watch needs a file: standard input can't be read again");
+        return false;
+    }
     if (strcmp(options->input, "-") == 0)
         return true;
     options->path = option_search(reader, options->input, extensions);
@@ -537,7 +542,9 @@ static struct options options_default(void)
 bool options_parse(struct options *options, int argc, char **argv,
                    struct arena *arena, struct diag *diag)
 {
+    struct file_list *asked = options->parse.asked;
     *options = options_default();
+    options->parse.asked = asked;
     struct option_reader reader = { .options = options,
                                     .arena = arena,
                                     .diag = diag };

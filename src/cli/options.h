@@ -34,6 +34,7 @@ struct options {
     bool to_file, continue_trace;
     enum { PROGRESS_TERMINAL, PROGRESS_NEVER, PROGRESS_ALWAYS } progress;
     bool stats;
+    bool watch;              /* --watch: again and again */
     bool messages, warnings; /* +GD and +GW: #debug, #warning and ours */
     int warning_level;
     const struct lighting *lighting;
@@ -50,7 +51,9 @@ struct options {
     struct render_options render;
 };
 
-/* Reads the start-up INI files, then the arguments from left to right, and
+/* Files that are read for it are put into options->parse.asked, which may be
+ * NULL and is all of *options that must be set before.
+ * Reads the start-up INI files, then the arguments from left to right, and
  * works out names, sizes and frames. Returns false after an error was printed.
  * Strings live in `arena`. */
 bool options_parse(struct options *options, int argc, char **argv,

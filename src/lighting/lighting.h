@@ -22,13 +22,10 @@ struct lighting_kept {
 
 struct lighting_options {
     unsigned threads;
-    int quality; /* +Q, 0..11 */
-    int width;   /* of the picture, pixels; 0: any */
+    int quality;       /* +Q, 0..11 */
+    int width, height; /* of the picture, pixels; 0: any */
     unsigned long long seed;
     const atomic_int *stop;           /* non-zero: leave off; NULL: never */
-    int attempt;                      /* 0; then how often `again` was true */
-    void *before;                     /* the state of the attempt before, from
-                                       * which `start` may take; or NULL */
     bool keep;                        /* `keep` will be called */
     const struct lighting_kept *kept; /* by the picture before, or NULL; used
                                        * only if it is of the same scene */
@@ -84,11 +81,6 @@ struct lighting {
     /* The lamps, which light media as they do under `rays`. NULL where
      * illuminate is. */
     const struct lamps *(*lamps)(const void *state);
-    /* Whether the light given was right, asked at the end; if not, the picture
-     * is worth nothing. Then either `again` is true, and the next attempt may
-     * succeed, or an error was printed. NULL: always right. */
-    bool (*sound)(const void *state, struct diag *diag);
-    bool (*again)(const void *state);
     /* What it took, for --stats; may be NULL. */
     void (*tell)(const void *state, lighting_row *row, void *context);
     /* What is known by now, for the next picture or for --mesh-save. NULL:

@@ -6,13 +6,13 @@
 #include "lighting/lamplight.h"
 #include "lighting/mesh_close.h"
 #include "lighting/mesh_diffuse.h"
-#include "lighting/mesh_few.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_pixels.h"
 #include "lighting/mesh_report.h"
 #include "lighting/mesh_scalar.h"
 #include "lighting/mesh_views.h"
 #include "lighting/names.h"
+#include "lightmesh/census.h"
 #include "lightmesh/facet_mesh.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/outlook.h"
@@ -30,12 +30,11 @@ struct mesh_lighting {
     struct scalar_mesh *scalar;     /* of model scalar, in place of them all */
     struct void_skeleton close;     /* what ends its bounces, if asked for */
     struct mesh_pixels pixels;      /* that lamps look at */
+    struct knowers knowers;
     struct mesh_report report;
-    /* The same, whose lattices are coarser the farther from this picture's
-     * camera; what mesh points hold must not depend on it, only on the
-     * stamp's frame. */
-    struct direct_mesh near_direct;
-    struct indirect_mesh near_indirect;
+    /* How this picture's camera asks; what mesh points hold must not depend on
+     * it, only on the stamp's frame. */
+    struct lattice_view direct_view, indirect_view;
     struct mesh_stamp stamp;
 };
 
@@ -48,21 +47,6 @@ static struct scalar_mesh *mesh_literal(const struct lamps *lamps,
         said->indirect.samples ? said->indirect.samples : SCALAR_SAMPLES;
     options->bytes = MESH_BYTES;
     return scalar_mesh_new(lamps, options, said->indirect.on ? samples : 0);
-}
-
-static void mesh_finish(void *state)
-{
-    struct mesh_lighting *mesh = state;
-    if (!mesh)
-        return;
-    mesh_pixels_free(&mesh->pixels);
-    scalar_mesh_free(mesh->scalar);
-    indirect_mesh_free(mesh->indirect);
-    void_skeleton_free(&mesh->close);
-    emitters_free(mesh->emitters);
-    direct_mesh_free(mesh->direct);
-    lamps_free(&mesh->lamps);
-    memory_free(mesh);
 }
 
 enum { MESHES_MAX = 2 + BOUNCES_MAX };
@@ -86,37 +70,138 @@ static size_t mesh_points(const struct mesh_lighting *mesh,
     return count;
 }
 
-/* The meshes, as far as they are known. */
-static bool mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
-                      const struct mesh_known *known, struct diag *diag)
+static void mesh_clear(struct mesh_lighting *mesh)
+{
+    scalar_mesh_free(mesh->scalar);
+    indirect_mesh_free(mesh->indirect);
+    direct_mesh_free(mesh->direct);
+    mesh->scalar = NULL;
+    mesh->indirect = NULL;
+    mesh->direct = NULL;
+}
+
+static void mesh_finish(void *state)
+{
+    struct mesh_lighting *mesh = state;
+    if (!mesh)
+        return;
+    mesh_pixels_free(&mesh->pixels);
+    mesh_clear(mesh);
+    void_skeleton_free(&mesh->close);
+    emitters_free(mesh->emitters);
+    lamps_free(&mesh->lamps);
+    memory_free(mesh);
+}
+
+/* The meshes of the stamp's frame, without points. */
+static void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
+                      const struct interpolation *interpolation)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    const struct point_mesh *meshes[MESHES_MAX];
-    struct direct_options *options = &mesh->plan.direct;
+    const struct skeleton *skeleton = mesh->close.skeleton;
+    struct plan *plan = &mesh->plan;
+    mesh_clear(mesh);
+    *plan = plan_new(scene, &mesh->lamps, &mesh->stamp.frame, interpolation,
+                     skeleton ? mesh_close_light : NULL, skeleton);
+    mesh->direct_view = plan->direct.view;
+    mesh->indirect_view = plan->indirect.view;
+    mesh->direct_view.eye = mesh->indirect_view.eye = scene->camera.location;
     if (said->model == MESH_MODEL_SCALAR) {
-        mesh->scalar = mesh_literal(&mesh->lamps, said, options);
-    } else {
-        mesh->direct = direct_mesh_new(&mesh->lamps, options);
-        mesh->near_direct = *mesh->direct;
-        mesh->near_direct.points.lattice.eye = scene->camera.location;
+        mesh->scalar = mesh_literal(&mesh->lamps, said, &plan->direct);
+        return;
     }
-    if (mesh->plan.indirect.bounces > 0 && mesh->direct) {
-        mesh->emitters = emitters_new(mesh->lamps.world);
-        mesh->indirect =
-            indirect_mesh_new(mesh->direct, mesh->emitters, &mesh->ambience,
-                              &mesh->plan.indirect);
-        mesh->near_indirect = *mesh->indirect;
-        mesh->near_indirect.points.lattice.eye = scene->camera.location;
+    mesh->direct = direct_mesh_new(&mesh->lamps, &plan->direct);
+    if (plan->indirect.bounces > 0)
+        mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
+                                           &mesh->ambience, &plan->indirect);
+}
+
+/* How many times too many points there will be. */
+static double mesh_crowding(const struct mesh_lighting *mesh,
+                            const struct scene *scene,
+                            const struct lighting_options *options)
+{
+    struct census census = {
+        .scene = scene,
+        .direct = mesh->direct,
+        .space = mesh->plan.lamps != PLAN_EACH,
+        .surfaces = mesh->plan.direct.surfaces,
+        .indirect = mesh->indirect,
+        .direct_view = mesh->direct_view,
+        .indirect_view = mesh->indirect_view,
+        .pixels = (double)options->width * options->height,
+    };
+    return mesh->scalar ? 0 : census_crowding(&census);
+}
+
+/* Meshes whose points have room, as near to each other as the scene and the
+ * picture want, or less. Returns false after an error was printed: as near as
+ * was said they have none. */
+static bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
+                     const struct interpolation *interpolation,
+                     const struct outlook *outlook,
+                     const struct lighting_options *options, struct diag *diag)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    int coarser = 0;
+    mesh_make(mesh, scene, interpolation);
+    while (coarser < SPACINGS_MOST && mesh_crowding(mesh, scene, options) > 1) {
+        mesh->stamp.frame =
+            plan_frame(mesh->lamps.world, scene, outlook, ++coarser);
+        mesh_make(mesh, scene, interpolation);
     }
+    if (!(said->density > 0) || coarser == 0)
+        return true;
+    double density = 1 / mesh->stamp.frame.spacing;
+    double step = pow(10, floor(log10(density)) - 1);
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "a light mesh of density %.3g needs more than the %.0f MB that "
+               "glim gives it: type --mesh-density %g, or less",
+               said->density, (double)MESH_BYTES * 1e-6,
+               floor(density / step) * step);
+    return false;
+}
+
+static void mesh_report_on(struct mesh_lighting *mesh)
+{
+    const struct direct_options *direct = &mesh->plan.direct;
+    const struct lattice *lattice = &direct->lattice;
     mesh->report = (struct mesh_report){
         .direct = mesh->direct,
         .indirect = mesh->indirect,
         .scalar = mesh->scalar,
-        .spacing = lattice_spacing(&options->lattice, options->lattice.usual),
-        .size = options->size,
-        .bytes = MESH_BYTES,
+        .spacing = lattice_spacing(lattice, lattice->usual),
+        .size = direct->size,
+        .direct_view = direct->view,
+        .indirect_view = mesh->plan.indirect.view,
     };
-    return mesh_known_fill(known, meshes, mesh_points(mesh, meshes), diag);
+}
+
+/* What is known already, and meshes for the rest. */
+static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
+                       const struct outlook *outlook,
+                       const struct lighting_options *options,
+                       struct diag *diag)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    const struct point_mesh *meshes[MESHES_MAX];
+    const struct interpolation *interpolation =
+        names_interpolation(&scene->settings, diag);
+    struct mesh_known known;
+    bool done =
+        mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
+    done =
+        done && interpolation &&
+        mesh_close_make(&mesh->close, mesh->lamps.world, scene, options, diag);
+    if (done && known.found) {
+        mesh->stamp = known.file.stamp;
+        mesh_make(mesh, scene, interpolation);
+        done = mesh_known_fill(&known, meshes, mesh_points(mesh, meshes), diag);
+    } else if (done) {
+        done = mesh_fit(mesh, scene, interpolation, outlook, options, diag);
+    }
+    mesh_known_end(&known);
+    return done;
 }
 
 static void *mesh_start(const struct world *world, const struct scene *scene,
@@ -124,44 +209,30 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
                         struct diag *diag)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    const struct interpolation *interpolation =
-        names_interpolation(&scene->settings, diag);
-    if (!interpolation)
-        return NULL;
     struct mesh_lighting *mesh = memory_new(sizeof *mesh);
-    struct mesh_lighting *before = options->before;
     struct outlook outlook = outlook_of(world, scene, options->width);
-    struct mesh_known known;
     mesh->ambience = ambience_new(world, scene);
-    if (options->attempt == 0 && mesh->ambience.sky)
+    if (mesh->ambience.sky)
         ambient_dropped(scene, diag);
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
+    if (said->indirect.on)
+        mesh->emitters = emitters_new(world);
     if (options->keep || said->load_file)
         mesh->stamp =
             mesh_stamp_new(scene, plan_held(said, mesh->lamps.count),
                            said->indirect.on, options->quality, options->seed);
-    mesh->stamp.frame = plan_frame(world, scene, &outlook, options->attempt);
-    bool done =
-        mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
-    if (known.found)
-        mesh->stamp = known.file.stamp;
-    done =
-        done && mesh_close_make(&mesh->close, world, scene,
-                                before ? &before->close : NULL, options, diag);
-    const struct skeleton *skeleton = mesh->close.skeleton;
-    mesh->plan =
-        plan_new(scene, &mesh->lamps, &mesh->stamp.frame, interpolation,
-                 skeleton ? mesh_close_light : NULL, skeleton);
-    done = done && mesh_make(mesh, scene, &known, diag);
+    mesh->stamp.frame = plan_frame(world, scene, &outlook, 0);
+    if (!mesh_begin(mesh, scene, &outlook, options, diag)) {
+        mesh_finish(mesh);
+        return NULL;
+    }
     mesh->pixels =
         mesh_pixels_new(&mesh->lamps, scene, &mesh->plan, outlook.pixel);
-    mesh->report.again = !(said->density > 0) && !known.name &&
-                         options->attempt < SPACING_ATTEMPTS;
-    mesh_known_end(&known);
-    if (done)
-        return mesh;
-    mesh_finish(mesh);
-    return NULL;
+    mesh->knowers = (struct knowers){ .plan = &mesh->plan,
+                                      .lamps = &mesh->lamps,
+                                      .direct = mesh->direct };
+    mesh_report_on(mesh);
+    return mesh;
 }
 
 static struct lighting_kept mesh_keep(const void *state)
@@ -195,52 +266,21 @@ static void mesh_shine(const struct lamplight *asked, vec3 direction, rgb light)
         asked->visit(asked->context, &sample);
 }
 
-/* The light of lamps on one side of a surface, and where most of it comes from.
- */
-struct mesh_light {
-    rgb light, from_there;
-    vec3 direction;
-};
-
-/* What the picture's own points know of the side that the camera sees. */
-static bool mesh_pixel_light(const struct mesh_lighting *mesh,
-                             const struct surface *surface, vec3 side,
-                             struct facet_light *light)
+/* A side of a surface that asks for light. */
+static struct receiver mesh_receiver(const struct surface *surface, vec3 side,
+                                     vec3 normal, struct lattice_view view)
 {
-    return mesh->pixels.mesh && surface->place &&
-           vec3_dot(side, surface->side) > 0 &&
-           pixel_mesh_light(mesh->pixels.mesh, surface->place, surface->at,
-                            side, light);
-}
-
-static struct mesh_light mesh_light(const struct mesh_lighting *mesh,
-                                    const struct lamplight *asked, vec3 side,
-                                    vec3 normal)
-{
-    const struct direct_mesh *direct = &mesh->near_direct;
-    const struct surface *surface = asked->surface;
-    double brilliance = surface->layer[0].finish->brilliance;
-    struct facet_question question = { &direct->points.lattice, surface->at,
-                                       side };
-    struct facet_light own;
-    struct mesh_light light = { .from_there = rgb_grey(0) };
-    bool shines = mesh_shines(surface);
-    if (mesh_pixel_light(mesh, surface, side, &own) ||
-        (direct->facets &&
-         facet_mesh_light(direct->facets, asked->worker, &question, &own))) {
-        light.light = facet_light_irradiance(&own, side, normal, brilliance);
-        if (shines)
-            light.direction = facet_light_direction(&own, &light.from_there);
-        return light;
-    }
-    struct mesh_blend blend;
-    point_mesh_blend(&direct->points, asked->worker, surface->point, side, 1,
-                     &blend);
-    struct harmonics around = direct_mesh_light(&blend);
-    light.light = harmonics_irradiance(&around, normal, brilliance);
-    if (shines)
-        light.direction = harmonics_direction(&around, &light.from_there);
-    return light;
+    bool first = surface->place && vec3_dot(side, surface->side) > 0;
+    return (struct receiver){
+        .point = surface->point,
+        .side = side,
+        .normal = normal,
+        .from = vec3_along(surface->point, surface->view, surface->at->t),
+        .at = surface->at,
+        .pixel = first ? surface->place : NULL,
+        .view = view,
+        .weight = 1,
+    };
 }
 
 /* What the lamps in front of the surface, or behind it, give its first layer,
@@ -251,13 +291,22 @@ static rgb mesh_side(const struct mesh_lighting *mesh,
     const struct surface *surface = asked->surface;
     const struct surface_layer *layer = &surface->layer[0];
     double brilliance = layer->finish->brilliance;
-    struct mesh_light light =
-        mesh_light(mesh, asked, vec3_scale(surface->side, sign),
-                   vec3_scale(layer->normal, sign));
-    if (sign > 0)
-        mesh_shine(asked, light.direction, light.from_there);
+    const struct receiver receiver =
+        mesh_receiver(surface, vec3_scale(surface->side, sign),
+                      vec3_scale(layer->normal, sign), mesh->direct_view);
+    struct asking asking;
+    struct incident incident;
+    asking_start(&asking, &mesh->knowers, asked->worker, &receiver,
+                 surface->inside);
+    asking_all_lamps(&asking, &incident);
+    rgb light = incident_irradiance(&incident, &receiver, brilliance);
+    if (sign > 0 && mesh_shines(surface)) {
+        rgb from_there;
+        vec3 direction = incident_direction(&incident, &from_there);
+        mesh_shine(asked, direction, from_there);
+    }
     double albedo = layer->finish->diffuse_albedo ? (brilliance + 1) / 2 : 1;
-    return rgb_scale(light.light, albedo);
+    return rgb_scale(light, albedo);
 }
 
 static rgb mesh_many(const struct mesh_lighting *mesh,
@@ -272,6 +321,50 @@ static rgb mesh_many(const struct mesh_lighting *mesh,
         light = rgb_add_scaled(light, mesh_side(mesh, asked, -1),
                                back / finish->diffuse);
     return light;
+}
+
+/* A surface whose lamps are asked one by one. */
+struct mesh_asker {
+    struct lamplight light; /* first: its address is ours */
+    struct asking asking;
+};
+
+static rgb mesh_asker_share(struct lamplight *light, const struct lamp *lamp,
+                            const struct lamp_view *view)
+{
+    struct mesh_asker *asker = (struct mesh_asker *)light;
+    return asking_one_lamp(&asker->asking, lamp, view);
+}
+
+/* Whether what comes from behind counts too. */
+static bool mesh_both_sides(const struct surface *surface)
+{
+    if (surface->at->leaf->double_illuminate)
+        return true;
+    for (int i = 0; i < surface->count; i++)
+        if (surface->layer[i].finish->diffuse_back != 0)
+            return true;
+    return false;
+}
+
+/* Visits the lamps' samples. */
+static void mesh_few(const struct mesh_lighting *mesh,
+                     const struct lamplight *light)
+{
+    const struct surface *surface = light->surface;
+    const struct receiver receiver =
+        mesh_receiver(surface, surface->side, surface->side, mesh->direct_view);
+    bool both = mesh_both_sides(surface);
+    struct mesh_asker asker;
+    asker.light = *light;
+    asker.light.share = mesh_asker_share;
+    asking_start(&asker.asking, &mesh->knowers, light->worker, &receiver,
+                 surface->inside);
+    for (size_t i = 0; i < light->lamps->count; i++) {
+        const struct lamp *lamp = &light->lamps->items[i];
+        if (both || !asking_rules_out(&asker.asking, lamp))
+            lamplight_give(&asker.light, lamp);
+    }
 }
 
 static struct diffuse_light mesh_illuminate(const void *state,
@@ -295,11 +388,11 @@ static struct diffuse_light mesh_illuminate(const void *state,
     if (mesh->direct->many)
         diffuse.irradiance = mesh_many(mesh, &light);
     else
-        mesh_few_give(&mesh->near_direct, mesh->plan.lamps, &mesh->pixels,
-                      &light);
+        mesh_few(mesh, &light);
     if (mesh->indirect) {
-        struct diffuse_light more = mesh_diffuse(
-            &mesh->near_indirect, &mesh->ambience, worker, surface);
+        struct diffuse_light more =
+            mesh_diffuse(mesh->indirect, mesh->indirect_view, &mesh->ambience,
+                         worker, surface);
         diffuse.ambient = more.ambient;
         diffuse.irradiance = rgb_add(diffuse.irradiance, more.irradiance);
     }
@@ -323,20 +416,8 @@ static void mesh_look_ahead(void *state, const struct first_hits *hits,
 {
     struct mesh_lighting *mesh = state;
     mesh_pixels_make(&mesh->pixels, hits, workers, threads);
-    mesh->report.pixels = mesh->pixels.mesh;
-    mesh->report.penumbras = mesh->pixels.penumbras;
-}
-
-static bool mesh_sound(const void *state, struct diag *diag)
-{
-    const struct mesh_lighting *mesh = state;
-    return mesh_report_sound(&mesh->report, diag);
-}
-
-static bool mesh_again(const void *state)
-{
-    const struct mesh_lighting *mesh = state;
-    return mesh_report_again(&mesh->report);
+    mesh->report.pixels = mesh->knowers.pixels = mesh->pixels.mesh;
+    mesh->report.penumbras = mesh->knowers.penumbras = mesh->pixels.penumbras;
 }
 
 static void mesh_tell(const void *state, lighting_row *row, void *context)
@@ -385,8 +466,6 @@ const struct lighting mesh_lighting = {
     .prepare = mesh_look_ahead,
     .illuminate = mesh_illuminate,
     .lamps = mesh_lamps,
-    .sound = mesh_sound,
-    .again = mesh_again,
     .tell = mesh_tell,
     .keep = mesh_keep,
     .views = mesh_views,

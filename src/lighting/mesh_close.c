@@ -4,22 +4,17 @@
 #include "lightmesh/tuning.h"
 
 bool mesh_close_make(struct void_skeleton *close, const struct world *world,
-                     const struct scene *scene, struct void_skeleton *before,
+                     const struct scene *scene,
                      const struct lighting_options *options, struct diag *diag)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    const struct void_skeleton none = { NULL, NULL };
     struct void_skeleton_wish wish = { .resolution = CLOSE_VOXELS,
                                        .rays = CLOSE_RAYS };
-    *close = none;
+    *close = (struct void_skeleton){ NULL, NULL };
     if (!said->indirect.on || !said->indirect.skeleton ||
         said->model == MESH_MODEL_SCALAR)
         return true;
-    if (!before)
-        return void_skeleton_make(close, world, scene, wish, options, diag);
-    *close = *before;
-    *before = none;
-    return true;
+    return void_skeleton_make(close, world, scene, wish, options, diag);
 }
 
 rgb mesh_close_light(const void *context, struct worker *worker, vec3 place,

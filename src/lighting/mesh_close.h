@@ -5,11 +5,10 @@
 
 #include "lighting/void_skeleton.h"
 
-/* The skeleton, or none if the scene wants none. `before`, that of an attempt
- * that had too many mesh points, is taken from there (NULL: there was none).
- * False as of void_skeleton_make. */
+/* The skeleton, or none if the scene wants none. False as of
+ * void_skeleton_make. */
 bool mesh_close_make(struct void_skeleton *close, const struct world *world,
-                     const struct scene *scene, struct void_skeleton *before,
+                     const struct scene *scene,
                      const struct lighting_options *options, struct diag *diag);
 
 /* A gather_close; `context` is the skeleton. */

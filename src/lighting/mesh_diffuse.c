@@ -4,6 +4,7 @@
 #include "shade/finish.h"
 
 struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
+                                  struct lattice_view view,
                                   const struct ambience *ambience,
                                   struct worker *worker,
                                   const struct surface *surface)
@@ -13,15 +14,16 @@ struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
     rgb ambient = rgb_mul(surface_ambient(surface), ambience->light);
     double most = fmax(rgb_peak(albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
-    struct indirect_place place = {
-        .place = surface->point,
+    const struct receiver receiver = {
+        .point = surface->point,
         .side = surface->side,
         .normal = layer->normal,
         .from = vec3_along(surface->point, surface->view, surface->at->t),
-        .worth = surface->weight * most,
+        .view = view,
+        .weight = surface->weight * most,
     };
     if (layer->finish->diffuse != 0 || rgb_peak(ambient) > 0)
-        share = indirect_mesh_light(mesh, worker, &place);
+        share = indirect_mesh_light(mesh, worker, &receiver);
     if (ambience->everywhere)
         share.open = 1;
     return (struct diffuse_light){ rgb_scale(ambience->light, share.open),

@@ -7,6 +7,7 @@
 
 /* Indirect and ambient light on the surface's first layer. */
 struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
+                                  struct lattice_view view,
                                   const struct ambience *ambience,
                                   struct worker *worker,
                                   const struct surface *surface);

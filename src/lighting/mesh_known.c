@@ -52,8 +52,7 @@ bool mesh_known_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                      struct diag *diag)
 {
     *known = (struct mesh_known){ 0 };
-    if (options->attempt == 0)
-        known->found = kept_find(known, wanted, options->kept);
+    known->found = kept_find(known, wanted, options->kept);
     if (known->found || !file)
         return true;
     known->name = file;

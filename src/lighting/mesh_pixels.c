@@ -18,7 +18,7 @@ static int pixels_apart(const struct mesh_pixels *pixels)
     double apart = lamps / (pixel_lamps_apart * lamps_more(pixels));
     if (pixels->each)
         return 1;
-    return stagger_apart(apart / (pixels->finer * pixels->finer));
+    return stagger_apart(apart / (pixels->plan->finer * pixels->plan->finer));
 }
 
 struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
@@ -29,7 +29,7 @@ struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
         .off = !plan->pixels,
         .each = plan->lamps == PLAN_EACH,
         .soft = plan->penumbras,
-        .finer = plan->finer,
+        .plan = plan,
         .detail = fmax(pixel_detail_least, pixel * pixel_detail),
         .lamps = lamps,
         .scene = scene,
@@ -74,29 +74,20 @@ static double pixels_points(const struct mesh_pixels *pixels,
     return each * pixels_places(grid);
 }
 
-/* Seconds that it would take. */
-static double pixels_cost(const struct mesh_pixels *pixels,
-                          const struct first_hits *grid)
+/* What there is to do, if so many triangles throw shadows. */
+static struct knower_job pixels_job(const struct mesh_pixels *pixels,
+                                    const struct first_hits *grid,
+                                    double triangles, double doubt)
 {
-    const struct casters *casters = &pixels->casters;
     double points = pixels_points(pixels, grid);
-    double triangles =
-        (double)(casters->certain.count + casters->doubtful.count);
-    double rays = pixel_rays_most * (1 - exp(-casters->doubt)) * points;
-    return (double)pixels->lamps->count *
-           (triangles * time_lamp_triangle + points * time_lamp_point +
-            rays * time_ray);
-}
-
-/* Seconds that it may take before points in space are better. */
-static double pixels_worth(const struct mesh_pixels *pixels,
-                           const struct first_hits *grid)
-{
-    if (pixels->each)
-        return pixels_places(grid) * (double)pixels->lamps->count * time_ray *
-               pixel_rays_share;
-    return pixel_worth * pixels_places(grid) * time_space_pixel *
-           lamps_more(pixels) * pixels->finer;
+    return (struct knower_job){
+        .pixels = pixels_places(grid),
+        .lamps = (double)pixels->lamps->count,
+        .triangles = triangles,
+        .points = points,
+        .doubtful = pixel_rays_most * (1 - exp(-doubt)) * points,
+        .finer = pixels->plan->finer,
+    };
 }
 
 /* Whether there are area lights to be asked. */
@@ -111,20 +102,29 @@ static bool pixels_soft(const struct mesh_pixels *pixels,
            penumbras_bytes(pixels_places(grid), count) <= penumbra_bytes_most;
 }
 
-/* Whether lamps that are points are to look at them. */
+/* Whether lamps that are points are to look at them. Taking the world apart is
+ * work in itself, not begun if its triangles alone are too many. */
 static bool pixels_sharp(struct mesh_pixels *pixels,
                          const struct first_hits *grid)
 {
     const struct world *world = pixels->lamps->world;
+    const struct casters *casters = &pixels->casters;
     double lamps = (double)pixels->lamps->count;
-    double worth = pixels_worth(pixels, grid);
+    struct knower_job least = { 0 };
     if (pixels->off || pixels_places(grid) > pixels_most ||
-        pixels_points(pixels, grid) * lamps > pixel_pairs_most ||
-        (double)world_triangle_count(world) * lamps * time_lamp_triangle >
-            worth)
+        pixels_points(pixels, grid) * lamps > pixel_pairs_most)
         return false;
-    return !pixels->takes && pixels_start(pixels) &&
-           pixels_cost(pixels, grid) <= worth;
+    least = pixels_job(pixels, grid, (double)world_triangle_count(world), 0);
+    least.points = 0;
+    least.doubtful = 0;
+    if (!knower_pixels_pay(pixels->plan, &least) || pixels->takes ||
+        !pixels_start(pixels))
+        return false;
+    const struct knower_job job =
+        pixels_job(pixels, grid,
+                   (double)(casters->certain.count + casters->doubtful.count),
+                   casters->doubt);
+    return knower_pixels_pay(pixels->plan, &job);
 }
 
 bool mesh_pixels_wanted(struct mesh_pixels *pixels,

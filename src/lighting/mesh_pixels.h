@@ -3,16 +3,14 @@
 #ifndef LIGHTING_MESH_PIXELS_H
 #define LIGHTING_MESH_PIXELS_H
 
-#include "lightmesh/penumbra.h"
-#include "lightmesh/pixel_mesh.h"
-#include "lightmesh/plan.h"
+#include "lightmesh/knower.h"
 #include "scene/light_settings.h"
 
 struct mesh_pixels {
-    bool off;      /* they can't be, or something was said of the mesh itself */
-    bool each;     /* few lamps: pixels know each of them, and are all points */
-    bool soft;     /* area lights can be asked so */
-    double finer;  /* as quality asks for */
+    bool off;  /* they can't be, or something was said of the mesh itself */
+    bool each; /* few lamps: pixels know each of them, and are all points */
+    bool soft; /* area lights can be asked so */
+    const struct plan *plan;
     double detail; /* what is nearer to a surface may be lost */
     const struct lamps *lamps;
     const struct scene *scene;

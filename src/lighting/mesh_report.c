@@ -7,10 +7,6 @@
 #include "lightmesh/obstacles.h"
 #include "lightmesh/table.h"
 
-/* Points that gather rays would have asked for are not counted any more once
- * a mesh is full: a spacing that fits is larger than the count says. */
-static const double margin = 1.15;
-
 static const struct facet_mesh *report_facets(const struct mesh_report *report)
 {
     return report->direct ? report->direct->facets : NULL;
@@ -49,30 +45,10 @@ static void report_name(const struct mesh_report *report, int number,
         snprintf(name, 24, "bounce %d", bounce);
 }
 
-bool mesh_report_again(const struct mesh_report *report)
+static const struct lattice_view *number_view(const struct mesh_report *report,
+                                              int number)
 {
-    return report->again && atomic_load(report_mesh(report, 0)->full);
-}
-
-/* As many points lie on a surface as the square of the density. */
-bool mesh_report_sound(const struct mesh_report *report, struct diag *diag)
-{
-    const struct point_mesh *mesh;
-    double crowding = 1;
-    if (!atomic_load(report_mesh(report, 0)->full))
-        return true;
-    if (report->again)
-        return false;
-    for (int i = 0; (mesh = report_mesh(report, i)); i++)
-        crowding = fmax(crowding, point_mesh_crowding(mesh));
-    double density = 1 / (report->spacing * sqrt(crowding) * margin);
-    double step = pow(10, floor(log10(density)) - 1);
-    diag_print(diag, DIAG_ERROR, span_none(), NULL,
-               "a light mesh of density %.3g needs more than the %.0f MB that "
-               "glim gives it: type --mesh-density %g, or less",
-               1 / report->spacing, (double)report->bytes * 1e-6,
-               floor(density / step) * step);
-    return false;
+    return number == 0 ? &report->direct_view : &report->indirect_view;
 }
 
 void mesh_report_tell(const struct mesh_report *report, lighting_row *row,
@@ -88,7 +64,8 @@ void mesh_report_tell(const struct mesh_report *report, lighting_row *row,
         snprintf(name, sizeof name, "%s points", kind);
         row(context, name, (double)table_count(mesh->table), "");
         snprintf(name, sizeof name, "%s refined", kind);
-        row(context, name, (double)point_mesh_refined(mesh), "");
+        row(context, name,
+            (double)point_mesh_refined(mesh, number_view(report, i)), "");
         snprintf(name, sizeof name, "%s alone", kind);
         row(context, name, (double)atomic_load(&mesh->work->lone), "");
         snprintf(name, sizeof name, "%s rays", kind);

@@ -1,5 +1,4 @@
-/* What light meshes took, for --stats, and the error that refuses a mesh that
- * does not fit into memory. */
+/* What light meshes took, for --stats. */
 #ifndef LIGHTING_MESH_REPORT_H
 #define LIGHTING_MESH_REPORT_H
 
@@ -17,15 +16,10 @@ struct mesh_report {
     const struct penumbras *penumbras;    /* or NULL */
     double spacing;                       /* of mesh points */
     double size;                          /* across what is seen */
-    size_t bytes;                         /* that all meshes may have */
-    bool again; /* a coarser mesh may be tried: nobody asked for this one */
+    struct lattice_view direct_view, indirect_view; /* of what points hold */
 };
 
-/* Whether the meshes are full, and coarser ones are to be tried. */
-bool mesh_report_again(const struct mesh_report *report);
-
-/* As sound and tell of lighting/lighting.h. */
-bool mesh_report_sound(const struct mesh_report *report, struct diag *diag);
+/* As tell of lighting/lighting.h. */
 void mesh_report_tell(const struct mesh_report *report, lighting_row *row,
                       void *context);
 

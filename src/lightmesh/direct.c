@@ -192,7 +192,6 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
         .radius = options->radius > 0 ? options->radius
                                       : options->interpolation->radius,
         .payload_size = mesh->many ? sizeof(struct harmonics) : few_bytes(mesh),
-        .full = memory_new(sizeof(atomic_bool)),
         .amount = mesh->many ? harmonics_amount : NULL,
         .refinement = options->refinement,
         .light = mesh->many ? harmonics_received : shares_light,
@@ -203,8 +202,8 @@ struct direct_mesh *direct_mesh_new(const struct lamps *lamps,
     if (options->surfaces) {
         bytes -= bytes / SURFACE_PART;
         mesh->facets =
-            facet_mesh_new(lamps, mesh->tree, options->budget,
-                           mesh->points.full, options->bytes / SURFACE_PART);
+            facet_mesh_new(lamps, mesh->tree, &options->lattice,
+                           options->budget, options->bytes / SURFACE_PART);
     }
     point_mesh_start(&mesh->points, bytes);
     return mesh;
@@ -217,7 +216,6 @@ void direct_mesh_free(struct direct_mesh *mesh)
     facet_mesh_free(mesh->facets);
     point_mesh_free(&mesh->points);
     light_tree_free(mesh->tree);
-    memory_free(mesh->points.full);
     memory_free(mesh);
 }
 
@@ -267,24 +265,24 @@ static rgb blend_irradiance(const struct direct_mesh *mesh,
 }
 
 rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
-                           struct worker *worker, vec3 place, vec3 side,
-                           vec3 normal)
+                           struct worker *worker,
+                           const struct receiver *receiver)
 {
     struct mesh_blend blend;
-    point_mesh_blend(&mesh->points, worker, place, side, 1, &blend);
-    return blend_irradiance(mesh, &blend, place, normal);
+    point_mesh_blend(&mesh->points, worker, receiver, &blend);
+    return blend_irradiance(mesh, &blend, receiver->point, receiver->normal);
 }
 
 rgb direct_mesh_nearest(const struct direct_mesh *mesh, struct worker *worker,
-                        vec3 place, vec3 side, vec3 normal, vec3 jitter)
+                        const struct receiver *receiver, vec3 jitter)
 {
     const void *payload =
-        point_mesh_nearest(&mesh->points, worker, place, side, jitter);
+        point_mesh_nearest(&mesh->points, worker, receiver, jitter);
     if (!payload)
-        return direct_mesh_irradiance(mesh, worker, place, side, normal);
+        return direct_mesh_irradiance(mesh, worker, receiver);
     struct mesh_blend blend;
     blend_alone(&blend, payload);
-    return blend_irradiance(mesh, &blend, place, normal);
+    return blend_irradiance(mesh, &blend, receiver->point, receiver->normal);
 }
 
 rgb direct_mesh_arriving(const struct direct_mesh *mesh, vec3 place,

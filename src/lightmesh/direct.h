@@ -35,6 +35,7 @@ struct direct_mesh {
 
 struct direct_options {
     struct lattice lattice;
+    struct lattice_view view; /* of the frame */
     const struct interpolation *interpolation;
     double radius; /* of interpolation, in spacings; 0: its own */
     struct refinement refinement;
@@ -79,15 +80,14 @@ struct harmonics direct_mesh_light(const struct mesh_blend *blend);
 rgb direct_mesh_arriving(const struct direct_mesh *mesh, vec3 place,
                          const void *payload);
 
-/* Direct light on any surface point, the lamps' colours times their cosines
- * to `normal`; `side` is the true normal, on the same side. */
+/* Direct light on any surface point, the lamps' colours times their cosines. */
 rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
-                           struct worker *worker, vec3 place, vec3 side,
-                           vec3 normal);
+                           struct worker *worker,
+                           const struct receiver *receiver);
 
 /* The same by one mesh point, see point_mesh_nearest. */
 rgb direct_mesh_nearest(const struct direct_mesh *mesh, struct worker *worker,
-                        vec3 place, vec3 side, vec3 normal, vec3 jitter);
+                        const struct receiver *receiver, vec3 jitter);
 
 /* Adds the light of lamps that reaches a site, by a shadow ray for each, or of
  * many lamps for each cluster. */

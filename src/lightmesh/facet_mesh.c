@@ -94,8 +94,9 @@ static bool facet_point_place(const void *context, uint64_t key, vec3 *place)
 }
 
 struct facet_mesh *facet_mesh_new(const struct lamps *lamps,
-                                  const struct light_tree *tree, int budget,
-                                  atomic_bool *full, size_t bytes)
+                                  const struct light_tree *tree,
+                                  const struct lattice *lattice, int budget,
+                                  size_t bytes)
 {
     struct facet_mesh *mesh = memory_new(sizeof *mesh);
     mesh->facets = facets_new(lamps->world);
@@ -104,7 +105,7 @@ struct facet_mesh *facet_mesh_new(const struct lamps *lamps,
     mesh->points = (struct point_mesh){
         .world = lamps->world,
         .payload_size = sizeof(struct facet_light),
-        .full = full,
+        .lattice = *lattice,
         .place = facet_point_place,
         .context = mesh,
         .around = table_new(sizeof(struct obstacles), 0),
@@ -128,7 +129,8 @@ void facet_mesh_free(struct facet_mesh *mesh)
 struct facet_seeker {
     const struct facet_mesh *mesh;
     struct worker *worker;
-    const struct facet_question *question;
+    const struct receiver *receiver;
+    struct distinct *wanted; /* to count names in, alone; or NULL */
     struct facet facet;
     enum facet_kind kind;
     bool back;
@@ -173,8 +175,7 @@ static void seeker_fill(const struct facet_seeker *seeker,
     mesh_watch_stop(&watch, &seeker->mesh->points, seeker->worker);
 }
 
-/* The point's record, or one of the worker's own. Of a mesh that is full, a
- * black one: the point is only counted. */
+/* The point's record, or one of the worker's own. */
 static const struct facet_light *seeker_get(const struct facet_seeker *seeker,
                                             const struct facet_point *point,
                                             vec3 place, double wide)
@@ -182,15 +183,9 @@ static const struct facet_light *seeker_get(const struct facet_seeker *seeker,
     const struct point_mesh *points = &seeker->mesh->points;
     uint64_t key = point_key(point), hash = lattice_hash(key);
     void *record;
-    if (atomic_load_explicit(points->full, memory_order_relaxed)) {
-        table_want(points->table, key, hash);
-        return arena_alloc(seeker->worker->scratch, points->payload_size);
-    }
     enum table_state state = table_find(points->table, key, hash, &record);
     if (state == TABLE_READY)
         return record;
-    if (state == TABLE_NONE && table_overflown(points->table))
-        atomic_store_explicit(points->full, true, memory_order_relaxed);
     if (state == TABLE_NONE)
         record = arena_alloc(seeker->worker->scratch, points->payload_size);
     seeker_fill(seeker, point, place, wide, record);
@@ -205,6 +200,10 @@ static void seeker_take(struct facet_seeker *seeker,
     double wide;
     if (weight <= 0)
         return;
+    if (seeker->wanted) {
+        distinct_add(seeker->wanted, point_key(point));
+        return;
+    }
     vec3 place = point_place(&seeker->facet, point, &wide);
     seeker->at[seeker->count].light = seeker_get(seeker, point, place, wide);
     seeker->at[seeker->count].place = place;
@@ -267,12 +266,12 @@ static void seek_points(struct facet_seeker *seeker, int division, double share)
 
 static bool seeker_sees(const struct facet_seeker *seeker, vec3 place)
 {
-    vec3 up = vec3_scale(seeker->question->side, facet_lift * seeker->spacing);
-    vec3 offset = vec3_sub(place, seeker->question->at->point);
+    vec3 up = vec3_scale(seeker->receiver->side, facet_lift * seeker->spacing);
+    vec3 offset = vec3_sub(place, seeker->receiver->point);
     double length = vec3_length(offset);
     if (!(length > 0))
         return true;
-    struct ray ray = { vec3_add(seeker->question->at->point, up),
+    struct ray ray = { vec3_add(seeker->receiver->point, up),
                        vec3_scale(offset, 1 / length) };
     seeker->worker->counters.shadow_rays++;
     return !world_occluded(seeker->mesh->points.world, &ray, 0, length, -1,
@@ -346,37 +345,59 @@ static int seeker_division(const struct facet_seeker *seeker)
     return (int)fmin(fmax(floor(exact + 0.5), least), DIVISION_MAX);
 }
 
+/* Takes what is known around the receiver. False if it lies on no piece that
+ * has mesh points of its own. */
+static bool seeker_seek(struct facet_seeker *seeker)
+{
+    const struct receiver *receiver = seeker->receiver;
+    const struct lattice *lattice = &seeker->mesh->points.lattice;
+    struct facet *facet = &seeker->facet;
+    double coarse;
+    seeker->count = 0;
+    if (!receiver->at ||
+        !facets_find(seeker->mesh->facets, receiver->at, facet))
+        return false;
+    vec3 middle = facet_place(facet, 1 / 3.0, 1 / 3.0);
+    int level = lattice_level(lattice, &receiver->view, middle, &coarse);
+    seeker->spacing = lattice_spacing(lattice, level);
+    seeker->kind = facet_kind(facet, seeker->spacing);
+    if (seeker->kind == FACET_NONE ||
+        facet->longest > facet_most * lattice_spacing(lattice, 0))
+        return false;
+    if (!facet->alone) {
+        level =
+            lattice_level(lattice, &receiver->view, receiver->point, &coarse);
+        seeker->spacing = lattice_spacing(lattice, level);
+    }
+    seeker->back = vec3_dot(receiver->side, facet->normal) < 0;
+    facet_locate(facet, receiver->point, &seeker->u, &seeker->v);
+    int division = seeker_division(seeker);
+    if (division < (facet->square ? SQUARE_DIVISION + 1 : 0))
+        coarse = 0;
+    seek_points(seeker, division, 1 - coarse);
+    if (coarse > 0)
+        seek_points(seeker, division - 1, coarse);
+    return true;
+}
+
 bool facet_mesh_light(const struct facet_mesh *mesh, struct worker *worker,
-                      const struct facet_question *question,
+                      const struct receiver *receiver,
                       struct facet_light *light)
 {
     struct facet_seeker seeker;
-    double coarse;
     seeker.mesh = mesh;
     seeker.worker = worker;
-    seeker.question = question;
-    seeker.count = 0;
-    if (!facets_find(mesh->facets, question->at, &seeker.facet))
-        return false;
-    vec3 middle = facet_place(&seeker.facet, 1 / 3.0, 1 / 3.0);
-    int level = lattice_level(question->lattice, middle, &coarse);
-    seeker.spacing = lattice_spacing(question->lattice, level);
-    seeker.kind = facet_kind(&seeker.facet, seeker.spacing);
-    if (seeker.kind == FACET_NONE ||
-        seeker.facet.longest >
-            facet_most * lattice_spacing(question->lattice, 0))
-        return false;
-    if (!seeker.facet.alone) {
-        level = lattice_level(question->lattice, question->at->point, &coarse);
-        seeker.spacing = lattice_spacing(question->lattice, level);
-    }
-    seeker.back = vec3_dot(question->side, seeker.facet.normal) < 0;
-    facet_locate(&seeker.facet, question->at->point, &seeker.u, &seeker.v);
-    int division = seeker_division(&seeker);
-    if (division < (seeker.facet.square ? SQUARE_DIVISION + 1 : 0))
-        coarse = 0;
-    seek_points(&seeker, division, 1 - coarse);
-    if (coarse > 0)
-        seek_points(&seeker, division - 1, coarse);
-    return seeker_blend(&seeker, light);
+    seeker.receiver = receiver;
+    seeker.wanted = NULL;
+    return seeker_seek(&seeker) && seeker_blend(&seeker, light);
+}
+
+bool facet_mesh_want(const struct facet_mesh *mesh,
+                     const struct receiver *receiver, struct distinct *wanted)
+{
+    struct facet_seeker seeker;
+    seeker.mesh = mesh;
+    seeker.receiver = receiver;
+    seeker.wanted = wanted;
+    return seeker_seek(&seeker);
 }

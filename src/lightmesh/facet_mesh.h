@@ -20,28 +20,27 @@
 struct facet_mesh {
     struct facets *facets;
     struct facet_lamps *lamps;
-    struct point_mesh points; /* what is known; the lattice is not used */
+    struct point_mesh points; /* what is known; of the lattice only how near
+                               * points are to each other */
     int budget;               /* lamps that a leaf's point asks, about */
 };
 
-/* `full` as in struct point_mesh; `bytes` of memory for points. Frees with
- * facet_mesh_free. The lamps, the tree and *full must outlive it. */
+/* `lattice`: how near points are to each other; `bytes` of memory for points.
+ * Frees with facet_mesh_free. The lamps and the tree must outlive it. */
 struct facet_mesh *facet_mesh_new(const struct lamps *lamps,
-                                  const struct light_tree *tree, int budget,
-                                  atomic_bool *full, size_t bytes);
+                                  const struct light_tree *tree,
+                                  const struct lattice *lattice, int budget,
+                                  size_t bytes);
 void facet_mesh_free(struct facet_mesh *mesh);
-
-/* A surface point that asks. */
-struct facet_question {
-    const struct lattice *lattice; /* how near points are to each other */
-    const struct intersection *at;
-    vec3 side; /* the true normal, turned to the lit side */
-};
 
 /* The light at a surface point. False if it lies on no piece that has mesh
  * points of its own, or none of these sees it. */
 bool facet_mesh_light(const struct facet_mesh *mesh, struct worker *worker,
-                      const struct facet_question *question,
+                      const struct receiver *receiver,
                       struct facet_light *light);
+
+/* Adds the names of the points that it would ask for; as facet_mesh_light. */
+bool facet_mesh_want(const struct facet_mesh *mesh,
+                     const struct receiver *receiver, struct distinct *wanted);
 
 #endif

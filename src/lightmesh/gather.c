@@ -80,17 +80,19 @@ static rgb gathering_lamp(const struct gathering *gathering,
 /* Light of lamps: so few of them a shadow ray asks at less cost than mesh
  * points that only this ray may need. */
 static rgb gathering_direct(const struct gathering *gathering,
-                            const struct surface *surface, vec3 normal)
+                            const struct receiver *receiver)
 {
     const struct lamps *lamps = gathering->gather->lamps;
     rgb light = rgb_grey(0);
+    struct receiver asked = *receiver;
+    asked.view.coarser = HIT_LEVELS;
     if (lamps->count > GATHER_LAMPS)
         return direct_mesh_nearest(gathering->gather->direct, gathering->worker,
-                                   surface->point, surface->side, normal,
-                                   gathering_jitter(gathering));
+                                   &asked, gathering_jitter(gathering));
     for (size_t i = 0; i < lamps->count; i++)
-        light = rgb_add(light, gathering_lamp(gathering, &lamps->items[i],
-                                              surface->point, normal));
+        light =
+            rgb_add(light, gathering_lamp(gathering, &lamps->items[i],
+                                          receiver->point, receiver->normal));
     return light;
 }
 
@@ -102,20 +104,22 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
 {
     const struct gather *gather = gathering->gather;
     struct worker *worker = gathering->worker;
-    vec3 place = surface->point, side = surface->side;
-    rgb light = gathering_direct(gathering, surface, normal);
+    const struct receiver receiver = { .point = surface->point,
+                                       .side = surface->side,
+                                       .normal = normal,
+                                       .from = gathering->ray.origin,
+                                       .view = gather->view,
+                                       .weight = 1 };
+    rgb light = gathering_direct(gathering, &receiver);
     struct indirect_share more = { rgb_grey(0), 0 };
     if (gather->indirect &&
-        indirect_mesh_nearest(gather->indirect, worker, place, side, normal,
+        indirect_mesh_nearest(gather->indirect, worker, &receiver,
                               gathering_jitter(gathering), &more)) {
     } else if (gather->close) {
-        more.light = gather->close(gather->close_context, worker, place, normal,
-                                   gathering->ray.origin);
+        more.light = gather->close(gather->close_context, worker,
+                                   receiver.point, normal, receiver.from);
     } else if (gather->indirect) {
-        more = indirect_mesh_light(
-            gather->indirect, worker,
-            &(struct indirect_place){ place, side, normal,
-                                      gathering->ray.origin, 1 });
+        more = indirect_mesh_light(gather->indirect, worker, &receiver);
     }
     more.light = rgb_add(more.light, light);
     return more;

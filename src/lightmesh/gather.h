@@ -24,6 +24,7 @@ struct gather {
     const struct lamps *lamps;
     const struct direct_mesh *direct;
     const struct indirect_mesh *indirect; /* of one bounce less, or NULL */
+    struct lattice_view view;             /* of what its rays meet */
     const struct emitters *emitters;
     const struct ambience *ambience;
     gather_close *close;

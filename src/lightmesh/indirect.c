@@ -231,7 +231,7 @@ static void fill_gather(const void *context, struct worker *worker,
     struct gathered light = gatherer_mean(&gatherer, 0, count);
     struct harmonics lamps = { { 0 }, { 0 }, { 0 } };
     if (2 * count <= most)
-        direct_mesh_around(&mesh->direct, worker, site, &lamps);
+        direct_mesh_around(mesh->gather.direct, worker, site, &lamps);
     while (2 * count <= most && !worker_stopped(worker)) {
         struct gathered more = gatherer_mean(&gatherer, count, 2 * count);
         double error =
@@ -267,11 +267,10 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
                                         int bounce)
 {
     struct indirect_mesh *mesh = memory_new(sizeof *mesh);
-    mesh->direct = *direct;
-    mesh->direct.points.lattice.coarser = HIT_LEVELS;
     mesh->gather = (struct gather){
         .lamps = direct->lamps,
-        .direct = &mesh->direct,
+        .direct = direct,
+        .view = options->view,
         .emitters = emitters,
         .ambience = ambience,
         .close = options->close,
@@ -292,7 +291,6 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .radius = options->radius > 0 ? options->radius
                                       : options->interpolation->radius,
         .payload_size = sizeof(struct indirect_light),
-        .full = direct->points.full,
         .refinement = options->refinement,
         .light = harmonics_received,
         .fill = fill_gather,
@@ -352,31 +350,31 @@ static struct indirect_share light_share(const struct indirect_light *light,
 
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           struct worker *worker,
-                                          const struct indirect_place *at)
+                                          const struct receiver *receiver)
 {
     const struct gather *gather = &mesh->gather;
     struct mesh_blend blend;
     struct indirect_light sum = light_none;
-    if (at->worth < gather_worth_least && gather->close)
-        return (struct indirect_share){ gather->close(gather->close_context,
-                                                      worker, at->place,
-                                                      at->normal, at->from),
-                                        0 };
-    point_mesh_blend(&mesh->points, worker, at->place, at->side, at->worth,
-                     &blend);
+    if (receiver->weight < gather_worth_least && gather->close)
+        return (struct indirect_share){
+            gather->close(gather->close_context, worker, receiver->point,
+                          receiver->normal, receiver->from),
+            0
+        };
+    point_mesh_blend(&mesh->points, worker, receiver, &blend);
     for (int i = 0; i < blend.count; i++)
         light_mix(&sum, blend.at[i].payload, (float)blend.at[i].weight);
-    return light_share(&sum, at->normal);
+    return light_share(&sum, receiver->normal);
 }
 
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
-                           struct worker *worker, vec3 place, vec3 side,
-                           vec3 normal, vec3 jitter,
+                           struct worker *worker,
+                           const struct receiver *receiver, vec3 jitter,
                            struct indirect_share *share)
 {
     const struct indirect_light *nearest =
-        point_mesh_nearest(&mesh->points, worker, place, side, jitter);
+        point_mesh_nearest(&mesh->points, worker, receiver, jitter);
     if (nearest)
-        *share = light_share(nearest, normal);
+        *share = light_share(nearest, receiver->normal);
     return nearest;
 }

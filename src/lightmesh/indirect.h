@@ -23,6 +23,7 @@ struct indirect_light {
 
 struct indirect_options {
     struct lattice lattice;       /* of the first bounce */
+    struct lattice_view view;     /* of gather rays */
     struct refinement refinement; /* likewise */
     const struct interpolation *interpolation;
     double radius;       /* of interpolation, in spacings; 0: its own */
@@ -37,7 +38,6 @@ struct indirect_options {
 
 struct indirect_mesh {
     struct gather gather;
-    struct direct_mesh direct; /* a coarser view of the given one */
     struct point_mesh points;
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
     int usual, samples, lone_samples;
@@ -53,14 +53,7 @@ struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct indirect_options *options);
 void indirect_mesh_free(struct indirect_mesh *mesh);
 
-/* A surface point; `side` is the true normal, on the side of `normal`. It is
- * seen from `from`. */
-struct indirect_place {
-    vec3 place, side, normal, from;
-    double worth; /* how much of what it gets the picture shows, 0 to 1 */
-};
-
-/* What it gets. */
+/* What a receiver gets. */
 struct indirect_share {
     rgb light;   /* indirect, that of glowing surfaces included, in POV-Ray's
                   * units */
@@ -70,13 +63,13 @@ struct indirect_share {
 /* What is worth little is less exact. */
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           struct worker *worker,
-                                          const struct indirect_place *at);
+                                          const struct receiver *receiver);
 
 /* The same in *share by one mesh point, see point_mesh_nearest; false if none
  * sees the place. */
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
-                           struct worker *worker, vec3 place, vec3 side,
-                           vec3 normal, vec3 jitter,
+                           struct worker *worker,
+                           const struct receiver *receiver, vec3 jitter,
                            struct indirect_share *share);
 
 #endif

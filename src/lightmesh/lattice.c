@@ -81,15 +81,16 @@ static double lattice_finer(const struct lattice *lattice, vec3 place)
     return finer + coarser;
 }
 
-int lattice_level(const struct lattice *lattice, vec3 place, double *blend)
+int lattice_level(const struct lattice *lattice,
+                  const struct lattice_view *view, vec3 place, double *blend)
 {
     double exact = 0;
     *blend = 0;
     if (lattice->near > 0) {
-        double distance = vec3_length(vec3_sub(place, lattice->eye));
+        double distance = vec3_length(vec3_sub(place, view->eye));
         exact = fmax(log2(distance / lattice->near) + 1, 0);
     }
-    exact += lattice->usual + lattice->coarser - lattice_finer(lattice, place);
+    exact += lattice->usual + view->coarser - lattice_finer(lattice, place);
     if (!(exact > level_blend))
         return 0;
     if (exact >= LATTICE_LEVELS - 1)

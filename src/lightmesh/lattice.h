@@ -20,14 +20,17 @@ enum { LATTICE_LEVELS = 32 };
 
 struct lattice {
     double spacing; /* of level 0, > 0 */
-    vec3 eye;       /* the camera */
     double near;    /* up to this distance level `usual`; 0: everywhere */
     const struct mesh_region *regions;
     size_t region_count;
     int usual; /* level without regions: those finer are theirs, or unused */
-    /* Levels more that lattice_level gives. Where points are follows from
-     * `usual`, so that meshes which differ in this alone may share points. */
-    int coarser;
+};
+
+/* How near to each other points are for who asks. Where points are doesn't
+ * follow from it, so that all may share them. */
+struct lattice_view {
+    vec3 eye;    /* the camera */
+    int coarser; /* levels more */
 };
 
 struct lattice_point {
@@ -51,7 +54,8 @@ void lattice_make_finer(struct lattice *lattice, int levels);
 
 /* The levels that a place uses: the returned one, and the next coarser one
  * with weight *blend, which is 0 but near the change from one to the other. */
-int lattice_level(const struct lattice *lattice, vec3 place, double *blend);
+int lattice_level(const struct lattice *lattice,
+                  const struct lattice_view *view, vec3 place, double *blend);
 
 /* A place in units of a level's spacing: lattice points are at integers. They
  * are moved by a fraction, lest they fall on the round numbers that scenes

@@ -83,11 +83,13 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
     return outlook;
 }
 
-static struct lattice_point cell_at(const struct lattice *lattice, vec3 place)
+static struct lattice_point cell_at(const struct lattice *lattice,
+                                    const struct camera *camera, vec3 place)
 {
     double coarse;
-    struct lattice_point cell = { .level =
-                                      lattice_level(lattice, place, &coarse) };
+    const struct lattice_view view = { .eye = camera->location };
+    struct lattice_point cell = { .level = lattice_level(lattice, &view, place,
+                                                         &coarse) };
     vec3 units = lattice_units(lattice, cell.level, place);
     for (int axis = 0; axis < 3; axis++)
         cell.at[axis] = (int)floor(vec3_component(units, axis));
@@ -126,7 +128,7 @@ static double square_cells(const struct world *world,
         if (!world_closest(world, &ray, 1e-4, RAY_CAMERA, &at))
             continue;
         int known = 0;
-        struct lattice_point cell = cell_at(lattice, at.point);
+        struct lattice_point cell = cell_at(lattice, camera, at.point);
         cells[count] = lattice_key(&cell);
         while (cells[known] != cells[count])
             known++;

@@ -19,7 +19,7 @@ static const float unknown = -1, none = -2;
 
 /* Of the lattice: where it is in the world, and the true normal, outward, and
  * 1 if it is turned to the camera, else -1. */
-struct lattice_point {
+struct pixel_point {
     vec3 place, normal;
     double facing;
 };
@@ -37,7 +37,7 @@ struct penumbras {
     struct first_hits hits;
     int left, top; /* of the lattice, in cells; may be negative */
     int columns, rows;
-    struct lattice_point *points;
+    struct pixel_point *points;
     struct penumbra *of; /* by lamp; without shares for those not taken */
     size_t count;
 };
@@ -103,7 +103,7 @@ static void place_row(void *context, size_t row, unsigned thread)
         struct ray ray = lattice_describe(all, i, j, &at);
         double facing = vec3_dot(ray.direction, at.face) < 0 ? 1 : -1;
         all->points[lattice_at(all, i, j)] =
-            (struct lattice_point){ at.point, at.face, facing };
+            (struct pixel_point){ at.point, at.face, facing };
     }
 }
 
@@ -137,7 +137,7 @@ static bool block_corners(const struct penumbras *all, int i, int j, int side,
 /* False if it isn't nearly flat. */
 static bool block_measure(const struct penumbras *all, struct block *block)
 {
-    const struct lattice_point *p[4];
+    const struct pixel_point *p[4];
     for (int k = 0; k < 4; k++)
         p[k] = &all->points[block->at[k]];
     vec3 low = vec3_add(p[0]->place, p[3]->place);
@@ -384,8 +384,8 @@ static bool place_is_near(const struct penumbras *all,
                           const struct block_place *place,
                           const struct intersection *at)
 {
-    const struct lattice_point *first = &all->points[place->at[0]];
-    const struct lattice_point *last = &all->points[place->at[3]];
+    const struct pixel_point *first = &all->points[place->at[0]];
+    const struct pixel_point *last = &all->points[place->at[3]];
     vec3 middle = vec3_make(0, 0, 0);
     vec3 across = vec3_sub(last->place, first->place);
     vec3 turn = vec3_sub(at->face, first->normal);
@@ -422,15 +422,15 @@ static bool block_place(const struct penumbras *all, const uint8_t *cells,
     return place_is_near(all, place, at);
 }
 
-bool penumbras_share(const struct penumbras *all, const double place[2],
-                     const struct intersection *at, const struct lamp *lamp,
+bool penumbras_share(const struct penumbras *all,
+                     const struct receiver *receiver, const struct lamp *lamp,
                      rgb *share)
 {
     const struct penumbra *of = &all->of[lamp->number];
-    double x, y;
+    const double *grid = receiver->pixel->grid;
     struct block_place in;
-    first_hits_find(&all->hits, place, &x, &y);
-    if (!of->cells || !block_place(all, of->cells, x, y, at, &in))
+    if (!of->cells ||
+        !block_place(all, of->cells, grid[0], grid[1], receiver->at, &in))
         return false;
     *share = rgb_grey(1);
     if (in.cell & LIT)
@@ -446,7 +446,7 @@ bool penumbras_share(const struct penumbras *all, const double place[2],
 double penumbras_bytes(double pixels, size_t lamps)
 {
     double lattice = pixels / (CELL * CELL);
-    return lattice * (sizeof(struct lattice_point) +
+    return lattice * (sizeof(struct pixel_point) +
                       (double)lamps * (1 + 3 * sizeof(float)));
 }
 

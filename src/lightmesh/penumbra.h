@@ -9,6 +9,7 @@
 #ifndef LIGHTMESH_PENUMBRA_H
 #define LIGHTMESH_PENUMBRA_H
 
+#include "lightmesh/receiver.h"
 #include "scene/camera.h"
 #include "shade/first_hits.h"
 #include "shade/lamps.h"
@@ -27,11 +28,10 @@ struct penumbras *penumbras_new(const struct lamps *lamps,
                                 unsigned threads);
 void penumbras_free(struct penumbras *penumbras);
 
-/* The lamp's share on the surface that the camera sees at a place of the
- * picture, (x, y) in [0,1], as lamps_share_fine has it, nearly. False if it
- * must be asked for. */
-bool penumbras_share(const struct penumbras *penumbras, const double place[2],
-                     const struct intersection *at, const struct lamp *lamp,
+/* The lamp's share on a receiver that the camera sees at first sight, as
+ * lamps_share_fine has it, nearly. False if it must be asked for. */
+bool penumbras_share(const struct penumbras *penumbras,
+                     const struct receiver *receiver, const struct lamp *lamp,
                      rgb *share);
 
 /* Memory that so many pixels and lamps take, in bytes. */

@@ -16,7 +16,7 @@ _Static_assert(STAGGER_DEPTH *STAGGER_REACH + STAGGER_REACH + 2 <=
                    FIRST_HITS_APRON,
                "what decides a point, and then a place");
 
-/* As near, in pixels, is the place itself. */
+/* Nearer points, in pixels, count no more. */
 static const double same_place = 1e-6;
 
 struct pixel_mesh {
@@ -299,37 +299,38 @@ static bool surface_blend(const struct pixel_mesh *mesh,
 }
 
 /* The point at this very place of the grid; -1: there is none. */
-static int32_t point_at(const struct pixel_mesh *mesh, double x, double y)
+static int32_t point_at(const struct pixel_mesh *mesh,
+                        const struct picture_place *place)
 {
-    int i = (int)floor(x + 0.5), j = (int)floor(y + 0.5);
-    bool there = grid_has(&mesh->hits, i, j) && fabs(x - i) < same_place &&
-                 fabs(y - j) < same_place;
-    return there ? *number_at(mesh, i, j) : -1;
+    double x = floor(place->grid[0]), y = floor(place->grid[1]);
+    bool there = place->grid[0] == x && place->grid[1] == y &&
+                 grid_has(&mesh->hits, (int)x, (int)y);
+    return there ? *number_at(mesh, (int)x, (int)y) : -1;
 }
 
-bool pixel_mesh_light(const struct pixel_mesh *mesh, const double place[2],
-                      const struct intersection *at, vec3 side,
+bool pixel_mesh_light(const struct pixel_mesh *mesh,
+                      const struct receiver *receiver,
                       struct facet_light *light)
 {
     struct seen_surface seen;
-    first_hits_find(&mesh->hits, place, &seen.x, &seen.y);
-    int32_t own = point_at(mesh, seen.x, seen.y);
+    int32_t own = point_at(mesh, receiver->pixel);
     if (own >= 0) {
         *light = mesh->light[own];
         return true;
     }
-    seen.at = at;
-    seen.side = side;
+    seen.x = receiver->pixel->grid[0];
+    seen.y = receiver->pixel->grid[1];
+    seen.at = receiver->at;
+    seen.side = receiver->side;
     seen.count = 0;
     return surface_blend(mesh, &seen, light);
 }
 
-bool pixel_mesh_sees(const struct pixel_mesh *mesh, const double place[2],
-                     const struct lamp *lamp, bool *shines)
+bool pixel_mesh_sees(const struct pixel_mesh *mesh,
+                     const struct picture_place *place, const struct lamp *lamp,
+                     bool *shines)
 {
-    double x, y;
-    first_hits_find(&mesh->hits, place, &x, &y);
-    int32_t own = point_at(mesh, x, y);
+    int32_t own = point_at(mesh, place);
     if (own < 0 || !mesh->options.takes[lamp->number])
         return false;
     size_t words = irregular_padded(mesh->points.count) / 64;

@@ -13,6 +13,7 @@
 #define LIGHTMESH_PIXEL_MESH_H
 
 #include "lightmesh/lamp_sights.h"
+#include "lightmesh/receiver.h"
 #include "shade/first_hits.h"
 
 struct pixel_mesh_options {
@@ -35,18 +36,18 @@ struct pixel_mesh *pixel_mesh_new(const struct pixel_mesh_options *options,
                                   unsigned threads);
 void pixel_mesh_free(struct pixel_mesh *mesh);
 
-/* The light of all lamps before the surface that the camera sees at a place of
- * the picture, (x, y) in [0,1]; `side` is its true normal there. False if no
- * point near that place is on the same surface. */
-bool pixel_mesh_light(const struct pixel_mesh *mesh, const double place[2],
-                      const struct intersection *at, vec3 side,
+/* The light of all lamps before a receiver that the camera sees at first sight.
+ * False if no point near its pixel is on the same surface. */
+bool pixel_mesh_light(const struct pixel_mesh *mesh,
+                      const struct receiver *receiver,
                       struct facet_light *light);
 
 /* Of a mesh that knows each lamp: whether this one shines on the surface that
  * the camera sees at a place. False if there is no point at that very place, or
  * the lamp can't look at many. */
-bool pixel_mesh_sees(const struct pixel_mesh *mesh, const double place[2],
-                     const struct lamp *lamp, bool *shines);
+bool pixel_mesh_sees(const struct pixel_mesh *mesh,
+                     const struct picture_place *place, const struct lamp *lamp,
+                     bool *shines);
 
 /* How many points there are, and what memory they took, in bytes. */
 size_t pixel_mesh_count(const struct pixel_mesh *mesh);

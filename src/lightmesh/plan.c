@@ -17,9 +17,7 @@ static double plan_finer(const struct light_mesh_settings *said)
 
 static struct lattice frame_lattice(const struct mesh_frame *frame)
 {
-    return (struct lattice){ .spacing = frame->spacing,
-                             .eye = frame->eye,
-                             .near = frame->near };
+    return (struct lattice){ .spacing = frame->spacing, .near = frame->near };
 }
 
 /* Shadows may be as fine as pixels; what surfaces give each other is as smooth
@@ -54,7 +52,7 @@ static int frame_coarser(const struct world *world, const struct scene *scene,
 
 struct mesh_frame plan_frame(const struct world *world,
                              const struct scene *scene,
-                             const struct outlook *outlook, int attempt)
+                             const struct outlook *outlook, int coarser)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     double spacing = spacing_pixels * outlook->pixel;
@@ -64,7 +62,7 @@ struct mesh_frame plan_frame(const struct world *world,
     if (said->density > 0)
         spacing = 1 / said->density;
     struct mesh_frame frame = {
-        .spacing = spacing * pow(spacing_coarser, attempt),
+        .spacing = spacing * pow(spacing_coarser, coarser),
         .wanted = spacing,
         .near = 2 * outlook->distance,
         .eye = scene->camera.location,
@@ -122,6 +120,7 @@ static void plan_direct(struct plan *plan,
     bool many = plan->lamps == PLAN_SUMMED;
     plan->direct = (struct direct_options){
         .lattice = frame_lattice(frame),
+        .view = { .eye = frame->eye },
         .interpolation = interpolation,
         .radius = said->radius / frame->spacing,
         .refinement = plan_refinement(said),
@@ -149,6 +148,7 @@ static void plan_indirect(struct plan *plan,
     int enough = samples > 0 ? samples : (int)(GATHER_SAMPLES * finer * finer);
     plan->indirect = (struct indirect_options){
         .lattice = plan_indirect_lattice(said, &direct->lattice, direct->size),
+        .view = { .eye = plan->frame.eye, .coarser = crowded },
         .interpolation = said->interpolation
                              ? direct->interpolation
                              : interpolation_find(gathered_interpolation),
@@ -162,7 +162,6 @@ static void plan_indirect(struct plan *plan,
         .close = close,
         .close_context = close_context,
     };
-    plan->indirect.lattice.coarser = crowded;
 }
 
 /* Whether it was said what the points in space are to be, or where they go or
@@ -221,6 +220,7 @@ void plan_tell(const struct plan *plan, plan_row *row, void *context)
     row(context, "plan rough rays", plan->indirect.samples, "");
     row(context, "plan gather error", 100 * plan->indirect.error, "%");
     row(context, "plan gather step",
-        lattice_spacing(indirect, indirect->usual + indirect->coarser),
+        lattice_spacing(indirect,
+                        indirect->usual + plan->indirect.view.coarser),
         "units");
 }

@@ -33,10 +33,11 @@ struct plan {
     struct indirect_options indirect; /* no bounces: there is none */
 };
 
-/* Where mesh points are; `attempt`: so often there were too many. */
+/* Where mesh points are; `coarser`: steps to fewer points, which
+ * had no room. */
 struct mesh_frame plan_frame(const struct world *world,
                              const struct scene *scene,
-                             const struct outlook *outlook, int attempt);
+                             const struct outlook *outlook, int coarser);
 
 /* What of `shadows` counts for what mesh points hold: of few lamps, and where
  * none is asked for, the same. */

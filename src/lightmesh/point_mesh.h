@@ -14,9 +14,11 @@
 #include "base/worker.h"
 #include "embree/world.h"
 #include "lightmesh/interpolation.h"
-#include "lightmesh/lattice.h"
+#include "lightmesh/distinct.h"
+#include "lightmesh/receiver.h"
 #include "lightmesh/refine.h"
 
+struct obstacles;
 struct table;
 
 /* A mesh point to be filled. */
@@ -60,7 +62,6 @@ struct point_mesh {
     struct table *table;  /* payloads */
     struct table *around; /* obstacles */
     struct point_mesh_work *work;
-    atomic_bool *full; /* shared with other meshes; see point_mesh_crowding */
     size_t payload_size;
     mesh_fill *fill;
     bool walled;                  /* whether that wants to know about walls */
@@ -96,15 +97,10 @@ struct mesh_blend {
 };
 
 /* The tables of a mesh whose other members are set: `bytes` of memory at
- * most. Freed with point_mesh_free. */
+ * most; what finds no room there is worked out each time that it is asked for,
+ * which changes time and no picture. Freed with point_mesh_free. */
 void point_mesh_start(struct point_mesh *mesh, size_t bytes);
 void point_mesh_free(struct point_mesh *mesh);
-
-/* How many times more points were asked for than there is room for; above 1
- * the mesh can't be used: from the moment it is full, *mesh->full, the light
- * is black, and points are only counted, lest they be computed again and
- * again. Whether that happens depends on no order. */
-double point_mesh_crowding(const struct point_mesh *mesh);
 
 /* The bytes in use. */
 size_t point_mesh_bytes(const struct point_mesh *mesh);
@@ -117,21 +113,44 @@ typedef void mesh_visit(void *context, vec3 place, const void *payload);
 void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
                      void *context);
 
-/* About how many known points are there only because others differed. */
-size_t point_mesh_refined(const struct point_mesh *mesh);
+/* About how many known points are there only because others differed, as `view`
+ * asks. */
+size_t point_mesh_refined(const struct point_mesh *mesh,
+                          const struct lattice_view *view);
 
-/* The mesh points that light `place`, on a surface whose true normal, turned
- * to the lit side, is `normal`. What is worth little has coarser ones. */
+/* What a point knows, what stands around it, and the name under which the first
+ * is kept: that of all levels if they are mixed. The worker's scratch holds
+ * what has no room in the tables. */
+const void *point_mesh_payload(const struct point_mesh *mesh,
+                               struct worker *worker,
+                               const struct lattice_point *point);
+const struct obstacles *point_mesh_around(const struct point_mesh *mesh,
+                                          struct worker *worker,
+                                          const struct lattice_point *point);
+struct lattice_point point_mesh_shared(const struct point_mesh *mesh,
+                                       const struct lattice_point *point);
+
+/* Fills the payload of a site, and counts what it took. */
+void point_mesh_fill(const struct point_mesh *mesh, struct worker *worker,
+                     const struct mesh_site *site, void *payload);
+
+/* The mesh points that light the receiver. What is worth little has coarser
+ * ones. */
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
-                      vec3 place, vec3 normal, double worth,
+                      const struct receiver *receiver,
                       struct mesh_blend *blend);
 
-/* The payload of the nearest mesh point that sees the place, or NULL. Cheap,
+/* The payload of the nearest mesh point that sees the receiver, or NULL. Cheap,
  * for places of which many are looked at together: with `jitter` uniform in
  * [-0.5,0.5)^3 the mean of many is the trilinear interpolation, where all of a
  * cell's corners are of use. */
 const void *point_mesh_nearest(const struct point_mesh *mesh,
-                               struct worker *worker, vec3 place, vec3 normal,
-                               vec3 jitter);
+                               struct worker *worker,
+                               const struct receiver *receiver, vec3 jitter);
+
+/* Adds the names of the points that a blend for the receiver would ask for, of
+ * no level finer than usual. */
+void point_mesh_want(const struct point_mesh *mesh,
+                     const struct receiver *receiver, struct distinct *wanted);
 
 #endif

@@ -56,12 +56,18 @@ rgb scalar_direct(const struct scalar_mesh *mesh, struct worker *worker,
 }
 
 /* The mean over D_y of what mesh points hold: (3), and (5) with phi5 = 1. */
-static rgb points_mean(const struct point_mesh *points, struct worker *worker,
+static rgb points_mean(const struct point_mesh *points,
+                       struct lattice_view view, struct worker *worker,
                        const struct surface *surface)
 {
     struct mesh_blend blend;
     rgb sum = rgb_grey(0);
-    point_mesh_blend(points, worker, surface->point, surface->side, 1, &blend);
+    const struct receiver receiver = { .point = surface->point,
+                                       .side = surface->side,
+                                       .normal = surface->side,
+                                       .view = view,
+                                       .weight = 1 };
+    point_mesh_blend(points, worker, &receiver, &blend);
     for (int i = 0; i < blend.count; i++) {
         sum = rgb_add_scaled(sum, scalar_held(blend.at[i].payload),
                              blend.at[i].weight);
@@ -73,7 +79,7 @@ rgb scalar_mean(const struct scalar_mesh *mesh, struct worker *worker,
                 const struct surface *surface)
 {
     return rgb_add(surface_glow(surface),
-                   points_mean(&mesh->direct, worker, surface));
+                   points_mean(&mesh->direct, mesh->view, worker, surface));
 }
 
 /* L(x, w) of (4). */
@@ -109,8 +115,9 @@ rgb scalar_indirect(const struct scalar_mesh *mesh, struct worker *worker,
 rgb scalar_indirect_mean(const struct scalar_mesh *mesh, struct worker *worker,
                          const struct surface *surface)
 {
-    return mesh->samples ? points_mean(&mesh->indirect, worker, surface)
-                         : rgb_grey(0);
+    return mesh->samples
+               ? points_mean(&mesh->indirect, mesh->view, worker, surface)
+               : rgb_grey(0);
 }
 
 static rgb record_light(const void *context, vec3 place, vec3 normal,
@@ -159,7 +166,7 @@ struct scalar_mesh *scalar_mesh_new(const struct lamps *lamps,
     mesh->lamps = lamps;
     mesh->samples = samples;
     mesh->direct = scalar_points(mesh, options);
-    mesh->direct.full = memory_new(sizeof(atomic_bool));
+    mesh->view = options->view;
     mesh->direct.fill = fill_direct;
     mesh->indirect = mesh->direct;
     mesh->indirect.fill = fill_indirect;
@@ -172,7 +179,6 @@ void scalar_mesh_free(struct scalar_mesh *mesh)
 {
     if (!mesh)
         return;
-    memory_free(mesh->direct.full);
     point_mesh_free(&mesh->direct);
     point_mesh_free(&mesh->indirect);
     memory_free(mesh);

@@ -24,6 +24,7 @@ static inline double scalar_phi1(double t)
 struct scalar_mesh {
     const struct lamps *lamps;
     struct point_mesh direct, indirect;
+    struct lattice_view view;
     int samples; /* rays of an ILM point, a square number; 0: no ILM */
 };
 

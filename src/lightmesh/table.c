@@ -3,15 +3,13 @@
  * table.h. */
 #include "lightmesh/table.h"
 
-#include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/random.h"
 
-enum { PROBES_MAX = 512, SKETCH_WORDS = 2048, SKETCH_BITS = 64 * SKETCH_WORDS };
+enum { PROBES_MAX = 512 };
 
 struct table_place {
     _Atomic uint64_t key;    /* 0: free */
@@ -29,11 +27,6 @@ struct table {
     char *records;
     size_t record_size, stride, capacity;
     atomic_size_t used;
-    atomic_bool overflown;
-    /* A bit for the hash of each key without room: how many they are follows
-     * from the share of zeros (linear counting: Whang et al. 1990, A
-     * Linear-Time Probabilistic Counting Algorithm). */
-    _Atomic uint64_t *sketch;
 };
 
 struct table *table_new(size_t record_size, size_t bytes)
@@ -49,7 +42,6 @@ struct table *table_new(size_t record_size, size_t bytes)
     table->mask = places - 1;
     table->places = memory_new(places * sizeof *table->places);
     table->records = memory_new(table->capacity * table->stride);
-    table->sketch = memory_new(SKETCH_WORDS * sizeof *table->sketch);
     return table;
 }
 
@@ -59,7 +51,6 @@ void table_free(struct table *table)
         return;
     memory_free(table->places);
     memory_free(table->records);
-    memory_free(table->sketch);
     memory_free(table);
 }
 
@@ -69,29 +60,20 @@ static void *table_record(const struct table *table, size_t number)
            sizeof(struct table_head);
 }
 
-static enum table_state table_miss(struct table *table, uint64_t key)
-{
-    uint64_t bit = random_mix(key) % SKETCH_BITS;
-    atomic_fetch_or_explicit(&table->sketch[bit / 64], 1ull << bit % 64,
-                             memory_order_relaxed);
-    atomic_store_explicit(&table->overflown, true, memory_order_relaxed);
-    return TABLE_NONE;
-}
-
 /* A new record for this key, unless another thread was quicker. */
 static enum table_state table_claim(struct table *table,
                                     struct table_place *place, uint64_t key,
                                     void **record)
 {
     if (atomic_load(&table->used) >= table->capacity)
-        return table_miss(table, key);
+        return TABLE_NONE;
     uint64_t found = 0;
     if (!atomic_compare_exchange_strong(&place->key, &found, key))
         return TABLE_NONE;
     size_t number = atomic_fetch_add(&table->used, 1) + 1;
     if (number > table->capacity) {
         atomic_fetch_sub(&table->used, 1);
-        return table_miss(table, key);
+        return TABLE_NONE;
     }
     struct table_head *head =
         (struct table_head *)(table->records + (number - 1) * table->stride);
@@ -128,33 +110,6 @@ void table_publish(struct table *table, void *record)
     atomic_store_explicit(&head->place->number,
                           (uint32_t)(offset / table->stride + 1),
                           memory_order_release);
-}
-
-bool table_overflown(const struct table *table)
-{
-    return atomic_load_explicit(&table->overflown, memory_order_relaxed);
-}
-
-void table_want(struct table *table, uint64_t key, uint64_t hash)
-{
-    for (size_t i = 0; i < PROBES_MAX; i++) {
-        uint64_t found = atomic_load_explicit(
-            &table->places[(hash + i) & table->mask].key, memory_order_relaxed);
-        if (found == key)
-            return;
-        if (found == 0)
-            break;
-    }
-    table_miss(table, key);
-}
-
-double table_wanted(const struct table *table)
-{
-    size_t zeros = 0;
-    for (size_t i = 0; i < SKETCH_WORDS; i++)
-        zeros += 64 - (size_t)__builtin_popcountll(table->sketch[i]);
-    double share = (double)(zeros > 0 ? zeros : 1) / SKETCH_BITS;
-    return (double)table_count(table) - SKETCH_BITS * log(share);
 }
 
 void table_insert(struct table *table, uint64_t key, uint64_t hash,

@@ -27,15 +27,6 @@ enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
                             void **record);
 void table_publish(struct table *table, void *record);
 
-/* Whether a record found no room. Of given keys that depends on no order. */
-bool table_overflown(const struct table *table);
-
-/* Counts a key in table_wanted as if table_find had been asked for it. */
-void table_want(struct table *table, uint64_t key, uint64_t hash);
-
-/* About how many records were asked for, those included that had no room. */
-double table_wanted(const struct table *table);
-
 /* A record that is already known. Without room for it nothing happens. */
 void table_insert(struct table *table, uint64_t key, uint64_t hash,
                   const void *record);

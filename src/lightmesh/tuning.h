@@ -32,9 +32,13 @@ static const double crowded_cells = 4;   /* more than so many at a time: it is
 static const double adaptive_threshold = 0.2; /* relative difference
                                                * [paper/surfaces] */
 enum {
-    ADAPTIVE_LEVELS = 2, /* finer, where a threshold is said */
-    SPACING_ATTEMPTS = 12,
+    ADAPTIVE_LEVELS = 2,    /* finer, where a threshold is said */
+    SPACINGS_MOST = 20,     /* that are counted until the points have room */
+    CENSUS_EDGE = 16,       /* rays along the edge of the first count, */
+    CENSUS_FINE_EDGE = 128, /* and if that can't tell */
 };
+static const double census_far = 150;   /* times as many: too far to tell */
+static const double census_sure = 0.25; /* less of the room taken: sure */
 
 /* Memory, bytes: issue 4 allows 64 MB more than rays [memory]. */
 enum {

@@ -15,13 +15,16 @@ static bool file_exists(const char *path)
 static const char *file_search(struct parser *p, const char *name)
 {
     const struct parse_options *options = p->options;
+    file_list_add(options->asked, name);
     if (file_exists(name))
         return name;
     for (size_t i = 0; name[0] != '/' && i < options->include_path_count; i++) {
         const char *path =
             arena_printf(p->arena, "%s/%s", options->include_paths[i], name);
-        if (file_exists(path))
+        if (file_exists(path)) {
+            file_list_add(options->asked, path);
             return path;
+        }
     }
     return NULL;
 }

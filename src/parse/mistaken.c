@@ -160,8 +160,10 @@ static bool directive_stands_bare(enum keyword keyword)
 static bool mistaken_after_else(struct parser *p)
 {
     struct cursor *cursor = p->cursor;
-    const struct token *before = cursor->list->tokens + cursor->index - 2;
-    return cursor->index > 1 && before->kind == TOKEN_DIRECTIVE &&
+    if (cursor->index < 2)
+        return false;
+    const struct token *before = &cursor->list->tokens[cursor->index - 2];
+    return before->kind == TOKEN_DIRECTIVE &&
            before->word->keyword == KEYWORD_ELSE;
 }
 

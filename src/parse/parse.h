@@ -4,6 +4,7 @@
 
 #include <stdatomic.h>
 
+#include "base/file_list.h"
 #include "scene/scene.h"
 #include "text/diag.h"
 #include "text/permit.h"
@@ -31,11 +32,13 @@ struct parse_options {
                                           * with the values in `light`; NULL:
                                           * nothing is said */
     const struct settings *light;
-    double version;         /* +MV; 0: not said */
-    size_t memory_limit;    /* bytes for text, parsing and scene together;
-                             * 0: 4 GiB, or half of what there is */
-    unsigned round_limit;   /* rounds of one loop, 0: 10 million */
-    const atomic_int *stop; /* set by a signal: give up quietly; or NULL */
+    double version;          /* +MV; 0: not said */
+    size_t memory_limit;     /* bytes for text, parsing and scene together;
+                              * 0: 4 GiB, or half of what there is */
+    unsigned round_limit;    /* rounds of one loop, 0: 10 million */
+    struct file_list *asked; /* gets the names of all files that the scene
+                              * asks for; or NULL */
+    const atomic_int *stop;  /* set by a signal: give up quietly; or NULL */
 };
 
 /* Reads `main` into a new scene. Errors are printed to `diag`; on any error

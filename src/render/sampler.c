@@ -103,13 +103,22 @@ static void sampler_take(const struct radiance *seen, float out[4])
     out[3] = (float)seen->opacity;
 }
 
+/* Where in their pixels the places of the grid are, both ways. */
+static double sampler_middle(const struct sampler *sampler)
+{
+    return sampler_corners(sampler) ? 0 : 0.5;
+}
+
 /* What the camera sees at (x, y) in pixels from the top left. */
 static void sampler_see(const struct sampler *sampler, struct worker *worker,
                         double x, double y, float out[4])
 {
     const struct render_options *options = sampler->options;
-    struct radiance seen = tracer_camera(
-        sampler->tracer, worker, x / options->width, y / options->height);
+    double middle = sampler_middle(sampler);
+    const struct picture_place place = {
+        { x / options->width, y / options->height }, { x - middle, y - middle }
+    };
+    struct radiance seen = tracer_camera(sampler->tracer, worker, &place);
     arena_reset(worker->scratch);
     sampler_take(&seen, out);
 }
@@ -155,14 +164,14 @@ struct first_hits sampler_grid(const struct sampler *sampler)
         .top = area.top,
         .columns = area.right - area.left,
         .rows = area.bottom - area.top,
-        .middle = sampler_corners(sampler) ? 0 : 0.5,
+        .middle = sampler_middle(sampler),
     };
 }
 
 /* Places of the grid close together. */
 struct sampler_block {
     unsigned count;
-    double places[SAMPLER_BLOCK * SAMPLER_BLOCK][2];
+    struct picture_place places[SAMPLER_BLOCK * SAMPLER_BLOCK];
     struct ray rays[SAMPLER_BLOCK * SAMPLER_BLOCK];
     struct world_hit hits[SAMPLER_BLOCK * SAMPLER_BLOCK];
 };
@@ -175,10 +184,13 @@ static void block_start(const struct sampler *sampler,
                    "a packet");
     block->count = 0;
     for (int y = area.top; y < area.bottom; y++)
-        for (int x = area.left; x < area.right; x++)
-            first_hits_place(grid, x, y, block->places[block->count++]);
-    tracer_rays(sampler->tracer, (const double(*)[2])block->places,
-                block->count, block->rays);
+        for (int x = area.left; x < area.right; x++) {
+            struct picture_place *place = &block->places[block->count];
+            first_hits_place(grid, x, y, place->at);
+            place->grid[0] = x;
+            place->grid[1] = y;
+            block->rays[block->count++] = tracer_ray(sampler->tracer, place);
+        }
 }
 
 static void block_meet(const struct sampler *sampler,
@@ -190,7 +202,7 @@ static void block_meet(const struct sampler *sampler,
 void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
                   struct area area)
 {
-    struct sampler_block block;
+    struct sampler_block block = { 0 };
     unsigned count = 0;
     block_start(sampler, &block, hits, area);
     block_meet(sampler, &block);
@@ -203,7 +215,7 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
                    struct area area)
 {
     struct first_hits grid = sampler_grid(sampler);
-    struct sampler_block block;
+    struct sampler_block block = { 0 };
     struct radiance seen[SAMPLER_BLOCK * SAMPLER_BLOCK];
     unsigned count = 0;
     block_start(sampler, &block, &grid, area);
@@ -212,8 +224,8 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
     for (int y = area.top; sampler->hits && y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)
             block.hits[count++] = *first_hits_at(sampler->hits, x, y);
-    tracer_see_many(sampler->tracer, worker, (const double(*)[2])block.places,
-                    block.rays, block.hits, block.count, seen);
+    tracer_see_many(sampler->tracer, worker, block.places, block.rays,
+                    block.hits, block.count, seen);
     if (worker_stopped(worker)) /* while it was looked at */
         return;
     count = 0;

@@ -33,13 +33,12 @@ static inline void first_hits_place(const struct first_hits *hits, int x, int y,
     place[1] = (y + hits->middle) / hits->height;
 }
 
-/* The way back: whole numbers are places of the grid. */
-static inline void first_hits_find(const struct first_hits *hits,
-                                   const double place[2], double *x, double *y)
-{
-    *x = place[0] * hits->width - hits->middle;
-    *y = place[1] * hits->height - hits->middle;
-}
+/* A place in the picture. */
+struct picture_place {
+    double at[2];   /* as camera_ray has it */
+    double grid[2]; /* as first_hits_at has it: whole numbers are places of the
+                     * grid */
+};
 
 /* Whether the hit is on that part of that leaf. */
 static inline bool first_hit_is_on(const struct world_hit *hit,

@@ -27,13 +27,15 @@ struct surface_layer {
     double reflection_weight; /* its largest component before tinting */
 };
 
+struct picture_place;
+
 struct surface {
     const struct intersection *at;
     vec3 point;
-    const double *place; /* where in the picture the camera sees it, (x, y) in
-                          * [0,1]; NULL: not at first sight */
-    double weight;       /* its share in the picture, as far as is known */
-    vec3 view;           /* unit, to the viewer */
+    const struct picture_place *place; /* where the camera sees it; NULL: not at
+                                        * first sight */
+    double weight; /* its share in the picture, as far as is known */
+    vec3 view;     /* unit, to the viewer */
     const struct interiors *inside; /* what the viewer's ray came through */
     vec3 normal; /* unit, unperturbed, turned towards the viewer */
     vec3 side;   /* unit, not even interpolated, likewise */

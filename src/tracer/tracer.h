@@ -28,20 +28,21 @@ struct radiance {
     double opacity;
 };
 
-/* What the camera sees at (x, y) of the picture, both in [0,1]. Black once the
- * worker is told to stop. Its value depends on x and y alone. */
+/* What the camera sees at a place of the picture. Black once the worker is told
+ * to stop. Its value depends on the place alone. */
 struct radiance tracer_camera(const struct tracer *tracer,
-                              struct worker *worker, double x, double y);
+                              struct worker *worker,
+                              const struct picture_place *place);
 
 /* The same at up to WORLD_RAYS places, quicker where they are neighbours, in
- * parts: the camera's rays, what each meets first, and what is seen then. The
- * worker's scratch memory is reset after each. */
-void tracer_rays(const struct tracer *tracer, const double (*places)[2],
-                 unsigned count, struct ray *rays);
+ * parts: the camera's ray of each, what it meets first, and what is seen then.
+ * The worker's scratch memory is reset after each. */
+struct ray tracer_ray(const struct tracer *tracer,
+                      const struct picture_place *place);
 void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
                       unsigned count, struct world_hit *hits);
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const double (*places)[2], const struct ray *rays,
+                     const struct picture_place *places, const struct ray *rays,
                      const struct world_hit *hits, unsigned count,
                      struct radiance *out);
 

@@ -49,7 +49,8 @@ static inline struct radiance pixel_see(const char *scene_text,
     struct worker worker = { .scratch = arena_new(0) };
     tracer.lighting_state = lighting->start(world, scene, &light, &diag);
     tracer_ready(&tracer);
-    struct radiance seen = tracer_camera(&tracer, &worker, 0.5, 0.5);
+    const struct picture_place middle = { { 0.5, 0.5 }, { 1, 1 } };
+    struct radiance seen = tracer_camera(&tracer, &worker, &middle);
     lighting->finish(tracer.lighting_state);
     arena_free(worker.scratch);
     world_free(world);

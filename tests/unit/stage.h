@@ -11,6 +11,7 @@
 #include "scene_world.h"
 #include "shade/first_hits.h"
 #include "shade/lamps.h"
+#include "lightmesh/receiver.h"
 
 enum { WIDTH = 96, HEIGHT = 72, THREADS = 3 };
 
@@ -62,19 +63,34 @@ static inline void stage_end(struct stage *stage)
     scene_world_free(stage->all);
 }
 
-/* What is seen at a pixel, and its side; false: nothing. */
+/* What is seen at a pixel, which asks for light. */
+struct stage_seen {
+    struct picture_place place;
+    struct intersection at;
+    struct receiver receiver; /* points to both */
+};
+
+/* False: nothing. */
 static inline bool stage_meet(const struct stage *stage, int x, int y,
-                              double place[2], struct intersection *at,
-                              vec3 *side)
+                              struct stage_seen *seen)
 {
     const struct world_hit *hit = first_hits_at(&stage->hits, x, y);
+    double *place = seen->place.at;
     first_hits_place(&stage->hits, x, y, place);
+    seen->place.grid[0] = x;
+    seen->place.grid[1] = y;
     struct ray ray = camera_ray(&stage->all->scene->camera, place[0], place[1]);
     if (!hit->leaf)
         return false;
-    world_describe(&ray, hit, at);
-    bool away = vec3_dot(at->face, ray.direction) > 0;
-    *side = away ? vec3_negate(at->face) : at->face;
+    world_describe(&ray, hit, &seen->at);
+    bool away = vec3_dot(seen->at.face, ray.direction) > 0;
+    vec3 side = away ? vec3_negate(seen->at.face) : seen->at.face;
+    seen->receiver = (struct receiver){ .point = seen->at.point,
+                                        .side = side,
+                                        .normal = side,
+                                        .at = &seen->at,
+                                        .pixel = &seen->place,
+                                        .weight = 1 };
     return true;
 }
 

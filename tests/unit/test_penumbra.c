@@ -47,19 +47,18 @@ struct tally {
 static void compare(struct stage *stage, const struct penumbras *penumbras,
                     int x, int y, struct tally *tally)
 {
-    double place[2];
-    struct intersection at;
-    vec3 side;
-    if (!stage_meet(stage, x, y, place, &at, &side))
+    struct stage_seen seen;
+    if (!stage_meet(stage, x, y, &seen))
         return;
     for (size_t i = 0; i < stage->lamps.count; i++) {
         const struct lamp *lamp = &stage->lamps.items[i];
-        struct lamp_target target = { .point = at.point, .at = &at };
+        struct lamp_target target = { .point = seen.at.point, .at = &seen.at };
         rgb share;
         bool there =
-            lamp_look(lamp, lamp->light->location, at.point, &target.view);
-        if (!there || vec3_dot(target.view.direction, side) <= 0 ||
-            !penumbras_share(penumbras, place, &at, lamp, &share))
+            lamp_look(lamp, lamp->light->location, seen.at.point, &target.view);
+        if (!there ||
+            vec3_dot(target.view.direction, seen.receiver.side) <= 0 ||
+            !penumbras_share(penumbras, &seen.receiver, lamp, &share))
             continue;
         assert_in_range(i, 0, TAKEN - 1);
         rgb asked =
@@ -98,12 +97,10 @@ static void take_shares(const struct stage *stage,
     for (int y = top; y < top + edge; y++)
         for (int x = left; x < left + edge; x++)
             for (size_t i = 0; i < TAKEN; i++, out++) {
-                double place[2];
-                struct intersection at;
-                vec3 side;
+                struct stage_seen seen;
                 *out = rgb_grey(-1);
-                if (stage_meet(stage, x, y, place, &at, &side))
-                    penumbras_share(penumbras, place, &at,
+                if (stage_meet(stage, x, y, &seen))
+                    penumbras_share(penumbras, &seen.receiver,
                                     &stage->lamps.items[i], out);
             }
 }

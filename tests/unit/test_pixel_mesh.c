@@ -114,24 +114,22 @@ static void expect_rays(const char *text, int edges_most)
 {
     struct looks looks;
     struct stage *stage = &looks.stage;
-    int seen = 0, wrong = 0;
+    int all = 0, wrong = 0;
     looks_start(&looks, text);
     struct pixel_mesh *mesh = looks_mesh(&looks, 1, 1);
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++) {
-            double place[2];
-            struct intersection at;
-            vec3 side;
+            struct stage_seen seen;
             struct facet_light light, rays;
-            if (!stage_meet(stage, x, y, place, &at, &side))
+            if (!stage_meet(stage, x, y, &seen))
                 continue;
-            assert_true(pixel_mesh_light(mesh, place, &at, side, &light));
-            rays = stage_rays(stage, at.point, side);
+            assert_true(pixel_mesh_light(mesh, &seen.receiver, &light));
+            rays = stage_rays(stage, seen.at.point, seen.receiver.side);
             wrong += !lights_agree(&light, &rays, 1e-3f);
-            seen++;
+            all++;
         }
-    assert_int_equal(pixel_mesh_count(mesh), seen);
-    assert_in_range(seen, WIDTH * HEIGHT / 2, WIDTH * HEIGHT);
+    assert_int_equal(pixel_mesh_count(mesh), all);
+    assert_in_range(all, WIDTH * HEIGHT / 2, WIDTH * HEIGHT);
     assert_in_range(wrong, 0, edges_most);
     pixel_mesh_free(mesh);
     looks_end(&looks);
@@ -156,12 +154,10 @@ static void take_lights(const struct stage *stage,
 {
     for (int y = top; y < top + edge; y++)
         for (int x = left; x < left + edge; x++, out++) {
-            double place[2];
-            struct intersection at;
-            vec3 side;
+            struct stage_seen seen;
             memset(out, 0, sizeof *out);
-            if (stage_meet(stage, x, y, place, &at, &side))
-                assert_true(pixel_mesh_light(mesh, place, &at, side, out));
+            if (stage_meet(stage, x, y, &seen))
+                assert_true(pixel_mesh_light(mesh, &seen.receiver, out));
         }
 }
 
@@ -267,30 +263,30 @@ static void test_each_lamp(void **state)
         pixel_mesh_new(&options, &stage->hits, stage->pointers, 2);
     for (int y = 0; y < HEIGHT; y += 5)
         for (int x = 0; x < WIDTH; x += 5) {
-            double place[2];
-            struct intersection at;
-            vec3 side;
+            struct stage_seen seen;
             int wrong = 0;
-            if (!stage_meet(stage, x, y, place, &at, &side))
+            if (!stage_meet(stage, x, y, &seen))
                 continue;
             for (size_t i = 0; i < stage->lamps.count; i++) {
                 const struct lamp *lamp = &stage->lamps.items[i];
-                struct lamp_target target = { .point = at.point };
+                struct lamp_target target = { .point = seen.at.point };
                 bool shines = false;
-                assert_int_equal(pixel_mesh_sees(mesh, place, lamp, &shines),
-                                 i != 3);
-                lamp_look(lamp, lamp->light->location, at.point, &target.view);
-                if (i == 3 || vec3_dot(target.view.direction, side) <= 0)
+                assert_int_equal(
+                    pixel_mesh_sees(mesh, &seen.place, lamp, &shines), i != 3);
+                lamp_look(lamp, lamp->light->location, seen.at.point,
+                          &target.view);
+                if (i == 3 ||
+                    vec3_dot(target.view.direction, seen.receiver.side) <= 0)
                     continue;
                 rgb share = lamps_share_point(&stage->lamps, lamp,
                                               &stage->workers[0], &target);
                 wrong += shines != (share.r > 0);
             }
             assert_in_range(wrong, 0, 1);
-            place[0] += 0.3 / WIDTH;
+            seen.place.grid[0] += 0.3;
             bool shines;
-            assert_false(
-                pixel_mesh_sees(mesh, place, &stage->lamps.items[0], &shines));
+            assert_false(pixel_mesh_sees(mesh, &seen.place,
+                                         &stage->lamps.items[0], &shines));
         }
     pixel_mesh_free(mesh);
     looks_end(&looks);

@@ -23,7 +23,6 @@ struct stage {
     struct scene_world *all;
     struct worker worker;
     struct point_mesh mesh;
-    atomic_bool full;
     bool even; /* 1 everywhere */
     struct fills *fills;
 };
@@ -65,7 +64,6 @@ static void stage_start(struct stage *stage, int levels)
         .lattice = { .spacing = 0.4 },
         .interpolation = interpolation_find("trilinear"),
         .radius = 1,
-        .full = &stage->full,
         .payload_size = sizeof(double),
         .fill = stage_fill,
         .refinement = { levels, 0.2 },
@@ -89,8 +87,10 @@ static double stage_ask(struct stage *stage, double x, double z)
     static struct mesh_blend blend;
     double light = 0, weights = 0;
     arena_reset(stage->worker.scratch);
-    point_mesh_blend(&stage->mesh, &stage->worker, vec3_make(x, 0, z),
-                     vec3_make(0, 1, 0), 1, &blend);
+    const struct receiver receiver = { .point = { x, 0, z },
+                                       .side = { 0, 1, 0 },
+                                       .weight = 1 };
+    point_mesh_blend(&stage->mesh, &stage->worker, &receiver, &blend);
     for (int i = 0; i < blend.count; i++) {
         light += blend.at[i].weight * *(const double *)blend.at[i].payload;
         weights += blend.at[i].weight;
@@ -98,6 +98,9 @@ static double stage_ask(struct stage *stage, double x, double z)
     assert_true(fabs(weights - 1) < 1e-9);
     return light;
 }
+
+/* Who asks. */
+static const struct lattice_view view;
 
 static void test_nesting(void **state)
 {
@@ -195,8 +198,8 @@ static void test_points_are_added(void **state)
     stage_start(&fine, 3);
     double before = stage_error(&coarse), after = stage_error(&fine);
     assert_true(after < 0.25 * before);
-    assert_int_equal(point_mesh_refined(&coarse.mesh), 0);
-    assert_true(point_mesh_refined(&fine.mesh) > 10);
+    assert_int_equal(point_mesh_refined(&coarse.mesh, &view), 0);
+    assert_true(point_mesh_refined(&fine.mesh, &view) > 10);
     assert_int_equal(fine.fills->count, table_count(fine.mesh.table));
     assert_int_equal(fills_twice(&fine), 0);
     int known = fine.fills->count;
@@ -214,7 +217,7 @@ static void test_even_light_needs_none(void **state)
     stage_start(&stage, 3);
     stage.even = true;
     assert_true(stage_error(&stage) < 1e-9);
-    assert_int_equal(point_mesh_refined(&stage.mesh), 0);
+    assert_int_equal(point_mesh_refined(&stage.mesh, &view), 0);
     stage_end(&stage);
 }
 
@@ -232,9 +235,26 @@ static void test_no_seam(void **state)
         most = fmax(most, fabs(now - last));
         last = now;
     }
-    assert_true(point_mesh_refined(&stage.mesh) > 10);
+    assert_true(point_mesh_refined(&stage.mesh, &view) > 10);
     assert_true(most < 100 * step);
     stage_end(&stage);
+}
+
+/* What finds no room in a table is worked out each time, and is the same. */
+static void test_full_table(void **state)
+{
+    static struct stage roomy, full;
+    (void)state;
+    stage_start(&roomy, 2);
+    stage_start(&full, 2);
+    point_mesh_free(&full.mesh);
+    point_mesh_start(&full.mesh, 3000);
+    for (double x = -0.6; x < 1.2; x += 0.07)
+        assert_true(stage_ask(&roomy, x, x / 3) == stage_ask(&full, x, x / 3));
+    assert_true(table_count(full.mesh.table) <
+                table_count(roomy.mesh.table) / 4);
+    stage_end(&roomy);
+    stage_end(&full);
 }
 
 int main(void)
@@ -246,6 +266,7 @@ int main(void)
         cmocka_unit_test(test_points_are_added),
         cmocka_unit_test(test_even_light_needs_none),
         cmocka_unit_test(test_no_seam),
+        cmocka_unit_test(test_full_table),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,7 +12,7 @@ struct stage {
     struct scene_world *all;
     struct worker worker;
     struct indirect_mesh mesh;
-    atomic_bool full;
+    struct lattice_view view;
 };
 
 static void stage_fill(const void *context, struct worker *worker,
@@ -40,13 +40,13 @@ static void stage_start(struct stage *stage, const char *text, int coarser)
         .all = scene_world_new(text),
         .worker = { .scratch = arena_new(0) },
     };
+    stage->view.coarser = coarser;
     stage->mesh.gather.close = stage_close;
     stage->mesh.points = (struct point_mesh){
         .world = stage->all->world,
-        .lattice = { .spacing = 0.4, .coarser = coarser },
+        .lattice = { .spacing = 0.4 },
         .interpolation = interpolation_find("trilinear"),
         .radius = 1,
-        .full = &stage->full,
         .payload_size = sizeof(struct indirect_light),
         .fill = stage_fill,
         .context = stage,
@@ -66,12 +66,13 @@ static size_t stage_ask(struct stage *stage, double worth)
 {
     for (int i = 0; i < 900; i++) {
         vec3 up = { 0, 1, 0 };
-        struct indirect_place place = {
-            .place = vec3_make(i % 30 / 5.0, 0, i / 30 / 5.0),
+        const struct receiver place = {
+            .point = vec3_make(i % 30 / 5.0, 0, i / 30 / 5.0),
             .side = up,
             .normal = up,
             .from = vec3_make(0, 9, 0),
-            .worth = worth,
+            .view = stage->view,
+            .weight = worth,
         };
         indirect_mesh_light(&stage->mesh, &stage->worker, &place);
         arena_reset(stage->worker.scratch);
@@ -124,11 +125,11 @@ static void test_unknown_void(void **state)
 {
     struct stage stage;
     vec3 up = { 0, 1, 0 };
-    struct indirect_place place = { .place = { 0.3, 0, 0.2 },
+    const struct receiver place = { .point = { 0.3, 0, 0.2 },
                                     .side = up,
                                     .normal = up,
                                     .from = { 0, 9, 0 },
-                                    .worth = 0.01 };
+                                    .weight = 0.01 };
     (void)state;
     stage_start(&stage, "plane { y, 0 }", 0);
     rgb light = indirect_mesh_light(&stage.mesh, &stage.worker, &place).light;
@@ -147,7 +148,6 @@ static double crowding(const char *objects)
     struct scene_world *all = scene_world_new(text);
     struct outlook outlook = outlook_of(all->world, all->scene, 320);
     struct lattice lattice = { .spacing = outlook.size / 24,
-                               .eye = all->scene->camera.location,
                                .near = 2 * outlook.distance };
     double found =
         outlook_crowding(all->world, &all->scene->camera, &outlook, &lattice);

@@ -33,8 +33,8 @@ struct path {
     double weight; /* in the pixel, for adc_bailout */
     bool straight; /* the camera's line of sight: its opacity counts */
     struct interiors inside;
-    const double *place; /* in the picture, of a camera ray that has met nothing
-                          * yet; else NULL */
+    const struct picture_place *place; /* of a camera ray that has met nothing
+                                        * yet; else NULL */
 
     rgb share;    /* of what the ray meets next, in its radiance */
     double clear; /* 1 - opacity so far */
@@ -271,7 +271,7 @@ static struct radiance path_follow(struct path *path)
 }
 
 static void path_start(struct path *path, const struct tracer *tracer,
-                       struct worker *worker, const double place[2],
+                       struct worker *worker, const struct picture_place *place,
                        const struct ray *ray)
 {
     path->tracer = tracer;
@@ -286,23 +286,22 @@ static void path_start(struct path *path, const struct tracer *tracer,
 }
 
 struct radiance tracer_camera(const struct tracer *tracer,
-                              struct worker *worker, double x, double y)
+                              struct worker *worker,
+                              const struct picture_place *place)
 {
     struct path path;
-    const double place[2] = { x, y };
-    if (!camera_sees(&tracer->scene->camera, x, y))
+    const struct camera *camera = &tracer->scene->camera;
+    if (!camera_sees(camera, place->at[0], place->at[1]))
         return (struct radiance){ rgb_grey(0), 0 };
-    struct ray ray = camera_ray(&tracer->scene->camera, x, y);
+    struct ray ray = camera_ray(camera, place->at[0], place->at[1]);
     path_start(&path, tracer, worker, place, &ray);
     return path_follow(&path);
 }
 
-void tracer_rays(const struct tracer *tracer, const double (*places)[2],
-                 unsigned count, struct ray *rays)
+struct ray tracer_ray(const struct tracer *tracer,
+                      const struct picture_place *place)
 {
-    for (unsigned i = 0; i < count; i++)
-        rays[i] =
-            camera_ray(&tracer->scene->camera, places[i][0], places[i][1]);
+    return camera_ray(&tracer->scene->camera, place->at[0], place->at[1]);
 }
 
 void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
@@ -315,7 +314,7 @@ void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
 }
 
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const double (*places)[2], const struct ray *rays,
+                     const struct picture_place *places, const struct ray *rays,
                      const struct world_hit *hits, unsigned count,
                      struct radiance *out)
 {
@@ -323,9 +322,10 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
         struct path path;
         struct crossing crossing;
         out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(&tracer->scene->camera, places[i][0], places[i][1]))
+        if (!camera_sees(&tracer->scene->camera, places[i].at[0],
+                         places[i].at[1]))
             continue;
-        path_start(&path, tracer, worker, places[i], &rays[i]);
+        path_start(&path, tracer, worker, &places[i], &rays[i]);
         if (hits[i].leaf)
             world_describe(&path.ray, &hits[i], &crossing.at);
         out[i] = path_go_on(&path, &crossing, hits[i].leaf);

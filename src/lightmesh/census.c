@@ -1,0 +1,159 @@
+/* Mesh points counted before they are made: see census.h.
+ *
+ * Of C points that are asked for alike n rays find C (1 - exp(-a n)): how many
+ * a quarter of the rays found and how many all of them tells C and a, and with
+ * these what as many rays as pixels would find. */
+#include "lightmesh/census.h"
+
+#include "base/memory.h"
+#include "base/warp.h"
+#include "lightmesh/facet_mesh.h"
+#include "lightmesh/table.h"
+#include "lightmesh/tuning.h"
+#include "shade/shadow.h"
+
+enum { TALLIES = 2 + BOUNCES_MAX, GATHERED = 2 };
+
+/* Which points were asked for, by mesh: in space, on surfaces, of each bounce.
+ */
+struct tally {
+    const struct census *census;
+    struct distinct *wanted; /* TALLIES of them */
+};
+
+static struct receiver receiver_at(const struct ray *ray,
+                                   const struct intersection *at,
+                                   struct lattice_view view)
+{
+    vec3 side = vec3_dot(at->face, ray->direction) > 0 ? vec3_negate(at->face)
+                                                       : at->face;
+    return (struct receiver){ .point = at->point,
+                              .side = side,
+                              .normal = side,
+                              .from = ray->origin,
+                              .at = at,
+                              .view = view,
+                              .weight = 1 };
+}
+
+/* What gather rays that leave a place ask for, bounce by bounce. */
+static void tally_gather(struct tally *tally, const struct receiver *from,
+                         const struct indirect_mesh *mesh, int bounce,
+                         uint64_t key)
+{
+    const struct census *census = tally->census;
+    const struct world *world = mesh->points.world;
+    struct draws draws = { key, (uint32_t)bounce };
+    struct intersection at;
+    double u[2];
+    draw_pair(&draws, GATHER_DIRECTION, u);
+    struct ray ray = { from->point, warp_lobe(u, from->side, 1) };
+    if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_REFLECTION,
+                       &at))
+        return;
+    struct receiver receiver = receiver_at(&ray, &at, mesh->gather.view);
+    if (mesh->next) {
+        point_mesh_want(&mesh->next->points, &receiver,
+                        &tally->wanted[2 + bounce]);
+        tally_gather(tally, &receiver, mesh->next, bounce + 1, key);
+    }
+    receiver.view.coarser = HIT_LEVELS;
+    if (census->direct->lamps->count > GATHER_LAMPS)
+        point_mesh_want(&census->direct->points, &receiver, &tally->wanted[0]);
+}
+
+static void tally_ray(struct tally *tally, double x, double y, uint64_t key)
+{
+    const struct census *census = tally->census;
+    const struct world *world = census->direct->points.world;
+    struct ray ray = camera_ray(&census->scene->camera, x, y);
+    struct intersection at;
+    if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_CAMERA,
+                       &at))
+        return;
+    struct receiver receiver = receiver_at(&ray, &at, census->direct_view);
+    bool known =
+        census->surfaces &&
+        facet_mesh_want(census->direct->facets, &receiver, &tally->wanted[1]);
+    if (census->space && !known)
+        point_mesh_want(&census->direct->points, &receiver, &tally->wanted[0]);
+    if (!census->indirect)
+        return;
+    receiver.view = census->indirect_view;
+    point_mesh_want(&census->indirect->points, &receiver, &tally->wanted[2]);
+    for (uint64_t i = 0; i < GATHERED; i++)
+        tally_gather(tally, &receiver, census->indirect, 1, GATHERED * key + i);
+}
+
+/* How many points there is room for in a mesh; what stands around them has
+ * twice as much. */
+static double tally_room(const struct census *census, int number)
+{
+    const struct indirect_mesh *mesh = census->indirect;
+    if (number == 0)
+        return (double)table_capacity(census->direct->points.table);
+    if (number == 1)
+        return census->direct->facets
+                   ? (double)table_capacity(
+                         census->direct->facets->points.table)
+                   : HUGE_VAL;
+    for (int i = 2; mesh && i < number; i++)
+        mesh = mesh->next;
+    return mesh ? (double)table_capacity(mesh->points.table) : HUGE_VAL;
+}
+
+/* What `more` times as many rays find, where a quarter of them found `few`.
+ * Far from that many it is only sure that each finds no more than the last. */
+static double tally_all(double few, double count, double more)
+{
+    double low = 1e-9, high = 10;
+    if (!(few > 0) || more > census_far)
+        return count *
+               (few > 0 ? pow(more, fmin(log(count / few) / log(4), 1)) : more);
+    for (int i = 0; i < 60; i++) { /* x = a n / 4 */
+        double x = (low + high) / 2;
+        bool less = (1 - exp(-4 * x)) / (1 - exp(-x)) < count / few;
+        *(less ? &high : &low) = x;
+    }
+    return few / (1 - exp(-low)) * (1 - exp(-4 * low * more));
+}
+
+static double tally_crowding(const struct tally *tally, double rays,
+                             const double few[TALLIES])
+{
+    const struct census *census = tally->census;
+    double most = 0, more = fmax(census->pixels / rays, 1);
+    for (int i = 0; i < TALLIES; i++) {
+        double count = distinct_count(&tally->wanted[i]);
+        most =
+            fmax(most, tally_all(few[i], count, more) / tally_room(census, i));
+    }
+    return most;
+}
+
+static double census_by(const struct census *census, int edge)
+{
+    struct tally tally = { census, memory_new(TALLIES * sizeof *tally.wanted) };
+    double few[TALLIES];
+    /* Places with even numbers, and then all others. */
+    for (int all = 0; all < 2; all++) {
+        for (int i = 0; i < edge * edge; i++) {
+            int column = i % edge, row = i / edge;
+            if ((column % 2 == 0 && row % 2 == 0) == !all)
+                tally_ray(&tally, (column + 0.5) / edge, (row + 0.5) / edge,
+                          (uint64_t)i);
+        }
+        for (int i = 0; !all && i < TALLIES; i++)
+            few[i] = distinct_count(&tally.wanted[i]);
+    }
+    double crowding = tally_crowding(&tally, (double)edge * edge, few);
+    memory_free(tally.wanted);
+    return crowding;
+}
+
+double census_crowding(const struct census *census)
+{
+    double crowding = census_by(census, CENSUS_EDGE);
+    return crowding < census_sure ? crowding
+                                  : census_by(census, CENSUS_FINE_EDGE);
+}

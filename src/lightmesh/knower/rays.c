@@ -1,0 +1,26 @@
+/* Shadow rays from the receiver itself: who asks them needs nobody else. */
+#include "lightmesh/knower.h"
+#include "lightmesh/tuning.h"
+
+static double rays_cost(const struct knower_job *job)
+{
+    return job->pixels * job->lamps * time_ray;
+}
+
+static bool rays_one_lamp(struct asking *asking, const struct lamp *lamp,
+                          const struct lamp_view *view, rgb *share)
+{
+    const struct receiver *receiver = &asking->receiver;
+    const struct lamp_target target = { receiver->point, asking->inside, *view,
+                                        receiver->at };
+    *share =
+        lamps_share_fine(asking->knowers->lamps, lamp, asking->worker, &target);
+    return true;
+}
+
+const struct knower rays_knower = {
+    .name = "rays",
+    .help = "shadow rays from here",
+    .cost = rays_cost,
+    .one_lamp = rays_one_lamp,
+};

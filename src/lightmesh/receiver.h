@@ -1,0 +1,24 @@
+/* Who asks for light: a point of a surface. */
+#ifndef LIGHTMESH_RECEIVER_H
+#define LIGHTMESH_RECEIVER_H
+
+#include "embree/world.h"
+#include "lightmesh/lattice.h"
+
+struct picture_place;
+
+struct receiver {
+    vec3 point;
+    vec3 side;   /* the true normal there, unit, to the side that is lit */
+    vec3 normal; /* the same with bumps, to which cosines are taken */
+    vec3 from;   /* where it is seen from: nothing is between */
+    const struct intersection *at; /* what it is on; NULL: it isn't told, and
+                                    * no points on surfaces are asked */
+    const struct picture_place *pixel; /* where the camera sees it at first
+                                        * sight; else NULL */
+    struct lattice_view view; /* how near to each other mesh points are */
+    double weight; /* of what it gets in the picture, 0 to 1: what is worth
+                    * little is less exact */
+};
+
+#endif
