@@ -1,9 +1,24 @@
 /* Affine maps: see affine.h. */
 #include "base/affine.h"
 
+#include "base/arena.h"
+
+const affine affine_unmoved = {
+    { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } }
+};
+
 affine affine_identity(void)
 {
-    return (affine){ { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
+    return affine_unmoved;
+}
+
+const affine *affine_kept(struct arena *arena, const affine *a)
+{
+    if (affine_is_identity(*a))
+        return &affine_unmoved;
+    affine *kept = ARENA_NEW(arena, affine);
+    *kept = *a;
+    return kept;
 }
 
 affine affine_translation(vec3 t)

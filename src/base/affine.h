@@ -5,6 +5,8 @@
 
 #include "base/vec.h"
 
+struct arena;
+
 typedef struct {
     double m[3][4];
 } affine;
@@ -34,6 +36,12 @@ bool affine_inverse(affine a, affine *inverse);
 
 double affine_determinant(affine a);
 bool affine_is_identity(affine a);
+
+/* The identity, which whoever is not moved can point to. */
+extern const affine affine_unmoved;
+
+/* The map in `arena`, or affine_unmoved if it is the identity. */
+const affine *affine_kept(struct arena *arena, const affine *a);
 
 static inline vec3 affine_direction(const affine *a, vec3 d)
 {

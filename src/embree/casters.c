@@ -89,9 +89,9 @@ static void take_space(struct taking *taking, const struct leaf *leaf)
     }
     object->primitive->half_space(object->shape, &space.normal,
                                   &space.distance);
-    vec3 origin = affine_point(&leaf->to_object, vec3_make(0, 0, 0));
+    vec3 origin = affine_point(leaf->to_object, vec3_make(0, 0, 0));
     space.distance -= vec3_dot(space.normal, origin);
-    space.normal = affine_normal(&leaf->to_object, space.normal);
+    space.normal = affine_normal(leaf->to_object, space.normal);
     casters->spaces[casters->space_count++] = space;
 }
 
@@ -107,7 +107,7 @@ static bool take_patches(struct taking *taking, const struct leaf *leaf)
         if (patches[i].kind != PATCH_PARALLELOGRAM)
             return false;
     for (int i = 0; i < count; i++) {
-        struct patch side = patch_moved(&patches[i], &leaf->to_world);
+        struct patch side = patch_moved(&patches[i], leaf->to_world);
         take_square(taking, &taking->casters->certain, side.at, side.a, side.b);
     }
     return true;

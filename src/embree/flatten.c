@@ -75,19 +75,20 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
 {
     struct inherited in = *up;
     in.depth++;
-    in.to_world = affine_compose(up->to_world, object->transform);
-    in.to_tree = affine_compose(up->to_tree, object->transform);
+    in.to_world = affine_compose(up->to_world, *object->transform);
+    in.to_tree = affine_compose(up->to_tree, *object->transform);
     if (object->texture) {
         in.texture = object->texture;
         in.from_texture =
-            affine_compose(up->to_world, object->texture_transform);
+            affine_compose(up->to_world, *object->texture_transform);
     }
     if (object->inner) {
         in.inner = object->inner;
-        in.from_inner = affine_compose(up->to_world, object->inner_transform);
+        in.from_inner = affine_compose(up->to_world, *object->inner_transform);
     }
     if (object->interior) {
-        affine place = affine_compose(up->to_world, object->interior_transform);
+        affine place =
+            affine_compose(up->to_world, *object->interior_transform);
         in.interior = interior_moved(flat->arena, object->interior, &place);
     }
     if (object->interior || up->depth == 0)
@@ -158,23 +159,46 @@ static const struct leaf_inner *build_inner(struct flat *flat,
     return inner;
 }
 
+/* False if it has no inverse. */
+static bool find_place(struct flat *flat, const affine *outward,
+                       struct flat_place *place)
+{
+    affine inward;
+    if (affine_is_identity(*outward)) {
+        *place = (struct flat_place){ &affine_unmoved, &affine_unmoved };
+        return true;
+    }
+    for (int i = 0; i < FLAT_RECENT; i++) {
+        *place = flat->recent[i];
+        if (place->outward &&
+            memcmp(place->outward, outward, sizeof *outward) == 0)
+            return true;
+    }
+    if (!affine_inverse(*outward, &inward))
+        return false;
+    place->outward = affine_kept(flat->arena, outward);
+    place->inward = affine_kept(flat->arena, &inward);
+    flat->recent[flat->recent_next++ % FLAT_RECENT] = *place;
+    return true;
+}
+
 /* NULL if its transformation squeezes it flat. */
 static struct leaf *build_leaf(struct flat *flat, const struct object *object,
                                const struct inherited *in)
 {
-    affine to_object, to_texture;
-    if (!affine_inverse(in->to_world, &to_object))
+    struct flat_place place, texture;
+    if (!find_place(flat, &in->to_world, &place))
         return NULL;
+    if (!find_place(flat, &in->from_texture, &texture))
+        texture = (struct flat_place){ &affine_unmoved, &affine_unmoved };
     struct leaf *leaf = ARENA_NEW(flat->arena, struct leaf);
     leaf->object = object;
-    leaf->to_world = in->to_world;
-    leaf->to_object = to_object;
-    leaf->moved = !affine_is_identity(to_object);
+    leaf->to_world = place.outward;
+    leaf->to_object = place.inward;
+    leaf->moved = place.inward != &affine_unmoved;
+    leaf->from_texture = texture.outward;
+    leaf->to_texture = texture.inward;
     leaf->texture = in->texture ? in->texture : flat->fallback;
-    leaf->from_texture = in->from_texture;
-    if (!affine_inverse(in->from_texture, &to_texture))
-        leaf->from_texture = to_texture = affine_identity();
-    leaf->to_texture = to_texture;
     leaf->inner = build_inner(flat, in);
     leaf->interior = in->interior;
     leaf->body = in->body;
@@ -219,7 +243,8 @@ static struct box3 complement(struct box3 box)
     return other;
 }
 
-static void measure_leaf(struct solid *solid, const affine *to_tree)
+static void measure_leaf(struct flat *flat, struct solid *solid,
+                         const affine *to_tree)
 {
     const struct leaf *leaf = solid->leaf;
     const struct object *object = leaf->object;
@@ -229,16 +254,17 @@ static void measure_leaf(struct solid *solid, const affine *to_tree)
     struct box3 box =
         shape ? object->primitive->bounds(object->shape) : object->mesh->bounds;
     solid->surface = solid_padded(affine_box(to_tree, box));
-    solid->region = box3_empty();
-    solid->holes = box3_infinite();
+    solid->region = &solid_nothing;
+    solid->holes = &solid_everything;
     if (!has_inside)
         return;
     /* A disc's inside is the half space behind it. */
     struct box3 inside = beyond ? box3_infinite() : solid->surface;
-    solid->region = leaf->inverse ? box3_infinite() : inside;
+    struct box3 region = leaf->inverse ? box3_infinite() : inside;
     if (leaf->inverse && shape && !beyond)
-        solid->region = solid_padded(affine_box(to_tree, complement(box)));
-    solid->holes = leaf->inverse ? inside : box3_infinite();
+        region = solid_padded(affine_box(to_tree, complement(box)));
+    solid_set_boxes(flat->arena, solid, region,
+                    leaf->inverse ? inside : box3_infinite());
 }
 
 static const struct mesh_tree *flat_tree(struct flat *flat,
@@ -256,18 +282,18 @@ static struct solid *build_leaf_solid(struct flat *flat,
                                       const struct inherited *in)
 {
     struct leaf *leaf = build_leaf(flat, object, in);
-    affine to_shape;
-    if (!leaf || !affine_inverse(in->to_tree, &to_shape))
+    struct flat_place place;
+    if (!leaf || !find_place(flat, &in->to_tree, &place))
         return NULL;
     struct solid *solid = ARENA_NEW(flat->arena, struct solid);
     solid->kind = object->kind;
     solid->leaf = leaf;
     leaf->solid = solid;
-    solid->to_shape = to_shape;
-    solid->moved = !affine_is_identity(to_shape);
+    solid->to_shape = place.inward;
+    solid->moved = solid->to_shape != &affine_unmoved;
     if (object->kind == OBJECT_MESH)
         solid->tree = flat_tree(flat, object->mesh);
-    measure_leaf(solid, &in->to_tree);
+    measure_leaf(flat, solid, &in->to_tree);
     return solid;
 }
 
@@ -348,9 +374,12 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
 /* The space of the root's own object. NULL if it has no inverse. */
 static const struct frame *build_frame(struct flat *flat, const affine *outward)
 {
+    struct flat_place place;
+    if (!find_place(flat, outward, &place))
+        return NULL;
     struct frame *frame = ARENA_NEW(flat->arena, struct frame);
-    frame->outward = *outward;
-    return affine_inverse(*outward, &frame->inward) ? frame : NULL;
+    *frame = (struct frame){ place.inward, place.outward };
+    return frame;
 }
 
 /* In POV-Ray a part of a CSG object heeds its bounds whatever it is. */
@@ -371,7 +400,7 @@ static void add_limits(struct flat *flat, const struct object *object,
     if (root && object->kind == OBJECT_SHAPE &&
         object->primitive->bounded == BOUNDS_AS_BOX) {
         for (size_t i = 0; i < limits.count; i++)
-            solid_bound_by_box(solid, limits.items[i]);
+            solid_bound_by_box(flat->arena, solid, limits.items[i]);
     } else {
         solid->gates = limits.items;
         solid->gate_count = limits.count;
@@ -480,7 +509,7 @@ static void flatten_union(struct flat *flat, const struct object *object,
 static bool mesh_is_limited(const struct object *object,
                             const struct inherited *up)
 {
-    affine to_world = affine_compose(up->to_world, object->transform);
+    affine to_world = affine_compose(up->to_world, *object->transform);
     struct box3 box = affine_box(&to_world, object->mesh->bounds);
     if (up->clips.count || object->clip_count)
         return true;

@@ -16,8 +16,18 @@ enum {
     FLAT_DEPTH_LIMIT = 1000,
 };
 
+/* A transformation to the world, and its inverse. */
+struct flat_place {
+    const affine *outward, *inward;
+};
+
+enum { FLAT_RECENT = 4 };
+
 struct flat {
     struct arena *arena;
+    /* Those kept last: the parts of an object are most often in one place. */
+    struct flat_place recent[FLAT_RECENT];
+    unsigned recent_next;
     struct diag *diag;
     bool failed;              /* a limit was met and reported */
     size_t nodes, node_limit; /* 0: FLAT_NODE_LIMIT */

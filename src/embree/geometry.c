@@ -17,10 +17,22 @@ enum {
 /* Beyond this a bound counts as infinite; crossings end at 1e7 anyway. */
 static const double bounded_limit = 1e9;
 
+/* Rays come in floats: allow for their rounding at the box's distance. */
+static struct box3 embree_box(struct box3 box, vec3 centre)
+{
+    vec3 low = vec3_sub(box.low, centre), high = vec3_sub(box.high, centre);
+    double size = vec3_length(vec3_sub(high, low));
+    double most = fmax(vec3_length(low), vec3_length(high));
+    double pad = 1e-5 * size + 1e-6 * most;
+    vec3 more = { pad, pad, pad };
+    return (struct box3){ vec3_sub(low, more), vec3_add(high, more) };
+}
+
 static void solid_bounds(const struct RTCBoundsFunctionArguments *a)
 {
     const struct geometry *geometry = a->geometryUserPtr;
-    struct box3 box = geometry->boxes[a->primID];
+    struct box3 box = embree_box(geometry->solids.items[a->primID]->surface,
+                                 geometry->centre);
     struct RTCBounds *out = a->bounds_o;
     out->lower_x = nextafterf(triangles_float(box.low.x), -FLT_MAX);
     out->lower_y = nextafterf(triangles_float(box.low.y), -FLT_MAX);
@@ -70,17 +82,6 @@ static void solid_occluded(const struct RTCOccludedFunctionNArguments *a)
         a->valid[0] = 0;
 }
 
-/* Rays come in floats: allow for their rounding at the box's distance. */
-static struct box3 embree_box(struct box3 box, vec3 centre)
-{
-    vec3 low = vec3_sub(box.low, centre), high = vec3_sub(box.high, centre);
-    double size = vec3_length(vec3_sub(high, low));
-    double most = fmax(vec3_length(low), vec3_length(high));
-    double pad = 1e-5 * size + 1e-6 * most;
-    vec3 more = { pad, pad, pad };
-    return (struct box3){ vec3_sub(low, more), vec3_add(high, more) };
-}
-
 static bool box_is_bounded(struct box3 box)
 {
     vec3 low = box.low, high = box.high;
@@ -113,7 +114,7 @@ static struct box3 meshes_bounds(const struct flat *flat)
     for (size_t i = 0; i < flat->meshes.count; i++) {
         const struct leaf *leaf = flat->meshes.items[i];
         box = box3_union(
-            box, affine_box(&leaf->to_world, leaf->object->mesh->bounds));
+            box, affine_box(leaf->to_world, leaf->object->mesh->bounds));
     }
     return box;
 }
@@ -136,13 +137,13 @@ static void find_place(struct geometry *geometry, const struct flat *flat)
     geometry->scale = fmax(half.x, fmax(half.y, half.z));
 }
 
-static void find_boxes(struct geometry *geometry, struct arena *arena)
+static struct few find_few(const struct geometry *geometry, struct arena *arena)
 {
-    size_t count = geometry->solids.count;
-    geometry->boxes = ARENA_ARRAY(arena, struct box3, count);
-    for (size_t i = 0; i < count; i++)
-        geometry->boxes[i] =
+    struct box3 boxes[FEW];
+    for (size_t i = 0; i < geometry->solids.count; i++)
+        boxes[i] =
             embree_box(geometry->solids.items[i]->surface, geometry->centre);
+    return few_new(arena, &geometry->solids, boxes);
 }
 
 static void add_solids(struct geometry *geometry)
@@ -214,10 +215,8 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
     geometry->diag = diag;
     take_bounded(geometry, flat);
     find_place(geometry, flat);
-    find_boxes(geometry, flat->arena);
     if (flat->meshes.count == 0 && geometry->solids.count <= FEW) {
-        geometry->few =
-            few_new(flat->arena, &geometry->solids, geometry->boxes);
+        geometry->few = find_few(geometry, flat->arena);
         return true;
     }
     geometry->device = device_new(flat, threads, camera_rays);

@@ -11,7 +11,6 @@ struct geometry {
     RTCScene scene;
     struct triangles triangles;
     struct solid_list solids; /* bounded ones, by primitive */
-    struct box3 *boxes;       /* theirs, with some margin */
     vec3 centre;              /* Embree's origin, in the world */
     struct box3 bounds;       /* of all there is; empty: nothing */
     double scale;   /* the largest coordinate of a triangle, from the centre */

@@ -66,7 +66,7 @@ static struct solid *group(struct arena *arena, const struct solid *parent,
     }
     for (size_t i = 0; i < node->child_count; i++)
         node->children[i]->parent = node;
-    solid_measure(node);
+    solid_measure(arena, node);
     return node;
 }
 
@@ -75,7 +75,7 @@ static bool child_is_local(const struct solid *parent,
                            const struct solid *child)
 {
     struct box3 reach =
-        parent->kind == OBJECT_INTERSECTION ? child->holes : child->region;
+        *(parent->kind == OBJECT_INTERSECTION ? child->holes : child->region);
     return box3_is_finite(reach) && box3_is_finite(child->surface);
 }
 

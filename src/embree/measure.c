@@ -30,7 +30,7 @@ static bool child_half_space(const struct solid *child, struct halfspace *out)
         return false;
     child->leaf->object->primitive->half_space(child->leaf->object->shape, &n,
                                                &d);
-    const affine *a = &child->to_shape;
+    const affine *a = child->to_shape;
     vec3 origin = { a->m[0][3], a->m[1][3], a->m[2][3] };
     d -= vec3_dot(n, origin);
     n = affine_normal(a, n);
@@ -61,9 +61,9 @@ static struct box3 narrowed(const struct solid *solid, struct box3 region)
             continue;
         const struct object *object = child->leaf->object;
         affine outward;
-        if (!affine_inverse(child->to_shape, &outward))
+        if (!affine_inverse(*child->to_shape, &outward))
             continue;
-        struct box3 box = affine_box(&child->to_shape, region);
+        struct box3 box = affine_box(child->to_shape, region);
         box = object->primitive->within(object->shape, box);
         region =
             box3_intersection(region, solid_padded(affine_box(&outward, box)));
@@ -71,25 +71,55 @@ static struct box3 narrowed(const struct solid *solid, struct box3 region)
     return region;
 }
 
+const struct box3 solid_nothing = { { HUGE_VAL, HUGE_VAL, HUGE_VAL },
+                                    { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+const struct box3 solid_everything = { { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL },
+                                       { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+
+static const struct box3 *box_kept(struct arena *arena,
+                                   const struct solid *solid, struct box3 box)
+{
+    const struct box3 *known[] = { &solid_nothing, &solid_everything,
+                                   &solid->surface };
+    for (int i = 0; i < 3; i++)
+        if (memcmp(known[i], &box, sizeof box) == 0)
+            return known[i];
+    struct box3 *kept = ARENA_NEW(arena, struct box3);
+    *kept = box;
+    return kept;
+}
+
+void solid_set_boxes(struct arena *arena, struct solid *solid,
+                     struct box3 region, struct box3 holes)
+{
+    solid->region = box_kept(arena, solid, region);
+    solid->holes = box_kept(arena, solid, holes);
+}
+
+/* The boxes of a solid that is being measured. */
+struct boxes {
+    struct box3 surface, region, holes;
+};
+
 /* A crossing of a child must be in the region of every other child. A child's
  * own region holds its surface, unless it has no inside. */
-static void measure_intersection(struct solid *solid)
+static struct boxes measure_intersection(const struct solid *solid)
 {
     struct box3 surface = box3_empty(), region = box3_infinite();
     struct box3 others = box3_infinite();
     const struct solid *hollow = NULL;
     size_t hollow_count = 0;
-    solid->holes = box3_empty();
+    struct box3 holes = box3_empty();
     for (size_t i = 0; i < solid->child_count; i++) {
         const struct solid *child = solid->children[i];
-        bool without_inside = box3_is_empty(child->region);
-        region = box3_intersection(region, child->region);
+        bool without_inside = box3_is_empty(*child->region);
+        region = box3_intersection(region, *child->region);
         surface = box3_union(surface, child->surface);
-        solid->holes = box3_union(solid->holes, child->holes);
+        holes = box3_union(holes, *child->holes);
         if (without_inside)
             hollow = child;
         else
-            others = box3_intersection(others, child->region);
+            others = box3_intersection(others, *child->region);
         hollow_count += without_inside;
     }
     if (!box3_is_empty(region) && !box3_is_finite(region)) {
@@ -98,22 +128,22 @@ static void measure_intersection(struct solid *solid)
             region = within_planes(solid, region);
     }
     if (hollow_count == 1)
-        solid->surface = box3_intersection(hollow->surface, others);
+        surface = box3_intersection(hollow->surface, others);
     else
-        solid->surface = box3_intersection(surface, region);
-    solid->region = region;
+        surface = box3_intersection(surface, region);
+    return (struct boxes){ surface, region, holes };
 }
 
-static void measure_union(struct solid *solid)
+static struct boxes measure_union(const struct solid *solid)
 {
-    solid->surface = solid->region = box3_empty();
-    solid->holes = box3_infinite();
+    struct boxes boxes = { box3_empty(), box3_empty(), box3_infinite() };
     for (size_t i = 0; i < solid->child_count; i++) {
         const struct solid *child = solid->children[i];
-        solid->surface = box3_union(solid->surface, child->surface);
-        solid->region = box3_union(solid->region, child->region);
-        solid->holes = box3_intersection(solid->holes, child->holes);
+        boxes.surface = box3_union(boxes.surface, child->surface);
+        boxes.region = box3_union(boxes.region, *child->region);
+        boxes.holes = box3_intersection(boxes.holes, *child->holes);
     }
+    return boxes;
 }
 
 bool solid_surrounds(const struct solid *gate, struct box3 box)
@@ -131,16 +161,31 @@ bool solid_surrounds(const struct solid *gate, struct box3 box)
     return true;
 }
 
-void solid_bound_by_box(struct solid *solid, const struct solid *bound)
+/* What was as large as the surface stays so large. */
+static void keep_boxes(struct arena *arena, struct solid *solid)
+{
+    if (solid->region != &solid->surface && solid->holes != &solid->surface)
+        return;
+    struct box3 *kept = ARENA_NEW(arena, struct box3);
+    *kept = solid->surface;
+    if (solid->region == &solid->surface)
+        solid->region = kept;
+    if (solid->holes == &solid->surface)
+        solid->holes = kept;
+}
+
+void solid_bound_by_box(struct arena *arena, struct solid *solid,
+                        const struct solid *bound)
 {
     if (solid_surrounds(bound, solid->surface))
         return;
-    solid->surface = box3_intersection(solid->surface, bound->region);
+    keep_boxes(arena, solid);
+    solid->surface = box3_intersection(solid->surface, *bound->region);
     solid->boxed = true;
 }
 
 /* Most gates are well around what they bound: those are forgotten. */
-static void drop_gates(struct solid *solid)
+static void drop_gates(struct arena *arena, struct solid *solid)
 {
     size_t kept = 0;
     for (size_t i = 0; i < solid->gate_count; i++) {
@@ -148,35 +193,46 @@ static void drop_gates(struct solid *solid)
         if (solid_surrounds(gate, solid->surface))
             continue;
         solid->gates[kept++] = gate;
-        solid_bound_by_box(solid, gate);
+        solid_bound_by_box(arena, solid, gate);
     }
     solid->gate_count = kept;
 }
 
-static void measure_frame(struct solid *solid)
+static struct boxes measure_frame(struct arena *arena, struct solid *solid,
+                                  struct boxes boxes)
 {
-    const affine *outward = &solid->frame->outward;
-    solid->surface = affine_box(outward, solid->surface);
-    solid->region = affine_box(outward, solid->region);
-    solid->holes = affine_box(outward, solid->holes);
+    const affine *outward = solid->frame->outward;
+    struct box3 *inner = ARENA_NEW(arena, struct box3);
+    *inner = boxes.surface;
+    solid->inner = inner;
+    return (struct boxes){ affine_box(outward, boxes.surface),
+                           affine_box(outward, boxes.region),
+                           affine_box(outward, boxes.holes) };
 }
 
-void solid_measure(struct solid *solid)
+static struct boxes measure_content(const struct solid *solid)
 {
     if (solid->kind == OBJECT_INTERSECTION)
-        measure_intersection(solid);
-    else if (!solid->leaf)
-        measure_union(solid);
-    solid->inner = solid->surface;
+        return measure_intersection(solid);
+    if (!solid->leaf)
+        return measure_union(solid);
+    return (struct boxes){ solid->surface, *solid->region, *solid->holes };
+}
+
+void solid_measure(struct arena *arena, struct solid *solid)
+{
+    struct boxes boxes = measure_content(solid);
     if (solid->frame)
-        measure_frame(solid);
+        boxes = measure_frame(arena, solid, boxes);
     for (size_t i = 0; i < solid->clip_count; i++) {
         const struct solid *clip = solid->clips[i];
-        solid->surface = box3_intersection(solid->surface, clip->region);
-        solid->region = box3_intersection(solid->region, clip->region);
-        solid->holes = box3_union(solid->holes, clip->holes);
+        boxes.surface = box3_intersection(boxes.surface, *clip->region);
+        boxes.region = box3_intersection(boxes.region, *clip->region);
+        boxes.holes = box3_union(boxes.holes, *clip->holes);
     }
-    drop_gates(solid);
+    solid->surface = boxes.surface;
+    drop_gates(arena, solid);
+    solid_set_boxes(arena, solid, boxes.region, boxes.holes);
     solid->simple = solid->leaf && !solid->parent && !solid->frame &&
                     !solid->clip_count && !solid->boxed;
 }
@@ -187,7 +243,7 @@ void solid_finish(struct arena *arena, struct solid *solid)
         solid->children[i]->parent = solid;
         solid_finish(arena, solid->children[i]);
     }
-    solid_measure(solid);
+    solid_measure(arena, solid);
     if (!solid->leaf)
         solid_group(arena, solid);
 }

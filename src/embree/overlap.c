@@ -67,7 +67,7 @@ static struct overlap leaf_overlap(const struct overlap_query *query,
     const struct object *object = leaf->object;
     struct cell moved = *cell;
     if (solid->moved)
-        moved = cell_moved(cell, &solid->to_shape);
+        moved = cell_moved(cell, solid->to_shape);
     bool shape = solid->kind == OBJECT_SHAPE;
     unsigned meets = shape ? shape_meets(object, &moved, query->last)
                      : mesh_tree_meets(solid->tree, &moved)
@@ -157,14 +157,14 @@ static struct overlap part_overlap(const struct overlap_query *query,
                                    const struct cell *cell)
 {
     bool no_surface = apart(cell, &solid->surface);
-    bool no_inside = apart(cell, &solid->region);
+    bool no_inside = apart(cell, solid->region);
     if (no_surface && no_inside)
         return nothing;
-    if (no_surface && apart(cell, &solid->holes))
+    if (no_surface && apart(cell, solid->holes))
         return (struct overlap){ 0, true, false };
     struct overlap found;
     if (solid->frame) {
-        struct cell inner = cell_moved(cell, &solid->frame->inward);
+        struct cell inner = cell_moved(cell, solid->frame->inward);
         found = content_overlap(query, solid, &inner);
     } else {
         found = content_overlap(query, solid, cell);

@@ -139,7 +139,7 @@ static bool query_shape(struct query *query, const struct solid *solid,
     }
     hits.count = 0;
     if (solid->moved) {
-        local = ray_into(&solid->to_shape, ray);
+        local = ray_into(solid->to_shape, ray);
         inner = &local;
     }
     if (primitive->crossings && !(solid->simple && !query->occlusion))
@@ -159,7 +159,7 @@ static bool query_mesh(struct query *query, const struct solid *solid,
                        const struct ray *ray)
 {
     struct crossing_query context = { query, solid, ray };
-    struct ray local = ray_into(&solid->to_shape, ray);
+    struct ray local = ray_into(solid->to_shape, ray);
     mesh_tree_crossings(solid->tree, &local, query->tmin, query->tmax,
                         take_crossing, &context);
     return query->blocked;
@@ -220,9 +220,9 @@ bool query_solid(struct query *query, const struct solid *solid)
         return false;
     struct space space = { query->ray, query->slabs };
     if (solid->frame) {
-        space.ray = ray_into(&solid->frame->inward, &query->ray);
+        space.ray = ray_into(solid->frame->inward, &query->ray);
         space.slabs = slabs_of(&space.ray);
-        if (!slabs_hit(&space.slabs, &solid->inner, query->tmin, query->tmax))
+        if (!slabs_hit(&space.slabs, solid->inner, query->tmin, query->tmax))
             return false;
     }
     if (solid->leaf)
@@ -238,7 +238,7 @@ bool query_triangle(const struct query *query, const struct leaf *leaf,
 {
     const struct mesh *mesh = leaf->object->mesh;
     if (leaf->moved) {
-        struct ray ray = ray_into(&leaf->to_object, &query->ray);
+        struct ray ray = ray_into(leaf->to_object, &query->ray);
         *t = mesh_distance(mesh, triangle, &ray);
     } else {
         *t = mesh_distance(mesh, triangle, &query->ray);
@@ -254,7 +254,7 @@ void query_refine(const struct ray *ray, const struct leaf *leaf,
     if (leaf->object->kind != OBJECT_MESH ||
         mesh->triangles[hit->part].normal[0] == MESH_NONE)
         return;
-    struct ray there = leaf->moved ? ray_into(&leaf->to_object, ray) : *ray;
+    struct ray there = leaf->moved ? ray_into(leaf->to_object, ray) : *ray;
     mesh_refine(mesh, (size_t)hit->part, &there, hit);
 }
 
@@ -307,10 +307,10 @@ static vec3 leaf_normal(const struct leaf *leaf, vec3 point,
     if (object->kind == OBJECT_MESH)
         return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v);
     if (leaf->moved)
-        point = affine_point(&leaf->to_object, point);
+        point = affine_point(leaf->to_object, point);
     if (object->primitive->normal_placed)
         return object->primitive->normal_placed(
-            object->shape, point, hit, leaf->moved ? &leaf->to_object : NULL);
+            object->shape, point, hit, leaf->moved ? leaf->to_object : NULL);
     return object->primitive->normal(object->shape, point, hit);
 }
 
@@ -337,7 +337,7 @@ static void describe_face(const struct leaf *leaf, const struct hit *hit,
     if (vec3_dot(face, face) == 0)
         return;
     if (leaf->moved)
-        face = affine_normal(&leaf->to_object, face);
+        face = affine_normal(leaf->to_object, face);
     face = unit(face);
     if (vec3_dot(face, face) > 0)
         out->face = vec3_dot(face, out->normal) < 0 ? vec3_negate(face) : face;
@@ -347,8 +347,8 @@ static void describe_texture(const struct leaf *leaf, const struct hit *hit,
                              struct intersection *out)
 {
     out->texture = leaf->texture;
-    out->to_texture = &leaf->to_texture;
-    out->from_texture = &leaf->from_texture;
+    out->to_texture = leaf->to_texture;
+    out->from_texture = leaf->from_texture;
     if (leaf->object->kind != OBJECT_MESH)
         return;
     const struct mesh *mesh = leaf->object->mesh;
@@ -356,8 +356,8 @@ static void describe_texture(const struct leaf *leaf, const struct hit *hit,
     if (number >= mesh->texture_count || !mesh->textures[number])
         return;
     out->texture = mesh->textures[number];
-    out->to_texture = &leaf->to_object;
-    out->from_texture = &leaf->to_world;
+    out->to_texture = leaf->to_object;
+    out->from_texture = leaf->to_world;
 }
 
 /* The outside of a mesh's triangle is where its corners turn to the left, not
@@ -370,7 +370,7 @@ static bool describe_inside(const struct ray *ray, const struct leaf *leaf,
         return vec3_dot(out->face, ray->direction) > 0;
     vec3 face = mesh_face(object->mesh, (size_t)out->part);
     if (leaf->moved)
-        face = affine_normal(&leaf->to_object, face);
+        face = affine_normal(leaf->to_object, face);
     return (vec3_dot(face, ray->direction) < 0) != object->mesh->turned;
 }
 
@@ -393,7 +393,7 @@ void query_describe(const struct ray *ray, const struct leaf *leaf,
     out->leaf = leaf;
     out->part = hit->part;
     if (leaf->moved)
-        normal = affine_normal(&leaf->to_object, normal);
+        normal = affine_normal(leaf->to_object, normal);
     normal = unit(normal);
     if (!(vec3_dot(normal, normal) > 0))
         normal = vec3_negate(ray->direction);

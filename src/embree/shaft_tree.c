@@ -160,7 +160,7 @@ struct shaft_tree *shaft_tree_new(struct flat *flat,
         const struct leaf *leaf = flat->meshes.items[i];
         if (!leaf->no_shadow)
             tree_add(tree,
-                     solid_padded(affine_box(&leaf->to_world,
+                     solid_padded(affine_box(leaf->to_world,
                                              leaf->object->mesh->bounds)),
                      NULL);
     }

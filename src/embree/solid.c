@@ -9,7 +9,7 @@ static bool leaf_inside(const struct solid *solid, vec3 point)
 {
     const struct leaf *leaf = solid->leaf;
     const struct object *object = leaf->object;
-    vec3 p = solid->moved ? affine_point(&solid->to_shape, point) : point;
+    vec3 p = solid->moved ? affine_point(solid->to_shape, point) : point;
     bool inside = solid->kind == OBJECT_SHAPE
                       ? object->primitive->inside(object->shape, p)
                       : mesh_tree_inside(solid->tree, p);
@@ -54,14 +54,14 @@ static bool content_inside(const struct solid *solid, vec3 point)
 
 static vec3 into_frame(const struct solid *solid, vec3 point)
 {
-    return solid->frame ? affine_point(&solid->frame->inward, point) : point;
+    return solid->frame ? affine_point(solid->frame->inward, point) : point;
 }
 
 bool solid_inside(const struct solid *solid, vec3 point)
 {
-    if (!box3_contains(solid->region, point))
+    if (!box3_contains(*solid->region, point))
         return false;
-    if (!box3_contains(solid->holes, point))
+    if (!box3_contains(*solid->holes, point))
         return true;
     return content_inside(solid, into_frame(solid, point)) &&
            all_inside(solid->clips, solid->clip_count, point);
@@ -121,7 +121,7 @@ bool solid_crosses(const struct solid *solid, const struct ray *ray,
     struct ray local;
     struct hits hits;
     if (solid->moved) {
-        local = ray_into(&solid->to_shape, ray);
+        local = ray_into(solid->to_shape, ray);
         ray = &local;
     }
     if (object->primitive->crosses)

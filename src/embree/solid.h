@@ -26,12 +26,12 @@ struct leaf_inner {
 
 /* A shape or a mesh in the world. */
 struct leaf {
-    const struct object *object;   /* OBJECT_SHAPE or OBJECT_MESH */
-    const struct solid *solid;     /* its node in the tree; NULL: a mesh that is
-                                    * no part of a CSG object */
-    affine to_object, to_world;    /* points */
-    const struct texture *texture; /* never NULL */
-    affine to_texture, from_texture; /* world <-> the texture's space */
+    const struct object *object; /* OBJECT_SHAPE or OBJECT_MESH */
+    const struct solid *solid;   /* its node in the tree; NULL: a mesh that is
+                                  * no part of a CSG object */
+    const affine *to_object, *to_world; /* points; many leaves share these */
+    const struct texture *texture;      /* never NULL */
+    const affine *to_texture, *from_texture; /* world <-> the texture's space */
     const struct leaf_inner *inner;  /* seen from inside; NULL: the same */
     const struct interior *interior; /* NULL: none */
     /* What a ray that enters is inside of: the same number for all leaves
@@ -56,13 +56,13 @@ static inline vec3 leaf_corner(const struct leaf *leaf, size_t triangle, int k)
 {
     const struct mesh *mesh = leaf->object->mesh;
     vec3 v = mesh->vertices[mesh->triangles[triangle].vertex[k]];
-    return leaf->moved ? affine_point(&leaf->to_world, v) : v;
+    return leaf->moved ? affine_point(leaf->to_world, v) : v;
 }
 
 /* The space a CSG tree is kept in: its object's own, in which its parts are
  * more often unmoved and its planes along the axes. */
 struct frame {
-    affine inward, outward;
+    const affine *inward, *outward;
 };
 
 /* A node of a tree. A root's space is the world's (or, for a clip, that of
@@ -81,13 +81,21 @@ struct solid {
     const struct solid **gates; /* rays that miss one miss the solid */
     size_t gate_count;
     const struct leaf *leaf;      /* shape, mesh */
-    affine to_shape;              /* of a leaf: from the space it is in */
+    const affine *to_shape;       /* of a leaf: from the space it is in */
     const struct mesh_tree *tree; /* mesh */
     struct box3 surface;          /* holds every crossing that counts */
-    struct box3 region;           /* outside it nothing is inside */
-    struct box3 holes;            /* outside it everything is inside */
-    struct box3 inner;            /* of a root: the surface in the frame */
+    const struct box3 *region;    /* outside it nothing is inside */
+    const struct box3 *holes;     /* outside it everything is inside */
+    const struct box3 *inner; /* of a root with a frame: the surface there */
 };
+
+/* Boxes of which most solids have one. */
+extern const struct box3 solid_nothing, solid_everything;
+
+/* Sets region and holes, and keeps in `arena` only what is not the same for
+ * many. */
+void solid_set_boxes(struct arena *arena, struct solid *solid,
+                     struct box3 region, struct box3 holes);
 
 static inline struct ray ray_into(const affine *transform,
                                   const struct ray *ray)
@@ -113,11 +121,12 @@ bool solid_counts(const struct solid *leaf, vec3 inner, vec3 outer);
 
 /* Fills surface, region and holes from the children and clips. For a leaf,
  * `region` and `holes` of the shape alone must be there. */
-void solid_measure(struct solid *solid);
+void solid_measure(struct arena *arena, struct solid *solid);
 
 /* From now on rays must meet the box around `bound` to meet the solid, a leaf.
  */
-void solid_bound_by_box(struct solid *solid, const struct solid *bound);
+void solid_bound_by_box(struct arena *arena, struct solid *solid,
+                        const struct solid *bound);
 
 /* The box a little larger, so that rounding loses nothing. */
 struct box3 solid_padded(struct box3 box);

@@ -160,7 +160,7 @@ static bool add_copies(struct arena *arena, const struct copies *copies,
     for (size_t i = 0; i < copies->count; i++) {
         const struct leaf *leaf = copies->items[i];
         const struct mesh *mesh = leaf->object->mesh;
-        affine move = affine_compose(shift, leaf->to_world);
+        affine move = affine_compose(shift, *leaf->to_world);
         write_vertices(vertices + 3 * vertex, mesh, &move);
         write_indices(indices + 3 * triangle, mesh, vertex);
         for (size_t k = 0; k < mesh->triangle_count; k++)
@@ -200,7 +200,7 @@ static bool add_instance(struct triangles *triangles, struct mesh_entry *entry,
     if (!entry->instance && !share_mesh(triangles, entry, device))
         return false;
     affine move = affine_compose(
-        affine_translation(vec3_negate(triangles->centre)), leaf->to_world);
+        affine_translation(vec3_negate(triangles->centre)), *leaf->to_world);
     float columns[12];
     for (int row = 0; row < 3; row++)
         for (int column = 0; column < 4; column++)

@@ -10,7 +10,7 @@ vec3 world_uv(const struct intersection *at)
     bool mesh = object->kind == OBJECT_MESH;
     double uv[2] = { at->point.x, at->point.y };
     vec3 point =
-        leaf->moved ? affine_point(&leaf->to_object, at->point) : at->point;
+        leaf->moved ? affine_point(leaf->to_object, at->point) : at->point;
     if (mesh && object->mesh->mapped)
         mesh_uv(object->mesh, (size_t)at->part, point, uv);
     else if (!mesh && object->primitive->uv)

@@ -240,7 +240,7 @@ bool world_may_contain(const struct world *world, struct box3 box)
     for (size_t i = 0; i < list->count; i++) {
         const struct solid *solid = list->items[i];
         bool bounded = box3_is_finite(solid->surface);
-        if (boxes_meet(solid->region, box) &&
+        if (boxes_meet(*solid->region, box) &&
             (!bounded || boxes_meet(solid->surface, box)))
             return true;
     }

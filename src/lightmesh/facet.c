@@ -199,7 +199,7 @@ static bool square_fill(const struct leaf *leaf, size_t part,
     if ((int)part >= object->primitive->patches(object->shape, patches) ||
         patches[part].kind != PATCH_PARALLELOGRAM)
         return false;
-    struct patch patch = patch_moved(&patches[part], &leaf->to_world);
+    struct patch patch = patch_moved(&patches[part], leaf->to_world);
     facet->corner[0] = patch.at;
     facet->corner[1] = vec3_along(patch.at, patch.a, 2);
     facet->corner[2] = vec3_along(patch.at, patch.b, 2);

@@ -39,10 +39,10 @@ static const struct texture *object_texture_here(struct parser *p,
 {
     if (!object->texture)
         object->texture = texture_from_defaults(p);
-    else if (!affine_is_identity(object->texture_transform))
+    else if (!affine_is_identity(*object->texture_transform))
         object->texture = texture_moved(p->scene_arena, object->texture,
-                                        &object->texture_transform);
-    object->texture_transform = affine_identity();
+                                        object->texture_transform);
+    object->texture_transform = &affine_unmoved;
     return object->texture;
 }
 
@@ -53,7 +53,7 @@ static void object_set_texture(struct parser *p, struct object *object,
     if (object->texture)
         texture = texture_stack(p, object_texture_here(p, object), texture);
     object->texture = texture;
-    object->texture_transform = affine_identity();
+    object->texture_transform = &affine_unmoved;
 }
 
 static bool modifier_material(struct parser *p, struct object *object)
@@ -65,22 +65,22 @@ static bool modifier_material(struct parser *p, struct object *object)
         object_set_texture(p, object, material.texture);
     if (material.interior) {
         object->interior = material.interior;
-        object->interior_transform = affine_identity();
+        object->interior_transform = &affine_unmoved;
     }
     if (material.interior_texture)
         object->inner = material.interior_texture;
     if (material.interior_texture)
-        object->inner_transform = affine_identity();
+        object->inner_transform = &affine_unmoved;
     return true;
 }
 
 /* Layers are in the space the last one is written in. */
 static bool object_interior_texture(struct parser *p, struct object *object)
 {
-    if (object->inner && !affine_is_identity(object->inner_transform))
+    if (object->inner && !affine_is_identity(*object->inner_transform))
         object->inner = texture_moved(p->scene_arena, object->inner,
-                                      &object->inner_transform);
-    object->inner_transform = affine_identity();
+                                      object->inner_transform);
+    object->inner_transform = &affine_unmoved;
     return parse_interior_texture(p, object->texture, &object->inner);
 }
 
@@ -107,7 +107,7 @@ static bool parse_covering(struct parser *p, struct object *object, bool *found)
     case KEYWORD_INTERIOR_TEXTURE:
         return object_interior_texture(p, object);
     case KEYWORD_INTERIOR:
-        object->interior_transform = affine_identity();
+        object->interior_transform = &affine_unmoved;
         return parse_interior(p, &object->interior);
     case KEYWORD_MATERIAL:
         return modifier_material(p, object);
@@ -289,7 +289,7 @@ static bool modifier_transformation(struct parser *p, struct modifiers *m,
         return true;
     object_move(p->scene_arena, m->object, &step);
     clip_list_move(&m->bounds, &step);
-    return affine_inverse(m->object->transform, &inverse) ||
+    return affine_inverse(*m->object->transform, &inverse) ||
            error_at(p, span_join(span, p->last_span), NULL,
                     "all transformations together leave nothing of this "
                     "object: their numbers are too large or too small");
@@ -372,6 +372,6 @@ void object_link(struct parser *p, struct object *object)
 {
     if (!object->texture) {
         object->texture = texture_from_defaults(p);
-        object->texture_transform = affine_identity();
+        object->texture_transform = &affine_unmoved;
     }
 }

@@ -19,7 +19,6 @@ struct plate {
     struct layer layer;
     struct texture texture;
     struct leaf one_sided, two_sided;
-    affine identity;
 };
 
 struct probing {
@@ -41,14 +40,13 @@ static void plate_init(struct plate *plate)
     plate->finish.diffuse = 1;
     plate->layer = (struct layer){ &plate->pigment, NULL, &plate->finish };
     plate->texture = (struct texture){ &plate->layer, 1 };
-    plate->identity = affine_identity();
     plate->one_sided = (struct leaf){
         .object = &plate->object,
-        .to_object = plate->identity,
-        .to_world = plate->identity,
+        .to_object = &affine_unmoved,
+        .to_world = &affine_unmoved,
         .texture = &plate->texture,
-        .to_texture = plate->identity,
-        .from_texture = plate->identity,
+        .to_texture = &affine_unmoved,
+        .from_texture = &affine_unmoved,
         .opaque = true,
         .looks_like = -1,
     };
@@ -77,8 +75,8 @@ static void question_init(struct probe_question *q, const struct probing *all,
                                    .face = normal,
                                    .leaf = leaf,
                                    .texture = leaf->texture,
-                                   .to_texture = &leaf->to_texture,
-                                   .from_texture = &leaf->from_texture };
+                                   .to_texture = leaf->to_texture,
+                                   .from_texture = leaf->from_texture };
     q->surface.at = &q->at;
     q->surface.point = place;
     q->surface.view = normal;

@@ -78,6 +78,11 @@ struct sampler sampler_new(const struct tracer *tracer,
     }
     size_t columns = (size_t)(sampler.first.right - sampler.first.left);
     size_t rows = (size_t)(sampler.first.bottom - sampler.first.top);
+    if (options->antialias) {
+        double gamma = options->antialias_gamma;
+        sampler.perceived = memory_new(sizeof *sampler.perceived);
+        perceived_fill(sampler.perceived, gamma > 0 ? 1 / gamma : 1);
+    }
     sampler.direct = !options->antialias && columns == (size_t)image->width &&
                      rows == (size_t)image->height;
     sampler.grid = sampler.direct
@@ -89,6 +94,7 @@ struct sampler sampler_new(const struct tracer *tracer,
 
 void sampler_free(struct sampler *sampler)
 {
+    memory_free(sampler->perceived);
     if (!sampler->direct)
         memory_free(sampler->grid);
     memory_free(sampler->states);
@@ -236,26 +242,15 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
         }
 }
 
-static double perceived(float value, double exponent)
-{
-    return value > 0 ? pow((double)value, exponent) : 0;
-}
-
 /* Sum of the differences after gamma correction; opacity counts when it is
  * wanted. */
 static bool sampler_differ(const struct sampler *sampler, const float *a,
                            const float *b)
 {
-    const struct render_options *options = sampler->options;
-    double gamma =
-        options->antialias_gamma > 0 ? 1 / options->antialias_gamma : 1;
-    double sum = 0;
-    for (int i = 0; i < 3; i++)
-        if (a[i] != b[i])
-            sum += fabs(perceived(a[i], gamma) - perceived(b[i], gamma));
-    if (sampler->tracer->alpha)
-        sum += fabs((double)a[3] - (double)b[3]);
-    return sum > options->threshold;
+    double more =
+        sampler->tracer->alpha ? fabs((double)a[3] - (double)b[3]) : 0;
+    return perceived_differ(sampler->perceived, a, b, more,
+                            sampler->options->threshold);
 }
 
 /* In [-0.5, 0.5), by the place in the picture alone. */

@@ -6,6 +6,7 @@
 #ifndef RENDER_SAMPLER_H
 #define RENDER_SAMPLER_H
 
+#include "render/perceived.h"
 #include "render/render.h"
 
 /* A part of the picture in pixels, ends exclusive. */
@@ -26,6 +27,7 @@ struct sampler {
     struct area first;  /* places of the grid */
     struct area tiled;  /* wanted pixels and those that decide about them */
     int tile;           /* edge of a tile */
+    struct perceived *perceived; /* NULL: nothing is sampled again */
     float *grid;
     unsigned char *states;         /* of its places */
     const struct first_hits *hits; /* at the grid's places, if known; or NULL */

@@ -265,12 +265,12 @@ static uint64_t media_hash(struct walk *walk, uint64_t hash,
 static void walk_material(struct walk *walk, const struct object *object,
                           affine outer)
 {
-    affine place = affine_compose(outer, object->texture_transform);
+    affine place = affine_compose(outer, *object->texture_transform);
     const struct interior *interior = object->interior;
     const struct mesh *mesh = object->mesh;
     if (object->texture)
         walk_texture(walk, object->texture, &place);
-    affine inner = affine_compose(outer, object->inner_transform);
+    affine inner = affine_compose(outer, *object->inner_transform);
     if (object->inner)
         walk_texture(walk, object->inner, &inner);
     for (size_t i = 0; mesh && i < mesh->texture_count; i++)
@@ -284,7 +284,7 @@ static void walk_material(struct walk *walk, const struct object *object,
     *textures = hash_rgb(*textures, interior->fade_colour);
     if (interior->media.count == 0)
         return;
-    affine media = affine_compose(outer, object->interior_transform);
+    affine media = affine_compose(outer, *object->interior_transform);
     *textures =
         media_hash(walk, hash_affine(*textures, &media), &interior->media);
 }
@@ -341,7 +341,7 @@ static void walk_clips(struct walk *walk, const struct clip *clips,
 static void walk_object(struct walk *walk, const struct object *object,
                         affine outer)
 {
-    affine place = affine_compose(outer, object->transform);
+    affine place = affine_compose(outer, *object->transform);
     struct fingerprint *found = &walk->found;
     if (object->kind == OBJECT_LIGHT) {
         struct light light = light_moved(object->light, &place);

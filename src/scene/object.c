@@ -12,10 +12,10 @@ struct object *object_new(struct arena *arena, enum object_kind kind,
     object->span = span;
     object->depth = 1;
     object->parts = 1;
-    object->transform = affine_identity();
-    object->texture_transform = affine_identity();
-    object->inner_transform = affine_identity();
-    object->interior_transform = affine_identity();
+    object->transform = &affine_unmoved;
+    object->texture_transform = &affine_unmoved;
+    object->inner_transform = &affine_unmoved;
+    object->interior_transform = &affine_unmoved;
     return object;
 }
 
@@ -41,16 +41,28 @@ static const struct clip *clips_moved(struct arena *arena,
     return moved;
 }
 
+/* What was the same as `before` is the same as `after`. */
+static const affine *affine_moved(struct arena *arena, const affine *transform,
+                                  const affine *old, const affine *before,
+                                  const affine *after)
+{
+    if (old == before)
+        return after;
+    affine moved = affine_compose(*transform, *old);
+    return affine_kept(arena, &moved);
+}
+
 void object_move(struct arena *arena, struct object *object,
                  const affine *transform)
 {
-    object->transform = affine_compose(*transform, object->transform);
-    object->texture_transform =
-        affine_compose(*transform, object->texture_transform);
-    object->inner_transform =
-        affine_compose(*transform, object->inner_transform);
-    object->interior_transform =
-        affine_compose(*transform, object->interior_transform);
+    const affine *before = object->transform;
+    const affine *after = affine_moved(arena, transform, before, NULL, NULL);
+    const affine **all[] = { &object->texture_transform,
+                             &object->inner_transform,
+                             &object->interior_transform };
+    object->transform = after;
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
+        *all[i] = affine_moved(arena, transform, *all[i], before, after);
     object->clips =
         clips_moved(arena, object->clips, object->clip_count, transform);
     object->bounds =
@@ -111,7 +123,7 @@ struct box3 object_bounds(const struct object *object)
 {
     if (object->inverse)
         return box3_infinite();
-    struct box3 box = affine_box(&object->transform, object_own_bounds(object));
+    struct box3 box = affine_box(object->transform, object_own_bounds(object));
     box = box_within(box, object->clips, object->clip_count);
     if (object_is_bounded(object))
         box = box_within(box, object->bounds, object->bound_count);

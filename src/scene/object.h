@@ -49,14 +49,14 @@ struct object {
     size_t parts;   /* shapes, each counted as often as it is used */
     bool patch;     /* some part has no inside */
 
-    affine transform;
-
+    /* None is NULL; most are affine_unmoved, or the same. */
+    const affine *transform;
+    const affine *texture_transform; /* texture's space to the parent's */
+    const affine *inner_transform;
     const struct texture *texture; /* NULL: the parent's, or the default */
-    affine texture_transform;      /* texture's space to the parent's */
     const struct texture *inner;   /* the same seen from inside, or NULL */
-    affine inner_transform;
     const struct interior *interior;
-    affine interior_transform; /* its media's space to the parent's */
+    const affine *interior_transform; /* its media's space to the parent's */
 
     const struct clip *clips;
     size_t clip_count;

@@ -67,7 +67,7 @@ bool object_inside(const struct object *object, vec3 point)
 {
     affine inverse;
     if (!object_is_solid(object) ||
-        !affine_inverse(object->transform, &inverse))
+        !affine_inverse(*object->transform, &inverse))
         return false;
     bool inside = content_inside(object, affine_point(&inverse, point));
     return inside != object->inverse && clips_inside(object, point);
@@ -186,7 +186,7 @@ static void probe_object(struct probe *probe, const struct object *object,
                          const struct level *above)
 {
     affine inverse;
-    if (!affine_inverse(object->transform, &inverse))
+    if (!affine_inverse(*object->transform, &inverse))
         return;
     struct level level = {
         .above = above,

@@ -48,13 +48,13 @@ static void mark_leaf(const struct marking *marking, const struct leaf *leaf,
     if (leaf->no_shadow || box3_is_empty(box))
         return;
     marking->marks[leaf->number] =
-        matter_of_texture(leaf->texture, &leaf->to_texture, box);
+        matter_of_texture(leaf->texture, leaf->to_texture, box);
 }
 
 static void mark_mesh(void *context, const struct leaf *leaf)
 {
     mark_leaf(context, leaf,
-              affine_box(&leaf->to_world, leaf->object->mesh->bounds));
+              affine_box(leaf->to_world, leaf->object->mesh->bounds));
 }
 
 static void mark_part(struct marking *marking, const struct solid *solid,
@@ -62,7 +62,7 @@ static void mark_part(struct marking *marking, const struct solid *solid,
 {
     struct box3 box = solid->surface;
     if (frame && solid->parent)
-        box = affine_box(&frame->outward, box);
+        box = affine_box(frame->outward, box);
     if (solid->leaf)
         mark_leaf(marking, solid->leaf, box);
     for (size_t i = 0; i < solid->child_count; i++)

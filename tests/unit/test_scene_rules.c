@@ -68,7 +68,7 @@ static void assert_vector(vec3 v, double x, double y, double z)
 /* Where the object's own origin is in the scene. */
 static vec3 object_place(const struct object *object)
 {
-    return affine_point(&object->transform, vec3_make(0, 0, 0));
+    return affine_point(object->transform, vec3_make(0, 0, 0));
 }
 
 static const struct layer *object_layer(const struct object *object, size_t i)
@@ -101,8 +101,7 @@ static void scaling_by_nothing_is_by_one(void **state)
     (void)state;
     struct reading r = scene_good("sphere { x + y, 1 scale 3*y }");
     const struct object *object = object_at(&r, 0);
-    assert_vector(affine_point(&object->transform, vec3_make(1, 1, 1)), 1, 3,
-                  1);
+    assert_vector(affine_point(object->transform, vec3_make(1, 1, 1)), 1, 3, 1);
     assert_int_equal(r.diag.warnings, 2);
     scene_end(&r);
 }
@@ -171,9 +170,9 @@ static void texture_moves_with_what_follows(void **state)
     const struct object *object = object_at(&r, 0);
     vec3 origin = vec3_make(0, 0, 0);
     assert_vector(object_place(object), 5, 1, 0);
-    assert_vector(affine_point(&object->texture_transform, origin), 0, 1, 0);
+    assert_vector(affine_point(object->texture_transform, origin), 0, 1, 0);
     object = object_at(&r, 1);
-    assert_vector(affine_point(&object->texture_transform, origin), 0, 0, 0);
+    assert_vector(affine_point(object->texture_transform, origin), 0, 0, 0);
     affine inverse = object_layer(object, 0)->pigment->pattern.inverse;
     assert_vector(affine_point(&inverse, vec3_make(0, 2, 0)), 0, 0, 0);
     assert_vector(affine_point(&inverse, vec3_make(2, 2, 0)), 1, 0, 0);
@@ -194,7 +193,7 @@ static void default_counts_when_it_goes_into_the_scene(void **state)
     const struct object *bare = object_at(&r, 0);
     assert_number(object_layer(bare, 0)->pigment->colour.r, 1);
     assert_number(object_layer(bare, 0)->finish->ambient.g, .09);
-    assert_true(affine_is_identity(bare->texture_transform));
+    assert_true(affine_is_identity(*bare->texture_transform));
     assert_number(object_layer(object_at(&r, 1), 0)->pigment->colour.r, 0);
     const struct finish *finish = object_layer(object_at(&r, 2), 0)->finish;
     assert_number(finish->ambient.r, .09);

@@ -113,7 +113,7 @@ static struct object *random_solid(struct scene *scene, struct dice *dice,
 static bool slow_inside(const struct object *object, vec3 point)
 {
     affine inverse;
-    assert_true(affine_inverse(object->transform, &inverse));
+    assert_true(affine_inverse(*object->transform, &inverse));
     vec3 p = affine_point(&inverse, point);
     bool inside = object->kind == OBJECT_INTERSECTION;
     if (object->kind == OBJECT_SHAPE)
@@ -137,7 +137,7 @@ static void slow_crossings(const struct object *object, struct ray ray,
                            struct places *places)
 {
     affine inverse;
-    assert_true(affine_inverse(object->transform, &inverse));
+    assert_true(affine_inverse(*object->transform, &inverse));
     ray.origin = affine_point(&inverse, ray.origin);
     ray.direction = affine_direction(&inverse, ray.direction);
     if (object->kind == OBJECT_SHAPE) {
@@ -329,7 +329,7 @@ static bool slow_triangles(struct object *const *objects, size_t count,
     *hits = 0;
     for (size_t i = 0; i < count; i++) {
         affine inverse;
-        assert_true(affine_inverse(objects[i]->transform, &inverse));
+        assert_true(affine_inverse(*objects[i]->transform, &inverse));
         struct ray local = { affine_point(&inverse, ray->origin),
                              affine_direction(&inverse, ray->direction) };
         const struct mesh *mesh = objects[i]->mesh;

@@ -1,0 +1,72 @@
+/* Differences as they are seen: see perceived.h. */
+#include "render/perceived.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+/* Linear interpolation of m^g from 1 to 2 in steps of h is off by at most h^2 /
+ * 8 times the largest second derivative there; the smallest value is that of 1
+ * or of 2. */
+void perceived_fill(struct perceived *table, double exponent)
+{
+    const double h = 1.0 / PERCEIVED_PARTS;
+    double g = exponent;
+    double bend = fabs(g * (g - 1)) * fmax(1, exp2(g - 2));
+    table->exponent = exponent;
+    table->error = 1e-9 + 1.01 * bend * h * h / 8;
+    table->rough = !(table->error < 1e-3) || exponent > 4;
+    for (int i = 0; i <= PERCEIVED_PARTS; i++)
+        table->mantissa[i] = pow(1 + i * h, g);
+    for (int i = 0; i < PERCEIVED_EXPONENTS; i++)
+        table->power[i] = pow(2, (i + PERCEIVED_LEAST_EXPONENT) * g);
+}
+
+/* The number as 2^e m, m from 1 to 2; value > 0 and finite. */
+static double perceived_near(const struct perceived *table, float value)
+{
+    double number = (double)value;
+    uint64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    int exponent = (int)(bits >> 52) - 1023 - PERCEIVED_LEAST_EXPONENT;
+    bits = (bits & ~(UINT64_C(0xfff) << 52)) | UINT64_C(0x3ff) << 52;
+    memcpy(&number, &bits, sizeof number);
+    double place = (number - 1) * PERCEIVED_PARTS;
+    int part = (int)place;
+    double low = table->mantissa[part], high = table->mantissa[part + 1];
+    return table->power[exponent] * (low + (place - part) * (high - low));
+}
+
+static double perceived(const struct perceived *table, float value)
+{
+    return value > 0 ? pow((double)value, table->exponent) : 0;
+}
+
+static bool differ_exactly(const struct perceived *table, const float *a,
+                           const float *b, double more, double threshold)
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        if (a[i] != b[i])
+            sum += fabs(perceived(table, a[i]) - perceived(table, b[i]));
+    return sum + more > threshold;
+}
+
+bool perceived_differ(const struct perceived *table, const float *a,
+                      const float *b, double more, double threshold)
+{
+    double sum = more, all = 1e-9 * (more + threshold);
+    for (int i = 0; i < 3; i++) {
+        if (a[i] == b[i])
+            continue;
+        if (!isfinite(a[i]) || !isfinite(b[i]) || table->rough)
+            return differ_exactly(table, a, b, more, threshold);
+        double x = a[i] > 0 ? perceived_near(table, a[i]) : 0;
+        double y = b[i] > 0 ? perceived_near(table, b[i]) : 0;
+        sum += fabs(x - y);
+        all += table->error * (x + y);
+    }
+    if (fabs(sum - threshold) > 2 * all)
+        return sum > threshold;
+    return differ_exactly(table, a, b, more, threshold);
+}

@@ -1,0 +1,31 @@
+/* How far apart two colours look, for antialiasing: the sum of the differences
+ * of their components, each to a power. Most pairs are decided by a table. */
+#ifndef RENDER_PERCEIVED_H
+#define RENDER_PERCEIVED_H
+
+#include <stdbool.h>
+
+enum {
+    PERCEIVED_PARTS = 256,           /* of numbers from 1 to 2 */
+    PERCEIVED_LEAST_EXPONENT = -149, /* of a float */
+    PERCEIVED_EXPONENTS = 278,
+};
+
+struct perceived {
+    double exponent;
+    double error; /* of the table, relative, at most */
+    bool rough;   /* the table is too rough to decide anything */
+    double mantissa[PERCEIVED_PARTS + 1];
+    double power[PERCEIVED_EXPONENTS]; /* of 2, to the exponent */
+};
+
+/* Of values to the power `exponent`, above 0. */
+void perceived_fill(struct perceived *table, double exponent);
+
+/* Whether the sum over three components of |a^exponent - b^exponent|, and
+ * `more`, is above the threshold; values below 0 count as 0. Says exactly what
+ * pow() would say. */
+bool perceived_differ(const struct perceived *table, const float *a,
+                      const float *b, double more, double threshold);
+
+#endif
