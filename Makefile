@@ -183,6 +183,10 @@ lint: ## layers, grammar, format, man pages
 format: ## rewrite the sources in the project's style
 	@tests/tools/check-format -i
 
+html: all ## the manuals, and the examples' pictures, as build/html
+	@$(DEPS) mandoc
+	@tests/tools/html $(BUILD)/glim $(BUILD)/html
+
 install: all ## into DESTDIR PREFIX
 	install -D -m 755 $(BUILD)/glim $(DESTDIR)$(PREFIX)/bin/glim
 	install -D -m 755 $(BUILD)/glim-compare \
@@ -209,7 +213,7 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
 
 .PHONY: all demo deps test-deps test conformance bench reference bench-scenes \
-	hostile fuzz lint format \
+	hostile fuzz lint format html \
 	install uninstall clean help
 -include $(OBJECTS:.o=.d) $(MODULE_OBJECTS:.o=.d)
 -include $(wildcard $(BUILD)/tests/*/*.d)

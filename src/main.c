@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/save.h"
+#include "base/telling.h"
 #include "cli/interrupt.h"
 #include "cli/picture.h"
 #include "cli/probe_file.h"
@@ -38,6 +39,9 @@ static bool frame_pixels(struct work *work, const struct tracer *tracer,
     render.passed = progress_passed;
     render.progress_context = &work->progress;
     progress_start(&work->progress);
+    struct telling telling = { .out = stdout };
+    if (work->options.debug_pixel)
+        render.telling = &telling;
     struct image_format format = options_format(&work->options);
     struct background *loading =
         name ? background_start(image_prepare, &format) : NULL;

@@ -90,7 +90,7 @@ static inline colour colour_mix(colour a, colour b, double t)
 }
 
 /* What passes straight through: filter * colour + transmit
- * (notes: section 5.1 of povray.md, measured). */
+ * (tests/povray.md, section 5.1: measured). */
 static inline rgb colour_transmittance(colour c)
 {
     return (rgb){ c.filter * c.r + c.transmit, c.filter * c.g + c.transmit,

@@ -141,6 +141,9 @@ static const struct option table[] = {
     WORD("show", set_text, AT(show), "name",
          "draw what the lighting knows over the picture: skeleton, "
          "skeleton:irradiance, stream, mesh, mesh:indirect"),
+    WORD("debug-pixel", set_text, AT(debug_pixel), "x,y",
+         "instead of a picture tell what made this pixel, counted from 1: "
+         "surfaces, lamps, who knew their light, and its cost"),
     { .key = "Samples", .word = "samples", .of = "path", .set = set_integer,
       .offset = AT(samples), .minimum = 1, .maximum = OPTIONS_SAMPLE_LIMIT,
       .argument = "n",

@@ -289,7 +289,7 @@ static bool options_name_output(struct option_reader *reader)
 }
 
 /* `said` counted from 1, below 1 a share; see section 2.2 of
- * notes/povray.md. Returns the 0-based, end exclusive bounds. */
+ * tests/povray.md. Returns the 0-based, end exclusive bounds. */
 static bool options_range(struct option_reader *reader, const char *what,
                           const double said[2], int size, int *start, int *end)
 {
@@ -310,6 +310,34 @@ static bool options_range(struct option_reader *reader, const char *what,
                    "End_%s %d is before Start_%s %d", what, *end, what,
                    *start + 1);
     return false;
+}
+
+/* One pixel, straight through its middle, by one thread. */
+static bool options_resolve_pixel(struct option_reader *reader)
+{
+    struct options *options = reader->options;
+    struct render_options *render = &options->render;
+    int column, row, read = 0;
+    const char *said = options->debug_pixel;
+    if (!said)
+        return true;
+    if (sscanf(said, "%d,%d%n", &column, &row, &read) != 2 || said[read] ||
+        column < 1 || row < 1 || column > render->width ||
+        row > render->height || options->probe) {
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "--debug-pixel wants a pixel of the picture and no --probe, "
+                   "not '%s': type --debug-pixel %d,%d",
+                   said, (render->width + 1) / 2, (render->height + 1) / 2);
+        return false;
+    }
+    render->column_start = column - 1;
+    render->column_end = column;
+    render->row_start = row - 1;
+    render->row_end = row;
+    render->antialias = false;
+    options->to_file = false;
+    options->threads = 1;
+    return true;
 }
 
 /* Whether there are such files, and glim's half that writes them. */
@@ -349,7 +377,8 @@ static bool options_resolve_picture(struct option_reader *reader)
     if (!options_range(reader, "Column", options->columns, render->width,
                        &render->column_start, &render->column_end) ||
         !options_range(reader, "Row", options->rows, render->height,
-                       &render->row_start, &render->row_end))
+                       &render->row_start, &render->row_end) ||
+        !options_resolve_pixel(reader))
         return false;
     if (!options_check_file_type(reader))
         return false;

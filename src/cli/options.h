@@ -38,7 +38,8 @@ struct options {
     bool messages, warnings; /* +GD and +GW: #debug, #warning and ours */
     int warning_level;
     const struct lighting *lighting;
-    const char *show; /* --show: a view of the lighting; NULL: none */
+    const char *debug_pixel; /* --debug-pixel: "x,y"; NULL: a picture */
+    const char *show;        /* --show: a view of the lighting; NULL: none */
     int quality, threads;
     struct settings light; /* of it only what is in light_said is said */
     struct light_said light_said;

@@ -1,5 +1,5 @@
 /* From the working space of a scene to the numbers of a file: section 5.9 of
- * notes/povray.md, and measured on POV-Ray 3.7. */
+ * tests/povray.md, and measured on POV-Ray 3.7. */
 #ifndef IMAGE_OUTPUT_H
 #define IMAGE_OUTPUT_H
 

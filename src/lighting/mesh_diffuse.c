@@ -1,6 +1,7 @@
 /* The indirect mesh asked for one surface: see mesh_diffuse.h. */
 #include "lighting/mesh_diffuse.h"
 
+#include "base/telling.h"
 #include "shade/finish.h"
 
 struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
@@ -22,8 +23,16 @@ struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
         .view = view,
         .weight = surface->weight * most,
     };
+    unsigned long long rays = worker->counters.shadow_rays;
     if (layer->finish->diffuse != 0 || rgb_peak(ambient) > 0)
         share = indirect_mesh_light(mesh, worker, &receiver);
+    if (worker->telling)
+        telling_say(worker->telling,
+                    "indirect: %.4g %.4g %.4g, %.3g of the ambient light, by "
+                    "%s, %llu rays",
+                    share.light.r, share.light.g, share.light.b, share.open,
+                    indirect_mesh_source(mesh, &receiver),
+                    worker->counters.shadow_rays - rays);
     if (ambience->everywhere)
         share.open = 1;
     return (struct diffuse_light){ rgb_scale(ambience->light, share.open),

@@ -348,6 +348,21 @@ static struct indirect_share light_share(const struct indirect_light *light,
     };
 }
 
+/* Whether it is left to the skeleton. */
+static bool mesh_leaves(const struct indirect_mesh *mesh,
+                        const struct receiver *receiver)
+{
+    return receiver->weight < gather_worth_least && mesh->gather.close;
+}
+
+const char *indirect_mesh_source(const struct indirect_mesh *mesh,
+                                 const struct receiver *receiver)
+{
+    return mesh_leaves(mesh, receiver)
+               ? "the skeleton: the picture shows too little of it"
+               : "mesh points around";
+}
+
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           struct worker *worker,
                                           const struct receiver *receiver)
@@ -355,7 +370,7 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
     const struct gather *gather = &mesh->gather;
     struct mesh_blend blend;
     struct indirect_light sum = light_none;
-    if (receiver->weight < gather_worth_least && gather->close)
+    if (mesh_leaves(mesh, receiver))
         return (struct indirect_share){
             gather->close(gather->close_context, worker, receiver->point,
                           receiver->normal, receiver->from),

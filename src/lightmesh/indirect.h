@@ -65,6 +65,10 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           struct worker *worker,
                                           const struct receiver *receiver);
 
+/* Who answers that, in words. */
+const char *indirect_mesh_source(const struct indirect_mesh *mesh,
+                                 const struct receiver *receiver);
+
 /* The same in *share by one mesh point, see point_mesh_nearest; false if none
  * sees the place. */
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,

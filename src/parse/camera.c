@@ -1,5 +1,5 @@
 /* The camera. Its vectors may come in any order: all is worked out at the
- * end, transformations last (measured; povray.md, section 5.8). */
+ * end, transformations last (measured; tests/povray.md, section 5.8). */
 #include "parse/rules.h"
 
 #define CAMERA(name, kind, member, low, high, help)                            \

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "parse/array.h"
 #include "parse/function.h"
+#include "parse/spline.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
 #include "parse/unsupported.h"
@@ -301,7 +302,7 @@ static bool expression_is_thing(struct parser *p, const struct value *value)
                           array_subscripts_end(after, available, 0)));
     if (value->kind == VALUE_ARRAY)
         return ends;
-    if (value->kind == VALUE_FUNCTION)
+    if (value->kind == VALUE_FUNCTION || value->kind == VALUE_SPLINE)
         return ends && kind != TOKEN_LPAREN;
     return kind_is_thing(value->kind);
 }
@@ -348,16 +349,7 @@ static bool parse_thing_name(struct parser *p, struct value *value, bool *found)
     return array_copy(p, at, value->array, &value->array);
 }
 
-static bool expression_spline(struct parser *p)
-{
-    struct span at = stream_span(p);
-    stream_next(p);
-    if (stream_peek(p)->kind != TOKEN_LBRACE)
-        return error_expected(p, "'{'");
-    return skip_brackets(p) && error_unsupported(p, at, "spline { }");
-}
-
-/* expression = colour | array | function | thing_name
+/* expression = colour | array | function | spline | thing_name
  *            | operation [channels] . */
 bool parse_expression(struct parser *p, struct value *value)
 {
@@ -369,8 +361,10 @@ bool parse_expression(struct parser *p, struct value *value)
         return parse_array(p, value);
     if (keyword == KEYWORD_FUNCTION)
         return parse_function(p, value);
-    if (keyword == KEYWORD_SPLINE)
-        return expression_spline(p);
+    if (keyword == KEYWORD_SPLINE) {
+        value->kind = VALUE_SPLINE;
+        return parse_spline(p, &value->spline);
+    }
     bool ok = parse_thing_name(p, value, &found);
     if (!ok || found)
         return ok;
@@ -401,5 +395,5 @@ bool at_expression(struct parser *p)
         value->kind == VALUE_ARRAY ? array_kind(value->array) : value->kind;
     return kind == VALUE_VECTOR || kind == VALUE_COLOUR ||
            kind == VALUE_FLOAT || kind == VALUE_STRING ||
-           kind == VALUE_FUNCTION;
+           kind == VALUE_FUNCTION || kind == VALUE_SPLINE;
 }

@@ -2,7 +2,9 @@
 #include "parse/function_field.h"
 
 #include "parse/rules.h"
+#include "parse/spline.h"
 #include "scene/function_field.h"
+#include "scene/internal.h"
 
 bool work_check(struct parser *p, double work, unsigned levels)
 {
@@ -22,7 +24,8 @@ bool at_field_body(struct parser *p)
 {
     enum keyword keyword = stream_keyword(p);
     return keyword == KEYWORD_PATTERN || keyword == KEYWORD_PIGMENT ||
-           keyword == KEYWORD_INTERNAL;
+           keyword == KEYWORD_INTERNAL || keyword == KEYWORD_SPLINE ||
+           keyword == KEYWORD_TRANSFORM;
 }
 
 static struct step *field_step(struct parser *p, struct function *function,
@@ -102,10 +105,14 @@ static bool parse_internal_body(struct parser *p, struct function *function)
     if (number == INTERNAL_NOISE3D)
         return noise_function(p, function);
     const struct internal_function *internal = internal_find(number);
+    if (number == INTERNAL_HELICAL_TORUS)
+        return error_unsupported(p, span_join(open, p->last_span),
+                                 "f_helical_torus");
     if (!internal)
-        return error_unsupported(
-            p, span_join(open, p->last_span),
-            arena_printf(p->arena, "the function internal(%d)", number));
+        return error_at(p, span_join(open, p->last_span), NULL,
+                        "there is no function internal(%d); functions.inc has "
+                        "names for those there are",
+                        number);
     field_locals(p, function, internal->arguments);
     struct step *step = field_step(p, function, STEP_MANY);
     step->many = internal->value;
@@ -114,26 +121,62 @@ static bool parse_internal_body(struct parser *p, struct function *function)
     return true;
 }
 
-/* field_body = pattern_body | pigment | internal_body . */
-bool parse_field_body(struct parser *p, struct function *function)
+static bool pigment_body(struct parser *p, struct function *function)
 {
-    if (stream_keyword(p) == KEYWORD_PATTERN)
-        return parse_pattern_body(p, function);
-    if (stream_keyword(p) == KEYWORD_INTERNAL)
-        return parse_internal_body(p, function);
-    function->parameter_count = function->slots = 3;
-    function->height = 3;
+    const struct pigment *pigment;
     struct span span = stream_span(p);
-    if (!parse_pigment(p, &function->pigment) ||
-        !uv_refuse(p, span, &function->pigment->pattern))
+    if (!parse_pigment(p, &pigment) || !uv_refuse(p, span, &pigment->pattern))
         return false;
-    function->work = 1 + function->pigment->work;
-    function->levels = 1 + function->pigment->levels;
+    function->values = values_of_pigment(p->scene_arena, pigment);
+    function->work = 1 + pigment->work;
+    function->levels = 1 + pigment->levels;
     return work_check(p, function->work, function->levels);
 }
 
+static bool spline_body(struct parser *p, struct function *function)
+{
+    enum { SPLINE_WORK = 20 };
+    const struct spline *spline;
+    if (!parse_spline(p, &spline))
+        return false;
+    function->parameter_count = 1;
+    function->values = values_of_spline(p->scene_arena, spline);
+    function->work = SPLINE_WORK;
+    return true;
+}
+
+/* transform_body = transform . */
+static bool parse_transform_body(struct parser *p, struct function *function)
+{
+    affine transform = affine_identity();
+    bool found;
+    if (!parse_transformation(p, &transform, &found))
+        return false;
+    function->values = values_of_affine(p->scene_arena, &transform);
+    function->work = 4;
+    return true;
+}
+
+/* field_body = pattern_body | pigment | spline | transform_body
+ *            | internal_body . */
+bool parse_field_body(struct parser *p, struct function *function)
+{
+    enum keyword keyword = stream_keyword(p);
+    if (keyword == KEYWORD_PATTERN)
+        return parse_pattern_body(p, function);
+    if (keyword == KEYWORD_INTERNAL)
+        return parse_internal_body(p, function);
+    function->parameter_count = function->slots = 3;
+    function->height = 3;
+    if (keyword == KEYWORD_SPLINE)
+        return spline_body(p, function);
+    if (keyword == KEYWORD_TRANSFORM)
+        return parse_transform_body(p, function);
+    return pigment_body(p, function);
+}
+
 /* colour_part = "." ( "x" | "y" | "z" | "t" | "u" | "v" | "red" | "green"
- *             | "blue" | "filter" | "transmit" | "gray" | "grey" ) . */
+ *             | "blue" | "filter" | "transmit" | "gray" | "grey" | "hf" ) . */
 bool parse_colour_part(struct parser *p, int *part)
 {
     static const struct {
@@ -153,6 +196,7 @@ bool parse_colour_part(struct parser *p, int *part)
         { "transmit", 4 },
         { "gray", FIELD_GREY },
         { "grey", FIELD_GREY },
+        { "hf", FIELD_HEIGHT },
     };
     if (!expect(p, TOKEN_DOT, span_none()))
         return false;

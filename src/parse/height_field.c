@@ -110,9 +110,11 @@ static uint16_t height_of_value(double value)
 static double height_value(const struct function *function, vec3 point,
                            unsigned long *steps_left)
 {
-    if (function->pigment) {
-        colour c = pigment_colour(function->pigment, point);
-        return 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
+    const struct function_values *values = function->values;
+    if (values) {
+        double c[5];
+        values->at(values, point, c);
+        return 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2];
     }
     const double arguments[] = { point.x, point.y, point.z };
     return function_evaluate(function, arguments, steps_left);

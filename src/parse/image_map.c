@@ -25,6 +25,7 @@ struct image_request {
     bool premultiplied; /* the file's colours are, whatever its kind says */
     bool numbers;       /* of a palette's entries, not their colours */
     double *bump_size;  /* of a bump_map, where numbers are no light; NULL */
+    bool pattern;       /* it is an image_pattern's */
     struct image_map *map;
 };
 
@@ -35,6 +36,13 @@ static const struct field image_fields[] = {
     { .name = "premultiplied" }, { .name = NULL },
 };
 
+static const struct field image_pattern_fields[] = {
+    { .name = "map_type" },      { .name = "once" },
+    { .name = "interpolate" },   { .name = "gamma" },
+    { .name = "premultiplied" }, { .name = "use_colour" },
+    { .name = "use_alpha" },     { .name = NULL },
+};
+
 static const struct field bump_fields[] = {
     { .name = "bump_size" }, { .name = "use_colour" },  { .name = "use_index" },
     { .name = "map_type" },  { .name = "interpolate" }, { .name = "once" },
@@ -42,12 +50,11 @@ static const struct field bump_fields[] = {
 };
 
 static const struct unsupported_word image_unsupported[] = {
-    { KEYWORD_FUNCTION, "an image made by a function" },
     { KEYWORD_USE_INDEX, "'use_index'" },
     { KEYWORD_NONE, NULL },
 };
 
-/* How a file's numbers become the scene's (measured; povray.md, section
+/* How a file's numbers become the scene's (measured; tests/povray.md, section
  * 5.9). */
 struct image_decoding {
     bool plain;     /* not at all */
@@ -75,7 +82,8 @@ static struct image_decoding image_decoding(const struct parser *p,
     enum gamma_kind space = settings_gamma(p);
     return (struct image_decoding){
         .index = image->indexed,
-        .plain = request->bump_size || (said < 0 && image_is_plain(p, image)),
+        .plain = request->bump_size || request->pattern ||
+                 (said < 0 && image_is_plain(p, image)),
         .keep = request->premultiplied,
         .linear = image->linear,
         .gamma = said >= 0 ? said : image->gamma,
@@ -165,7 +173,7 @@ static struct image *image_find(struct parser *p, const char *path,
         if (strcmp(c->path, path) == 0 && c->space == space &&
             c->assumed_gamma == assumed && c->file_gamma == request->gamma &&
             c->premultiplied == request->premultiplied &&
-            c->bumps == (request->bump_size != NULL) &&
+            c->bumps == (request->bump_size || request->pattern) &&
             c->numbers == request->numbers)
             return c->image;
     struct image *image = image_load(p, path, request);
@@ -179,7 +187,7 @@ static struct image *image_find(struct parser *p, const char *path,
         .assumed_gamma = assumed,
         .file_gamma = request->gamma,
         .premultiplied = request->premultiplied,
-        .bumps = request->bump_size != NULL,
+        .bumps = request->bump_size || request->pattern,
         .numbers = request->numbers,
         .image = image,
     };
@@ -195,7 +203,17 @@ static bool image_open(struct parser *p, const struct image_request *request)
     if (!path)
         return false;
     request->map->image = image_find(p, path, request);
-    return request->map->image != NULL;
+    if (!request->map->image || !request->map->clear)
+        return request->map->image != NULL;
+    struct image_request numbers = *request;
+    numbers.numbers = true;
+    request->map->numbers = image_find(p, path, &numbers);
+    return request->map->numbers &&
+           (request->map->numbers->indexed ||
+            error_at(p, request->span, NULL,
+                     "the image '%s' has no palette; say 'filter all' or "
+                     "'transmit all'",
+                     request->name));
 }
 
 static bool image_type_unknown(struct parser *p, const struct field *types)
@@ -297,14 +315,36 @@ static bool parse_interpolation(struct parser *p, struct image_map *map)
     return true;
 }
 
-/* image_filter = ( "filter" | "transmit" ) "all" float . */
+static struct entry_clear *entry_clear(struct parser *p, struct image_map *map,
+                                       int entry)
+{
+    if (!map->clear) {
+        map->clear =
+            ARENA_ARRAY(p->scene_arena, struct entry_clear, PALETTE_ENTRIES);
+        for (int i = 0; i < PALETTE_ENTRIES; i++)
+            map->clear[i] = (struct entry_clear){ NAN, NAN };
+    }
+    return &map->clear[entry];
+}
+
+/* image_filter = ( "filter" | "transmit" ) ( "all" | float [","] ) float .
+ * Of all pixels, or of those with this entry of the palette. */
 static bool parse_image_filter(struct parser *p, struct image_map *map)
 {
     bool filter = stream_next(p).word->keyword == KEYWORD_FILTER;
-    if (!accept_keyword(p, KEYWORD_ALL))
-        return error_unsupported(p, stream_span(p),
-                                 "transparency of one palette colour");
-    return parse_float(p, filter ? &map->filter_all : &map->transmit_all);
+    int entry;
+    if (accept_keyword(p, KEYWORD_ALL))
+        return parse_float(p, filter ? &map->filter_all : &map->transmit_all);
+    struct span span = stream_span(p);
+    if (!parse_integer(p, &entry))
+        return false;
+    accept(p, TOKEN_COMMA);
+    if (entry < 0 || entry >= PALETTE_ENTRIES)
+        return error_at(p, span, NULL,
+                        "a palette has entries 0 to %d, found %d",
+                        PALETTE_ENTRIES - 1, entry);
+    struct entry_clear *clear = entry_clear(p, map, entry);
+    return parse_float(p, filter ? &clear->filter : &clear->transmit);
 }
 
 /* image_gamma = "gamma" ( "srgb" | float ) . */
@@ -332,8 +372,27 @@ static bool parse_bump_item(struct parser *p, struct image_request *request)
     return parse_float(p, request->bump_size);
 }
 
+/* pattern_item_of_image = "use_colour" | "use_alpha" . */
+static bool parse_pattern_item_of_image(struct parser *p, struct image_map *map)
+{
+    map->alpha = stream_next(p).word->keyword == KEYWORD_USE_ALPHA
+                     ? ALPHA_ALWAYS
+                     : ALPHA_NEVER;
+    return true;
+}
+
+/* What may stand in this block. */
+static bool image_unknown(struct parser *p, const struct image_request *request)
+{
+    if (request->pattern)
+        return error_unknown_item(p, "image_pattern", image_pattern_fields);
+    return error_unknown_item(p, request->bump_size ? "bump_map" : "image_map",
+                              request->bump_size ? bump_fields : image_fields);
+}
+
 /* image_item = map_type | "once" | interpolation | image_filter
- *            | image_gamma | "premultiplied" [bool] | bump_item . */
+ *            | image_gamma | "premultiplied" [bool] | bump_item
+ *            | pattern_item_of_image . */
 static bool parse_image_item(struct parser *p, struct image_request *request)
 {
     switch (stream_keyword(p)) {
@@ -356,36 +415,51 @@ static bool parse_image_item(struct parser *p, struct image_request *request)
     case KEYWORD_BUMP_SIZE:
     case KEYWORD_USE_COLOUR:
     case KEYWORD_USE_INDEX:
+    case KEYWORD_USE_ALPHA:
+        if (request->pattern)
+            return parse_pattern_item_of_image(p, request->map);
         if (request->bump_size)
             return parse_bump_item(p, request);
         /* fallthrough */
     default:
         return check_supported(p, image_unsupported) &&
-               error_unknown_item(
-                   p, request->bump_size ? "bump_map" : "image_map",
-                   request->bump_size ? bump_fields : image_fields);
+               image_unknown(p, request);
     }
 }
 
-static bool image_items(struct parser *p, struct image_request *request)
+/* The vector of old scenes has no effect (measured).
+ * image_source = [vector [","]] ( [image_type] string | function_image ) . */
+static bool parse_image_source(struct parser *p, struct image_request *request)
 {
-    if (!check_supported(p, image_unsupported))
+    vec3 ignored;
+    if (stream_peek(p)->kind == TOKEN_LESS && !parse_vector(p, &ignored))
         return false;
+    accept(p, TOKEN_COMMA);
+    if (stream_keyword(p) == KEYWORD_FUNCTION)
+        return parse_image_of_function(p, &request->map->image);
     if (!parse_image_type(p, &request->type))
         return false;
     request->span = stream_span(p);
     if (!parse_string(p, &request->name))
         return false;
     request->span = span_join(request->span, p->last_span);
+    return true;
+}
+
+static bool image_items(struct parser *p, struct image_request *request)
+{
+    if (!check_supported(p, image_unsupported) ||
+        !parse_image_source(p, request))
+        return false;
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         accept(p, TOKEN_COMMA);
         if (!parse_image_item(p, request))
             return false;
     }
-    return image_open(p, request);
+    return request->map->image || image_open(p, request);
 }
 
-/* image_map = "image_map" "{" [image_type] string {[","] image_item} "}" . */
+/* image_map = "image_map" "{" image_source {[","] image_item} "}" . */
 bool parse_image_map(struct parser *p, const struct image_map **out)
 {
     struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);
@@ -397,7 +471,7 @@ bool parse_image_map(struct parser *p, const struct image_map **out)
            block_end(p, open, image_items(p, &request));
 }
 
-/* bump_map = "bump_map" "{" [image_type] string {[","] image_item} "}" . */
+/* bump_map = "bump_map" "{" image_source {[","] image_item} "}" . */
 bool parse_bump_map(struct parser *p, const struct image_map **out,
                     double *bump_size)
 {
@@ -405,6 +479,18 @@ bool parse_bump_map(struct parser *p, const struct image_map **out,
     struct image_request request = { .gamma = -1,
                                      .map = map,
                                      .bump_size = bump_size };
+    struct span open;
+    *out = map;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, image_items(p, &request));
+}
+
+/* image_pattern = "image_pattern" "{" image_source {[","] image_item} "}" . */
+bool parse_image_pattern(struct parser *p, const struct image_map **out)
+{
+    struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);
+    struct image_request request = { .gamma = -1, .map = map, .pattern = true };
     struct span open;
     *out = map;
     stream_next(p);

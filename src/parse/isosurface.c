@@ -97,7 +97,7 @@ static bool parse_isosurface_body(struct parser *p, void *shape)
     if (!parse_function(p, &value))
         return false;
     surface->function = value.function;
-    if (value.function->parameter_count != 3 || value.function->pigment)
+    if (value.function->parameter_count != 3 || value.function->values)
         return error_at(p, span_join(span, p->last_span), NULL,
                         "an isosurface needs a function of x, y and z that "
                         "gives a number");

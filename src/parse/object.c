@@ -6,10 +6,7 @@
 static const struct unsupported_word object_unsupported[] = {
     { KEYWORD_JULIA_FRACTAL, "'julia_fractal'" },
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
-    { KEYWORD_OVUS, "'ovus'" },
     { KEYWORD_PARAMETRIC, "'parametric'" },
-    { KEYWORD_POLYNOMIAL, "'polynomial'" },
-    { KEYWORD_SPHERE_SWEEP, "'sphere_sweep'" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -54,8 +51,12 @@ static object_rule *object_keyword_rule(enum keyword keyword)
         return parse_blob;
     case KEYWORD_LATHE:
         return parse_lathe;
+    case KEYWORD_POLYNOMIAL:
+        return parse_polynomial;
     case KEYWORD_PRISM:
         return parse_prism;
+    case KEYWORD_SPHERE_SWEEP:
+        return parse_sphere_sweep;
     case KEYWORD_TEXT:
         return parse_text;
     default:
@@ -215,7 +216,8 @@ static bool object_reshaped(struct parser *p)
 
 /* object = primitive | csg | object_use | mesh | mesh2 | triangle
  *        | smooth_triangle | blob | prism | lathe | text | height_field
- *        | isosurface | bicubic_patch | light_source | OBJECT . */
+ *        | isosurface | sphere_sweep | polynomial | bicubic_patch
+ *        | light_source | OBJECT . */
 bool parse_object(struct parser *p, struct object **out)
 {
     enum keyword keyword = stream_keyword(p);

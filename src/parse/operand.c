@@ -5,6 +5,7 @@
 #include "parse/array.h"
 #include "parse/expression.h"
 #include "parse/function.h"
+#include "parse/spline.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
 #include "parse/unsupported.h"
@@ -221,14 +222,18 @@ static bool operand_element(struct parser *p, const char *wanted,
     }
     if (slot->kind == VALUE_UNSUPPORTED)
         unsupported_report(p, start, word, slot->unsupported);
+    if (slot->kind == VALUE_SPLINE &&
+        stream_peek_infix(p)->kind == TOKEN_LPAREN)
+        return spline_call(p, slot->spline, word, value);
     if (slot->kind == VALUE_NONE || slot->kind == VALUE_UNSUPPORTED ||
-        value_size(value) || slot->kind == VALUE_STRING)
+        value_size(value) || slot->kind == VALUE_STRING ||
+        slot->kind == VALUE_SPLINE)
         return true;
     return error_at(p, start, NULL, "expected %s, found %s", wanted,
                     value_kind_name(slot->kind));
 }
 
-/* identifier = word [subscripts | argument_list] . */
+/* identifier = word [subscripts | argument_list] | spline_call . */
 static bool parse_identifier(struct parser *p, const char *wanted,
                              struct value *value)
 {
@@ -249,6 +254,7 @@ static bool parse_identifier(struct parser *p, const char *wanted,
     case VALUE_STRING:
     case VALUE_ARRAY:
     case VALUE_FUNCTION:
+    case VALUE_SPLINE:
         break;
     default:
         return error_expected(p, wanted);
@@ -259,6 +265,8 @@ static bool parse_identifier(struct parser *p, const char *wanted,
         return operand_element(p, wanted, word, value);
     if (value->kind == VALUE_FUNCTION)
         return function_call(p, value->function, word, value);
+    if (value->kind == VALUE_SPLINE)
+        return spline_call(p, value->spline, word, value);
     return true;
 }
 

@@ -10,15 +10,10 @@
 
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
-    { KEYWORD_AOI, "the 'aoi' pattern" },
     { KEYWORD_DENSITY_FILE, "the 'density_file' pattern" },
     { KEYWORD_FACETS, "the 'facets' pattern" },
-    { KEYWORD_IMAGE_PATTERN, "the 'image_pattern' pattern" },
     { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
-    { KEYWORD_SLOPE, "the 'slope' pattern" },
-    { KEYWORD_SQUARE, "the 'square' pattern" },
     { KEYWORD_TILING, "the 'tiling' pattern" },
-    { KEYWORD_TRIANGULAR, "the 'triangular' pattern" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -91,7 +86,7 @@ static bool parse_function_pattern(struct parser *p, struct pattern *pattern)
     if (!parse_function(p, &value))
         return false;
     const struct function *function = value.function;
-    if (function->parameter_count != 3 || function->pigment)
+    if (function->parameter_count != 3 || function->values)
         return error_at(p, span_join(span, p->last_span), NULL,
                         "a pattern needs a function of x, y and z that gives "
                         "a number");
@@ -143,6 +138,12 @@ bool parse_pattern_end(struct parser *p, const struct pattern *pattern, bool ok)
     return block_end(p, made->open, ok);
 }
 
+static bool image_pattern_read(struct parser *p, struct pattern *pattern)
+{
+    struct made_pattern *made = pattern->parameters;
+    return parse_image_pattern(p, &made->image) && pattern_sampled(p, pattern);
+}
+
 /* magnet = "magnet" float ( "mandel" | "julia" vector [","] ) float . */
 static bool parse_magnet(struct parser *p, struct pattern *pattern)
 {
@@ -163,7 +164,7 @@ static bool parse_magnet(struct parser *p, struct pattern *pattern)
 }
 
 /* pattern = PATTERN arguments | function_pattern | pigment_pattern
- *         | object_pattern | magnet .
+ *         | object_pattern | magnet | slope | image_pattern .
  * The name of a pattern and what its table in scene/pattern/ says. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
 {
@@ -172,8 +173,6 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
     if (token->kind != TOKEN_WORD)
         return true;
     const struct pattern_kind *kind = pattern_find(token->word->text);
-    if (at_word(p, "cubic")) /* a shape's name as well */
-        return error_unsupported(p, p->token_span, "the 'cubic' pattern");
     if (!kind)
         return check_supported(p, pattern_unsupported);
     *found = true;
@@ -187,6 +186,10 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
         return parse_pigment_pattern(p, pattern);
     case KEYWORD_MAGNET:
         return parse_magnet(p, pattern);
+    case KEYWORD_SLOPE:
+        return parse_slope(p, pattern->parameters);
+    case KEYWORD_IMAGE_PATTERN:
+        return image_pattern_read(p, pattern);
     default:
         stream_next(p);
     }

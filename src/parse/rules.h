@@ -82,6 +82,9 @@ bool parse_texture_body(struct parser *p, const struct texture **in);
 /* texture_choice.c: sets *found if a pattern is next. */
 bool parse_texture_choice(struct parser *p, const struct texture **out,
                           bool *found);
+/* texture_map of a #declare; the keyword is next. */
+bool parse_declared_texture_map(struct parser *p,
+                                const struct texture_map **out);
 /* pigment, normal or finish: goes into the topmost layer of a copy. */
 bool parse_texture_part(struct parser *p, const struct texture **in,
                         bool *found);
@@ -96,6 +99,9 @@ const struct texture *texture_stack(struct parser *p,
 /* pattern.c: a pattern's name and its arguments; the placing stays. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found);
 bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found);
+/* slope.c; the keyword is next. */
+struct slope;
+bool parse_slope(struct parser *p, struct slope *slope);
 /* warp.c; the keyword is next. */
 bool parse_warp(struct parser *p, struct pattern *pattern);
 /* After the list of a block pattern: takes the '}' of object { }. `ok` false:
@@ -130,6 +136,10 @@ const char *image_file(struct parser *p, const char *name, const char *type);
 bool parse_bump_map(struct parser *p, const struct image_map **out,
                     double *bump_size);
 bool parse_image_map(struct parser *p, const struct image_map **out);
+/* Of function_image, which is next. */
+struct image;
+bool parse_image_of_function(struct parser *p, const struct image **out);
+bool parse_image_pattern(struct parser *p, const struct image_map **out);
 
 /* ---- objects ---- */
 
@@ -175,6 +185,8 @@ bool parse_lathe(struct parser *p, struct object **out);
 bool parse_text(struct parser *p, struct object **out);
 bool parse_height_field(struct parser *p, struct object **out);
 bool parse_isosurface(struct parser *p, struct object **out);
+bool parse_sphere_sweep(struct parser *p, struct object **out);
+bool parse_polynomial(struct parser *p, struct object **out);
 bool parse_bicubic_patch(struct parser *p, struct object **out);
 bool parse_light_source(struct parser *p, struct object **out);
 

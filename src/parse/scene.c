@@ -14,7 +14,6 @@ static const struct unsupported_word scene_unsupported[] = {
 static const struct unsupported_word thing_unsupported[] = {
     { KEYWORD_LIGHT_GROUP, "'light_group'" },
     { KEYWORD_RAINBOW, "'rainbow'" },
-    { KEYWORD_TEXTURE_MAP, "'texture_map'" },
     { KEYWORD_WARP, "'warp'" },
     { KEYWORD_NONE, NULL },
 };
@@ -98,7 +97,7 @@ static bool thing_fog(struct parser *p, struct value *value)
 
 /* thing = texture {texture} | pigment | normal | finish | interior | material
  *       | transform | camera | fog | sky_sphere | colour_map | pigment_map
- *       | density | density_map | media | object . */
+ *       | texture_map | density | density_map | media | object . */
 bool parse_thing(struct parser *p, struct value *value, bool *found)
 {
     enum keyword keyword = stream_keyword(p);
@@ -138,6 +137,9 @@ bool parse_thing(struct parser *p, struct value *value, bool *found)
     case KEYWORD_PIGMENT_MAP:
         value->kind = VALUE_PIGMENT_MAP;
         return parse_pigment_map(p, false, &value->map);
+    case KEYWORD_TEXTURE_MAP:
+        value->kind = VALUE_TEXTURE_MAP;
+        return parse_declared_texture_map(p, &value->texture_map);
     case KEYWORD_DENSITY:
         value->kind = VALUE_DENSITY;
         return parse_density(p, &value->pigment);

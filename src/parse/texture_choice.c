@@ -31,7 +31,7 @@ static bool parse_texture_map_entry(struct parser *p, struct choice_builder *b)
     const struct texture *texture;
     struct span open;
     double value;
-    bool average = b->choice->pattern.kind->average;
+    bool average = b->choice && b->choice->pattern.kind->average;
     if (!bracket_begin(p, &open) || !parse_map_value(p, average, &value))
         return false;
     accept(p, TOKEN_COMMA);
@@ -41,6 +41,11 @@ static bool parse_texture_map_entry(struct parser *p, struct choice_builder *b)
 
 static bool texture_map_entries(struct parser *p, struct choice_builder *b)
 {
+    const struct value *value = accept_value(p, VALUE_TEXTURE_MAP);
+    const struct texture_map *map = value ? value->texture_map : NULL;
+    for (size_t i = 0; map && i < map->count; i++)
+        if (!choice_push(p, b, map->entries[i].value, map->entries[i].texture))
+            return false;
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         if (!parse_texture_map_entry(p, b))
             return false;
@@ -49,7 +54,7 @@ static bool texture_map_entries(struct parser *p, struct choice_builder *b)
     return true;
 }
 
-/* texture_map = "texture_map" "{" {texture_map_entry} "}" . */
+/* texture_map = "texture_map" "{" [TEXTURE_MAP] {texture_map_entry} "}" . */
 static bool parse_texture_map(struct parser *p, struct choice_builder *b)
 {
     struct span open;
@@ -57,6 +62,18 @@ static bool parse_texture_map(struct parser *p, struct choice_builder *b)
     b->entries.count = 0;
     return block_begin(p, &open) &&
            block_end(p, open, texture_map_entries(p, b));
+}
+
+bool parse_declared_texture_map(struct parser *p,
+                                const struct texture_map **out)
+{
+    struct choice_builder b = { .choice = NULL };
+    struct texture_map *map = ARENA_NEW(p->scene_arena, struct texture_map);
+    *out = map;
+    if (!parse_texture_map(p, &b))
+        return false;
+    *map = (struct texture_map){ b.entries.items, b.entries.count };
+    return true;
 }
 
 /* texture_blocks = {texture [","]} .

@@ -129,14 +129,16 @@ static bool parse_loop(struct compiler *c, enum step_kind kind)
     return ok;
 }
 
-/* A part of the colour, its place being on the stack. */
-static bool compile_pigment(struct compiler *c, const struct function *callee)
+/* A part of the colour or place, where it is wanted being on the stack. */
+static bool compile_part(struct compiler *c, const struct function *callee)
 {
     int part;
     if (!parse_colour_part(c->p, &part))
         return false;
+    for (int i = callee->parameter_count; i < 3; i++)
+        compile_step(c, STEP_NUMBER, 1)->number = 0;
     compile_step(c, STEP_FIELD, -2)->field =
-        field_of_pigment(c->p->scene_arena, callee->pigment, part);
+        field_of_values(c->p->scene_arena, callee->values, part);
     return true;
 }
 
@@ -163,8 +165,8 @@ static bool compile_call(struct compiler *c, const struct word *word,
         c->function->levels = callee->levels;
     if (!work_check(p, c->function->work, c->function->levels))
         return false;
-    if (callee->pigment)
-        return compile_pigment(c, callee);
+    if (callee->values)
+        return compile_part(c, callee);
     compile_step(c, STEP_CALL, 1 - n)->function = callee;
     return true;
 }
@@ -260,6 +262,31 @@ static int body_precedence(enum token_kind kind)
     return 2 * (int)operator_precedence(kind) + (kind == TOKEN_AND);
 }
 
+/* An operator whose right operand is the steps from number `before` on: one
+ * that only fetches it goes into the operator's own step. */
+static void compile_operator(struct compiler *c, enum token_kind kind,
+                             size_t before)
+{
+    enum step_kind plain = kind == TOKEN_PLUS    ? STEP_PLUS
+                           : kind == TOKEN_MINUS ? STEP_MINUS
+                           : kind == TOKEN_STAR  ? STEP_TIMES
+                           : kind == TOKEN_SLASH ? STEP_OVER
+                                                 : STEP_TWO;
+    struct step *last = &c->function->steps.items[before];
+    bool alone = c->function->steps.count == before + 1;
+    if (plain == STEP_TWO) {
+        compile_step(c, STEP_TWO, -1)->two = operator_function(kind);
+    } else if (alone && last->kind == STEP_LOCAL) {
+        last->kind = plain - STEP_PLUS + STEP_PLUS_LOCAL;
+        c->height--;
+    } else if (alone && last->kind == STEP_NUMBER) {
+        last->kind = plain - STEP_PLUS + STEP_PLUS_NUMBER;
+        c->height--;
+    } else {
+        compile_step(c, plain, -1);
+    }
+}
+
 static bool compile_climb(struct compiler *c, int lowest)
 {
     if (!parse_body_operand(c))
@@ -273,9 +300,10 @@ static bool compile_climb(struct compiler *c, int lowest)
             operator_precedence(kind) == PRECEDENCE_NONE || precedence < lowest)
             return true;
         stream_next(c->p);
+        size_t before = c->function->steps.count;
         if (!compile_climb(c, precedence + 1))
             return false;
-        compile_step(c, STEP_TWO, -1)->two = operator_function(kind);
+        compile_operator(c, kind, before);
     }
 }
 
@@ -334,15 +362,11 @@ static bool parse_parameters(struct compiler *c)
     return expect(p, TOKEN_RPAREN, open);
 }
 
-/* Functions made of a spline, an image ...: read over, for they may be declared
- * and never used. */
+/* Functions made of an image: read over, for they may be declared and never
+ * used. */
 static const char *function_feature(enum keyword keyword)
 {
     switch (keyword) {
-    case KEYWORD_SPLINE:
-        return "functions made of a spline";
-    case KEYWORD_TRANSFORM:
-        return "functions made of a transform";
     case KEYWORD_PNG:
     case KEYWORD_GIF:
     case KEYWORD_TGA:
@@ -457,18 +481,20 @@ static bool parse_argument_list(struct parser *p, const struct word *name,
     return expect(p, TOKEN_RPAREN, open);
 }
 
-static struct value value_of_pigment(const struct pigment *pigment,
-                                     const double *place)
+static struct value values_at(const struct function_values *values,
+                              const double *arguments)
 {
-    colour c = pigment_colour(pigment, vec3_make(place[0], place[1], place[2]));
-    return (struct value){ .kind = VALUE_COLOUR,
-                           .number = { c.r, c.g, c.b, c.filter, c.transmit } };
+    struct value value = { .kind = values->colour ? VALUE_COLOUR : VALUE_VECTOR,
+                           .size = values->count };
+    vec3 point = { arguments[0], arguments[1], arguments[2] };
+    values->at(values, point, value.number);
+    return value;
 }
 
 bool function_call(struct parser *p, const struct function *function,
                    const struct word *name, struct value *value)
 {
-    double arguments[FUNCTION_PARAMETERS];
+    double arguments[FUNCTION_PARAMETERS] = { 0 };
     bool poison = false;
     struct span at = p->last_span;
     unsigned long steps = FUNCTION_STEP_LIMIT;
@@ -481,8 +507,8 @@ bool function_call(struct parser *p, const struct function *function,
     if (!brackets_end(p, outer, ok))
         return false;
     *value = value_poison();
-    if (!poison && function->pigment)
-        *value = value_of_pigment(function->pigment, arguments);
+    if (!poison && function->values)
+        *value = values_at(function->values, arguments);
     else if (!poison)
         *value = value_float(function_evaluate(function, arguments, &steps));
     if (steps == 0) {

@@ -13,6 +13,7 @@ enum value_kind {
     VALUE_ARRAY,
     VALUE_MACRO,
     VALUE_FUNCTION,
+    VALUE_SPLINE,
     VALUE_REFERENCE, /* a macro argument passed by reference */
     VALUE_OBJECT,
     VALUE_LIGHT_GROUP,
@@ -26,6 +27,7 @@ enum value_kind {
     VALUE_CAMERA,
     VALUE_COLOUR_MAP,
     VALUE_PIGMENT_MAP,
+    VALUE_TEXTURE_MAP,
     VALUE_DENSITY,
     VALUE_DENSITY_MAP,
     VALUE_MEDIA,
@@ -42,6 +44,7 @@ struct data_file;
 struct macro;
 struct medium;
 struct function;
+struct spline;
 struct symbol;
 struct unsupported;
 
@@ -54,6 +57,7 @@ struct value {
         struct array *array;
         const struct macro *macro;
         const struct function *function;
+        const struct spline *spline;
         struct symbol *symbol;
         const struct object *object;
         const struct texture *texture;
@@ -66,6 +70,7 @@ struct value {
         const affine *transform;
         const struct camera *camera;
         const struct blend_map *map;
+        const struct texture_map *texture_map;
         const struct normal_map *normal_map;
         const struct slope_map *slope_map;
         const struct fog *fog;

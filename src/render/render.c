@@ -188,9 +188,11 @@ static bool render_tiles(const struct tracer *tracer,
     rendering.tiles_total = tiles_in(&rendering, rendering.sampler.first) +
                             tiles_in(&rendering, rendering.sampler.tiled);
     threads_start(&rendering, threads);
-    bool done = render_foresee(&rendering, tracer, threads) &&
-                render_pass(&rendering, rendering.sampler.first, tile_first) &&
-                render_pass(&rendering, rendering.sampler.tiled, tile_pixels);
+    bool done = render_foresee(&rendering, tracer, threads);
+    rendering.threads[0].worker.telling = options->telling;
+    done = done &&
+           render_pass(&rendering, rendering.sampler.first, tile_first) &&
+           render_pass(&rendering, rendering.sampler.tiled, tile_pixels);
     if (stats)
         stats->share = done ? 1 : sampler_rescue(&rendering.sampler, image);
     threads_end(&rendering, threads, stats);

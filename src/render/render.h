@@ -7,6 +7,8 @@
 #include "image/image.h"
 #include "tracer/tracer.h"
 
+struct telling;
+
 struct render_options {
     int width, height;
     /* The part to render, 0-based, end exclusive; the rest stays black. */
@@ -20,6 +22,7 @@ struct render_options {
     unsigned threads;
     int tile; /* +BS: edge in pixels, 32 */
     const atomic_int *stop;
+    struct telling *telling; /* of the one thread; NULL: nobody asks */
     /* Called now and then from any thread with the share done, 0..1; may be
      * NULL. */
     void (*progress)(void *context, double done);

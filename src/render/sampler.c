@@ -53,6 +53,47 @@ static struct area centres_tiled(const struct render_options *options)
                       smaller(bottom + (bottom % tile != 0), options->height) };
 }
 
+/* Whether method 1 may write a whole picture's first samples into the picture
+ * itself. */
+static bool sampler_in_place(const struct sampler *sampler,
+                             const struct image *image)
+{
+    const struct area *tiled = &sampler->tiled, *wanted = &sampler->wanted;
+    return sampler_centres(sampler) && wanted->left == 0 && wanted->top == 0 &&
+           wanted->right == image->width && wanted->bottom == image->height &&
+           tiled->right == image->width && tiled->bottom == image->height;
+}
+
+/* Rows, then columns, that are above or to the left of a tile. */
+static size_t sampler_edge_rows(const struct sampler *sampler)
+{
+    return (size_t)((sampler->tiled.bottom + CENTRES_TILE) / CENTRES_TILE);
+}
+
+static float *sampler_edges_new(const struct sampler *sampler)
+{
+    size_t across = (size_t)sampler->tiled.right + 1;
+    size_t down = (size_t)sampler->tiled.bottom + 1;
+    size_t columns = (across + CENTRES_TILE) / CENTRES_TILE;
+    size_t pixels = sampler_edge_rows(sampler) * across + columns * down;
+    return memory_new(pixels * 4 * sizeof(float));
+}
+
+/* Where it is kept what tiles to the right and below see of a place; NULL: they
+ * don't. */
+static float *sampler_edge(const struct sampler *sampler, int x, int y)
+{
+    size_t across = (size_t)sampler->tiled.right + 1;
+    size_t down = (size_t)sampler->tiled.bottom + 1;
+    size_t column = (size_t)(x + 1), row = (size_t)(y + 1);
+    if (row % CENTRES_TILE == 0)
+        return sampler->edges + (row / CENTRES_TILE * across + column) * 4;
+    if (column % CENTRES_TILE != 0)
+        return NULL;
+    size_t before = sampler_edge_rows(sampler) * across;
+    return sampler->edges + (before + column / CENTRES_TILE * down + row) * 4;
+}
+
 /* Method 1 compares with the pixels to the left and above, outside the picture
  * too, as POV-Ray does. */
 struct sampler sampler_new(const struct tracer *tracer,
@@ -85,7 +126,9 @@ struct sampler sampler_new(const struct tracer *tracer,
     }
     sampler.direct = !options->antialias && columns == (size_t)image->width &&
                      rows == (size_t)image->height;
-    sampler.grid = sampler.direct
+    if (sampler_in_place(&sampler, image))
+        sampler.edges = sampler_edges_new(&sampler);
+    sampler.grid = sampler.direct || sampler.edges
                        ? image->pixels
                        : memory_new(columns * rows * 4 * sizeof *sampler.grid);
     sampler.states = memory_new(columns * rows);
@@ -95,9 +138,10 @@ struct sampler sampler_new(const struct tracer *tracer,
 void sampler_free(struct sampler *sampler)
 {
     memory_free(sampler->perceived);
-    if (!sampler->direct)
+    if (!sampler->direct && !sampler->edges)
         memory_free(sampler->grid);
     memory_free(sampler->states);
+    memory_free(sampler->edges);
     sampler->grid = NULL;
 }
 
@@ -129,22 +173,41 @@ static void sampler_see(const struct sampler *sampler, struct worker *worker,
     sampler_take(&seen, out);
 }
 
-static size_t sampler_index(const struct sampler *sampler, int x, int y)
-{
-    const struct area *first = &sampler->first;
-    size_t columns = (size_t)(first->right - first->left);
-    size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
-    return row * columns + column;
-}
-
 static float *sampler_place(const struct sampler *sampler, int x, int y)
 {
-    return sampler->grid + 4 * sampler_index(sampler, x, y);
+    const struct area *first =
+        sampler->edges ? &sampler->tiled : &sampler->first;
+    if (sampler->edges && (x < 0 || y < 0))
+        return sampler_edge(sampler, x, y);
+    size_t columns = (size_t)(first->right - first->left);
+    size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
+    return sampler->grid + (row * columns + column) * 4;
 }
 
 static unsigned char *sampler_state(const struct sampler *sampler, int x, int y)
 {
-    return sampler->states + sampler_index(sampler, x, y);
+    const struct area *first = &sampler->first;
+    size_t columns = (size_t)(first->right - first->left);
+    size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
+    return sampler->states + row * columns + column;
+}
+
+/* The same of a place that is another tile's, of which the picture may have
+ * been made by now. */
+static float *sampler_place_beyond(const struct sampler *sampler, int x, int y)
+{
+    return sampler->edges ? sampler_edge(sampler, x, y)
+                          : sampler_place(sampler, x, y);
+}
+
+static void sampler_put(const struct sampler *sampler,
+                        const struct radiance *seen, int x, int y)
+{
+    float *place = sampler_place(sampler, x, y);
+    float *edge = sampler->edges ? sampler_edge(sampler, x, y) : NULL;
+    sampler_take(seen, place);
+    if (edge && edge != place)
+        memcpy(edge, place, 4 * sizeof *edge);
 }
 
 struct area sampler_foreseen(const struct sampler *sampler)
@@ -237,7 +300,7 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
     count = 0;
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++) {
-            sampler_take(&seen[count++], sampler_place(sampler, x, y));
+            sampler_put(sampler, &seen[count++], x, y);
             *sampler_state(sampler, x, y) = SAMPLER_SEEN;
         }
 }
@@ -330,8 +393,11 @@ static void centres_tile(const struct centres *c)
     const struct area *tile = &c->tile;
     for (int y = tile->top - 1; y < tile->bottom; y++)
         for (int x = tile->left - 1; x < tile->right; x++) {
+            bool beyond = x < tile->left || y < tile->top;
             float *pixel = centres_place(c, x, y);
-            memcpy(pixel, sampler_place(c->sampler, x, y), 4 * sizeof *pixel);
+            float *first = beyond ? sampler_place_beyond(c->sampler, x, y)
+                                  : sampler_place(c->sampler, x, y);
+            memcpy(pixel, first, 4 * sizeof *pixel);
             pixel[4] = 0;
         }
     for (int y = tile->top; y < tile->bottom; y++)
@@ -449,7 +515,7 @@ double sampler_rescue(const struct sampler *sampler, struct image *image)
     for (int y = wanted->top; y < wanted->bottom; y++)
         for (int x = wanted->left; x < wanted->right; x++) {
             unsigned char state = *sampler_state(sampler, x, y);
-            if (state == SAMPLER_SEEN && !sampler->direct)
+            if (state == SAMPLER_SEEN && !sampler->direct && !sampler->edges)
                 memcpy(image_pixel(image, x, y), sampler_place(sampler, x, y),
                        4 * sizeof(float));
             known += state != SAMPLER_UNSEEN;

@@ -1,5 +1,5 @@
 /* Antialiasing: which pixels are sampled again, and how (section 5.10 of
- * notes/povray.md). Both methods first sample a grid over the whole picture,
+ * tests/povray.md). Both methods first sample a grid over the whole picture,
  * then look at it tile by tile. The tiles' places are those of the picture,
  * whatever part of it is wanted, so that every pixel is the same in every part,
  * with any number of threads. */
@@ -29,7 +29,9 @@ struct sampler {
     int tile;           /* edge of a tile */
     struct perceived *perceived; /* NULL: nothing is sampled again */
     float *grid;
-    unsigned char *states;         /* of its places */
+    unsigned char *states; /* of the places of `first` */
+    float *edges; /* or NULL; then the grid is the picture, although it is
+                   * sampled again: what tiles see of others is kept here */
     const struct first_hits *hits; /* at the grid's places, if known; or NULL */
     bool direct; /* the grid is the picture itself: nothing is sampled again */
 };

@@ -1,4 +1,4 @@
-/* Cameras, as POV-Ray's (section 5.8 of notes/povray.md; the size of an
+/* Cameras, as POV-Ray's (section 5.8 of tests/povray.md; the size of an
  * orthographic picture was measured with some twenty cameras). */
 #include "scene/camera.h"
 

@@ -1,5 +1,5 @@
 /* The camera: vectors final, all of angle, look_at and sky worked in
- * (section 5.8 of notes/povray.md). */
+ * (section 5.8 of tests/povray.md). */
 #ifndef SCENE_CAMERA_H
 #define SCENE_CAMERA_H
 

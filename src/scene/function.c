@@ -25,21 +25,13 @@ static double *machine_select(double *arguments, int count)
     return arguments + 1;
 }
 
-/* One step; `top` is the first free place. Returns the new top. */
+/* One of the steps that machine_run leaves to others; `top` is the first free
+ * place. Returns the new top. */
 static double *machine_step(const struct function *f, const struct step *step,
                             double *locals, double *top, unsigned long *left)
 {
     const struct function *callee;
     switch (step->kind) {
-    case STEP_NUMBER:
-        *top = step->number;
-        return top + 1;
-    case STEP_LOCAL:
-        *top = locals[step->slot];
-        return top + 1;
-    case STEP_NEGATE:
-        top[-1] = -top[-1];
-        return top;
     case STEP_ONE:
         top[-1] = step->one(top[-1]);
         return top;
@@ -70,16 +62,50 @@ static double *machine_step(const struct function *f, const struct step *step,
     }
 }
 
+/* The three kinds of steps of an operator. */
+#define ARITHMETIC(name, operator)                                             \
+    case STEP_##name:                                                          \
+        top--;                                                                 \
+        top[-1] = top[-1] operator top[0];                                     \
+        break;                                                                 \
+    case STEP_##name##_LOCAL:                                                  \
+        top[-1] = top[-1] operator locals[step->slot];                         \
+        break;                                                                 \
+    case STEP_##name##_NUMBER:                                                 \
+        top[-1] = top[-1] operator step->number;                               \
+        break;
+
 static double *machine_run(const struct function *f, double *locals,
                            size_t first, size_t end, double *top,
                            unsigned long *left)
 {
-    for (size_t i = first; i<end && * left> 0; i++) {
-        const struct step *step = &f->steps.items[i];
-        --*left;
-        top = machine_step(f, step, locals, top, left);
-        i += step->length;
+    const struct step *step = f->steps.items + first;
+    const struct step *stop = f->steps.items + end;
+    unsigned long rest = *left;
+    for (; step < stop && rest > 0; step++) {
+        rest--;
+        switch (step->kind) {
+        case STEP_NUMBER:
+            *top++ = step->number;
+            break;
+        case STEP_LOCAL:
+            *top++ = locals[step->slot];
+            break;
+        case STEP_NEGATE:
+            top[-1] = -top[-1];
+            break;
+            ARITHMETIC(PLUS, +)
+            ARITHMETIC(MINUS, -)
+            ARITHMETIC(TIMES, *)
+            ARITHMETIC(OVER, /)
+        default:
+            *left = rest;
+            top = machine_step(f, step, locals, top, left);
+            rest = *left;
+            step += step->length;
+        }
     }
+    *left = rest;
     return top;
 }
 

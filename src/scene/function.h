@@ -2,6 +2,7 @@
 #ifndef SCENE_FUNCTION_H
 #define SCENE_FUNCTION_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/vec.h"
@@ -12,8 +13,20 @@ enum step_kind {
     STEP_NUMBER, /* push number */
     STEP_LOCAL,  /* push a parameter or loop variable */
     STEP_NEGATE,
-    STEP_ONE,     /* a -> one(a) */
-    STEP_TWO,     /* a b -> two(a, b) */
+    STEP_ONE,  /* a -> one(a) */
+    STEP_TWO,  /* a b -> two(a, b) */
+    STEP_PLUS, /* a b -> a + b, and so on; */
+    STEP_MINUS,
+    STEP_TIMES,
+    STEP_OVER,
+    STEP_PLUS_LOCAL, /* the same where b is a parameter or loop variable, */
+    STEP_MINUS_LOCAL,
+    STEP_TIMES_LOCAL,
+    STEP_OVER_LOCAL,
+    STEP_PLUS_NUMBER, /* or a number */
+    STEP_MINUS_NUMBER,
+    STEP_TIMES_NUMBER,
+    STEP_OVER_NUMBER,
     STEP_SELECT,  /* x negative zero positive -> one of them; without the
                    * last, `slot` is 3 and zero stands for both */
     STEP_CALL,    /* arguments -> function(arguments) */
@@ -27,7 +40,16 @@ enum step_kind {
 struct function_field {
     double (*value)(const struct function_field *field, vec3 point);
     const void *thing;
-    int part; /* of a colour: 0 to 4, or 5 for its grey */
+    int part; /* of several values: 0 to 4, or one of enum field_part */
+};
+
+/* A pigment, a spline, a transformation: several values for each point. */
+struct function_values {
+    void (*at)(const struct function_values *values, vec3 point,
+               double parts[5]);
+    const void *thing;
+    int count; /* of them; a spline has only x */
+    bool colour;
 };
 
 struct step {
@@ -44,8 +66,6 @@ struct step {
     };
 };
 
-struct pigment;
-
 struct function {
     int parameter_count;
     int slots;       /* parameters and loop variables */
@@ -54,7 +74,8 @@ struct function {
     double work;     /* steps of one evaluation, those of callees and of what
                       * fields are made of included, loops counting once */
     unsigned levels; /* of functions made of pigments made of functions ... */
-    const struct pigment *pigment; /* it gives this one's colours, or NULL */
+    const struct function_values *values; /* what it gives instead of a
+                                           * number, or NULL */
     struct {
         struct step *items;
         size_t count, capacity;

@@ -1,32 +1,36 @@
-/* What functions are made of besides arithmetic: patterns, pigments, and those
- * of functions.inc. */
+/* What functions are made of besides arithmetic: patterns, pigments, splines,
+ * transformations. */
 #ifndef SCENE_FUNCTION_FIELD_H
 #define SCENE_FUNCTION_FIELD_H
 
+#include "base/affine.h"
 #include "base/arena.h"
 #include "scene/function.h"
 
 struct pattern;
 struct pigment;
+struct spline;
 
-enum { FIELD_GREY = 5 }; /* part of a colour, after its five numbers */
+/* Parts of a colour after its five numbers: how bright it is, and the height
+ * that it stands for in a height_field. */
+enum field_part { FIELD_GREY = 5, FIELD_HEIGHT };
 
 /* The pattern's value, of a block pattern the block's number. */
 const struct function_field *field_of_pattern(struct arena *arena,
                                               const struct pattern *pattern);
-/* One part of the pigment's colour. */
+/* One part of the values, 0 beyond the last. */
 const struct function_field *
-field_of_pigment(struct arena *arena, const struct pigment *pigment, int part);
+field_of_values(struct arena *arena, const struct function_values *values,
+                int part);
 
-enum { INTERNAL_NOISE3D = 76 }; /* the number of f_noise3d, a pattern */
-
-/* One of functions.inc, by the number of its internal(). */
-struct internal_function {
-    int number, arguments;
-    double (*value)(const double *arguments);
-};
-
-/* NULL: glim has none of this number. */
-const struct internal_function *internal_find(int number);
+/* Its colours. */
+const struct function_values *values_of_pigment(struct arena *arena,
+                                                const struct pigment *pigment);
+/* Its places; x is the time. */
+const struct function_values *values_of_spline(struct arena *arena,
+                                               const struct spline *spline);
+/* Where it takes a point. */
+const struct function_values *values_of_affine(struct arena *arena,
+                                               const affine *transform);
 
 #endif

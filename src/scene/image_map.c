@@ -80,6 +80,19 @@ static int image_wrap(const struct image_map *map, int i, int count)
     return i < 0 ? count - 1 : i >= count ? 0 : i;
 }
 
+/* Puts in what the pixel's own entry of the palette says. */
+static colour texel_clear(const struct image_map *map, int x, int y, colour c)
+{
+    const struct image *numbers = map->numbers;
+    int entry = (int)image_pixel(numbers, x, numbers->height - 1 - y)[0];
+    if (entry < 0 || entry >= PALETTE_ENTRIES)
+        return c;
+    const struct entry_clear *clear = &map->clear[entry];
+    c.filter = isnan(clear->filter) ? c.filter : clear->filter;
+    c.transmit = isnan(clear->transmit) ? c.transmit : clear->transmit;
+    return c;
+}
+
 /* The pixel in column x, row y from the bottom, as a pigment. */
 static colour image_texel(const struct image_map *map, int x, int y)
 {
@@ -89,9 +102,10 @@ static colour image_texel(const struct image_map *map, int x, int y)
     const float *p = image_pixel(image, x, image->height - 1 - y);
     double alpha = (double)p[3];
     double scale = alpha > 0 && alpha < 1 ? 1 / alpha : 1;
-    return (colour){ (double)p[0] * scale, (double)p[1] * scale,
-                     (double)p[2] * scale, map->filter_all,
-                     map->transmit_all + (1 - alpha) };
+    colour c = { (double)p[0] * scale, (double)p[1] * scale,
+                 (double)p[2] * scale, map->filter_all,
+                 map->transmit_all + (1 - alpha) };
+    return map->clear ? texel_clear(map, x, y, c) : c;
 }
 
 static colour colour_add_scaled(colour sum, colour c, double weight)
@@ -175,7 +189,8 @@ vec3 image_map_tilt(const struct image_map *map, vec3 point, vec3 normal)
 bool image_map_is_opaque(const struct image_map *map)
 {
     const struct image *image = map->image;
-    if (map->once || map->filter_all != 0 || map->transmit_all != 0 || !image)
+    if (map->once || map->filter_all != 0 || map->transmit_all != 0 ||
+        map->clear || !image)
         return false;
     size_t count = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < count; i++)

@@ -10,10 +10,10 @@
  * clear: transmit 1. */
 colour image_map_colour(const struct image_map *map, vec3 point);
 
-/* Whether some pixel lets light pass. */
 /* As bumps: what to add to the unit normal for amount 1. */
 vec3 image_map_tilt(const struct image_map *map, vec3 point, vec3 normal);
 
+/* Whether no pixel lets light pass. */
 bool image_map_is_opaque(const struct image_map *map);
 
 #endif

@@ -1,4 +1,4 @@
-/* Light sources: formulas of sections 5.5 to 5.7 of notes/povray.md are in
+/* Light sources: formulas of sections 5.5 to 5.7 of tests/povray.md are in
  * lighting/; here is the data. */
 #ifndef SCENE_LIGHT_H
 #define SCENE_LIGHT_H

@@ -39,14 +39,16 @@ static int texture_average(const struct texture_choice *choice,
 }
 
 int texture_choose(const struct texture_choice *choice, vec3 point,
+                   const struct uv_source *surface,
                    struct texture_pick picks[TEXTURE_PICKS], vec3 *located)
 {
     const struct texture_entry *entries = choice->entries;
     size_t after = 0, last = choice->count - 1;
-    *located = pattern_locate(&choice->pattern, point);
+    *located = pattern_locate(&choice->pattern,
+                              pattern_start(&choice->pattern, point, surface));
     if (choice->pattern.kind->average)
         return texture_average(choice, picks);
-    double value = pattern_value_at(&choice->pattern, *located);
+    double value = pattern_value_seen(&choice->pattern, *located, surface);
     while (after < last && entries[after].value < value)
         after++;
     picks[0] = (struct texture_pick){ entries[after].texture, 1 };
@@ -67,8 +69,7 @@ rgb texture_transmittance(const struct texture *texture, vec3 point,
     if (texture->choice) {
         struct texture_pick picks[TEXTURE_PICKS];
         vec3 located;
-        point = pattern_start(&texture->choice->pattern, point, uv);
-        int count = texture_choose(texture->choice, point, picks, &located);
+        int count = texture_choose(texture->choice, point, uv, picks, &located);
         through = rgb_grey(0);
         for (int i = 0; i < count; i++)
             through = rgb_add_scaled(
@@ -78,8 +79,7 @@ rgb texture_transmittance(const struct texture *texture, vec3 point,
     }
     for (size_t i = texture->count; i-- > 0;) {
         const struct pigment *layer = texture->layers[i].pigment;
-        colour pigment =
-            pigment_colour(layer, pattern_start(&layer->pattern, point, uv));
+        colour pigment = pigment_seen(layer, point, uv);
         through = rgb_mul(through, colour_transmittance(pigment));
         if (rgb_peak(through) == 0)
             break;

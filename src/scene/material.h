@@ -43,13 +43,24 @@ enum image_interpolation {
     IMAGE_NORMALISED_DISTANCE = 4,
 };
 
+/* Whether an image_pattern's value is alpha, or how bright the colour is. */
+enum image_alpha { ALPHA_IF_THERE, ALPHA_NEVER, ALPHA_ALWAYS };
+
 struct image_map {
+    enum image_alpha alpha;
     const struct image *image; /* linear light in the working space */
     enum image_projection projection;
     enum image_interpolation interpolation;
     bool once;
     double filter_all, transmit_all;
+    /* Of a palette's entries: NAN is what all have. NULL: none has its own. */
+    struct entry_clear {
+        double filter, transmit;
+    } * clear;
+    const struct image *numbers; /* with `clear`: the entry of each pixel */
 };
+
+enum { PALETTE_ENTRIES = 256 };
 
 enum pigment_kind { PIGMENT_COLOUR, PIGMENT_PATTERN, PIGMENT_IMAGE };
 
@@ -146,6 +157,12 @@ struct texture_entry {
     const struct texture *texture;
 };
 
+/* Declared, and not yet some pattern's. */
+struct texture_map {
+    struct texture_entry *entries;
+    size_t count;
+};
+
 struct texture_choice {
     struct pattern pattern;
     struct texture_entry *entries;
@@ -172,9 +189,10 @@ struct texture_pick {
     double share;
 };
 
-/* Fills picks for a point of the texture's space; returns how many. *located is
- * the point in the space of what is picked. */
+/* Fills picks for a point of the texture's space on a surface; returns how
+ * many. *located is the point in the space of what is picked. */
 int texture_choose(const struct texture_choice *choice, vec3 point,
+                   const struct uv_source *surface,
                    struct texture_pick picks[TEXTURE_PICKS], vec3 *located);
 
 /* The share of light that passes the whole texture at a point of its space. */
@@ -226,6 +244,11 @@ enum { PIGMENT_DEPTH = 32 };
 
 /* The pigment's value at a point of the texture's space. */
 colour pigment_colour(const struct pigment *pigment, vec3 point);
+
+/* The same on a surface (NULL: off any), which may map it by coordinates of its
+ * own. */
+colour pigment_seen(const struct pigment *pigment, vec3 point,
+                    const struct uv_source *surface);
 
 /* Whether no point of it lets light pass: told from the colours it names. */
 bool pigment_is_opaque(const struct pigment *pigment);

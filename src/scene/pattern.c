@@ -161,9 +161,17 @@ static double pattern_fold(const struct pattern *pattern, double value)
 
 double pattern_value_at(const struct pattern *pattern, vec3 located)
 {
+    return pattern_value_seen(pattern, located, NULL);
+}
+
+double pattern_value_seen(const struct pattern *pattern, vec3 located,
+                          const struct uv_source *surface)
+{
     if (!pattern->kind || !vec3_finite(located))
         return 0;
-    double value = pattern->kind->value(pattern, located);
+    double value = surface && pattern->kind->seen
+                       ? pattern->kind->seen(pattern, located, surface)
+                       : pattern->kind->value(pattern, located);
     if (pattern->kind->blocks == 0)
         value = pattern_fold(pattern, value);
     return isfinite(value) ? value : 0;

@@ -32,6 +32,7 @@ struct warp;
 struct blend_map; /* scene/material.h */
 struct pigment;
 struct function;
+struct image_map;
 struct object;
 
 /* A pattern in use. */
@@ -50,9 +51,12 @@ struct pattern {
     int generator; /* its own noise_generator; 0: that of `noise` */
 };
 
-/* Tells the surface's own coordinates, (u, v, 0), for uv_mapping. */
+/* The surface that is looked at: tells its own coordinates, (u, v, 0), for
+ * uv_mapping. The rest, in the world, is for slope and aoi. */
 struct uv_source {
     vec3 (*point)(const struct uv_source *source);
+    vec3 place, normal; /* unit, turned to the viewer */
+    vec3 view;          /* unit, to whoever looks */
 };
 
 /* Where the pattern is looked up: `point`, of the texture's space, or the
@@ -69,6 +73,7 @@ struct made_pattern {
     const struct function *function;
     const struct pigment *pigment;
     const struct object *object;
+    const struct image_map *image;
     struct span open; /* of the '{' of an object pattern */
 };
 
@@ -101,6 +106,9 @@ struct pattern_kind {
     /* The raw value at a point of the pattern's space, before frequency,
      * phase and wave. */
     double (*value)(const struct pattern *pattern, vec3 point);
+    /* The same of patterns of the surface, where there is one; or NULL. */
+    double (*seen)(const struct pattern *pattern, vec3 point,
+                   const struct uv_source *surface);
     /* As a normal: what to add to a unit normal for amount 1. NULL: the
      * gradient of the value is used. */
     vec3 (*perturbation)(const struct pattern *pattern, vec3 point,
@@ -131,6 +139,10 @@ double pattern_value(const struct pattern *pattern, vec3 point);
 
 /* The same for a point that pattern_locate gave. */
 double pattern_value_at(const struct pattern *pattern, vec3 located);
+
+/* The same on a surface; NULL: off any. */
+double pattern_value_seen(const struct pattern *pattern, vec3 located,
+                          const struct uv_source *surface);
 
 /* Moves the pattern with `transform` (texture space): what `scale 2` written
  * after it does. `transform` must be invertible. */

@@ -7,25 +7,39 @@
  * only the nearer one counts. The parser refuses what is deeper. */
 enum { DEPTH_BLEND = PIGMENT_DEPTH / 2 };
 
+/* How deep it is, and on which surface, or NULL. */
+struct depth {
+    int levels;
+    const struct uv_source *surface;
+};
+
+static struct depth depth_below(struct depth depth)
+{
+    depth.levels++;
+    return depth;
+}
+
 struct pigment pigment_default(struct arena *arena)
 {
     return (struct pigment){ .kind = PIGMENT_COLOUR,
                              .pattern = pattern_new(arena, NULL) };
 }
 
-static colour pigment_at(const struct pigment *pigment, vec3 point, int depth);
+static colour pigment_at(const struct pigment *pigment, vec3 point,
+                         struct depth depth);
 
 static colour entry_colour(const struct blend_entry *entry, vec3 point,
-                           int depth)
+                           struct depth depth)
 {
-    return entry->pigment ? pigment_at(entry->pigment, point, depth + 1)
-                          : entry->colour;
+    return entry->pigment
+               ? pigment_at(entry->pigment, point, depth_below(depth))
+               : entry->colour;
 }
 
 /* Measured: the entry sought is the first whose value is not below `value`;
  * before the first and after the last their colours go on. */
 static colour map_colour(const struct blend_map *map, double value, vec3 point,
-                         int depth)
+                         struct depth depth)
 {
     const struct blend_entry *entries = map->entries;
     size_t low = 0, high = map->count; /* first entry with value >= `value` */
@@ -43,7 +57,7 @@ static colour map_colour(const struct blend_map *map, double value, vec3 point,
     const struct blend_entry *before = &entries[low - 1];
     const struct blend_entry *after = &entries[low];
     double t = (value - before->value) / (after->value - before->value);
-    if (depth >= DEPTH_BLEND)
+    if (depth.levels >= DEPTH_BLEND)
         return entry_colour(t < 0.5 ? before : after, point, depth);
     if (t >= 1)
         return entry_colour(after, point, depth);
@@ -52,7 +66,8 @@ static colour map_colour(const struct blend_map *map, double value, vec3 point,
 }
 
 /* The entries' numbers are their weights. */
-static colour average_colour(const struct blend_map *map, vec3 point, int depth)
+static colour average_colour(const struct blend_map *map, vec3 point,
+                             struct depth depth)
 {
     colour sum = { 0 };
     double total = 0;
@@ -71,7 +86,7 @@ static colour average_colour(const struct blend_map *map, vec3 point, int depth)
 /* Blocks that the scene gives no colour have the pattern's own; in a list of
  * pigments they are black. */
 static colour block_colour(const struct pigment *pigment, double value,
-                           vec3 point, int depth)
+                           vec3 point, struct depth depth)
 {
     const struct pattern_kind *kind = pigment->pattern.kind;
     const struct blend_map *map = pigment->map;
@@ -90,11 +105,11 @@ static colour block_colour(const struct pigment *pigment, double value,
 /* Measured: inner pigments are seen through the outer's transformation and
  * turbulence, save for wood and marble, which keep theirs to themselves. */
 static colour pattern_colour(const struct pigment *pigment, vec3 point,
-                             int depth)
+                             struct depth depth)
 {
     const struct pattern *pattern = &pigment->pattern;
     vec3 located = pattern_locate(pattern, point);
-    double value = pattern_value_at(pattern, located);
+    double value = pattern_value_seen(pattern, located, depth.surface);
     if (pattern->kind && pattern->kind->blocks > 0)
         return block_colour(pigment, value, located, depth);
     const struct blend_map *map = pigment->map;
@@ -107,9 +122,10 @@ static colour pattern_colour(const struct pigment *pigment, vec3 point,
     return map_colour(map, value, located, depth);
 }
 
-static colour pigment_at(const struct pigment *pigment, vec3 point, int depth)
+static colour pigment_at(const struct pigment *pigment, vec3 point,
+                         struct depth depth)
 {
-    if (depth > PIGMENT_DEPTH)
+    if (depth.levels > PIGMENT_DEPTH)
         return (colour){ 0 };
     switch (pigment->kind) {
     case PIGMENT_COLOUR:
@@ -125,7 +141,14 @@ static colour pigment_at(const struct pigment *pigment, vec3 point, int depth)
 
 colour pigment_colour(const struct pigment *pigment, vec3 point)
 {
-    return pigment_at(pigment, point, 0);
+    return pigment_at(pigment, point, (struct depth){ 0, NULL });
+}
+
+colour pigment_seen(const struct pigment *pigment, vec3 point,
+                    const struct uv_source *surface)
+{
+    return pigment_at(pigment, pattern_start(&pigment->pattern, point, surface),
+                      (struct depth){ 0, surface });
 }
 
 /* Looks at no more than *budget pigments, since shared ones could be met

@@ -48,6 +48,21 @@ static inline bool hits_between(const struct hits *hits, double tmin,
     return false;
 }
 
+/* The nearest of them. */
+static inline bool hits_first(const struct hits *hits, double tmin, double tmax,
+                              struct hit *hit)
+{
+    bool found = false;
+    for (int i = 0; i < hits->count; i++) {
+        if (!(hits->at[i].t > tmin && hits->at[i].t < tmax))
+            continue;
+        *hit = hits->at[i];
+        tmax = hit->t;
+        found = true;
+    }
+    return found;
+}
+
 /* Round the y axis from x by z, 0 to 1: the first of many shapes' own
  * coordinates. */
 static inline double ray_turn(double x, double z)

@@ -1,5 +1,5 @@
 /* Area lights: a grid of points, and POV-Ray's own way of averaging over it
- * (section 5.7 of notes/povray.md, measured). */
+ * (section 5.7 of tests/povray.md, measured). */
 #ifndef SHADE_AREA_H
 #define SHADE_AREA_H
 

@@ -1,5 +1,5 @@
 /* The finish: how much of the light that reaches a layer of paint goes to the
- * viewer. Formulas of section 5 of notes/povray.md, measured on POV-Ray 3.7. */
+ * viewer. Formulas of section 5 of tests/povray.md, measured on POV-Ray 3.7. */
 #ifndef SHADE_FINISH_H
 #define SHADE_FINISH_H
 

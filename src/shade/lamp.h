@@ -1,6 +1,6 @@
 /* Light sources made ready for shading: direction, distance and attenuation at
  * a point. Used by every lighting method. Formulas of sections 5.5 and 5.6 of
- * notes/povray.md, measured on POV-Ray 3.7. */
+ * tests/povray.md, measured on POV-Ray 3.7. */
 #ifndef SHADE_LAMP_H
 #define SHADE_LAMP_H
 

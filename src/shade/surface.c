@@ -27,9 +27,12 @@ static vec3 surface_uv_point(const struct uv_source *source)
     return world_uv(uv->at);
 }
 
-static struct surface_uv surface_uv(const struct intersection *at)
+static struct surface_uv surface_uv(const struct intersection *at, vec3 view)
 {
-    return (struct surface_uv){ { surface_uv_point }, at };
+    bool away = vec3_dot(at->normal, view) < 0;
+    vec3 normal = away ? vec3_negate(at->normal) : at->normal;
+    return (struct surface_uv){ { surface_uv_point, at->point, normal, view },
+                                at };
 }
 
 /* Where a normal or an object is laid by the surface's own coordinates, its
@@ -56,14 +59,16 @@ static struct place place_at(const struct intersection *at,
     };
 }
 
+/* slope and aoi see the layer's own bumps, turned to the viewer (measured). */
 static colour layer_pigment(const struct layer *layer,
-                            const struct place *place, int quality)
+                            const struct place *place, int quality, vec3 normal)
 {
     const struct pigment *pigment = layer->pigment;
+    struct surface_uv surface = *(const struct surface_uv *)place->uv;
     if (quality < QUALITY_TRANSPARENCY && pigment->has_quick_colour)
         return pigment->quick_colour;
-    return pigment_colour(
-        pigment, pattern_start(&pigment->pattern, place->point, place->uv));
+    surface.source.normal = normal;
+    return pigment_seen(pigment, place->point, &surface.source);
 }
 
 /* Bumps live in the texture's space: the normal goes there and back. */
@@ -122,10 +127,11 @@ static rgb surface_add_layers(struct surface *surface,
         struct surface_layer *layer = &surface->layer[surface->count++];
         layer->finish = source->finish;
         layer->weight = weight;
-        layer->pigment = layer_pigment(source, place, view->quality);
         layer->normal = view->smooth
                             ? surface->normal
                             : layer_normal(source, place, surface->normal);
+        layer->pigment =
+            layer_pigment(source, place, view->quality, layer->normal);
         layer_reflect(surface, layer, view);
         weight = rgb_mul(weight, layer_through(layer));
         /* A mirror's light has no other weight: see
@@ -151,8 +157,8 @@ static rgb surface_add(struct surface *surface, const struct surface_view *view,
     affine to, from, outward;
     rgb through = rgb_grey(0);
     bool mapped = choice->pattern.uv;
-    vec3 start = pattern_start(&choice->pattern, place->point, place->uv);
-    int count = texture_choose(choice, start, picks, &inner.point);
+    int count =
+        texture_choose(choice, place->point, place->uv, picks, &inner.point);
     if (affine_inverse(inward, &outward)) {
         to = affine_compose(inward, mapped ? unmoved : *place->to);
         from = affine_compose(mapped ? unmoved : *place->from, outward);
@@ -172,7 +178,7 @@ static rgb surface_add(struct surface *surface, const struct surface_view *view,
 static void surface_fill_layers(struct surface *surface,
                                 const struct surface_view *view)
 {
-    struct surface_uv uv = surface_uv(surface->at);
+    struct surface_uv uv = surface_uv(surface->at, surface->view);
     struct place place = place_at(surface->at, &uv.source);
     surface->through = surface_add(surface, view, &place, rgb_grey(1));
 }
@@ -182,12 +188,12 @@ static void surface_fill_plain(struct surface *surface, int quality)
 {
     const struct intersection *at = surface->at;
     const struct layer *source = &at->texture->layers[0];
-    struct surface_uv uv = surface_uv(at);
+    struct surface_uv uv = surface_uv(at, surface->view);
     struct place place = place_at(at, &uv.source);
     surface->count = 1;
     surface->layer[0] = (struct surface_layer){
         .finish = source->finish,
-        .pigment = layer_pigment(source, &place, quality),
+        .pigment = layer_pigment(source, &place, quality, surface->normal),
         .normal = surface->normal,
         .weight = rgb_grey(1),
     };
@@ -216,7 +222,7 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 
 rgb surface_transmittance(const struct intersection *at)
 {
-    struct surface_uv uv = surface_uv(at);
+    struct surface_uv uv = surface_uv(at, at->normal);
     struct place place = place_at(at, &uv.source);
     return texture_transmittance(at->texture, place.point, place.uv);
 }
@@ -225,7 +231,7 @@ vec3 surface_bumps(const struct intersection *at, vec3 direction)
 {
     bool behind = vec3_dot(at->normal, direction) > 0;
     const struct texture *texture = at->texture;
-    struct surface_uv uv = surface_uv(at);
+    struct surface_uv uv = surface_uv(at, at->normal);
     struct place place = place_at(at, &uv.source);
     return layer_normal(&texture->layers[texture->count - 1], &place,
                         behind ? vec3_negate(at->normal) : at->normal);

@@ -1,5 +1,5 @@
 /* The stream of light along the skeleton: see stream.h. The poster is read as
- * in notes/skeleton.md, section 5.4: visibility by rays against the true
+ * in src/README.md: visibility by rays against the true
  * geometry (A7), lengths at the point and not at its node (A5), the lamp's own
  * law of attenuation (A15). */
 #include "skeleton/stream.h"

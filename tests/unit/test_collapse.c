@@ -1,5 +1,5 @@
 /* skeleton/complex and skeleton/collapse: voids of which the skeleton is known
- * (notes/skeleton.md, section 7.3), smooth and rough. */
+ * from their making, smooth and rough. */
 #include <stdio.h>
 
 #include "harness.h"

@@ -56,6 +56,11 @@ static void crossings_asked_for_alone_agree(void **state)
         "contained_by { sphere { 0, 1 } } accuracy 1e-5 }",
         "isosurface { function { x*x + y*y - z*z - .2 } max_gradient 4 open "
         "contained_by { box { -1, 1 } } accuracy 1e-5 }",
+        "sor { 6, <0,-1.2> <.7,-1> <1,-.2> <.4,.4> <.8,.9> <.3,1.3> }",
+        "sor { 5, <.2,-1.2> <.7,-1> <1.2,-.2> <.4,.7> <.8,1> open }",
+        "superellipsoid { <.3,.6> }",
+        "superellipsoid { <1.5,1> }",
+        "superellipsoid { <2.5,.7> }",
         "blob { threshold .4 sphere { <-.5,.2,0>, .9, 1 } "
         "sphere { <.5,0,.1>, .8, 1 scale <1,.7,1.3> } "
         "cylinder { -y, <.3,1,.2>, .6, .8 } sphere { <0,.3,-.5>, .5, -.7 } "

@@ -1,5 +1,5 @@
 /* Options, INI files, frames and names: each rule of section 2 of
- * notes/povray.md that needs no picture. Runs in a directory of its own. */
+ * tests/povray.md that needs no picture. Runs in a directory of its own. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

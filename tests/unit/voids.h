@@ -1,5 +1,5 @@
 /* The voids that the skeleton's tests know everything about: rooms carved out
- * of solid rock (notes/skeleton.md, section 7.3), also with rough walls. */
+ * of solid rock, also with rough walls. */
 #ifndef TESTS_UNIT_VOIDS_H
 #define TESTS_UNIT_VOIDS_H
 

@@ -43,6 +43,11 @@ static double sor_square(const double c[4], double h)
     return c[0] + h * (c[1] + h * (c[2] + h * c[3]));
 }
 
+static double sor_steep(const double c[4], double h)
+{
+    return c[1] + h * (2 * c[2] + h * 3 * c[3]);
+}
+
 static void sor_piece(struct sor *sor, size_t i)
 {
     const vec3 *a = &sor->points.items[i + 1], *b = a + 1;
@@ -95,35 +100,49 @@ static struct box3 sor_bounds(const void *shape)
     return (struct box3){ { -r, sor_low(sor), -r }, { r, sor_high(sor), r } };
 }
 
-/* x^2 + z^2 - square(y) along the ray, within the heights of the piece. */
+/* The part of the ray in the cylinder around it all. */
+static bool sor_clip(const struct sor *sor, const struct ray *ray, double *from,
+                     double *to)
+{
+    vec3 o = ray->origin, d = ray->direction;
+    double roots[2], a = d.x * d.x + d.z * d.z;
+    double c = o.x * o.x + o.z * o.z - sor->radius * sor->radius;
+    if (a == 0)
+        return c <= 0;
+    if (quadratic_roots(a, o.x * d.x + o.z * d.z, c, roots) != 2)
+        return false;
+    *from = fmax(*from, roots[0]);
+    *to = fmin(*to, roots[1]);
+    return *from < *to;
+}
+
+/* x^2 + z^2 - square(y) along a part of the ray, within the heights of the
+ * piece: in Bernstein form by its values and slopes at both ends. */
 static void sor_cross(const struct sor *sor, size_t i, const struct ray *ray,
-                      struct hits *hits)
+                      double from, double to, struct hits *hits)
 {
     const vec3 *a = &sor->points.items[i + 1];
     const double *c = sor->squares[i];
     vec3 o = ray->origin, d = ray->direction;
-    double low = -HUGE_VAL, high = HUGE_VAL, h = o.y - a[0].y, v = d.y;
-    if (v != 0) {
-        low = (a[v > 0 ? 0 : 1].y - o.y) / v;
-        high = (a[v > 0 ? 1 : 0].y - o.y) / v;
-    } else if (h < 0 || o.y >= a[1].y) {
+    if (d.y != 0) {
+        from = fmax(from, (a[d.y > 0 ? 0 : 1].y - o.y) / d.y);
+        to = fmin(to, (a[d.y > 0 ? 1 : 0].y - o.y) / d.y);
+    } else if (o.y < a[0].y || o.y >= a[1].y) {
         return;
     }
-    double p[4] = {
-        o.x * o.x + o.z * o.z - sor_square(c, h),
-        2 * (o.x * d.x + o.z * d.z) -
-            v * (c[1] + h * (2 * c[2] + h * 3 * c[3])),
-        d.x * d.x + d.z * d.z - v * v * (c[2] + 3 * h * c[3]),
-        -v * v * v * c[3],
-    };
-    int degree = 3;
-    while (degree > 0 && p[degree] == 0)
-        degree--;
-    double bound = polynomial_bound(p, degree), roots[3];
-    int count = polynomial_roots(p, degree, fmax(low, -bound),
-                                 fmin(high, bound), roots, 3);
-    for (int k = 0; k < count; k++)
-        hits_add(hits, roots[k], (int)i);
+    if (!(from < to))
+        return;
+    vec3 p = ray_point(ray, from), q = ray_point(ray, to);
+    double h = p.y - a[0].y, k = q.y - a[0].y, third = (to - from) / 3;
+    double first = p.x * p.x + p.z * p.z - sor_square(c, h);
+    double last = q.x * q.x + q.z * q.z - sor_square(c, k);
+    double rise = 2 * (p.x * d.x + p.z * d.z) - d.y * sor_steep(c, h);
+    double fall = 2 * (q.x * d.x + q.z * d.z) - d.y * sor_steep(c, k);
+    double b[4] = { first, first + third * rise, last - third * fall, last };
+    double roots[2 * BERNSTEIN_DEGREE];
+    int count = polynomial_bernstein_roots(b, 3, roots);
+    for (int n = 0; n < count; n++)
+        hits_add(hits, from + (to - from) * roots[n], (int)i);
 }
 
 /* Parts after the pieces are the lids. */
@@ -138,14 +157,37 @@ static void sor_lid(const struct sor *sor, int lid, const struct ray *ray,
         hits_add(hits, t, (int)sor_pieces(sor) + lid);
 }
 
+/* With the lids' beyond tmin and tmax. */
+static void sor_meet(const struct sor *sor, const struct ray *ray, double tmin,
+                     double tmax, struct hits *hits)
+{
+    if (!sor_clip(sor, ray, &tmin, &tmax))
+        return;
+    for (size_t i = 0; i < sor_pieces(sor); i++)
+        sor_cross(sor, i, ray, tmin, tmax, hits);
+    for (int lid = 0; lid < 2 && !sor->open; lid++)
+        sor_lid(sor, lid, ray, hits);
+}
+
 static void sor_intersect(const void *shape, const struct ray *ray,
                           struct hits *hits)
 {
-    const struct sor *sor = shape;
-    for (size_t i = 0; i < sor_pieces(sor); i++)
-        sor_cross(sor, i, ray, hits);
-    for (int lid = 0; lid < 2 && !sor->open; lid++)
-        sor_lid(sor, lid, ray, hits);
+    sor_meet(shape, ray, -HUGE_VAL, HUGE_VAL, hits);
+}
+
+static bool sor_first(const void *shape, const struct ray *ray, double tmin,
+                      double tmax, struct hit *hit)
+{
+    struct hits hits = { .count = 0 };
+    sor_meet(shape, ray, tmin, tmax, &hits);
+    return hits_first(&hits, tmin, tmax, hit);
+}
+
+static bool sor_crosses(const void *shape, const struct ray *ray, double tmin,
+                        double tmax)
+{
+    struct hit hit;
+    return sor_first(shape, ray, tmin, tmax, &hit);
 }
 
 static vec3 sor_normal(const void *shape, vec3 point, const struct hit *hit)
@@ -156,8 +198,7 @@ static vec3 sor_normal(const void *shape, vec3 point, const struct hit *hit)
         return vec3_make(0, lid ? 1 : -1, 0);
     const double *c = sor->squares[hit->part];
     double h = point.y - sor->points.items[hit->part + 1].y;
-    double slope = c[1] + h * (2 * c[2] + h * 3 * c[3]);
-    vec3 normal = { 2 * point.x, -slope, 2 * point.z };
+    vec3 normal = { 2 * point.x, -sor_steep(c, h), 2 * point.z };
     return vec3_length(normal) > 0 ? normal : vec3_make(0, 1, 0);
 }
 
@@ -206,6 +247,8 @@ const struct primitive sor_primitive = {
     .prepare = sor_prepare,
     .bounds = sor_bounds,
     .intersect = sor_intersect,
+    .first = sor_first,
+    .crosses = sor_crosses,
     .normal = sor_normal,
     .uv = sor_uv,
     .inside = sor_inside,

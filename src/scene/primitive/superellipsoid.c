@@ -19,9 +19,10 @@ static double power_norm(double a, double b, double p, double slope[2])
     slope[0] = slope[1] = 0;
     if (!(most > 0))
         return 0;
-    double u = pow(a / most, p), v = pow(b / most, p);
-    double norm = most * pow(u + v, 1 / p);
-    double rest = pow(u + v, 1 / p - 1);
+    double u = a == most ? 1 : pow(a / most, p);
+    double v = b == most ? 1 : pow(b / most, p);
+    double root = pow(u + v, 1 / p), norm = most * root;
+    double rest = root / (u + v);
     slope[0] = a > 0 ? rest * u * most / a : p < 1 ? HUGE_VAL : 0;
     slope[1] = b > 0 ? rest * v * most / b : p < 1 ? HUGE_VAL : 0;
     return norm;
@@ -67,11 +68,12 @@ static bool line_in_box(const struct ray *ray, double *low, double *high)
 }
 
 /* From outside towards the shape: as the norm is convex, Newton's steps come
- * to the surface without passing it, or to where it grows again: a miss. */
+ * to the surface without passing it, or to where it grows again: a miss. When a
+ * step shrank k-fold, what is left after it is k^2 times smaller. */
 static bool convex_root(const struct superellipsoid *s, const struct ray *ray,
                         double from, double sign, double *root)
 {
-    double t = from;
+    double t = from, last = 0;
     for (int round = 0; round < 100; round++) {
         vec3 gradient;
         double value = superellipsoid_norm(s, ray_point(ray, t), &gradient) - 1;
@@ -81,10 +83,12 @@ static bool convex_root(const struct superellipsoid *s, const struct ray *ray,
             return true;
         if (!(slope < 0))
             return false;
-        double step = -value / slope;
+        double step = -value / slope, shrunk = step / last;
         t += sign * step;
-        if (step <= 1e-15 * fabs(t))
+        *root = t;
+        if (step * (shrunk < 0.01 ? shrunk * shrunk : 1) <= 1e-16 * fabs(t))
             return true;
+        last = step;
     }
     return true;
 }
@@ -145,6 +149,11 @@ static void pinched_intersect(const struct superellipsoid *s,
     }
 }
 
+static bool superellipsoid_pinched(const struct superellipsoid *s)
+{
+    return s->exponents[0] > 2 || s->exponents[1] > 2;
+}
+
 static void superellipsoid_intersect(const void *shape, const struct ray *ray,
                                      struct hits *hits)
 {
@@ -152,7 +161,7 @@ static void superellipsoid_intersect(const void *shape, const struct ray *ray,
     double low, high, first, second;
     if (!line_in_box(ray, &low, &high))
         return;
-    if (s->exponents[0] > 2 || s->exponents[1] > 2) {
+    if (superellipsoid_pinched(s)) {
         pinched_intersect(s, ray, low, high, hits);
         return;
     }
@@ -161,6 +170,33 @@ static void superellipsoid_intersect(const void *shape, const struct ray *ray,
         return;
     hits_add(hits, first, 0);
     hits_add(hits, second, 0);
+}
+
+/* Of a convex one: into it from where the ray begins, or out of it. */
+static bool superellipsoid_first(const void *shape, const struct ray *ray,
+                                 double tmin, double tmax, struct hit *hit)
+{
+    const struct superellipsoid *s = shape;
+    double low, high;
+    if (superellipsoid_pinched(s)) {
+        struct hits hits = { .count = 0 };
+        superellipsoid_intersect(shape, ray, &hits);
+        return hits_first(&hits, tmin, tmax, hit);
+    }
+    if (!line_in_box(ray, &low, &high) || !(low < tmax) || !(high > tmin))
+        return false;
+    *hit = (struct hit){ 0, 0, 0, 0 };
+    bool inside = low <= tmin && superellipsoid_holds(s, ray, tmin);
+    bool met = inside ? convex_root(s, ray, high, -1, &hit->t)
+                      : convex_root(s, ray, fmax(low, tmin), 1, &hit->t);
+    return met && hit->t > tmin && hit->t < tmax;
+}
+
+static bool superellipsoid_crosses(const void *shape, const struct ray *ray,
+                                   double tmin, double tmax)
+{
+    struct hit hit;
+    return superellipsoid_first(shape, ray, tmin, tmax, &hit);
 }
 
 static vec3 superellipsoid_normal(const void *shape, vec3 point,
@@ -188,6 +224,8 @@ const struct primitive superellipsoid_primitive = {
     .solid = true,
     .bounds = superellipsoid_bounds,
     .intersect = superellipsoid_intersect,
+    .first = superellipsoid_first,
+    .crosses = superellipsoid_crosses,
     .normal = superellipsoid_normal,
     .inside = superellipsoid_inside,
 };

@@ -11,6 +11,7 @@
  *   at full weight.
  * - Fading in an interior weakens what passes where the ray leaves it. */
 #include "base/parallel.h"
+#include "base/telling.h"
 #include "shade/finish.h"
 #include "shade/interior.h"
 #include "shade/media.h"
@@ -214,6 +215,28 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
     return true;
 }
 
+/* For --debug-pixel. */
+static void path_tell_meeting(const struct path *path,
+                              const struct intersection *at)
+{
+    struct telling *telling = path->worker->telling;
+    const struct span *span = &at->leaf->object->span;
+    unsigned line = 0;
+    if (span->source)
+        line = source_locate(span->source, span->offset).line;
+    telling->depth = path->level;
+    telling_say(telling, "%s:%u: <%.4g, %.4g, %.4g>, %.3g of the pixel",
+                span->source ? span->source->name : "", line, at->point.x,
+                at->point.y, at->point.z, path->weight);
+    telling->depth++;
+}
+
+static void path_tell_light(const struct path *path, rgb light)
+{
+    telling_say(path->worker->telling, "sends %.4g %.4g %.4g", light.r, light.g,
+                light.b);
+}
+
 /* At the surface: returns false if the ray ends here. */
 static bool path_cross(struct path *path, struct crossing *crossing)
 {
@@ -228,7 +251,12 @@ static bool path_cross(struct path *path, struct crossing *crossing)
         path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));
         return false;
     }
-    path_gather(path, path_shade(path, &crossing->surface));
+    if (path->worker->telling)
+        path_tell_meeting(path, &crossing->at);
+    rgb light = path_shade(path, &crossing->surface);
+    if (path->worker->telling)
+        path_tell_light(path, light);
+    path_gather(path, light);
     return path->level < tracer_levels(tracer) && path_pass(path, crossing);
 }
 

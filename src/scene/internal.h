@@ -1,0 +1,24 @@
+/* The functions that functions.inc declares by number: internal(61) is
+ * f_sphere. Their formulas were measured. */
+#ifndef SCENE_INTERNAL_H
+#define SCENE_INTERNAL_H
+
+struct internal_function {
+    int number, arguments;
+    /* arguments[0..2] are x, y and z. */
+    double (*value)(const double *arguments);
+};
+
+/* Numbers of what is not in the tables: a pattern, and what glim lacks. */
+enum { INTERNAL_HELICAL_TORUS = 24, INTERNAL_NOISE3D = 76 };
+
+/* NULL: there is none of this number. */
+const struct internal_function *internal_find(int number);
+
+/* Their tables, each ending with arguments 0: algebraic surfaces, other shapes,
+ * sums of noise. */
+extern const struct internal_function internal_algebraic[];
+extern const struct internal_function internal_shapes[];
+extern const struct internal_function internal_noises[];
+
+#endif
