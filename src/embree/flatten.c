@@ -24,6 +24,8 @@ struct inherited {
     unsigned body;
     bool hollow, no_shadow, no_image, no_reflection, double_illuminate;
     bool uv_mapping;
+    unsigned light_group;
+    bool no_global_lights;
     bool flipped;  /* inverted an odd number of times */
     bool inverted; /* inverted at all */
     bool clip;     /* part of a clip: has no surface of its own */
@@ -93,8 +95,11 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
     }
     if (object->interior || up->depth == 0)
         in.body = flat->bodies++;
-    if (up->depth == 0)
+    if (up->depth == 0) {
         in.hollow = object->hollow;
+        in.light_group = object->light_group;
+        in.no_global_lights = object->no_global_lights;
+    }
     inherit_visibility(object, &in);
     in.double_illuminate |= object->double_illuminate;
     in.uv_mapping |= object->uv_mapping;
@@ -208,6 +213,8 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     leaf->double_illuminate = in->double_illuminate;
     leaf->uv_mapping = in->uv_mapping;
     leaf->hollow = in->hollow;
+    leaf->light_group = in->light_group;
+    leaf->no_global_lights = in->no_global_lights;
     leaf->inverse = in->flipped;
     leaf->looks_like = in->looks_like;
     leaf->opaque = true; /* of clips */
@@ -314,7 +321,9 @@ static void add_light(struct flat *flat, const struct object *object,
     shown.body = flat->bodies++;
     shown.to_tree = in->to_world;
     shown.flipped = shown.inverted = false;
-    *ARRAY_PUSH(flat->arena, &flat->lights) = light_moved(light, &in->to_world);
+    struct light moved = light_moved(light, &in->to_world);
+    moved.group = in->light_group;
+    *ARRAY_PUSH(flat->arena, &flat->lights) = moved;
     if (light->looks_like)
         flatten(flat, light->looks_like, &shown);
 }

@@ -44,7 +44,9 @@ struct leaf {
     bool moved;  /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
-    bool uv_mapping; /* the texture is of the surface's own coordinates */
+    bool uv_mapping;       /* the texture is of the surface's own coordinates */
+    unsigned light_group;  /* 0: none */
+    bool no_global_lights; /* only those of its group */
     bool hollow;    /* of the object at the top level, whatever its parts say */
     bool inverse;   /* turned inside out, all its ancestors considered */
     int looks_like; /* number of the light it stands for, or -1 */

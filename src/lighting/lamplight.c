@@ -74,6 +74,8 @@ void lamplight_give(struct lamplight *light, const struct lamp *lamp)
 {
     const struct surface *surface = light->surface;
     struct lamp_view view;
+    if (!lamp_is_for(lamp, surface->at->leaf))
+        return;
     bool wide =
         lamp->light->area_illumination && lamps_soft(light->lamps, lamp);
     if (!wide && lamplight_is_behind(light, lamp))

@@ -367,6 +367,15 @@ static void mesh_few(const struct mesh_lighting *mesh,
     }
 }
 
+/* Mesh points are of all surfaces: where groups have lamps of their own, each
+ * surface asks for itself. */
+static void mesh_groups_give(struct lamplight *light)
+{
+    light->share = lamplight_trace_fine;
+    for (size_t i = 0; i < light->lamps->count; i++)
+        lamplight_give(light, &light->lamps->items[i]);
+}
+
 static struct diffuse_light mesh_illuminate(const void *state,
                                             struct worker *worker,
                                             const struct surface *surface,
@@ -385,7 +394,9 @@ static struct diffuse_light mesh_illuminate(const void *state,
     };
     if (mesh->scalar)
         return mesh_scalar_light(mesh->scalar, &light);
-    if (mesh->direct->many)
+    if (mesh->lamps.scene->light_groups)
+        mesh_groups_give(&light);
+    else if (mesh->direct->many)
         diffuse.irradiance = mesh_many(mesh, &light);
     else
         mesh_few(mesh, &light);

@@ -205,7 +205,7 @@ void plan_tell(const struct plan *plan, plan_row *row, void *context)
     };
     const struct lattice *direct = &plan->direct.lattice;
     const struct lattice *indirect = &plan->indirect.lattice;
-    row(context, "plan lamps", NAN, lamps[plan->lamps]);
+    row(context, "plan lamps", (double)NAN, lamps[plan->lamps]);
     if (plan->lamps == PLAN_SUMMED)
         row(context, "plan lamps asked", plan->direct.budget, "");
     if (plan->lamps != PLAN_EACH)
@@ -214,7 +214,7 @@ void plan_tell(const struct plan *plan, plan_row *row, void *context)
     if (plan->indirect.bounces == 0)
         return;
     row(context, "plan bounces", plan->indirect.bounces, "");
-    row(context, "plan ends in", NAN,
+    row(context, "plan ends in", (double)NAN,
         plan->indirect.close ? "the skeleton's light" : "the dark");
     row(context, "plan gather rays", plan->indirect.usual, "");
     row(context, "plan rough rays", plan->indirect.samples, "");

@@ -31,7 +31,6 @@ static const struct field camera_fields[] = {
 static const struct unsupported_word camera_unsupported[] = {
     { KEYWORD_MESH_CAMERA, "a 'mesh_camera'" },
     { KEYWORD_NORMAL, "a camera's 'normal'" },
-    { KEYWORD_OMNIMAX, "an 'omnimax' camera" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -50,7 +49,8 @@ static bool camera_cylinder(struct parser *p, struct camera *camera)
 }
 
 /* camera_kind = "perspective" | "orthographic" | "ultra_wide_angle"
- *             | "panoramic" | "fisheye" | "spherical" | "cylinder" float . */
+ *             | "panoramic" | "fisheye" | "omnimax" | "spherical"
+ *             | "cylinder" float . */
 static bool parse_camera_kind(struct parser *p, struct camera *camera,
                               bool *found)
 {
@@ -63,6 +63,7 @@ static bool parse_camera_kind(struct parser *p, struct camera *camera,
         { KEYWORD_ULTRA_WIDE_ANGLE, CAMERA_ULTRA_WIDE_ANGLE },
         { KEYWORD_PANORAMIC, CAMERA_PANORAMIC },
         { KEYWORD_FISHEYE, CAMERA_FISHEYE },
+        { KEYWORD_OMNIMAX, CAMERA_OMNIMAX },
     };
     *found = true;
     if (accept_word(p, "cylinder"))
@@ -80,35 +81,56 @@ static bool parse_camera_kind(struct parser *p, struct camera *camera,
     return true;
 }
 
-/* focal_blur = "aperture" float | "blur_samples" float [[","] float]
- *            | "focal_point" vector | "confidence" float | "variance" float .
- * Without effect as long as the aperture is 0. */
-static bool parse_focal_blur(struct parser *p, bool *found)
+enum { BLUR_SAMPLES_LIMIT = 100000 };
+
+static const struct field blur_fields[] = {
+    CAMERA("aperture", FIELD_FLOAT, aperture, 0, 0,
+           "width of the lens: the wider, the more is blurred, 0"),
+    CAMERA("focal_point", FIELD_VECTOR, focal_point, 0, 0,
+           "at whose distance all is sharp"),
+    CAMERA("confidence", FIELD_FLOAT, confidence, 0, 0,
+           "how sure it is that the variance is met, 0.9"),
+    CAMERA("variance", FIELD_FLOAT, variance, 0, 0,
+           "no more samples once theirs is less, 1/10000"),
+    { NULL },
+};
+
+/* blur_samples = "blur_samples" float [[","] float] .
+ * At most; or at least and at most. */
+static bool parse_blur_samples(struct parser *p, struct camera *camera)
 {
-    double number;
-    vec3 point;
-    enum keyword keyword = stream_keyword(p);
+    stream_next(p);
     struct span span = stream_span(p);
-    *found = true;
-    switch (keyword) {
-    case KEYWORD_APERTURE:
-    case KEYWORD_CONFIDENCE:
-    case KEYWORD_VARIANCE:
-    case KEYWORD_BLUR_SAMPLES:
-        stream_next(p);
-        if (!parse_float(p, &number))
+    if (!parse_float(p, &camera->blur_samples[1]))
+        return false;
+    accept(p, TOKEN_COMMA);
+    camera->blur_samples[0] = 0;
+    if (at_expression(p)) {
+        camera->blur_samples[0] = camera->blur_samples[1];
+        if (!parse_float(p, &camera->blur_samples[1]))
             return false;
-        accept(p, TOKEN_COMMA);
-        if (keyword == KEYWORD_APERTURE && number != 0)
-            return error_unsupported(p, span, "focal blur ('aperture')");
-        return !at_expression(p) || parse_float(p, &number);
-    case KEYWORD_FOCAL_POINT:
-        stream_next(p);
-        return parse_vector(p, &point);
-    default:
-        *found = false;
-        return true;
     }
+    for (int i = 0; i < 2; i++)
+        if (!(camera->blur_samples[i] >= 0 &&
+              camera->blur_samples[i] <= BLUR_SAMPLES_LIMIT))
+            return error_at(p, span_join(span, p->last_span), NULL,
+                            "there are 0 to %d blur_samples",
+                            BLUR_SAMPLES_LIMIT);
+    return true;
+}
+
+/* focal_blur = blur_samples | "aperture" float | "focal_point" vector
+ *            | "confidence" float | "variance" float .
+ * Without samples or with an aperture of 0 nothing is blurred. */
+static bool parse_focal_blur(struct parser *p, struct camera_draft *draft,
+                             bool *found)
+{
+    *found = true;
+    if (stream_keyword(p) == KEYWORD_BLUR_SAMPLES)
+        return parse_blur_samples(p, &draft->camera);
+    const struct field *field = accept_field(p, blur_fields);
+    *found = field;
+    return !field || parse_field(p, field, draft);
 }
 
 static bool camera_check_angle(struct parser *p, const struct camera *camera,
@@ -151,7 +173,7 @@ static bool parse_camera_item(struct parser *p, struct camera_draft *draft)
         return camera_field(p, field, draft);
     bool ok = parse_camera_kind(p, &draft->camera, &found);
     if (ok && !found)
-        ok = parse_focal_blur(p, &found);
+        ok = parse_focal_blur(p, draft, &found);
     if (ok && !found)
         ok = parse_transformation(p, &draft->moved, &found);
     if (!ok || found)

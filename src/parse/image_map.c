@@ -322,7 +322,7 @@ static struct entry_clear *entry_clear(struct parser *p, struct image_map *map,
         map->clear =
             ARENA_ARRAY(p->scene_arena, struct entry_clear, PALETTE_ENTRIES);
         for (int i = 0; i < PALETTE_ENTRIES; i++)
-            map->clear[i] = (struct entry_clear){ NAN, NAN };
+            map->clear[i] = (struct entry_clear){ (double)NAN, (double)NAN };
     }
     return &map->clear[entry];
 }

@@ -5,7 +5,7 @@
 
 static const struct unsupported_word object_unsupported[] = {
     { KEYWORD_JULIA_FRACTAL, "'julia_fractal'" },
-    { KEYWORD_LIGHT_GROUP, "'light_group'" },
+    { KEYWORD_LIGHT_GROUP, "a 'light_group' in another object" },
     { KEYWORD_PARAMETRIC, "'parametric'" },
     { KEYWORD_NONE, NULL },
 };

@@ -14,6 +14,7 @@
 
 struct cursor;
 struct data_files;
+struct density_cache;
 struct font_cache;
 struct image_cache;
 struct scope;
@@ -88,10 +89,11 @@ struct parser {
         struct finish **items;
         size_t count, capacity;
     } finishes; /* all: the last #version decides how they filter */
-    struct image_cache *images;     /* read for image_map; image_map.c */
-    struct font_cache *fonts;       /* read for text; text.c */
-    struct data_files *data_files;  /* what the scene wrote; data_file.c */
-    struct random_streams *randoms; /* seed(), rand() */
+    struct image_cache *images;      /* read for image_map; image_map.c */
+    struct font_cache *fonts;        /* read for text; text.c */
+    struct density_cache *densities; /* read; density_file.c */
+    struct data_files *data_files;   /* what the scene wrote; data_file.c */
+    struct random_streams *randoms;  /* seed(), rand() */
     struct {
         const struct token_list **items;
         size_t count, capacity;

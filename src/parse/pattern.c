@@ -4,13 +4,14 @@
 #include "parse/rules.h"
 
 #include "parse/user_function.h"
+#include "scene/density_file.h"
 #include "scene/function.h"
 #include "scene/object_probe.h"
 #include "scene/orbit.h"
+#include "scene/samples.h"
 
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
-    { KEYWORD_DENSITY_FILE, "the 'density_file' pattern" },
     { KEYWORD_FACETS, "the 'facets' pattern" },
     { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
     { KEYWORD_TILING, "the 'tiling' pattern" },
@@ -144,6 +145,20 @@ static bool image_pattern_read(struct parser *p, struct pattern *pattern)
     return parse_image_pattern(p, &made->image) && pattern_sampled(p, pattern);
 }
 
+static double density_sample(const void *pattern, vec3 point)
+{
+    return ((const struct pattern *)pattern)->kind->value(pattern, point);
+}
+
+static bool density_file_read(struct parser *p, struct pattern *pattern)
+{
+    struct density_file *file = pattern->parameters;
+    if (!parse_density_file(p, file))
+        return false;
+    file->samples = samples_take(p->scene_arena, density_sample, pattern);
+    return true;
+}
+
 /* magnet = "magnet" float ( "mandel" | "julia" vector [","] ) float . */
 static bool parse_magnet(struct parser *p, struct pattern *pattern)
 {
@@ -164,7 +179,8 @@ static bool parse_magnet(struct parser *p, struct pattern *pattern)
 }
 
 /* pattern = PATTERN arguments | function_pattern | pigment_pattern
- *         | object_pattern | magnet | slope | image_pattern .
+ *         | object_pattern | magnet | slope | image_pattern
+ *         | density_file .
  * The name of a pattern and what its table in scene/pattern/ says. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
 {
@@ -188,6 +204,8 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
         return parse_magnet(p, pattern);
     case KEYWORD_SLOPE:
         return parse_slope(p, pattern->parameters);
+    case KEYWORD_DENSITY_FILE:
+        return density_file_read(p, pattern);
     case KEYWORD_IMAGE_PATTERN:
         return image_pattern_read(p, pattern);
     default:

@@ -99,6 +99,9 @@ const struct texture *texture_stack(struct parser *p,
 /* pattern.c: a pattern's name and its arguments; the placing stays. */
 bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found);
 bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found);
+/* density_file.c; the keyword is next. */
+struct density_file;
+bool parse_density_file(struct parser *p, struct density_file *file);
 /* slope.c; the keyword is next. */
 struct slope;
 bool parse_slope(struct parser *p, struct slope *slope);
@@ -200,6 +203,10 @@ bool parse_density_entries(struct parser *p, bool average,
 bool parse_medium(struct parser *p, const struct medium **out);
 /* One more of these. */
 bool parse_media(struct parser *p, struct media *media);
+
+/* ---- light_group.c: a node with its members below it, moved together ---- */
+
+bool parse_light_group(struct parser *p, const struct object **out);
 
 /* ---- atmosphere.c; the keyword is next ---- */
 

@@ -4,7 +4,6 @@
 #include "parse/rules.h"
 
 static const struct unsupported_word scene_unsupported[] = {
-    { KEYWORD_LIGHT_GROUP, "'light_group'" },
     { KEYWORD_PHOTONS, "'photons'" },
     { KEYWORD_RADIOSITY, "'radiosity'" },
     { KEYWORD_RAINBOW, "'rainbow'" },
@@ -12,7 +11,6 @@ static const struct unsupported_word scene_unsupported[] = {
 };
 
 static const struct unsupported_word thing_unsupported[] = {
-    { KEYWORD_LIGHT_GROUP, "'light_group'" },
     { KEYWORD_RAINBOW, "'rainbow'" },
     { KEYWORD_WARP, "'warp'" },
     { KEYWORD_NONE, NULL },
@@ -95,9 +93,16 @@ static bool thing_fog(struct parser *p, struct value *value)
     return parse_fog(p, fog);
 }
 
+static bool thing_light_group(struct parser *p, struct value *value)
+{
+    value->kind = VALUE_LIGHT_GROUP;
+    return parse_light_group(p, &value->object);
+}
+
 /* thing = texture {texture} | pigment | normal | finish | interior | material
  *       | transform | camera | fog | sky_sphere | colour_map | pigment_map
- *       | texture_map | density | density_map | media | object . */
+ *       | texture_map | density | density_map | media | light_group
+ *       | object . */
 bool parse_thing(struct parser *p, struct value *value, bool *found)
 {
     enum keyword keyword = stream_keyword(p);
@@ -137,6 +142,8 @@ bool parse_thing(struct parser *p, struct value *value, bool *found)
     case KEYWORD_PIGMENT_MAP:
         value->kind = VALUE_PIGMENT_MAP;
         return parse_pigment_map(p, false, &value->map);
+    case KEYWORD_LIGHT_GROUP:
+        return thing_light_group(p, value);
     case KEYWORD_TEXTURE_MAP:
         value->kind = VALUE_TEXTURE_MAP;
         return parse_declared_texture_map(p, &value->texture_map);
@@ -216,6 +223,24 @@ static bool scene_object(struct parser *p)
     return true;
 }
 
+/* Its members are objects of the scene, which alone know their group. */
+static bool scene_light_group(struct parser *p)
+{
+    const struct object *group;
+    if (!parse_light_group(p, &group))
+        return false;
+    unsigned number = ++p->scene->light_groups;
+    for (size_t i = 0; i < group->child_count; i++) {
+        struct object *member = object_copy(p->scene_arena, group->children[i]);
+        member->light_group = number;
+        member->no_global_lights = group->no_global_lights;
+        object_move(p->scene_arena, member, group->transform);
+        object_link(p, member);
+        *ARRAY_PUSH(p->scene_arena, &p->scene->objects) = member;
+    }
+    return true;
+}
+
 bool at_scene_item(struct parser *p)
 {
     switch (stream_keyword(p)) {
@@ -223,6 +248,7 @@ bool at_scene_item(struct parser *p)
     case KEYWORD_BACKGROUND:
     case KEYWORD_SKY_SPHERE:
     case KEYWORD_FOG:
+    case KEYWORD_LIGHT_GROUP:
     case KEYWORD_MEDIA:
     case KEYWORD_GLOBAL_SETTINGS:
     case KEYWORD_DEFAULT:
@@ -300,8 +326,8 @@ static bool scene_unknown(struct parser *p)
     return false;
 }
 
-/* scene_item = camera | background | sky_sphere | fog | media | global_settings
- *            | default_block | object . */
+/* scene_item = camera | background | sky_sphere | fog | media | light_group
+ *            | global_settings | default_block | object . */
 bool parse_scene_item(struct parser *p)
 {
     bool ok;
@@ -317,6 +343,9 @@ bool parse_scene_item(struct parser *p)
         break;
     case KEYWORD_FOG:
         ok = scene_fog(p);
+        break;
+    case KEYWORD_LIGHT_GROUP:
+        ok = scene_light_group(p);
         break;
     case KEYWORD_MEDIA:
         ok = parse_media(p, &p->scene->media);

@@ -13,6 +13,9 @@ struct camera camera_default(void)
         .up = { 0, 1, 0 },
         .sky = { 0, 1, 0 },
         .look_at = { 0, 0, 1 },
+        .focal_point = { 0, 0, 1 },
+        .confidence = 0.9,
+        .variance = 1e-4,
     };
 }
 
@@ -83,7 +86,7 @@ static void camera_bend(struct camera *camera)
     camera->turn_up = up * (M_PI / 180);
     if (kind == CAMERA_PANORAMIC)
         return;
-    if (kind == CAMERA_FISHEYE) {
+    if (kind == CAMERA_FISHEYE || kind == CAMERA_OMNIMAX) {
         camera->direction = vec3_normalise(camera->direction);
         return;
     }
@@ -99,6 +102,8 @@ const char *camera_finish(struct camera *camera)
     const char *problem = camera_check(camera);
     if (problem)
         return problem;
+    camera->focus =
+        vec3_length(vec3_sub(camera->focal_point, camera->location));
     if (camera->kind == CAMERA_ORTHOGRAPHIC) {
         camera_size(camera);
     } else if (camera_is_bent(camera)) {
@@ -140,8 +145,50 @@ static double camera_disc(const struct camera *camera, double x, double y)
            hypot(x * vec3_length(camera->right), y * vec3_length(camera->up));
 }
 
+/* The angle from the direction at r of a dome's disc, radians: a quarter turn
+ * at its edge, 1. */
+static double omnimax_angle(double r)
+{
+    double square = r * r;
+    return r * (1.411269 + square * (-0.09439 + square * 0.25674));
+}
+
+/* The place on the disc, of one from the picture's middle. It is as wide as the
+ * picture, with its top at the picture's if that is wider than high; but so far
+ * that all down to 45 degrees is in the picture (measured). */
+static void omnimax_place(const struct camera *camera, double x, double y,
+                          double disc[2])
+{
+    const double lowest = 0.5583; /* where the angle is 45 degrees */
+    double shape = vec3_length(camera->right) / vec3_length(camera->up);
+    double scale = fmax(1 / shape, (1 + lowest) / 2);
+    disc[0] = 2 * x * scale * shape;
+    disc[1] = 2 * y * scale + fmax(0, 1 - scale);
+}
+
+static vec3 camera_omnimax(const struct camera *camera, double x, double y)
+{
+    double disc[2];
+    omnimax_place(camera, x, y, disc);
+    double r = hypot(disc[0], disc[1]), angle = omnimax_angle(r);
+    double side = r > 0 ? sin(angle) / r : 0;
+    vec3 sum = vec3_scale(vec3_normalise(camera->right), side * disc[0]);
+    sum = vec3_along(sum, vec3_normalise(camera->up), side * disc[1]);
+    return vec3_along(sum, camera->direction, cos(angle));
+}
+
+static bool omnimax_sees(const struct camera *camera, double x, double y)
+{
+    double disc[2];
+    omnimax_place(camera, x, y, disc);
+    double r = hypot(disc[0], disc[1]), angle = omnimax_angle(r);
+    return r <= 1 && disc[1] * sin(angle) >= -r * cos(angle);
+}
+
 bool camera_sees(const struct camera *camera, double x, double y)
 {
+    if (camera->kind == CAMERA_OMNIMAX)
+        return omnimax_sees(camera, x - 0.5, 0.5 - y);
     return camera->kind != CAMERA_FISHEYE ||
            camera_disc(camera, x - 0.5, 0.5 - y) <= 1;
 }
@@ -167,6 +214,9 @@ static struct ray camera_bent_ray(const struct camera *camera, double x,
         break;
     case CAMERA_FISHEYE:
         ray.direction = camera_fisheye(camera, x, y);
+        break;
+    case CAMERA_OMNIMAX:
+        ray.direction = camera_omnimax(camera, x, y);
         break;
     case CAMERA_PANORAMIC:
         ray.direction =
@@ -207,6 +257,22 @@ struct ray camera_ray(const struct camera *camera, double x, double y)
     else
         ray.direction = vec3_add(ray.direction, offset);
     ray.direction = vec3_normalise(ray.direction);
+    return ray;
+}
+
+/* What is in the plane at the distance of the focal point, straight ahead,
+ * stays where it is. */
+struct ray camera_lens_ray(const struct camera *camera, double x, double y,
+                           const double lens[2])
+{
+    struct ray ray = camera_ray(camera, x, y);
+    double ahead = vec3_dot(ray.direction, vec3_normalise(camera->direction));
+    vec3 sharp = vec3_along(ray.origin, ray.direction, camera->focus / ahead);
+    ray.origin = vec3_along(ray.origin, vec3_normalise(camera->right),
+                            lens[0] * camera->aperture);
+    ray.origin = vec3_along(ray.origin, vec3_normalise(camera->up),
+                            lens[1] * camera->aperture);
+    ray.direction = vec3_normalise(vec3_sub(sharp, ray.origin));
     return ray;
 }
 

@@ -17,6 +17,7 @@ enum camera_kind {
     CAMERA_CYLINDER_3, /* upright, each line seen from its own height */
     CAMERA_CYLINDER_4, /* lying, each column from its own place */
     CAMERA_FISHEYE,    /* a disc; the rest of the picture is black */
+    CAMERA_OMNIMAX,    /* a disc, cut off below: a dome's film */
 };
 
 struct camera {
@@ -31,6 +32,14 @@ struct camera {
                            * bend it; their vectors that turn are unit */
     vec3 look_at;
     bool has_look_at;
+    /* Focal blur: how wide the lens is, 0 for none; the point whose distance is
+     * that of the plane where all is sharp; rays of a place, at least and at
+     * most; and when fewer are enough. */
+    double aperture;
+    vec3 focal_point;
+    double focus;           /* that distance */
+    double blur_samples[2]; /* whole numbers */
+    double confidence, variance;
 };
 
 /* POV-Ray's: at the origin, looking along z, right 1.33 x, look_at z. */
@@ -43,6 +52,12 @@ static inline bool camera_is_bent(const struct camera *camera)
     return camera->kind > CAMERA_ORTHOGRAPHIC;
 }
 
+/* Whether its lens blurs what is out of focus. */
+static inline bool camera_blurs(const struct camera *camera)
+{
+    return camera->aperture != 0 && camera->blur_samples[1] >= 1;
+}
+
 /* Works `look_at` and `angle` into direction, right and up, once everything in
  * the block has been read; then come the block's transformations, wherever
  * they were written. Returns NULL or what is wrong ("look_at is the same point
@@ -53,11 +68,16 @@ const char *camera_finish(struct camera *camera);
 void camera_move(struct camera *camera, const affine *transform);
 
 /* Whether there is a picture at (x, y), both in [0,1] from the top left: round
- * a fisheye's disc there is none, and it is black. */
+ * the disc of a fisheye or a dome there is none, and it is black. */
 bool camera_sees(const struct camera *camera, double x, double y);
 
 /* The ray through the picture at (x, y). The direction is unit. */
 struct ray camera_ray(const struct camera *camera, double x, double y);
+
+/* The same through another point of the lens, from its middle along right and
+ * up, for an aperture of 1 (scene/lens.h). */
+struct ray camera_lens_ray(const struct camera *camera, double x, double y,
+                           const double lens[2]);
 
 /* A point from the camera: so many rights, ups and directions away from its
  * location. Not finite if these lie in a plane. */

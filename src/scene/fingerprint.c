@@ -292,12 +292,25 @@ static void walk_material(struct walk *walk, const struct object *object,
 static uint64_t light_hash(uint64_t hash, const struct light *light)
 {
     const double numbers[] = {
-        light->kind,       light->parallel,   light->radius,
-        light->falloff,    light->tightness,  light->fade_distance,
-        light->fade_power, light->shadowless, light->media_attenuation,
-        light->no_media,   light->area,       light->size1,
-        light->size2,      light->adaptive,   light->circular,
-        light->orient,     light->jitter,     light->area_illumination,
+        light->kind,
+        light->parallel,
+        light->radius,
+        light->falloff,
+        light->tightness,
+        light->fade_distance,
+        light->fade_power,
+        light->shadowless,
+        light->media_attenuation,
+        light->no_media,
+        light->group,
+        light->area,
+        light->size1,
+        light->size2,
+        light->adaptive,
+        light->circular,
+        light->orient,
+        light->jitter,
+        light->area_illumination,
     };
     hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
     hash = hash_vector(hash_vector(hash, light->location), light->point_at);

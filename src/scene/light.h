@@ -25,6 +25,8 @@ struct light {
     bool media_attenuation; /* weakened by fog and media on its way */
     bool no_media;          /* media scatter none of it */
 
+    unsigned group; /* whose objects alone it lights; 0: all */
+
     bool area;
     vec3 axis1, axis2;
     int size1, size2;

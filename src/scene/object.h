@@ -70,7 +70,10 @@ struct object {
     bool hollow, has_hollow; /* has_: said at all, else the parent's */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
-    bool uv_mapping; /* the texture is of the surface's own coordinates */
+    unsigned light_group;  /* whose lamps light it; 0: none. Of objects at the
+                            * top level alone */
+    bool no_global_lights; /* and no others do */
+    bool uv_mapping;       /* the texture is of the surface's own coordinates */
 };
 
 /* A new node of this kind with identity transformations. */

@@ -76,6 +76,7 @@ struct scene {
         const struct object **items;
         size_t count, capacity;
     } objects;
+    unsigned light_groups;       /* how many there are: 1 to that */
     struct media media;          /* of all space */
     bool misty;                  /* there are media somewhere */
     struct noise_settings noise; /* of all patterns and fogs */

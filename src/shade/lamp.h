@@ -4,6 +4,7 @@
 #ifndef SHADE_LAMP_H
 #define SHADE_LAMP_H
 
+#include "embree/solid.h"
 #include "scene/light.h"
 
 /* A light with what doesn't change from point to point. */
@@ -29,6 +30,13 @@ struct lamp lamp_new(const struct light *light, int number);
 
 /* Whether its rays are parallel: said so, or a cylinder. */
 bool lamp_is_parallel(const struct lamp *lamp);
+
+/* Whether it lights what a light_group may keep it from. */
+static inline bool lamp_is_for(const struct lamp *lamp, const struct leaf *leaf)
+{
+    unsigned group = lamp->light->group;
+    return group ? leaf->light_group == group : !leaf->no_global_lights;
+}
 
 /* Sees the lamp as if it stood at `location` (light->location, or a point of
  * an area light's grid) from `point`. Returns false if no light gets there;

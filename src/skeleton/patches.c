@@ -82,7 +82,8 @@ static vec3 lamp_point(const struct lamp *lamp, vec3 point, uint64_t key)
 static rgb lamp_gives(const struct lamp *lamp, const struct patch_point *point,
                       vec3 location, struct lamp_view *view)
 {
-    if (!lamp_look(lamp, location, point->at.point, view))
+    if (!lamp_is_for(lamp, point->at.leaf) ||
+        !lamp_look(lamp, location, point->at.point, view))
         return rgb_grey(0);
     double cosine = vec3_dot(view->direction, point->surface.normal);
     if (point->at.leaf->double_illuminate)

@@ -71,6 +71,8 @@ static bool lamp_look_at(const struct question *q, size_t number,
 {
     const struct lamp *lamp = &q->set->lamps[number];
     double u[2] = { 0.5, 0.5 };
+    if (q->receiver->leaf && !lamp_is_for(lamp, q->receiver->leaf))
+        return false;
     if (lamp->light->area && q->tracer->quality >= QUALITY_AREA_LIGHTS)
         draw_pair(q->draws, SLOT_PLACES + (uint32_t)number, u);
     return light_set_look(lamp, q->receiver->point, u, pick);

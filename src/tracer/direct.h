@@ -23,7 +23,8 @@ struct receiver {
     /* The density of the rays it scatters there; 0: it scatters none. */
     double (*density)(const void *context, vec3 direction);
     const void *context;
-    bool in_media; /* that lamps may say they don't light */
+    const struct leaf *leaf; /* what it is on; NULL: any lamp lights it */
+    bool in_media;           /* that lamps may say they don't light */
 };
 
 /* The bodies that light to this direction goes through. */

@@ -255,6 +255,7 @@ static void walk_direct(struct walk *walk, struct meeting *meeting)
         .response = scatterer_response,
         .density = scatterer_density,
         .context = &scatterer,
+        .leaf = crossing->at.leaf,
     };
     rgb lamps = direct_lamps(walk->tracer, walk->worker, &receiver,
                              &meeting->draws, walk->split);

@@ -1,2 +1,1 @@
 camera { cylinder 5 location -z }
-camera { omnimax location -z }

@@ -228,7 +228,7 @@ static void test_errors(void **state)
         { "#declare A = sum(i,1,2,i);",
           "1:14: error: sum() can be used inside function { } only" },
         { "#declare f = function { internal(24) } #debug str(f(1,1,1),0,0)",
-          "1:50: error: 'f' needs f_helical_torus" },
+          "1:51: error: 'f' needs f_helical_torus" },
         { "#declare A = srgb 0.5;",
           "1:14: error: colours in sRGB need to know the scene's "
           "assumed_gamma" },

@@ -65,21 +65,56 @@ static double crackle_gap(double place, int step)
     return step > 0 ? step - place : step < 0 ? place - step - 1 : 0;
 }
 
-/* Adds the point of the cube `step` away from the one at `base`, unless the
- * whole cube is farther than what is known. */
-static void crackle_visit(const struct crackle *crackle, vec3 base, vec3 place,
-                          const int step[3], struct nearest *nearest)
+enum { CRACKLE_FAR = 2 }; /* cubes away, at most */
+
+/* A point's cube, its place in it, and the powers of how far it is from the
+ * cubes up to CRACKLE_FAR away, by axis. */
+struct crackle_place {
+    const struct crackle *crackle;
+    vec3 base, place;
+    double power[3][2 * CRACKLE_FAR + 1];
+};
+
+static void place_measure(struct crackle_place *p, int ring)
 {
-    vec3 gap = { crackle_gap(place.x, step[0]), crackle_gap(place.y, step[1]),
-                 crackle_gap(place.z, step[2]) };
-    double known = nearest->sum[crackle->form.z != 0 ? 2 : 1];
-    if (crackle->metric > 0 && crackle_sum(crackle, gap) > known)
-        return;
-    vec3 cell = vec3_add(base, vec3_make(step[0], step[1], step[2]));
+    for (int axis = 0; axis < 3; axis++)
+        for (int step = -ring; step <= ring; step++)
+            if (step == -ring || step == ring)
+                p->power[axis][step + CRACKLE_FAR] = crackle_power(
+                    p->crackle,
+                    crackle_gap(vec3_component(p->place, axis), step));
+}
+
+/* Adds the point of the cube so many steps away. */
+static void crackle_visit(const struct crackle_place *p, vec3 step,
+                          struct nearest *nearest)
+{
+    vec3 cell = vec3_add(p->base, step);
     vec3 inner = noise_cell_point(cell.x, cell.y, cell.z);
-    vec3 offset =
-        vec3_sub(vec3_add(vec3_make(step[0], step[1], step[2]), inner), place);
-    nearest_add(nearest, crackle_sum(crackle, offset), vec3_add(cell, inner));
+    vec3 offset = vec3_sub(vec3_add(step, inner), p->place);
+    nearest_add(nearest, crackle_sum(p->crackle, offset),
+                vec3_add(cell, inner));
+}
+
+/* The cubes that are so many steps away along some axis, but for those that are
+ * farther than what is known. */
+static void crackle_ring(const struct crackle_place *p, int ring, int keep,
+                         struct nearest *nearest)
+{
+    const double *px = p->power[0] + CRACKLE_FAR;
+    const double *py = p->power[1] + CRACKLE_FAR;
+    const double *pz = p->power[2] + CRACKLE_FAR;
+    bool far = p->crackle->metric > 0; /* what is far is not near */
+    for (int z = -ring; z <= ring; z++) {
+        for (int y = -ring; y <= ring; y++) {
+            bool side = abs(y) == ring || abs(z) == ring;
+            if (far && py[y] + pz[z] > nearest->sum[keep])
+                continue;
+            for (int x = -ring; x <= ring; x += side || !ring ? 1 : 2 * ring)
+                if (!far || px[x] + py[y] + pz[z] <= nearest->sum[keep])
+                    crackle_visit(p, vec3_make(x, y, z), nearest);
+        }
+    }
 }
 
 /* The cubes at most two away, nearer ones first. Outside of the inner 27 all
@@ -87,20 +122,15 @@ static void crackle_visit(const struct crackle *crackle, vec3 base, vec3 place,
 static struct nearest crackle_search(const struct crackle *crackle, vec3 point)
 {
     struct nearest nearest = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, point };
-    vec3 base = { floor(point.x), floor(point.y), floor(point.z) };
-    vec3 place = vec3_sub(point, base);
+    struct crackle_place p = { .crackle = crackle };
     int keep = crackle->form.z != 0 ? 2 : 1;
-    for (int ring = 0; ring <= 2; ring++) {
+    p.base = vec3_make(floor(point.x), floor(point.y), floor(point.z));
+    p.place = vec3_sub(point, p.base);
+    for (int ring = 0; ring <= CRACKLE_FAR; ring++) {
         if (ring == 2 && nearest.sum[keep] <= 1)
             break;
-        int side = 2 * ring + 1;
-        for (int i = 0; i < side * side * side; i++) {
-            int step[3] = { i % side - ring, i / side % side - ring,
-                            i / side / side - ring };
-            if (abs(step[0]) == ring || abs(step[1]) == ring ||
-                abs(step[2]) == ring)
-                crackle_visit(crackle, base, place, step, &nearest);
-        }
+        place_measure(&p, ring);
+        crackle_ring(&p, ring, keep, &nearest);
     }
     return nearest;
 }

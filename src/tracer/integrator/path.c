@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/warp.h"
+#include "scene/lens.h"
 #include "shade/shadow.h"
 #include "tracer/crossing.h"
 #include "tracer/direct.h"
@@ -14,7 +15,8 @@ enum {
     TYPICAL_EDGE = 16,   /* of the grid of path_ready */
     TYPICAL_SAMPLES = 4, /* at each of its places */
     SLOT_START = 1 << 20,
-    SLOT_LOBE
+    SLOT_LOBE,
+    SLOT_LENS,
 }; /* of draws; the rest belongs to direct.c */
 
 struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
@@ -35,6 +37,12 @@ struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
     if (!camera_sees(&tracer->scene->camera, x, y))
         return (struct radiance){ rgb_grey(0), 0 };
     walk.ray = tracer_start(tracer, worker, x, y, &walk.inside);
+    if (camera_blurs(&tracer->scene->camera)) {
+        double u[2], lens[2];
+        draw_pair(draws, SLOT_LENS, u);
+        lens_sample(u, lens);
+        walk.ray = camera_lens_ray(&tracer->scene->camera, x, y, lens);
+    }
     return walk_follow(&walk);
 }
 

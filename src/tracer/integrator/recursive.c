@@ -10,8 +10,12 @@
  * - Total reflection takes the place of all that is transmitted and mirrored,
  *   at full weight.
  * - Fading in an interior weakens what passes where the ray leaves it. */
+#include <string.h>
+
 #include "base/parallel.h"
+#include "base/random.h"
 #include "base/telling.h"
+#include "scene/lens.h"
 #include "shade/finish.h"
 #include "shade/interior.h"
 #include "shade/media.h"
@@ -21,7 +25,8 @@
 #include "tracer/integrator.h"
 
 enum {
-    SURFACES_MAX = 1000 * 1000 /* a ray passes straight through */
+    SURFACES_MAX = 1000 * 1000, /* a ray passes straight through */
+    BLUR_LEAST = 4,             /* rays through a lens, for a variance */
 };
 
 /* A ray on its way, and what it has gathered. */
@@ -313,6 +318,61 @@ static void path_start(struct path *path, const struct tracer *tracer,
     tracer_enter(tracer, worker, path->ray.origin, &path->inside);
 }
 
+/* Rays through the lens, and their squares. */
+struct blur {
+    rgb sum, squares;
+    double opacity;
+    int count;
+};
+
+static void blur_add(struct blur *blur, struct radiance seen)
+{
+    blur->sum = rgb_add(blur->sum, seen.colour);
+    blur->squares = rgb_add(blur->squares, rgb_mul(seen.colour, seen.colour));
+    blur->opacity += seen.opacity;
+    blur->count++;
+}
+
+/* Whether the mean's variance is, with the confidence asked for, small enough.
+ * The logistic distribution stands for the normal one. */
+static bool blur_settled(const struct blur *blur, const struct camera *camera)
+{
+    double n = blur->count;
+    double sure = fmin(fmax(camera->confidence, 0), 0.999999);
+    double width = log((1 + sure) / (1 - sure)) / 1.702;
+    rgb mean = rgb_scale(blur->sum, 1 / n);
+    rgb spread = rgb_sub(rgb_scale(blur->squares, 1 / n), rgb_mul(mean, mean));
+    return n >= BLUR_LEAST && n >= camera->blur_samples[0] &&
+           rgb_peak(spread) * width * width <= n * camera->variance;
+}
+
+static struct radiance tracer_blurred(const struct tracer *tracer,
+                                      struct worker *worker,
+                                      const struct picture_place *place)
+{
+    const struct camera *camera = &tracer->scene->camera;
+    double x = place->at[0], y = place->at[1];
+    int most = (int)camera->blur_samples[1];
+    struct blur blur = { .count = 0 };
+    uint64_t bits[2];
+    memcpy(bits, (const double[]){ x, y }, sizeof bits);
+    uint64_t key = random_key(bits[0], bits[1]);
+    for (int i = 0; i < most && !worker_stopped(worker); i++) {
+        struct path path;
+        double lens[2];
+        lens_point(most, i, key, lens);
+        struct ray ray = camera_lens_ray(camera, x, y, lens);
+        path_start(&path, tracer, worker, NULL, &ray);
+        blur_add(&blur, path_follow(&path));
+        arena_reset(worker->scratch);
+        if (blur_settled(&blur, camera))
+            break;
+    }
+    double share = blur.count ? 1.0 / blur.count : 0;
+    return (struct radiance){ rgb_scale(blur.sum, share),
+                              blur.opacity * share };
+}
+
 struct radiance tracer_camera(const struct tracer *tracer,
                               struct worker *worker,
                               const struct picture_place *place)
@@ -321,6 +381,8 @@ struct radiance tracer_camera(const struct tracer *tracer,
     const struct camera *camera = &tracer->scene->camera;
     if (!camera_sees(camera, place->at[0], place->at[1]))
         return (struct radiance){ rgb_grey(0), 0 };
+    if (camera_blurs(camera))
+        return tracer_blurred(tracer, worker, place);
     struct ray ray = camera_ray(camera, place->at[0], place->at[1]);
     path_start(&path, tracer, worker, place, &ray);
     return path_follow(&path);
@@ -353,6 +415,10 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
         if (!camera_sees(&tracer->scene->camera, places[i].at[0],
                          places[i].at[1]))
             continue;
+        if (camera_blurs(&tracer->scene->camera)) {
+            out[i] = tracer_blurred(tracer, worker, &places[i]);
+            continue;
+        }
         path_start(&path, tracer, worker, &places[i], &rays[i]);
         if (hits[i].leaf)
             world_describe(&path.ray, &hits[i], &crossing.at);

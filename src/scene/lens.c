@@ -1,0 +1,68 @@
+/* Points on lenses, as POV-Ray 3.7 spreads them (measured by pinhole pictures
+ * of a lens: outline and variance): 4 in a square, 7, 19 and 37 in hexagons,
+ * each anywhere in its cell; other numbers on a disc. Their order here lets any
+ * first few of them be spread as well as all. */
+#include "scene/lens.h"
+
+#include <math.h>
+
+#include "base/random.h"
+
+static const double lens_radius = 0.25;
+static const double pi = 3.14159265358979323846;
+
+void lens_sample(const double u[2], double point[2])
+{
+    double r = lens_radius * sqrt(u[0]), turn = 2 * pi * u[1];
+    point[0] = r * cos(turn);
+    point[1] = r * sin(turn);
+}
+
+/* Rings of a hexagon of so many cells, or 0. */
+static int hexagon_rings(int count)
+{
+    return count == 7 ? 1 : count == 19 ? 2 : count == 37 ? 3 : 0;
+}
+
+/* Cell i, from the middle outwards, in distances of cells. */
+static void hexagon_cell(int i, double cell[2])
+{
+    int ring = 0, first = 0;
+    cell[0] = cell[1] = 0;
+    while (i >= first + (ring ? 6 * ring : 1)) {
+        first += ring ? 6 * ring : 1;
+        ring++;
+    }
+    if (ring == 0)
+        return;
+    int side = (i - first) / ring, step = (i - first) % ring;
+    double from = pi / 3 * side, along = from + 2 * pi / 3;
+    cell[0] = ring * cos(from) + step * cos(along);
+    cell[1] = ring * sin(from) + step * sin(along);
+}
+
+void lens_point(int count, int i, uint64_t key, double point[2])
+{
+    uint64_t own = random_key(key, (uint64_t)i);
+    double u = random_unit(own) - 0.5, v = random_unit(random_mix(own)) - 0.5;
+    int rings = hexagon_rings(count);
+    if (count == 4) {
+        point[0] = lens_radius * ((i % 2) - 0.5 + u);
+        point[1] = lens_radius * ((i / 2) - 0.5 + v);
+        return;
+    }
+    if (rings) {
+        double cell = 2 * lens_radius / (sqrt(3) * (rings + 1));
+        hexagon_cell(i, point);
+        point[0] = cell * (point[0] + u);
+        point[1] = cell * (point[1] + v);
+        return;
+    }
+    /* Roberts' sequence: any number of points in a row are evenly spread. */
+    double start[2] = { random_unit(key), random_unit(random_mix(key)) };
+    double place[2] = { start[0] + i * 0.7548776662466927,
+                        start[1] + i * 0.5698402909980532 };
+    place[0] -= floor(place[0]);
+    place[1] -= floor(place[1]);
+    lens_sample(place, point);
+}
