@@ -19,9 +19,11 @@ enum status { DONE = 0, FAILED = 1, INTERRUPTED = 2 };
 struct work {
     struct options options;
     const struct source *source;
-    struct probe_file points;  /* of --probe */
-    struct lighting_kept kept; /* by the frame before */
-    bool kept_told;            /* that a picture kept by +C is old */
+    struct probe_file points;     /* of --probe */
+    struct lighting_kept kept;    /* by the frame before */
+    bool kept_told;               /* that a picture kept by +C is old */
+    struct unfinished unfinished; /* picture, if the work was stopped */
+    struct progress progress;
     const atomic_int *stop;
     struct diag diag;
 };
@@ -31,13 +33,12 @@ static bool frame_pixels(struct work *work, const struct tracer *tracer,
                          const char *name, struct image *image,
                          struct stats *stats)
 {
-    struct progress progress;
     struct render_options render = work->options.render;
     render.stop = work->stop;
     render.progress = progress_tell;
     render.passed = progress_passed;
-    render.progress_context = &progress;
-    progress_start(&progress, &work->options, name);
+    render.progress_context = &work->progress;
+    progress_start(&work->progress);
     struct telling telling = { .out = stdout };
     if (work->options.debug_pixel)
         render.telling = &telling;
@@ -46,9 +47,7 @@ static bool frame_pixels(struct work *work, const struct tracer *tracer,
         name ? background_start(image_prepare, &format) : NULL;
     bool done = render_run(tracer, &render, image, &stats->rays);
     background_join(loading);
-    progress_clear(&progress);
-    if (done)
-        progress_finish(&progress, &work->options);
+    progress_clear(&work->progress);
     return done;
 }
 
@@ -64,10 +63,16 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
     stats_lighting(stats, tracer);
     done =
         done && picture_show(image, options, tracer, work->stop, &work->diag);
-    done = done && picture_write(image, options, &tracer->scene->settings, name,
-                                 &work->diag);
+    if (done)
+        done = picture_write(image, options, &tracer->scene->settings, name,
+                             &work->diag);
+    else if (atomic_load(work->stop))
+        picture_rescue(image, options, &tracer->scene->settings, name,
+                       &stats->rays, &work->unfinished, &work->diag);
     stats_lap(stats, &stats->writing);
     image_free(image);
+    if (done)
+        progress_finish(&work->progress, options);
     return done;
 }
 
@@ -75,17 +80,16 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
 static bool frame_probe(struct work *work, const struct tracer *tracer,
                         const char *name, struct stats *stats)
 {
-    struct progress progress;
     const struct probe_file *points = &work->points;
     struct render_options render = work->options.render;
     render.stop = work->stop;
     render.progress = progress_tell;
-    render.progress_context = &progress;
-    progress_start(&progress, &work->options, name);
+    render.progress_context = &work->progress;
+    progress_start(&work->progress);
     struct probe_light *light = memory_new(points->at.count * sizeof *light);
     bool done = probe_run(tracer, &render, points->at.items, points->at.count,
                           light, &stats->rays);
-    progress_clear(&progress);
+    progress_clear(&work->progress);
     stats_lap(stats, &stats->rendering);
     stats_lighting(stats, tracer);
     done = done && probe_file_write(points, light, name, &work->diag);
@@ -147,6 +151,7 @@ static bool frame_render(struct work *work, const struct scene *scene,
 {
     const struct options *options = &work->options;
     const struct lighting *lighting = options->lighting;
+    progress_doing(&work->progress, "building it");
     struct world *world = world_new(scene, options->render.threads,
                                     integrator_for(lighting)->sample
                                         ? 0
@@ -185,8 +190,9 @@ static bool frame_make(struct work *work, const struct parse_options *parse,
 }
 
 /* One frame of an animation, or the only picture. */
-static enum status frame_run(struct work *work, int number)
+static enum status frame_run(struct work *work, int index)
 {
+    int number = frames_number(&work->options.frames, index);
     struct arena *arena = arena_new(0);
     const struct options *options = &work->options;
     struct parse_options parse = options->parse;
@@ -196,10 +202,12 @@ static enum status frame_run(struct work *work, int number)
     parse.light = &options->light;
     const char *name =
         frames_name(&options->frames, number, options->output, arena);
+    progress_begin(&work->progress, options, name, index);
     bool done =
         picture_is_there(options, name, &work->kept_told, &work->diag) ||
         (picture_can_be(name, &work->diag) &&
          frame_make(work, &parse, name, arena));
+    progress_end(&work->progress);
     arena_free(arena);
     if (done)
         return DONE;
@@ -234,7 +242,7 @@ static enum status work_run(struct work *work, struct arena *arena)
     work->source =
         source_read(arena, work->options.path, span_none(), &problem);
     if (!work->source && atomic_load(work->stop)) {
-        progress_interrupted(frames, 0);
+        progress_interrupted(frames, 0, &work->unfinished);
         return INTERRUPTED;
     }
     if (!work->source) {
@@ -254,14 +262,14 @@ static enum status work_run(struct work *work, struct arena *arena)
         !picture_can_be(work->options.light.skeleton.save_file, &work->diag))
         return FAILED;
     for (int i = 0; i < frames_count(frames); i++) {
-        enum status status = atomic_load(work->stop)
-                                 ? INTERRUPTED
-                                 : frame_run(work, frames_number(frames, i));
+        enum status status =
+            atomic_load(work->stop) ? INTERRUPTED : frame_run(work, i);
         if (status == INTERRUPTED)
-            progress_interrupted(frames, i);
+            progress_interrupted(frames, i, &work->unfinished);
         if (status != DONE)
             return status;
     }
+    progress_total(&work->progress, frames);
     return work_save(work) ? DONE : FAILED;
 }
 

@@ -2,9 +2,11 @@
 #define _GNU_SOURCE
 #include "base/parallel.h"
 
+#include <math.h>
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
+#include <time.h>
 
 #include "base/memory.h"
 
@@ -118,6 +120,70 @@ bool parallel_call(void (*task)(void *context), void *context)
     background_join(background);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return true;
+}
+
+struct ticker {
+    pthread_mutex_t lock;
+    pthread_cond_t stopping;
+    bool stop;
+    double delay, pause;
+    void (*tick)(void *context);
+    void *context;
+    struct background *thread;
+};
+
+static struct timespec time_after(double seconds)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    double nanoseconds = (double)time.tv_nsec + seconds * 1e9;
+    time.tv_sec += (time_t)(nanoseconds / 1e9);
+    time.tv_nsec = (long)fmod(nanoseconds, 1e9);
+    return time;
+}
+
+static void ticker_work(void *context)
+{
+    struct ticker *ticker = context;
+    struct timespec next = time_after(ticker->delay);
+    pthread_mutex_lock(&ticker->lock);
+    while (!ticker->stop)
+        if (pthread_cond_timedwait(&ticker->stopping, &ticker->lock, &next)) {
+            ticker->tick(ticker->context);
+            next = time_after(ticker->pause);
+        }
+    pthread_mutex_unlock(&ticker->lock);
+}
+
+struct ticker *ticker_start(double delay, double pause,
+                            void (*tick)(void *context), void *context)
+{
+    struct ticker *ticker = memory_new(sizeof *ticker);
+    pthread_condattr_t steady;
+    *ticker = (struct ticker){
+        .delay = delay, .pause = pause, .tick = tick, .context = context
+    };
+    pthread_condattr_init(&steady);
+    pthread_condattr_setclock(&steady, CLOCK_MONOTONIC);
+    pthread_cond_init(&ticker->stopping, &steady);
+    pthread_condattr_destroy(&steady);
+    pthread_mutex_init(&ticker->lock, NULL);
+    ticker->thread = background_start(ticker_work, ticker);
+    return ticker;
+}
+
+void ticker_stop(struct ticker *ticker)
+{
+    if (!ticker)
+        return;
+    pthread_mutex_lock(&ticker->lock);
+    ticker->stop = true;
+    pthread_cond_signal(&ticker->stopping);
+    pthread_mutex_unlock(&ticker->lock);
+    background_join(ticker->thread);
+    pthread_cond_destroy(&ticker->stopping);
+    pthread_mutex_destroy(&ticker->lock);
+    memory_free(ticker);
 }
 
 void once_make(struct once *once, void (*make)(void))

@@ -33,6 +33,14 @@ void background_join(struct background *background);
  * it. False if there is none to be had: nothing is done. */
 bool parallel_call(void (*task)(void *context), void *context);
 
+/* `tick` called on a thread of its own, first after `delay` seconds and then
+ * every `pause`, until ticker_stop, which doesn't wait for the next and takes
+ * NULL. Never, if there can't be such a thread. */
+struct ticker;
+struct ticker *ticker_start(double delay, double pause,
+                            void (*tick)(void *context), void *context);
+void ticker_stop(struct ticker *ticker);
+
 /* Made by whoever needs it first: a static one, zeroed, for each thing. */
 struct once {
     atomic_bool done;

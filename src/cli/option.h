@@ -6,6 +6,9 @@
 #include "base/array.h"
 #include "cli/options.h"
 
+/* Where Debian has what POV-Ray brings: its %INSTALLDIR%. */
+#define OPTION_POVRAY_FOLDER "/usr/share/povray-3.7"
+
 struct option_typed {
     const struct option *option;
     const char *shown;
@@ -22,7 +25,8 @@ struct option_reader {
     struct {
         const char **items;
         size_t count, capacity;
-    } library, headers;
+    } library, headers, below; /* below: --read-only-below */
+    struct permits permits;
     struct {
         struct parse_declare *items;
         size_t count, capacity;
@@ -125,8 +129,8 @@ bool option_read_number(struct option_reader *reader,
 /* "on", "off" and their kin; false when it is neither. */
 bool option_truth(const char *value, bool *state);
 
-/* The setters: option_light.c, and option_set.c for all others. */
-option_set set_light;
+/* The setters: option_light.c, permitted.c, and option_set.c for all others. */
+option_set set_light, set_below;
 option_set set_switch, set_integer, set_whole, set_number, set_library,
     set_header, set_input, set_output, set_file_type, set_gamma, set_declare,
     set_verbose, set_all_consoles, set_lighting, set_action, set_list, set_flag,
@@ -139,6 +143,10 @@ bool option_number(const char *text, double *number);
  * called [Glim] are always read. */
 bool ini_read(struct option_reader *reader, const char *name,
               const struct setting *setting);
+
+/* What scenes may read, by --read-only-below and povray.conf, once all options
+ * are known. Returns false after an error was printed. */
+bool permits_resolve(struct option_reader *reader);
 
 /* Reads the start-up files; see ini_startup in ini.c for which. */
 bool ini_startup(struct option_reader *reader);

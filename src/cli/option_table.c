@@ -93,6 +93,11 @@ static const struct option table[] = {
           "search for includes, images and INI files here too; adds up"),
     VALUE("HI", "Include_Header", set_header, "file",
           "read this file before the scene; adds up"),
+    { .key = "Read_Only_Below", .word = "read-only-below", .set = set_below,
+      .argument = "dir",
+      .help = "the scene may read what is in this directory, or in that of the "
+              "scene or of the library path, and deeper in them, and nothing "
+              "else; adds up" },
 
     GROUP("Picture"),
     INTEGER("W", "Width", render.width, 1, IMAGE_SIDE_LIMIT, "pixels (800)"),

@@ -394,9 +394,9 @@ static bool options_resolve_picture(struct option_reader *reader)
 static void options_add_standard_library(struct option_reader *reader)
 {
     static const char *const standard[] = {
-        "/usr/share/povray-3.7/include",
-        "/usr/share/povray-3.7",
-        "/usr/share/povray-3.7/ini",
+        OPTION_POVRAY_FOLDER "/include",
+        OPTION_POVRAY_FOLDER,
+        OPTION_POVRAY_FOLDER "/ini",
         NULL,
     };
     for (const char *const *path = standard; *path; path++)
@@ -530,6 +530,8 @@ static bool options_resolve(struct option_reader *reader)
     if (options->action == ACTION_RENDER)
         options_tell_unused(reader);
     options_resolve_scene(reader);
+    if (!permits_resolve(reader))
+        return false;
     const char *problem = frames_resolve(&options->frames, reader->arena);
     if (problem)
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL, "%s", problem);

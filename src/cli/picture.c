@@ -136,3 +136,25 @@ bool picture_write(struct image *image, const struct options *options,
                why);
     return false;
 }
+
+/* "dir/a.png" to "dir/a-unfinished.png" */
+static void unfinished_name(const char *name, char *out, size_t size)
+{
+    const char *slash = strrchr(name, '/');
+    const char *dot = strrchr(slash ? slash : name, '.');
+    int length = dot ? (int)(dot - name) : (int)strlen(name);
+    snprintf(out, size, "%.*s-unfinished%s", length, name, dot ? dot : "");
+}
+
+void picture_rescue(struct image *image, const struct options *options,
+                    const struct settings *settings, const char *name,
+                    const struct render_stats *drawn,
+                    struct unfinished *unfinished, struct diag *diag)
+{
+    if (!name || strcmp(name, "-") == 0 || !(drawn->share > 0))
+        return;
+    unfinished_name(name, unfinished->name, sizeof unfinished->name);
+    unfinished->share = drawn->share;
+    if (!picture_write(image, options, settings, unfinished->name, diag))
+        unfinished->name[0] = '\0';
+}

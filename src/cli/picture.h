@@ -3,6 +3,8 @@
 #ifndef CLI_PICTURE_H
 #define CLI_PICTURE_H
 
+#include <stdio.h>
+
 #include "cli/options.h"
 
 /* +C: whether the file called `name` is a whole picture of the right size. If
@@ -27,5 +29,19 @@ bool picture_show(struct image *image, const struct options *options,
 bool picture_write(struct image *image, const struct options *options,
                    const struct settings *settings, const char *name,
                    struct diag *diag);
+
+/* What was written of a picture that was not finished. */
+struct unfinished {
+    char name[FILENAME_MAX]; /* of its file; empty: none */
+    double share;            /* of the pixels, that it has */
+};
+
+/* After an interruption, with what render_run left: writes a picture beside
+ * `name`, called NAME-unfinished, unless nothing is there to write or `name` is
+ * standard output. */
+void picture_rescue(struct image *image, const struct options *options,
+                    const struct settings *settings, const char *name,
+                    const struct render_stats *drawn,
+                    struct unfinished *unfinished, struct diag *diag);
 
 #endif

@@ -1,11 +1,13 @@
 /* Progress: see progress.h. */
 #include "cli/progress.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "base/clock.h"
+#include "base/parallel.h"
 
 enum {
     PROGRESS_PAUSE = 200,  /* milliseconds between two lines on a terminal */
@@ -13,13 +15,55 @@ enum {
     PROGRESS_WIDTH = 80,
 };
 
-void progress_start(struct progress *progress, const struct options *options,
-                    const char *name)
+/* Messages begin at the left and overwrite it. */
+static void progress_tick(void *context)
+{
+    struct progress *progress = context;
+    fprintf(stderr, "\r%.30s: %s, %.0f s \r",
+            progress->frame[0] ? progress->frame : progress->name,
+            atomic_load(&progress->doing), clock_seconds() - progress->begun);
+}
+
+void progress_begin(struct progress *progress, const struct options *options,
+                    const char *name, int index)
 {
     bool terminal = isatty(STDERR_FILENO);
+    int count = frames_count(&options->frames);
     progress->live = terminal && options->progress != PROGRESS_NEVER;
     progress->lines = !terminal && options->progress == PROGRESS_ALWAYS;
     progress->name = name ? name : options->input;
+    progress->frame[0] = '\0';
+    if (options->frames.animated)
+        snprintf(progress->frame, sizeof progress->frame, "frame %d of %d",
+                 index + 1, count);
+    progress->begun = clock_seconds();
+    if (index == 0)
+        progress->all = progress->begun;
+    atomic_store(&progress->doing, "reading the scene");
+    if (progress->live)
+        progress->ticker =
+            ticker_start(PROGRESS_DELAY / 1000.0, PROGRESS_PAUSE / 1000.0,
+                         progress_tick, progress);
+}
+
+void progress_doing(struct progress *progress, const char *doing)
+{
+    atomic_store(&progress->doing, doing);
+}
+
+void progress_end(struct progress *progress)
+{
+    if (!progress->ticker)
+        return;
+    ticker_stop(progress->ticker);
+    progress->ticker = NULL;
+    if (clock_seconds() - progress->begun > PROGRESS_DELAY / 1000.0)
+        progress_clear(progress);
+}
+
+void progress_start(struct progress *progress)
+{
+    progress_end(progress);
     progress->start = clock_seconds();
     atomic_init(&progress->samples, 0);
     atomic_init(&progress->error, -1);
@@ -78,11 +122,14 @@ void progress_tell(void *context, double done)
     if (progress->live) {
         int now = seconds < 1e6 ? (int)(seconds * 1000) : 0;
         if (progress_take(progress, now, now + PROGRESS_PAUSE))
-            fprintf(stderr, "\r%.30s: %-48s", progress->name, text);
+            fprintf(stderr, "\r%.30s: %-48s",
+                    progress->frame[0] ? progress->frame : progress->name,
+                    text);
     } else {
         int tenth = (int)(done * 10);
         if (progress_take(progress, tenth, tenth + 1))
-            fprintf(stderr, "%s: %s\n", progress->name, text);
+            fprintf(stderr, "%s%s%s: %s\n", progress->frame,
+                    progress->frame[0] ? ", " : "", progress->name, text);
     }
 }
 
@@ -97,16 +144,35 @@ void progress_finish(const struct progress *progress,
 {
     if (!progress->live && !progress->lines)
         return;
-    fprintf(stderr, "%s: %d x %d pixels in %.2f s\n", progress->name,
+    fprintf(stderr, "%s%s%s: %d x %d pixels in %.2f s\n", progress->frame,
+            progress->frame[0] ? ", " : "", progress->name,
             options->render.width, options->render.height,
-            clock_seconds() - progress->start);
+            clock_seconds() - progress->begun);
 }
 
-void progress_interrupted(const struct frames *frames, int index)
+void progress_total(const struct progress *progress,
+                    const struct frames *frames)
 {
+    int count = frames_count(frames);
+    if (count > 1 && (progress->live || progress->lines))
+        fprintf(stderr, "%d frames in %.2f s\n", count,
+                clock_seconds() - progress->all);
+}
+
+void progress_interrupted(const struct frames *frames, int index,
+                          const struct unfinished *unfinished)
+{
+    char where[64] = "";
     if (frames->animated)
-        fprintf(stderr, "glim: interrupted in frame %d, not written\n",
-                frames_number(frames, index));
+        snprintf(where, sizeof where, " in frame %d",
+                 frames_number(frames, index));
+    if (unfinished->name[0])
+        fprintf(stderr,
+                "glim: interrupted%s; '%s' has what was drawn, %.0f %% of the "
+                "pixels\n",
+                where, unfinished->name, floor(100 * unfinished->share));
+    else if (frames->animated)
+        fprintf(stderr, "glim: interrupted%s, not written\n", where);
     else
         fprintf(stderr, "glim: interrupted, nothing written\n");
 }

@@ -35,15 +35,46 @@ bool query_take(struct query *query, const struct leaf *leaf,
     return query->blocked;
 }
 
-/* Of two crossings at the same place the one of the earlier leaf is seen,
+/* The tree the leaf is a part of; those at the top are taken apart if they are
+ * unions. */
+static const struct solid *leaf_root(const struct leaf *leaf)
+{
+    const struct solid *solid = leaf->solid;
+    while (solid && solid->parent)
+        solid = solid->parent;
+    return solid;
+}
+
+/* Whether both are of one tree, or of unions taken apart that have a clip in
+ * common. */
+static bool leaves_are_cut_together(const struct leaf *a, const struct leaf *b)
+{
+    const struct solid *one = leaf_root(a), *other = leaf_root(b);
+    if (!one || !other || one == other)
+        return one && one == other;
+    for (size_t i = 0; i < one->clip_count; i++)
+        for (size_t k = 0; k < other->clip_count; k++)
+            if (one->clips[i] == other->clips[k])
+                return true;
+    return false;
+}
+
+/* Of two crossings at the same place the one of the earlier leaf is seen, but
+ * in an intersection, a merge or a clipped union that of the later (measured),
  * whatever the order they are found in. */
+static bool tie_is_won(const struct leaf *leaf, const struct leaf *other)
+{
+    return leaves_are_cut_together(leaf, other) ? leaf->number > other->number
+                                                : leaf->number < other->number;
+}
+
 static bool query_wants(const struct query *query, const struct leaf *leaf,
                         double t)
 {
     if (!(t > query->tmin))
         return false;
-    return t < query->tmax || (t == query->tmax && query->leaf &&
-                               leaf->number < query->leaf->number);
+    return t < query->tmax ||
+           (t == query->tmax && query->leaf && tie_is_won(leaf, query->leaf));
 }
 
 /* The ray in the space of the tree at hand; its t is the same everywhere. */

@@ -6,10 +6,16 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <cstdlib>
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <vector>
 
 using namespace OIIO;
@@ -136,6 +142,35 @@ static bool codec_encode_deep_pnm(row_writer &rows,
     return sink->put(sink->context, file.data(), file.size(), error, size);
 }
 
+// A file for what OIIO 2.2 can't write to memory; removed in the end.
+struct scratch_file {
+    std::string name;
+
+    bool make()
+    {
+        char made[] = "/tmp/glim-XXXXXX";
+        int file = mkstemp(made);
+        if (file >= 0) {
+            close(file);
+            name = made;
+        }
+        return file >= 0;
+    }
+
+    std::vector<unsigned char> bytes() const
+    {
+        std::ifstream file(name, std::ios::binary);
+        return std::vector<unsigned char>(std::istreambuf_iterator<char>(file),
+                                          std::istreambuf_iterator<char>());
+    }
+
+    ~scratch_file()
+    {
+        if (!name.empty())
+            unlink(name.c_str());
+    }
+};
+
 static bool codec_encode_checked(const struct image *image,
                                  const struct image_format *format,
                                  const struct codec_sink *sink, char *error,
@@ -159,22 +194,25 @@ static bool codec_encode_checked(const struct image *image,
     if (rows.bits > 8)
         return codec_encode_deep_pnm(rows, sink, error, size);
     Filesystem::IOVecOutput memory;
-    output->set_ioproxy(&memory);
-    // The name only tells the format; nothing of that name is opened.
+    scratch_file scratch;
+    if (!output->set_ioproxy(&memory) && !scratch.make())
+        return codec_fail(error, size, std::strerror(errno));
+    // To memory the name only tells the format.
     ImageSpec spec = codec_spec(image, rows.channels, format);
     std::string name =
         std::string("glim.") + (grey && codec_is(format, "pnm") ? "pgm"
                                 : codec_is(format, "pnm")       ? "ppm"
                                                                 : format->type);
-    if (!output->open(name, spec))
+    if (!output->open(scratch.name.empty() ? name : scratch.name, spec))
         return codec_fail(error, size, output->geterror());
     for (int y = 0; y < image->height; y++)
         if (!rows.write(*output, y))
             return codec_fail(error, size, output->geterror());
     if (!output->close())
         return codec_fail(error, size, output->geterror());
-    return sink->put(sink->context, memory.buffer().data(),
-                     memory.buffer().size(), error, size);
+    const std::vector<unsigned char> &bytes =
+        scratch.name.empty() ? memory.buffer() : scratch.bytes();
+    return sink->put(sink->context, bytes.data(), bytes.size(), error, size);
 }
 
 // ---------------------------------------------------------------- reading

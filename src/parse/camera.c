@@ -152,6 +152,7 @@ static bool camera_field(struct parser *p, const struct field *field,
         return false;
     bool is_look_at = strcmp(field->name, "look_at") == 0;
     if (strcmp(field->name, "angle") == 0) {
+        draft->camera.angle_said = true;
         accept(p, TOKEN_COMMA);
         if (at_number(p) && !parse_float(p, &draft->camera.angle_up))
             return false;

@@ -151,7 +151,8 @@ static struct blend_entry block_default(const struct pattern_kind *kind, int i)
 }
 
 /* block_list = [colour {[","] colour} | pigment {[","] pigment}] .
- * One for each kind of block; those left out have the pattern's own. */
+ * One for each kind of block; of those left out colours are the pattern's own
+ * and pigments the default pigment (measured). */
 bool parse_block_list(struct parser *p, const struct pattern *pattern,
                       const struct blend_map **out)
 {
@@ -162,8 +163,8 @@ bool parse_block_list(struct parser *p, const struct pattern *pattern,
     bool more = pigments || at_any_colour(p);
     for (int i = 0; i < kind->blocks; i++) {
         struct blend_entry entry = block_default(kind, i);
+        entry.pigment = pigments ? p->defaults.pigment : NULL;
         if (more && pigments) {
-            entry.pigment = p->defaults.pigment;
             struct span span = stream_span(p);
             if (!parse_pigment_block(p, &entry.pigment) ||
                 !uv_refuse(p, span, &entry.pigment->pattern))

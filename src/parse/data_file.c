@@ -58,12 +58,9 @@ static const struct source *data_file_source(struct parser *p, const char *name,
     if (source)
         return source;
     if (!problem) {
-        const char *path = file_find(p, name, NULL);
-        if (!path) {
-            error_at(p, span, file_hint(p, name),
-                     "can't find the data file '%s'", name);
+        const char *path = file_need(p, span, "data file", name, NULL);
+        if (!path)
             return NULL;
-        }
         source = source_read(p->sources, path, span, &problem);
     }
     if (!source)

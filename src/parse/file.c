@@ -35,12 +35,43 @@ static bool file_has_extension(const char *name)
     return strchr(slash ? slash : name, '.') != NULL;
 }
 
-const char *file_find(struct parser *p, const char *name, const char *extension)
+const char *file_locate(struct parser *p, const char *name,
+                        const char *extension)
 {
     const char *path = *name ? file_search(p, name) : NULL;
     if (path || !extension || file_has_extension(name))
         return path;
     return file_search(p, arena_printf(p->arena, "%s%s", name, extension));
+}
+
+const char *file_find(struct parser *p, const char *name, const char *extension)
+{
+    const char *path = file_locate(p, name, extension);
+    return path && !permits_denier(p->options->permits, path) ? path : NULL;
+}
+
+const char *file_need(struct parser *p, struct span span, const char *what,
+                      const char *name, const char *extension)
+{
+    return file_checked(p, span, what, name, file_locate(p, name, extension));
+}
+
+const char *file_checked(struct parser *p, struct span span, const char *what,
+                         const char *name, const char *path)
+{
+    const struct permit_list *denier =
+        path ? permits_denier(p->options->permits, path) : NULL;
+    if (!path)
+        error_at(p, span, file_hint(p, name), "can't find the %s '%s'", what,
+                 file_shown(p, name));
+    else if (denier)
+        error_at(p, span,
+                 arena_printf(p->arena,
+                              "%s forbids it; +LDIR permits what is "
+                              "in DIR",
+                              denier->where),
+                 "this scene may not read '%s'", file_shown(p, path));
+    return denier ? NULL : path;
 }
 
 /* Where its last dot is, or its end. */
@@ -54,7 +85,9 @@ static size_t file_stem(const char *name)
 static void file_try_names(struct parser *p, const char *place,
                            const char *folder, struct text_nearest *nearest)
 {
-    DIR *directory = opendir(arena_printf(p->arena, "%s/%s", place, folder));
+    const char *name = arena_printf(p->arena, "%s/%s", place, folder);
+    DIR *directory =
+        permits_denier_of(p->options->permits, name) ? NULL : opendir(name);
     struct dirent *entry;
     while (directory && (entry = readdir(directory)) != NULL)
         text_nearest_try(nearest, arena_printf(p->arena, "%s", entry->d_name));

@@ -174,10 +174,10 @@ static bool parse_heights(struct parser *p, void *shape)
     if (!parse_string(p, &name))
         return false;
     span = span_join(span, p->last_span);
-    const char *path = image_file(p, name, type);
+    const char *path =
+        file_checked(p, span, "image", name, image_file(p, name, type));
     if (!path)
-        return error_at(p, span, file_hint(p, name),
-                        "can't find the image '%s'", file_shown(p, name));
+        return false;
     struct height_picture picture = { p, span, &field->grid };
     struct image_rows rows = { picture_begin, picture_take, &picture };
     return image_read_rows(path, &rows, problem, sizeof problem) ||

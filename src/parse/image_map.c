@@ -197,11 +197,11 @@ static struct image *image_find(struct parser *p, const char *path,
 
 static bool image_open(struct parser *p, const struct image_request *request)
 {
-    const char *path = image_file(p, request->name, request->type);
+    const char *path =
+        file_checked(p, request->span, "image", request->name,
+                     image_file(p, request->name, request->type));
     if (!path)
-        return error_at(p, request->span, file_hint(p, request->name),
-                        "can't find the image '%s'",
-                        file_shown(p, request->name));
+        return false;
     request->map->image = image_find(p, path, request);
     if (!request->map->image || !request->map->clear)
         return request->map->image != NULL;
@@ -247,11 +247,11 @@ static const struct image_ending {
 
 const char *image_file(struct parser *p, const char *name, const char *type)
 {
-    const char *path = file_find(p, name, NULL);
+    const char *path = file_locate(p, name, NULL);
     size_t count = sizeof image_endings / sizeof *image_endings;
     for (size_t i = 0; !path && type && i < count; i++)
         if (strcmp(image_endings[i].type, type) == 0)
-            path = file_find(p, name, image_endings[i].ending);
+            path = file_locate(p, name, image_endings[i].ending);
     return path;
 }
 

@@ -103,10 +103,9 @@ static bool parse_mesh_file(struct parser *p)
                         "command line");
     if (!parse_string(p, &name))
         return false;
-    const char *path = file_find(p, name, NULL);
+    const char *path = file_need(p, span, "light mesh", name, NULL);
     if (!path)
-        return error_at(p, span, file_hint(p, name),
-                        "can't find the light mesh '%s'", name);
+        return false;
     p->scene->settings.light_mesh.load_file =
         arena_printf(p->scene_arena, "%s", path);
     return true;

@@ -80,10 +80,11 @@ bool parse_normal_map(struct parser *p, bool average,
 }
 
 /* normal_blocks = {normal [","]} .
- * One for each kind of block. */
+ * One for each kind of block; those left out are the default normal. */
 bool parse_normal_blocks(struct parser *p, struct normal *normal)
 {
     const struct pattern *pattern = &normal->pattern;
+    size_t blocks = (size_t)pattern->kind->blocks;
     struct span span = p->last_span;
     struct normal_list list = { .count = 0 };
     accept(p, TOKEN_COMMA);
@@ -99,12 +100,16 @@ bool parse_normal_blocks(struct parser *p, struct normal *normal)
     normal->map = NULL;
     if (list.count == 0)
         return true;
+    while (list.count < blocks) {
+        struct normal_entry entry = { (double)list.count, p->defaults.normal };
+        *ARRAY_PUSH(p->scene_arena, &list) = entry;
+    }
     struct normal_map *map = ARENA_NEW(p->scene_arena, struct normal_map);
     *map = (struct normal_map){ list.items, list.count };
     normal->map = map;
-    return list.count == (size_t)pattern->kind->blocks ||
-           error_at(p, span, NULL, "'%s' needs %d normals, found %zu",
-                    pattern_name(pattern), pattern->kind->blocks, list.count);
+    return list.count == blocks ||
+           error_at(p, span, NULL, "'%s' needs %zu normals, found %zu",
+                    pattern_name(pattern), blocks, list.count);
 }
 
 /* slope_map_entry = "[" float [","] vector "]" .

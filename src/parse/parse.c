@@ -79,7 +79,7 @@ static bool parse_headers(struct parser *p)
     const struct parse_options *options = p->options;
     for (size_t i = options->include_header_count; i > 0; i--) {
         const char *name = options->include_headers[i - 1], *problem = NULL;
-        const char *path = file_find(p, name, ".inc");
+        const char *path = file_locate(p, name, ".inc");
         if (!path)
             return error_at(p, span_none(), file_hint(p, name),
                             "can't find the include header '%s'", name);

@@ -7,11 +7,13 @@
 #include "base/file_list.h"
 #include "scene/scene.h"
 #include "text/diag.h"
+#include "text/permit.h"
 
 /* What the scene's text may ask about its surroundings. */
 struct parse_options {
     const char *const *include_paths; /* searched after the current directory */
     size_t include_path_count;
+    const struct permits *permits;      /* what the scene may read; NULL: all */
     const char *const *standard_paths;  /* of POV-Ray's own; NULL ends them */
     const char *const *include_headers; /* +HI files, read before the scene */
     size_t include_header_count;

@@ -231,11 +231,25 @@ const struct value *accept_value(struct parser *p, enum value_kind kind);
 
 /* ---- file.c ---- */
 
-/* The path of a file a scene names: as given, in the current directory, then
- * in each library path; then all that again with `extension` (may be NULL)
- * added if the name has none. NULL: not found. */
+/* The path of a file: as given, in the current directory, then in each library
+ * path; then all that again with `extension` (may be NULL) added if the name
+ * has none. NULL: not found. */
+const char *file_locate(struct parser *p, const char *name,
+                        const char *extension);
+
+/* The same for what a scene names: NULL also if it may not be read. */
 const char *file_find(struct parser *p, const char *name,
                       const char *extension);
+
+/* file_find, which reports a file that is not found or may not be read. `what`
+ * it is: "image". */
+const char *file_need(struct parser *p, struct span span, const char *what,
+                      const char *name, const char *extension);
+
+/* The same for a path that was found, or NULL: returns it, or NULL after an
+ * error. */
+const char *file_checked(struct parser *p, struct span span, const char *what,
+                         const char *name, const char *path);
 
 /* The hint for a file that was not found: one with nearly that name, or
  * "looked in ., /usr/share/...; +LDIR adds others". */

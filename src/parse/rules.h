@@ -133,7 +133,7 @@ bool parse_block_list(struct parser *p, const struct pattern *pattern,
 bool parse_image_type(struct parser *p, const char **found);
 
 /* The path of a picture of that type, whose name may lack its extension; or
- * NULL. */
+ * NULL. For file_checked: it may be one that is not to be read. */
 const char *image_file(struct parser *p, const char *name, const char *type);
 /* bump_map in a normal: bump_size goes where the last argument says. */
 bool parse_bump_map(struct parser *p, const struct image_map **out,

@@ -20,10 +20,10 @@ enum { INTERNAL_FONTS = sizeof internal_fonts / sizeof *internal_fonts };
 static bool font_load(struct parser *p, const char *name, struct span span,
                       const struct font **out)
 {
-    const char *problem = NULL, *path = file_find(p, name, ".ttf");
+    const char *problem = NULL,
+               *path = file_need(p, span, "font", name, ".ttf");
     if (!path)
-        return error_at(p, span, file_hint(p, name), "can't find the font '%s'",
-                        file_shown(p, name));
+        return false;
     for (struct font_cache *known = p->fonts; known; known = known->next)
         if (strcmp(known->path, path) == 0) {
             *out = known->font;

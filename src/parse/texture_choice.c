@@ -77,10 +77,11 @@ bool parse_declared_texture_map(struct parser *p,
 }
 
 /* texture_blocks = {texture [","]} .
- * One for each kind of block. */
+ * One for each kind of block; those left out are the default texture. */
 static bool parse_texture_blocks(struct parser *p, struct choice_builder *b)
 {
     const struct pattern *pattern = &b->choice->pattern;
+    size_t blocks = (size_t)pattern->kind->blocks;
     struct span span = p->last_span;
     const struct texture *texture;
     accept(p, TOKEN_COMMA);
@@ -90,10 +91,13 @@ static bool parse_texture_blocks(struct parser *p, struct choice_builder *b)
             return false;
         accept(p, TOKEN_COMMA);
     }
-    return b->entries.count == (size_t)pattern->kind->blocks ||
-           error_at(p, span, NULL, "'%s' needs %d textures, found %zu",
-                    pattern_name(pattern), pattern->kind->blocks,
-                    b->entries.count);
+    while (b->entries.count < blocks)
+        if (!choice_push(p, b, (double)b->entries.count,
+                         texture_from_defaults(p)))
+            return false;
+    return b->entries.count == blocks ||
+           error_at(p, span, NULL, "'%s' needs %zu textures, found %zu",
+                    pattern_name(pattern), blocks, b->entries.count);
 }
 
 static bool choice_items(struct parser *p, struct choice_builder *b)

@@ -31,6 +31,7 @@ static const double worst_share = 0.01;
 struct tally {
     double sum[4];          /* of samples: RGB and opacity */
     double bright, squares; /* of the passes' mean brightness */
+    uint32_t samples;
 };
 
 struct passes {
@@ -57,8 +58,6 @@ static void sample_pixel(const struct passes *passes, struct worker *worker,
     struct draws draws = { random_key(key, (uint64_t)y), 0 };
     double bright = 0, u[2];
     for (uint32_t i = 0; i < passes->count; i++) {
-        if (worker_stopped(worker))
-            return;
         draws.index = passes->first + i;
         draw_pair(&draws, SLOT_PIXEL, u);
         double column = x + 0.5 + options->jitter * (u[0] - 0.5);
@@ -67,6 +66,9 @@ static void sample_pixel(const struct passes *passes, struct worker *worker,
             passes->tracer, worker, column / options->width,
             row / options->height, &draws);
         arena_reset(worker->scratch);
+        if (worker_stopped(worker))
+            return;
+        tally->samples++;
         tally->sum[0] += seen.colour.r;
         tally->sum[1] += seen.colour.g;
         tally->sum[2] += seen.colour.b;
@@ -173,16 +175,22 @@ static bool passes_all(struct passes *passes)
     return true;
 }
 
-static void passes_show(const struct passes *passes, struct image *image)
+/* Returns the share of pixels that have a sample: not all, if it was stopped.
+ */
+static double passes_show(const struct passes *passes, struct image *image)
 {
+    size_t known = 0;
     const struct render_options *options = passes->options;
     for (size_t i = 0; i < passes->columns * passes->rows; i++) {
         int x = options->column_start + (int)(i % passes->columns);
         int y = options->row_start + (int)(i / passes->columns);
         float *pixel = image_pixel(image, x, y);
-        for (int k = 0; k < 4; k++)
-            pixel[k] = (float)(passes->tallies[i].sum[k] / passes->first);
+        const struct tally *tally = &passes->tallies[i];
+        known += tally->samples > 0;
+        for (int k = 0; tally->samples > 0 && k < 4; k++)
+            pixel[k] = (float)(tally->sum[k] / tally->samples);
     }
+    return (double)known / (double)(passes->columns * passes->rows);
 }
 
 bool passes_run(const struct tracer *tracer,
@@ -208,9 +216,9 @@ bool passes_run(const struct tracer *tracer,
         worker_start(&passes.workers[i], i, options->stop);
     passes.integrator->ready(&ready, &passes.workers[0]);
     bool done = passes_all(&passes);
-    if (done)
-        passes_show(&passes, image);
+    double share = passes_show(&passes, image);
     if (stats) {
+        stats->share = share;
         stats->samples = (int)passes.first;
         stats->error = passes.error;
     }

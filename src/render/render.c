@@ -193,6 +193,8 @@ static bool render_tiles(const struct tracer *tracer,
     done = done &&
            render_pass(&rendering, rendering.sampler.first, tile_first) &&
            render_pass(&rendering, rendering.sampler.tiled, tile_pixels);
+    if (stats)
+        stats->share = done ? 1 : sampler_rescue(&rendering.sampler, image);
     threads_end(&rendering, threads, stats);
     sampler_free(&rendering.sampler);
     memory_free(rendering.hits.at);

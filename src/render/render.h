@@ -43,10 +43,12 @@ struct render_stats {
     unsigned long long camera_rays, secondary_rays, shadow_rays;
     int samples;  /* of each pixel; 0: not by samples */
     double error; /* estimated, relative; INFINITY: too few passes to tell */
+    double share; /* of the pixels, that have been drawn; 1 if not stopped */
 };
 
 /* Renders into `image` (of width x height, black), in the working space.
- * The same bits for any number of threads. Returns false if stopped. */
+ * The same bits for any number of threads. Returns false if stopped: the image
+ * then has the pixels that were ready. */
 bool render_run(const struct tracer *tracer,
                 const struct render_options *options, struct image *image,
                 struct render_stats *stats);

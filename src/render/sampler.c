@@ -131,6 +131,7 @@ struct sampler sampler_new(const struct tracer *tracer,
     sampler.grid = sampler.direct || sampler.edges
                        ? image->pixels
                        : memory_new(columns * rows * 4 * sizeof *sampler.grid);
+    sampler.states = memory_new(columns * rows);
     return sampler;
 }
 
@@ -139,6 +140,7 @@ void sampler_free(struct sampler *sampler)
     memory_free(sampler->perceived);
     if (!sampler->direct && !sampler->edges)
         memory_free(sampler->grid);
+    memory_free(sampler->states);
     memory_free(sampler->edges);
     sampler->grid = NULL;
 }
@@ -180,6 +182,14 @@ static float *sampler_place(const struct sampler *sampler, int x, int y)
     size_t columns = (size_t)(first->right - first->left);
     size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
     return sampler->grid + (row * columns + column) * 4;
+}
+
+static unsigned char *sampler_state(const struct sampler *sampler, int x, int y)
+{
+    const struct area *first = &sampler->first;
+    size_t columns = (size_t)(first->right - first->left);
+    size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
+    return sampler->states + row * columns + column;
 }
 
 /* The same of a place that is another tile's, of which the picture may have
@@ -285,10 +295,14 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
             block.hits[count++] = *first_hits_at(sampler->hits, x, y);
     tracer_see_many(sampler->tracer, worker, block.places, block.rays,
                     block.hits, block.count, seen);
+    if (worker_stopped(worker)) /* while it was looked at */
+        return;
     count = 0;
     for (int y = area.top; y < area.bottom; y++)
-        for (int x = area.left; x < area.right; x++)
+        for (int x = area.left; x < area.right; x++) {
             sampler_put(sampler, &seen[count++], x, y);
+            *sampler_state(sampler, x, y) = SAMPLER_SEEN;
+        }
 }
 
 /* Sum of the differences after gamma correction; opacity counts when it is
@@ -480,16 +494,34 @@ void sampler_tile(const struct sampler *sampler, struct worker *worker,
     int bottom = smaller(tile.bottom, wanted->bottom);
     for (int y = larger(tile.top, wanted->top); y < bottom; y++)
         for (int x = left; x < right; x++) {
-            float *pixel = image_pixel(image, x, y);
-            if (worker_stopped(worker))
-                return;
+            float pixel[4];
             if (sampler_corners(sampler))
                 corners_pixel(sampler, worker, x, y, scratch, pixel);
             else if (sampler_centres(sampler))
-                memcpy(pixel, centres_place(&centres, x, y), 4 * sizeof *pixel);
+                memcpy(pixel, centres_place(&centres, x, y), sizeof pixel);
             else
-                memcpy(pixel, sampler_place(sampler, x, y), 4 * sizeof *pixel);
+                memcpy(pixel, sampler_place(sampler, x, y), sizeof pixel);
+            if (worker_stopped(worker))
+                return;
+            memcpy(image_pixel(image, x, y), pixel, sizeof pixel);
+            *sampler_state(sampler, x, y) = SAMPLER_DONE;
         }
+}
+
+double sampler_rescue(const struct sampler *sampler, struct image *image)
+{
+    const struct area *wanted = &sampler->wanted;
+    double known = 0, all = 0;
+    for (int y = wanted->top; y < wanted->bottom; y++)
+        for (int x = wanted->left; x < wanted->right; x++) {
+            unsigned char state = *sampler_state(sampler, x, y);
+            if (state == SAMPLER_SEEN && !sampler->direct && !sampler->edges)
+                memcpy(image_pixel(image, x, y), sampler_place(sampler, x, y),
+                       4 * sizeof(float));
+            known += state != SAMPLER_UNSEEN;
+            all++;
+        }
+    return known / all;
 }
 
 size_t sampler_scratch(const struct sampler *sampler)

@@ -14,6 +14,10 @@ struct area {
     int left, top, right, bottom;
 };
 
+/* A place of the grid: not yet sampled, sampled, or, as a pixel of the picture,
+ * done. */
+enum { SAMPLER_UNSEEN, SAMPLER_SEEN, SAMPLER_DONE };
+
 /* The first samples: float RGBA for every place of the grid. Method 1 and no
  * antialiasing: pixel centres; method 2: pixel corners. */
 struct sampler {
@@ -25,6 +29,7 @@ struct sampler {
     int tile;           /* edge of a tile */
     struct perceived *perceived; /* NULL: nothing is sampled again */
     float *grid;
+    unsigned char *states; /* of the places of `first` */
     float *edges; /* or NULL; then the grid is the picture, although it is
                    * sampled again: what tiles see of others is kept here */
     const struct first_hits *hits; /* at the grid's places, if known; or NULL */
@@ -56,6 +61,11 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
  * worker is stopped. */
 void sampler_tile(const struct sampler *sampler, struct worker *worker,
                   struct area tile, float *scratch, struct image *image);
+
+/* When the work was stopped: the first sample stands for each pixel that is
+ * missing, as far as there is one. Returns the share of pixels that have
+ * a sample. */
+double sampler_rescue(const struct sampler *sampler, struct image *image);
 
 /* How many floats a thread needs for a tile. */
 size_t sampler_scratch(const struct sampler *sampler);

@@ -64,7 +64,7 @@ static void camera_size(struct camera *camera)
     double factor = 1;
     if (camera->angle > 0 && width > 0)
         factor = 2 * distance * tangent / width;
-    else if (!camera->has_size)
+    else if (!camera->has_size || camera->angle_said)
         factor = distance / vec3_length(camera->direction);
     camera->right = vec3_scale(camera->right, factor);
     camera->up = vec3_scale(camera->up, factor);

@@ -24,7 +24,9 @@ struct camera {
     enum camera_kind kind;
     vec3 location, direction, right, up, sky;
     bool has_size;   /* right or up was given: an orthographic camera's size */
-    double angle;    /* degrees, 0: not given */
+    double angle;    /* degrees, 0: none */
+    bool angle_said; /* also one of 0, by which an orthographic camera's size is
+                      * that of a perspective one at look_at (measured) */
     double angle_up; /* of a spherical camera */
     double turn, turn_up; /* radians across and up the picture of those that
                            * bend it; their vectors that turn are unit */

@@ -159,14 +159,17 @@ vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit)
 }
 
 /* Not quite up to the surface, as in POV-Ray (measured: 1e-10 of the height
- * and of the squared radius), which settles shapes that share a face. */
+ * and of the squared radius), which settles shapes that share a face. Of an
+ * open one the ends are inside (measured: 1e-9 of the height beyond), so that
+ * what it is taken from is open there too. */
 bool conic_inside(const void *shape, vec3 point)
 {
     const struct conic *conic = shape;
-    const double margin = 1e-10;
+    const double margin = 1e-10, beyond = 1e-9;
     vec3 p = vec3_sub(point, conic->base);
     double s = vec3_dot(p, conic->axis), h = conic->height;
-    if (!(s > margin * h && s < h - margin * h))
+    double end = (conic->open ? -beyond : margin) * h;
+    if (!(s > end && s < h - end))
         return false;
     vec3 q = reject(p, conic->axis, s);
     double r = conic->base_radius + conic->slope * s;

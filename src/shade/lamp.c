@@ -37,7 +37,7 @@ static double spot_attenuation(const struct lamp *lamp, double cosine)
             return 0;
         share = smoothstep(lamp->cosine_falloff, lamp->cosine_radius, cosine);
     }
-    if (lamp->light->tightness > 0)
+    if (lamp->light->tightness != 0)
         share *= pow(cosine, lamp->light->tightness);
     return share;
 }
@@ -54,7 +54,7 @@ static double cylinder_attenuation(const struct lamp *lamp, vec3 offset)
     double share = 1;
     if (r > light->radius && light->radius > 0)
         share = smoothstep(light->falloff, light->radius, r);
-    if (light->tightness > 0)
+    if (light->tightness != 0)
         share *= pow(1 - r / light->falloff, light->tightness);
     return share;
 }

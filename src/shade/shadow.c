@@ -53,7 +53,8 @@ static double shadow_caustics(const struct shadow_ray *shadow,
     const struct interior *interior = at->leaf->interior;
     if (!interior || interior->caustics == 0)
         return 1;
-    double cosine = fabs(vec3_dot(surface_bumps(at), shadow->direction));
+    double cosine =
+        fabs(vec3_dot(surface_bumps(at, shadow->direction), shadow->direction));
     return 1 + pow(cosine, 45 * interior->caustics);
 }
 

@@ -227,13 +227,14 @@ rgb surface_transmittance(const struct intersection *at)
     return texture_transmittance(at->texture, place.point, place.uv);
 }
 
-vec3 surface_bumps(const struct intersection *at)
+vec3 surface_bumps(const struct intersection *at, vec3 direction)
 {
+    bool behind = vec3_dot(at->normal, direction) > 0;
     const struct texture *texture = at->texture;
     struct surface_uv uv = surface_uv(at, at->normal);
     struct place place = place_at(at, &uv.source);
     return layer_normal(&texture->layers[texture->count - 1], &place,
-                        at->normal);
+                        behind ? vec3_negate(at->normal) : at->normal);
 }
 
 bool surface_faces(const struct surface *surface, vec3 direction)

@@ -62,8 +62,9 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 /* What all layers let pass straight through: a shadow ray's view. */
 rgb surface_transmittance(const struct intersection *at);
 
-/* The unit normal there with the bumps of the topmost layer. */
-vec3 surface_bumps(const struct intersection *at);
+/* The unit normal there, turned against the ray's direction, with the bumps of
+ * the topmost layer. */
+vec3 surface_bumps(const struct intersection *at, vec3 direction);
 
 /* Whether light from this unit direction can change the picture: some layer
  * that reflects faces it. Ask before tracing a shadow ray. */

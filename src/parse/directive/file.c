@@ -57,12 +57,12 @@ static bool include_run(struct parser *p, struct span at)
     struct span where = span_join(at, p->last_span);
     bool failed;
     const struct token_list *list = include_written(p, name, where, &failed);
-    const char *path = list || failed ? NULL : file_find(p, name, ".inc");
+    const char *path = NULL;
     if (failed)
         return false;
+    if (!list)
+        path = file_need(p, where, "include file", name, ".inc");
     if (!list && !path) {
-        error_at(p, where, file_hint(p, name),
-                 "can't find the include file '%s'", file_shown(p, name));
         stream_abort(p);
         return false;
     }

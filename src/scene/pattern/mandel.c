@@ -1,4 +1,5 @@
 /* mandel N: the Mandelbrot set in the plane of x and y. */
+#include "scene/material.h"
 #include "scene/orbit.h"
 #include "scene/pattern.h"
 
@@ -19,6 +20,15 @@ static double mandel_value(const struct pattern *pattern, vec3 point)
     return orbit_value(pattern->parameters, point.x, point.y, point.x, point.y);
 }
 
+/* Measured. */
+static const struct blend_entry mandel_colours[] = {
+    { 0, { 0, 0, 0, 0, 0 }, NULL },     { 0.001, { 0, 0, 0, 0, 0 }, NULL },
+    { 0.001, { 0, 1, 1, 0, 0 }, NULL }, { 0.012, { 1, 1, 0, 0, 0 }, NULL },
+    { 0.015, { 1, 0, 1, 0, 0 }, NULL }, { 0.1, { 0, 1, 1, 0, 0 }, NULL },
+};
+
+static const struct blend_map mandel_map = { mandel_colours, 6 };
+
 const struct pattern_kind mandel_pattern = {
     .name = "mandel",
     .help = "the Mandelbrot set in x and y",
@@ -26,5 +36,6 @@ const struct pattern_kind mandel_pattern = {
     .defaults = &mandel_defaults,
     .arguments = mandel_arguments,
     .items = mandel_items,
+    .map = &mandel_map,
     .value = mandel_value,
 };

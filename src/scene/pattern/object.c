@@ -2,6 +2,8 @@
 #include "scene/object_probe.h"
 #include "scene/pattern.h"
 
+static const double object_colours[][3] = { { 0, 0, 1 }, { 0, 1, 0 } };
+
 static double object_value(const struct pattern *pattern, vec3 point)
 {
     const struct made_pattern *made = pattern->parameters;
@@ -15,5 +17,6 @@ const struct pattern_kind object_pattern = {
     .size = sizeof(struct made_pattern),
     .arguments = made_pattern_fields,
     .blocks = 2,
+    .block_colours = object_colours,
     .value = object_value,
 };
