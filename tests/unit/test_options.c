@@ -253,9 +253,9 @@ static void file_types_have_depth_and_grey(void **state)
     assert_null(good("scene.pov -F")->output);
     good("scene.pov Output_File_Type=t");
     assert_string_equal(result.o.output, "scene.tga");
-    good("scene.pov +FN99");
-    assert_int_equal(result.warnings, 1);
-    assert_int_equal(options_format(&result.o).bits, 16);
+    bad("scene.pov +FN32",
+        "glim: error: 32 bits are too many: PNG and PPM files have 1 to 16; "
+        "floats are written by +FE32\n");
 }
 
 static void parts_count_from_one_or_are_shares(void **state)

@@ -302,8 +302,9 @@ static void image_alpha_is_transmit(void **state)
     float *p = image_pixel(image, 0, 3);
     p[0] = 0.25f;
     p[3] = 0.5f;
-    struct image_map map = { image, IMAGE_PLANAR, IMAGE_NEAREST,
-                             false, 0.125,        0.25 };
+    struct image_map map = { .image = image,
+                             .filter_all = 0.125,
+                             .transmit_all = 0.25 };
     colour c = image_map_colour(&map, vec3_make(0.1, 0.1, 0));
     assert_true(c.r == 0.5 && c.filter == 0.125 && c.transmit == 0.75);
     assert_false(image_map_is_opaque(&map));
@@ -409,7 +410,7 @@ static void list_is_complete(void **state)
         assert_non_null(kind->help);
         assert_true(!kind->defaults || kind->size > 0);
     }
-    assert_int_equal(count, 34);
+    assert_int_equal(count, 41);
     assert_null(pattern_find("plaid"));
 }
 

@@ -216,7 +216,8 @@ static void block_patterns_fill_up_their_list(void **state)
     map = object_layer(object_at(&r, 1), 0)->pigment->map;
     assert_int_equal(map->count, 3);
     assert_number(map->entries[0].pigment->colour.b, 1);
-    assert_null(map->entries[2].pigment);
+    assert_non_null(map->entries[2].pigment); /* the default one (measured) */
+    assert_number(rgb_peak(colour_rgb(map->entries[2].pigment->colour)), 0);
     scene_end(&r);
 }
 
