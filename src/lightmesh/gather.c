@@ -112,15 +112,14 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .weight = 1 };
     rgb light = gathering_direct(gathering, &receiver);
     struct indirect_share more = { rgb_grey(0), 0 };
-    if (gather->indirect &&
-        indirect_mesh_nearest(gather->indirect, worker, &receiver,
-                              gathering_jitter(gathering), &more)) {
-    } else if (gather->close) {
+    bool found = gather->indirect &&
+                 indirect_mesh_nearest(gather->indirect, worker, &receiver,
+                                       gathering_jitter(gathering), &more);
+    if (!found && gather->close)
         more.light = gather->close(gather->close_context, worker,
                                    receiver.point, normal, receiver.from);
-    } else if (gather->indirect) {
+    else if (!found && gather->indirect)
         more = indirect_mesh_light(gather->indirect, worker, &receiver);
-    }
     more.light = rgb_add(more.light, light);
     return more;
 }

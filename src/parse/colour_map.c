@@ -103,17 +103,23 @@ static bool map_entries(struct parser *p, enum value_kind kind,
                                      "a map needs at least one entry");
 }
 
+/* After the word that names the kind of map. */
+static bool map_block(struct parser *p, enum value_kind kind,
+                      map_entry_rule *rule, bool average,
+                      const struct blend_map **out)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, map_entries(p, kind, rule, average, out));
+}
+
 /* colour_map = "colour_map" "{" ( COLOUR_MAP | colour_map_entry
  * {colour_map_entry} )
  *              "}" . */
 bool parse_colour_map(struct parser *p, const struct blend_map **out)
 {
-    struct span open;
-    stream_next(p);
-    return block_begin(p, &open) &&
-           block_end(p, open,
-                     map_entries(p, VALUE_COLOUR_MAP, parse_colour_map_entry,
-                                 false, out));
+    return map_block(p, VALUE_COLOUR_MAP, parse_colour_map_entry, false, out);
 }
 
 /* pigment_map = "pigment_map" "{" ( PIGMENT_MAP
@@ -121,23 +127,15 @@ bool parse_colour_map(struct parser *p, const struct blend_map **out)
 bool parse_pigment_map(struct parser *p, bool average,
                        const struct blend_map **out)
 {
-    struct span open;
-    stream_next(p);
-    return block_begin(p, &open) &&
-           block_end(p, open,
-                     map_entries(p, VALUE_PIGMENT_MAP, parse_pigment_map_entry,
-                                 average, out));
+    return map_block(p, VALUE_PIGMENT_MAP, parse_pigment_map_entry, average,
+                     out);
 }
 
 bool parse_density_entries(struct parser *p, bool average,
                            const struct blend_map **out)
 {
-    struct span open;
-    stream_next(p);
-    return block_begin(p, &open) &&
-           block_end(p, open,
-                     map_entries(p, VALUE_DENSITY_MAP, parse_pigment_map_entry,
-                                 average, out));
+    return map_block(p, VALUE_DENSITY_MAP, parse_pigment_map_entry, average,
+                     out);
 }
 
 static struct blend_entry block_default(const struct pattern_kind *kind, int i)
