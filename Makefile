@@ -10,7 +10,8 @@ VERSION = 0.1
 
 # What building needs, and what testing needs besides; Debian's names. Other
 # systems' are in tests/tools/packages. Some releases lack one that ends in "?".
-PACKAGES      = gcc g++ make libembree-dev libpng-dev $(IMAGE_PACKAGES)
+PACKAGES      = gcc g++ make libembree-dev libpng-dev libjansson-dev? \
+	$(IMAGE_PACKAGES)
 TEST_PACKAGES = libcmocka-dev mandoc povray povray-includes povray-examples \
 	openimageio-tools $(CLANG_FORMAT)?
 GIVEN_CPPFLAGS := $(CPPFLAGS)
@@ -46,7 +47,7 @@ NO_LTO_LINK = -fno-lto
 endif
 endif
 
-# Embree 4 or 3, as <embree4/rtcore.h> is found or not: see src/embree/rtcore.h.
+# Embree 4 or 3, as <embree4/rtcore.h> is found or not: see src/world/rtcore.h.
 EMBREE := $(shell $(CC) $(CPPFLAGS) -E -x c -include embree4/rtcore.h \
 	/dev/null > /dev/null 2>&1 && echo 4 || echo 3)
 
@@ -64,12 +65,28 @@ IMAGE_PACKAGES = libopenimageio-dev
 endif
 MODULE_LDLIBS = -lOpenImageIO -lOpenImageIO_Util
 
-C_SOURCES   = $(shell find src -name '*.c')
+# The language server is a program of its own beside glim, made where Jansson is.
+JANSSON := $(shell $(CC) $(CPPFLAGS) -E -x c -include jansson.h /dev/null \
+	> /dev/null 2>&1 && echo yes)
+ifeq ($(JANSSON),yes)
+SERVER = $(BUILD)/glim-language-server
+endif
+
+C_SOURCES   = $(shell find src -name '*.c' -not -path 'src/view/*' \
+	-not -path 'src/language/*')
+VIEW_SOURCES = $(wildcard src/view/*.c)
+SERVER_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/language/*.c))
 CXX_SOURCES = $(shell find src -name '*.cpp')
 OBJECTS = $(C_SOURCES:%.c=$(BUILD)/%.o)
 MODULE_OBJECTS = $(CXX_SOURCES:%=$(BUILD)/%.o)
 LIBRARY_OBJECTS = $(filter-out %/main.o,$(OBJECTS))
-PROGRAMS = $(BUILD)/glim $(BUILD)/glim-compare
+PROGRAMS = $(BUILD)/glim $(BUILD)/glim-compare $(VIEW) $(SERVER)
+
+# The window needs SDL; without it there is none.
+VIEW_PACKAGES = libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core
+VIEW_OBJECTS = $(VIEW_SOURCES:%.c=$(BUILD)/%.o)
+VIEW := $(shell $(CC) $(CPPFLAGS) -E -x c -include SDL2/SDL_ttf.h /dev/null \
+	> /dev/null 2>&1 && echo $(BUILD)/glim-view)
 
 # Which of how many: only the dry run before knows how many there are.
 TICK = @$(eval TICKS += .)echo "  $(if $(TOTAL),[$(words $(TICKS))/$(TOTAL)] )$(1)"
@@ -79,10 +96,13 @@ BUILD_ALL = total=$$($(MAKE) -n $(1) | grep -c '^echo "  '); \
 CORES = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell \
 	nproc 2> /dev/null || getconf _NPROCESSORS_ONLN))
 
-all: deps ## build build/glim, build/glim-compare (installs what is missing)
-	@$(call BUILD_ALL,$(PROGRAMS))
+all: needed ## build build/glim and others (installs what they need, but SDL)
+	@$(call BUILD_ALL,programs)
 
-$(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE)
+# What can be built once packages are installed only the next make sees.
+programs: $(PROGRAMS)
+
+$(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE) $(SERVER)
 	$(call TICK,link $@)
 	@$(CXX) $(FLAGS) $(LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
@@ -91,6 +111,26 @@ $(BUILD)/glim-compare: $(BUILD)/src/compare/main.o $(BUILD)/libglim.a | \
 		$(MODULE)
 	$(call TICK,link $@)
 	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -lpng -lz -lpthread -lm -ldl
+
+# Nothing of the tracer is in it, either.
+$(BUILD)/glim-language-server: $(SERVER_OBJECTS) $(BUILD)/libglim.a
+	$(call TICK,link $@)
+	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -ljansson -lpng -lz \
+		-lpthread -lm -ldl
+
+# Texts that are a part of it: each line a string of C.
+$(BUILD)/text/grammar.inc: $(sort $(wildcard grammar/*.ebnf))
+$(BUILD)/text/manual.inc: man/glim.5
+$(BUILD)/text/%.inc:
+	@mkdir -p $(@D)
+	@cat $^ | sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/.*/"&\\n"/' > $@
+$(BUILD)/src/language/grammar.o: $(BUILD)/text/grammar.inc
+$(BUILD)/src/language/manual.o: $(BUILD)/text/manual.inc
+$(SERVER_OBJECTS): override CPPFLAGS += -I$(BUILD)/text
+
+$(BUILD)/glim-view: $(VIEW_OBJECTS) $(BUILD)/libglim.a | $(MODULE)
+	$(call TICK,link $@)
+	@$(CXX) $(FLAGS) $(LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lSDL2_ttf -lSDL2
 
 $(MODULE): $(MODULE_OBJECTS)
 	$(call TICK,link $@)
@@ -111,18 +151,21 @@ $(BUILD)/%.cpp.o: %.cpp
 	@$(CXX) $(CPPFLAGS) $(CXXFLAGS) -fPIC -isystem /usr/include/Imath \
 		-MMD -MP -c -o $@ $<
 
-demo: deps ## build, render an example, say where the picture is
-	@$(call BUILD_ALL,$(PROGRAMS))
+demo: needed ## build, render an example, say where the picture is
+	@$(call BUILD_ALL,programs)
 	@tests/tools/demo $(BUILD)/glim
 
-deps: ## install the Debian packages that building needs
+needed:
 	@$(DEPS) $(PACKAGES)
 
+deps: ## install the Debian packages that building needs, glim-view too
+	@$(DEPS) $(PACKAGES) $(VIEW_PACKAGES)
+
 test-deps: ## install the Debian packages that testing needs
-	@$(DEPS) $(PACKAGES) $(TEST_PACKAGES)
+	@$(DEPS) $(PACKAGES) $(VIEW_PACKAGES) $(TEST_PACKAGES)
 
 test: test-deps ## everything: "N passed, N failed" is the last line
-	@$(call BUILD_ALL,$(PROGRAMS) $(UNIT_TESTS) $(TEST_TOOLS))
+	@$(call BUILD_ALL,programs $(UNIT_TESTS) $(TEST_TOOLS))
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) \
 		tests/run
 
@@ -161,6 +204,10 @@ bench-scenes: ## write build/bench/forest.pov and triangles.pov
 	build/bench/generate forest > build/bench/forest.pov
 	build/bench/generate triangles > build/bench/triangles.pov
 
+farm-test: all ## farms: a real Slurm on this machine, 200 kills, make's jobs
+	@$(DEPS) slurm-wlm munge parallel openimageio-tools
+	@GLIM=$(abspath $(BUILD)/glim) tests/farm/run
+
 hostile: all ## 700 inputs that mean harm: an error or a picture, soon
 	@GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) tests/hostile/run
 
@@ -170,6 +217,10 @@ fuzz: ## the parser under libFuzzer for FUZZ_SECONDS (600)
 	@$(MAKE) --no-print-directory $(CORES) MODE=fuzz CC=clang CXX=clang++ \
 		BUILD=build/fuzz build/fuzz/fuzz-parser
 	tests/fuzz/run build/fuzz/fuzz-parser $(FUZZ_SECONDS)
+
+fuzz-language: all $(BUILD)/tests/tools/speak ## the language server under random edits for FUZZ_SECONDS
+	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) \
+		FUZZ_SECONDS=$(FUZZ_SECONDS) tests/language/run random
 
 $(BUILD)/fuzz-parser: $(BUILD)/tests/fuzz/parser.o $(BUILD)/libglim.a
 	@$(CXX) $(FLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LDLIBS)
@@ -191,8 +242,14 @@ install: all ## into DESTDIR PREFIX
 	install -D -m 755 $(BUILD)/glim $(DESTDIR)$(PREFIX)/bin/glim
 	install -D -m 755 $(BUILD)/glim-compare \
 		$(DESTDIR)$(PREFIX)/bin/glim-compare
+	$(if $(SERVER),install -D -m 755 $(SERVER) \
+		$(DESTDIR)$(PREFIX)/bin/glim-language-server)
 	$(if $(MODULE),install -D -m 644 $(MODULE) \
 		$(DESTDIR)$(PREFIX)/lib/glim/glim-image.so)
+	$(if $(VIEW),install -D -m 755 $(VIEW) \
+		$(DESTDIR)$(PREFIX)/bin/glim-view)
+	$(if $(VIEW),install -D -m 644 man/glim-view.1 \
+		$(DESTDIR)$(PREFIX)/share/man/man1/glim-view.1)
 	install -D -m 644 man/glim.1 $(DESTDIR)$(PREFIX)/share/man/man1/glim.1
 	install -D -m 644 man/glim-compare.1 \
 		$(DESTDIR)$(PREFIX)/share/man/man1/glim-compare.1
@@ -201,6 +258,9 @@ install: all ## into DESTDIR PREFIX
 uninstall: ## remove what install put there
 	rm -f $(DESTDIR)$(PREFIX)/bin/glim \
 		$(DESTDIR)$(PREFIX)/bin/glim-compare \
+		$(DESTDIR)$(PREFIX)/bin/glim-language-server \
+		$(DESTDIR)$(PREFIX)/bin/glim-view \
+		$(DESTDIR)$(PREFIX)/share/man/man1/glim-view.1 \
 		$(DESTDIR)$(PREFIX)/lib/glim/glim-image.so \
 		$(DESTDIR)$(PREFIX)/share/man/man1/glim.1 \
 		$(DESTDIR)$(PREFIX)/share/man/man1/glim-compare.1 \
@@ -212,8 +272,9 @@ clean: ## remove build/
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
 
-.PHONY: all demo deps test-deps test conformance bench reference bench-scenes \
-	hostile fuzz lint format html \
+.PHONY: all programs demo needed deps test-deps test conformance bench reference \
+	bench-scenes farm-test hostile fuzz fuzz-language lint format html \
 	install uninstall clean help
--include $(OBJECTS:.o=.d) $(MODULE_OBJECTS:.o=.d)
+-include $(OBJECTS:.o=.d) $(VIEW_OBJECTS:.o=.d) $(MODULE_OBJECTS:.o=.d) \
+	$(SERVER_OBJECTS:.o=.d)
 -include $(wildcard $(BUILD)/tests/*/*.d)

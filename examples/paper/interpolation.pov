@@ -1,7 +1,7 @@
 // The paper's figure 2: a coarse light mesh under a table of things. `nearest`
 // shows its cells, `spherical` smooths them; see README.md.
 //   glim interpolation.pov --lighting mesh --mesh-interpolation nearest
-//   Declare=Letter=1       model scalar, the paper's formulas to the letter
+//   Declare=Letter=1       --lighting paper, its formulas to the letter
 #version 3.7;
 #ifndef (Letter) #declare Letter = 0; #end
 global_settings {

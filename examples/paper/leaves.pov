@@ -2,7 +2,7 @@
 // the trees; soft shadows by light meshes, sharp ones by shadow rays.
 //   glim leaves.pov --lighting mesh
 //   Declare=Leaves=450     of each tree
-//   Declare=Letter=1       model scalar, the paper's formulas to the letter
+//   Declare=Letter=1       --lighting paper, its formulas to the letter
 #version 3.7;
 #ifndef (Leaves) #declare Leaves = 450; #end
 #ifndef (Letter) #declare Letter = 0; #end

@@ -2,7 +2,7 @@
 // things, dull ones; see README.md.
 //   glim surfaces.pov --lighting mesh
 //   Declare=Dull=1         everything dull
-//   Declare=Letter=1       model scalar, the paper's formulas to the letter
+//   Declare=Letter=1       --lighting paper, its formulas to the letter
 #version 3.7;
 #ifndef (Dull) #declare Dull = 0; #end
 #ifndef (Letter) #declare Letter = 0; #end

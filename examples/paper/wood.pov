@@ -3,7 +3,7 @@
 // lit from behind; no side of a slat sees a painted one: its colour comes by
 // way of the wall, which sees both.
 //   glim wood.pov --lighting mesh
-//   Declare=Letter=1       model scalar, the paper's formulas to the letter
+//   Declare=Letter=1       --lighting paper, its formulas to the letter
 //   Declare=Radiosity=1    POV-Ray's radiosity
 #version 3.7;
 #ifndef (Letter) #declare Letter = 0; #end

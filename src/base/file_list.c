@@ -1,17 +1,25 @@
 /* Marked files: see file_list.h. */
 #include "base/file_list.h"
 
+#include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/array.h"
+#include "base/hash.h"
+#include "base/memory.h"
 
-enum { FILE_LIST_LIMIT = 10000 };
+enum { FILE_LIST_LIMIT = 10000, FILE_CHUNK = 1 << 20 };
 
 /* Editors write a new file and rename it: then the number is another. */
 struct file_mark {
     const char *path;
-    bool there;
+    bool there, plain; /* plain: a regular file */
+    bool hashed, readable;
+    bool stale;     /* it has changed from one round to the next */
+    unsigned round; /* in which it was asked for last */
+    uint64_t hash;
     off_t size;
     ino_t number;
     struct timespec changed;
@@ -23,6 +31,7 @@ static struct file_mark file_mark(const char *path)
     struct file_mark mark = { .path = path };
     mark.there = stat(path, &status) == 0;
     if (mark.there) {
+        mark.plain = S_ISREG(status.st_mode);
         mark.size = status.st_size;
         mark.number = status.st_ino;
         mark.changed = status.st_mtim;
@@ -30,27 +39,122 @@ static struct file_mark file_mark(const char *path)
     return mark;
 }
 
-void file_list_add(struct file_list *list, const char *path)
+size_t file_list_find(const struct file_list *list, const char *path)
 {
-    if (!list || list->count >= FILE_LIST_LIMIT)
-        return;
     for (size_t i = 0; i < list->count; i++)
         if (strcmp(list->items[i].path, path) == 0)
-            return;
+            return i;
+    return list->count;
+}
+
+static bool mark_changed(const struct file_mark *old)
+{
+    struct file_mark now = file_mark(old->path);
+    return now.there != old->there || now.size != old->size ||
+           now.number != old->number ||
+           now.changed.tv_sec != old->changed.tv_sec ||
+           now.changed.tv_nsec != old->changed.tv_nsec;
+}
+
+static void mark_renew(struct file_mark *mark, unsigned round)
+{
+    if (mark->round != round && mark_changed(mark)) {
+        *mark = file_mark(mark->path);
+        mark->stale = true;
+    }
+    mark->round = round;
+}
+
+void file_list_add(struct file_list *list, const char *path)
+{
+    if (!list)
+        return;
+    size_t index = file_list_find(list, path);
+    if (index < list->count) {
+        mark_renew(&list->items[index], list->round);
+        return;
+    }
+    if (list->count >= FILE_LIST_LIMIT)
+        return;
     path = arena_copy_text(list->arena, path, strlen(path));
-    *ARRAY_PUSH(list->arena, list) = file_mark(path);
+    struct file_mark *mark = ARRAY_PUSH(list->arena, list);
+    *mark = file_mark(path);
+    mark->round = list->round;
+}
+
+void file_list_copy(struct file_list *list, const struct file_list *other)
+{
+    for (size_t i = 0; i < other->count; i++) {
+        struct file_mark *mark = ARRAY_PUSH(list->arena, list);
+        *mark = other->items[i];
+        mark->path =
+            arena_copy_text(list->arena, mark->path, strlen(mark->path));
+    }
+    list->round = other->round;
+}
+
+void file_list_next(struct file_list *list)
+{
+    list->round++;
+}
+
+bool file_list_asked(const struct file_list *list, size_t index)
+{
+    return list->items[index].round == list->round;
 }
 
 bool file_list_changed(const struct file_list *list)
 {
-    for (size_t i = 0; i < list->count; i++) {
-        const struct file_mark *old = &list->items[i];
-        struct file_mark now = file_mark(old->path);
-        if (now.there != old->there || now.size != old->size ||
-            now.number != old->number ||
-            now.changed.tv_sec != old->changed.tv_sec ||
-            now.changed.tv_nsec != old->changed.tv_nsec)
+    for (size_t i = 0; i < list->count; i++)
+        if (list->items[i].stale || mark_changed(&list->items[i]))
             return true;
-    }
     return false;
+}
+
+const char *file_list_path(const struct file_list *list, size_t index)
+{
+    return list->items[index].path;
+}
+
+bool file_list_there(const struct file_list *list, size_t index)
+{
+    return list->items[index].there;
+}
+
+/* All that is in the file; never 0. */
+static bool mark_read(const char *path, uint64_t *hash)
+{
+    int file = open(path, O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        return false;
+    char *chunk = memory_new(FILE_CHUNK);
+    ssize_t count;
+    size_t have = 0;
+    *hash = 1;
+    while ((count = read(file, chunk + have, FILE_CHUNK - have)) > 0) {
+        have += (size_t)count;
+        if (have < FILE_CHUNK)
+            continue;
+        *hash = hash_bytes(*hash, chunk, have);
+        have = 0;
+    }
+    *hash = hash_bytes(*hash, chunk, have) | 1;
+    memory_free(chunk);
+    close(file);
+    return count == 0;
+}
+
+bool file_list_hash(const struct file_list *list, size_t index, uint64_t *hash)
+{
+    struct file_mark *mark = &list->items[index];
+    if (!mark->hashed) {
+        mark->hashed = true;
+        mark->readable = true;
+        mark->hash = mark->there;
+        if (mark->plain)
+            mark->readable =
+                mark_read(mark->path, &mark->hash) && !mark_changed(mark);
+    }
+    *hash = mark->hash;
+    return mark->readable;
 }

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "base/arena.h"
 
@@ -14,6 +15,7 @@ struct file_list {
     struct arena *arena; /* of the marks and their names */
     struct file_mark *items;
     size_t count, capacity;
+    unsigned round; /* file_list_next has been called so often */
 };
 
 /* Marks the file as it is now, there or not; once for each path. To be called
@@ -21,7 +23,29 @@ struct file_list {
  * done; of more than 10,000 files the rest are not marked. */
 void file_list_add(struct file_list *list, const char *path);
 
-/* Whether a file is not as it was when it was marked. */
+/* From now on files are asked for anew, as for the next frame of an animation:
+ * those that have changed since are marked again. */
+void file_list_next(struct file_list *list);
+
+/* Whether the index-th was asked for since then. */
+bool file_list_asked(const struct file_list *list, size_t index);
+
+/* Adds the other list's marks, as they are, to a list that lacks them. */
+void file_list_copy(struct file_list *list, const struct file_list *other);
+
+/* Whether a file is not as it was when it was first marked. */
 bool file_list_changed(const struct file_list *list);
+
+/* Of the index-th: its name as it was asked for, and whether it was there. */
+const char *file_list_path(const struct file_list *list, size_t index);
+bool file_list_there(const struct file_list *list, size_t index);
+
+/* What is in it, as a hash that is worked out once; 0 if it was not there. Of a
+ * file that has changed since it was marked, or can't be read, false. What is
+ * no regular file is not read, and always the same. */
+bool file_list_hash(const struct file_list *list, size_t index, uint64_t *hash);
+
+/* The index of a path that is marked, or the list's count. */
+size_t file_list_find(const struct file_list *list, const char *path);
 
 #endif

@@ -8,6 +8,8 @@
 #include <signal.h>
 #include <time.h>
 
+#include "base/clock.h"
+#include "base/jobserver.h"
 #include "base/memory.h"
 
 struct parallel_job {
@@ -16,29 +18,23 @@ struct parallel_job {
     const atomic_int *stop;
     parallel_task *task;
     void *context;
+    struct parallel_thread *pool;
+    unsigned threads, started;
+    bool metered; /* each thread but the first needs a token (jobserver.h) */
+    double asked; /* clock_seconds(), when one was asked for last */
 };
 
 struct parallel_thread {
     struct parallel_job *job;
     pthread_t handle;
     unsigned number;
-    bool started;
+    char token;
 };
 
-static void *parallel_work(void *argument)
-{
-    struct parallel_thread *thread = argument;
-    struct parallel_job *job = thread->job;
-    for (;;) {
-        if (job->stop && atomic_load(job->stop))
-            return NULL;
-        size_t item = atomic_fetch_add(&job->next, 1);
-        if (item >= job->count)
-            return NULL;
-        job->task(job->context, item, thread->number);
-        atomic_fetch_add(&job->done, 1);
-    }
-}
+/* Seconds between two times that make is asked for a token. */
+static const double token_pause = 0.005;
+
+static void *parallel_work(void *argument);
 
 /* With a stack of known size, whatever `ulimit -s` says. */
 static bool thread_start(pthread_t *handle, void *(*work)(void *argument),
@@ -54,26 +50,80 @@ static bool thread_start(pthread_t *handle, void *(*work)(void *argument),
     return started;
 }
 
+/* One more thread. False if there can be none now. */
+static bool parallel_add(struct parallel_job *job)
+{
+    struct parallel_thread *thread = &job->pool[job->started];
+    if (job->started >= job->threads ||
+        (job->metered && !jobserver_take(&thread->token)))
+        return false;
+    bool started = thread_start(&thread->handle, parallel_work, thread);
+    job->started += started;
+    if (!started && job->metered)
+        jobserver_give(thread->token);
+    return started;
+}
+
+/* By the first thread, between two items: whether others have put tokens back.
+ */
+static void parallel_ask(struct parallel_job *job)
+{
+    double now = clock_seconds();
+    if (now < job->asked + token_pause)
+        return;
+    job->asked = now;
+    while (parallel_add(job))
+        continue;
+}
+
+static void parallel_items(struct parallel_thread *thread)
+{
+    struct parallel_job *job = thread->job;
+    for (;;) {
+        if (job->metered && thread->number == 0)
+            parallel_ask(job);
+        if (job->stop && atomic_load(job->stop))
+            return;
+        size_t item = atomic_fetch_add(&job->next, 1);
+        if (item >= job->count)
+            return;
+        job->task(job->context, item, thread->number);
+        atomic_fetch_add(&job->done, 1);
+    }
+}
+
+static void *parallel_work(void *argument)
+{
+    struct parallel_thread *thread = argument;
+    parallel_items(thread);
+    return NULL;
+}
+
 /* A thread that can't be started is no error: the others do its share. */
 bool parallel_run(unsigned threads, size_t count, const atomic_int *stop,
                   parallel_task *task, void *context)
 {
     struct parallel_job job = {
-        .count = count, .stop = stop, .task = task, .context = context
+        .count = count,
+        .stop = stop,
+        .task = task,
+        .context = context,
+        .threads = threads < 1 ? 1 : threads,
+        .started = 1,
+        .metered = threads > 1 && jobserver_state() == JOBSERVER_OPEN,
     };
-    if (threads < 1)
-        threads = 1;
-    struct parallel_thread *pool = memory_new(threads * sizeof *pool);
-    for (unsigned i = 0; i < threads; i++)
-        pool[i] = (struct parallel_thread){ .job = &job, .number = i };
-    for (unsigned i = 1; i < threads; i++)
-        pool[i].started =
-            thread_start(&pool[i].handle, parallel_work, &pool[i]);
-    parallel_work(&pool[0]);
-    for (unsigned i = 1; i < threads; i++)
-        if (pool[i].started)
-            pthread_join(pool[i].handle, NULL);
-    memory_free(pool);
+    job.pool = memory_new(job.threads * sizeof *job.pool);
+    for (unsigned i = 0; i < job.threads; i++)
+        job.pool[i] = (struct parallel_thread){ .job = &job, .number = i };
+    while (parallel_add(&job))
+        continue;
+    parallel_items(&job.pool[0]);
+    for (unsigned i = 1; i < job.started; i++) {
+        pthread_join(job.pool[i].handle, NULL);
+        if (job.metered) /* now that it runs no more */
+            jobserver_give(job.pool[i].token);
+    }
+    memory_free(job.pool);
     return atomic_load(&job.done) == count;
 }
 

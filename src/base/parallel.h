@@ -16,8 +16,9 @@ enum {
 typedef void parallel_task(void *context, size_t item, unsigned thread);
 
 /* Runs task for every item on `threads` threads (at least 1; the calling
- * thread is number 0) and returns when all are done. Once *stop is non-zero
- * (may be NULL) no new item is begun. Returns true if every item was done. */
+ * thread is number 0; started by make -j, on fewer: jobserver.h) and returns
+ * when all are done. Once *stop is non-zero (may be NULL) no new item is begun.
+ * Returns true if every item was done. */
 bool parallel_run(unsigned threads, size_t count, const atomic_int *stop,
                   parallel_task *task, void *context);
 

@@ -12,6 +12,8 @@
 
 #include "base/memory.h"
 
+enum { SAVE_BUFFER = 1 << 18 }; /* bytes */
+
 /* What a name stands for once symbolic links are followed, so that a link
  * keeps its place and the file it names is the one replaced. */
 static bool save_resolve(const char *path, char target[PATH_MAX], char *error,
@@ -94,33 +96,6 @@ static int save_create(const char *name, const char *target)
     return file;
 }
 
-/* A new file beside it, then renamed. */
-static bool save_put_new(const char *target, const void *bytes, size_t count,
-                         char *error, size_t size)
-{
-    size_t length = strlen(target) + 40;
-    char *name = memory_new(length);
-    snprintf(name, length, "%s.%ld.tmp", target, (long)getpid());
-    int file = save_create(name, target);
-    bool done = file >= 0 && save_put_all(file, bytes, count);
-    int reason = errno;
-    if (file >= 0 && close(file) != 0 && done) {
-        done = false;
-        reason = errno;
-    }
-    if (done && rename(name, target) != 0) {
-        done = false;
-        reason = errno;
-    }
-    if (!done) {
-        snprintf(error, size, "%s", strerror(reason));
-        if (file >= 0)
-            unlink(name);
-    }
-    memory_free(name);
-    return done;
-}
-
 static bool save_put_device(const char *target, const void *bytes, size_t count,
                             char *error, size_t size)
 {
@@ -137,14 +112,127 @@ static bool save_put_device(const char *target, const void *bytes, size_t count,
     return done;
 }
 
+struct save {
+    char target[PATH_MAX];
+    char *name; /* of the new file */
+    int file;
+    bool special;
+    char *bytes; /* not yet written */
+    size_t count, capacity;
+};
+
+static bool save_fail(char *error, size_t size)
+{
+    snprintf(error, size, "%s", strerror(errno));
+    return false;
+}
+
+/* A new file beside the target. */
+static bool save_start_new(struct save *save, char *error, size_t size)
+{
+    size_t length = strlen(save->target) + 40;
+    save->name = memory_new(length);
+    snprintf(save->name, length, "%s.%ld.tmp", save->target, (long)getpid());
+    save->file = save_create(save->name, save->target);
+    return save->file >= 0 || save_fail(error, size);
+}
+
+static void save_free(struct save *save)
+{
+    memory_free(save->name);
+    memory_free(save->bytes);
+    memory_free(save);
+}
+
+struct save *save_start(const char *path, char *error, size_t size)
+{
+    struct save *save = memory_new(sizeof *save);
+    bool standard = strcmp(path, "-") == 0, good = true;
+    if (standard)
+        strcpy(save->target, path);
+    else
+        good = save_resolve(path, save->target, error, size);
+    save->special = standard || (good && save_is_special(save->target));
+    if (good && !save->special)
+        good = save_start_new(save, error, size);
+    if (good)
+        return save;
+    save_free(save);
+    return NULL;
+}
+
+/* Many small writes are slow. */
+static bool save_flush(struct save *save, char *error, size_t size)
+{
+    bool done = save_put_all(save->file, save->bytes, save->count);
+    save->count = 0;
+    return done || save_fail(error, size);
+}
+
+bool save_put(struct save *save, const void *bytes, size_t count, char *error,
+              size_t size)
+{
+    if (count > save->capacity - save->count) {
+        save->capacity = 2 * save->capacity + count;
+        save->bytes = memory_resize(save->bytes, save->capacity);
+    }
+    memcpy(save->bytes + save->count, bytes, count);
+    save->count += count;
+    return save->special || save->count < SAVE_BUFFER ||
+           save_flush(save, error, size);
+}
+
+bool save_patch(struct save *save, size_t at, const void *bytes, size_t count,
+                char *error, size_t size)
+{
+    if (save->special) {
+        memcpy(save->bytes + at, bytes, count);
+        return true;
+    }
+    if (!save_flush(save, error, size))
+        return false;
+    const char *next = bytes;
+    while (count > 0) {
+        ssize_t written = pwrite(save->file, next, count, (off_t)at);
+        if (written < 0 && errno != EINTR)
+            return save_fail(error, size);
+        if (written > 0) {
+            next += written;
+            at += (size_t)written;
+            count -= (size_t)written;
+        }
+    }
+    return true;
+}
+
+bool save_finish(struct save *save, bool keep, char *error, size_t size)
+{
+    bool done = true;
+    if (save->special) {
+        done = !keep || save_put_device(save->target, save->bytes, save->count,
+                                        error, size);
+    } else {
+        done = !keep || save_flush(save, error, size);
+        if (close(save->file) != 0 && done && keep)
+            done = save_fail(error, size);
+        if (done && keep && rename(save->name, save->target) != 0)
+            done = save_fail(error, size);
+        if (!done || !keep)
+            unlink(save->name);
+    }
+    save_free(save);
+    return done;
+}
+
 bool save_bytes(const char *path, const void *bytes, size_t count, char *error,
                 size_t size)
 {
-    char target[PATH_MAX];
-    if (strcmp(path, "-") == 0)
-        return save_put_device(path, bytes, count, error, size);
-    if (!save_resolve(path, target, error, size))
+    struct save *save = save_start(path, error, size);
+    if (!save)
         return false;
-    return (save_is_special(target) ? save_put_device : save_put_new)(
-        target, bytes, count, error, size);
+    bool put = save_put(save, bytes, count, error, size);
+    char more[1];
+    return save_finish(save, put, put ? error : more,
+                       put ? size : sizeof more) &&
+           put;
 }

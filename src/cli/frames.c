@@ -63,8 +63,24 @@ const char *frames_resolve(struct frames *frames, struct arena *arena)
     return NULL;
 }
 
+void frames_deal(struct frames *frames, int number, int count)
+{
+    int all = frames_count(frames);
+    frames->none = number > all;
+    if (frames->none)
+        return;
+    frames->begin += (number - 1) * frames->pace;
+    /* One step may be more than there is. */
+    if (count < all)
+        frames->pace *= count;
+    else
+        frames->end = frames->begin;
+}
+
 int frames_count(const struct frames *frames)
 {
+    if (frames->none)
+        return 0;
     if (!frames->animated)
         return 1;
     return (frames->end - frames->begin) / frames->pace + 1;

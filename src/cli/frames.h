@@ -21,12 +21,16 @@ struct frames {
     int first, last;      /* of the whole animation */
     int begin, end, pace; /* to render now: begin, begin + pace .. end */
     int digits;           /* of the numbers in file names */
+    bool none;            /* this process has no frame to render */
 };
 
 struct frames frames_new(void);
 
 /* Works out what is said. Returns NULL, or what is wrong with it. */
 const char *frames_resolve(struct frames *frames, struct arena *arena);
+
+/* Leaves of the frames to render every count-th, from the number-th on. */
+void frames_deal(struct frames *frames, int number, int count);
 
 /* How many frames there are to render: 1 without an animation. */
 int frames_count(const struct frames *frames);

@@ -7,9 +7,11 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "cli/language.h"
 #include "cli/output_name.h"
 #include "lightmesh/interpolation.h"
 #include "scene/pattern.h"
+#include "scene/camera.h"
 #include "scene/primitive.h"
 #include "skeleton/heuristic.h"
 #include "token/word.h"
@@ -197,6 +199,7 @@ static void help_print_man(void)
 
 LIST(primitive, primitive_at)
 LIST(pattern, pattern_at)
+LIST(camera, camera_kind_at)
 LIST(lighting, integrator_lighting_at)
 LIST(interpolation, interpolation_at)
 LIST(heuristic, heuristic_at)
@@ -227,6 +230,7 @@ static const struct list {
 } lists[] = {
     { "primitives", help_list_primitive },
     { "patterns", help_list_pattern },
+    { "cameras", help_list_camera },
     { "keywords", help_list_keywords },
     { "lightings", help_list_lighting },
     { "interpolations", help_list_interpolation },
@@ -271,7 +275,10 @@ bool options_answer(const struct options *options, struct diag *diag)
         printf("glim %s\n", GLIM_VERSION);
     else if (options->action == ACTION_MAN)
         help_print_man();
-    else if (!help_list(options->list_what, diag))
+    else if (options->action == ACTION_LANGUAGE_SERVER) {
+        language_server(options, diag);
+        return false;
+    } else if (!help_list(options->list_what, diag))
         return false;
     if (fflush(stdout) == 0)
         return true;

@@ -1,5 +1,5 @@
 /* Signals to flags: see interrupt.h. A handler has no argument, so this is
- * the program's only mutable file-scope variable. */
+ * a mutable file-scope variable; make's jobserver is the other. */
 #include "cli/interrupt.h"
 
 #include <signal.h>

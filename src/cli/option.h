@@ -114,6 +114,9 @@ const char *option_meant(struct arena *arena, const char *text);
  * Key=value, a scene or an INI file. */
 bool option_read(struct option_reader *reader, const struct setting *token);
 
+/* Applies the arguments from left to right. */
+bool arguments_read(struct option_reader *reader, int argc, char **argv);
+
 /* Adds a directory at the end of the library path unless it is there. */
 void option_add_library(struct option_reader *reader, const char *directory);
 
@@ -129,8 +132,10 @@ bool option_read_number(struct option_reader *reader,
 /* "on", "off" and their kin; false when it is neither. */
 bool option_truth(const char *value, bool *state);
 
-/* The setters: option_light.c, permitted.c, and option_set.c for all others. */
+/* The setters: option_light.c, permitted.c, option_batch.c, and option_set.c
+ * for all others. */
 option_set set_light, set_below;
+option_set set_check_picture, set_join, set_progress, set_stats;
 option_set set_switch, set_integer, set_whole, set_number, set_library,
     set_header, set_input, set_output, set_file_type, set_gamma, set_declare,
     set_verbose, set_all_consoles, set_lighting, set_action, set_list, set_flag,
@@ -147,6 +152,16 @@ bool ini_read(struct option_reader *reader, const char *name,
 /* What scenes may read, by --read-only-below and povray.conf, once all options
  * are known. Returns false after an error was printed. */
 bool permits_resolve(struct option_reader *reader);
+
+/* What --part says, once all options are known. Returns false after an error
+ * was printed. */
+bool part_resolve(struct option_reader *reader);
+
+/* Whether there is a way to draw so large a picture; the same. */
+bool large_resolve(struct option_reader *reader);
+
+/* The same of --frames, once it is known how many there are. */
+bool frames_said_resolve(struct option_reader *reader);
 
 /* Reads the start-up files; see ini_startup in ini.c for which. */
 bool ini_startup(struct option_reader *reader);

@@ -55,6 +55,8 @@
     }
 #define LIGHT(k, w, table, name, value, text)                                  \
     LIGHT_OF("mesh", k, w, table, name, value, text)
+#define MESHES(k, w, table, name, value, text)                                 \
+    LIGHT_OF("mesh paper", k, w, table, name, value, text)
 #define VOID(k, w, table, name, value, text)                                   \
     LIGHT_OF("skeleton mesh path", k, w, table, name, value, text)
 #define NOTHING(l, k) VALUE(l, k, set_ignored, "", "")
@@ -88,7 +90,29 @@ static const struct option table[] = {
     SWITCH("UA", "Output_Alpha", alpha,
            "write opacity to PNG, Targa, BMP and OpenEXR (off)"),
     SWITCH("C", "Continue_Trace", continue_trace,
-           "keep pictures that are there, whole and of the right size (off)"),
+           "keep pictures that are whole and current (off)"),
+    WORD("part", set_text, AT(part), "i/n",
+         "draw the i-th of n parts of the picture, into NAME.iofn.glim-part; "
+         "array: as the array job says that this is a task of; strip: what +SR "
+         "+ER +SC +EC choose"),
+    WORD("join", set_join, AT(picture), "[file]",
+         "make the picture of that name, or of the scene that is named, of all "
+         "its parts"),
+    WORD("check-picture", set_check_picture, AT(picture), "file",
+         "say what a picture is of, and whether it is whole and current"),
+    { .letters = "MF", .word = "depend", .set = set_text,
+      .offset = AT(depend.file), .argument = "file",
+      .help = "write a rule for make there: the picture, and every file that "
+              "was read or looked for" },
+    { .letters = "MT", .word = "depend-target", .set = set_text,
+      .offset = AT(depend.target), .argument = "target",
+      .help = "its target, as it is to stand there (the picture)" },
+    { .letters = "MD", .set = set_flag, .offset = AT(depend.on),
+      .help = "the same beside the picture, its name with .d, unless -MF names "
+              "another" },
+    { .letters = "MP", .set = set_flag, .offset = AT(depend.phony),
+      .help = "a rule for each of these files, too, so that one may be "
+              "removed" },
     VALUE("L", "Library_Path", set_library, "dir",
           "search for includes, images and INI files here too; adds up"),
     VALUE("HI", "Include_Header", set_header, "file",
@@ -140,7 +164,7 @@ static const struct option table[] = {
       .help = "how light is worked out (mesh); see --list lightings" },
     WORD("show", set_text, AT(show), "name",
          "draw what the lighting knows over the picture: skeleton, "
-         "skeleton:irradiance, stream, mesh, mesh:indirect"),
+         "skeleton:irradiance, stream, mesh, mesh:indirect, knower"),
     WORD("debug-pixel", set_text, AT(debug_pixel), "x,y",
          "instead of a picture tell what made this pixel, counted from 1: "
          "surfaces, lamps, who knew their light, and its cost"),
@@ -164,28 +188,28 @@ static const struct option table[] = {
       .help = "with --lighting path: another number, another noise (0)" },
 
     GROUP("Light mesh and skeleton; they win over the scene's own"),
-    LIGHT("Mesh_Quality", "mesh-quality", light_mesh_fields, "quality", "n",
+    MESHES("Mesh_Quality", "mesh-quality", light_mesh_fields, "quality", "n",
           "1 to 10, the knob to turn first (5)"),
-    LIGHT("Mesh_Density", "mesh-density", light_mesh_fields, "density", "n",
+    MESHES("Mesh_Density", "mesh-density", light_mesh_fields, "density", "n",
           "mesh points for one unit of length"),
-    LIGHT("Mesh_Radius", "mesh-radius", light_mesh_fields, "radius", "n",
+    MESHES("Mesh_Radius", "mesh-radius", light_mesh_fields, "radius", "n",
           "how far a mesh point is heard, in units"),
-    LIGHT("Mesh_Interpolation", "mesh-interpolation", light_mesh_fields,
+    MESHES("Mesh_Interpolation", "mesh-interpolation", light_mesh_fields,
           "interpolation", "name",
           "between mesh points; see --list interpolations"),
     LIGHT("Mesh_Model", "mesh-model", light_mesh_fields, "model", "name",
           "directional, or scalar as in the paper (directional)"),
     LIGHT("Mesh_Shadows", "mesh-shadows", light_mesh_fields, "shadows",
           "name", "soft, sharp, or what is quick and right (auto)"),
-    LIGHT("Mesh_Threshold", "mesh-threshold", light_mesh_fields, "threshold",
+    MESHES("Mesh_Threshold", "mesh-threshold", light_mesh_fields, "threshold",
           "n", "new points where neighbours differ by more (0.2)"),
-    LIGHT("Mesh_Levels", "mesh-levels", light_mesh_fields, "levels", "n",
+    MESHES("Mesh_Levels", "mesh-levels", light_mesh_fields, "levels", "n",
           "how often the distance of points is halved for that (2)"),
     LIGHT("Mesh_Sky", "mesh-sky", light_mesh_fields, "sky", "bool",
           "sky and background light the scene, in place of ambient (off)"),
-    LIGHT("Mesh_Indirect", "mesh-indirect", light_option_fields, "indirect",
+    MESHES("Mesh_Indirect", "mesh-indirect", light_option_fields, "indirect",
           "bool", "light from surface to surface (on)"),
-    LIGHT("Mesh_Samples", "mesh-samples", indirect_fields, "samples", "n",
+    MESHES("Mesh_Samples", "mesh-samples", indirect_fields, "samples", "n",
           "rays that gather it at a mesh point"),
     LIGHT("Mesh_Bounces", "mesh-bounces", indirect_fields, "bounces", "n",
           "from surface to surface"),
@@ -193,7 +217,7 @@ static const struct option table[] = {
           "bool", "the skeleton's light ends the last of them (on)"),
     LIGHT_OF(NULL, "Mesh_Save", "mesh-save", light_option_fields, "save", "file",
           "write the mesh here when the picture is done"),
-    LIGHT("Mesh_Load", "mesh-load", light_option_fields, "load", "file",
+    MESHES("Mesh_Load", "mesh-load", light_option_fields, "load", "file",
           "begin with this mesh"),
     LIGHT_OF(NULL, NULL, "mesh-only", light_option_fields, "only", NULL,
           "make the mesh for --mesh-save and write no picture"),
@@ -233,6 +257,9 @@ static const struct option table[] = {
            "leave out the frames after n"),
     WHOLE("STP", "Frame_Step", frames.step, -FRAME_LIMIT, FRAME_LIMIT,
           "every n-th frame (1); below 0 from the end backwards"),
+    WORD("frames", set_text, AT(frames_said), "i/n",
+         "of the frames to render every n-th from the i-th on; array: as the "
+         "array job says"),
 
     GROUP("Work"),
     { NAMES("WT", "Work_Threads"), .word = "threads", .set = set_integer,
@@ -253,8 +280,11 @@ static const struct option table[] = {
     CONSOLE("GA", "All_Console", set_all_consoles, 0, "All_File",
             "both; errors are always shown"),
     WORD("quiet", set_quiet, 0, NULL, "nothing but errors: as -V -GA"),
-    WORD("stats", set_flag, AT(stats), NULL,
-         "objects, rays and times, and what light meshes took"),
+    WORD("progress", set_progress, AT(progress_form), "[json]",
+         "tell progress everywhere; json: a line of JSON a second"),
+    WORD("stats", set_stats, AT(stats_form), "[json]",
+         "objects, rays and times, and what light meshes took; json: as one "
+         "line of JSON"),
 
     GROUP("Other things to do"),
     WORD("watch", set_flag, AT(watch), NULL,
@@ -265,8 +295,11 @@ static const struct option table[] = {
          "print the irradiance at points instead of drawing: lines x y z nx "
          "ny nz, or x y z; - is standard input"),
     WORD("list", set_list, 0, "[what]",
-         "primitives, patterns, keywords, lightings, interpolations, "
+         "primitives, patterns, cameras, keywords, lightings, interpolations, "
          "heuristics, formats or options"),
+    WORD("language-server", set_action, ACTION_LANGUAGE_SERVER, NULL,
+         "help in an editor: the Language Server Protocol on standard input "
+         "and output"),
     WORD("help", set_action, ACTION_HELP, NULL, "this list"),
     WORD("version", set_action, ACTION_VERSION, NULL, "the version"),
     WORD("man-options", set_action, ACTION_MAN, NULL,

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <sys/stat.h>
 
+#include "base/jobserver.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "cli/output_name.h"
@@ -143,51 +144,6 @@ bool option_read(struct option_reader *reader, const struct setting *token)
     return ini_read(reader, text, token);
 }
 
-/* --threads 4 is --threads=4: the value of a word may be the next argument. */
-static bool option_takes_next(const char *argument, const char *next)
-{
-    if (strncmp(argument, "--", 2) != 0 || !next || strchr(argument, '='))
-        return false;
-    const struct option *option = option_find_word(argument + 2);
-    if (!option || !option->argument)
-        return false;
-    return option->argument[0] != '[' || !strchr("+-", next[0]);
-}
-
-/* --wdith 10: no word about the value of what is no option. */
-static bool option_wastes_next(const char *argument, const char *next)
-{
-    return strncmp(argument, "--", 2) == 0 && next && !strchr(argument, '=') &&
-           !option_find_word(argument + 2) && !strpbrk(next, "+-=./");
-}
-
-static bool options_read_arguments(struct option_reader *reader, int argc,
-                                   char **argv)
-{
-    bool good = true, ended = false;
-    for (int i = 1; i < argc; i++) {
-        const char *next = i + 1 < argc ? argv[i + 1] : NULL;
-        struct setting token = { .shown = argv[i], .next = next };
-        if (ended) { /* after --: a scene, whatever its name */
-            reader->options->input = argv[i];
-            continue;
-        }
-        if (strcmp(argv[i], "--") == 0) {
-            ended = true;
-            continue;
-        }
-        if (option_takes_next(argv[i], next)) {
-            token.shown = arena_printf(reader->arena, "%s=%s", argv[i], next);
-            i++;
-        }
-        bool known = option_read(reader, &token);
-        i += !known && (reader->took_next || option_wastes_next(argv[i], next));
-        reader->took_next = false;
-        good = known && good;
-    }
-    return good;
-}
-
 static bool option_is_file(const char *path)
 {
     struct stat status;
@@ -261,7 +217,8 @@ static bool options_name_output(struct option_reader *reader)
     const struct output_type *type = output_type_find(options->file_type);
     if (options->probe)
         return options_name_table(reader);
-    if (!options->to_file || options->action != ACTION_RENDER)
+    if (!options->to_file || (options->action != ACTION_RENDER &&
+                              !options->depend.file && !options->depend.on))
         return true;
     bool stdin_named = strcmp(options->input, "-") == 0;
     const char *said = reader->output;
@@ -271,7 +228,10 @@ static bool options_name_output(struct option_reader *reader)
                    "the picture, or +O- for standard output");
         return false;
     }
-    options->output = output_name(said, options->input, type, reader->arena);
+    options->named = output_name(said, options->input, type, reader->arena);
+    if (options->action != ACTION_RENDER)
+        return true;
+    options->output = options->named;
     const struct output_type *meant =
         said ? output_type_meant(said, type) : NULL;
     if (meant)
@@ -367,13 +327,6 @@ static bool options_resolve_picture(struct option_reader *reader)
 {
     struct options *options = reader->options;
     struct render_options *render = &options->render;
-    if ((long long)render->width * render->height > IMAGE_PIXEL_LIMIT) {
-        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
-                   "%d x %d pixels are too many: glim's limit is %d in all, "
-                   "16384 x 16384",
-                   render->width, render->height, IMAGE_PIXEL_LIMIT);
-        return false;
-    }
     if (!options_range(reader, "Column", options->columns, render->width,
                        &render->column_start, &render->column_end) ||
         !options_range(reader, "Row", options->rows, render->height,
@@ -530,12 +483,13 @@ static bool options_resolve(struct option_reader *reader)
     if (options->action == ACTION_RENDER)
         options_tell_unused(reader);
     options_resolve_scene(reader);
-    if (!permits_resolve(reader))
+    if (!permits_resolve(reader) || !part_resolve(reader) ||
+        !large_resolve(reader))
         return false;
     const char *problem = frames_resolve(&options->frames, reader->arena);
     if (problem)
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL, "%s", problem);
-    return !problem;
+    return !problem && frames_said_resolve(reader);
 }
 
 static struct options options_default(void)
@@ -543,6 +497,8 @@ static struct options options_default(void)
     unsigned cores = parallel_cores();
     if (cores > OPTIONS_THREAD_LIMIT)
         cores = OPTIONS_THREAD_LIMIT;
+    if (jobserver_state() == JOBSERVER_CLOSED)
+        cores = 1;
     return (struct options){
         .file_type = 'N',
         .compression = 85,
@@ -578,7 +534,7 @@ bool options_parse(struct options *options, int argc, char **argv,
                                     .arena = arena,
                                     .diag = diag };
     bool started = ini_startup(&reader);
-    bool read = options_read_arguments(&reader, argc, argv);
+    bool read = arguments_read(&reader, argc, argv);
     return started && read && options_resolve(&reader);
 }
 

@@ -14,6 +14,17 @@ enum options_action {
     ACTION_VERSION,
     ACTION_LIST, /* --list [WHAT]: what the language knows, from its tables */
     ACTION_MAN,  /* --man-options: the option table as mdoc, for glim.1 */
+    ACTION_LANGUAGE_SERVER,
+    ACTION_CHECK_PICTURE, /* --check-picture FILE */
+    ACTION_JOIN,          /* --join FILE */
+};
+
+/* --depend, and as compilers say it: -MD -MF FILE -MT TARGET -MP. */
+struct depend {
+    bool on;            /* wanted, beside the picture if no file is said */
+    const char *file;   /* where to; NULL: not said */
+    const char *target; /* for make, as it stands; NULL: the pictures */
+    bool phony;         /* what is read is a target, too */
 };
 
 enum { OPTIONS_THREAD_LIMIT = 512, OPTIONS_SAMPLE_LIMIT = 16777216 };
@@ -25,6 +36,7 @@ struct options {
     const char *path;   /* the same, found along the library path */
     const char *output; /* the picture's name, without a frame's number; "-"
                          * standard output; NULL: none */
+    const char *named;  /* the same, and of --check what it would be */
     const char *probe;  /* --probe: the points' file; NULL: a picture */
     char file_type;     /* +F letter, 'N' by default */
     int bits;           /* per channel; 0: not said */
@@ -32,7 +44,14 @@ struct options {
     int compression;   /* JPEG quality */
     double file_gamma; /* 0: sRGB */
     bool to_file, continue_trace;
+    struct depend depend;
+    const char *picture; /* of --check-picture and --join */
+    const char *part; /* --part: "3/16", "array", "array/16" or "strip"; NULL:
+                       * all of it */
+    const char *frames_said; /* --frames: likewise */
+    bool join; /* --join without a file: the picture of the scene */
     enum { PROGRESS_TERMINAL, PROGRESS_NEVER, PROGRESS_ALWAYS } progress;
+    const char *progress_form, *stats_form; /* "json" or "text"; NULL: text */
     bool stats;
     bool watch;              /* --watch: again and again */
     bool messages, warnings; /* +GD and +GW: #debug, #warning and ours */

@@ -1,56 +1,10 @@
 /* One frame's file: see picture.h. */
 #include "cli/picture.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
+#include <string.h>
 
 #include "base/save.h"
-#include "image/output.h"
 #include "render/overlay.h"
-
-static bool file_is_newer(const char *name, const char *than)
-{
-    struct stat a, b;
-    if (stat(name, &a) != 0 || stat(than, &b) != 0)
-        return false;
-    return a.st_mtim.tv_sec != b.st_mtim.tv_sec
-               ? a.st_mtim.tv_sec > b.st_mtim.tv_sec
-               : a.st_mtim.tv_nsec > b.st_mtim.tv_nsec;
-}
-
-/* One warning is enough for all frames. */
-static void picture_tell_kept(const struct options *options, const char *name,
-                              bool *told, struct diag *diag)
-{
-    if (!*told && file_is_newer(options->path, name)) {
-        diag_print(diag, DIAG_WARNING, span_none(), NULL,
-                   "'%s' is kept, though '%s' has changed since; without +C "
-                   "it is rendered again",
-                   name, options->path);
-        *told = true;
-    }
-}
-
-bool picture_is_there(const struct options *options, const char *name,
-                      bool *told, struct diag *diag)
-{
-    if (!options->continue_trace || !name || strcmp(name, "-") == 0 ||
-        access(name, F_OK) != 0)
-        return false;
-    char why[256];
-    int width, height;
-    if (image_probe(name, &width, &height, why, sizeof why)) {
-        if (width == options->render.width &&
-            height == options->render.height) {
-            picture_tell_kept(options, name, told, diag);
-            return true;
-        }
-        snprintf(why, sizeof why, "it has %d x %d pixels", width, height);
-    }
-    diag_print(diag, DIAG_WARNING, span_none(), NULL,
-               "'%s' is rendered again: %s", name, why);
-    return false;
-}
 
 bool picture_can_be(const char *name, struct diag *diag)
 {
@@ -62,8 +16,8 @@ bool picture_can_be(const char *name, struct diag *diag)
     return false;
 }
 
-static struct output_space picture_space(const struct options *options,
-                                         const struct settings *settings)
+struct output_space picture_space(const struct options *options,
+                                  const struct settings *settings)
 {
     bool linear = options->file_type == 'E' || options->file_type == 'H';
     bool keeps_alpha = strchr("NETCB", options->file_type) != NULL;
@@ -114,18 +68,28 @@ bool picture_show(struct image *image, const struct options *options,
     return done;
 }
 
+void picture_describe(const struct options *options,
+                      const struct settings *settings,
+                      struct image_format *format, struct output_space *space)
+{
+    *space = picture_space(options, settings);
+    *format = options_format(options);
+    if (space->keep_numbers) /* POV-Ray then heeds no File_Gamma (measured) */
+        format->gamma = 0;
+    if (options->file_type == 'N')
+        space->bits = format->bits;
+}
+
 bool picture_write(struct image *image, const struct options *options,
                    const struct settings *settings, const char *name,
-                   struct diag *diag)
+                   const char *origin, struct diag *diag)
 {
     if (!name)
         return true;
-    struct output_space space = picture_space(options, settings);
-    struct image_format format = options_format(options);
-    if (space.keep_numbers) /* POV-Ray then heeds no File_Gamma (measured) */
-        format.gamma = 0;
-    if (options->file_type == 'N')
-        space.bits = format.bits;
+    struct output_space space;
+    struct image_format format;
+    picture_describe(options, settings, &format, &space);
+    format.note = origin;
     output_convert(image, &space, options->render.threads);
     char why[256];
     if (image_write(image, name, &format, why, sizeof why))
@@ -155,6 +119,6 @@ void picture_rescue(struct image *image, const struct options *options,
         return;
     unfinished_name(name, unfinished->name, sizeof unfinished->name);
     unfinished->share = drawn->share;
-    if (!picture_write(image, options, settings, unfinished->name, diag))
+    if (!picture_write(image, options, settings, unfinished->name, NULL, diag))
         unfinished->name[0] = '\0';
 }

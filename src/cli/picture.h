@@ -1,22 +1,19 @@
-/* The picture of one frame as a file: is it there already, can it be written,
- * and writing it. */
+/* The picture of one frame as a file: can it be written, and writing it. */
 #ifndef CLI_PICTURE_H
 #define CLI_PICTURE_H
 
 #include <stdio.h>
 
 #include "cli/options.h"
-
-/* +C: whether the file called `name` is a whole picture of the right size. If
- * there is one that isn't, says why it is rendered again. Warns, unless *told
- * already, if the scene's file has been changed since; what it includes is not
- * looked at. */
-bool picture_is_there(const struct options *options, const char *name,
-                      bool *told, struct diag *diag);
+#include "image/output.h"
 
 /* Whether `name` (NULL: none) can be written, found out before the work.
  * Returns false after an error was printed. */
 bool picture_can_be(const char *name, struct diag *diag);
+
+/* How the scene's numbers become those of the file. */
+struct output_space picture_space(const struct options *options,
+                                  const struct settings *settings);
 
 /* Draws over the picture what --show names, if anything, and says what the
  * colours mean. Returns false if stopped. */
@@ -24,11 +21,17 @@ bool picture_show(struct image *image, const struct options *options,
                   const struct tracer *tracer, const atomic_int *stop,
                   struct diag *diag);
 
-/* Turns the picture into the file's numbers, in place, and writes it. Returns
- * false after an error was printed. */
+/* How the picture's file is written, and what numbers it has. */
+void picture_describe(const struct options *options,
+                      const struct settings *settings,
+                      struct image_format *format, struct output_space *space);
+
+/* Turns the picture into the file's numbers, in place, and writes it, with its
+ * origin (cli/origin.h) unless that is NULL. Returns false after an error was
+ * printed. */
 bool picture_write(struct image *image, const struct options *options,
                    const struct settings *settings, const char *name,
-                   struct diag *diag);
+                   const char *origin, struct diag *diag);
 
 /* What was written of a picture that was not finished. */
 struct unfinished {

@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/writer.h"
 
-/* Beyond it nothing is hit (embree/world.h). */
+/* Beyond it nothing is hit (world/world.h). */
 #define PLACE_LIMIT 1e7
 
 /* One line of the file. */

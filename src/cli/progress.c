@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/clock.h"
+#include "cli/json.h"
 #include "base/parallel.h"
 
 enum {
@@ -29,8 +30,12 @@ void progress_begin(struct progress *progress, const struct options *options,
 {
     bool terminal = isatty(STDERR_FILENO);
     int count = frames_count(&options->frames);
-    progress->live = terminal && options->progress != PROGRESS_NEVER;
-    progress->lines = !terminal && options->progress == PROGRESS_ALWAYS;
+    progress->json =
+        options->progress_form && strcmp(options->progress_form, "json") == 0;
+    progress->live =
+        terminal && options->progress != PROGRESS_NEVER && !progress->json;
+    progress->lines =
+        !terminal && options->progress == PROGRESS_ALWAYS && !progress->json;
     progress->name = name ? name : options->input;
     progress->frame[0] = '\0';
     if (options->frames.animated)
@@ -61,9 +66,10 @@ void progress_end(struct progress *progress)
         progress_clear(progress);
 }
 
-void progress_start(struct progress *progress)
+void progress_start(struct progress *progress, const struct tracer *tracer)
 {
     progress_end(progress);
+    progress->tracer = tracer;
     progress->start = clock_seconds();
     atomic_init(&progress->samples, 0);
     atomic_init(&progress->error, -1);
@@ -113,9 +119,15 @@ void progress_passed(void *context, int samples, double error)
 void progress_tell(void *context, double done)
 {
     struct progress *progress = context;
+    double seconds = clock_seconds() - progress->start;
+    if (progress->json) {
+        int now = seconds < 1e6 ? (int)(seconds * 1000) : 0;
+        if (progress_take(progress, now, now + 1000))
+            progress_json(progress, "drawing", done, seconds);
+        return;
+    }
     if (!progress->live && !progress->lines)
         return;
-    double seconds = clock_seconds() - progress->start;
     char text[PROGRESS_WIDTH];
     progress_text(text, sizeof text, done, seconds);
     progress_add_samples(progress, text, sizeof text);
@@ -142,6 +154,8 @@ void progress_clear(const struct progress *progress)
 void progress_finish(const struct progress *progress,
                      const struct options *options)
 {
+    if (progress->json)
+        progress_json(progress, "done", 1, clock_seconds() - progress->start);
     if (!progress->live && !progress->lines)
         return;
     fprintf(stderr, "%s%s%s: %d x %d pixels in %.2f s\n", progress->frame,
@@ -160,9 +174,11 @@ void progress_total(const struct progress *progress,
 }
 
 void progress_interrupted(const struct frames *frames, int index,
-                          const struct unfinished *unfinished)
+                          const struct unfinished *unfinished, const char *part)
 {
     char where[64] = "";
+    if (*part)
+        fprintf(stderr, "glim: +C goes on with what '%s' has\n", part);
     if (frames->animated)
         snprintf(where, sizeof where, " in frame %d",
                  frames_number(frames, index));

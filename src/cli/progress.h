@@ -10,8 +10,10 @@
 struct progress {
     bool live;                   /* on a terminal: one line, rewritten */
     bool lines;                  /* +V elsewhere: a line for each tenth */
+    bool json;                   /* a line of JSON each second */
     char frame[48];              /* "frame 3 of 40, ", or nothing */
     const char *name;            /* of the picture */
+    const struct tracer *tracer; /* while it is drawn; or NULL */
     double all;                  /* seconds: when the first frame began, */
     double begun;                /* this one, */
     double start;                /* and its drawing */
@@ -29,8 +31,9 @@ void progress_begin(struct progress *progress, const struct options *options,
                     const char *name, int index);
 void progress_doing(struct progress *progress, const char *doing);
 
-/* The drawing starts. */
-void progress_start(struct progress *progress);
+/* The drawing starts; the tracer lasts until progress_finish or the next
+ * frame. */
+void progress_start(struct progress *progress, const struct tracer *tracer);
 
 /* The frame is over, drawn or not. */
 void progress_end(struct progress *progress);
@@ -54,8 +57,9 @@ void progress_total(const struct progress *progress,
                     const struct frames *frames);
 
 /* Says that a signal ended the work in the index-th frame, and what is left of
- * that. */
+ * that: a picture, and the part file called `part`, or "". */
 void progress_interrupted(const struct frames *frames, int index,
-                          const struct unfinished *unfinished);
+                          const struct unfinished *unfinished,
+                          const char *part);
 
 #endif

@@ -36,18 +36,36 @@ typedef bool codec_decode_function(const char *path,
                                    size_t size);
 codec_decode_function codec_decode;
 
-/* The file's bytes, given to put() once, as image_write describes. put()
- * returns false after filling in error[size]. */
+/* Where a file's bytes go, one after the other. All return false after filling
+ * in error[size]. */
 struct codec_sink {
     bool (*put)(void *context, const void *bytes, size_t count, char *error,
                 size_t size);
+    /* Changes bytes that were put before. */
+    bool (*patch)(void *context, size_t at, const void *bytes, size_t count,
+                  char *error, size_t size);
     void *context;
 };
+
+/* As image_write describes. */
 typedef bool codec_encode_function(const struct image *image,
                                    const struct image_format *format,
                                    const struct codec_sink *sink, char *error,
                                    size_t size);
 codec_encode_function codec_encode;
+
+/* The same of a picture that is never there as a whole. */
+typedef bool codec_stream_function(const struct image_bands *bands,
+                                   const struct image_format *format,
+                                   const struct codec_sink *sink, char *error,
+                                   size_t size);
+
+/* Told apart from a module that was built for other structs, which would take
+ * them for its own. */
+#define CODEC_LAYOUT                                                           \
+    (sizeof(struct codec_target) + (sizeof(struct image_format) << 16) +       \
+     (sizeof(struct codec_sink) << 32))
+extern const size_t codec_layout; /* the module's CODEC_LAYOUT */
 
 #ifdef __cplusplus
 }

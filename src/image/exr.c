@@ -22,7 +22,9 @@ enum {
 };
 
 struct exr_job {
-    const struct image *image;
+    const struct image_bands *bands;
+    const struct image *band; /* the last one that was given, */
+    int top;                  /* and where in the picture it is */
     struct arena *arena;
     struct {
         unsigned char *items;
@@ -33,6 +35,7 @@ struct exr_job {
     const char *name; /* and the letters of all */
     int type;         /* HALF or FLOAT */
     size_t row;       /* bytes */
+    size_t written;   /* to the sink */
 };
 
 static void exr_put(struct exr_job *job, const void *bytes, size_t count)
@@ -106,11 +109,18 @@ static void exr_put_box(struct exr_job *job, const char *name)
 {
     exr_attribute(job, name, "box2i", 16);
     exr_put_number(job, 0, 8);
-    exr_put_number(job, (uint64_t)job->image->width - 1, 4);
-    exr_put_number(job, (uint64_t)job->image->height - 1, 4);
+    exr_put_number(job, (uint64_t)job->bands->width - 1, 4);
+    exr_put_number(job, (uint64_t)job->bands->height - 1, 4);
 }
 
-static void exr_put_header(struct exr_job *job)
+static void exr_put_text(struct exr_job *job, const char *name,
+                         const char *text)
+{
+    exr_attribute(job, name, "string", strlen(text));
+    exr_put(job, text, strlen(text));
+}
+
+static void exr_put_header(struct exr_job *job, const char *note)
 {
     static const char software[] = "glim " GLIM_VERSION;
     exr_put_number(job, 20000630, 4); /* the format's mark, and version 2 */
@@ -128,16 +138,26 @@ static void exr_put_header(struct exr_job *job)
     exr_put_number(job, 0, 8);
     exr_attribute(job, "screenWindowWidth", "float", 4);
     exr_put_number(job, exr_bits(1), 4);
-    exr_attribute(job, "software", "string", strlen(software));
-    exr_put(job, software, strlen(software));
+    exr_put_text(job, "software", software);
+    if (note)
+        exr_put_text(job, "glim", note);
     exr_put_number(job, 0, 1);
 }
 
-static void exr_fill_row(const struct exr_job *job, int y, unsigned char *out)
+/* The first pixel of a row, or NULL. */
+static const float *exr_row(struct exr_job *job, int y)
+{
+    if (!job->band || y >= job->top + job->band->height)
+        job->band = job->bands->at(job->bands->context, y, &job->top);
+    return job->band ? image_pixel(job->band, 0, y - job->top) : NULL;
+}
+
+static void exr_fill_row(const struct exr_job *job, const float *row,
+                         unsigned char *out)
 {
     for (int c = 0; c < job->channels; c++) {
-        const float *in = image_pixel(job->image, 0, y) + job->source[c];
-        for (int x = 0; x < job->image->width; x++, in += 4) {
+        const float *in = row + job->source[c];
+        for (int x = 0; x < job->bands->width; x++, in += 4) {
             bool half = job->type == HALF;
             exr_number_at(out, half ? exr_half(*in) : exr_bits(*in),
                           half ? 2 : 4);
@@ -161,26 +181,31 @@ static void exr_predict(const unsigned char *raw, size_t count,
     out[0] = raw[0];
 }
 
-/* Rows from y on, and where they are in the file's table. */
-static bool exr_put_block(struct exr_job *job, int y, size_t table)
+/* Rows from y on, after what job->file has. */
+static const char *exr_put_block(struct exr_job *job, int y)
 {
-    int rows = job->image->height - y < BLOCK ? job->image->height - y : BLOCK;
+    int rows = job->bands->height - y < BLOCK ? job->bands->height - y : BLOCK;
     size_t count = job->row * (size_t)rows;
     uLongf packed = compressBound(count);
     unsigned char *raw = memory_new(2 * count + packed);
     unsigned char *changed = raw + count, *small = changed + count;
-    for (int i = 0; i < rows; i++)
-        exr_fill_row(job, y + i, raw + job->row * (size_t)i);
+    const char *problem = NULL;
+    for (int i = 0; i < rows && !problem; i++) {
+        const float *row = exr_row(job, y + i);
+        if (row)
+            exr_fill_row(job, row, raw + job->row * (size_t)i);
+        else
+            problem = "what was drawn can't be read back";
+    }
     exr_predict(raw, count, changed);
-    bool done = compress2(small, &packed, changed, count, LEVEL) == Z_OK;
-    exr_number_at(job->file.items + table + 8 * (size_t)(y / BLOCK),
-                  job->file.count, 8);
+    if (!problem && compress2(small, &packed, changed, count, LEVEL) != Z_OK)
+        problem = strerror(ENOMEM);
     exr_put_number(job, (uint64_t)y, 4);
     bool pays = packed < count;
     exr_put_number(job, pays ? packed : count, 4);
     exr_put(job, pays ? small : raw, pays ? packed : count);
     memory_free(raw);
-    return done;
+    return problem;
 }
 
 static void exr_choose(struct exr_job *job, const struct image_format *format)
@@ -192,26 +217,52 @@ static void exr_choose(struct exr_job *job, const struct image_format *format)
     for (int c = 0; c < job->channels; c++)
         job->source[c] = (format->grey ? grey : colours)[c + (alpha ? 0 : 1)];
     job->type = format->bits > 16 ? FLOAT : HALF;
-    job->row = (size_t)job->image->width * (size_t)job->channels *
+    job->row = (size_t)job->bands->width * (size_t)job->channels *
                (job->type == FLOAT ? 4 : 2);
 }
 
-bool exr_encode(const struct image *image, const struct image_format *format,
+/* What job->file has goes to the sink. */
+static bool exr_flush(struct exr_job *job, const struct codec_sink *sink,
+                      char *error, size_t size)
+{
+    bool done =
+        sink->put(sink->context, job->file.items, job->file.count, error, size);
+    job->written += job->file.count;
+    job->file.count = 0;
+    return done;
+}
+
+/* The blocks, and then where they are, which stands before them. */
+static bool exr_put_blocks(struct exr_job *job, const struct codec_sink *sink,
+                           char *error, size_t size)
+{
+    size_t count = ((size_t)job->bands->height + BLOCK - 1) / BLOCK;
+    size_t table = job->written;
+    unsigned char *places = memory_new(8 * count);
+    bool done = sink->put(sink->context, places, 8 * count, error, size);
+    job->written += 8 * count;
+    for (size_t i = 0; done && i < count; i++) {
+        exr_number_at(places + 8 * i, job->written, 8);
+        const char *problem = exr_put_block(job, (int)i * BLOCK);
+        if (problem)
+            snprintf(error, size, "%s", problem);
+        done = !problem && exr_flush(job, sink, error, size);
+    }
+    done = done &&
+           sink->patch(sink->context, table, places, 8 * count, error, size);
+    memory_free(places);
+    return done;
+}
+
+bool exr_encode(const struct image_bands *bands,
+                const struct image_format *format,
                 const struct codec_sink *sink, char *error, size_t size)
 {
-    struct exr_job job = { .image = image, .arena = arena_new(0) };
+    struct exr_job job = { .bands = bands, .arena = arena_new(0) };
     exr_choose(&job, format);
-    exr_put_header(&job);
-    size_t table = job.file.count;
-    for (int y = 0; y < image->height; y += BLOCK)
-        exr_put_number(&job, 0, 8);
-    bool done = true;
-    for (int y = 0; done && y < image->height; y += BLOCK)
-        done = exr_put_block(&job, y, table);
-    if (!done)
-        snprintf(error, size, "%s", strerror(ENOMEM));
-    done = done && sink->put(sink->context, job.file.items, job.file.count,
-                             error, size);
+    exr_put_header(&job, format->note);
+    bool done = exr_flush(&job, sink, error, size) &&
+                exr_put_blocks(&job, sink, error, size);
     arena_free(job.arena);
     return done;
 }

@@ -4,8 +4,8 @@
 
 #include "image/codec.h"
 
-/* As codec_encode, for format->type "openexr": half floats, or floats if
+/* For format->type "openexr": half floats, or floats if
  * format->bits are more than 16. The same picture gives the same bytes. */
-codec_encode_function exr_encode;
+codec_stream_function exr_encode;
 
 #endif

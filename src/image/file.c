@@ -14,6 +14,7 @@
 #include "base/save.h"
 #include "image/codec.h"
 #include "image/exr.h"
+#include "image/gif.h"
 #include "image/kind.h"
 #include "image/png.h"
 
@@ -60,13 +61,21 @@ static void *file_codec(const char *name, char *error, size_t size)
 {
     void *module = file_module();
     void *function = module ? dlsym(module, name) : NULL;
-    if (!function)
+    if (!function) {
         snprintf(error, size, NO_MODULE, dlerror());
-    return function;
+        return NULL;
+    }
+    const size_t *layout = dlsym(module, "codec_layout");
+    if (layout && *layout == CODEC_LAYOUT)
+        return function;
+    snprintf(error, size,
+             MODULE " belongs to another glim: type make, or make install, "
+                    "which write both");
+    return NULL;
 }
 
 /* What writes such files, if it isn't the module. */
-static codec_encode_function *
+static codec_stream_function *
 file_own_encoder(const struct image_format *format)
 {
     return strcmp(format->type, "png") == 0       ? png_encode
@@ -90,10 +99,13 @@ bool image_can_write(const struct image_format *format, char *error,
     return false;
 }
 
-static bool file_size_allowed(int width, int height, char *error, size_t size)
+static bool file_size_allowed(int width, int height, bool any, char *error,
+                              size_t size)
 {
-    bool allowed = width >= 1 && height >= 1 &&
-                   (long long)width * height <= IMAGE_PIXEL_LIMIT;
+    long long limit = any ? (long long)IMAGE_SIDE_LIMIT * IMAGE_SIDE_LIMIT
+                          : IMAGE_PIXEL_LIMIT;
+    bool allowed =
+        width >= 1 && height >= 1 && (long long)width * height <= limit;
     if (!allowed)
         snprintf(error, size,
                  "it has %d x %d pixels; glim's limit is %d in all", width,
@@ -105,7 +117,7 @@ static float *file_allocate(void *context, int width, int height, char *error,
                             size_t size)
 {
     struct image **image = context;
-    if (!file_size_allowed(width, height, error, size))
+    if (!file_size_allowed(width, height, false, error, size))
         return NULL;
     *image = image_new(width, height);
     return (*image)->pixels;
@@ -174,7 +186,9 @@ static bool file_decode(const char *path, struct codec_target *target,
         return false;
     *error = '\0';
     codec_decode_function *decode = png_decode;
-    if (strcmp(target->type, "png") != 0)
+    if (target->numbers && strcmp(target->type, "gif") == 0)
+        decode = gif_decode;
+    else if (strcmp(target->type, "png") != 0)
         *(void **)&decode = file_codec("codec_decode", error, size);
     return decode && decode(path, target, error, size);
 }
@@ -230,7 +244,7 @@ static float *stream_allocate(void *context, int width, int height, char *error,
                               size_t size)
 {
     struct file_stream *stream = context;
-    if (!file_size_allowed(width, height, error, size))
+    if (!file_size_allowed(width, height, stream->rows->any_size, error, size))
         return NULL;
     stream->image.width = width;
     stream->image.height = height;
@@ -265,42 +279,102 @@ bool image_read_rows(const char *path, const struct image_rows *rows,
     return done;
 }
 
-bool image_probe(const char *path, int *width, int *height, char *error,
-                 size_t size)
+/* image_rows.begin and .take of who only wants to know whether all is there. */
+static bool probe_begin(void *context, const struct image *image)
 {
-    struct image *image = image_read(path, error, size);
-    if (!image)
-        return false;
-    *width = image->width;
-    *height = image->height;
-    image_free(image);
+    struct image *found = context;
+    found->width = image->width;
+    found->height = image->height;
     return true;
 }
 
-static codec_encode_function *file_encoder(const struct image_format *format,
-                                           char *error, size_t size)
+static void probe_take(void *context, const struct image *image, int y,
+                       const float *pixels)
 {
-    codec_encode_function *encode = file_own_encoder(format);
-    if (!encode)
-        *(void **)&encode = file_codec("codec_encode", error, size);
-    return encode;
+    (void)context;
+    (void)image;
+    (void)y;
+    (void)pixels;
 }
 
-/* codec_sink.put */
+bool image_probe(const char *path, int *width, int *height, char *error,
+                 size_t size)
+{
+    struct image found = { 0 };
+    const struct image_rows rows = { probe_begin, probe_take, &found, true };
+    if (!image_read_rows(path, &rows, error, size))
+        return false;
+    *width = found.width;
+    *height = found.height;
+    return true;
+}
+
+/* codec_sink.put and .patch */
 static bool file_put(void *context, const void *bytes, size_t count,
                      char *error, size_t size)
 {
-    return save_bytes(context, bytes, count, error, size);
+    return save_put(context, bytes, count, error, size);
+}
+
+static bool file_patch(void *context, size_t at, const void *bytes,
+                       size_t count, char *error, size_t size)
+{
+    return save_patch(context, at, bytes, count, error, size);
+}
+
+bool image_has_bands(const struct image_format *format)
+{
+    return file_own_encoder(format) != NULL;
+}
+
+/* What writes it, on its way to the place. */
+static bool file_encode(const struct image_bands *bands,
+                        const struct image *whole,
+                        const struct image_format *format,
+                        const struct codec_sink *sink, char *error, size_t size)
+{
+    codec_stream_function *own = file_own_encoder(format);
+    codec_encode_function *encode = NULL;
+    if (own)
+        return own(bands, format, sink, error, size);
+    *(void **)&encode = file_codec("codec_encode", error, size);
+    return encode && encode(whole, format, sink, error, size);
+}
+
+static bool file_write(const struct image_bands *bands,
+                       const struct image *whole, const char *path,
+                       const struct image_format *format, char *error,
+                       size_t size)
+{
+    char unheard[1];
+    struct save *save = save_start(path, error, size);
+    const struct codec_sink sink = { file_put, file_patch, save };
+    if (!save)
+        return false;
+    bool done = file_encode(bands, whole, format, &sink, error, size);
+    return save_finish(save, done, done ? error : unheard, done ? size : 1) &&
+           done;
+}
+
+bool image_write_bands(const struct image_bands *bands, const char *path,
+                       const struct image_format *format, char *error,
+                       size_t size)
+{
+    return file_write(bands, NULL, path, format, error, size);
+}
+
+/* image_bands.at of one band. */
+static const struct image *file_whole(void *context, int y, int *top)
+{
+    (void)y;
+    *top = 0;
+    return *(const struct image **)context;
 }
 
 bool image_write(const struct image *image, const char *path,
                  const struct image_format *format, char *error, size_t size)
 {
-    codec_encode_function *encode = file_encoder(format, error, size);
-    char *name = memory_new(strlen(path) + 1);
-    strcpy(name, path);
-    struct codec_sink sink = { file_put, name };
-    bool done = encode && encode(image, format, &sink, error, size);
-    memory_free(name);
-    return done;
+    const struct image_bands bands = { image->width, image->height, file_whole,
+                                       &image };
+    return file_write(&bands, image, path, format, error, size);
 }

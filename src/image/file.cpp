@@ -322,6 +322,10 @@ static bool codec_decode_checked(const char *path, struct codec_target *target,
     return true;
 }
 
+extern "C" {
+const size_t codec_layout = CODEC_LAYOUT;
+}
+
 // ------------------------------------------- nothing is thrown at C callers
 
 extern "C" bool codec_encode(const struct image *image,

@@ -12,16 +12,17 @@ struct image_format {
     int bits;         /* per channel, 1..16; of "openexr" more: floats; not
                        * heeded by the others */
     bool grey, alpha;
-    bool packed;  /* run-length coded, for "targa" */
-    int quality;  /* JPEG, 1..100 */
-    double gamma; /* written as gAMA: 0 for sRGB */
+    bool packed;      /* run-length coded, for "targa" */
+    int quality;      /* JPEG, 1..100 */
+    double gamma;     /* written as gAMA: 0 for sRGB */
+    const char *note; /* of PNG and OpenEXR: image/note.h; NULL: none */
 };
 
 /* Reads an image of the kinds of kind.h; on failure returns NULL and puts the
  * reason into error[size]. 8- and 16-bit numbers become 0..1, not decoded. */
 struct image *image_read(const char *path, char *error, size_t size);
 
-/* The same, but of a PNG with a palette the numbers, not the colours. */
+/* The same, but of a PNG or GIF with a palette the numbers, not the colours. */
 struct image *image_read_numbers(const char *path, char *error, size_t size);
 
 /* Who takes the numbers of a picture without keeping it. */
@@ -32,6 +33,7 @@ struct image_rows {
     void (*take)(void *context, const struct image *image, int y,
                  const float *pixels);
     void *context;
+    bool any_size; /* beyond IMAGE_PIXEL_LIMIT, too */
 };
 
 /* As image_read_numbers, row by row. False with the reason, which is empty if
@@ -49,6 +51,23 @@ bool image_probe(const char *path, int *width, int *height, char *error,
  * save_bytes does (base/save.h). On failure returns false with the reason. */
 bool image_write(const struct image *image, const char *path,
                  const struct image_format *format, char *error, size_t size);
+
+/* A picture that is given in bands of rows, from the top. */
+struct image_bands {
+    int width, height;
+    /* The band with row y, as an image whose first row is the picture's row
+     * *top; it lasts until the next call. NULL: it can't be had. */
+    const struct image *(*at)(void *context, int y, int *top);
+    void *context;
+};
+
+/* As image_write, for "png" and "openexr", in memory for one band. */
+bool image_write_bands(const struct image_bands *bands, const char *path,
+                       const struct image_format *format, char *error,
+                       size_t size);
+
+/* Whether image_write_bands can write the format. */
+bool image_has_bands(const struct image_format *format);
 
 /* Whether this installation of glim writes pictures of this format; if not,
  * the reason is in error[size]. Quick. */

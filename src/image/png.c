@@ -11,7 +11,6 @@
 #include <string.h>
 #include <zlib.h>
 
-#include "base/array.h"
 #include "base/memory.h"
 #include "image/tone.h"
 
@@ -22,16 +21,12 @@ struct png_trouble {
 };
 
 struct png_job {
-    const struct image *image;
+    const struct image_bands *bands;
+    const struct codec_sink *sink;
     int channels; /* 1 Y, 2 YA, 3 RGB, 4 RGBA */
     int bits;     /* as asked for, 1..16 */
     int depth;    /* as stored: 8 or 16 */
     unsigned char *row;
-    struct arena *arena;
-    struct {
-        unsigned char *items;
-        size_t count, capacity;
-    } file;
     struct png_trouble trouble;
 };
 
@@ -51,10 +46,9 @@ static void png_ignore(png_structp png, png_const_charp message)
 static void png_append(png_structp png, png_bytep bytes, size_t count)
 {
     struct png_job *job = png_get_io_ptr(png);
-    if (count > job->file.capacity - job->file.count)
-        ARRAY_RESERVE(job->arena, &job->file, 2 * job->file.count + count);
-    memcpy(job->file.items + job->file.count, bytes, count);
-    job->file.count += count;
+    if (!job->sink->put(job->sink->context, bytes, count, job->trouble.error,
+                        job->trouble.size))
+        png_longjmp(png, 1);
 }
 
 static void png_flush_nothing(png_structp png)
@@ -72,24 +66,22 @@ static unsigned png_level(float v, int bits, unsigned top)
 }
 
 /* As below, of the usual kind. */
-static void png_fill_bytes(const struct png_job *job, int y)
+static void png_fill_bytes(const struct png_job *job, const float *pixel)
 {
-    const float *pixel = image_pixel(job->image, 0, y);
     unsigned char *out = job->row;
-    for (int x = 0; x < job->image->width; x++, pixel += 4)
+    for (int x = 0; x < job->bands->width; x++, pixel += 4)
         for (int c = 0; c < job->channels; c++)
             *out++ = (unsigned char)tone_level(pixel[c], 255);
 }
 
-static void png_fill_row(const struct png_job *job, int y)
+static void png_fill_row(const struct png_job *job, const float *pixel)
 {
     unsigned char *out = job->row;
     if (job->channels >= 3 && job->bits == 8) {
-        png_fill_bytes(job, y);
+        png_fill_bytes(job, pixel);
         return;
     }
-    for (int x = 0; x < job->image->width; x++) {
-        const float *pixel = image_pixel(job->image, x, y);
+    for (int x = 0; x < job->bands->width; x++, pixel += 4) {
         for (int c = 0; c < job->channels; c++) {
             float v = pixel[job->channels < 3 && c == 1 ? 3 : c];
             if (job->depth == 16) {
@@ -102,6 +94,15 @@ static void png_fill_row(const struct png_job *job, int y)
     }
 }
 
+/* libpng wants a text that it might change, though it doesn't. */
+static char *png_note(const char *note)
+{
+    char *copy = note ? memory_new(strlen(note) + 1) : NULL;
+    if (note)
+        strcpy(copy, note);
+    return copy;
+}
+
 static void png_describe(png_structp png, png_infop info,
                          const struct png_job *job,
                          const struct image_format *format)
@@ -110,18 +111,36 @@ static void png_describe(png_structp png, png_infop info,
                                  PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                  PNG_COLOR_TYPE_RGB_ALPHA };
     char key[] = "Software", text[] = "glim " GLIM_VERSION;
-    png_text software = { .compression = PNG_TEXT_COMPRESSION_NONE,
-                          .key = key,
-                          .text = text };
-    png_set_IHDR(png, info, (png_uint_32)job->image->width,
-                 (png_uint_32)job->image->height, job->depth,
+    char note_key[] = "glim", *note = png_note(format->note);
+    const png_text texts[] = {
+        { .compression = PNG_TEXT_COMPRESSION_NONE, .key = key, .text = text },
+        { .compression = PNG_TEXT_COMPRESSION_NONE,
+          .key = note_key,
+          .text = note }
+    };
+    png_set_IHDR(png, info, (png_uint_32)job->bands->width,
+                 (png_uint_32)job->bands->height, job->depth,
                  types[job->channels], PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (format->gamma == 0)
         png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     else
         png_set_gAMA(png, info, 1 / format->gamma);
-    png_set_text(png, info, &software, 1);
+    png_set_text(png, info, texts, note ? 2 : 1);
+    memory_free(note);
+}
+
+static void png_write_rows_of(png_structp png, const struct png_job *job)
+{
+    const struct image *image = NULL;
+    for (int y = 0, top = 0; y < job->bands->height; y++) {
+        if (!image || y >= top + image->height)
+            image = job->bands->at(job->bands->context, y, &top);
+        if (!image)
+            png_error(png, "what was drawn can't be read back");
+        png_fill_row(job, image_pixel(image, 0, y - top));
+        png_write_row(png, job->row);
+    }
 }
 
 /* libpng leaves by longjmp; nothing here is changed after setjmp but through
@@ -151,32 +170,27 @@ static bool png_write(struct png_job *job, const struct image_format *format)
     }
     png_describe(png, info, job, format);
     png_write_info(png, info);
-    for (int y = 0; y < job->image->height; y++) {
-        png_fill_row(job, y);
-        png_write_row(png, job->row);
-    }
+    png_write_rows_of(png, job);
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
     return true;
 }
 
-bool png_encode(const struct image *image, const struct image_format *format,
+bool png_encode(const struct image_bands *bands,
+                const struct image_format *format,
                 const struct codec_sink *sink, char *error, size_t size)
 {
     struct png_job job = {
-        .image = image,
+        .bands = bands,
+        .sink = sink,
         .channels = (format->grey ? 1 : 3) + (format->alpha ? 1 : 0),
         .bits = format->bits,
         .depth = format->bits > 8 ? 16 : 8,
-        .arena = arena_new(0),
         .trouble = { error, size },
     };
-    job.row = memory_new((size_t)image->width * 8);
-    bool done =
-        png_write(&job, format) &&
-        sink->put(sink->context, job.file.items, job.file.count, error, size);
+    job.row = memory_new((size_t)bands->width * 8);
+    bool done = png_write(&job, format);
     memory_free(job.row);
-    arena_free(job.arena);
     return done;
 }
 

@@ -4,8 +4,8 @@
 
 #include "image/codec.h"
 
-/* As codec_encode, for format->type "png". */
-codec_encode_function png_encode;
+/* For format->type "png". */
+codec_stream_function png_encode;
 
 /* As codec_decode, for a file that begins as a PNG. */
 codec_decode_function png_decode;

@@ -1,6 +1,7 @@
 /* One lamp's light: see lamplight.h. */
 #include "lighting/lamplight.h"
 
+#include "scene/photon.h"
 #include "shade/area.h"
 
 static struct lamp_target lamplight_target(const struct lamplight *light,
@@ -8,7 +9,8 @@ static struct lamp_target lamplight_target(const struct lamplight *light,
 {
     const struct surface *surface = light->surface;
     return (struct lamp_target){ surface->point, surface->inside, *view,
-                                 surface->at };
+                                 surface->at,
+                                 surface->at->leaf->photons->unlit };
 }
 
 rgb lamplight_trace(struct lamplight *light, const struct lamp *lamp,
@@ -62,30 +64,28 @@ static void lamplight_give_area(struct lamplight *light,
 /* Most lamps that give nothing are behind the surface, which needs no unit
  * vectors. */
 static bool lamplight_is_behind(const struct lamplight *light,
-                                const struct lamp *lamp)
+                                const struct lamp *lamp, bool parallel)
 {
     const struct surface *surface = light->surface;
-    return !lamp_is_parallel(lamp) &&
-           !surface_faces(surface,
-                          vec3_sub(lamp->light->location, surface->point));
+    vec3 way = parallel ? vec3_negate(lamp->axis)
+                        : vec3_sub(lamp->light->location, surface->point);
+    return !surface_faces(surface, way);
 }
 
 void lamplight_give(struct lamplight *light, const struct lamp *lamp)
 {
     const struct surface *surface = light->surface;
+    vec3 location = lamp->light->location;
     struct lamp_view view;
     if (!lamp_is_for(lamp, surface->at->leaf))
         return;
-    bool wide =
-        lamp->light->area_illumination && lamps_soft(light->lamps, lamp);
-    if (!wide && lamplight_is_behind(light, lamp))
-        return;
-    bool there = lamp_look(lamp, lamp->light->location, surface->point, &view);
-    if (wide) {
+    if (lamp->light->area_illumination && lamps_soft(light->lamps, lamp)) {
+        lamp_look(lamp, location, surface->point, &view);
         lamplight_give_area(light, lamp, &view);
         return;
     }
-    if (!there || !surface_faces(surface, view.direction))
+    if (lamplight_is_behind(light, lamp, lamp_is_parallel(lamp)) ||
+        !lamp_look(lamp, location, surface->point, &view))
         return;
     rgb share = light->share(light, lamp, &view);
     if (rgb_peak(share) > 0)

@@ -18,6 +18,7 @@
 struct lighting_kept {
     void *bytes; /* freed with memory_free; NULL: nothing */
     size_t size;
+    uint64_t family; /* the same of all that may be used in one picture */
 };
 
 struct lighting_options {
@@ -25,8 +26,9 @@ struct lighting_options {
     int quality;       /* +Q, 0..11 */
     int width, height; /* of the picture, pixels; 0: any */
     unsigned long long seed;
-    const atomic_int *stop;           /* non-zero: leave off; NULL: never */
-    bool keep;                        /* `keep` will be called */
+    bool numbers;           /* light is wanted as numbers, at whatever places */
+    const atomic_int *stop; /* non-zero: leave off; NULL: never */
+    bool keep;              /* `keep` will be called */
     const struct lighting_kept *kept; /* by the picture before, or NULL; used
                                        * only if it is of the same scene */
 };
@@ -99,6 +101,11 @@ struct lighting {
  * default. */
 const struct lighting *lighting_find(const char *name);
 const struct lighting *lighting_at(size_t index);
+
+/* What a scene is lit by when `chosen` is to light it: `paper` in place of
+ * `mesh` where it says light_mesh { model scalar }. */
+const struct lighting *lighting_for(const struct lighting *chosen,
+                                    const struct scene *scene);
 
 /* The method's view of that name, or NULL. */
 const struct lighting_view *lighting_view(const struct lighting *lighting,

@@ -3,3 +3,4 @@
 X(mesh)
 X(rays)
 X(skeleton)
+X(paper)

@@ -4,12 +4,12 @@
 #include "base/telling.h"
 #include "shade/finish.h"
 
-struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
-                                  struct lattice_view view,
-                                  const struct ambience *ambience,
+struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
                                   struct worker *worker,
                                   const struct surface *surface)
 {
+    const struct indirect_mesh *mesh = known->mesh;
+    const struct ambience *ambience = known->ambience;
     const struct surface_layer *layer = &surface->layer[0];
     rgb albedo = surface_albedo(surface);
     rgb ambient = rgb_mul(surface_ambient(surface), ambience->light);
@@ -18,13 +18,16 @@ struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
     const struct receiver receiver = {
         .point = surface->point,
         .side = surface->side,
-        .normal = layer->normal,
+        .normal = known->smooth ? surface->normal : layer->normal,
         .from = vec3_along(surface->point, surface->view, surface->at->t),
-        .view = view,
+        .pixel = surface->place,
+        .view = known->view,
         .weight = surface->weight * most,
     };
     unsigned long long rays = worker->counters.shadow_rays;
-    if (layer->finish->diffuse != 0 || rgb_peak(ambient) > 0)
+    if ((layer->finish->diffuse != 0 || rgb_peak(ambient) > 0) &&
+        !(known->pixels &&
+          indirect_pixels_light(known->pixels, worker, &receiver, &share)))
         share = indirect_mesh_light(mesh, worker, &receiver);
     if (worker->telling)
         telling_say(worker->telling,

@@ -3,12 +3,19 @@
 #define LIGHTING_MESH_DIFFUSE_H
 
 #include "lighting/lighting.h"
-#include "lightmesh/indirect.h"
+#include "lightmesh/indirect_pixels.h"
+
+/* Who knows it. */
+struct mesh_indirect {
+    const struct indirect_mesh *mesh;
+    const struct indirect_pixels *pixels; /* of this picture, or NULL */
+    const struct ambience *ambience;
+    struct lattice_view view;
+    bool smooth; /* of surfaces without bumps */
+};
 
 /* Indirect and ambient light on the surface's first layer. */
-struct diffuse_light mesh_diffuse(const struct indirect_mesh *mesh,
-                                  struct lattice_view view,
-                                  const struct ambience *ambience,
+struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
                                   struct worker *worker,
                                   const struct surface *surface);
 

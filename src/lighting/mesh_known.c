@@ -1,8 +1,11 @@
 /* See mesh_known.h. */
 #include "lighting/mesh_known.h"
 
+#include <errno.h>
+#include <string.h>
+
+#include "base/map.h"
 #include "lightmesh/tuning.h"
-#include "text/source.h"
 
 static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                       const struct lighting_kept *kept)
@@ -13,25 +16,28 @@ static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                         sizeof text) ||
         !mesh_stamp_same(&known->file.stamp, wanted, text, sizeof text))
         return false;
-    double ratio = known->file.stamp.frame.wanted / wanted->frame.wanted;
-    return ratio <= kept_farther && ratio * kept_nearer >= 1;
+    const struct mesh_frame *made = &known->file.stamp.frame;
+    double ratio = made->wanted / wanted->frame.wanted;
+    return ratio <= kept_farther && ratio * kept_nearer >= 1 &&
+           made->closed == wanted->frame.closed &&
+           (made->samples > 0 || wanted->frame.samples == 0);
 }
 
 static bool file_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                       struct diag *diag)
 {
-    const char *problem = NULL;
     char text[300];
-    known->arena = arena_new(0);
-    const struct source *source =
-        source_read(known->arena, known->name, span_none(), &problem);
-    if (!source) {
+    known->map = map_open(known->name);
+    if (!known->map) {
         diag_print(diag, DIAG_ERROR, span_none(), NULL,
-                   "can't read the light mesh '%s': %s", known->name, problem);
+                   "can't read the light mesh '%s': %s", known->name,
+                   errno == EISDIR   ? "it is a directory"
+                   : errno == EINVAL ? "it is empty, or not a regular file"
+                                     : strerror(errno));
         return false;
     }
-    if (!mesh_file_open(&known->file, source->text, source->length, text,
-                        sizeof text)) {
+    if (!mesh_file_open(&known->file, map_bytes(known->map),
+                        map_size(known->map), text, sizeof text)) {
         diag_print(diag, DIAG_ERROR, span_none(), NULL,
                    "can't use the light mesh '%s': %s; make one with "
                    "--mesh-save FILE",
@@ -64,8 +70,9 @@ bool mesh_known_fill(const struct mesh_known *known,
                      const struct point_mesh *const *meshes, size_t count,
                      struct diag *diag)
 {
-    if (!known->found || mesh_file_fill(&known->file, meshes, count,
-                                        known->name ? 1 : kept_full))
+    if (!known->found ||
+        mesh_file_fill(&known->file, meshes, count, known->name ? 1 : kept_full,
+                       known->map))
         return true;
     diag_print(diag, DIAG_ERROR, span_none(), NULL,
                "can't use the light mesh '%s': its points hold something else; "
@@ -76,6 +83,5 @@ bool mesh_known_fill(const struct mesh_known *known,
 
 void mesh_known_end(struct mesh_known *known)
 {
-    if (known->arena)
-        arena_free(known->arena);
+    map_release(known->map);
 }

@@ -12,7 +12,7 @@ struct mesh_known {
     struct mesh_file file;
     bool found;
     const char *name; /* of the file; NULL: the picture before */
-    struct arena *arena;
+    struct map *map;  /* the file, which its points stay in */
 };
 
 /* Looks for a mesh made of what `wanted` says. The picture before is taken only

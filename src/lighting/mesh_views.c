@@ -2,6 +2,7 @@
 #include "lighting/mesh_views.h"
 
 #include "lightmesh/facet_mesh.h"
+#include "lightmesh/scalar.h"
 #include "shade/surface.h"
 
 /* Who asks for the points. */

@@ -11,7 +11,7 @@
 void mesh_show_direct(const struct direct_mesh *mesh,
                       const struct pixel_mesh *pixels, struct show *show);
 
-/* Those of model scalar, by what they hold. */
+/* Those of a scalar mesh, by what they hold. */
 void mesh_show_scalar(const struct point_mesh *points, struct show *show);
 
 /* By the light of surfaces that reaches them, of the first bounce; `mesh` may

@@ -1,28 +1,78 @@
 /* POV-Ray's own illumination: one shadow ray for each lamp (a grid of them for
  * area lights) and a constant ambient light. What the other methods are
- * compared with. */
+ * compared with.
+ *
+ * Where the scene has radiosity {} the light of surfaces is that of the light
+ * mesh, as POV-Ray's would be if it took no shortcuts (measured):
+ * recursion_limit bounces and darkness after them, of which each is multiplied
+ * by `brightness` and loses colour by `gray_threshold`; without bumps, unless
+ * `normal on` says so. Since version 3.7 it takes the place of all ambient
+ * light; before, `ambient` is light that a surface sends to others as well. */
 #include "base/memory.h"
 #include "lighting/lamplight.h"
+#include "lighting/mesh_bounced.h"
+#include "lightmesh/indirect.h"
+
+struct rays_lighting {
+    struct lamps lamps;
+    struct scene scene; /* of the mesh: a copy with settings of its own */
+    void *mesh;         /* of radiosity; NULL: there is none */
+};
+
+static bool rays_bounce(const struct scene *scene, int quality)
+{
+    const struct settings *settings = &scene->settings;
+    return settings->radiosity && settings->light_mesh.indirect.on &&
+           quality >= QUALITY_FOG;
+}
+
+/* How the mesh is told to do what radiosity does. */
+static void rays_ask_mesh(struct settings *settings)
+{
+    const struct radiosity_settings *said = &settings->radiosity_said;
+    struct light_mesh_settings *mesh = &settings->light_mesh;
+    mesh->indirect.bounces = said->recursion_limit < BOUNCES_MAX
+                                 ? said->recursion_limit
+                                 : BOUNCES_MAX;
+    mesh->indirect.tone = said->tone;
+    mesh->indirect.skeleton = false;
+    mesh->indirect.dark = true;
+    mesh->indirect.glows = settings->old_filter;
+}
+
+static void rays_finish(void *state)
+{
+    struct rays_lighting *rays = state;
+    if (!rays)
+        return;
+    mesh_lighting.finish(rays->mesh);
+    lamps_free(&rays->lamps);
+    memory_free(rays);
+}
 
 static void *rays_start(const struct world *world, const struct scene *scene,
                         const struct lighting_options *options,
                         struct diag *diag)
 {
-    struct lamps *lamps = memory_new(sizeof *lamps);
-    if (scene->settings.radiosity)
-        diag_print(diag, DIAG_WARNING, span_none(), NULL,
-                   "--lighting rays ignores the scene's radiosity: to follow "
-                   "light on from surface to surface type --lighting mesh");
-    *lamps = lamps_new(world, scene, options->quality, options->seed);
-    return lamps;
+    struct rays_lighting *rays = memory_new(sizeof *rays);
+    rays->lamps = lamps_new(world, scene, options->quality, options->seed);
+    if (!rays_bounce(scene, options->quality))
+        return rays;
+    rays->scene = *scene;
+    rays_ask_mesh(&rays->scene.settings);
+    rays->mesh = mesh_lighting.start(world, &rays->scene, options, diag);
+    if (rays->mesh)
+        return rays;
+    rays_finish(rays);
+    return NULL;
 }
 
-static void rays_finish(void *state)
+/* No ambient light is left beside radiosity. */
+static rgb rays_ambient(const struct rays_lighting *rays)
 {
-    if (!state)
-        return;
-    lamps_free(state);
-    memory_free(state);
+    const struct settings *settings = &rays->lamps.scene->settings;
+    return rays->mesh && !settings->old_filter ? rgb_grey(0)
+                                               : settings->ambient_light;
 }
 
 static struct diffuse_light rays_illuminate(const void *state,
@@ -30,7 +80,9 @@ static struct diffuse_light rays_illuminate(const void *state,
                                             const struct surface *surface,
                                             light_visit *visit, void *context)
 {
-    const struct lamps *lamps = state;
+    const struct rays_lighting *rays = state;
+    const struct lamps *lamps = &rays->lamps;
+    struct diffuse_light diffuse = { rays_ambient(rays), rgb_grey(0) };
     struct lamplight light = {
         .lamps = lamps,
         .worker = worker,
@@ -41,13 +93,30 @@ static struct diffuse_light rays_illuminate(const void *state,
     };
     for (size_t i = 0; i < lamps->count; i++)
         lamplight_give(&light, &lamps->items[i]);
-    return (struct diffuse_light){ .ambient =
-                                       lamps->scene->settings.ambient_light };
+    if (rays->mesh)
+        diffuse.irradiance =
+            mesh_bounced(rays->mesh, worker, surface,
+                         !lamps->scene->settings.radiosity_said.normal);
+    return diffuse;
 }
 
 static const struct lamps *rays_lamps(const void *state)
 {
-    return state;
+    const struct rays_lighting *rays = state;
+    return &rays->lamps;
+}
+
+static bool rays_foresees(void *state, const struct first_hits *grid)
+{
+    struct rays_lighting *rays = state;
+    return rays->mesh && mesh_lighting.foresees(rays->mesh, grid);
+}
+
+static void rays_prepare(void *state, const struct first_hits *hits,
+                         struct worker *const *workers, unsigned threads)
+{
+    struct rays_lighting *rays = state;
+    mesh_lighting.prepare(rays->mesh, hits, workers, threads);
 }
 
 const struct lighting rays_lighting = {
@@ -55,6 +124,8 @@ const struct lighting rays_lighting = {
     .help = "POV-Ray's own: shadow rays to every light and an ambient term",
     .start = rays_start,
     .finish = rays_finish,
+    .foresees = rays_foresees,
+    .prepare = rays_prepare,
     .illuminate = rays_illuminate,
     .lamps = rays_lamps,
 };

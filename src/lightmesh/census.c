@@ -19,6 +19,7 @@ enum { TALLIES = 2 + BOUNCES_MAX, GATHERED = 2 };
 struct tally {
     const struct census *census;
     struct distinct *wanted; /* TALLIES of them */
+    bool seen; /* by what is seen alone, and not by what that gathers */
 };
 
 static struct receiver receiver_at(const struct ray *ray,
@@ -81,7 +82,7 @@ static void tally_ray(struct tally *tally, double x, double y, uint64_t key)
         return;
     receiver.view = census->indirect_view;
     point_mesh_want(&census->indirect->points, &receiver, &tally->wanted[2]);
-    for (uint64_t i = 0; i < GATHERED; i++)
+    for (uint64_t i = 0; i < GATHERED && !tally->seen; i++)
         tally_gather(tally, &receiver, census->indirect, 1, GATHERED * key + i);
 }
 
@@ -131,24 +132,43 @@ static double tally_crowding(const struct tally *tally, double rays,
     return most;
 }
 
-static double census_by(const struct census *census, int edge)
+/* The tally of edge times edge rays; few: of a quarter of them. */
+static void census_take(struct tally *tally, int edge, double few[TALLIES])
 {
-    struct tally tally = { census, memory_new(TALLIES * sizeof *tally.wanted) };
-    double few[TALLIES];
     /* Places with even numbers, and then all others. */
     for (int all = 0; all < 2; all++) {
         for (int i = 0; i < edge * edge; i++) {
             int column = i % edge, row = i / edge;
             if ((column % 2 == 0 && row % 2 == 0) == !all)
-                tally_ray(&tally, (column + 0.5) / edge, (row + 0.5) / edge,
+                tally_ray(tally, (column + 0.5) / edge, (row + 0.5) / edge,
                           (uint64_t)i);
         }
         for (int i = 0; !all && i < TALLIES; i++)
-            few[i] = distinct_count(&tally.wanted[i]);
+            few[i] = distinct_count(&tally->wanted[i]);
     }
+}
+
+static double census_by(const struct census *census, int edge)
+{
+    struct tally tally = { census, memory_new(TALLIES * sizeof *tally.wanted),
+                           .seen = false };
+    double few[TALLIES];
+    census_take(&tally, edge, few);
     double crowding = tally_crowding(&tally, (double)edge * edge, few);
     memory_free(tally.wanted);
     return crowding;
+}
+
+double census_gathered(const struct census *census)
+{
+    struct tally tally = { census, memory_new(TALLIES * sizeof *tally.wanted),
+                           .seen = true };
+    double few[TALLIES], rays = CENSUS_SEEN_EDGE * CENSUS_SEEN_EDGE;
+    census_take(&tally, CENSUS_SEEN_EDGE, few);
+    double count = distinct_count(&tally.wanted[2]);
+    memory_free(tally.wanted);
+    double more = fmin(fmax(census->pixels / rays, 1), census_far);
+    return tally_all(few[2], count, more);
 }
 
 double census_crowding(const struct census *census)

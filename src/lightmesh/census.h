@@ -13,12 +13,15 @@ struct census {
     bool space, surfaces; /* of the direct mesh: which the camera asks */
     const struct indirect_mesh *indirect;           /* or NULL */
     struct lattice_view direct_view, indirect_view; /* of the camera */
-    double pixels;                                  /* of the picture */
+    double pixels;                                  /* of the picture, > 0 */
 };
 
 /* The largest number of points for which there is room once, over the meshes:
  * above 1 some have no room, and would be worked out again and again. An
  * estimate, the same on every machine. */
 double census_crowding(const struct census *census);
+
+/* How many points the indirect mesh of the first bounce will have, roughly. */
+double census_gathered(const struct census *census);
 
 #endif

@@ -5,7 +5,7 @@
 #ifndef LIGHTMESH_FACET_H
 #define LIGHTMESH_FACET_H
 
-#include "embree/world.h"
+#include "world/world.h"
 
 struct facets;
 

@@ -248,12 +248,21 @@ static vec3 site_sees(const struct lamps *lamps, const struct facet_site *site,
     return lamps_location(lamps, lamp, place, u);
 }
 
+/* A lamp that was drawn, and from where it is asked. */
+struct facet_question {
+    const struct lamp *lamp;
+    vec3 place;
+    double weight;
+};
+
 static void lamp_ask(const struct facet_lamps *lamps, struct worker *worker,
-                     const struct facet_site *site, const struct lamp *lamp,
-                     vec3 place, double weight, struct facet_light *light)
+                     const struct facet_site *site,
+                     const struct facet_question *asked,
+                     struct facet_light *light)
 {
-    struct lamp_target target = { .point = place };
-    vec3 location = site_sees(lamps->lamps, site, lamp, place);
+    const struct lamp *lamp = asked->lamp;
+    struct lamp_target target = { .point = asked->place };
+    vec3 location = site_sees(lamps->lamps, site, lamp, asked->place);
     if (!lamp_look(lamp, location, target.point, &target.view) ||
         vec3_dot(target.view.direction, site->normal) <= 0)
         return;
@@ -261,7 +270,7 @@ static void lamp_ask(const struct facet_lamps *lamps, struct worker *worker,
     if (rgb_peak(share) <= 0)
         return;
     rgb c = rgb_scale(rgb_mul(lamp->light->colour, share),
-                      target.view.attenuation * weight);
+                      target.view.attenuation * asked->weight);
     light_add(light->r, target.view.direction, c.r);
     light_add(light->g, target.view.direction, c.g);
     light_add(light->b, target.view.direction, c.b);
@@ -275,9 +284,12 @@ void facet_lamps_ask(const struct facet_lamps *lamps, struct worker *worker,
                                  random_unit(site->key + 1) };
     picks_find(lamps, site, &picks);
     picks_draw(&picks, picks_step(&picks, site->budget), site->dither);
-    for (int i = 0; i < picks.count; i++)
-        lamp_ask(lamps, worker, site, lamps->items[picks.place[i]],
-                 start_place(&start, i), (double)picks.weight[i], light);
+    for (int i = 0; i < picks.count; i++) {
+        const struct facet_question asked = { lamps->items[picks.place[i]],
+                                              start_place(&start, i),
+                                              (double)picks.weight[i] };
+        lamp_ask(lamps, worker, site, &asked, light);
+    }
 }
 
 void facet_light_mix(struct facet_light *sum, const struct facet_light *from,

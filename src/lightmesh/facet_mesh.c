@@ -3,93 +3,22 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "lightmesh/facet_point.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 
 enum { SQUARE_DIVISION = 1, DIVISION_MAX = 13, FOUND_MAX = 6 };
 
-enum facet_kind {
-    FACET_NONE, /* has no points of its own */
-    FACET_SINGLE,
-    FACET_CHAIN, /* points from the shortest edge to the opposite corner */
-    FACET_CELLS, /* points where the edges are halved again and again */
-};
-
-/* A mesh point on a triangle. Its numbers i, j count from corner 0 to 1 and to
- * 2, in a chain from the apex; 2^division are an edge. */
-struct facet_point {
-    uint32_t triangle;
-    bool back;
-    enum facet_kind kind;
-    int division, i, j;
-};
-
-/* 1 bit that says it is a key, 27, 1, 2, 4, 2 x 14. */
-static uint64_t point_key(const struct facet_point *point)
-{
-    uint64_t key = 1ull << 27 | point->triangle;
-    key = key << 1 | point->back;
-    key = key << 2 | (uint64_t)point->kind;
-    key = key << 4 | (uint64_t)point->division;
-    key = key << 14 | (uint64_t)point->i;
-    return key << 14 | (uint64_t)point->j;
-}
-
-static struct facet_point point_named(uint64_t key)
-{
-    return (struct facet_point){
-        .triangle = (uint32_t)(key >> 35 & ((1 << 27) - 1)),
-        .back = key >> 34 & 1,
-        .kind = (enum facet_kind)(key >> 32 & 3),
-        .division = (int)(key >> 28 & 15),
-        .i = (int)(key >> 14 & ((1 << 14) - 1)),
-        .j = (int)(key & ((1 << 14) - 1)),
-    };
-}
-
-/* The corners of a cell have different thirds (three colours are enough for
- * triangles), within the third a number of their neighbourhood. */
-static double point_dither(const struct facet_point *point)
-{
-    struct facet_point block = *point;
-    int third = (point->i + 2 * point->j) % 3;
-    block.i /= 3;
-    block.j /= 3;
-    return (third + random_unit(point_key(&block))) / 3;
-}
-
-/* Where a point is: in the middle of a triangle *wide times as large as the
- * facet, in which its rays begin, and which lies within it. */
-static vec3 point_place(const struct facet *facet,
-                        const struct facet_point *point, double *wide)
-{
-    double n = 1 << point->division, share[3] = { 0, 0, 0 };
-    *wide = point->kind == FACET_SINGLE ? spread_single : spread_cell / n;
-    if (point->kind == FACET_CELLS) {
-        share[1] = point->i / n;
-        share[2] = point->j / n;
-    } else {
-        int apex = facet->apex;
-        double along = point->kind == FACET_CHAIN ? 1 - point->i / n : 1 / 3.0;
-        share[apex] = along;
-        share[(apex + 1) % 3] = share[(apex + 2) % 3] = (1 - along) / 2;
-    }
-    double inside = facet->square ? 1 - 2 * *wide : 1 - *wide;
-    double u = share[1] * inside + *wide / 3;
-    double v = share[2] * inside + *wide / 3;
-    return facet_place(facet, u, v);
-}
-
-static bool facet_point_place(const void *context, uint64_t key, vec3 *place)
+static bool facet_key_place(const void *context, uint64_t key, vec3 *place)
 {
     const struct facet_mesh *mesh = context;
-    struct facet_point point = point_named(key);
+    struct facet_point point = facet_point_named(key);
     struct facet facet;
     double wide;
     if (!facets_at(mesh->facets, point.triangle, &facet))
         return false;
-    *place = point_place(&facet, &point, &wide);
+    *place = facet_point_place(&facet, &point, &wide);
     return true;
 }
 
@@ -106,7 +35,7 @@ struct facet_mesh *facet_mesh_new(const struct lamps *lamps,
         .world = lamps->world,
         .payload_size = sizeof(struct facet_light),
         .lattice = *lattice,
-        .place = facet_point_place,
+        .place = facet_key_place,
         .context = mesh,
         .around = table_new(sizeof(struct obstacles), 0),
         .table = table_new(sizeof(struct facet_light), bytes),
@@ -165,8 +94,8 @@ static void seeker_fill(const struct facet_seeker *seeker,
         .place = place,
         .normal = seeker->back ? vec3_negate(facet->normal) : facet->normal,
         .budget = seeker_budget(seeker, point->kind),
-        .key = random_mix(point_key(point)),
-        .dither = point_dither(point),
+        .key = random_mix(facet_point_key(point)),
+        .dither = facet_point_dither(point),
     };
     for (int k = 0; k < 2; k++)
         site.edge[k] =
@@ -181,7 +110,7 @@ static const struct facet_light *seeker_get(const struct facet_seeker *seeker,
                                             vec3 place, double wide)
 {
     const struct point_mesh *points = &seeker->mesh->points;
-    uint64_t key = point_key(point), hash = lattice_hash(key);
+    uint64_t key = facet_point_key(point), hash = lattice_hash(key);
     void *record;
     enum table_state state = table_find(points->table, key, hash, &record);
     if (state == TABLE_READY)
@@ -201,10 +130,10 @@ static void seeker_take(struct facet_seeker *seeker,
     if (weight <= 0)
         return;
     if (seeker->wanted) {
-        distinct_add(seeker->wanted, point_key(point));
+        distinct_add(seeker->wanted, facet_point_key(point));
         return;
     }
-    vec3 place = point_place(&seeker->facet, point, &wide);
+    vec3 place = facet_point_place(&seeker->facet, point, &wide);
     seeker->at[seeker->count].light = seeker_get(seeker, point, place, wide);
     seeker->at[seeker->count].place = place;
     seeker->at[seeker->count++].weight = weight;

@@ -1,6 +1,7 @@
 /* Gather rays: see gather.h. */
 #include "lightmesh/gather.h"
 
+#include "lightmesh/drawn_lamp.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
 #include "shade/background.h"
@@ -53,47 +54,27 @@ static vec3 gathering_jitter(const struct gathering *gathering)
                      draw_unit(gathering->draws, GATHER_HIGH) - 0.5);
 }
 
-/* A lamp's light on a place. */
-static rgb gathering_lamp(const struct gathering *gathering,
-                          const struct lamp *lamp, vec3 place, vec3 normal)
-{
-    const struct lamps *lamps = gathering->gather->lamps;
-    struct lamp_target target = { .point = place };
-    struct lamp_view view;
-    double u[2];
-    if (!lamp_look(lamp, lamp->light->location, place, &view))
-        return rgb_grey(0);
-    double cosine = vec3_dot(view.direction, normal);
-    if (cosine <= 0)
-        return rgb_grey(0);
-    target.view = view;
-    if (lamps_soft(lamps, lamp)) {
-        draw_pair(gathering->draws, GATHER_LAMP, u);
-        lamp_look(lamp, lamps_location(lamps, lamp, place, u), place,
-                  &target.view);
-    }
-    rgb share = lamps_share_point(lamps, lamp, gathering->worker, &target);
-    return rgb_scale(rgb_mul(lamp->light->colour, share),
-                     cosine * view.attenuation);
-}
-
-/* Light of lamps: so few of them a shadow ray asks at less cost than mesh
- * points that only this ray may need. */
+/* Light of lamps: those that mesh points hold for the picture as well, or else
+ * one shadow ray's. */
 static rgb gathering_direct(const struct gathering *gathering,
                             const struct receiver *receiver)
 {
-    const struct lamps *lamps = gathering->gather->lamps;
-    rgb light = rgb_grey(0);
+    const struct gather *gather = gathering->gather;
     struct receiver asked = *receiver;
     asked.view.coarser = HIT_LEVELS;
-    if (lamps->count > GATHER_LAMPS)
-        return direct_mesh_nearest(gathering->gather->direct, gathering->worker,
-                                   &asked, gathering_jitter(gathering));
-    for (size_t i = 0; i < lamps->count; i++)
-        light =
-            rgb_add(light, gathering_lamp(gathering, &lamps->items[i],
-                                          receiver->point, receiver->normal));
-    return light;
+    if (gather->direct && gather->lamps->count > GATHER_LAMPS)
+        return direct_mesh_nearest(gather->direct, gathering->worker, &asked,
+                                   gathering_jitter(gathering));
+    return drawn_lamp_light(gather->lamps, gathering->worker, gathering->draws,
+                            GATHER_LAMP, receiver->point, receiver->normal);
+}
+
+rgb bounce_toned(const struct bounce_tone *tone, rgb light)
+{
+    rgb grey = rgb_grey(rgb_brightness(light));
+    if (tone->grey != 0)
+        light = rgb_mix(light, grey, tone->grey);
+    return rgb_scale(light, tone->brightness);
 }
 
 /* All light on the surface. Where the skeleton ends the row of bounces it has
@@ -111,16 +92,18 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .view = gather->view,
                                        .weight = 1 };
     rgb light = gathering_direct(gathering, &receiver);
-    struct indirect_share more = { rgb_grey(0), 0 };
+    struct indirect_share more = gather->around;
     bool found = gather->indirect &&
                  indirect_mesh_nearest(gather->indirect, worker, &receiver,
                                        gathering_jitter(gathering), &more);
     if (!found && gather->close)
-        more.light = gather->close(gather->close_context, worker,
-                                   receiver.point, normal, receiver.from);
-    else if (!found && gather->indirect)
+        more = (struct indirect_share){ gather->close(gather->close_context,
+                                                      worker, receiver.point,
+                                                      normal, receiver.from),
+                                        0 };
+    else if (!found && gather->indirect && !gather->usual)
         more = indirect_mesh_light(gather->indirect, worker, &receiver);
-    more.light = rgb_add(more.light, light);
+    more.light = rgb_add(bounce_toned(&gather->tone, more.light), light);
     return more;
 }
 
@@ -139,7 +122,9 @@ static double gathering_chance(const struct gathering *gathering, double chance,
 static rgb gathering_shade(const struct gathering *gathering,
                            const struct surface *surface)
 {
-    rgb light = surface_glow(surface), albedo = surface_albedo(surface);
+    double solid = 1 - fmin(surface_sky(surface), 1);
+    rgb light = surface_glow(surface);
+    rgb albedo = rgb_scale(surface_albedo(surface), solid);
     double chance = often_lit * rgb_peak(rgb_mul(albedo, gathering->share));
     uint32_t slot = GATHER_MEETING + gathering->met;
     double count = chance > 0 ? gathering_chance(gathering, chance, slot) : 0;
@@ -147,9 +132,13 @@ static rgb gathering_shade(const struct gathering *gathering,
         return light;
     struct indirect_share arriving =
         gathering_share(gathering, surface, surface->normal);
-    rgb ambient = rgb_scale(gathering->gather->ambience->light, arriving.open);
-    rgb sent = rgb_add(rgb_mul(albedo, arriving.light),
-                       rgb_mul(surface_ambient(surface), ambient));
+    const struct ambience *ambience = gathering->gather->ambience;
+    if (ambience->sky && ambience->everywhere)
+        arriving.open = 1;
+    rgb ambient = rgb_scale(ambience->light, arriving.open);
+    rgb dimmed = rgb_scale(surface_ambient(surface), solid);
+    rgb sent =
+        rgb_add(rgb_mul(albedo, arriving.light), rgb_mul(dimmed, ambient));
     return rgb_add(light, rgb_scale(sent, count));
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/draw.h"
 #include "lightmesh/direct.h"
+#include "lightmesh/indirect_light.h"
 #include "shade/ambience.h"
 #include "shade/emitters.h"
 
@@ -27,17 +28,26 @@ struct gather {
     struct lattice_view view;             /* of what its rays meet */
     const struct emitters *emitters;
     const struct ambience *ambience;
+    struct bounce_tone tone; /* of what `indirect` says */
     gather_close *close;
     const void *close_context;
+    struct indirect_share around; /* what ends the bounces where nothing else
+                                   * does, */
+    bool usual; /* and stands in for it where a place sees no mesh point */
 };
+
+/* Light of surfaces as POV-Ray's radiosity has it (measured): brighter, or with
+ * less colour. */
+rgb bounce_toned(const struct bounce_tone *tone, rgb light);
 
 /* What is drawn for a gather ray. */
 enum gather_slot {
     GATHER_DIRECTION,
     GATHER_WHICH, /* of what glows */
     GATHER_WHERE,
-    GATHER_LAMP, /* where on an area light */
-    GATHER_NEAR, /* which mesh points near by */
+    GATHER_LAMP,       /* which lamp, */
+    GATHER_LAMP_PLACE, /* and where on an area light */
+    GATHER_NEAR,       /* which mesh points near by */
     GATHER_HIGH,
     GATHER_MIRROR, /* whether one is followed; so many numbers as there may be
                     * mirrors */

@@ -8,9 +8,6 @@
 #include "lightmesh/tuning.h"
 #include "shade/shadow.h"
 
-static const struct indirect_light light_none = { { { 0 }, { 0 }, { 0 } },
-                                                  { 0 } };
-
 /* A mesh point that gathers. */
 struct gatherer {
     const struct indirect_mesh *mesh;
@@ -34,18 +31,6 @@ static double gatherer_density(const struct gatherer *gatherer, vec3 way)
         return 1 / (2 * WARP_PI);
     bool wall = vec3_dot(way, site->wall) > 0;
     return 1 / (4 * WARP_PI) / (wall ? gatherer->wall_share : 1);
-}
-
-/* The mean over a hemisphere weighted with the cosine is 1/pi of the
- * integral. */
-static void light_add(struct indirect_light *light, vec3 direction,
-                      rgb radiance, double open, double density)
-{
-    double weight = 1 / (WARP_PI * density);
-    if (rgb_peak(radiance) > 0)
-        harmonics_add(&light->light, direction, rgb_scale(radiance, weight));
-    if (open > 0)
-        harmonics_add_share(light->open, direction, open * weight);
 }
 
 static vec3 way_drawn(uint64_t key, uint32_t index)
@@ -84,7 +69,7 @@ static void gatherer_look(const struct gatherer *gatherer,
         double twice = isfinite(other) ? other / (density + other) : 1;
         found.light = rgb_add_scaled(found.light, found.glow, -twice);
     }
-    light_add(light, ray.direction, found.light, found.open, density);
+    indirect_light_add(light, ray.direction, found.light, found.open, density);
 }
 
 /* The same for a place on something that glows. */
@@ -107,23 +92,9 @@ static void gatherer_pick(const struct gatherer *gatherer,
     bool anywhere = isinf(pick.distance);
     if (!anywhere && fabs(at.t - pick.distance) > 1e-5 * (1 + at.t))
         return;
-    light_add(light, ray.direction, glow, 0,
-              pick.density + gatherer_density(gatherer, ray.direction));
-}
-
-static void light_mix(struct indirect_light *sum,
-                      const struct indirect_light *from, float weight)
-{
-    harmonics_mix(&sum->light, &from->light, weight);
-    for (int i = 0; i < HARMONICS; i++)
-        sum->open[i] += weight * from->open[i];
-}
-
-static void light_scale(struct indirect_light *light, float factor)
-{
-    struct indirect_light sum = light_none;
-    light_mix(&sum, light, factor);
-    *light = sum;
+    indirect_light_add(light, ray.direction, glow, 0,
+                       pick.density +
+                           gatherer_density(gatherer, ray.direction));
 }
 
 /* All mesh points look in the same directions, but for the corners of a cell,
@@ -144,7 +115,7 @@ static struct draws gatherer_draws(const struct gatherer *gatherer,
 static struct gathered gatherer_mean(const struct gatherer *gatherer,
                                      uint32_t first, uint32_t end)
 {
-    struct gathered sum = { light_none, light_none };
+    struct gathered sum = { indirect_light_none, indirect_light_none };
     bool picks = emitters_any(gatherer->mesh->gather.emitters);
     uint32_t wall_end = first + (end - first) / gatherer->wall_share;
     for (uint32_t i = first; i < end; i++) {
@@ -158,47 +129,9 @@ static struct gathered gatherer_mean(const struct gatherer *gatherer,
         if (picks)
             gatherer_pick(gatherer, &draws, &sum.light);
     }
-    light_scale(&sum.light, 1 / (float)(end - first));
-    light_scale(&sum.wall, 1 / (float)(end - first));
+    indirect_light_scale(&sum.light, 1 / (float)(end - first));
+    indirect_light_scale(&sum.wall, 1 / (float)(end - first));
     return sum;
-}
-
-/* One coefficient of all colours, ambient light from outside included. */
-static double light_order(const struct indirect_light *light, int i,
-                          double outside)
-{
-    const struct harmonics *h = &light->light;
-    return (double)(h->r[i] + h->g[i] + h->b[i]) +
-           outside * (double)light->open[i];
-}
-
-/* About how far two halves are apart, relative to the light there is, that of
- * lamps and what little is never seen included: four coefficients say how
- * strong it is and where from. */
-static double halves_error(const struct gathered *a, const struct gathered *b,
-                           const struct harmonics *lamps,
-                           const struct ambience *ambience)
-{
-    double apart = 0, whole = 0;
-    double outside = ambience->share * 3 * rgb_brightness(ambience->light);
-    for (int i = 0; i < 4; i++) {
-        double x = light_order(&a->light, i, outside);
-        double y = light_order(&b->light, i, outside);
-        apart += (x - y) * (x - y);
-        x += light_order(&a->wall, i, outside);
-        y += light_order(&b->wall, i, outside);
-        double z = (double)(lamps->r[i] + lamps->g[i] + lamps->b[i]);
-        whole += (x + y + 2 * z) * (x + y + 2 * z);
-    }
-    return sqrt(apart) / (sqrt(whole) + gather_unseen);
-}
-
-static void gathered_average(struct gathered *sum, const struct gathered *more)
-{
-    light_scale(&sum->light, 0.5f);
-    light_mix(&sum->light, &more->light, 0.5f);
-    light_scale(&sum->wall, 0.5f);
-    light_mix(&sum->wall, &more->wall, 0.5f);
 }
 
 static uint32_t lone_samples(const struct indirect_mesh *mesh,
@@ -208,51 +141,31 @@ static uint32_t lone_samples(const struct indirect_mesh *mesh,
     return (uint32_t)ceil(worth * worth * mesh->lone_samples);
 }
 
-/* Samples are doubled until both halves agree, beside the lamps' light; beyond
- * the usual number only if they are far apart, as where all light comes in by a
- * door: there the noise would be seen. */
+/* All points send as many rays: to leave off where they agree would miss what
+ * is bright and seldom met. */
 static void fill_gather(const void *context, struct worker *worker,
                         const struct mesh_site *site, void *payload)
 {
     const struct indirect_mesh *mesh = context;
     struct gatherer gatherer = { mesh, worker, site, WALL_PART };
-    uint32_t most = (uint32_t)mesh->samples, count = GATHER_FIRST / 2;
+    uint32_t count = (uint32_t)mesh->samples;
     if (site->lone) {
         uint32_t lone = lone_samples(mesh, site);
-        most = most < lone ? most : lone;
-        count = LONE_FIRST / 2;
+        count = count < lone ? count : lone;
     }
-    if (count > (uint32_t)mesh->usual)
-        count = (uint32_t)mesh->usual;
-    if (count > most)
-        count = most;
     if (count % WALL_PART > 0)
         gatherer.wall_share = 1;
     struct gathered light = gatherer_mean(&gatherer, 0, count);
-    struct harmonics lamps = { { 0 }, { 0 }, { 0 } };
-    if (2 * count <= most)
-        direct_mesh_around(mesh->gather.direct, worker, site, &lamps);
-    while (2 * count <= most && !worker_stopped(worker)) {
-        struct gathered more = gatherer_mean(&gatherer, count, 2 * count);
-        double error =
-            halves_error(&light, &more, &lamps, mesh->gather.ambience);
-        gathered_average(&light, &more);
-        count *= 2;
-        if (error <
-            mesh->error * (count < (uint32_t)mesh->usual ? 1 : gather_rough))
-            break;
-    }
-    light_mix(&light.light, &light.wall, 1);
+    indirect_light_mix(&light.light, &light.wall, 1);
     *(struct indirect_light *)payload = light.light;
 }
 
 /* All mesh points look along the same ways: they are drawn once. */
 static void mesh_ways(struct indirect_mesh *mesh)
 {
-    uint32_t most = (uint32_t)mesh->samples;
-    for (mesh->set = 1; mesh->set < (uint32_t)mesh->usual;)
+    for (mesh->set = 1; mesh->set < (uint32_t)mesh->samples;)
         mesh->set *= 2;
-    uint32_t count = 7 * mesh->set + (most > mesh->set ? most : mesh->set);
+    uint32_t count = 7 * mesh->set + (uint32_t)mesh->samples;
     if (count > WAYS_MOST)
         return;
     mesh->ways = memory_new(count * sizeof *mesh->ways);
@@ -275,15 +188,16 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .ambience = ambience,
         .close = options->close,
         .close_context = options->close_context,
+        .around = options->around,
+        .usual = options->usual,
+        .tone = options->tone,
     };
     mesh->samples = options->samples;
-    mesh->usual = options->usual;
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
         mesh->lone_samples /= LONE_PART;
     if (mesh->lone_samples < 1)
         mesh->lone_samples = 1;
-    mesh->error = options->error;
     mesh->points = (struct point_mesh){
         .world = direct->lamps->world,
         .lattice = options->lattice,
@@ -299,9 +213,9 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     };
     if (bounce > 1) {
         mesh->points.refinement.levels = 0;
-        mesh->points.lattice.spacing *= bounce > 2 ? 4 : 2;
-        mesh->samples = mesh->usual /= LATER_PART;
-        mesh->error *= 2;
+        mesh->points.lattice.spacing *= bounce > 2 || options->usual ? 4 : 2;
+        if (mesh->samples > LATER_SAMPLES)
+            mesh->samples = LATER_SAMPLES;
     }
     if (mesh->samples < 1)
         mesh->samples = 1;
@@ -339,18 +253,8 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
     }
 }
 
-static struct indirect_share light_share(const struct indirect_light *light,
-                                         vec3 normal)
-{
-    return (struct indirect_share){
-        harmonics_irradiance(&light->light, normal, 1),
-        harmonics_share(light->open, normal),
-    };
-}
-
-/* Whether it is left to the skeleton. */
-static bool mesh_leaves(const struct indirect_mesh *mesh,
-                        const struct receiver *receiver)
+bool indirect_mesh_leaves(const struct indirect_mesh *mesh,
+                          const struct receiver *receiver)
 {
     return receiver->weight < gather_worth_least && mesh->gather.close;
 }
@@ -358,9 +262,22 @@ static bool mesh_leaves(const struct indirect_mesh *mesh,
 const char *indirect_mesh_source(const struct indirect_mesh *mesh,
                                  const struct receiver *receiver)
 {
-    return mesh_leaves(mesh, receiver)
+    return indirect_mesh_leaves(mesh, receiver)
                ? "the skeleton: the picture shows too little of it"
                : "mesh points around";
+}
+
+struct indirect_light indirect_mesh_blend(const struct indirect_mesh *mesh,
+                                          struct worker *worker,
+                                          const struct receiver *receiver)
+{
+    struct mesh_blend blend;
+    struct indirect_light sum = indirect_light_none;
+    point_mesh_blend(&mesh->points, worker, receiver, &blend);
+    for (int i = 0; i < blend.count; i++)
+        indirect_light_mix(&sum, blend.at[i].payload,
+                           (float)blend.at[i].weight);
+    return sum;
 }
 
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
@@ -368,18 +285,15 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           const struct receiver *receiver)
 {
     const struct gather *gather = &mesh->gather;
-    struct mesh_blend blend;
-    struct indirect_light sum = light_none;
-    if (mesh_leaves(mesh, receiver))
+    if (indirect_mesh_leaves(mesh, receiver))
         return (struct indirect_share){
             gather->close(gather->close_context, worker, receiver->point,
                           receiver->normal, receiver->from),
             0
         };
-    point_mesh_blend(&mesh->points, worker, receiver, &blend);
-    for (int i = 0; i < blend.count; i++)
-        light_mix(&sum, blend.at[i].payload, (float)blend.at[i].weight);
-    return light_share(&sum, receiver->normal);
+    const struct indirect_light light =
+        indirect_mesh_blend(mesh, worker, receiver);
+    return indirect_light_share(&light, receiver->normal);
 }
 
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
@@ -390,6 +304,6 @@ bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
     const struct indirect_light *nearest =
         point_mesh_nearest(&mesh->points, worker, receiver, jitter);
     if (nearest)
-        *share = light_share(nearest, receiver->normal);
+        *share = indirect_light_share(nearest, receiver->normal);
     return nearest;
 }

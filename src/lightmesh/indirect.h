@@ -12,38 +12,33 @@
 #define LIGHTMESH_INDIRECT_H
 
 #include "lightmesh/gather.h"
+#include "lightmesh/indirect_light.h"
 
 enum { BOUNCES_MAX = 20 };
-
-/* What a mesh point keeps. */
-struct indirect_light {
-    struct harmonics light; /* first */
-    float open[HARMONICS];  /* as harmonics: where ambient light comes in */
-};
 
 struct indirect_options {
     struct lattice lattice;       /* of the first bounce */
     struct lattice_view view;     /* of gather rays */
     struct refinement refinement; /* likewise */
     const struct interpolation *interpolation;
-    double radius;       /* of interpolation, in spacings; 0: its own */
-    int bounces;         /* 1..BOUNCES_MAX */
-    int usual, samples;  /* gather rays of a mesh point: at most, and where
-                          * they differ much */
-    double error;        /* gathering stops when the relative error is below */
-    size_t bytes;        /* of memory, all bounces together */
+    double radius; /* of interpolation, in spacings; 0: its own */
+    int bounces;   /* 1..BOUNCES_MAX */
+    int samples;   /* gather rays of a mesh point */
+    size_t bytes;  /* of memory, all bounces together */
+    struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;
+    struct indirect_share around; /* what does if that is NULL, */
+    bool usual;                   /* and is right where no mesh point is seen */
 };
 
 struct indirect_mesh {
     struct gather gather;
     struct point_mesh points;
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
-    int usual, samples, lone_samples;
+    int samples, lone_samples;
     uint32_t set; /* how many a mesh point has of its cell's directions */
     vec3 *ways;   /* those directions; NULL: too many to be kept */
-    double error;
 };
 
 /* Frees with indirect_mesh_free. All that is given must outlive it. */
@@ -53,12 +48,15 @@ struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct indirect_options *options);
 void indirect_mesh_free(struct indirect_mesh *mesh);
 
-/* What a receiver gets. */
-struct indirect_share {
-    rgb light;   /* indirect, that of glowing surfaces included, in POV-Ray's
-                  * units */
-    double open; /* of the ambient light outside, 0 to 1 */
-};
+/* Whether what the receiver gets is left to what ends the bounces: the picture
+ * shows too little of it. */
+bool indirect_mesh_leaves(const struct indirect_mesh *mesh,
+                          const struct receiver *receiver);
+
+/* What the mesh points around know together, before the receiver's cosines. */
+struct indirect_light indirect_mesh_blend(const struct indirect_mesh *mesh,
+                                          struct worker *worker,
+                                          const struct receiver *receiver);
 
 /* What is worth little is less exact. */
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,

@@ -14,3 +14,21 @@ static const struct interpolation *const interpolations[] = {
 };
 
 LISTING(interpolation, interpolation, interpolations);
+
+int interpolation_ball(vec3 place, double radius,
+                       struct mesh_weight out[INTERPOLATION_POINTS])
+{
+    double r = fmin(fmax(radius, 0.9), INTERPOLATION_RADIUS_MAX);
+    int count = 0;
+    for (double z = ceil(place.z - r); z <= place.z + r; z++)
+        for (double y = ceil(place.y - r); y <= place.y + r; y++)
+            for (double x = ceil(place.x - r); x <= place.x + r; x++) {
+                vec3 d = vec3_sub(vec3_make(x, y, z), place);
+                double left = 1 - vec3_dot(d, d) / (r * r);
+                if (left > 0 && count < INTERPOLATION_POINTS)
+                    out[count++] =
+                        (struct mesh_weight){ { (int)x, (int)y, (int)z },
+                                              left };
+            }
+    return count;
+}

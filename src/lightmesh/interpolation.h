@@ -31,6 +31,11 @@ struct interpolation {
                    struct mesh_weight out[INTERPOLATION_POINTS]);
 };
 
+/* For kinds of `weights`: the lattice points within a radius, in spacings, of a
+ * place, each with weight 1 - d^2/r^2 for its distance d; returns how many. */
+int interpolation_ball(vec3 place, double radius,
+                       struct mesh_weight out[INTERPOLATION_POINTS]);
+
 /* By name, or NULL; by number, or NULL past the end. The first is the
  * default. */
 const struct interpolation *interpolation_find(const char *name);

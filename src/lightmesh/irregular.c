@@ -8,20 +8,17 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "lightmesh/cube_cells.h"
 #include "lightmesh/lanes.h"
 
 /* Cells along an edge of the cube, for so many points in each. */
 enum { EDGE_LEAST = 16, EDGE_MOST = 512 };
 static const double cell_points = 1;
 
-/* A bounding box in cells is so much larger than it seems. */
-#define CELL_SLACK 1e-3f
-
 _Static_assert((int)CASTER_WIDTH == (int)LANES, "a batch of triangles");
 
-/* Of the cube; numbers that describe the planes of a triangle; and corners that
- * a triangle may have when four planes have cut it. */
-enum { SIDES = 6, PLANES = 13, CORNERS_MOST = 9 };
+/* Numbers that describe the planes of a triangle. */
+enum { PLANES = 13 };
 
 struct irregular {
     float low[3], high[3]; /* of all points */
@@ -67,7 +64,7 @@ static int edge_for(size_t points)
 {
     double cells = (double)points / cell_points;
     int edge = EDGE_LEAST;
-    while (edge < EDGE_MOST && SIDES * (double)edge * edge < cells)
+    while (edge < EDGE_MOST && CUBE_SIDES * (double)edge * edge < cells)
         edge += EDGE_LEAST;
     return edge;
 }
@@ -92,7 +89,7 @@ struct irregular *irregular_new(const struct casters *casters,
     struct irregular *irregular = memory_new(sizeof *irregular);
     size_t room = irregular_padded(points->count) + LANES;
     int edge = edge_for(points->count);
-    uint32_t cells = (uint32_t)(SIDES * edge * edge);
+    uint32_t cells = (uint32_t)(CUBE_SIDES * edge * edge);
     uint32_t *block = memory_new((7 * room + cells + 2) * sizeof(uint32_t));
     *irregular = (struct irregular){
         .casters = casters,
@@ -273,14 +270,8 @@ LANES_INLINE void hide_run(const struct irregular *own, int32_t *hidden,
     }
 }
 
-/* A box of cells on a side of the cube, ends included. */
-struct irregular_box {
-    int side, left, top, right, bottom;
-};
-
 LANES_INLINE void hide_box(const struct irregular *own, int32_t *hidden,
-                           const struct irregular_box *box,
-                           const float e[PLANES])
+                           const struct cube_box *box, const float e[PLANES])
 {
     size_t edge = (size_t)own->edge;
     const uint32_t *row =
@@ -291,99 +282,17 @@ LANES_INLINE void hide_box(const struct irregular *own, int32_t *hidden,
             hide_run(own, hidden, row[left], row[end], e);
 }
 
-/* A triangle as a polygon that is cut. */
-struct irregular_polygon {
-    int count;
-    float corner[CORNERS_MOST][3];
-};
-
-/* Leaves what of it is on the positive side of depth + sign * across. */
-static void polygon_cut(struct irregular_polygon *polygon, int depth,
-                        float facing, int across, float sign)
-{
-    struct irregular_polygon old = *polygon;
-    polygon->count = 0;
-    for (int i = 0; i < old.count; i++) {
-        const float *a = old.corner[i], *b = old.corner[(i + 1) % old.count];
-        float from = facing * a[depth] + sign * a[across];
-        float to = facing * b[depth] + sign * b[across];
-        if (from >= 0 && polygon->count < CORNERS_MOST)
-            memcpy(polygon->corner[polygon->count++], a, 3 * sizeof *a);
-        if ((from >= 0) == (to >= 0) || polygon->count == CORNERS_MOST)
-            continue;
-        float *cut = polygon->corner[polygon->count++];
-        for (int k = 0; k < 3; k++)
-            cut[k] = a[k] + from / (from - to) * (b[k] - a[k]);
-    }
-}
-
-static int cell_within(float place, int edge)
-{
-    return place > 0 ? (place < (float)(edge - 1) ? (int)place : edge - 1) : 0;
-}
-
-/* Whether all corners are outside of one of the four planes between which the
- * side is. */
-static bool polygon_misses(const struct irregular_polygon *polygon, int depth,
-                           float facing, int across)
-{
-    bool low = true, high = true;
-    for (int i = 0; i < polygon->count; i++) {
-        float far = facing * polygon->corner[i][depth];
-        low = low && far < -polygon->corner[i][across];
-        high = high && far < polygon->corner[i][across];
-    }
-    return low || high;
-}
-
-/* The cells of one side that it covers. False: none. */
-static bool polygon_box(const struct irregular_polygon *triangle, int side,
-                        int edge, struct irregular_box *box)
-{
-    int depth = side / 2, u = depth == 0 ? 1 : 0, v = depth == 2 ? 1 : 2;
-    float facing = side % 2 ? -1.0f : 1.0f, half = (float)edge / 2;
-    float low[2] = { HUGE_VALF, HUGE_VALF };
-    float high[2] = { -HUGE_VALF, -HUGE_VALF };
-    struct irregular_polygon cut;
-    if (polygon_misses(triangle, depth, facing, u) ||
-        polygon_misses(triangle, depth, facing, v))
-        return false;
-    cut = *triangle;
-    bool before = true;
-    for (int i = 0; i < cut.count; i++)
-        before = before && facing * cut.corner[i][depth] > 0;
-    for (int k = 0; !before && k < 4 && cut.count > 0; k++)
-        polygon_cut(&cut, depth, facing, k < 2 ? u : v, k % 2 ? -1.0f : 1.0f);
-    if (cut.count == 0)
-        return false;
-    for (int i = 0; i < cut.count; i++) {
-        const float *corner = cut.corner[i];
-        float scale = half / (facing * corner[depth]);
-        const float at[2] = { corner[u] * scale + half,
-                              corner[v] * scale + half };
-        for (int k = 0; k < 2; k++) {
-            low[k] = fminf(low[k], at[k] - CELL_SLACK);
-            high[k] = fmaxf(high[k], at[k] + CELL_SLACK);
-        }
-    }
-    *box = (struct irregular_box){ side, cell_within(low[0], edge),
-                                   cell_within(low[1], edge),
-                                   cell_within(high[0], edge),
-                                   cell_within(high[1], edge) };
-    return true;
-}
-
 /* A triangle that is on several sides of the cube. */
 LANES_INLINE void hide_across(const struct irregular *own, int32_t *hidden,
                               const struct irregular_batch *batch, int lane,
                               const float e[PLANES])
 {
-    struct irregular_polygon triangle = { .count = 3 };
+    float triangle[3][3];
     for (int k = 0; k < 9; k++)
-        triangle.corner[k / 3][k % 3] = batch->corner[k][lane];
-    for (int side = 0; side < SIDES; side++) {
-        struct irregular_box box;
-        if (polygon_box(&triangle, side, own->edge, &box))
+        triangle[k / 3][k % 3] = batch->corner[k][lane];
+    for (int side = 0; side < CUBE_SIDES; side++) {
+        struct cube_box box;
+        if (cube_box_of(triangle, side, own->edge, &box))
             hide_box(own, hidden, &box, e);
     }
 }
@@ -393,9 +302,9 @@ LANES_INLINE void hide_batch(const struct irregular *own, int32_t *hidden,
 {
     for (int lane = 0; lane < LANES; lane++) {
         float e[PLANES];
-        struct irregular_box box = { batch->side[lane], batch->low[0][lane],
-                                     batch->low[1][lane], batch->high[0][lane],
-                                     batch->high[1][lane] };
+        struct cube_box box = { batch->side[lane], batch->low[0][lane],
+                                batch->low[1][lane], batch->high[0][lane],
+                                batch->high[1][lane] };
         if (!(batch->plane[12][lane] < HUGE_VALF))
             continue;
         for (int k = 0; k < PLANES; k++)

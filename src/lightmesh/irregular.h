@@ -7,7 +7,7 @@
 #ifndef LIGHTMESH_IRREGULAR_H
 #define LIGHTMESH_IRREGULAR_H
 
-#include "embree/casters.h"
+#include "world/casters.h"
 
 /* Surface points in single precision, from the casters' centre, and their
  * unit normals on the side that is lit. The arrays have room for

@@ -41,6 +41,7 @@ rgb asking_one_lamp(struct asking *asking, const struct lamp *lamp,
         if (!ladder[i]->one_lamp ||
             !ladder[i]->one_lamp(asking, lamp, view, &share))
             continue;
+        asking->answered = i;
         if (asking->worker->telling)
             telling_answer(asking->worker->telling, ladder[i]->name,
                            "lamp %d: %.4g %.4g %.4g of its light, by %s (%s), "
@@ -59,6 +60,7 @@ void asking_all_lamps(struct asking *asking, struct incident *incident)
     for (int i = 0; i < KNOWERS; i++) {
         if (!ladder[i]->all_lamps || !ladder[i]->all_lamps(asking, incident))
             continue;
+        asking->answered = i;
         if (asking->worker->telling)
             telling_answer(asking->worker->telling, ladder[i]->name,
                            "all %zu lamps: summed by %s (%s), %llu rays",

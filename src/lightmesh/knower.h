@@ -26,6 +26,7 @@ struct asking {
     struct worker *worker;
     struct receiver receiver;       /* on the viewer's side */
     const struct interiors *inside; /* bodies that the viewer's ray is in */
+    int answered;        /* number of the knower that told the last answer */
     struct asking_side { /* of space: before the surface, and behind it */
         bool known;
         struct mesh_blend blend;

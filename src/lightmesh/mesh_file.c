@@ -13,7 +13,7 @@ static const char file_mark[16] = "glim light mesh\n";
 
 enum {
     BYTE_ORDER_MARK = 0x01020304,
-    FRAME_NUMBERS = 11,
+    FRAME_NUMBERS = 17,
     TABLES = 2, /* of a mesh */
     HEAD_SIZE =
         16 + 4 + 4 + 8 + FRAME_NUMBERS * 8 + 4 * 8 + MESH_SETTINGS_SIZE + 8,
@@ -56,10 +56,13 @@ static void put_head(char **to, const struct mesh_stamp *stamp, size_t size,
 {
     const uint32_t words[2] = { MESH_VERSION, BYTE_ORDER_MARK };
     const struct mesh_frame *f = &stamp->frame;
-    const double frame[FRAME_NUMBERS] = { f->spacing,  f->wanted,   f->near,
-                                          f->eye.x,    f->eye.y,    f->eye.z,
-                                          f->centre.x, f->centre.y, f->centre.z,
-                                          f->size,     f->coarser };
+    const double frame[FRAME_NUMBERS] = {
+        f->spacing,    f->wanted,         f->near,           f->eye.x,
+        f->eye.y,      f->eye.z,          f->centre.x,       f->centre.y,
+        f->centre.z,   f->size,           f->gather,         f->samples,
+        f->closed,     f->around.light.r, f->around.light.g, f->around.light.b,
+        f->around.open
+    };
     put(to, file_mark, sizeof file_mark);
     put(to, words, sizeof words);
     put_number(to, size);
@@ -152,7 +155,11 @@ static void take_stamp(const char **from, struct mesh_stamp *stamp)
     f->eye = vec3_make(frame[3], frame[4], frame[5]);
     f->centre = vec3_make(frame[6], frame[7], frame[8]);
     f->size = frame[9];
-    f->coarser = frame[10] > 0;
+    f->gather = frame[10];
+    f->samples = (int)fmin(fmax(frame[11], 0), 1e6);
+    f->closed = frame[12] > 0;
+    f->around.light = rgb_make(frame[13], frame[14], frame[15]);
+    f->around.open = frame[16];
     stamp->scene.objects = take_number(from);
     stamp->scene.textures = take_number(from);
     stamp->scene.lights = take_number(from);
@@ -166,9 +173,13 @@ static bool stamp_possible(const struct mesh_stamp *stamp)
     const struct mesh_frame *f = &stamp->frame;
     const char *settings = stamp->settings;
     double sum = f->eye.x + f->eye.y + f->eye.z + f->centre.x + f->centre.y +
-                 f->centre.z + f->near + f->size + f->wanted;
-    if (!(f->spacing > 0 && f->near >= 0 && f->size >= 0) || !isfinite(sum) ||
-        !isfinite(f->spacing) || !memchr(settings, 0, MESH_SETTINGS_SIZE))
+                 f->centre.z + f->near + f->size + f->wanted +
+                 f->around.light.r + f->around.light.g + f->around.light.b +
+                 f->around.open;
+    if (!(f->spacing > 0 && f->near >= 0 && f->size >= 0 && f->gather > 0 &&
+          isfinite(f->gather)) ||
+        !isfinite(sum) || !isfinite(f->spacing) ||
+        !memchr(settings, 0, MESH_SETTINGS_SIZE))
         return false;
     for (; *settings; settings++)
         if (*settings != '\n' && (*settings < ' ' || *settings > '~'))
@@ -218,11 +229,17 @@ bool mesh_file_open(struct mesh_file *file, const void *bytes, size_t size,
     return possible && from == file->end;
 }
 
-static bool take_table(const char **from, struct table *table, double full)
+static bool take_table(const char **from, struct table *table, double full,
+                       struct map *map)
 {
     uint64_t size = take_number(from), count = take_number(from);
     if (size != table_record_size(table))
         return false;
+    if (map && count > 0 &&
+        table_share(table, map, *from, (size_t)count, lattice_hash)) {
+        *from += count * (8 + size);
+        return true;
+    }
     bool fill = (double)count <= full * (double)table_capacity(table);
     for (uint64_t i = 0; i < count; i++, *from += size) {
         uint64_t key = take_number(from);
@@ -234,14 +251,14 @@ static bool take_table(const char **from, struct table *table, double full)
 
 bool mesh_file_fill(const struct mesh_file *file,
                     const struct point_mesh *const *meshes, size_t count,
-                    double full)
+                    double full, struct map *map)
 {
     const char *from = file->tables;
     if (count != file->count)
         return false;
     for (size_t i = 0; i < TABLES * count; i++)
-        if (!take_table(&from, mesh_table(meshes[i / TABLES], i % TABLES),
-                        full))
+        if (!take_table(&from, mesh_table(meshes[i / TABLES], i % TABLES), full,
+                        map))
             return false;
     return true;
 }

@@ -39,10 +39,12 @@ bool mesh_file_open(struct mesh_file *file, const void *bytes, size_t size,
                     char *problem, size_t problem_size);
 
 /* Puts the points into meshes that are new, made with the file's frame; those
- * of a table that would be fuller than `full`, 0..1, are left out. False if
+ * of a table that would be fuller than `full`, 0..1, are left out. Where the
+ * bytes are those of `map` (NULL: not) points stay there, if they can. False if
  * these can't be the meshes it was made of. */
+struct map;
 bool mesh_file_fill(const struct mesh_file *file,
                     const struct point_mesh *const *meshes, size_t count,
-                    double full);
+                    double full, struct map *map);
 
 #endif

@@ -177,3 +177,20 @@ bool mesh_stamp_same(const struct mesh_stamp *made,
         snprintf(text, size, "%s", changed);
     return !changed;
 }
+
+uint64_t mesh_stamp_family(const struct mesh_stamp *stamp)
+{
+    const struct mesh_frame *f = &stamp->frame;
+    const double frame[] = {
+        f->spacing,    f->wanted,         f->near,           f->eye.x,
+        f->eye.y,      f->eye.z,          f->centre.x,       f->centre.y,
+        f->centre.z,   f->size,           f->gather,         f->samples,
+        f->closed,     f->around.light.r, f->around.light.g, f->around.light.b,
+        f->around.open
+    };
+    const uint64_t scene[] = { stamp->scene.objects, stamp->scene.textures,
+                               stamp->scene.lights, stamp->scene.surroundings };
+    uint64_t hash = hash_numbers(1, frame, sizeof frame / sizeof *frame);
+    hash = hash_bytes(hash, scene, sizeof scene);
+    return hash_text(hash, stamp->settings);
+}

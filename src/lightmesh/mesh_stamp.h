@@ -2,11 +2,12 @@
 #ifndef LIGHTMESH_MESH_STAMP_H
 #define LIGHTMESH_MESH_STAMP_H
 
+#include "lightmesh/indirect_light.h"
 #include "scene/fingerprint.h"
 
 /* To be changed with whatever changes what mesh points hold or where they are:
  * meshes of another glim are then refused. */
-enum { MESH_VERSION = 6 };
+enum { MESH_VERSION = 7 };
 
 enum { MESH_SETTINGS_SIZE = 1024 };
 
@@ -19,7 +20,11 @@ struct mesh_frame {
     vec3 eye;
     vec3 centre; /* of what is seen */
     double size;
-    int coarser; /* levels, of the indirect mesh: 0, or 1 in a crowd */
+    /* Of the indirect mesh: */
+    double gather; /* spacing */
+    int samples;   /* gather rays of a point; 0: it does nothing here */
+    bool closed;   /* the skeleton ends the bounces, */
+    struct indirect_share around; /* or this does */
 };
 
 struct mesh_stamp {
@@ -34,6 +39,9 @@ struct mesh_stamp {
 struct mesh_stamp mesh_stamp_new(const struct scene *scene,
                                  enum mesh_shadows shadows, bool indirect,
                                  int quality, unsigned long long seed);
+
+/* A hash of all of it: meshes with the same may share points. */
+uint64_t mesh_stamp_family(const struct mesh_stamp *stamp);
 
 /* Whether a mesh that was made with `made` is that of `now`. If not, what has
  * changed in text[size]: "the lights have changed". */

@@ -9,7 +9,7 @@
 #define LIGHTMESH_OBSTACLES_H
 
 #include "base/worker.h"
-#include "embree/world.h"
+#include "world/world.h"
 
 enum { OBSTACLE_DIRECTIONS = 26 };
 

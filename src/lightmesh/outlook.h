@@ -3,7 +3,7 @@
 #ifndef LIGHTMESH_OUTLOOK_H
 #define LIGHTMESH_OUTLOOK_H
 
-#include "embree/world.h"
+#include "world/world.h"
 #include "lightmesh/lattice.h"
 
 struct outlook {
@@ -17,12 +17,5 @@ struct outlook {
 /* For a picture of so many pixels across. */
 struct outlook outlook_of(const struct world *world, const struct scene *scene,
                           int width);
-
-/* About how many cells of a lattice are where the picture shows as much as one
- * of them would fill, on surfaces at the usual distance: 2.5 to 4 where it
- * shows walls and floors, more where things stand before each other. */
-double outlook_crowding(const struct world *world, const struct camera *camera,
-                        const struct outlook *outlook,
-                        const struct lattice *lattice);
 
 #endif

@@ -3,12 +3,12 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "lightmesh/pixel_lattice.h"
 #include "lightmesh/tuning.h"
 #include "shade/surface.h"
 
-/* The lattice has every second pixel, both ways, and each of its cells as many.
- * Blocks have 1, 2 or 4 cells along a side. */
-enum { CELL = 2, BLOCK_MOST = 4 };
+/* Blocks have 1, 2 or 4 cells of the lattice along a side. */
+enum { BLOCK_MOST = 4 };
 
 /* What a cell holds: the side of the block that it is in, 0 if there is none,
  * and whether all of that is lit. */
@@ -16,13 +16,6 @@ enum { SIDES = 7, LIT = 8, TRIED = 16 };
 
 /* Shares that aren't known, and that can't be. */
 static const float unknown = -1, none = -2;
-
-/* Of the lattice: where it is in the world, and the true normal, outward, and
- * 1 if it is turned to the camera, else -1. */
-struct pixel_point {
-    vec3 place, normal;
-    double facing;
-};
 
 /* A lamp's. */
 struct penumbra {
@@ -33,11 +26,7 @@ struct penumbra {
 
 struct penumbras {
     const struct lamps *lamps;
-    const struct camera *camera;
-    struct first_hits hits;
-    int left, top; /* of the lattice, in cells; may be negative */
-    int columns, rows;
-    struct pixel_point *points;
+    struct pixel_lattice lattice;
     struct penumbra *of; /* by lamp; without shares for those not taken */
     size_t count;
 };
@@ -57,56 +46,6 @@ bool penumbra_takes(const struct lamps *lamps, const struct lamp *lamp)
            !light->media_attenuation && lamps->quality >= QUALITY_SHADOWS;
 }
 
-static int floor_to(int x, int step)
-{
-    return x - ((x % step) + step) % step;
-}
-
-static bool lattice_has(const struct penumbras *all, int i, int j)
-{
-    return i >= all->left && j >= all->top && i < all->left + all->columns &&
-           j < all->top + all->rows;
-}
-
-static size_t lattice_at(const struct penumbras *all, int i, int j)
-{
-    return (size_t)(j - all->top) * (size_t)all->columns +
-           (size_t)(i - all->left);
-}
-
-static const struct world_hit *lattice_hit(const struct penumbras *all, int i,
-                                           int j)
-{
-    return first_hits_at(&all->hits, CELL * i, CELL * j);
-}
-
-/* Returns the camera's ray. */
-static struct ray lattice_describe(const struct penumbras *all, int i, int j,
-                                   struct intersection *at)
-{
-    double place[2];
-    first_hits_place(&all->hits, CELL * i, CELL * j, place);
-    struct ray ray = camera_ray(all->camera, place[0], place[1]);
-    world_describe(&ray, lattice_hit(all, i, j), at);
-    return ray;
-}
-
-static void place_row(void *context, size_t row, unsigned thread)
-{
-    struct penumbras *all = context;
-    int j = all->top + (int)row;
-    (void)thread;
-    for (int i = all->left; i < all->left + all->columns; i++) {
-        struct intersection at;
-        if (!lattice_hit(all, i, j)->leaf)
-            continue;
-        struct ray ray = lattice_describe(all, i, j, &at);
-        double facing = vec3_dot(ray.direction, at.face) < 0 ? 1 : -1;
-        all->points[lattice_at(all, i, j)] =
-            (struct pixel_point){ at.point, at.face, facing };
-    }
-}
-
 /* A block with its corners, row by row. */
 struct block {
     size_t at[4];
@@ -121,13 +60,15 @@ struct block {
 static bool block_corners(const struct penumbras *all, int i, int j, int side,
                           size_t at[4])
 {
-    if (!lattice_has(all, i, j) || !lattice_has(all, i + side, j + side))
+    const struct pixel_lattice *lattice = &all->lattice;
+    if (!pixel_lattice_has(lattice, i, j) ||
+        !pixel_lattice_has(lattice, i + side, j + side))
         return false;
-    const struct world_hit *first = lattice_hit(all, i, j);
+    const struct world_hit *first = pixel_lattice_hit(lattice, i, j);
     for (int k = 0; k < 4; k++) {
         int x = i + (k & 1) * side, y = j + (k >> 1) * side;
-        at[k] = lattice_at(all, x, y);
-        if (!first->leaf || !first_hit_is_on(lattice_hit(all, x, y),
+        at[k] = pixel_lattice_at(lattice, x, y);
+        if (!first->leaf || !first_hit_is_on(pixel_lattice_hit(lattice, x, y),
                                              first->leaf, first->hit.part))
             return false;
     }
@@ -139,7 +80,7 @@ static bool block_measure(const struct penumbras *all, struct block *block)
 {
     const struct pixel_point *p[4];
     for (int k = 0; k < 4; k++)
-        p[k] = &all->points[block->at[k]];
+        p[k] = &all->lattice.points[block->at[k]];
     vec3 low = vec3_add(p[0]->place, p[3]->place);
     vec3 high = vec3_add(p[1]->place, p[2]->place);
     vec3 normal = vec3_add(vec3_add(p[0]->normal, p[3]->normal),
@@ -172,15 +113,16 @@ static bool lamp_is_before(const struct lamp *lamp, vec3 place, vec3 normal,
 static uint8_t block_try(const struct penumbra_pass *pass, int i, int j)
 {
     const struct penumbras *all = pass->all;
+    const struct pixel_lattice *lattice = &all->lattice;
     const struct lamp *lamp = pass->of->lamp;
     struct block block;
     if (!block_corners(all, i, j, pass->side, block.at) ||
         !block_measure(all, &block))
         return 0;
-    struct intersection at = { .leaf = lattice_hit(all, i, j)->leaf,
+    struct intersection at = { .leaf = pixel_lattice_hit(lattice, i, j)->leaf,
                                .face = block.normal };
     struct lamp_target target = { .point = block.middle, .at = &at };
-    double facing = all->points[block.at[0]].facing;
+    double facing = lattice->points[block.at[0]].facing;
     if (!lamp_is_before(lamp, block.middle, block.normal, facing, &target.view))
         return 0;
     double blur = lamps_blur(all->lamps, lamp, &target, block.radius,
@@ -193,22 +135,23 @@ static uint8_t block_try(const struct penumbra_pass *pass, int i, int j)
 static void block_fill(const struct penumbra_pass *pass, int i, int j,
                        uint8_t value)
 {
+    const struct pixel_lattice *lattice = &pass->all->lattice;
     for (int y = j; y < j + pass->side; y++)
         for (int x = i; x < i + pass->side; x++)
-            if (lattice_has(pass->all, x, y))
-                pass->of->cells[lattice_at(pass->all, x, y)] = value;
+            if (pixel_lattice_has(lattice, x, y))
+                pass->of->cells[pixel_lattice_at(lattice, x, y)] = value;
 }
 
 static void try_row(void *context, size_t row, unsigned thread)
 {
     const struct penumbra_pass *pass = context;
-    const struct penumbras *all = pass->all;
-    int side = pass->side, first = floor_to(all->left, side);
-    int j = floor_to(all->top, side) + (int)row * side;
+    const struct pixel_lattice *lattice = &pass->all->lattice;
+    int side = pass->side, first = floor_to(lattice->left, side);
+    int j = floor_to(lattice->top, side) + (int)row * side;
     (void)thread;
-    for (int i = first; i < all->left + all->columns; i += side) {
-        if (!lattice_has(all, i, j) ||
-            pass->of->cells[lattice_at(all, i, j)] != 0)
+    for (int i = first; i < lattice->left + lattice->columns; i += side) {
+        if (!pixel_lattice_has(lattice, i, j) ||
+            pass->of->cells[pixel_lattice_at(lattice, i, j)] != 0)
             continue;
         uint8_t value = block_try(pass, i, j);
         if (value)
@@ -219,22 +162,26 @@ static void try_row(void *context, size_t row, unsigned thread)
 /* Whether the cell is in a block of that side, whose corners are asked for. */
 static bool cell_asks(const struct penumbra_pass *pass, int i, int j)
 {
-    return lattice_has(pass->all, i, j) &&
-           pass->of->cells[lattice_at(pass->all, i, j)] == (pass->side | TRIED);
+    const struct pixel_lattice *lattice = &pass->all->lattice;
+    return pixel_lattice_has(lattice, i, j) &&
+           pass->of->cells[pixel_lattice_at(lattice, i, j)] ==
+               (pass->side | TRIED);
 }
 
 static void corner_ask(const struct penumbra_pass *pass, int i, int j,
                        struct worker *worker)
 {
     const struct penumbras *all = pass->all;
+    const struct pixel_lattice *lattice = &all->lattice;
     const struct lamp *lamp = pass->of->lamp;
     struct intersection at;
-    size_t number = lattice_at(all, i, j);
+    struct ray ray;
+    size_t number = pixel_lattice_at(lattice, i, j);
     float *share = pass->of->shares[number];
-    lattice_describe(all, i, j, &at);
+    pixel_lattice_describe(lattice, i, j, &ray, &at);
     struct lamp_target target = { .point = at.point, .at = &at };
     share[0] = none;
-    if (!lamp_is_before(lamp, at.point, at.face, all->points[number].facing,
+    if (!lamp_is_before(lamp, at.point, at.face, lattice->points[number].facing,
                         &target.view))
         return;
     rgb seen = lamps_share_fine(all->lamps, lamp, worker, &target);
@@ -246,14 +193,14 @@ static void corner_ask(const struct penumbra_pass *pass, int i, int j,
 static void ask_row(void *context, size_t row, unsigned thread)
 {
     const struct penumbra_pass *pass = context;
-    const struct penumbras *all = pass->all;
-    int j = floor_to(all->top, pass->side) + (int)row * pass->side;
-    if (j < all->top || j >= all->top + all->rows)
+    const struct pixel_lattice *lattice = &pass->all->lattice;
+    int j = floor_to(lattice->top, pass->side) + (int)row * pass->side;
+    if (j < lattice->top || j >= lattice->top + lattice->rows)
         return;
-    for (int i = floor_to(all->left, pass->side); i < all->left + all->columns;
-         i += pass->side)
-        if (i >= all->left &&
-            pass->of->shares[lattice_at(all, i, j)][0] == unknown &&
+    for (int i = floor_to(lattice->left, pass->side);
+         i < lattice->left + lattice->columns; i += pass->side)
+        if (i >= lattice->left &&
+            pass->of->shares[pixel_lattice_at(lattice, i, j)][0] == unknown &&
             (cell_asks(pass, i, j) || cell_asks(pass, i - 1, j) ||
              cell_asks(pass, i, j - 1) || cell_asks(pass, i - 1, j - 1)))
             corner_ask(pass, i, j, pass->workers[thread]);
@@ -283,11 +230,11 @@ static bool block_is_even(const struct penumbra_pass *pass, int i, int j)
 static void settle_row(void *context, size_t row, unsigned thread)
 {
     const struct penumbra_pass *pass = context;
-    const struct penumbras *all = pass->all;
-    int side = pass->side, first = floor_to(all->left, side);
-    int j = floor_to(all->top, side) + (int)row * side;
+    const struct pixel_lattice *lattice = &pass->all->lattice;
+    int side = pass->side, first = floor_to(lattice->left, side);
+    int j = floor_to(lattice->top, side) + (int)row * side;
     (void)thread;
-    for (int i = first; i < all->left + all->columns; i += side)
+    for (int i = first; i < lattice->left + lattice->columns; i += side)
         if (cell_asks(pass, i, j))
             block_fill(pass, i, j,
                        block_is_even(pass, i, j) ? (uint8_t)side : 0);
@@ -295,45 +242,27 @@ static void settle_row(void *context, size_t row, unsigned thread)
 
 static void penumbra_find(struct penumbra_pass *pass, unsigned threads)
 {
-    const struct penumbras *all = pass->all;
+    const struct pixel_lattice *lattice = &pass->all->lattice;
     const atomic_int *stop = pass->workers[0]->stop;
     for (pass->side = BLOCK_MOST; pass->side >= 1; pass->side /= 2) {
-        int top = floor_to(all->top, pass->side);
+        int top = floor_to(lattice->top, pass->side);
         size_t rows =
-            (size_t)((all->top + all->rows - top - 1) / pass->side + 1);
+            (size_t)((lattice->top + lattice->rows - top - 1) / pass->side + 1);
         parallel_run(threads, rows, stop, try_row, pass);
         parallel_run(threads, rows, stop, ask_row, pass);
         parallel_run(threads, rows, stop, settle_row, pass);
     }
 }
 
-static size_t lattice_size(const struct penumbras *all)
-{
-    return (size_t)all->columns * (size_t)all->rows;
-}
-
 static void penumbra_start(struct penumbras *all, struct penumbra *of,
                            const struct lamp *lamp)
 {
-    size_t size = lattice_size(all);
+    size_t size = pixel_lattice_size(&all->lattice);
     of->lamp = lamp;
     of->cells = memory_new(size);
     of->shares = memory_new(size * sizeof *of->shares);
     for (size_t i = 0; i < size; i++)
         of->shares[i][0] = unknown;
-}
-
-/* All pixels with even coordinates. */
-static void lattice_start(struct penumbras *all)
-{
-    const struct first_hits *hits = &all->hits;
-    all->left = floor_to(hits->left + CELL - 1, CELL) / CELL;
-    all->top = floor_to(hits->top + CELL - 1, CELL) / CELL;
-    all->columns =
-        floor_to(hits->left + hits->columns - 1, CELL) / CELL - all->left + 1;
-    all->rows =
-        floor_to(hits->top + hits->rows - 1, CELL) / CELL - all->top + 1;
-    all->points = memory_new(lattice_size(all) * sizeof *all->points);
 }
 
 struct penumbras *penumbras_new(const struct lamps *lamps,
@@ -343,10 +272,7 @@ struct penumbras *penumbras_new(const struct lamps *lamps,
 {
     struct penumbras *all = memory_new(sizeof *all);
     all->lamps = lamps;
-    all->camera = camera;
-    all->hits = *hits;
-    lattice_start(all);
-    parallel_run(threads, (size_t)all->rows, workers[0]->stop, place_row, all);
+    pixel_lattice_start(&all->lattice, camera, hits, workers[0]->stop, threads);
     all->of = memory_new(lamps->count * sizeof *all->of);
     for (size_t i = 0; i < lamps->count; i++) {
         struct penumbra_pass pass = { all, &all->of[i], workers, 0 };
@@ -367,7 +293,7 @@ void penumbras_free(struct penumbras *all)
         memory_free(all->of[i].shares);
     }
     memory_free(all->of);
-    memory_free(all->points);
+    pixel_lattice_end(&all->lattice);
     memory_free(all);
 }
 
@@ -384,13 +310,14 @@ static bool place_is_near(const struct penumbras *all,
                           const struct block_place *place,
                           const struct intersection *at)
 {
-    const struct pixel_point *first = &all->points[place->at[0]];
-    const struct pixel_point *last = &all->points[place->at[3]];
+    const struct pixel_lattice *lattice = &all->lattice;
+    const struct pixel_point *first = &lattice->points[place->at[0]];
+    const struct pixel_point *last = &lattice->points[place->at[3]];
     vec3 middle = vec3_make(0, 0, 0);
     vec3 across = vec3_sub(last->place, first->place);
     vec3 turn = vec3_sub(at->face, first->normal);
     for (int k = 0; k < 4; k++)
-        middle = vec3_along(middle, all->points[place->at[k]].place,
+        middle = vec3_along(middle, lattice->points[place->at[k]].place,
                             place->weight[k]);
     vec3 off = vec3_sub(at->point, middle);
     return vec3_dot(off, off) <=
@@ -402,21 +329,23 @@ static bool block_place(const struct penumbras *all, const uint8_t *cells,
                         double x, double y, const struct intersection *at,
                         struct block_place *place)
 {
-    int i = (int)floor(x / CELL), j = (int)floor(y / CELL);
-    if (!lattice_has(all, i, j))
+    const struct pixel_lattice *lattice = &all->lattice;
+    int i = (int)floor(x / PIXEL_CELL), j = (int)floor(y / PIXEL_CELL);
+    if (!pixel_lattice_has(lattice, i, j))
         return false;
-    place->cell = cells[lattice_at(all, i, j)];
+    place->cell = cells[pixel_lattice_at(lattice, i, j)];
     int side = place->cell & SIDES;
     if (side == 0)
         return false;
     i = floor_to(i, side);
     j = floor_to(j, side);
-    const struct world_hit *first = lattice_hit(all, i, j);
+    const struct world_hit *first = pixel_lattice_hit(lattice, i, j);
     if (!first_hit_is_on(first, at->leaf, at->part))
         return false;
-    double u = (x / CELL - i) / side, v = (y / CELL - j) / side;
+    double u = (x / PIXEL_CELL - i) / side, v = (y / PIXEL_CELL - j) / side;
     for (int k = 0; k < 4; k++) {
-        place->at[k] = lattice_at(all, i + (k & 1) * side, j + (k >> 1) * side);
+        place->at[k] =
+            pixel_lattice_at(lattice, i + (k & 1) * side, j + (k >> 1) * side);
         place->weight[k] = (k & 1 ? u : 1 - u) * (k >> 1 ? v : 1 - v);
     }
     return place_is_near(all, place, at);
@@ -445,7 +374,7 @@ bool penumbras_share(const struct penumbras *all,
 
 double penumbras_bytes(double pixels, size_t lamps)
 {
-    double lattice = pixels / (CELL * CELL);
+    double lattice = pixels / (PIXEL_CELL * PIXEL_CELL);
     return lattice * (sizeof(struct pixel_point) +
                       (double)lamps * (1 + 3 * sizeof(float)));
 }
@@ -454,7 +383,8 @@ size_t penumbras_count(const struct penumbras *all)
 {
     size_t count = 0;
     for (size_t i = 0; i < all->lamps->count; i++)
-        for (size_t k = 0; all->of[i].shares && k < lattice_size(all); k++)
+        for (size_t k = 0;
+             all->of[i].shares && k < pixel_lattice_size(&all->lattice); k++)
             count += all->of[i].shares[k][0] >= 0;
     return count;
 }
@@ -464,5 +394,7 @@ double penumbras_memory(const struct penumbras *all)
     size_t lamps = 0;
     for (size_t i = 0; i < all->lamps->count; i++)
         lamps += all->of[i].shares != NULL;
-    return penumbras_bytes((double)lattice_size(all) * CELL * CELL, lamps);
+    return penumbras_bytes((double)pixel_lattice_size(&all->lattice) *
+                               PIXEL_CELL * PIXEL_CELL,
+                           lamps);
 }

@@ -2,6 +2,7 @@
 #include "lightmesh/plan.h"
 
 #include "lightmesh/light_tree.h"
+#include "lightmesh/obstacles.h"
 #include "lightmesh/tuning.h"
 #include "shade/surface.h"
 
@@ -21,38 +22,35 @@ static struct lattice frame_lattice(const struct mesh_frame *frame)
 }
 
 /* Shadows may be as fine as pixels; what surfaces give each other is as smooth
- * as their distances are large, however large the picture is. */
-static struct lattice
-plan_indirect_lattice(const struct light_mesh_settings *said,
-                      const struct lattice *direct, double size)
+ * as their distances are large, however large the picture is. A plane that goes
+ * to the horizon is no reason to be coarse before it. */
+static double frame_gather(const struct light_mesh_settings *said,
+                           const struct outlook *outlook, double spacing)
 {
-    struct lattice lattice = *direct;
-    double least = size / (indirect_cells * plan_finer(said));
-    while (!(said->density > 0) &&
-           lattice_spacing(&lattice, lattice.usual) < least)
-        lattice.spacing *= 2;
-    return lattice;
+    double size = fmin(outlook->size, gather_across * outlook->across);
+    if (said->density > 0)
+        return spacing;
+    return fmax(spacing, size / (indirect_cells * plan_finer(said)));
 }
 
-/* Levels by which the indirect mesh is coarser than its lattice. Where the
- * picture shows many cells at a time it may be rough: a cell serves few pixels,
- * and no picture shows it. */
-static int frame_coarser(const struct world *world, const struct scene *scene,
-                         const struct outlook *outlook,
-                         const struct mesh_frame *frame)
+/* As many gather rays of a point as make noise that is hardly seen, for what
+ * they bring differs less where lamps give most of the light; none where that
+ * changes nothing. */
+static int frame_samples(const struct light_mesh_settings *said,
+                         const struct survey *survey)
 {
-    const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    if (!said->indirect.on || said->density > 0)
+    double finer = plan_finer(said), wanted = survey->rough / gather_noise;
+    if (said->indirect.samples > 0)
+        return said->indirect.samples;
+    if (survey->worth < gather_worth_none)
         return 0;
-    struct lattice lattice = frame_lattice(frame);
-    lattice = plan_indirect_lattice(said, &lattice, frame->size);
-    return outlook_crowding(world, &scene->camera, outlook, &lattice) >
-           crowded_cells;
+    wanted = fmin(fmax(wanted * wanted, GATHER_FEW), GATHER_MOST);
+    return WALL_PART * (int)ceil(wanted * finer * finer / WALL_PART);
 }
 
-struct mesh_frame plan_frame(const struct world *world,
-                             const struct scene *scene,
-                             const struct outlook *outlook, int coarser)
+struct mesh_frame plan_frame(const struct scene *scene,
+                             const struct outlook *outlook,
+                             const struct survey *survey, int coarser)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     double spacing = spacing_pixels * outlook->pixel;
@@ -61,16 +59,65 @@ struct mesh_frame plan_frame(const struct world *world,
     spacing /= plan_finer(said);
     if (said->density > 0)
         spacing = 1 / said->density;
-    struct mesh_frame frame = {
+    return (struct mesh_frame){
         .spacing = spacing * pow(spacing_coarser, coarser),
         .wanted = spacing,
         .near = 2 * outlook->distance,
         .eye = scene->camera.location,
         .centre = outlook->centre,
         .size = outlook->size,
+        .gather = frame_gather(said, outlook, spacing) *
+                  pow(spacing_coarser, coarser),
+        .samples = frame_samples(said, survey),
+        .closed = survey->open < open_enough,
+        .around = survey->around,
     };
-    frame.coarser = frame_coarser(world, scene, outlook, &frame);
-    return frame;
+}
+
+/* The more light comes from surfaces the more of the picture depends on it: all
+ * of it in a chamber, of which a small picture shows as much as a large one. */
+static double plan_rays(const struct light_mesh_settings *said,
+                        const struct survey *survey, double pixels)
+{
+    double each = fmin(gather_pixel + gather_pixel_worth * survey->worth,
+                       gather_pixel_most);
+    double finer = plan_finer(said),
+           edges = sqrt(fmax(pixels, gather_pixels) * gather_pixels);
+    if (survey->open < open_enough)
+        edges *= gather_chamber;
+    return each * edges * finer * finer;
+}
+
+/* What a point costs, in rays: it looks around as well. */
+static double frame_rays(const struct mesh_frame *frame)
+{
+    return frame->samples + OBSTACLE_DIRECTIONS;
+}
+
+/* No more rays of a point than that, but `least` if it had so many. */
+static void frame_ask(struct mesh_frame *frame, double rays, int least)
+{
+    int fewer =
+        (int)fmax(rays - OBSTACLE_DIRECTIONS, least) / WALL_PART * WALL_PART;
+    if (fewer < frame->samples)
+        frame->samples = fewer;
+}
+
+bool plan_afford(struct mesh_frame *frame, const struct scene *scene,
+                 const struct survey *survey, double points, double pixels)
+{
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    double most = plan_rays(said, survey, pixels);
+    if (frame->samples == 0 || said->indirect.samples > 0 ||
+        said->density > 0 || points * frame_rays(frame) <= most)
+        return false;
+    /* Neighbours share directions: fewer rays blur less than fewer points. */
+    frame_ask(frame, most / points, GATHER_FEW);
+    double crowd = sqrt(points * frame_rays(frame) / most);
+    double factor = fmin(fmax(crowd, 1), gather_coarser_most);
+    frame->gather *= factor;
+    frame_ask(frame, most * factor * factor / points, GATHER_LEAST);
+    return true;
 }
 
 enum mesh_shadows plan_held(const struct light_mesh_settings *said,
@@ -141,27 +188,30 @@ static void plan_indirect(struct plan *plan,
                           gather_close *close, const void *close_context)
 {
     const struct direct_options *direct = &plan->direct;
+    const struct mesh_frame *frame = &plan->frame;
     int usual = close ? CLOSED_BOUNCES : BOUNCES;
-    int samples = said->indirect.samples, bounces = said->indirect.bounces;
-    int crowded = plan->frame.coarser;
-    double finer = plan->finer;
-    int enough = samples > 0 ? samples : (int)(GATHER_SAMPLES * finer * finer);
+    int bounces = said->indirect.bounces;
+    if (!frame->closed)
+        usual = OPEN_BOUNCES;
     plan->indirect = (struct indirect_options){
-        .lattice = plan_indirect_lattice(said, &direct->lattice, direct->size),
-        .view = { .eye = plan->frame.eye, .coarser = crowded },
+        .lattice = direct->lattice,
+        .view = { .eye = frame->eye },
         .interpolation = said->interpolation
                              ? direct->interpolation
                              : interpolation_find(gathered_interpolation),
         .radius = direct->radius,
         .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
-        .usual = enough,
-        .samples = samples > 0 || crowded > 0 ? enough : ROUGH_FACTOR * enough,
-        .error = gather_error / finer,
+        .samples = frame->samples,
         .bytes = INDIRECT_BYTES,
         .close = close,
         .close_context = close_context,
+        .tone = said->indirect.tone,
     };
+    if (!said->indirect.dark)
+        plan->indirect.around = frame->around;
+    plan->indirect.usual = !frame->closed && !said->indirect.dark;
+    plan->indirect.lattice.spacing *= frame->gather / frame->spacing;
 }
 
 /* Whether it was said what the points in space are to be, or where they go or
@@ -190,7 +240,7 @@ struct plan plan_new(const struct scene *scene, const struct lamps *lamps,
     plan.pixels = asks && lamps->quality >= QUALITY_SHADOWS;
     plan.penumbras =
         plan.lamps == PLAN_EACH && lamps->quality >= QUALITY_AREA_LIGHTS;
-    if (said->indirect.on)
+    if (said->indirect.on && frame->samples > 0)
         plan_indirect(&plan, said, close, close_context);
     return plan;
 }
@@ -215,12 +265,8 @@ void plan_tell(const struct plan *plan, plan_row *row, void *context)
         return;
     row(context, "plan bounces", plan->indirect.bounces, "");
     row(context, "plan ends in", (double)NAN,
-        plan->indirect.close ? "the skeleton's light" : "the dark");
-    row(context, "plan gather rays", plan->indirect.usual, "");
-    row(context, "plan rough rays", plan->indirect.samples, "");
-    row(context, "plan gather error", 100 * plan->indirect.error, "%");
-    row(context, "plan gather step",
-        lattice_spacing(indirect,
-                        indirect->usual + plan->indirect.view.coarser),
+        plan->indirect.close ? "the skeleton's light" : "what is usual");
+    row(context, "plan gather rays", plan->indirect.samples, "");
+    row(context, "plan gather step", lattice_spacing(indirect, indirect->usual),
         "units");
 }

@@ -10,6 +10,7 @@
 #include "lightmesh/indirect.h"
 #include "lightmesh/mesh_stamp.h"
 #include "lightmesh/outlook.h"
+#include "lightmesh/survey.h"
 #include "scene/scene.h"
 
 /* How lamps are asked. */
@@ -35,9 +36,15 @@ struct plan {
 
 /* Where mesh points are; `coarser`: steps to fewer points, which
  * had no room. */
-struct mesh_frame plan_frame(const struct world *world,
-                             const struct scene *scene,
-                             const struct outlook *outlook, int coarser);
+struct mesh_frame plan_frame(const struct scene *scene,
+                             const struct outlook *outlook,
+                             const struct survey *survey, int coarser);
+
+/* Where the indirect mesh would have so many points for a picture of so many
+ * pixels: makes fewer of them, of fewer rays, if these are more than indirect
+ * light is worth. Returns whether it did. */
+bool plan_afford(struct mesh_frame *frame, const struct scene *scene,
+                 const struct survey *survey, double points, double pixels);
 
 /* What of `shadows` counts for what mesh points hold: of few lamps, and where
  * none is asked for, the same. */

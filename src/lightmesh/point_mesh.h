@@ -12,7 +12,7 @@
 #include <stdatomic.h>
 
 #include "base/worker.h"
-#include "embree/world.h"
+#include "world/world.h"
 #include "lightmesh/interpolation.h"
 #include "lightmesh/distinct.h"
 #include "lightmesh/receiver.h"
@@ -133,6 +133,12 @@ struct lattice_point point_mesh_shared(const struct point_mesh *mesh,
 /* Fills the payload of a site, and counts what it took. */
 void point_mesh_fill(const struct point_mesh *mesh, struct worker *worker,
                      const struct mesh_site *site, void *payload);
+
+/* By how many levels the points are coarser that a receiver of this weight asks
+ * for, 0 to POINT_MESH_WORTHS - 1, and a weight for which they are so many. */
+enum { POINT_MESH_WORTHS = 4 };
+int point_mesh_worth(double weight);
+double point_mesh_typical_worth(int levels);
 
 /* The mesh points that light the receiver. What is worth little has coarser
  * ones. */

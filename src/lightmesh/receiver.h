@@ -2,7 +2,7 @@
 #ifndef LIGHTMESH_RECEIVER_H
 #define LIGHTMESH_RECEIVER_H
 
-#include "embree/world.h"
+#include "world/world.h"
 #include "lightmesh/lattice.h"
 
 struct picture_place;

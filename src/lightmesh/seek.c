@@ -225,14 +225,18 @@ static void seek_here(struct seeker *seeker)
     seeker->blend->at[0].weight = 1;
 }
 
-/* How many levels coarser than others. */
-static int worth_coarser(double worth)
+int point_mesh_worth(double weight)
 {
     int levels = 0;
-    for (double fine = worth_fine; worth < fine && levels < 3;
-         fine /= worth_step)
+    for (double fine = worth_fine;
+         weight < fine && levels < POINT_MESH_WORTHS - 1; fine /= worth_step)
         levels++;
     return levels;
+}
+
+double point_mesh_typical_worth(int levels)
+{
+    return levels == 0 ? 1 : 0.5 * worth_fine / pow(worth_step, levels - 1);
 }
 
 /* The seeker at its level; *finest is what its view asks for, *coarse the share
@@ -249,7 +253,7 @@ static struct seeker seeker_new(const struct point_mesh *mesh,
     seeker.level =
         lattice_level(&mesh->lattice, &receiver->view, receiver->point, coarse);
     *finest = seeker.level - receiver->view.coarser;
-    seeker.level += worth_coarser(receiver->weight);
+    seeker.level += point_mesh_worth(receiver->weight);
     if (seeker.level > LATTICE_LEVELS - 2)
         seeker.level = LATTICE_LEVELS - 2;
     return seeker;

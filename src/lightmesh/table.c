@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/map.h"
 #include "base/memory.h"
 
 enum { PROBES_MAX = 512 };
@@ -21,7 +22,17 @@ struct table_head {
     struct table_place *place;
 };
 
+/* Records of a file (table_share): where each is, found by its key. */
+struct table_shared {
+    struct map *map;
+    const char *entries;
+    size_t count, stride;
+    uint32_t *numbers; /* from 1; 0: free */
+    size_t mask;
+};
+
 struct table {
+    struct table_shared shared;
     struct table_place *places;
     size_t mask;
     char *records;
@@ -49,9 +60,64 @@ void table_free(struct table *table)
 {
     if (!table)
         return;
+    map_release(table->shared.map);
+    memory_free(table->shared.numbers);
     memory_free(table->places);
     memory_free(table->records);
     memory_free(table);
+}
+
+static uint64_t shared_key(const struct table_shared *shared, size_t number)
+{
+    uint64_t key;
+    memcpy(&key, shared->entries + (number - 1) * shared->stride, sizeof key);
+    return key;
+}
+
+static const void *shared_record(const struct table_shared *shared,
+                                 size_t number)
+{
+    return shared->entries + (number - 1) * shared->stride + sizeof(uint64_t);
+}
+
+bool table_share(struct table *table, struct map *map, const void *entries,
+                 size_t count, uint64_t (*hash)(uint64_t key))
+{
+    struct table_shared *shared = &table->shared;
+    size_t places = 64;
+    if (shared->map || table->record_size % 8 != 0 || count >= UINT32_MAX ||
+        (uintptr_t)entries % 8 != 0)
+        return false;
+    while (places < 2 * count)
+        places *= 2;
+    map_hold(map);
+    *shared = (struct table_shared){
+        .map = map,
+        .entries = entries,
+        .count = count,
+        .stride = sizeof(uint64_t) + table->record_size,
+        .numbers = memory_new(places * sizeof *shared->numbers),
+        .mask = places - 1,
+    };
+    for (size_t number = 1; number <= count; number++) {
+        size_t place = hash(shared_key(shared, number)) & shared->mask;
+        while (shared->numbers[place])
+            place = (place + 1) & shared->mask;
+        shared->numbers[place] = (uint32_t)number;
+    }
+    return true;
+}
+
+static const void *shared_find(const struct table_shared *shared, uint64_t key,
+                               uint64_t hash)
+{
+    if (!shared->count)
+        return NULL;
+    size_t place = hash & shared->mask;
+    for (; shared->numbers[place]; place = (place + 1) & shared->mask)
+        if (shared_key(shared, shared->numbers[place]) == key)
+            return shared_record(shared, shared->numbers[place]);
+    return NULL;
 }
 
 static void *table_record(const struct table *table, size_t number)
@@ -85,6 +151,11 @@ static enum table_state table_claim(struct table *table,
 enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
                             void **record)
 {
+    const void *known = shared_find(&table->shared, key, hash);
+    if (known) {
+        *record = (void *)(uintptr_t)known;
+        return TABLE_READY;
+    }
     for (size_t i = 0; i < PROBES_MAX; i++) {
         struct table_place *place = &table->places[(hash + i) & table->mask];
         uint64_t found =
@@ -131,6 +202,10 @@ static int entry_order(const void *a, const void *b)
 size_t table_entries(const struct table *table, struct table_entry *entries)
 {
     size_t count = 0;
+    const struct table_shared *shared = &table->shared;
+    for (size_t n = 1; n <= shared->count; n++)
+        entries[count++] = (struct table_entry){ shared_key(shared, n),
+                                                 shared_record(shared, n) };
     for (size_t i = 0; i <= table->mask; i++) {
         const struct table_place *place = &table->places[i];
         uint32_t number = atomic_load(&place->number);
@@ -150,6 +225,12 @@ size_t table_record_size(const struct table *table)
 
 const void *table_at(const struct table *table, size_t number, uint64_t *key)
 {
+    const struct table_shared *shared = &table->shared;
+    if (number < shared->count) {
+        *key = shared_key(shared, number + 1);
+        return shared_record(shared, number + 1);
+    }
+    number -= shared->count;
     const struct table_head *head =
         (const struct table_head *)(table->records + number * table->stride);
     if (!head->place || atomic_load(&head->place->number) != number + 1)
@@ -160,7 +241,7 @@ const void *table_at(const struct table *table, size_t number, uint64_t *key)
 
 size_t table_count(const struct table *table)
 {
-    return atomic_load(&table->used);
+    return table->shared.count + atomic_load(&table->used);
 }
 
 size_t table_capacity(const struct table *table)
@@ -171,5 +252,7 @@ size_t table_capacity(const struct table *table)
 size_t table_bytes(const struct table *table)
 {
     return (table->mask + 1) * sizeof *table->places +
-           table_count(table) * table->stride;
+           atomic_load(&table->used) * table->stride +
+           (table->shared.map ? table->shared.mask + 1 : 0) *
+               sizeof *table->shared.numbers;
 }

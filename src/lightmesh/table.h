@@ -31,6 +31,14 @@ void table_publish(struct table *table, void *record);
 void table_insert(struct table *table, uint64_t key, uint64_t hash,
                   const void *record);
 
+/* Records that are known and lie elsewhere, in memory that is held for as long
+ * as the table lasts: `count` times a key, and the record, on bounds of 8
+ * bytes. They are neither copied nor changed, and take no room. False if
+ * records of this size can't be had so. `hash` is as of table_find. */
+struct map;
+bool table_share(struct table *table, struct map *map, const void *entries,
+                 size_t count, uint64_t (*hash)(uint64_t key));
+
 /* All published records by increasing key, table_count of them at most, into
  * `entries`; how many. Not while others fill the table. */
 struct table_entry {
@@ -46,7 +54,7 @@ size_t table_record_size(const struct table *table);
  * it isn't. Their order is chance. */
 const void *table_at(const struct table *table, size_t number, uint64_t *key);
 
-/* Records in use, how many fit, and the bytes touched. */
+/* Records in use, how many fit, and the bytes touched that are no others'. */
 size_t table_count(const struct table *table);
 size_t table_capacity(const struct table *table);
 size_t table_bytes(const struct table *table);

@@ -14,7 +14,8 @@ enum {
                      * the light is summed at mesh points [lights-10,
                      * lights-100, hall] */
     SHARP_LAMPS = 1000, /* the same where `shadows sharp` is said [hall] */
-    GATHER_LAMPS = 4,   /* that a gather ray asks itself [room] */
+    GATHER_LAMPS = 24,  /* of which a gather ray asks one itself [room] */
+    DRAWN_LAMPS = 8,    /* of which it is drawn */
 };
 
 /* How near mesh points are to each other. */
@@ -27,15 +28,14 @@ static const double spacing_coarser = 1.4142135623730951; /* half as many on a
                                                            * surface */
 static const double indirect_cells = 40; /* of the indirect mesh, across what
                                           * is seen, are enough [room] */
-static const double crowded_cells = 4;   /* more than so many at a time: it is
-                                          * coarser [maze] */
 static const double adaptive_threshold = 0.2; /* relative difference
                                                * [paper/surfaces] */
 enum {
-    ADAPTIVE_LEVELS = 2,    /* finer, where a threshold is said */
-    SPACINGS_MOST = 20,     /* that are counted until the points have room */
-    CENSUS_EDGE = 16,       /* rays along the edge of the first count, */
-    CENSUS_FINE_EDGE = 128, /* and if that can't tell */
+    ADAPTIVE_LEVELS = 2,   /* finer, where a threshold is said */
+    SPACINGS_MOST = 20,    /* that are counted until the points have room */
+    CENSUS_EDGE = 16,      /* rays along the edge of the first count, */
+    CENSUS_SEEN_EDGE = 48, /* where only what is seen is counted */
+    CENSUS_FINE_EDGE = 64, /* and if that can't tell */
 };
 static const double census_far = 150;   /* times as many: too far to tell */
 static const double census_sure = 0.25; /* less of the room taken: sure */
@@ -128,14 +128,14 @@ static const double penumbra_swell = 0.25; /* of a block, in its side */
 /* Gathering [room, blocks, maze, room-error]. */
 enum {
     BOUNCES = 6,
-    CLOSED_BOUNCES = 1,   /* when the skeleton knows the rest */
-    GATHER_SAMPLES = 256, /* rays of a mesh point, at most, */
-    ROUGH_FACTOR = 4,     /* so many times as many where they differ much */
-    GATHER_FIRST = 128,   /* at least, of kept points */
+    CLOSED_BOUNCES = 1, /* when the skeleton knows the rest */
+    OPEN_BOUNCES = 2,   /* where much of the light leaves the scene */
+    GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
+    GATHER_FEW = 32,    /* and else */
+    GATHER_MOST = 1024,
     LONE_SAMPLES = 32,    /* of places that are their own mesh point */
-    LONE_FIRST = 16,
     LONE_PART = 8,        /* of later bounces one in so many */
-    LATER_PART = 8,       /* likewise of kept points */
+    LATER_SAMPLES = 16,   /* of kept points of later bounces, at most */
     HIT_LEVELS = 1,       /* direct light on what they meet is coarser */
     WALL_PART = 4,        /* of ways into the only wall one in so many */
     WAYS_MOST = 65536,    /* directions that are kept */
@@ -145,10 +145,42 @@ enum {
     CLOSE_RAYS = 30000,   /* between its walls */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
-static const double gather_error = 0.042;  /* relative, between halves */
-static const double gather_rough = 1.7;    /* times that: differ much */
-static const double gather_unseen = 0.068; /* light that makes no difference;
-                                            * irradiance 1 is 6.8 */
+
+/* Indirect light at a grid of the picture [price, look]. */
+enum { INDIRECT_PIXELS_BYTES = 16 * 1000 * 1000 };
+static const double indirect_pixels_most = 19200;  /* corners, but for these: */
+static const double indirect_pixels_near = 4;      /* apart at least, pixels */
+static const double indirect_pixels_far = 16;      /* and at most */
+static const double indirect_pixels_flat = 0.9999; /* cosine: no bump */
+static const double indirect_pixels_bend = 0.8;  /* cosine of normals that share
+                                                  */
+static const double indirect_pixels_rise = 0.3;  /* of a corner over the plane,
+                                                  * share of its distance */
+static const double indirect_pixels_lift = 0.05; /* of a corner's distance */
+static const double indirect_pixels_even = 0.2; /* share of their light by which
+                                                 * corners may differ, */
+static const double indirect_pixels_dim = 0.004;  /* and irradiance, */
+static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
+                                                   */
+static const double indirect_pixels_least = 0.01; /* weight of a corner asked */
+static const double indirect_pixels_enough = 0.4; /* and of all that serve */
+
+static const double gather_noise = 0.02; /* of the picture, by a point's rays:
+                                          * what is seen of it is a third */
+static const double gather_worth_none = 0.003; /* change of the picture that is
+                                                * not seen */
+static const double gather_across = 1.5;    /* pictures: how large the part of a
+                                             * scene is that must be smooth */
+static const double gather_pixels = 76800;  /* of a picture of that size, and of
+                                             * smaller ones as many; of larger
+                                             * ones they grow as edges do */
+static const double gather_pixel = 0.4;     /* gather rays for each pixel, */
+static const double gather_pixel_worth = 3; /* more for each unit of worth, */
+static const double gather_pixel_most = 3;  /* in all */
+static const double gather_chamber = 25; /* times as many where light stays */
+static const double gather_coarser_most = 2; /* factor of the spacing */
+static const double open_enough = 0.1; /* share of gather rays that leave the
+                                        * scene: it has no chambers */
 static const double gather_worth_least = 0.02; /* then the skeleton answers */
 static const double gather_worth_whole = 0.5;  /* less gathers fewer rays */
 static const double gather_least = 0.02;       /* share that is followed */

@@ -1,5 +1,6 @@
 /* What rays meet where there is no object: background, sky_sphere, fog. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 /* background = "background" "{" [colour] "}" . */
 bool parse_background(struct parser *p, colour *out)
@@ -17,7 +18,7 @@ bool parse_background(struct parser *p, colour *out)
 
 /* ---- fog ---- */
 
-static const struct field fog_fields[] = {
+const struct field fog_fields[] = {
     { "distance", FIELD_FLOAT, offsetof(struct fog, distance), 0, 0,
       "after which 1/e of what is behind is left" },
     { "fog_offset", FIELD_FLOAT, offsetof(struct fog, offset), 0, 0,
@@ -27,7 +28,7 @@ static const struct field fog_fields[] = {
     { NULL },
 };
 
-static const struct field fog_turbulence_fields[] = {
+const struct field fog_turbulence_fields[] = {
     { "turbulence", FIELD_VECTOR, offsetof(struct fog, turbulence.amount), 0, 0,
       "how many features of its noise a unit has" },
     { "turb_depth", FIELD_FLOAT, offsetof(struct fog, turbulent_share), 0, 0,
@@ -148,7 +149,7 @@ bool parse_fog(struct parser *p, struct fog *out)
 
 /* ---- sky_sphere ---- */
 
-static const struct field sky_fields[] = {
+const struct field sky_fields[] = {
     { "emission", FIELD_RGB, offsetof(struct sky_sphere, emission), 0, 0,
       "multiplies, 1" },
     { NULL },

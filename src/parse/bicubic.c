@@ -1,6 +1,7 @@
 /* bicubic_patch{}: a surface over 4 x 4 points, as a mesh. */
 #include "parse/mesh_builder.h"
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 enum {
     PATCH_STEPS_LIMIT = 10, /* halvings: 2^20 squares */
@@ -14,11 +15,11 @@ struct bicubic {
     vec3 points[PATCH_SIDE][PATCH_SIDE];
 };
 
-static const struct field bicubic_fields[] = {
+const struct field bicubic_fields[] = {
     { "type", FIELD_INTEGER, offsetof(struct bicubic, type), 0, 0,
       "0 or 1: how POV-Ray stores it" },
     { "flatness", FIELD_FLOAT, offsetof(struct bicubic, flatness), 0, 0,
-      "how far off POV-Ray may be" },
+      "a part that is so flat is not halved; 0: all are" },
     { "u_steps", FIELD_INTEGER, offsetof(struct bicubic, u_steps), 0, 0,
       "halvings along a row" },
     { "v_steps", FIELD_INTEGER, offsetof(struct bicubic, v_steps), 0, 0,
@@ -50,7 +51,17 @@ static void bicubic_vertex(struct parser *p, struct mesh_builder *b,
         uv[k] = (1 - u) * ((1 - v) * patch->uv[0][k] + v * patch->uv[1][k]) +
                 u * (v * patch->uv[2][k] + (1 - v) * patch->uv[3][k]);
     *ARRAY_PUSH(p->scene_arena, &b->vertices) = point;
-    *ARRAY_PUSH(p->scene_arena, &b->normals) = vec3_cross(across, along);
+    *ARRAY_PUSH(p->scene_arena, &b->normals) = vec3_cross(along, across);
+}
+
+static void bicubic_triangle(struct parser *p, struct mesh_builder *b,
+                             const uint32_t corners[3])
+{
+    struct mesh_triangle t = { .texture = MESH_NONE };
+    memcpy(t.vertex, corners, sizeof t.vertex);
+    memcpy(t.normal, corners, sizeof t.normal);
+    *ARRAY_PUSH(p->scene_arena, &b->triangles) = t;
+    mesh_add_uv_face(p, b, t.vertex);
 }
 
 static void bicubic_build(struct parser *p, struct mesh_builder *b,
@@ -65,15 +76,122 @@ static void bicubic_build(struct parser *p, struct mesh_builder *b,
             uint32_t a = i * (columns + 1) + j, c = a + columns + 1;
             const uint32_t corners[2][3] = { { a, c, c + 1 },
                                              { a, c + 1, a + 1 } };
-            for (int k = 0; k < 2; k++) {
-                struct mesh_triangle t = { .texture = MESH_NONE };
-                memcpy(t.vertex, corners[k], sizeof t.vertex);
-                memcpy(t.normal, corners[k], sizeof t.normal);
-                *ARRAY_PUSH(p->scene_arena, &b->triangles) = t;
-                mesh_add_uv_face(p, b, t.vertex);
-            }
+            for (int k = 0; k < 2; k++)
+                bicubic_triangle(p, b, corners[k]);
         }
     }
+}
+
+/* ---- halved no further than flatness asks (measured) ---- */
+
+/* A part of the patch: its control points and its place. */
+struct patch_part {
+    vec3 points[PATCH_SIDE][PATCH_SIDE];
+    double from[2], to[2]; /* of u, by rows, and v */
+    int depth;
+};
+
+/* The halves of a curve (de Casteljau). */
+static void curve_halves(const vec3 p[PATCH_SIDE], vec3 low[PATCH_SIDE],
+                         vec3 high[PATCH_SIDE])
+{
+    vec3 a = vec3_mix(p[0], p[1], 0.5), b = vec3_mix(p[1], p[2], 0.5);
+    vec3 c = vec3_mix(p[2], p[3], 0.5);
+    vec3 d = vec3_mix(a, b, 0.5), e = vec3_mix(b, c, 0.5);
+    vec3 middle = vec3_mix(d, e, 0.5);
+    const vec3 first[PATCH_SIDE] = { p[0], a, d, middle };
+    const vec3 second[PATCH_SIDE] = { middle, e, c, p[3] };
+    memcpy(low, first, sizeof first);
+    memcpy(high, second, sizeof second);
+}
+
+static void part_halves(const struct patch_part *part, int axis,
+                        struct patch_part halves[2])
+{
+    halves[0] = halves[1] = *part;
+    halves[0].to[axis] = halves[1].from[axis] =
+        0.5 * (part->from[axis] + part->to[axis]);
+    for (int i = 0; i < PATCH_SIDE; i++) {
+        vec3 curve[PATCH_SIDE], low[PATCH_SIDE], high[PATCH_SIDE];
+        for (int j = 0; j < PATCH_SIDE; j++)
+            curve[j] = axis == 0 ? part->points[j][i] : part->points[i][j];
+        curve_halves(curve, low, high);
+        for (int j = 0; j < PATCH_SIDE; j++) {
+            *(axis == 0 ? &halves[0].points[j][i] : &halves[0].points[i][j]) =
+                low[j];
+            *(axis == 0 ? &halves[1].points[j][i] : &halves[1].points[i][j]) =
+                high[j];
+        }
+    }
+}
+
+/* Whether all its points are so near to the plane of three corners. */
+static bool part_is_flat(const struct patch_part *part, double flatness)
+{
+    vec3 a = part->points[0][0], b = part->points[PATCH_SIDE - 1][0];
+    vec3 c = part->points[PATCH_SIDE - 1][PATCH_SIDE - 1];
+    vec3 n = vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
+    double length = vec3_length(n);
+    if (!(length > 0))
+        return false;
+    for (int i = 0; i < PATCH_SIDE; i++)
+        for (int j = 0; j < PATCH_SIDE; j++)
+            if (fabs(vec3_dot(vec3_sub(part->points[i][j], a), n)) >
+                flatness * length)
+                return false;
+    return true;
+}
+
+static void part_emit(struct parser *p, struct mesh_builder *b,
+                      const struct bicubic *patch,
+                      const struct patch_part *part)
+{
+    uint32_t first = (uint32_t)b->vertices.count;
+    bicubic_vertex(p, b, patch, part->from[0], part->from[1]);
+    bicubic_vertex(p, b, patch, part->to[0], part->from[1]);
+    bicubic_vertex(p, b, patch, part->to[0], part->to[1]);
+    bicubic_vertex(p, b, patch, part->from[0], part->to[1]);
+    for (uint32_t k = 1; k <= 2; k++) {
+        const uint32_t corners[3] = { first, first + k, first + k + 1 };
+        bicubic_triangle(p, b, corners);
+    }
+}
+
+static void part_build(struct parser *p, struct mesh_builder *b,
+                       const struct bicubic *patch,
+                       const struct patch_part *part)
+{
+    struct patch_part halves[2], quarters[2];
+    bool rows = part->depth < patch->u_steps;
+    bool columns = part->depth < patch->v_steps;
+    if ((!rows && !columns) || part_is_flat(part, patch->flatness)) {
+        part_emit(p, b, patch, part);
+        return;
+    }
+    part_halves(part, rows ? 0 : 1, halves);
+    for (int i = 0; i < 2; i++) {
+        halves[i].depth++;
+        if (!rows || !columns) {
+            part_build(p, b, patch, &halves[i]);
+            continue;
+        }
+        part_halves(&halves[i], 1, quarters);
+        part_build(p, b, patch, &quarters[0]);
+        part_build(p, b, patch, &quarters[1]);
+    }
+}
+
+/* Without flatness all parts are as small, and share their corners. */
+static void bicubic_surface(struct parser *p, struct mesh_builder *b,
+                            const struct bicubic *patch)
+{
+    struct patch_part whole = { .to = { 1, 1 } };
+    if (!(patch->flatness > 0)) {
+        bicubic_build(p, b, patch);
+        return;
+    }
+    memcpy(whole.points, patch->points, sizeof whole.points);
+    part_build(p, b, patch, &whole);
 }
 
 /* patch_uv = "uv_vectors" vector [","] vector [","] vector [","] vector . */
@@ -142,7 +260,7 @@ bool parse_bicubic_patch(struct parser *p, struct object **out)
               parse_patch_points(p, &patch) && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;
-    bicubic_build(p, &builder, &patch);
+    bicubic_surface(p, &builder, &patch);
     mesh->mapped = mesh->turned = true;
     mesh_take(p, mesh, &builder);
     mesh_end(p, *out, mesh);

@@ -5,6 +5,15 @@
 struct blob_builder {
     struct blob_part *items;
     size_t count, capacity;
+    struct {
+        const struct texture **items;
+        size_t count, capacity;
+    } textures; /* of parts; the first stands for the blob's */
+    struct {
+        unsigned *items;
+        size_t count, capacity;
+    } numbers;                  /* of each part's texture */
+    const struct texture *said; /* of the part being read, or NULL */
 };
 
 /* What stands in a part: `radius` is of a `component`, too. */
@@ -49,7 +58,39 @@ static bool blob_push(struct parser *p, struct blob_builder *b,
         return error_at(p, p->last_span, NULL,
                         "a part of a blob needs a radius");
     *ARRAY_PUSH(p->scene_arena, b) = part;
+    *ARRAY_PUSH(p->scene_arena, &b->numbers) = 0;
+    b->said = NULL;
     return true;
+}
+
+/* texture, pigment, normal or finish of a part: sets *found. */
+static bool parse_blob_texture(struct parser *p, struct blob_builder *b,
+                               bool *found)
+{
+    *found = true;
+    if (stream_keyword(p) == KEYWORD_TEXTURE) {
+        const struct texture *texture;
+        if (!parse_texture(p, &texture))
+            return false;
+        b->said = b->said ? texture_stack(p, b->said, texture) : texture;
+        return true;
+    }
+    const struct texture *texture =
+        b->said ? b->said : texture_from_defaults(p);
+    if (!parse_texture_part(p, &texture, found))
+        return false;
+    if (*found)
+        b->said = texture;
+    return true;
+}
+
+static void blob_textured(struct parser *p, struct blob_builder *b)
+{
+    if (!b->said)
+        return;
+    *ARRAY_PUSH(p->scene_arena, &b->textures) = b->said;
+    b->numbers.items[b->count - 1] = (unsigned)b->textures.count - 1;
+    b->said = NULL;
 }
 
 /* blob_component = "component" float [","] float [","] vector . */
@@ -70,23 +111,27 @@ static bool blob_part_items(struct parser *p, struct blob_builder *b,
         affine step = affine_identity();
         struct span span = stream_span(p);
         bool found;
-        enum keyword keyword = stream_keyword(p);
-        if (keyword == KEYWORD_TEXTURE || keyword == KEYWORD_PIGMENT ||
-            keyword == KEYWORD_NORMAL || keyword == KEYWORD_FINISH)
-            return error_unsupported(p, span, "a texture of a part of a blob");
+        if (!parse_blob_texture(p, b, &found))
+            return false;
+        if (found)
+            continue;
         if (!parse_transformation(p, &step, &found))
             return false;
         if (!found)
             return error_unknown_item(p, block, NULL);
         if (!blob_part_move(&b->items[b->count - 1], &step))
             return error_at(p, span, NULL, "this leaves nothing of the part");
+        if (b->said)
+            b->said = texture_moved(p->scene_arena, b->said, &step);
     }
+    blob_textured(p, b);
     return true;
 }
 
 /* blob_part = ( "sphere" "{" vector [","] float
  *             | "cylinder" "{" vector [","] vector [","] float )
- *             [","] ["strength"] float {transformation} "}" . */
+ *             [","] ["strength"] float
+ *             {texture | texture_part | transformation} "}" . */
 static bool parse_blob_part(struct parser *p, struct blob_builder *b)
 {
     struct token word = stream_next(p);
@@ -113,6 +158,7 @@ static bool parse_blob_body(struct parser *p, void *shape)
 {
     struct blob *blob = shape;
     struct blob_builder b = { .count = 0 };
+    *ARRAY_PUSH(p->scene_arena, &b.textures) = NULL;
     blob->threshold = 1;
     for (;;) {
         bool ok = true;
@@ -129,12 +175,40 @@ static bool parse_blob_body(struct parser *p, void *shape)
     }
     blob->parts =
         (struct terms){ (double *)(void *)b.items, b.count * BLOB_NUMBERS };
+    if (b.textures.count > 1) {
+        blob->textures = b.numbers.items;
+        blob->part_textures = b.textures.items;
+        blob->texture_count = b.textures.count;
+    }
     return b.count || error_at(p, stream_span(p), "sphere { 0, 1, 1 }",
                                "a blob needs at least one part");
+}
+
+/* The texture of the parts that have none, in the blob's own space. */
+static const struct texture *blob_own_texture(struct parser *p,
+                                              const struct object *object)
+{
+    affine inward;
+    if (!object->texture)
+        return texture_from_defaults(p);
+    if (!affine_inverse(*object->transform, &inward))
+        return object->texture;
+    affine moved = affine_compose(inward, *object->texture_transform);
+    return texture_moved(p->scene_arena, object->texture, &moved);
 }
 
 /* blob = "blob" "{" blob_body {modifier} "}" . */
 bool parse_blob(struct parser *p, struct object **out)
 {
-    return parse_shape(p, out, &blob_primitive, parse_blob_body);
+    if (!parse_shape(p, out, &blob_primitive, parse_blob_body))
+        return false;
+    struct object *object = *out;
+    const struct blob *blob = object->shape;
+    if (object->primitive != &blob_primitive || !blob->textures)
+        return true;
+    blob->part_textures[0] = blob_own_texture(p, object);
+    object->texture = texture_by_rule(p, pick_by_parts, blob,
+                                      blob->part_textures, blob->texture_count);
+    object->texture_transform = object->transform;
+    return object->texture != NULL;
 }

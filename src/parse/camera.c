@@ -1,6 +1,7 @@
 /* The camera. Its vectors may come in any order: all is worked out at the
  * end, transformations last (measured; tests/povray.md, section 5.8). */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 #define CAMERA(name, kind, member, low, high, help)                            \
     {                                                                          \
@@ -16,7 +17,7 @@ struct camera_draft {
 /* camera_value = "location" vector | "direction" vector | "right" vector
  *              | "up" vector | "sky" vector | "look_at" vector
  *              | "angle" float [[","] float] . */
-static const struct field camera_fields[] = {
+const struct field camera_fields[] = {
     CAMERA("location", FIELD_VECTOR, location, 0, 0, "where it is, 0"),
     CAMERA("direction", FIELD_VECTOR, direction, 0, 0,
            "to the picture's middle, z"),
@@ -28,62 +29,27 @@ static const struct field camera_fields[] = {
     { NULL },
 };
 
-static const struct unsupported_word camera_unsupported[] = {
-    { KEYWORD_MESH_CAMERA, "a 'mesh_camera'" },
-    { KEYWORD_NORMAL, "a camera's 'normal'" },
-    { KEYWORD_NONE, NULL },
-};
-
-static bool camera_cylinder(struct parser *p, struct camera *camera)
-{
-    int number;
-    struct span span = stream_span(p);
-    if (!parse_integer(p, &number))
-        return false;
-    if (number < 1 || number > 4)
-        return error_at(p, span, "1",
-                        "a 'cylinder' camera is of kind 1 to 4, found %d",
-                        number);
-    camera->kind = (enum camera_kind)(CAMERA_CYLINDER_1 + number - 1);
-    return true;
-}
-
-/* camera_kind = "perspective" | "orthographic" | "ultra_wide_angle"
- *             | "panoramic" | "fisheye" | "omnimax" | "spherical"
- *             | "cylinder" float . */
+/* camera_kind = mesh_camera | CAMERA_KIND .
+ * The last are in the tables of src/scene/camera/, "cylinder" with a number. */
 static bool parse_camera_kind(struct parser *p, struct camera *camera,
                               bool *found)
 {
-    static const struct {
-        enum keyword keyword;
-        enum camera_kind kind;
-    } kinds[] = {
-        { KEYWORD_PERSPECTIVE, CAMERA_PERSPECTIVE },
-        { KEYWORD_ORTHOGRAPHIC, CAMERA_ORTHOGRAPHIC },
-        { KEYWORD_ULTRA_WIDE_ANGLE, CAMERA_ULTRA_WIDE_ANGLE },
-        { KEYWORD_PANORAMIC, CAMERA_PANORAMIC },
-        { KEYWORD_FISHEYE, CAMERA_FISHEYE },
-        { KEYWORD_OMNIMAX, CAMERA_OMNIMAX },
-    };
-    *found = true;
-    if (accept_word(p, "cylinder"))
-        return camera_cylinder(p, camera);
-    if (accept_word(p, "spherical")) {
-        camera->kind = CAMERA_SPHERICAL;
+    const struct token *token = stream_peek(p);
+    const struct camera_kind *kind =
+        token->kind == TOKEN_WORD ? camera_kind_find(token->word->text) : NULL;
+    *found = kind;
+    if (!kind)
         return true;
-    }
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (accept_keyword(p, kinds[i].keyword)) {
-            camera->kind = kinds[i].kind;
-            return true;
-        }
-    *found = false;
-    return true;
+    camera->kind = kind;
+    if (stream_keyword(p) == KEYWORD_MESH_CAMERA)
+        return parse_mesh_camera(p, camera);
+    stream_next(p);
+    return !kind->arguments || parse_arguments(p, kind->arguments, camera);
 }
 
 enum { BLUR_SAMPLES_LIMIT = 100000 };
 
-static const struct field blur_fields[] = {
+const struct field blur_fields[] = {
     CAMERA("aperture", FIELD_FLOAT, aperture, 0, 0,
            "width of the lens: the wider, the more is blurred, 0"),
     CAMERA("focal_point", FIELD_VECTOR, focal_point, 0, 0,
@@ -138,7 +104,7 @@ static bool camera_check_angle(struct parser *p, const struct camera *camera,
 {
     if (camera->angle < 0)
         return error_at(p, span, NULL, "a viewing angle can't be negative");
-    if (camera->kind == CAMERA_PERSPECTIVE && camera->angle >= 180)
+    if (camera->kind == &perspective_camera && camera->angle >= 180)
         return error_at(p, span, NULL,
                         "a viewing angle must be smaller than 180 degrees");
     return true;
@@ -164,13 +130,16 @@ static bool camera_field(struct parser *p, const struct field *field,
     return camera_check_angle(p, &draft->camera, span_join(span, p->last_span));
 }
 
-/* camera_item = camera_value | camera_kind | focal_blur | transformation . */
+/* camera_item = camera_value | camera_kind | focal_blur | normal
+ *             | transformation . */
 static bool parse_camera_item(struct parser *p, struct camera_draft *draft)
 {
     bool found;
     const struct field *field = accept_field(p, camera_fields);
     if (field)
         return camera_field(p, field, draft);
+    if (stream_keyword(p) == KEYWORD_NORMAL)
+        return parse_normal(p, &draft->camera.normal);
     bool ok = parse_camera_kind(p, &draft->camera, &found);
     if (ok && !found)
         ok = parse_focal_blur(p, draft, &found);
@@ -178,13 +147,14 @@ static bool parse_camera_item(struct parser *p, struct camera_draft *draft)
         ok = parse_transformation(p, &draft->moved, &found);
     if (!ok || found)
         return ok;
-    return check_supported(p, camera_unsupported) &&
-           error_unknown_item(p, "camera", camera_fields);
+    return error_unknown_item(p, "camera", camera_fields);
 }
 
 static bool camera_end(struct parser *p, struct span span,
                        struct camera_draft *draft)
 {
+    draft->camera.pixels[0] = p->options->image_width;
+    draft->camera.pixels[1] = p->options->image_height;
     const char *problem = camera_finish(&draft->camera);
     if (problem)
         return error_at(p, span, NULL, "impossible camera: %s", problem);

@@ -37,6 +37,8 @@ static bool csg_add(struct parser *p, struct csg *csg, bool difference)
     struct object *child;
     if (!parse_object(p, &child))
         return false;
+    if (csg->object->kind == OBJECT_UNION)
+        child = object_seen(p, child);
     csg_check_solid(p, csg, child);
     if (difference && csg->children.count > 0)
         child->inverse = !child->inverse;

@@ -18,6 +18,11 @@ bool directive_is(enum keyword keyword)
     return directives[keyword] != NULL;
 }
 
+const char *directive_help(enum keyword keyword)
+{
+    return directives[keyword] ? directives[keyword]->help : NULL;
+}
+
 /* A directive in a block in a #declare in a block ... */
 static bool directive_start(struct parser *p, enum keyword keyword,
                             struct span at)

@@ -17,6 +17,9 @@ bool directive_run(struct parser *p);
 
 bool directive_is(enum keyword keyword);
 
+/* What it does, in a few words; NULL: there is no such directive. */
+const char *directive_help(enum keyword keyword);
+
 /* Runs this directive instead of what was written at `at` and is reported by
  * now; the cursor is behind it. What else is wrong with it is not told.
  * Returns false. */

@@ -21,10 +21,9 @@ static const char *file_search(struct parser *p, const char *name)
     for (size_t i = 0; name[0] != '/' && i < options->include_path_count; i++) {
         const char *path =
             arena_printf(p->arena, "%s/%s", options->include_paths[i], name);
-        if (file_exists(path)) {
-            file_list_add(options->asked, path);
+        file_list_add(options->asked, path);
+        if (file_exists(path))
             return path;
-        }
     }
     return NULL;
 }

@@ -1,6 +1,7 @@
 /* How a surface takes light. Numbers and names are POV-Ray's; the kd, ks and
  * Emiss of the light-mesh paper are diffuse, reflection and emission. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 #define FINISH(name, kind, member, low, high, help)                            \
     {                                                                          \
@@ -14,7 +15,7 @@
 /* finish_value = "ambient" colour | "emission" colour | "brilliance" float
  *              | "phong_size" float | "roughness" float | "crand" float
  *              | "conserve_energy" . */
-static const struct field finish_fields[] = {
+const struct field finish_fields[] = {
     FINISH("ambient", FIELD_RGB, ambient, 0, 0,
            "times ambient_light: light from everywhere, 0.1"),
     FINISH("emission", FIELD_RGB, emission, 0, 0,
@@ -39,10 +40,10 @@ static const struct field finish_names[] = {
     { .name = "diffuse" },    { .name = "phong" },
     { .name = "specular" },   { .name = "metallic" },
     { .name = "reflection" }, { .name = "conserve_energy" },
-    { .name = NULL },
+    { .name = "irid" },       { .name = NULL },
 };
 
-static const struct field reflection_fields[] = {
+const struct field reflection_fields[] = {
     REFLECTION("falloff", FIELD_FLOAT, falloff, 0, 0,
                "exponent of the change from minimum to maximum, 1"),
     REFLECTION("exponent", FIELD_FLOAT, exponent, 0, 0,
@@ -53,7 +54,6 @@ static const struct field reflection_fields[] = {
 };
 
 static const struct unsupported_word finish_unsupported[] = {
-    { KEYWORD_IRID, "'irid'" },
     { KEYWORD_SUBSURFACE, "'subsurface'" },
     { KEYWORD_NONE, NULL },
 };
@@ -165,6 +165,37 @@ static bool parse_metallic(struct parser *p, struct finish *finish)
     return !at_expression(p) || parse_float(p, &finish->metallic);
 }
 
+/* film_value = "thickness" float | "turbulence" float . */
+static const struct field film_fields[] = {
+    FINISH("thickness", FIELD_FLOAT, film.thickness, 0, 0,
+           "of the film, in the unit of irid_wavelength, 0"),
+    FINISH("turbulence", FIELD_FLOAT, film.turbulence, 0, 0,
+           "how much the thickness varies, 0"),
+    { NULL },
+};
+
+static bool film_items(struct parser *p, struct finish *finish)
+{
+    if (!parse_float(p, &finish->film.amount))
+        return false;
+    while (stream_peek(p)->kind != TOKEN_RBRACE) {
+        const struct field *field = accept_field(p, film_fields);
+        if (!field)
+            return error_unknown_item(p, "irid", film_fields);
+        if (!parse_field(p, field, finish))
+            return false;
+    }
+    return true;
+}
+
+/* film = "irid" "{" float {film_value} "}" . */
+static bool parse_film(struct parser *p, struct finish *finish)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, film_items(p, finish));
+}
+
 /* old_refraction = "ior" float | "refraction" float | "caustics" float .
  * Scenes older than version 3.1: the interior's business today. */
 static bool parse_old_refraction(struct parser *p, struct finish *finish)
@@ -185,7 +216,8 @@ static bool parse_old_refraction(struct parser *p, struct finish *finish)
 }
 
 /* finish_item = finish_value | diffuse | phong | specular | metallic
- *             | reflection | "reflection_exponent" float | old_refraction . */
+ *             | reflection | "reflection_exponent" float | film
+ *             | old_refraction . */
 static bool parse_finish_item(struct parser *p, struct finish *finish)
 {
     const struct field *field = accept_field(p, finish_fields);
@@ -202,6 +234,8 @@ static bool parse_finish_item(struct parser *p, struct finish *finish)
         return parse_metallic(p, finish);
     case KEYWORD_REFLECTION:
         return parse_reflection(p, finish);
+    case KEYWORD_IRID:
+        return parse_film(p, finish);
     case KEYWORD_REFLECTION_EXPONENT:
         stream_next(p);
         return parse_float(p, &finish->reflection.exponent);

@@ -72,12 +72,14 @@ static bool field_function(struct parser *p, struct function *function,
     return work_check(p, function->work, function->levels);
 }
 
-/* f_noise3d: the noise of bozo, by whatever noise_generator the scene says. */
+/* f_noise3d: by whatever noise_generator the scene says. */
 static bool noise_function(struct parser *p, struct function *function)
 {
-    struct pattern bozo = pattern_new(p->scene_arena, pattern_find("bozo"));
-    bozo.noise = &p->scene->noise;
-    return field_function(p, function, &bozo);
+    field_locals(p, function, 3);
+    field_step(p, function, STEP_FIELD)->field =
+        field_of_noise(p->scene_arena, &p->scene->noise);
+    function->work = 5;
+    return true;
 }
 
 /* pattern_body = "pattern" "{" pattern {pattern_item} "}" . */

@@ -10,12 +10,6 @@
 /* Of all heights of a function together. */
 enum { HEIGHT_STEPS = 1000000000 };
 
-static const struct unsupported_word height_unsupported[] = {
-    { KEYWORD_GIF, "a height_field from a GIF; made a PNG it would be read" },
-    { KEYWORD_POT, "a height_field from a POT file" },
-    { KEYWORD_NONE, NULL },
-};
-
 static double height_number(float value, double top)
 {
     return trunc((double)value * top + 0.5);
@@ -23,7 +17,8 @@ static double height_number(float value, double top)
 
 /* A grey byte is rounded down as the sum of its shares of red, green and blue
  * is in single precision, but neither are 16 bits nor bytes with alpha; colours
- * are two bytes, red and green; a palette has its entries' numbers. */
+ * of 8 bits are two bytes, red and green, those of 16 as bright; a palette has
+ * its entries' numbers. */
 static double height_of(const struct image *image, const float *pixel)
 {
     if (image->indexed)
@@ -37,6 +32,11 @@ static double height_of(const struct image *image, const float *pixel)
     if (image->channels == 1) {
         float grey = 0.297F * v + 0.589F * v + 0.114F * v;
         return trunc((double)(grey * 255.0F)) * 257;
+    }
+    if (image->bits > 8) {
+        double grey = 0.297 * (double)v + 0.589 * (double)(pixel[1] / alpha) +
+                      0.114 * (double)(pixel[2] / alpha);
+        return trunc(grey * 65535);
     }
     double red = height_number(v, 255);
     double green = height_number(pixel[1] / alpha, 255);
@@ -78,12 +78,14 @@ struct height_picture {
     struct parser *p;
     struct span span; /* its name */
     struct height_grid *grid;
+    bool pot; /* Fractint's: bytes in a GIF, to the right of the higher ones */
 };
 
 static bool picture_begin(void *context, const struct image *image)
 {
     const struct height_picture *picture = context;
-    return height_room(picture->p, picture->span, picture->grid, image->width,
+    int width = picture->pot ? image->width / 2 : image->width;
+    return height_room(picture->p, picture->span, picture->grid, width,
                        image->height);
 }
 
@@ -91,10 +93,14 @@ static void picture_take(void *context, const struct image *image, int y,
                          const float *pixels)
 {
     const struct height_picture *picture = context;
-    size_t width = (size_t)image->width;
+    size_t width = (size_t)picture->grid->width;
     uint16_t *row = picture->grid->heights + (size_t)y * width;
-    for (size_t i = 0; i < width; i++)
-        row[i] = (uint16_t)height_of(image, pixels + 4 * i);
+    for (size_t i = 0; i < width; i++) {
+        double height = height_of(image, pixels + 4 * i);
+        if (picture->pot)
+            height += height_of(image, pixels + 4 * (width + i)) / 256;
+        row[i] = (uint16_t)height;
+    }
 }
 
 /* Two bytes as POV-Ray makes them: rounded down, and without what is beyond
@@ -160,7 +166,20 @@ static bool height_function(struct parser *p, struct height_grid *grid)
            height_sample(p, span, function, grid);
 }
 
-/* heights = [image_type] string | function_image . */
+static bool skip_decoding(struct parser *p)
+{
+    double gamma;
+    bool premultiplied;
+    if (accept_keyword(p, KEYWORD_GAMMA) && !accept_keyword(p, KEYWORD_SRGB) &&
+        !parse_float(p, &gamma))
+        return false;
+    return !accept_keyword(p, KEYWORD_PREMULTIPLIED) ||
+           parse_bool(p, &premultiplied);
+}
+
+/* premultiplied and gamma have no effect: a height is a number of the file.
+ * heights = [image_type | "pot"] string ["gamma" ( "srgb" | float )]
+ *           ["premultiplied" [bool]] | function_image . */
 static bool parse_heights(struct parser *p, void *shape)
 {
     struct height_field *field = shape;
@@ -168,7 +187,9 @@ static bool parse_heights(struct parser *p, void *shape)
     char problem[256] = "";
     if (stream_keyword(p) == KEYWORD_FUNCTION)
         return height_function(p, &field->grid);
-    if (!check_supported(p, height_unsupported) || !parse_image_type(p, &type))
+    bool pot = accept_keyword(p, KEYWORD_POT);
+    type = pot ? "pot" : NULL;
+    if (!pot && !parse_image_type(p, &type))
         return false;
     struct span span = stream_span(p);
     if (!parse_string(p, &name))
@@ -176,9 +197,9 @@ static bool parse_heights(struct parser *p, void *shape)
     span = span_join(span, p->last_span);
     const char *path =
         file_checked(p, span, "image", name, image_file(p, name, type));
-    if (!path)
+    if (!path || !skip_decoding(p))
         return false;
-    struct height_picture picture = { p, span, &field->grid };
+    struct height_picture picture = { p, span, &field->grid, pot };
     struct image_rows rows = { picture_begin, picture_take, &picture };
     return image_read_rows(path, &rows, problem, sizeof problem) ||
            (*problem && error_at(p, span, NULL, "can't read the image '%s': %s",

@@ -1,6 +1,7 @@
 /* Images as pigments: the file is read at once and brought into the scene's
  * working space, so that a missing one is reported where it is named. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 #include "base/text.h"
 
@@ -29,29 +30,24 @@ struct image_request {
     struct image_map *map;
 };
 
-static const struct field image_fields[] = {
+const struct field image_fields[] = {
     { .name = "map_type" },      { .name = "once" },
     { .name = "interpolate" },   { .name = "filter" },
     { .name = "transmit" },      { .name = "gamma" },
     { .name = "premultiplied" }, { .name = NULL },
 };
 
-static const struct field image_pattern_fields[] = {
+const struct field image_pattern_fields[] = {
     { .name = "map_type" },      { .name = "once" },
     { .name = "interpolate" },   { .name = "gamma" },
     { .name = "premultiplied" }, { .name = "use_colour" },
     { .name = "use_alpha" },     { .name = NULL },
 };
 
-static const struct field bump_fields[] = {
+const struct field bump_fields[] = {
     { .name = "bump_size" }, { .name = "use_colour" },  { .name = "use_index" },
     { .name = "map_type" },  { .name = "interpolate" }, { .name = "once" },
     { .name = NULL },
-};
-
-static const struct unsupported_word image_unsupported[] = {
-    { KEYWORD_USE_INDEX, "'use_index'" },
-    { KEYWORD_NONE, NULL },
 };
 
 /* How a file's numbers become the scene's (measured; tests/povray.md, section
@@ -242,15 +238,16 @@ static const struct image_ending {
     { "jpeg", ".JPEG" }, { "tiff", ".tif" },  { "tiff", ".TIF" },
     { "tiff", ".tiff" }, { "tiff", ".TIFF" }, { "exr", ".exr" },
     { "exr", ".EXR" },   { "hdr", ".hdr" },   { "hdr", ".HDR" },
-    { "bmp", ".bmp" },   { "bmp", ".BMP" },
+    { "bmp", ".bmp" },   { "bmp", ".BMP" },   { "pot", ".pot" },
+    { "pot", ".POT" },
 };
 
 const char *image_file(struct parser *p, const char *name, const char *type)
 {
     const char *path = file_locate(p, name, NULL);
     size_t count = sizeof image_endings / sizeof *image_endings;
-    for (size_t i = 0; !path && type && i < count; i++)
-        if (strcmp(image_endings[i].type, type) == 0)
+    for (size_t i = 0; !path && i < count; i++)
+        if (!type || strcmp(image_endings[i].type, type) == 0)
             path = file_locate(p, name, image_endings[i].ending);
     return path;
 }
@@ -420,10 +417,14 @@ static bool parse_image_item(struct parser *p, struct image_request *request)
             return parse_pattern_item_of_image(p, request->map);
         if (request->bump_size)
             return parse_bump_item(p, request);
+        if (stream_keyword(p) == KEYWORD_USE_INDEX ||
+            stream_keyword(p) == KEYWORD_USE_COLOUR) {
+            stream_next(p); /* without effect, as in POV-Ray */
+            return true;
+        }
         /* fallthrough */
     default:
-        return check_supported(p, image_unsupported) &&
-               image_unknown(p, request);
+        return image_unknown(p, request);
     }
 }
 
@@ -448,8 +449,7 @@ static bool parse_image_source(struct parser *p, struct image_request *request)
 
 static bool image_items(struct parser *p, struct image_request *request)
 {
-    if (!check_supported(p, image_unsupported) ||
-        !parse_image_source(p, request))
+    if (!parse_image_source(p, request))
         return false;
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         accept(p, TOKEN_COMMA);
@@ -457,6 +457,25 @@ static bool image_items(struct parser *p, struct image_request *request)
             return false;
     }
     return request->map->image || image_open(p, request);
+}
+
+bool parse_material_image(struct parser *p, const struct image_map **out)
+{
+    struct image_map *map = ARENA_NEW(p->scene_arena, struct image_map);
+    struct image_request request = {
+        .gamma = -1, .map = map, .pattern = true, .numbers = true
+    };
+    *out = map;
+    if (!parse_image_source(p, &request))
+        return false;
+    for (;;) {
+        accept(p, TOKEN_COMMA);
+        if (at_body_end(p) || stream_keyword(p) == KEYWORD_TEXTURE)
+            break;
+        if (!parse_image_item(p, &request))
+            return false;
+    }
+    return request.map->image || image_open(p, &request);
 }
 
 /* image_map = "image_map" "{" image_source {[","] image_item} "}" . */

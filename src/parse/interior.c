@@ -1,5 +1,6 @@
 /* Interiors: how light is bent and dimmed inside a solid. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 #define INTERIOR(name, kind, member, low, high, help)                          \
     {                                                                          \
@@ -7,8 +8,9 @@
     }
 
 /* interior_value = "ior" float | "fade_distance" float | "fade_power" float
- *                | "fade_colour" colour | "caustics" float . */
-static const struct field interior_fields[] = {
+ *                | "fade_colour" colour | "caustics" float
+ *                | "dispersion" float | "dispersion_samples" float . */
+const struct field interior_fields[] = {
     INTERIOR("ior", FIELD_FLOAT, ior, 0, 0, "index of refraction, 1"),
     INTERIOR("fade_distance", FIELD_FLOAT, fade_distance, 0, 0,
              "the way after which half the light is left, 0: never"),
@@ -18,28 +20,20 @@ static const struct field interior_fields[] = {
              "what is left after a long way, black"),
     INTERIOR("caustics", FIELD_FLOAT, caustics, 0, HUGE_VAL,
              "sharpness of the light that is pretended to gather, 0: none"),
+    INTERIOR("dispersion", FIELD_FLOAT, dispersion, 0.01, 100,
+             "ior of violet light over that of red, 1"),
+    INTERIOR("dispersion_samples", FIELD_INTEGER, dispersion_samples, 2, 1000,
+             "colours that light is divided into, 7"),
     { NULL },
 };
 
-/* old_interior_value = "dispersion" float | "dispersion_samples" float
- *                    | "refraction" float .
- * Fine as long as they change nothing. */
+/* old_interior_value = "refraction" float .
+ * Changes nothing. */
 static bool parse_old_interior_value(struct parser *p, bool *found)
 {
-    enum keyword keyword = stream_keyword(p);
-    struct span span = stream_span(p);
-    double value;
-    *found = keyword == KEYWORD_DISPERSION ||
-             keyword == KEYWORD_DISPERSION_SAMPLES ||
-             keyword == KEYWORD_REFRACTION;
-    if (!*found)
-        return true;
-    stream_next(p);
-    if (!parse_float(p, &value))
-        return false;
-    if (keyword == KEYWORD_DISPERSION && value != 1)
-        return error_unsupported(p, span, "'dispersion'");
-    return true;
+    double ignored;
+    *found = accept_keyword(p, KEYWORD_REFRACTION);
+    return !*found || parse_float(p, &ignored);
 }
 
 /* interior_item = interior_value | media | old_interior_value . */

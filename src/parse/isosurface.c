@@ -6,38 +6,6 @@
 #include "scene/function.h"
 #include "scene/samples.h"
 
-static bool container_items(struct parser *p, struct isosurface *surface,
-                            bool ball)
-{
-    if (!parse_vector(p, ball ? &surface->centre : &surface->low))
-        return false;
-    accept(p, TOKEN_COMMA);
-    surface->ball = ball;
-    return ball ? parse_float(p, &surface->radius)
-                : parse_vector(p, &surface->high);
-}
-
-static bool container_body(struct parser *p, struct isosurface *surface)
-{
-    struct span open;
-    bool ball = at_word(p, "sphere");
-    if (!ball && !at_word(p, "box"))
-        return error_expected(p, "'box' or 'sphere'");
-    stream_next(p);
-    return block_begin(p, &open) &&
-           block_end(p, open, container_items(p, surface, ball));
-}
-
-/* contained_by = "contained_by" "{" ( "box" "{" vector [","] vector "}"
- *              | "sphere" "{" vector [","] float "}" ) "}" . */
-static bool parse_contained_by(struct parser *p, struct isosurface *surface)
-{
-    struct span open;
-    stream_next(p);
-    return block_begin(p, &open) &&
-           block_end(p, open, container_body(p, surface));
-}
-
 /* evaluation = "evaluate" float [","] float [","] float .
  * POV-Ray's guess of the gradient begins with the first. */
 static bool parse_evaluation(struct parser *p, struct isosurface *surface)
@@ -63,7 +31,7 @@ static bool parse_isosurface_item(struct parser *p, struct isosurface *surface,
     *found = true;
     switch (stream_keyword(p)) {
     case KEYWORD_CONTAINED_BY:
-        return parse_contained_by(p, surface);
+        return parse_contained_by(p, &surface->container);
     case KEYWORD_EVALUATE:
         return parse_evaluation(p, surface);
     case KEYWORD_MAX_TRACE:

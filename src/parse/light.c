@@ -1,5 +1,6 @@
 /* Light sources. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 /* The samples of an area light are all asked for every point of a surface. */
 enum { AREA_SIZE_LIMIT = 1000 };
@@ -13,7 +14,7 @@ enum { AREA_SIZE_LIMIT = 1000 };
  *             | "adaptive" float | "circular" | "orient" | "jitter"
  *             | "area_illumination" [bool] | "parallel"
  *             | "media_attenuation" [bool] . */
-static const struct field light_fields[] = {
+const struct field lamp_fields[] = {
     LIGHT("shadowless", FIELD_FLAG, shadowless, 0, 0,
           "no shadows and no highlights"),
     LIGHT("fade_distance", FIELD_FLOAT, fade_distance, 0, 0,
@@ -38,7 +39,7 @@ static const struct field light_fields[] = {
 
 /* directed_value = "point_at" vector | "radius" float | "falloff" float
  *                | "tightness" float . */
-static const struct field directed_fields[] = {
+const struct field directed_fields[] = {
     LIGHT("point_at", FIELD_VECTOR, point_at, 0, 0, "where it shines, z"),
     LIGHT("radius", FIELD_FLOAT, radius, 0, 0,
           "full brightness inside: 30 degrees, or a cylinder's 0.75"),
@@ -58,14 +59,10 @@ static const struct field light_names[] = {
     { .name = "circular" },   { .name = "orient" },
     { .name = "shadowless" }, { .name = "fade_distance" },
     { .name = "fade_power" }, { .name = "looks_like" },
+    { .name = "photons" },    { .name = "projected_through" },
     { .name = "translate" },  { .name = "rotate" },
     { .name = "scale" },      { .name = "colour" },
     { .name = NULL },
-};
-
-static const struct unsupported_word light_unsupported[] = {
-    { KEYWORD_PROJECTED_THROUGH, "'projected_through'" },
-    { KEYWORD_NONE, NULL },
 };
 
 /* light_kind = "spotlight" | "cylinder" . */
@@ -137,6 +134,33 @@ static bool parse_looks_like(struct parser *p, struct object *owner,
     return object_adopt(p, owner, *looks);
 }
 
+static bool window_body(struct parser *p, struct object **out)
+{
+    if (!parse_object(p, out))
+        return false;
+    struct modifiers m = { .object = *out, .block = "projected_through" };
+    return parse_modifiers(p, &m);
+}
+
+/* projected_through = "projected_through" "{" object {modifier} "}" .
+ * The object is written where it is. */
+static bool parse_projected_through(struct parser *p, struct object *owner,
+                                    struct light *light)
+{
+    struct object *window;
+    struct span open, span = stream_span(p);
+    if (light->window)
+        return error_at(p, span, "union",
+                        "a light has only one projected_through");
+    stream_next(p);
+    if (!block_begin(p, &open) || !block_end(p, open, window_body(p, &window)))
+        return false;
+    object_link(p, window);
+    light->window = window;
+    p->scene->windows = true;
+    return object_adopt(p, owner, window);
+}
+
 /* media_interaction = "media_interaction" [bool] . */
 static bool parse_media_interaction(struct parser *p, struct light *light)
 {
@@ -145,21 +169,6 @@ static bool parse_media_interaction(struct parser *p, struct light *light)
     bool ok = parse_bool(p, &on);
     light->no_media = !on;
     return ok;
-}
-
-/* light_without_effect = "photons" "{" {name [float]} "}" . */
-static bool parse_light_without_effect(struct parser *p, bool *found)
-{
-    struct span open;
-    *found = true;
-    switch (stream_keyword(p)) {
-    case KEYWORD_PHOTONS:
-        stream_next(p);
-        return block_begin(p, &open) && block_end(p, open, skip_block(p));
-    default:
-        *found = false;
-        return true;
-    }
 }
 
 static bool light_move(struct parser *p, struct light *light,
@@ -174,6 +183,11 @@ static bool light_move(struct parser *p, struct light *light,
     if (looks)
         object_move(p->scene_arena, looks, &step);
     light->looks_like = looks;
+    if (light->window) {
+        struct object *window = object_copy(p->scene_arena, light->window);
+        object_move(p->scene_arena, window, &step);
+        light->window = window;
+    }
     return true;
 }
 
@@ -192,13 +206,13 @@ static bool light_check_directed(struct parser *p, const struct light *light)
 }
 
 /* light_item = light_value | directed_value | light_kind | area_light
- *            | looks_like | media_interaction | light_without_effect
- *            | transformation . */
+ *            | looks_like | projected_through | media_interaction
+ *            | photon_flags | transformation . */
 static bool parse_light_item(struct parser *p, struct object *object,
                              struct light *light, struct object **looks)
 {
     bool found;
-    const struct field *field = accept_field(p, light_fields);
+    const struct field *field = accept_field(p, lamp_fields);
     if (field)
         return parse_field(p, field, light);
     if (!light_check_directed(p, light))
@@ -210,17 +224,18 @@ static bool parse_light_item(struct parser *p, struct object *object,
         return parse_area_light(p, light);
     if (stream_keyword(p) == KEYWORD_LOOKS_LIKE)
         return parse_looks_like(p, object, light, looks);
+    if (stream_keyword(p) == KEYWORD_PROJECTED_THROUGH)
+        return parse_projected_through(p, object, light);
     if (stream_keyword(p) == KEYWORD_MEDIA_INTERACTION)
         return parse_media_interaction(p, light);
+    if (stream_keyword(p) == KEYWORD_PHOTONS)
+        return parse_photon_flags(p, &light->photons);
     bool ok = parse_light_kind(p, light, &found);
     if (ok && !found)
         ok = light_move(p, light, *looks, &found);
-    if (ok && !found)
-        ok = parse_light_without_effect(p, &found);
     if (!ok || found)
         return ok;
-    return check_supported(p, light_unsupported) &&
-           error_unknown_item(p, "light_source", light_names);
+    return error_unknown_item(p, "light_source", light_names);
 }
 
 /* None is black, as in POV-Ray. */

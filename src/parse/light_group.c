@@ -69,3 +69,14 @@ bool parse_light_group(struct parser *p, const struct object **out)
     return block_begin(p, &open) &&
            block_end(p, open, light_group_items(p, group));
 }
+
+/* In a union, whose parts keep their group. */
+bool parse_light_group_part(struct parser *p, struct object **out)
+{
+    const struct object *group;
+    if (!parse_light_group(p, &group))
+        return false;
+    *out = object_copy(p->scene_arena, group);
+    (*out)->light_group = ++p->scene->light_groups;
+    return true;
+}

@@ -1,6 +1,7 @@
 /* Settings of glim's own lighting methods, in global_settings; POV-Ray does not
  * know them: they stand between #ifdef (Glim) and #end. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 enum { REGION_LIMIT = 1000 };
 
@@ -148,6 +149,25 @@ bool parse_skeleton(struct parser *p)
 
 /* ---- radiosity ---- */
 
+#define RADIOSITY(name, kind, member, low, high, help)                         \
+    {                                                                          \
+        name, kind, offsetof(struct radiosity_settings, member), low, high,    \
+            help                                                               \
+    }
+
+/* radiosity_number = "brightness" float | "gray_threshold" float
+ *                  | "recursion_limit" float | "normal" [bool] . */
+const struct field radiosity_used[] = {
+    RADIOSITY("brightness", FIELD_FLOAT, tone.brightness, 0, 1e6,
+              "multiplies the light of surfaces at each bounce, 1"),
+    RADIOSITY("gray_threshold", FIELD_FLOAT, tone.grey, 0, 1,
+              "how much colour it loses, 0"),
+    RADIOSITY("recursion_limit", FIELD_INTEGER, recursion_limit, 1, 20,
+              "bounces, 2"),
+    RADIOSITY("normal", FIELD_BOOL, normal, 0, 0, "bumps count"),
+    { NULL },
+};
+
 static const struct field radiosity_fields[] = {
     { .name = "adc_bailout" },      { .name = "always_sample" },
     { .name = "brightness" },       { .name = "count" },
@@ -171,11 +191,15 @@ static bool skip_radiosity_file(struct parser *p)
     return parse_string(p, &ignored);
 }
 
-/* radiosity_value = ("load_file" | "save_file") string
+/* radiosity_value = ("load_file" | "save_file") string | radiosity_number
  *                 | name [bool | float [[","] float]] . */
-static bool parse_radiosity_value(struct parser *p)
+static bool parse_radiosity_value(struct parser *p, bool *used)
 {
     struct value ignored;
+    const struct field *field = accept_field(p, radiosity_used);
+    *used = field;
+    if (field)
+        return parse_field(p, field, &p->scene->settings.radiosity_said);
     if (at_word(p, "load_file") || at_word(p, "save_file"))
         return skip_radiosity_file(p);
     if (!accept_field(p, radiosity_fields))
@@ -190,25 +214,27 @@ static bool parse_radiosity_value(struct parser *p)
 
 /* radiosity = "radiosity" "{" {radiosity_value} "}" .
  * Asks for interreflection, which there is unless 'indirect off' is said,
- * before or after; how POV-Ray is to find it means nothing here. */
+ * before or after. What says how bright it is counts for --lighting rays; how
+ * POV-Ray is to find it means nothing here. */
 bool parse_radiosity(struct parser *p)
 {
     struct span open, first = span_none(), span = stream_span(p);
-    bool ok = true;
+    bool ok = true, used;
     stream_next(p);
     if (!block_begin(p, &open))
         return false;
     while (ok && stream_peek(p)->kind != TOKEN_RBRACE) {
-        if (!first.source)
-            first = stream_span(p);
-        ok = parse_radiosity_value(p);
+        struct span value = stream_span(p);
+        ok = parse_radiosity_value(p, &used);
+        if (!first.source && !used)
+            first = value;
     }
     if (!block_end(p, open, ok))
         return false;
     if (first.source && !p->scene->settings.radiosity)
         warning_at(p, span, "light_mesh { indirect { samples 200 bounces 3 } }",
-                   "glim does not use the values in 'radiosity'; its own are "
-                   "said like this");
+                   "how POV-Ray is to find the light of surfaces means nothing "
+                   "here; how glim is to, is said like this");
     p->scene->settings.radiosity = true;
     return true;
 }

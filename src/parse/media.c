@@ -1,5 +1,6 @@
 /* Media: matter that emits, swallows or scatters light, and its densities. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 #include "scene/medium.h"
 
 enum { MEDIUM_SAMPLES_LIMIT = 10000, MEDIUM_INTERVALS_LIMIT = 10000 };
@@ -13,7 +14,7 @@ enum { MEDIUM_SAMPLES_LIMIT = 10000, MEDIUM_INTERVALS_LIMIT = 10000 };
  *              | "intervals" float | "ratio" float | "confidence" float
  *              | "variance" float | "aa_level" float | "aa_threshold" float
  *              | "jitter" float . */
-static const struct field medium_fields[] = {
+const struct field medium_fields[] = {
     MEDIUM("absorption", FIELD_RGB, absorption, 0, 0,
            "what a unit of length swallows of light, 0"),
     MEDIUM("emission", FIELD_RGB, emission, 0, 0,
@@ -48,7 +49,7 @@ static const struct field medium_names[] = {
     { .name = "jitter" },     { .name = NULL },
 };
 
-static const struct field scattering_fields[] = {
+const struct field scattering_fields[] = {
     MEDIUM("eccentricity", FIELD_FLOAT, eccentricity, -0.999999, 0.999999,
            "of type 5: 1 forwards, -1 backwards, 0"),
     MEDIUM("extinction", FIELD_FLOAT, extinction, 0, 1e9,

@@ -101,13 +101,65 @@ static bool mesh_read_uv(struct parser *p, struct mesh_builder *b)
     return true;
 }
 
-/* mesh_triangle_item = texture
+uint32_t mesh_corner_textures(struct parser *p, struct mesh_builder *b,
+                              const struct texture *const corners[3])
+{
+    size_t count = b->textures.count;
+    if (corners[0] == corners[1] && corners[0] == corners[2])
+        return mesh_texture_index(p, b, corners[0]);
+    for (size_t i = count; i-- > 0 && i + MESH_TEXTURE_SEARCH >= count;) {
+        const struct texture_choice *choice = b->textures.items[i]->choice;
+        if (choice && choice->rule == pick_by_corners &&
+            choice->entries[0].texture == corners[0] &&
+            choice->entries[1].texture == corners[1] &&
+            choice->entries[2].texture == corners[2])
+            return (uint32_t)i;
+    }
+    const struct texture *all =
+        texture_by_rule(p, pick_by_corners, NULL, corners, 3);
+    return all ? mesh_texture_index(p, b, all) : MESH_NONE;
+}
+
+/* corner_texture = texture | TEXTURE . */
+static bool parse_corner_texture(struct parser *p, const struct texture **out)
+{
+    const struct value *value = accept_value(p, VALUE_TEXTURE);
+    if (value)
+        *out = value->texture;
+    else if (stream_keyword(p) != KEYWORD_TEXTURE)
+        return error_expected(p, "a texture for each corner");
+    return (value || parse_texture(p, out)) && (accept(p, TOKEN_COMMA), true);
+}
+
+/* corner_textures = "texture_list"
+ *                   "{" corner_texture [","] corner_texture [","]
+ *                   corner_texture [","] "}" . */
+static bool parse_corner_textures(struct parser *p, struct mesh_builder *b)
+{
+    const struct texture *corners[3];
+    struct span open;
+    stream_next(p);
+    if (!block_begin(p, &open))
+        return false;
+    bool ok = true;
+    for (int i = 0; i < 3 && ok; i++)
+        ok = parse_corner_texture(p, &corners[i]);
+    if (!block_end(p, open, ok))
+        return false;
+    uint32_t index = mesh_corner_textures(p, b, corners);
+    b->triangles.items[b->triangles.count - 1].texture = index;
+    return index != MESH_NONE;
+}
+
+/* mesh_triangle_item = texture | corner_textures
  *                    | "uv_vectors" vector [","] vector [","] vector . */
 static bool parse_mesh_triangle_item(struct parser *p, struct mesh_builder *b)
 {
     const struct texture *texture;
     if (stream_keyword(p) == KEYWORD_UV_VECTORS)
         return mesh_read_uv(p, b);
+    if (stream_keyword(p) == KEYWORD_TEXTURE_LIST)
+        return parse_corner_textures(p, b);
     if (stream_keyword(p) != KEYWORD_TEXTURE)
         return error_unknown_item(p, "triangle", NULL);
     if (!parse_texture(p, &texture))

@@ -9,6 +9,7 @@
 struct mesh2 {
     struct mesh *mesh;
     struct mesh_builder lists;
+    size_t list_textures;            /* of the texture_list */
     size_t normal_faces;             /* normal_indices read */
     const struct number_list *plain; /* the list being read, if cut as one */
     size_t plain_next;
@@ -159,6 +160,7 @@ static bool parse_texture_list(struct parser *p, struct mesh2 *m)
             return false;
         accept(p, TOKEN_COMMA);
     }
+    m->list_textures = m->lists.textures.count;
     return true;
 }
 
@@ -187,28 +189,31 @@ static bool list_indices(struct parser *p, struct mesh2 *m, uint32_t *out,
 
 /* face_textures = float [[","] float [","] float] .
  * One texture for the face, or one for each corner. */
-static bool parse_face_textures(struct parser *p, const struct mesh2 *m,
+static bool parse_face_textures(struct parser *p, struct mesh2 *m,
                                 uint32_t *out)
 {
-    double first = 0;
-    struct span span = stream_span(p);
-    for (int i = 0; i < 3 && (i == 0 || at_number(p)); i++) {
+    const struct texture *corners[3];
+    int count = 0;
+    while (count < 3 && (count == 0 || at_number(p))) {
         double index;
+        struct span span = stream_span(p);
         if (!parse_float(p, &index))
             return false;
         accept(p, TOKEN_COMMA);
-        if (i > 0 && index != first)
-            return error_unsupported(p, span,
-                                     "a different texture for each corner");
-        first = index;
+        if (!(index >= 0 && index < (double)m->list_textures))
+            return error_at(p, span, NULL,
+                            "this names number %s of the texture_list, which "
+                            "has %zu",
+                            NUMBER_TEXT(index), m->list_textures);
+        corners[count++] = m->lists.textures.items[(size_t)index];
+        *out = (uint32_t)index;
     }
-    if (!(first >= 0 && first < (double)m->lists.textures.count))
-        return error_at(p, span, NULL,
-                        "this names number %s of the texture_list, which has "
-                        "%zu",
-                        NUMBER_TEXT(first), m->lists.textures.count);
-    *out = (uint32_t)first;
-    return true;
+    if (count == 1 || (corners[0] == corners[1] && count == 2))
+        return true;
+    if (count == 2)
+        corners[2] = corners[1];
+    *out = mesh_corner_textures(p, &m->lists, corners);
+    return *out != MESH_NONE;
 }
 
 /* face_indices = "face_indices"

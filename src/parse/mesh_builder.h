@@ -41,6 +41,11 @@ void mesh_take(struct parser *p, struct mesh *mesh,
 void mesh_add_uv_face(struct parser *p, struct mesh_builder *b,
                       const uint32_t corners[3]);
 
+/* The number of the texture that blends one for each corner, or MESH_NONE after
+ * an error. */
+uint32_t mesh_corner_textures(struct parser *p, struct mesh_builder *b,
+                              const struct texture *const corners[3]);
+
 /* After the modifiers: prepares the mesh and warns of what was left out. */
 void mesh_end(struct parser *p, struct object *object, struct mesh *mesh);
 

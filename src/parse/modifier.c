@@ -3,11 +3,6 @@
 #include "parse/expression.h"
 #include "parse/rules.h"
 
-static const struct unsupported_word modifier_unsupported[] = {
-    { KEYWORD_CUTAWAY_TEXTURES, "'cutaway_textures'" },
-    { KEYWORD_NONE, NULL },
-};
-
 static const struct field modifier_names[] = {
     { .name = "translate" },
     { .name = "rotate" },
@@ -245,7 +240,6 @@ static bool modifier_skip_block(struct parser *p)
 
 /* modifier_without_effect = "sturm" [bool] | "hierarchy" [bool]
  *                         | "split_union" [bool] | "no_radiosity"
- *                         | "photons" "{" {name [float]} "}"
  *                         | "radiosity" "{" {name [float]} "}"
  *                         | colour .
  * The picture is the same without them. */
@@ -263,7 +257,6 @@ static bool parse_modifier_without_effect(struct parser *p, bool *found)
     case KEYWORD_NO_RADIOSITY:
         stream_next(p);
         return true;
-    case KEYWORD_PHOTONS:
     case KEYWORD_RADIOSITY:
         return modifier_skip_block(p);
     default:
@@ -297,8 +290,6 @@ static bool modifier_transformation(struct parser *p, struct modifiers *m,
 
 static bool modifier_unknown(struct parser *p, const struct modifiers *m)
 {
-    if (!check_supported(p, modifier_unsupported))
-        return false;
     if (m->object->kind != OBJECT_SHAPE && at_object(p)) {
         error_at(p, stream_span(p), NULL,
                  "the objects of '%s' come before its modifiers", m->block);
@@ -313,9 +304,19 @@ static bool modifier_unknown(struct parser *p, const struct modifiers *m)
     return error_unknown_item(p, m->block, modifier_names);
 }
 
+/* What is said twice is said together. */
+static bool modifier_photons(struct parser *p, struct object *object)
+{
+    struct photon_flags *flags = ARENA_NEW(p->scene_arena, struct photon_flags);
+    *flags = object->photons ? *object->photons : photon_flags_default;
+    object->photons = flags;
+    return parse_photon_flags(p, flags);
+}
+
 /* modifier = transformation | covering | clipped_by | bounded_by | flag
- *          | PRIMITIVE_ITEM | modifier_without_effect .
- * PRIMITIVE_ITEM is what the primitive's table has, like "open". */
+ *          | "cutaway_textures" | PRIMITIVE_ITEM | photon_flags |
+ * modifier_without_effect . PRIMITIVE_ITEM is what the primitive's table has,
+ * like "open". */
 static bool parse_modifier(struct parser *p, struct modifiers *m)
 {
     bool found;
@@ -335,6 +336,10 @@ static bool parse_modifier(struct parser *p, struct modifiers *m)
         return parse_clipped_by(p, m);
     if (stream_keyword(p) == KEYWORD_BOUNDED_BY)
         return parse_bounded_by(p, m);
+    if (stream_keyword(p) == KEYWORD_PHOTONS)
+        return modifier_photons(p, m->object);
+    if (accept_keyword(p, KEYWORD_CUTAWAY_TEXTURES))
+        return m->cutaway = true;
     ok = parse_modifier_without_effect(p, &found);
     if (!ok || found)
         return ok;
@@ -365,7 +370,7 @@ bool parse_modifiers(struct parser *p, struct modifiers *m)
         if (!parse_modifier(p, m))
             return false;
     object_old_ior(p, m->object);
-    return true;
+    return !m->cutaway || cutaway_textures(p, m->object);
 }
 
 void object_link(struct parser *p, struct object *object)

@@ -1,13 +1,9 @@
 /* Normals: patterns that bend a surface's shading normal. */
 #include "parse/rules.h"
-
-static const struct unsupported_word normal_unsupported[] = {
-    { KEYWORD_NO_BUMP_SCALE, "'no_bump_scale'" },
-    { KEYWORD_NONE, NULL },
-};
+#include "parse/tables.h"
 
 /* normal_field = "bump_size" float | "accuracy" float . */
-static const struct field normal_fields[] = {
+const struct field normal_fields[] = {
     { "bump_size", FIELD_FLOAT, offsetof(struct normal, amount), 0, 0,
       "how strong, 0.5" },
     { "accuracy", FIELD_FLOAT, offsetof(struct normal, accuracy), 0, 0,
@@ -58,7 +54,8 @@ static bool normal_can_map(struct parser *p, const struct normal *normal)
     return true;
 }
 
-/* normal_item = normal_field | normal_map | slope_map | pattern_item . */
+/* normal_item = normal_field | normal_map | slope_map | "no_bump_scale"
+ *             | pattern_item . */
 static bool parse_normal_item(struct parser *p, struct normal *normal,
                               bool *found)
 {
@@ -70,11 +67,13 @@ static bool parse_normal_item(struct parser *p, struct normal *normal,
     case KEYWORD_NORMAL_MAP:
         return normal_can_map(p, normal) &&
                parse_normal_map(p, normal_is_average(normal), &normal->map);
+    case KEYWORD_NO_BUMP_SCALE:
+        stream_next(p);
+        return normal->level = true;
     case KEYWORD_SLOPE_MAP:
         return normal_can_map(p, normal) && parse_slope_map(p, &normal->slopes);
     default:
-        return check_supported(p, normal_unsupported) &&
-               parse_pattern_item(p, &normal->pattern, found);
+        return parse_pattern_item(p, &normal->pattern, found);
     }
 }
 
@@ -112,8 +111,7 @@ bool parse_normal_body(struct parser *p, const struct normal **in)
         };
     *in = normal;
     normal->pattern.uv |= mapped;
-    if (!check_supported(p, normal_unsupported) ||
-        !parse_normal_start(p, normal, &found) || !normal_items(p, normal))
+    if (!parse_normal_start(p, normal, &found) || !normal_items(p, normal))
         return false;
     return !normal_is_average(normal) || normal->map ||
            error_at(p, stream_span(p), "normal_map { [1 bumps 0.5] }",

@@ -3,13 +3,6 @@
 
 #include "parse/array.h"
 
-static const struct unsupported_word object_unsupported[] = {
-    { KEYWORD_JULIA_FRACTAL, "'julia_fractal'" },
-    { KEYWORD_LIGHT_GROUP, "a 'light_group' in another object" },
-    { KEYWORD_PARAMETRIC, "'parametric'" },
-    { KEYWORD_NONE, NULL },
-};
-
 /* Trees are walked by recursion, and every use of a declared object is a
  * thing of its own to the ray tracer. */
 enum {
@@ -39,6 +32,8 @@ static object_rule *object_keyword_rule(enum keyword keyword)
         return parse_isosurface;
     case KEYWORD_LIGHT_SOURCE:
         return parse_light_source;
+    case KEYWORD_LIGHT_GROUP:
+        return parse_light_group_part;
     case KEYWORD_MESH:
         return parse_mesh;
     case KEYWORD_MESH2:
@@ -53,6 +48,10 @@ static object_rule *object_keyword_rule(enum keyword keyword)
         return parse_lathe;
     case KEYWORD_POLYNOMIAL:
         return parse_polynomial;
+    case KEYWORD_JULIA_FRACTAL:
+        return parse_julia_fractal;
+    case KEYWORD_PARAMETRIC:
+        return parse_parametric;
     case KEYWORD_PRISM:
         return parse_prism;
     case KEYWORD_SPHERE_SWEEP:
@@ -64,14 +63,6 @@ static object_rule *object_keyword_rule(enum keyword keyword)
     }
 }
 
-static const char *object_unsupported_name(enum keyword keyword)
-{
-    const struct unsupported_word *word = object_unsupported;
-    while (word->keyword && word->keyword != keyword)
-        word++;
-    return word->feature;
-}
-
 /* The primitive the next word names, or NULL. */
 static const struct primitive *object_primitive(struct parser *p)
 {
@@ -81,9 +72,8 @@ static const struct primitive *object_primitive(struct parser *p)
     return primitive_find(token->word->text);
 }
 
-static bool at_object_identifier(struct parser *p)
+static bool word_is_object(struct parser *p, const struct token *token)
 {
-    const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD || token->word->reserved)
         return false;
     const struct value *value = symbol_find(p, token->word);
@@ -92,12 +82,16 @@ static bool at_object_identifier(struct parser *p)
                       array_kind(value->array) == VALUE_OBJECT));
 }
 
+static bool at_object_identifier(struct parser *p)
+{
+    return word_is_object(p, stream_peek(p));
+}
+
 bool at_object(struct parser *p)
 {
     enum keyword keyword = stream_keyword(p);
-    return object_keyword_rule(keyword) ||
-           (keyword && object_unsupported_name(keyword)) ||
-           object_primitive(p) || at_object_identifier(p);
+    return object_keyword_rule(keyword) || object_primitive(p) ||
+           at_object_identifier(p);
 }
 
 struct object *object_empty(struct parser *p, struct span span)
@@ -105,6 +99,14 @@ struct object *object_empty(struct parser *p, struct span span)
     struct object *object = object_new(p->scene_arena, OBJECT_UNION, span);
     object->parts = 0;
     return object;
+}
+
+struct object *object_seen(struct parser *p, struct object *object)
+{
+    const struct primitive *primitive = object->primitive;
+    bool unseen = object->kind == OBJECT_SHAPE && primitive->unseen &&
+                  primitive->unseen(object->shape);
+    return unseen ? object_empty(p, object->span) : object;
 }
 
 bool object_adopt(struct parser *p, struct object *object,
@@ -179,7 +181,21 @@ static bool parse_primitive(struct parser *p, struct object **out,
     return parse_shape(p, out, primitive, NULL);
 }
 
-/* object_use = "object" "{" object {modifier} "}" . */
+/* A declared object in the block of its own kind: sphere { Ball scale 2 }. */
+static bool at_object_in_own_block(struct parser *p, object_rule *rule)
+{
+    size_t left;
+    if (rule == parse_object_use || rule == parse_csg ||
+        rule == parse_light_source)
+        return false;
+    stream_peek(p);
+    const struct token *after = stream_raw(p, &left);
+    return left > 1 && after[0].kind == TOKEN_LBRACE &&
+           word_is_object(p, &after[1]);
+}
+
+/* object_use = ( "object" | PRIMITIVE ) "{" object {modifier} "}" .
+ * Any keyword of a shape may stand before a declared object. */
 static bool parse_object_use(struct parser *p, struct object **out)
 {
     struct span open;
@@ -217,18 +233,19 @@ static bool object_reshaped(struct parser *p)
 /* object = primitive | csg | object_use | mesh | mesh2 | triangle
  *        | smooth_triangle | blob | prism | lathe | text | height_field
  *        | isosurface | sphere_sweep | polynomial | bicubic_patch
- *        | light_source | OBJECT . */
+ *        | parametric | julia_fractal | light_source | light_group | OBJECT .
+ */
 bool parse_object(struct parser *p, struct object **out)
 {
     enum keyword keyword = stream_keyword(p);
     object_rule *rule = object_keyword_rule(keyword);
+    const struct primitive *primitive = object_primitive(p);
+    if ((rule || primitive) && at_object_in_own_block(p, rule))
+        return parse_object_use(p, out);
     if (rule)
         return rule(p, out);
-    const struct primitive *primitive = object_primitive(p);
     if (primitive)
         return parse_primitive(p, out, primitive);
-    if (keyword && object_unsupported_name(keyword))
-        return skip_unsupported(p, object_unsupported_name(keyword));
     if (object_is_reshaped(p))
         return object_reshaped(p);
     const struct value *value = accept_value(p, VALUE_OBJECT);

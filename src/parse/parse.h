@@ -9,6 +9,28 @@
 #include "text/diag.h"
 #include "text/permit.h"
 
+/* A value that a #declare or #local gave to a name; it is gone after the call.
+ */
+struct parse_declared {
+    const char *name;
+    struct span span;      /* of the name where it was declared */
+    const char *kind;      /* "a float", "a texture": as in messages */
+    const double *numbers; /* of a float, vector, colour (r g b f t) */
+    int size;              /* how many; 0: something else */
+    bool colour;
+    const char *text; /* of a string, else NULL */
+};
+
+/* Somebody who follows the reading; it is called on the thread that reads. */
+struct parse_listener {
+    void *context;
+    void (*declared)(void *context, const struct parse_declared *declared);
+    /* The text to be read in place of the include file at `path`, in the
+     * arena, or NULL: what is on disk. */
+    const struct source *(*text)(void *context, struct arena *sources,
+                                 const char *path, struct span included_from);
+};
+
 /* What the scene's text may ask about its surroundings. */
 struct parse_options {
     const char *const *include_paths; /* searched after the current directory */
@@ -38,7 +60,8 @@ struct parse_options {
     unsigned round_limit;    /* rounds of one loop, 0: 10 million */
     struct file_list *asked; /* gets the names of all files that the scene
                               * asks for; or NULL */
-    const atomic_int *stop;  /* set by a signal: give up quietly; or NULL */
+    const struct parse_listener *listener; /* or NULL */
+    const atomic_int *stop; /* set by a signal: give up quietly; or NULL */
 };
 
 /* Reads `main` into a new scene. Errors are printed to `diag`; on any error

@@ -2,6 +2,7 @@
  * modifiers that place and fold it. The patterns themselves are tables in
  * scene/pattern/. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 #include "parse/user_function.h"
 #include "scene/density_file.h"
@@ -12,7 +13,6 @@
 
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
-    { KEYWORD_FACETS, "the 'facets' pattern" },
     { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
     { KEYWORD_TILING, "the 'tiling' pattern" },
     { KEYWORD_NONE, NULL },
@@ -28,7 +28,7 @@ static const struct unsupported_word pattern_unsupported[] = {
         name, kind, offsetof(struct pattern, member), low, high, help          \
     }
 
-static const struct field pattern_fields[] = {
+const struct field pattern_fields[] = {
     TURBULENCE("turbulence", FIELD_VECTOR, amount, 0, 0,
                "how far the point looked up walks at random"),
     TURBULENCE("octaves", FIELD_INTEGER, octaves, 0, 0,

@@ -82,6 +82,18 @@ bool parse_texture_body(struct parser *p, const struct texture **in);
 /* texture_choice.c: sets *found if a pattern is next. */
 bool parse_texture_choice(struct parser *p, const struct texture **out,
                           bool *found);
+/* A texture that `rule` picks from these, looking at `thing`. */
+const struct texture *texture_by_rule(struct parser *p, texture_rule *rule,
+                                      const void *thing,
+                                      const struct texture *const *textures,
+                                      size_t count);
+/* One for each block of the pattern. */
+const struct texture *texture_by_blocks(struct parser *p,
+                                        const struct pattern_kind *kind,
+                                        const struct texture *const *textures);
+/* material_map.c: sets *found if one is next. */
+bool parse_material_map(struct parser *p, const struct texture **out,
+                        bool *found);
 /* texture_map of a #declare; the keyword is next. */
 bool parse_declared_texture_map(struct parser *p,
                                 const struct texture_map **out);
@@ -143,6 +155,8 @@ bool parse_image_map(struct parser *p, const struct image_map **out);
 struct image;
 bool parse_image_of_function(struct parser *p, const struct image **out);
 bool parse_image_pattern(struct parser *p, const struct image_map **out);
+/* The inside of a material_map, up to its textures. */
+bool parse_material_image(struct parser *p, const struct image_map **out);
 
 /* ---- objects ---- */
 
@@ -152,6 +166,7 @@ struct modifiers {
     const char *block;         /* "sphere": for messages */
     const struct field *items; /* of the primitive, or NULL */
     void *shape;               /* what `items` describe */
+    bool cutaway;              /* cutaway_textures was said */
     struct clip_list {
         struct clip *items;
         size_t count, capacity;
@@ -161,12 +176,17 @@ struct modifiers {
 /* Modifiers up to the '}' of the object's block. */
 bool parse_modifiers(struct parser *p, struct modifiers *m);
 
+/* cutaway.c: what cutaway_textures does with a CSG object. */
+bool cutaway_textures(struct parser *p, struct object *object);
+
 /* Before it goes into the scene: one without texture gets what #default says
  * now. Only there: in POV-Ray that texture is not moved with the object. */
 void object_link(struct parser *p, struct object *object);
 /* Counts what hangs on the object in its depth, parts and patch. */
 bool object_adopt(struct parser *p, struct object *object,
                   const struct object *child);
+/* The object, or nothing if POV-Ray does not see it alone or in a union. */
+struct object *object_seen(struct parser *p, struct object *object);
 /* A node without any part: what is left out of the picture. */
 struct object *object_empty(struct parser *p, struct span span);
 
@@ -175,6 +195,10 @@ struct object *object_empty(struct parser *p, struct span span);
 typedef bool shape_rule(struct parser *p, void *shape);
 bool parse_shape(struct parser *p, struct object **out,
                  const struct primitive *primitive, shape_rule *rule);
+
+/* container.c; the keyword is next. */
+struct container;
+bool parse_contained_by(struct parser *p, struct container *container);
 
 /* The keyword is next. */
 bool parse_triangle(struct parser *p, struct object **out);
@@ -188,6 +212,8 @@ bool parse_lathe(struct parser *p, struct object **out);
 bool parse_text(struct parser *p, struct object **out);
 bool parse_height_field(struct parser *p, struct object **out);
 bool parse_isosurface(struct parser *p, struct object **out);
+bool parse_julia_fractal(struct parser *p, struct object **out);
+bool parse_parametric(struct parser *p, struct object **out);
 bool parse_sphere_sweep(struct parser *p, struct object **out);
 bool parse_polynomial(struct parser *p, struct object **out);
 bool parse_bicubic_patch(struct parser *p, struct object **out);
@@ -207,6 +233,11 @@ bool parse_media(struct parser *p, struct media *media);
 /* ---- light_group.c: a node with its members below it, moved together ---- */
 
 bool parse_light_group(struct parser *p, const struct object **out);
+bool parse_light_group_part(struct parser *p, struct object **out);
+
+/* ---- mesh_camera.c; the keyword is next ---- */
+
+bool parse_mesh_camera(struct parser *p, struct camera *camera);
 
 /* ---- atmosphere.c; the keyword is next ---- */
 
@@ -219,6 +250,9 @@ bool parse_sky_sphere(struct parser *p, const struct sky_sphere **out);
 bool parse_light_mesh(struct parser *p);
 bool parse_skeleton(struct parser *p);
 bool parse_radiosity(struct parser *p);
+bool parse_rainbow(struct parser *p, struct rainbow *out); /* rainbow.c */
+bool parse_photons(struct parser *p);                      /* photons.c */
+bool parse_photon_flags(struct parser *p, struct photon_flags *flags);
 
 /* ---- settings.c ---- */
 

@@ -6,12 +6,10 @@
 static const struct unsupported_word scene_unsupported[] = {
     { KEYWORD_PHOTONS, "'photons'" },
     { KEYWORD_RADIOSITY, "'radiosity'" },
-    { KEYWORD_RAINBOW, "'rainbow'" },
     { KEYWORD_NONE, NULL },
 };
 
 static const struct unsupported_word thing_unsupported[] = {
-    { KEYWORD_RAINBOW, "'rainbow'" },
     { KEYWORD_WARP, "'warp'" },
     { KEYWORD_NONE, NULL },
 };
@@ -93,6 +91,14 @@ static bool thing_fog(struct parser *p, struct value *value)
     return parse_fog(p, fog);
 }
 
+static bool thing_rainbow(struct parser *p, struct value *value)
+{
+    struct rainbow *rainbow = ARENA_NEW(p->arena, struct rainbow);
+    value->kind = VALUE_RAINBOW;
+    value->rainbow = rainbow;
+    return parse_rainbow(p, rainbow);
+}
+
 static bool thing_light_group(struct parser *p, struct value *value)
 {
     value->kind = VALUE_LIGHT_GROUP;
@@ -100,9 +106,9 @@ static bool thing_light_group(struct parser *p, struct value *value)
 }
 
 /* thing = texture {texture} | pigment | normal | finish | interior | material
- *       | transform | camera | fog | sky_sphere | colour_map | pigment_map
- *       | texture_map | density | density_map | media | light_group
- *       | object . */
+ *       | transform | camera | fog | rainbow | sky_sphere | colour_map
+ *       | pigment_map | texture_map | density | density_map | media
+ *       | light_group | object . */
 bool parse_thing(struct parser *p, struct value *value, bool *found)
 {
     enum keyword keyword = stream_keyword(p);
@@ -133,6 +139,8 @@ bool parse_thing(struct parser *p, struct value *value, bool *found)
         return thing_camera(p, value);
     case KEYWORD_FOG:
         return thing_fog(p, value);
+    case KEYWORD_RAINBOW:
+        return thing_rainbow(p, value);
     case KEYWORD_SKY_SPHERE:
         value->kind = VALUE_SKY_SPHERE;
         return parse_sky_sphere(p, &value->sky);
@@ -218,6 +226,7 @@ static bool scene_object(struct parser *p)
     struct object *object;
     if (!parse_object(p, &object))
         return false;
+    object = object_seen(p, object);
     object_link(p, object);
     *ARRAY_PUSH(p->scene_arena, &p->scene->objects) = object;
     return true;
@@ -248,6 +257,7 @@ bool at_scene_item(struct parser *p)
     case KEYWORD_BACKGROUND:
     case KEYWORD_SKY_SPHERE:
     case KEYWORD_FOG:
+    case KEYWORD_RAINBOW:
     case KEYWORD_LIGHT_GROUP:
     case KEYWORD_MEDIA:
     case KEYWORD_GLOBAL_SETTINGS:
@@ -326,8 +336,8 @@ static bool scene_unknown(struct parser *p)
     return false;
 }
 
-/* scene_item = camera | background | sky_sphere | fog | media | light_group
- *            | global_settings | default_block | object . */
+/* scene_item = camera | background | sky_sphere | fog | rainbow | media
+ *            | light_group | global_settings | default_block | object . */
 bool parse_scene_item(struct parser *p)
 {
     bool ok;
@@ -343,6 +353,9 @@ bool parse_scene_item(struct parser *p)
         break;
     case KEYWORD_FOG:
         ok = scene_fog(p);
+        break;
+    case KEYWORD_RAINBOW:
+        ok = parse_rainbow(p, ARRAY_PUSH(p->scene_arena, &p->scene->rainbows));
         break;
     case KEYWORD_LIGHT_GROUP:
         ok = scene_light_group(p);

@@ -1,16 +1,19 @@
 /* global_settings, #default, and the working space of colours. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 #define SETTING(name, kind, member, low, high, help)                           \
     {                                                                          \
         name, kind, offsetof(struct settings, member), low, high, help         \
     }
 
-/* setting_value = "ambient_light" colour | "max_trace_level" float
- *               | "adc_bailout" float . */
-static const struct field setting_fields[] = {
+/* setting_value = "ambient_light" colour | "irid_wavelength" colour
+ *               | "max_trace_level" float | "adc_bailout" float . */
+const struct field setting_fields[] = {
     SETTING("ambient_light", FIELD_RGB, ambient_light, 0, 0,
             "multiplies every ambient, white"),
+    SETTING("irid_wavelength", FIELD_RGB, irid_wavelength, 0, 0,
+            "of red, green and blue light, <0.70, 0.52, 0.48>"),
     SETTING("max_trace_level", FIELD_INTEGER, max_trace_level, 0, 0,
             "surfaces a ray may meet one after the other, 5"),
     SETTING("adc_bailout", FIELD_FLOAT, adc_bailout, 0, 0,
@@ -21,6 +24,7 @@ static const struct field setting_fields[] = {
 static const struct field setting_names[] = {
     { .name = "assumed_gamma" },   { .name = "ambient_light" },
     { .name = "max_trace_level" }, { .name = "adc_bailout" },
+    { .name = "irid_wavelength" }, { .name = "photons" },
     { .name = "noise_generator" }, { .name = "number_of_waves" },
     { .name = "radiosity" },       { .name = "light_mesh" },
     { .name = "skeleton" },        { .name = NULL },
@@ -104,12 +108,10 @@ static bool parse_subsurface_value(struct parser *p)
 }
 
 /* setting_without_effect = "charset" name | "max_intersections" float
- *                        | "mm_per_unit" float | "irid_wavelength" colour
- *                        | "hf_gray_16" [bool]
+ *                        | "mm_per_unit" float | "hf_gray_16" [bool]
  *                        | "subsurface" "{" {subsurface_value} "}" . */
 static bool parse_setting_without_effect(struct parser *p, bool *found)
 {
-    colour ignored;
     bool flag;
     *found = true;
     switch (stream_keyword(p)) {
@@ -122,9 +124,6 @@ static bool parse_setting_without_effect(struct parser *p, bool *found)
     case KEYWORD_MAX_INTERSECTIONS:
     case KEYWORD_MM_PER_UNIT:
         return skip_item(p);
-    case KEYWORD_IRID_WAVELENGTH:
-        stream_next(p);
-        return parse_colour(p, &ignored);
     case KEYWORD_HF_GRAY_16:
         stream_next(p);
         return parse_bool(p, &flag);
@@ -150,31 +149,6 @@ static bool setting_field(struct parser *p, const struct field *field)
     if (settings->max_trace_level < 1)
         settings->max_trace_level = 1;
     return true;
-}
-
-/* photon_value = word [expression {[","] expression}] . */
-static bool parse_photon_value(struct parser *p)
-{
-    struct value ignored;
-    if (stream_peek(p)->kind != TOKEN_WORD)
-        return error_expected(p, "a setting of 'photons' or '}'");
-    stream_next(p);
-    while (at_expression(p) && stream_peek(p)->kind != TOKEN_WORD) {
-        if (!parse_expression(p, &ignored))
-            return false;
-        accept(p, TOKEN_COMMA);
-    }
-    return true;
-}
-
-/* photons = "photons" "{" {photon_value} "}" .
- * The light they would bring is missing. */
-static bool parse_photons(struct parser *p)
-{
-    warning_at(p, stream_span(p), "interior { caustics 1 }",
-               "glim traces no photons: shadows of glass have its colour, but "
-               "light is neither focused by it nor thrown by mirrors");
-    return block_items(p, parse_photon_value);
 }
 
 /* light_setting = light_mesh | skeleton | radiosity | photons . */
@@ -264,10 +238,21 @@ static void settings_glows(struct parser *p)
     }
 }
 
+/* The last irid_wavelength is that of all. */
+static void settings_films(struct parser *p)
+{
+    for (size_t i = 0; i < p->finishes.count; i++) {
+        p->finishes.items[i]->film.wavelength =
+            p->scene->settings.irid_wavelength;
+        p->finishes.items[i]->film.noise = &p->scene->noise;
+    }
+}
+
 void settings_finish(struct parser *p)
 {
     settings_filters(p);
     settings_glows(p);
+    settings_films(p);
     if (p->scene->settings.gamma_kind != GAMMA_NONE || p->failed)
         return;
     p->scene->settings.gamma_kind = settings_gamma(p);

@@ -2,12 +2,6 @@
  * pattern picks are in texture_choice.c. */
 #include "parse/rules.h"
 
-static const struct unsupported_word texture_unsupported[] = {
-    { KEYWORD_MATERIAL_MAP, "'material_map'" },
-    { KEYWORD_TILES, "'tiles'" },
-    { KEYWORD_NONE, NULL },
-};
-
 static const struct field texture_names[] = {
     { .name = "pigment" },
     { .name = "normal" },
@@ -25,6 +19,7 @@ const struct texture *texture_from_defaults(struct parser *p)
         .finish = p->defaults.finish,
     };
     texture->count = 1;
+    texture->span = p->last_span;
     return texture;
 }
 
@@ -36,6 +31,7 @@ struct texture *texture_copy(struct parser *p, const struct texture *texture)
     memcpy(copy->layers, texture->layers,
            texture->count * sizeof *texture->layers);
     copy->choice = texture->choice;
+    copy->span = texture->span;
     return copy;
 }
 
@@ -45,6 +41,7 @@ const struct texture *texture_stack(struct parser *p,
 {
     struct texture *both = ARENA_NEW(p->scene_arena, struct texture);
     both->count = bottom->count + top->count;
+    both->span = top->span;
     if (bottom->choice || top->choice) {
         error_at(p, p->last_span, NULL,
                  "a texture picked by a pattern can't be a layer of others");
@@ -105,13 +102,32 @@ bool parse_texture_part(struct parser *p, const struct texture **in,
         return true;
     struct texture *texture = texture_copy(p, *in);
     struct layer *top = &texture->layers[texture->count - 1];
+    if (keyword == KEYWORD_PIGMENT || !texture->span.source)
+        texture->span = stream_span(p);
     *in = texture;
     return keyword == KEYWORD_PIGMENT  ? parse_pigment_block(p, &top->pigment)
            : keyword == KEYWORD_NORMAL ? parse_surface_normal(p, &top->normal)
                                        : parse_finish_block(p, &top->finish);
 }
 
-/* texture_item = texture_part | transformation . */
+/* All bumps of the texture's own layers are as high however they are scaled. */
+static const struct texture *texture_levelled(struct parser *p,
+                                              const struct texture *texture)
+{
+    struct texture *level = texture_copy(p, texture);
+    for (size_t i = 0; i < level->count; i++) {
+        struct layer *layer = &level->layers[i];
+        if (!layer->normal)
+            continue;
+        struct normal *normal = ARENA_NEW(p->scene_arena, struct normal);
+        *normal = *layer->normal;
+        normal->level = true;
+        layer->normal = normal;
+    }
+    return level;
+}
+
+/* texture_item = texture_part | "no_bump_scale" | transformation . */
 static bool parse_texture_item(struct parser *p, const struct texture **in)
 {
     affine step = affine_identity();
@@ -124,20 +140,24 @@ static bool parse_texture_item(struct parser *p, const struct texture **in)
                error_at(p, span, NULL,
                         "what a pattern picks can't be changed here, only in "
                         "its map");
+    if (accept_keyword(p, KEYWORD_NO_BUMP_SCALE)) {
+        *in = texture_levelled(p, *in);
+        return true;
+    }
     if (!parse_transformation(p, &step, &found))
         return false;
     if (found)
         *in = texture_moved(p->scene_arena, *in, &step);
     return found ||
-           (check_supported(p, texture_unsupported) &&
-            error_unknown_thing(p, "texture", texture_names, "a texture"));
+           error_unknown_thing(p, "texture", texture_names, "a texture");
 }
 
 static bool texture_content(struct parser *p, const struct texture **in)
 {
     bool found;
-    if (!check_supported(p, texture_unsupported) ||
-        !parse_texture_choice(p, in, &found))
+    if (!parse_texture_choice(p, in, &found))
+        return false;
+    if (!found && !parse_material_map(p, in, &found))
         return false;
     if (found)
         return true;
@@ -150,7 +170,8 @@ static bool texture_content(struct parser *p, const struct texture **in)
 }
 
 /* texture_body = ["uv_mapping"]
- *                ( texture_choice | [texture_start] {texture_item} ) . */
+ *                ( texture_choice | texture_by_picture
+ *                | [texture_start] {texture_item} ) . */
 bool parse_texture_body(struct parser *p, const struct texture **in)
 {
     bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING);

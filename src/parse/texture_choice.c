@@ -134,7 +134,9 @@ static bool choice_gather(struct parser *p, const struct choice_builder *b,
     if (choice->depth > TEXTURE_DEPTH)
         return error_at(p, p->last_span, NULL,
                         "textures are nested more than %d deep", TEXTURE_DEPTH);
-    if (choice->pattern.kind->average && texture->count > TEXTURE_LAYERS)
+    bool mixed = choice->rule || choice->pattern.kind->average;
+    if (mixed && choice->rule != pick_by_image &&
+        texture->count > TEXTURE_LAYERS && choice->rule != pick_by_parts)
         return error_at(p, p->last_span, NULL,
                         "an average is made of at most %d layers of textures",
                         TEXTURE_LAYERS);
@@ -156,6 +158,39 @@ static bool choice_gather(struct parser *p, const struct choice_builder *b,
     return true;
 }
 
+const struct texture *texture_by_rule(struct parser *p, texture_rule *rule,
+                                      const void *thing,
+                                      const struct texture *const *textures,
+                                      size_t count)
+{
+    struct texture *texture = ARENA_NEW(p->scene_arena, struct texture);
+    struct choice_builder b = { .choice = ARENA_NEW(p->scene_arena,
+                                                    struct texture_choice) };
+    b.choice->pattern = pattern_new(p->scene_arena, NULL);
+    b.choice->rule = rule;
+    b.choice->thing = thing;
+    b.choice->depth = 1;
+    for (size_t i = 0; i < count; i++)
+        *ARRAY_PUSH(p->scene_arena, &b.entries) =
+            (struct texture_entry){ (double)i, textures[i] };
+    return choice_gather(p, &b, texture) ? texture : NULL;
+}
+
+const struct texture *texture_by_blocks(struct parser *p,
+                                        const struct pattern_kind *kind,
+                                        const struct texture *const *textures)
+{
+    struct texture *texture = ARENA_NEW(p->scene_arena, struct texture);
+    struct choice_builder b = { .choice = ARENA_NEW(p->scene_arena,
+                                                    struct texture_choice) };
+    b.choice->pattern = pattern_new(p->scene_arena, kind);
+    b.choice->depth = 1;
+    for (int i = 0; i < kind->blocks; i++)
+        *ARRAY_PUSH(p->scene_arena, &b.entries) =
+            (struct texture_entry){ (double)i, textures[i] };
+    return choice_gather(p, &b, texture) ? texture : NULL;
+}
+
 /* texture_choice = pattern texture_blocks {texture_map | pattern_item} . */
 bool parse_texture_choice(struct parser *p, const struct texture **out,
                           bool *found)
@@ -169,6 +204,7 @@ bool parse_texture_choice(struct parser *p, const struct texture **out,
     struct choice_builder b = { .choice = ARENA_NEW(p->scene_arena,
                                                     struct texture_choice) };
     b.choice->pattern = pattern;
+    texture->span = p->last_span;
     b.choice->depth = 1;
     *out = texture;
     return (!pattern.kind->blocks ||

@@ -142,6 +142,21 @@ static bool compile_part(struct compiler *c, const struct function *callee)
     return true;
 }
 
+/* The one step of a function that only hands on its arguments, as those of
+ * functions.inc do; else NULL. */
+static const struct step *function_only_step(const struct function *callee)
+{
+    const struct step *steps = callee->steps.items;
+    size_t n = (size_t)callee->parameter_count;
+    if (callee->values || callee->steps.count != n + 1 ||
+        (steps[n].kind != STEP_FIELD && steps[n].kind != STEP_MANY))
+        return NULL;
+    for (size_t i = 0; i < n; i++)
+        if (steps[i].kind != STEP_LOCAL || steps[i].slot != (int)i)
+            return NULL;
+    return &steps[n];
+}
+
 static bool compile_call(struct compiler *c, const struct word *word,
                          const struct function *callee)
 {
@@ -167,7 +182,12 @@ static bool compile_call(struct compiler *c, const struct word *word,
         return false;
     if (callee->values)
         return compile_part(c, callee);
-    compile_step(c, STEP_CALL, 1 - n)->function = callee;
+    struct step *call = compile_step(c, STEP_CALL, 1 - n);
+    const struct step *only = function_only_step(callee);
+    if (only)
+        *call = *only;
+    else
+        call->function = callee;
     return true;
 }
 
@@ -362,50 +382,10 @@ static bool parse_parameters(struct compiler *c)
     return expect(p, TOKEN_RPAREN, open);
 }
 
-/* Functions made of an image: read over, for they may be declared and never
- * used. */
-static const char *function_feature(enum keyword keyword)
-{
-    switch (keyword) {
-    case KEYWORD_PNG:
-    case KEYWORD_GIF:
-    case KEYWORD_TGA:
-    case KEYWORD_PPM:
-    case KEYWORD_PGM:
-    case KEYWORD_JPEG:
-    case KEYWORD_TIFF:
-    case KEYWORD_SYS:
-        return "functions made of an image";
-    default:
-        return NULL;
-    }
-}
-
-static bool function_skip(struct parser *p, const char *feature)
-{
-    struct span at = stream_span(p);
-    for (unsigned depth = 1; depth > 0;) {
-        enum token_kind kind = stream_peek(p)->kind;
-        depth += kind == TOKEN_LBRACE;
-        depth -= kind == TOKEN_RBRACE;
-        if (kind == TOKEN_END)
-            return error_expected(p, "'}'");
-        if (depth > 0)
-            stream_next(p);
-    }
-    error_unsupported(p, at, feature);
-    return true;
-}
-
 static bool compile_body(struct compiler *c)
 {
     struct parser *p = c->p;
     c->function->parameter_count = c->function->slots = c->name_count;
-    const char *feature = function_feature(stream_keyword(p));
-    if (feature) {
-        c->unsupported = true;
-        return function_skip(p, feature);
-    }
     if (at_field_body(p))
         return parse_field_body(p, c->function);
     if (!parse_body_operation(c, 0))

@@ -34,6 +34,7 @@ const char *value_kind_name(enum value_kind kind)
         [VALUE_SLOPE_MAP] = "a slope_map",
         [VALUE_FOG] = "a fog",
         [VALUE_SKY_SPHERE] = "a sky_sphere",
+        [VALUE_RAINBOW] = "a rainbow",
         [VALUE_FILE] = "an open file",
         [VALUE_UNSUPPORTED] = "something unsupported",
     };

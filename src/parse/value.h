@@ -35,12 +35,14 @@ enum value_kind {
     VALUE_SLOPE_MAP,
     VALUE_FOG,
     VALUE_SKY_SPHERE,
+    VALUE_RAINBOW,
     VALUE_FILE,        /* an open one */
     VALUE_UNSUPPORTED, /* using it is the error kept in `unsupported` */
 };
 
 struct array;
 struct data_file;
+struct rainbow;
 struct macro;
 struct medium;
 struct function;
@@ -74,6 +76,7 @@ struct value {
         const struct normal_map *normal_map;
         const struct slope_map *slope_map;
         const struct fog *fog;
+        const struct rainbow *rainbow;
         const struct sky_sphere *sky;
         struct data_file *file;
         const struct unsupported *unsupported;

@@ -2,11 +2,12 @@
 #include "scene/warp.h"
 
 #include "parse/rules.h"
+#include "parse/tables.h"
 #include "scene/noise.h"
 
 enum { WARP_LIMIT = 1000 }; /* of one pattern: each is work at each point */
 
-static const struct field turbulence_fields[] = {
+const struct field turbulence_fields[] = {
     { "octaves", FIELD_INTEGER, offsetof(struct warp, turbulence.octaves), 0, 0,
       "steps of the walk, 1 to 10, 6" },
     { "omega", FIELD_FLOAT, offsetof(struct warp, turbulence.omega), 0, 0,
@@ -16,7 +17,7 @@ static const struct field turbulence_fields[] = {
     { NULL },
 };
 
-static const struct field repeat_fields[] = {
+const struct field repeat_fields[] = {
     { "offset", FIELD_VECTOR, offsetof(struct warp, offset), 0, 0,
       "of each repetition from the one before" },
     { "flip", FIELD_VECTOR, offsetof(struct warp, flip), 0, 0,
@@ -24,20 +25,22 @@ static const struct field repeat_fields[] = {
     { NULL },
 };
 
-static const struct field hole_fields[] = {
+const struct field hole_fields[] = {
     { "falloff", FIELD_FLOAT, offsetof(struct warp, falloff), 0, 0,
       "how fast the pull gets weaker outward, 2" },
     { "strength", FIELD_FLOAT, offsetof(struct warp, strength), 0, 0,
       "of the pull at the middle, 1" },
     { "repeat", FIELD_VECTOR, offsetof(struct warp, period), 0, 0,
       "sizes of the cells, each with a hole" },
+    { "turbulence", FIELD_VECTOR, offsetof(struct warp, turbulence.amount), 0,
+      0, "how far repeated holes are moved at random, at most" },
     { "inverse", FIELD_FLAG, offsetof(struct warp, push), 0, 0,
       "pushes instead of pulling" },
     { NULL },
 };
 
 /* The first is toroidal's only. */
-static const struct field laid_fields[] = {
+const struct field laid_fields[] = {
     { "major_radius", FIELD_FLOAT, offsetof(struct warp, major), 0, 0,
       "of the ring, 1" },
     { "orientation", FIELD_VECTOR, offsetof(struct warp, orientation), 0, 0,
@@ -56,9 +59,6 @@ static bool warp_items(struct parser *p, struct warp *warp,
             return false;
         accept(p, TOKEN_COMMA);
     }
-    if (fields == hole_fields && stream_keyword(p) == KEYWORD_TURBULENCE)
-        return error_unsupported(p, p->token_span,
-                                 "a black hole's 'turbulence'");
     return true;
 }
 
@@ -93,14 +93,9 @@ static bool parse_repeat_warp(struct parser *p, struct warp *warp)
     return warp_items(p, warp, repeat_fields);
 }
 
-static bool hole_fits(const struct warp *warp, double centre, double period)
-{
-    return period == 0 || (period > 0 && warp->radius >= 0 &&
-                           fmax(centre, warp->radius) + warp->radius <= period);
-}
-
 /* hole_warp = "black_hole" vector [","] float {"falloff" float
- *           | "strength" float | "repeat" vector | "inverse"} . */
+ *           | "strength" float | "repeat" vector | "turbulence" vector
+ *           | "inverse"} . */
 static bool parse_hole_warp(struct parser *p, struct warp *warp)
 {
     warp->kind = WARP_BLACK_HOLE;
@@ -113,14 +108,7 @@ static bool parse_hole_warp(struct parser *p, struct warp *warp)
     if (!parse_float(p, &warp->radius))
         return false;
     accept(p, TOKEN_COMMA);
-    struct span span = stream_span(p);
-    if (!warp_items(p, warp, hole_fields))
-        return false;
-    return (hole_fits(warp, warp->centre.x, warp->period.x) &&
-            hole_fits(warp, warp->centre.y, warp->period.y) &&
-            hole_fits(warp, warp->centre.z, warp->period.z)) ||
-           error_unsupported(p, span,
-                             "a repeated black hole larger than its cell");
+    return warp_items(p, warp, hole_fields);
 }
 
 static bool laid_orientation(struct parser *p, struct warp *warp,

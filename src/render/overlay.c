@@ -113,7 +113,7 @@ static double path_part(const struct overlay *overlay, const struct path *path,
                         double t)
 {
     double from = path->view[0].z, to = path->view[1].z;
-    if (overlay->camera->kind == CAMERA_PERSPECTIVE)
+    if (overlay->camera->kind->lines == CAMERA_CENTRAL)
         t = t * from / (to + t * (from - to));
     return path->part[0] + (path->part[1] - path->part[0]) * t;
 }
@@ -188,7 +188,7 @@ static bool overlay_hides(const struct overlay *overlay,
 {
     const struct camera *camera = overlay->camera;
     struct ray ray = { camera->location, camera->direction };
-    if (camera->kind == CAMERA_PERSPECTIVE)
+    if (camera->kind->lines == CAMERA_CENTRAL)
         ray.direction = vec3_sub(stroke->at, camera->location);
     else
         ray.origin = vec3_along(stroke->at, camera->direction, -stroke->depth);

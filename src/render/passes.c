@@ -6,6 +6,7 @@
 #include "render/passes.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/clock.h"
 #include "base/memory.h"
@@ -26,6 +27,8 @@ enum {
 static const double dark_share = 0.05;
 /* The worst pixels don't count: a mean with a firefly in it says nothing. */
 static const double worst_share = 0.01;
+/* Seconds between two times that the same row is kept. */
+static const double keep_pause = 1;
 
 /* What is known of one pixel. */
 struct tally {
@@ -33,6 +36,14 @@ struct tally {
     double bright, squares; /* of the passes' mean brightness */
     uint32_t samples;
 };
+
+static void tally_mean(const struct tally *tally, float pixel[4])
+{
+    for (int k = 0; tally->samples > 0 && k < 4; k++)
+        pixel[k] = (float)(tally->sum[k] / tally->samples);
+}
+
+_Static_assert(sizeof(struct tally) == PART_TALLY, "tallies are kept so");
 
 struct passes {
     const struct tracer *tracer;
@@ -47,6 +58,7 @@ struct passes {
     int passes;            /* done */
     double started;        /* seconds */
     double error;          /* estimated, relative; INFINITY: not yet */
+    double *kept;          /* when each row was kept last, seconds; 0: never */
     atomic_size_t rows_done;
 };
 
@@ -97,15 +109,71 @@ static double passes_share(const struct passes *passes)
     return fmin(done, 1);
 }
 
+/* The row's means so far, to options->drawn. */
+static void passes_tell(const struct passes *passes, size_t row)
+{
+    const struct render_options *options = passes->options;
+    float *means = memory_new(passes->columns * 4 * sizeof *means);
+    for (size_t i = 0; i < passes->columns; i++)
+        tally_mean(&passes->tallies[row * passes->columns + i], means + 4 * i);
+    const int top = options->row_start + (int)row;
+    const struct render_part part = {
+        { options->column_start, top, options->column_end, top + 1 }, means
+    };
+    options->drawn(options->drawn_context, &part);
+    memory_free(means);
+}
+
+static bool pixel_is_ours(const struct passes *passes, size_t column,
+                          size_t row)
+{
+    const struct render_options *options = passes->options;
+    return share_has(&options->share, options->width, options->height,
+                     options->column_start + (int)column,
+                     options->row_start + (int)row);
+}
+
+/* The tallies of a row, a second or more after they were kept last. */
+static void passes_keep(struct passes *passes, size_t row)
+{
+    const struct render_options *options = passes->options;
+    double now = clock_seconds();
+    if ((passes->kept[row] > 0 && now < passes->kept[row] + keep_pause) ||
+        !keeper_ready(options->keeper))
+        return;
+    int top = options->row_start + (int)row;
+    const struct area area = { options->column_start, top, options->column_end,
+                               top + 1 };
+    passes->kept[row] = now;
+    part_file_put(options->keeper->file, PART_TALLIES, area,
+                  passes->tallies + row * passes->columns);
+}
+
+/* A row that was kept may be a pass ahead. */
+static bool row_is_ahead(const struct passes *passes, size_t row)
+{
+    const struct tally *tally = passes->tallies + row * passes->columns;
+    for (size_t i = 0; i < passes->columns; i++)
+        if (tally[i].samples > passes->first)
+            return true;
+    return false;
+}
+
 static void passes_row(void *context, size_t item, unsigned thread)
 {
     struct passes *passes = context;
     const struct render_options *options = passes->options;
-    for (size_t i = 0; i < passes->columns; i++)
-        sample_pixel(passes, &passes->workers[thread],
-                     options->column_start + (int)i,
-                     options->row_start + (int)item,
-                     &passes->tallies[item * passes->columns + i]);
+    bool ahead = row_is_ahead(passes, item);
+    for (size_t i = 0; i < passes->columns && !ahead; i++)
+        if (pixel_is_ours(passes, i, item))
+            sample_pixel(passes, &passes->workers[thread],
+                         options->column_start + (int)i,
+                         options->row_start + (int)item,
+                         &passes->tallies[item * passes->columns + i]);
+    if (!ahead && !worker_stopped(&passes->workers[thread]))
+        passes_keep(passes, item);
+    if (options->drawn && !worker_stopped(&passes->workers[thread]))
+        passes_tell(passes, item);
     atomic_fetch_add(&passes->rows_done, 1);
     if (options->progress)
         options->progress(options->progress_context, passes_share(passes));
@@ -154,12 +222,95 @@ static bool passes_enough(const struct passes *passes)
            clock_seconds() - passes->started >= options->target_time;
 }
 
+/* Samples of the next pass, so that there are as many as wanted in the end. */
+static uint32_t pass_next(const struct passes *passes)
+{
+    const struct render_options *options = passes->options;
+    uint32_t left = (uint32_t)options->samples - passes->first;
+    return pass_size(options) < left ? pass_size(options) : left;
+}
+
+static void take_tallies(void *context, struct area area, const void *values)
+{
+    struct passes *passes = context;
+    const struct render_options *options = passes->options;
+    if (area.left != options->column_start ||
+        area.right != options->column_end || area.top < options->row_start ||
+        area.bottom != area.top + 1)
+        return;
+    size_t row = (size_t)(area.top - options->row_start);
+    memcpy(passes->tallies + row * passes->columns, values,
+           passes->columns * sizeof *passes->tallies);
+}
+
+/* Samples that every pixel has. */
+static uint32_t passes_least(const struct passes *passes)
+{
+    uint32_t least = (uint32_t)passes->options->samples;
+    for (size_t i = 0; i < passes->rows; i++)
+        for (size_t k = 0; k < passes->columns; k++) {
+            uint32_t samples = passes->tallies[i * passes->columns + k].samples;
+            if (samples < least && pixel_is_ours(passes, k, i))
+                least = samples;
+        }
+    return least;
+}
+
+/* What was drawn before: whole passes over all rows, and rows that are one
+ * ahead. */
+static void passes_know(struct passes *passes)
+{
+    const struct render_options *options = passes->options;
+    const struct keeper *keeper = options->keeper;
+    const struct area all = { options->column_start, options->row_start,
+                              options->column_end, options->row_end };
+    if (!keeper || !keeper->file)
+        return;
+    part_file_each(keeper->file, PART_TALLIES, all, take_tallies, passes);
+    uint32_t least = passes_least(passes);
+    while (passes->first < least) {
+        passes->first += pass_next(passes);
+        passes->passes++;
+    }
+    passes->error = passes_error(passes);
+}
+
+/* A part's pixels, for those who join it; a band's, for those who write it. */
+static void passes_put(const struct passes *passes, const struct image *image)
+{
+    const struct render_options *options = passes->options;
+    const int edge = share_block(options->width, options->height);
+    float *values =
+        memory_new((size_t)edge * (size_t)edge * 4 * sizeof *values);
+    for (int top = options->row_start; top < options->row_end;
+         top += edge - top % edge)
+        for (int left = options->column_start; left < options->column_end;
+             left += edge - left % edge) {
+            struct area area = { left, top, left + edge - left % edge,
+                                 top + edge - top % edge };
+            if (area.right > options->column_end)
+                area.right = options->column_end;
+            if (area.bottom > options->row_end)
+                area.bottom = options->row_end;
+            if (!share_has(&options->share, options->width, options->height,
+                           left, top))
+                continue;
+            size_t wide = (size_t)(area.right - left);
+            for (int y = top; y < area.bottom; y++)
+                memcpy(values + (size_t)(y - top) * wide * 4,
+                       image_pixel(image, left, y - options->image_top),
+                       wide * 4 * sizeof *values);
+            part_file_put(options->keeper->file, PART_PIXELS, area, values);
+        }
+    memory_free(values);
+}
+
 static bool passes_all(struct passes *passes)
 {
     const struct render_options *options = passes->options;
+    passes_know(passes);
     while (!passes_enough(passes)) {
-        uint32_t left = (uint32_t)options->samples - passes->first;
-        passes->count = pass_size(options) < left ? pass_size(options) : left;
+        passes->count = pass_next(passes);
         atomic_store(&passes->rows_done, 0);
         if (!parallel_run(passes->threads, passes->rows, options->stop,
                           passes_row, passes) ||
@@ -184,11 +335,10 @@ static double passes_show(const struct passes *passes, struct image *image)
     for (size_t i = 0; i < passes->columns * passes->rows; i++) {
         int x = options->column_start + (int)(i % passes->columns);
         int y = options->row_start + (int)(i / passes->columns);
-        float *pixel = image_pixel(image, x, y);
+        float *pixel = image_pixel(image, x, y - options->image_top);
         const struct tally *tally = &passes->tallies[i];
         known += tally->samples > 0;
-        for (int k = 0; tally->samples > 0 && k < 4; k++)
-            pixel[k] = (float)(tally->sum[k] / tally->samples);
+        tally_mean(tally, pixel);
     }
     return (double)known / (double)(passes->columns * passes->rows);
 }
@@ -215,8 +365,15 @@ bool passes_run(const struct tracer *tracer,
     for (unsigned i = 0; i < passes.threads; i++)
         worker_start(&passes.workers[i], i, options->stop);
     passes.integrator->ready(&ready, &passes.workers[0]);
+    passes.kept = memory_new(passes.rows * sizeof *passes.kept);
     bool done = passes_all(&passes);
     double share = passes_show(&passes, image);
+    if (done &&
+        (options->share.count || options->image_top ||
+         image->height < options->height) &&
+        keeper_ready(options->keeper))
+        passes_put(&passes, image);
+    memory_free(passes.kept);
     if (stats) {
         stats->share = share;
         stats->samples = (int)passes.first;

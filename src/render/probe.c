@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "render/workers.h"
+#include "scene/photon.h"
 #include "shade/shadow.h"
 #include "tracer/crossing.h"
 #include "tracer/integrator.h"
@@ -41,6 +42,7 @@ static void plate_init(struct plate *plate)
     plate->layer = (struct layer){ &plate->pigment, NULL, &plate->finish };
     plate->texture = (struct texture){ &plate->layer, 1 };
     plate->one_sided = (struct leaf){
+        .photons = &photon_flags_default,
         .object = &plate->object,
         .to_object = &affine_unmoved,
         .to_world = &affine_unmoved,
@@ -78,6 +80,7 @@ static void question_init(struct probe_question *q, const struct probing *all,
                                    .to_texture = leaf->to_texture,
                                    .from_texture = leaf->from_texture };
     q->surface.at = &q->at;
+    q->surface.place = NULL;
     q->surface.point = place;
     q->surface.view = normal;
     q->surface.inside = &q->inside;

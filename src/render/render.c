@@ -2,6 +2,8 @@
  * and then pixels, because antialiasing looks at the neighbours. */
 #include "render/render.h"
 
+#include <string.h>
+
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "render/passes.h"
@@ -13,17 +15,31 @@
 struct thread_state {
     struct worker worker;
     float *scratch;
+    float *told;   /* of a tile, for options->drawn; or NULL */
+    float *values; /* of a tile, on their way to the keeper */
+};
+
+struct rendering;
+
+/* What a pass does with a tile. */
+struct tile_work {
+    /* Whether there is anything to do. */
+    bool (*wanted)(const struct sampler *sampler, struct area tile);
+    void (*draw)(struct rendering *rendering, struct thread_state *thread,
+                 struct area tile);
+    /* Puts it into the keeper's file; NULL: it isn't kept. */
+    void (*keep)(struct rendering *rendering, struct thread_state *thread,
+                 struct area tile);
 };
 
 struct rendering {
     struct sampler sampler;
     const struct render_options *options;
-    struct image *image;
     struct thread_state *threads;
-    struct area area; /* of the pass at work */
+    const struct tile_work *work; /* of the pass */
+    struct area area;             /* of the pass */
     size_t tiles_across;
-    void (*work)(struct rendering *rendering, struct thread_state *thread,
-                 struct area tile);
+    struct keeper_pass keeping;
     atomic_size_t tiles_done;
     size_t tiles_total;     /* of all passes */
     struct first_hits hits; /* while they are used */
@@ -67,19 +83,46 @@ static void tile_first(struct rendering *rendering, struct thread_state *thread,
             return;
         sampler_first(&rendering->sampler, &thread->worker, block);
     }
+    sampler_tell(&rendering->sampler, tile, thread->told);
 }
 
 static void tile_pixels(struct rendering *rendering,
                         struct thread_state *thread, struct area tile)
 {
-    sampler_tile(&rendering->sampler, &thread->worker, tile, thread->scratch,
-                 rendering->image);
+    sampler_tile(&rendering->sampler, &thread->worker, tile, thread->scratch);
+    if (!worker_stopped(&thread->worker))
+        sampler_tell(&rendering->sampler, tile, thread->told);
 }
 
-static void render_tile(void *context, size_t item, unsigned number)
+static void keep_first(struct rendering *rendering, struct thread_state *thread,
+                       struct area tile)
 {
-    struct rendering *rendering = context;
-    const struct render_options *options = rendering->options;
+    sampler_take_first(&rendering->sampler, tile, thread->values);
+    part_file_put(rendering->options->keeper->file, PART_FIRST, tile,
+                  thread->values);
+}
+
+static void keep_pixels(struct rendering *rendering,
+                        struct thread_state *thread, struct area tile)
+{
+    struct area here =
+        sampler_take_pixels(&rendering->sampler, tile, thread->values);
+    if (area_pixels(here) > 0)
+        part_file_put(rendering->options->keeper->file, PART_PIXELS, here,
+                      thread->values);
+}
+
+static const struct tile_work meeting = { NULL, tile_meet, NULL };
+static const struct tile_work sampling = { sampler_needs_any, tile_first,
+                                           keep_first };
+/* Without antialiasing: the first samples are the pixels. */
+static const struct tile_work drawing = { sampler_needs_any, tile_first,
+                                          keep_pixels };
+static const struct tile_work refining = { sampler_wants, tile_pixels,
+                                           keep_pixels };
+
+static struct area pass_tile(const struct rendering *rendering, size_t item)
+{
     const struct area *area = &rendering->area;
     int edge = rendering->sampler.tile;
     struct area tile;
@@ -87,7 +130,29 @@ static void render_tile(void *context, size_t item, unsigned number)
     tile.top = area->top + (int)(item / rendering->tiles_across) * edge;
     tile.right = smaller(tile.left + edge, area->right);
     tile.bottom = smaller(tile.top + edge, area->bottom);
-    rendering->work(rendering, &rendering->threads[number], tile);
+    return tile;
+}
+
+/* keeper_pass.put */
+static void render_keep(void *context, size_t item, unsigned thread)
+{
+    struct rendering *rendering = context;
+    rendering->work->keep(rendering, &rendering->threads[thread],
+                          pass_tile(rendering, item));
+}
+
+static void render_tile(void *context, size_t item, unsigned number)
+{
+    struct rendering *rendering = context;
+    const struct render_options *options = rendering->options;
+    const struct tile_work *work = rendering->work;
+    struct thread_state *thread = &rendering->threads[number];
+    struct area tile = pass_tile(rendering, item);
+    bool wanted = !work->wanted || work->wanted(&rendering->sampler, tile);
+    if (wanted)
+        work->draw(rendering, thread, tile);
+    if (wanted && work->keep && !worker_stopped(&thread->worker))
+        keeper_pass_done(&rendering->keeping, item, number);
     size_t done = atomic_fetch_add(&rendering->tiles_done, 1) + 1;
     if (options->progress)
         options->progress(options->progress_context,
@@ -107,8 +172,7 @@ static size_t tiles_in(const struct rendering *rendering, struct area area)
 }
 
 static bool render_pass(struct rendering *rendering, struct area area,
-                        void (*work)(struct rendering *, struct thread_state *,
-                                     struct area))
+                        const struct tile_work *work)
 {
     const struct render_options *options = rendering->options;
     unsigned threads = options->threads ? options->threads : 1;
@@ -116,19 +180,30 @@ static bool render_pass(struct rendering *rendering, struct area area,
     rendering->work = work;
     rendering->tiles_across =
         tiles_over(area.left, area.right, rendering->sampler.tile);
-    return parallel_run(threads, tiles_in(rendering, area), options->stop,
-                        render_tile, rendering) &&
-           !(options->stop && atomic_load(options->stop));
+    size_t tiles = tiles_in(rendering, area);
+    struct keeper *keeper = work->keep ? options->keeper : NULL;
+    keeper_pass_start(&rendering->keeping, keeper, tiles);
+    bool done =
+        parallel_run(threads, tiles, options->stop, render_tile, rendering) &&
+        !(options->stop && atomic_load(options->stop));
+    keeper_pass_end(&rendering->keeping);
+    return done;
 }
 
 static void threads_start(struct rendering *rendering, unsigned count)
 {
     size_t scratch = sampler_scratch(&rendering->sampler);
+    size_t edge = (size_t)rendering->sampler.tile;
     rendering->threads = memory_new(count * sizeof *rendering->threads);
     for (unsigned i = 0; i < count; i++) {
         struct thread_state *thread = &rendering->threads[i];
         worker_start(&thread->worker, i, rendering->options->stop);
         thread->scratch = memory_new(scratch * sizeof *thread->scratch);
+        thread->values = rendering->options->keeper
+                             ? memory_new(edge * edge * 4 * sizeof(float))
+                             : NULL;
+        if (rendering->options->drawn)
+            thread->told = memory_new(edge * edge * 4 * sizeof(float));
     }
 }
 
@@ -139,6 +214,8 @@ static void threads_end(struct rendering *rendering, unsigned count,
         struct thread_state *thread = &rendering->threads[i];
         worker_end(&thread->worker, stats);
         memory_free(thread->scratch);
+        memory_free(thread->told);
+        memory_free(thread->values);
     }
     memory_free(rendering->threads);
 }
@@ -164,7 +241,7 @@ static bool render_foresee(struct rendering *rendering,
     size_t places = (size_t)hits->columns * (size_t)hits->rows;
     hits->at = memory_new(places * sizeof *hits->at);
     rendering->tiles_total += tiles_in(rendering, all);
-    if (!render_pass(rendering, all, tile_meet))
+    if (!render_pass(rendering, all, &meeting))
         return false;
     struct worker **workers = memory_new(threads * sizeof(void *));
     for (unsigned i = 0; i < threads; i++)
@@ -175,6 +252,42 @@ static bool render_foresee(struct rendering *rendering,
     return true;
 }
 
+static void take_first(void *context, struct area area, const void *values)
+{
+    sampler_give_first(context, area, values);
+}
+
+static void take_pixels(void *context, struct area area, const void *values)
+{
+    sampler_give_pixels(context, area, values);
+}
+
+/* What was drawn before. Returns whether there is anything left to draw. */
+static bool render_know(struct rendering *rendering)
+{
+    struct sampler *sampler = &rendering->sampler;
+    const struct keeper *keeper = rendering->options->keeper;
+    struct part_file *file = keeper ? keeper->file : NULL;
+    if (file && !sampler->direct)
+        part_file_each(file, PART_FIRST, sampler->first, take_first, sampler);
+    if (file)
+        part_file_each(file, PART_PIXELS, sampler->wanted, take_pixels,
+                       sampler);
+    return sampler_need(sampler);
+}
+
+static bool render_passes(struct rendering *rendering,
+                          const struct tracer *tracer, unsigned threads)
+{
+    const struct sampler *sampler = &rendering->sampler;
+    bool done = render_foresee(rendering, tracer, threads);
+    rendering->threads[0].worker.telling = rendering->options->telling;
+    if (sampler->direct)
+        return done && render_pass(rendering, sampler->first, &drawing);
+    return done && render_pass(rendering, sampler->first, &sampling) &&
+           render_pass(rendering, sampler->tiled, &refining);
+}
+
 static bool render_tiles(const struct tracer *tracer,
                          const struct render_options *options,
                          struct image *image, struct render_stats *stats)
@@ -183,21 +296,74 @@ static bool render_tiles(const struct tracer *tracer,
     struct rendering rendering = {
         .sampler = sampler_new(tracer, options, image),
         .options = options,
-        .image = image,
+        .keeping = { .put = render_keep, .context = &rendering },
     };
-    rendering.tiles_total = tiles_in(&rendering, rendering.sampler.first) +
-                            tiles_in(&rendering, rendering.sampler.tiled);
+    bool direct = rendering.sampler.direct;
+    rendering.tiles_total =
+        tiles_in(&rendering, rendering.sampler.first) +
+        (direct ? 0 : tiles_in(&rendering, rendering.sampler.tiled));
     threads_start(&rendering, threads);
-    bool done = render_foresee(&rendering, tracer, threads);
-    rendering.threads[0].worker.telling = options->telling;
-    done = done &&
-           render_pass(&rendering, rendering.sampler.first, tile_first) &&
-           render_pass(&rendering, rendering.sampler.tiled, tile_pixels);
+    bool done =
+        !render_know(&rendering) || render_passes(&rendering, tracer, threads);
     if (stats)
-        stats->share = done ? 1 : sampler_rescue(&rendering.sampler, image);
+        stats->share = done ? 1 : sampler_rescue(&rendering.sampler);
     threads_end(&rendering, threads, stats);
     sampler_free(&rendering.sampler);
     memory_free(rendering.hits.at);
+    return done;
+}
+
+/* One band of a picture after the other. */
+struct bands {
+    const struct render_options *options;
+    int done, count;
+};
+
+static void bands_progress(void *context, double done)
+{
+    const struct bands *bands = context;
+    const struct render_options *options = bands->options;
+    if (options->progress)
+        options->progress(options->progress_context,
+                          (bands->done + done) / bands->count);
+}
+
+static bool render_band(const struct tracer *tracer,
+                        const struct render_options *options,
+                        struct image *image, struct render_stats *stats)
+{
+    return integrator_for(tracer->lighting)->sample
+               ? passes_run(tracer, options, image, stats)
+               : render_tiles(tracer, options, image, stats);
+}
+
+static bool render_bands(const struct tracer *tracer,
+                         const struct render_options *options,
+                         struct image *image, struct render_stats *stats)
+{
+    struct bands bands = { options, 0, 0 };
+    struct render_options band = *options;
+    size_t values = (size_t)image->width * (size_t)image->height * 4;
+    double share = 0;
+    bool done = true;
+    bands.count = (options->height + image->height - 1) / image->height;
+    band.progress = bands_progress;
+    band.progress_context = &bands;
+    band.passed = NULL;
+    for (; done && bands.done < bands.count; bands.done++) {
+        band.image_top = bands.done * image->height;
+        int bottom = smaller(band.image_top + image->height, options->height);
+        band.row_start = options->row_start > band.image_top
+                             ? options->row_start
+                             : band.image_top;
+        band.row_end = smaller(options->row_end, bottom);
+        memset(image->pixels, 0, values * sizeof *image->pixels);
+        if (band.row_start >= band.row_end)
+            continue;
+        done = render_band(tracer, &band, image, stats);
+        share += stats->share / bands.count;
+    }
+    stats->share = share;
     return done;
 }
 
@@ -205,14 +371,16 @@ bool render_run(const struct tracer *tracer,
                 const struct render_options *options, struct image *image,
                 struct render_stats *stats)
 {
-    if (stats)
-        *stats = (struct render_stats){ 0 };
+    struct render_stats unused;
+    if (!stats)
+        stats = &unused;
+    *stats = (struct render_stats){ 0 };
     if (options->column_end <= options->column_start ||
         options->row_end <= options->row_start)
         return true;
     struct tracer ready = *tracer;
     tracer_ready(&ready);
-    return integrator_for(tracer->lighting)->sample
-               ? passes_run(&ready, options, image, stats)
-               : render_tiles(&ready, options, image, stats);
+    return image->height < options->height
+               ? render_bands(&ready, options, image, stats)
+               : render_band(&ready, options, image, stats);
 }

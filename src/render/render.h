@@ -4,15 +4,28 @@
 
 #include <stdatomic.h>
 
+#include "image/area.h"
 #include "image/image.h"
+#include "render/keeper.h"
+#include "render/share.h"
 #include "tracer/tracer.h"
 
 struct telling;
+
+/* A part of a picture, row by row. */
+struct render_part {
+    struct area area;
+    const float *pixels; /* RGBA, in the working space */
+};
 
 struct render_options {
     int width, height;
     /* The part to render, 0-based, end exclusive; the rest stays black. */
     int column_start, column_end, row_start, row_end;
+    struct share share;    /* of these pixels, those that are drawn here; the
+                            * others    stay black */
+    struct keeper *keeper; /* of finished tiles; or NULL. What it has already is
+                            * not drawn again */
     bool antialias;
     int method;             /* +AM: 1 or 2 */
     double threshold;       /* +A: 0.3 */
@@ -34,7 +47,16 @@ struct render_options {
     /* Called after each pass over the picture, by one thread; may be NULL. */
     void (*passed)(void *context, int samples, double error);
     void *progress_context;
+    /* Called from any thread with each part of the picture that has been
+     * looked at: first with first samples, or means of some, later again; the
+     * last time with its pixels as they are in the picture. May be NULL. */
+    void (*drawn)(void *context, const struct render_part *part);
+    void *drawn_context;
+    int image_top; /* the row of the picture that is the image's first; 0 but
+                    * where bands are drawn */
 };
+
+enum { RENDER_BAND = 256 };
 
 /* About how many camera rays that takes. */
 double render_camera_rays(const struct render_options *options);
@@ -47,8 +69,12 @@ struct render_stats {
 };
 
 /* Renders into `image` (of width x height, black), in the working space.
- * The same bits for any number of threads. Returns false if stopped: the image
- * then has the pixels that were ready. */
+ * The same bits for any number of threads, for any share and whatever was kept.
+ * Returns false if stopped: the image then has the pixels that were ready.
+ *
+ * An image of less height than the picture is used for one band of the picture
+ * after the other, and holds the last at the end: the keeper has them all. Its
+ * height must be a multiple of RENDER_BAND. */
 bool render_run(const struct tracer *tracer,
                 const struct render_options *options, struct image *image,
                 struct render_stats *stats);

@@ -5,28 +5,14 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "render/sampler_places.h"
 
-enum {
-    DEPTH_MAX = 9,
-    /* Method 1 decides by what is already refined, in reading order from the
-     * beginning of a tile: POV-Ray's default tile, so that its pixels match. */
-    CENTRES_TILE = 32,
-};
+enum { DEPTH_MAX = 9 };
 
 static int sampler_depth(const struct sampler *sampler)
 {
     int depth = sampler->options->depth;
     return depth < 1 ? 1 : depth > DEPTH_MAX ? DEPTH_MAX : depth;
-}
-
-static bool sampler_corners(const struct sampler *sampler)
-{
-    return sampler->options->antialias && sampler->options->method == 2;
-}
-
-static bool sampler_centres(const struct sampler *sampler)
-{
-    return sampler->options->antialias && sampler->options->method != 2;
 }
 
 static int larger(int a, int b)
@@ -64,12 +50,6 @@ static bool sampler_in_place(const struct sampler *sampler,
            tiled->right == image->width && tiled->bottom == image->height;
 }
 
-/* Rows, then columns, that are above or to the left of a tile. */
-static size_t sampler_edge_rows(const struct sampler *sampler)
-{
-    return (size_t)((sampler->tiled.bottom + CENTRES_TILE) / CENTRES_TILE);
-}
-
 static float *sampler_edges_new(const struct sampler *sampler)
 {
     size_t across = (size_t)sampler->tiled.right + 1;
@@ -79,28 +59,15 @@ static float *sampler_edges_new(const struct sampler *sampler)
     return memory_new(pixels * 4 * sizeof(float));
 }
 
-/* Where it is kept what tiles to the right and below see of a place; NULL: they
- * don't. */
-static float *sampler_edge(const struct sampler *sampler, int x, int y)
-{
-    size_t across = (size_t)sampler->tiled.right + 1;
-    size_t down = (size_t)sampler->tiled.bottom + 1;
-    size_t column = (size_t)(x + 1), row = (size_t)(y + 1);
-    if (row % CENTRES_TILE == 0)
-        return sampler->edges + (row / CENTRES_TILE * across + column) * 4;
-    if (column % CENTRES_TILE != 0)
-        return NULL;
-    size_t before = sampler_edge_rows(sampler) * across;
-    return sampler->edges + (before + column / CENTRES_TILE * down + row) * 4;
-}
-
 /* Method 1 compares with the pixels to the left and above, outside the picture
  * too, as POV-Ray does. */
 struct sampler sampler_new(const struct tracer *tracer,
                            const struct render_options *options,
                            struct image *image)
 {
-    struct sampler sampler = { .tracer = tracer, .options = options };
+    struct sampler sampler = { .tracer = tracer,
+                               .options = options,
+                               .image = image };
     struct area wanted = { options->column_start, options->row_start,
                            options->column_end, options->row_end };
     sampler.wanted = sampler.tiled = wanted;
@@ -124,8 +91,7 @@ struct sampler sampler_new(const struct tracer *tracer,
         sampler.perceived = memory_new(sizeof *sampler.perceived);
         perceived_fill(sampler.perceived, gamma > 0 ? 1 / gamma : 1);
     }
-    sampler.direct = !options->antialias && columns == (size_t)image->width &&
-                     rows == (size_t)image->height;
+    sampler.direct = !options->antialias;
     if (sampler_in_place(&sampler, image))
         sampler.edges = sampler_edges_new(&sampler);
     sampler.grid = sampler.direct || sampler.edges
@@ -173,41 +139,12 @@ static void sampler_see(const struct sampler *sampler, struct worker *worker,
     sampler_take(&seen, out);
 }
 
-static float *sampler_place(const struct sampler *sampler, int x, int y)
-{
-    const struct area *first =
-        sampler->edges ? &sampler->tiled : &sampler->first;
-    if (sampler->edges && (x < 0 || y < 0))
-        return sampler_edge(sampler, x, y);
-    size_t columns = (size_t)(first->right - first->left);
-    size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
-    return sampler->grid + (row * columns + column) * 4;
-}
-
-static unsigned char *sampler_state(const struct sampler *sampler, int x, int y)
-{
-    const struct area *first = &sampler->first;
-    size_t columns = (size_t)(first->right - first->left);
-    size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
-    return sampler->states + row * columns + column;
-}
-
 /* The same of a place that is another tile's, of which the picture may have
  * been made by now. */
 static float *sampler_place_beyond(const struct sampler *sampler, int x, int y)
 {
     return sampler->edges ? sampler_edge(sampler, x, y)
                           : sampler_place(sampler, x, y);
-}
-
-static void sampler_put(const struct sampler *sampler,
-                        const struct radiance *seen, int x, int y)
-{
-    float *place = sampler_place(sampler, x, y);
-    float *edge = sampler->edges ? sampler_edge(sampler, x, y) : NULL;
-    sampler_take(seen, place);
-    if (edge && edge != place)
-        memcpy(edge, place, 4 * sizeof *edge);
 }
 
 struct area sampler_foreseen(const struct sampler *sampler)
@@ -245,15 +182,19 @@ struct sampler_block {
     struct world_hit hits[SAMPLER_BLOCK * SAMPLER_BLOCK];
 };
 
+/* With `needed` only those that are. */
 static void block_start(const struct sampler *sampler,
                         struct sampler_block *block,
-                        const struct first_hits *grid, struct area area)
+                        const struct first_hits *grid, struct area area,
+                        bool needed)
 {
     _Static_assert(SAMPLER_BLOCK * SAMPLER_BLOCK <= (int)WORLD_RAYS,
                    "a packet");
     block->count = 0;
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++) {
+            if (needed && !sampler_needs(sampler, x, y))
+                continue;
             struct picture_place *place = &block->places[block->count];
             first_hits_place(grid, x, y, place->at);
             place->grid[0] = x;
@@ -268,12 +209,29 @@ static void block_meet(const struct sampler *sampler,
     tracer_meet_many(sampler->tracer, block->rays, block->count, block->hits);
 }
 
+/* Whether what is met there can decide about a place that is needed. */
+static bool sampler_needs_near(const struct sampler *sampler, struct area area)
+{
+    const struct area *first = &sampler->first;
+    int right = smaller(area.right + FIRST_HITS_APRON, first->right);
+    int bottom = smaller(area.bottom + FIRST_HITS_APRON, first->bottom);
+    for (int y = larger(area.top - FIRST_HITS_APRON, first->top); y < bottom;
+         y++)
+        for (int x = larger(area.left - FIRST_HITS_APRON, first->left);
+             x < right; x++)
+            if (*sampler_state(sampler, x, y) & SAMPLER_NEEDED)
+                return true;
+    return false;
+}
+
 void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
                   struct area area)
 {
     struct sampler_block block = { 0 };
     unsigned count = 0;
-    block_start(sampler, &block, hits, area);
+    if (sampler->sparse && !sampler_needs_near(sampler, area))
+        return;
+    block_start(sampler, &block, hits, area, false);
     block_meet(sampler, &block);
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)
@@ -286,23 +244,25 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
     struct first_hits grid = sampler_grid(sampler);
     struct sampler_block block = { 0 };
     struct radiance seen[SAMPLER_BLOCK * SAMPLER_BLOCK];
-    unsigned count = 0;
-    block_start(sampler, &block, &grid, area);
+    block_start(sampler, &block, &grid, area, true);
+    if (!block.count)
+        return;
     if (!sampler->hits)
         block_meet(sampler, &block);
-    for (int y = area.top; sampler->hits && y < area.bottom; y++)
-        for (int x = area.left; x < area.right; x++)
-            block.hits[count++] = *first_hits_at(sampler->hits, x, y);
+    for (unsigned i = 0; sampler->hits && i < block.count; i++)
+        block.hits[i] =
+            *first_hits_at(sampler->hits, (int)block.places[i].grid[0],
+                           (int)block.places[i].grid[1]);
     tracer_see_many(sampler->tracer, worker, block.places, block.rays,
                     block.hits, block.count, seen);
     if (worker_stopped(worker)) /* while it was looked at */
         return;
-    count = 0;
-    for (int y = area.top; y < area.bottom; y++)
-        for (int x = area.left; x < area.right; x++) {
-            sampler_put(sampler, &seen[count++], x, y);
-            *sampler_state(sampler, x, y) = SAMPLER_SEEN;
-        }
+    for (unsigned i = 0; i < block.count; i++) {
+        float value[4];
+        sampler_take(&seen[i], value);
+        sampler_put(sampler, value, (int)block.places[i].grid[0],
+                    (int)block.places[i].grid[1]);
+    }
 }
 
 /* Sum of the differences after gamma correction; opacity counts when it is
@@ -417,8 +377,6 @@ struct quarters {
     float *places;
 };
 
-enum { UNSEEN = -1 }; /* as opacity */
-
 static float *quarters_place(struct quarters *q, int i, int j)
 {
     float *place = q->places + (j * (q->n + 1) + i) * 4;
@@ -481,10 +439,10 @@ static void corners_pixel(const struct sampler *sampler, struct worker *worker,
 }
 
 void sampler_tile(const struct sampler *sampler, struct worker *worker,
-                  struct area tile, float *scratch, struct image *image)
+                  struct area tile, float *scratch)
 {
     struct centres centres = { sampler, worker, tile, scratch };
-    if (sampler->direct)
+    if (sampler->direct || (sampler->sparse && !sampler_wants(sampler, tile)))
         return;
     if (sampler_centres(sampler))
         centres_tile(&centres);
@@ -497,28 +455,27 @@ void sampler_tile(const struct sampler *sampler, struct worker *worker,
             float pixel[4];
             if (sampler_corners(sampler))
                 corners_pixel(sampler, worker, x, y, scratch, pixel);
-            else if (sampler_centres(sampler))
-                memcpy(pixel, centres_place(&centres, x, y), sizeof pixel);
             else
-                memcpy(pixel, sampler_place(sampler, x, y), sizeof pixel);
+                memcpy(pixel, centres_place(&centres, x, y), sizeof pixel);
             if (worker_stopped(worker))
                 return;
-            memcpy(image_pixel(image, x, y), pixel, sizeof pixel);
-            *sampler_state(sampler, x, y) = SAMPLER_DONE;
+            memcpy(sampler_pixel(sampler, x, y), pixel, sizeof pixel);
+            *sampler_state(sampler, x, y) |= SAMPLER_DONE;
         }
 }
 
-double sampler_rescue(const struct sampler *sampler, struct image *image)
+double sampler_rescue(const struct sampler *sampler)
 {
     const struct area *wanted = &sampler->wanted;
     double known = 0, all = 0;
     for (int y = wanted->top; y < wanted->bottom; y++)
         for (int x = wanted->left; x < wanted->right; x++) {
             unsigned char state = *sampler_state(sampler, x, y);
-            if (state == SAMPLER_SEEN && !sampler->direct && !sampler->edges)
-                memcpy(image_pixel(image, x, y), sampler_place(sampler, x, y),
-                       4 * sizeof(float));
-            known += state != SAMPLER_UNSEEN;
+            bool seen = state & SAMPLER_SEEN, done = state & SAMPLER_DONE;
+            if (seen && !done && !sampler->direct && !sampler->edges)
+                memcpy(sampler_pixel(sampler, x, y),
+                       sampler_place(sampler, x, y), 4 * sizeof(float));
+            known += seen || done;
             all++;
         }
     return known / all;

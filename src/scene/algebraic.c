@@ -2,7 +2,8 @@
  * on polynomials of the ray's parameter. */
 #include "scene/algebraic.h"
 
-#include "scene/polynomial.h"
+#include "scene/crossings.h"
+#include "scene/line_roots.h"
 
 size_t algebraic_terms(int order)
 {
@@ -20,71 +21,104 @@ const char *algebraic_check(const struct algebraic *surface,
                         surface->order, wanted, surface->terms.count);
 }
 
-/* p, of this degree, times (a + b t). */
-static void times_linear(double *p, int degree, double a, double b)
+/* A polynomial in the ray's parameter; degree -1: nothing yet. Most terms of
+ * most surfaces are 0, and add none. */
+struct sum {
+    int degree;
+    double c[ALGEBRAIC_ORDER_MAX + 1];
+};
+
+/* Times (a + b t). */
+static inline void sum_times(struct sum *sum, double a, double b)
 {
+    double *p = sum->c;
+    int degree = sum->degree;
+    if (degree < 0)
+        return;
     p[degree + 1] = b * p[degree];
     for (int i = degree; i > 0; i--)
         p[i] = a * p[i] + b * p[i - 1];
     p[0] *= a;
+    sum->degree++;
 }
 
-/* F along origin + t direction: its coefficients in t into c. */
+static inline void sum_add(struct sum *sum, const double *c, int degree)
+{
+    while (sum->degree < degree)
+        sum->c[++sum->degree] = 0;
+    for (int i = 0; i <= degree; i++)
+        sum->c[i] += c[i];
+}
+
+/* F along o + t d, of the surface's order. */
 static void restrict_to_line(const struct algebraic *surface, vec3 o, vec3 d,
-                             double *c)
+                             struct sum *all)
 {
     int n = surface->order;
     const double *term = surface->terms.values;
+    all->degree = -1;
     for (int i = n; i >= 0; i--) {
-        double in_y[ALGEBRAIC_ORDER_MAX + 1];
+        struct sum in_y, in_z;
+        in_y.degree = -1;
         for (int j = n - i; j >= 0; j--) {
-            int top = n - i - j;
-            double in_z[ALGEBRAIC_ORDER_MAX + 1];
-            in_z[0] = *term++;
-            for (int k = 0; k < top; k++) {
-                times_linear(in_z, k, o.z, d.z);
-                in_z[0] += *term++;
+            in_z.degree = -1;
+            for (int k = n - i - j; k >= 0; k--, term++) {
+                sum_times(&in_z, o.z, d.z);
+                if (*term != 0)
+                    sum_add(&in_z, term, 0);
             }
-            if (top > 0)
-                times_linear(in_y, top - 1, o.y, d.y);
-            else
-                in_y[0] = 0;
-            for (int k = 0; k <= top; k++)
-                in_y[k] += in_z[k];
+            sum_times(&in_y, o.y, d.y);
+            sum_add(&in_y, in_z.c, in_z.degree);
         }
-        if (i < n)
-            times_linear(c, n - i - 1, o.x, d.x);
-        else
-            c[0] = 0;
-        for (int k = 0; k <= n - i; k++)
-            c[k] += in_y[k];
+        sum_times(all, o.x, d.x);
+        sum_add(all, in_y.c, in_y.degree);
     }
 }
 
-/* The ray's origin is first moved to where it passes the shape's origin and
- * its direction made unit: seen from afar, the coefficients would cancel. */
-void algebraic_intersect(const struct algebraic *surface, const struct ray *ray,
-                         struct hits *hits)
+/* Where the line may meet the surface, and F there; false: nowhere. From where
+ * it passes the shape's origin: seen from afar, the coefficients would cancel.
+ * Nothing is seen beyond 1e7 units of the ray. */
+static bool algebraic_part(const struct algebraic *surface,
+                           const struct ray *ray, struct line *line,
+                           struct sum *f, double *low, double *high)
 {
-    double c[ALGEBRAIC_ORDER_MAX + 1], roots[HITS_MAX];
-    double length = vec3_length(ray->direction);
-    if (!(length > 0))
+    if (!line_of(line, ray))
+        return false;
+    restrict_to_line(surface, line->near, line->along, f);
+    while (f->degree > 0 && f->c[f->degree] == 0)
+        f->degree--;
+    double reach = 1e7 * line->length;
+    double bound = polynomial_bound(f->c, f->degree);
+    *low = fmax(-bound, -reach - line->shift);
+    *high = fmin(bound, reach - line->shift);
+    return f->degree > 0;
+}
+
+void algebraic_shape_crossings(const void *shape, const struct ray *ray,
+                               double tmin, double tmax, hit_visit *visit,
+                               void *context)
+{
+    struct line line;
+    struct sum f;
+    double low, high;
+    if (!algebraic_part(shape, ray, &line, &f, &low, &high))
         return;
-    vec3 direction = vec3_scale(ray->direction, 1 / length);
-    double shift = -vec3_dot(ray->origin, direction);
-    restrict_to_line(surface, vec3_along(ray->origin, direction, shift),
-                     direction, c);
-    int degree = surface->order;
-    while (degree > 0 && c[degree] == 0)
-        degree--;
-    /* Nothing is seen beyond 1e7 units of the ray. */
-    double reach = 1e7 * length;
-    double bound = polynomial_bound(c, degree);
-    double low = fmax(-bound, -reach - shift);
-    double high = fmin(bound, reach - shift);
-    int count = polynomial_roots(c, degree, low, high, roots, HITS_MAX);
-    for (int i = 0; i < count; i++)
-        hits_add(hits, (roots[i] + shift) / length, 0);
+    struct line_visit found = { &line, tmin, tmax, visit, context };
+    low = fmax(low, line_root(&line, tmin));
+    high = fmin(high, line_root(&line, tmax));
+    const struct root_search search = { low, line_visit_root, &found };
+    polynomial_visit(f.c, f.degree, low, high, &search);
+}
+
+bool algebraic_shape_crosses(const void *shape, const struct ray *ray,
+                             double tmin, double tmax)
+{
+    struct line line;
+    struct sum f;
+    double low, high;
+    return algebraic_part(shape, ray, &line, &f, &low, &high) &&
+           polynomial_crosses(f.c, f.degree, fmax(low, line_root(&line, tmin)),
+                              fmin(high, line_root(&line, tmax)));
 }
 
 /* F, and its gradient unless NULL. */
@@ -141,7 +175,14 @@ struct box3 algebraic_shape_bounds(const void *shape)
 void algebraic_shape_intersect(const void *shape, const struct ray *ray,
                                struct hits *hits)
 {
-    algebraic_intersect(shape, ray, hits);
+    crossings_all(algebraic_shape_crossings, shape, ray, hits);
+}
+
+bool algebraic_shape_first(const void *shape, const struct ray *ray,
+                           double tmin, double tmax, struct hit *hit)
+{
+    return crossings_first(algebraic_shape_crossings, shape, ray, tmin, tmax,
+                           hit);
 }
 
 vec3 algebraic_shape_normal(const void *shape, vec3 point,

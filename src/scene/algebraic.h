@@ -23,8 +23,6 @@ size_t algebraic_terms(int order);
 const char *algebraic_check(const struct algebraic *surface,
                             struct arena *arena);
 
-void algebraic_intersect(const struct algebraic *surface, const struct ray *ray,
-                         struct hits *hits);
 vec3 algebraic_normal(const struct algebraic *surface, vec3 point);
 bool algebraic_inside(const struct algebraic *surface, vec3 point);
 
@@ -32,6 +30,13 @@ bool algebraic_inside(const struct algebraic *surface, vec3 point);
 struct box3 algebraic_shape_bounds(const void *shape);
 void algebraic_shape_intersect(const void *shape, const struct ray *ray,
                                struct hits *hits);
+void algebraic_shape_crossings(const void *shape, const struct ray *ray,
+                               double tmin, double tmax, hit_visit *visit,
+                               void *context);
+bool algebraic_shape_crosses(const void *shape, const struct ray *ray,
+                             double tmin, double tmax);
+bool algebraic_shape_first(const void *shape, const struct ray *ray,
+                           double tmin, double tmax, struct hit *hit);
 vec3 algebraic_shape_normal(const void *shape, vec3 point,
                             const struct hit *hit);
 bool algebraic_shape_inside(const void *shape, vec3 point);

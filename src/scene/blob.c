@@ -115,6 +115,22 @@ static void blob_visit(const struct blob *blob, vec3 point, part_visit *visit,
     }
 }
 
+void blob_densities(const struct blob *blob, vec3 point,
+                    blob_density_visit *visit, void *context)
+{
+    const struct blob_tree *tree = blob->tree;
+    const struct blob_node *leaf = blob_tree_leaf_at(tree, 0, point);
+    for (; leaf; leaf = blob_tree_leaf_at(tree, leaf->next, point))
+        for (uint32_t i = leaf->first; i < leaf->first + leaf->count; i++) {
+            const struct blob_body *body = &tree->bodies[i];
+            vec3 d = part_offset(&body->part,
+                                 affine_point(&body->part.inward, point));
+            double rest = 1 - vec3_dot(d, d);
+            if (rest > 0)
+                visit(context, body->number, body->part.strength * rest * rest);
+        }
+}
+
 static void add_density(void *context, const struct blob_part *part,
                         vec3 offset, double rest)
 {
@@ -161,22 +177,21 @@ struct stretches {
     struct stretch items[STRETCHES_MAX];
 };
 
-/* The part of the line where q is positive, between limits. */
-static void stretch_add(struct stretches *all, double strength, double a,
-                        double nearest, double most, double low, double high)
+/* The part of the line where its q is positive, between its limits. */
+static void stretch_add(struct stretches *all, struct stretch wanted)
 {
-    if (!(most > 0) || all->count == STRETCHES_MAX)
+    double low = wanted.low, high = wanted.high, nearest = wanted.nearest;
+    if (!(wanted.most > 0) || all->count == STRETCHES_MAX)
         return;
-    if (a > 0) {
-        double half = sqrt(most / a);
+    if (wanted.a > 0) {
+        double half = sqrt(wanted.most / wanted.a);
         low = low > nearest - half ? low : nearest - half;
         high = high < nearest + half ? high : nearest + half;
     }
-    low = low > all->tmin ? low : all->tmin;
-    high = high < all->tmax ? high : all->tmax;
-    if (low < high)
-        all->items[all->count++] =
-            (struct stretch){ low, high, strength, a, nearest, most };
+    wanted.low = low > all->tmin ? low : all->tmin;
+    wanted.high = high < all->tmax ? high : all->tmax;
+    if (wanted.low < wanted.high)
+        all->items[all->count++] = wanted;
 }
 
 /* A ball of radius 1 around the origin. */
@@ -185,7 +200,8 @@ static void ball_stretch(struct stretches *all, double strength, vec3 o, vec3 d,
 {
     double a = vec3_dot(d, d), nearest = -vec3_dot(o, d) / a;
     vec3 p = vec3_along(o, d, nearest);
-    stretch_add(all, strength, a, nearest, 1 - vec3_dot(p, p), low, high);
+    stretch_add(all, (struct stretch){ low, high, strength, a, nearest,
+                                       1 - vec3_dot(p, p) });
 }
 
 /* The round ends below 0 and beyond the length, and what is between them. */
@@ -204,8 +220,9 @@ static void cylinder_stretches(struct stretches *all,
     double a = d.x * d.x + d.y * d.y;
     double nearest = a > 0 ? -(o.x * d.x + o.y * d.y) / a : 0;
     double x = o.x + nearest * d.x, y = o.y + nearest * d.y;
-    stretch_add(all, part->strength, a, nearest, 1 - x * x - y * y,
-                fmin(in, out), fmax(in, out));
+    stretch_add(all,
+                (struct stretch){ fmin(in, out), fmax(in, out), part->strength,
+                                  a, nearest, 1 - x * x - y * y });
     o.z = top;
     ball_stretch(all, part->strength, o, d, up ? out : -HUGE_VAL,
                  up ? HUGE_VAL : out);
@@ -219,8 +236,10 @@ static void body_stretches(struct stretches *all, const struct blob_body *body,
         vec3 o = vec3_sub(ray->origin, body->centre), d = ray->direction;
         double square = vec3_dot(d, d), nearest = -vec3_dot(o, d) / square;
         vec3 p = vec3_along(o, d, nearest);
-        stretch_add(all, part->strength, square * body->inverse, nearest,
-                    1 - vec3_dot(p, p) * body->inverse, -HUGE_VAL, HUGE_VAL);
+        stretch_add(all,
+                    (struct stretch){ -HUGE_VAL, HUGE_VAL, part->strength,
+                                      square * body->inverse, nearest,
+                                      1 - vec3_dot(p, p) * body->inverse });
         return;
     }
     vec3 o = affine_point(&part->inward, ray->origin);

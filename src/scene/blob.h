@@ -19,6 +19,7 @@ enum {
 };
 
 struct blob_tree;
+struct texture;
 
 struct blob {
     struct terms parts; /* struct blob_part after part, as numbers */
@@ -26,9 +27,20 @@ struct blob {
     bool ignored; /* sturm and hierarchy: needless */
     struct box3 bounds;
     const struct blob_tree *tree; /* over the parts */
+    const unsigned *textures;     /* of each part, a number of these; NULL: all
+                                   * parts are alike */
+    const struct texture **part_textures;
+    size_t texture_count;
 };
 
 extern const struct primitive blob_primitive;
+
+/* Takes what a part adds to the density at a point. */
+typedef void blob_density_visit(void *context, size_t part, double density);
+
+/* Calls visit for every part that reaches the point of the blob's space. */
+void blob_densities(const struct blob *blob, vec3 point,
+                    blob_density_visit *visit, void *context);
 
 /* A ball, or with two different ends a cylinder. False: it has no radius. */
 bool blob_part_make(struct blob_part *part, vec3 base, vec3 apex, double radius,

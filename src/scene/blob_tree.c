@@ -95,9 +95,11 @@ blob_tree_new(struct arena *arena, const struct blob_part *parts, size_t count)
     struct blob_tree *tree = ARENA_NEW(arena, struct blob_tree);
     struct arena *scratch = arena_new(0);
     struct seed *seeds = ARENA_ARRAY(scratch, struct seed, count);
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
         seeds[i] = (struct seed){ .box = blob_part_box(&parts[i]),
                                   .body = body_of(&parts[i]) };
+        seeds[i].body.number = i;
+    }
     tree->bodies = ARENA_ARRAY(arena, struct blob_body, count);
     tree->nodes = ARENA_ARRAY(arena, struct blob_node, 2 * count);
     build(tree, seeds, count);

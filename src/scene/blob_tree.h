@@ -14,6 +14,7 @@ struct blob_body {
     bool round; /* a ball, whose space is moved and sized only: */
     vec3 centre;
     double inverse; /* of its radius, squared */
+    size_t number;  /* of the part */
 };
 
 /* Nodes come before those below them; `next` is the first that is not. */

@@ -4,24 +4,57 @@
 #define SCENE_CAMERA_H
 
 #include "base/affine.h"
+#include "base/field.h"
 #include "scene/ray.h"
 
-enum camera_kind {
-    CAMERA_PERSPECTIVE,
-    CAMERA_ORTHOGRAPHIC,
-    CAMERA_ULTRA_WIDE_ANGLE,
-    CAMERA_PANORAMIC,
-    CAMERA_SPHERICAL,
-    CAMERA_CYLINDER_1, /* upright, seen from its middle */
-    CAMERA_CYLINDER_2, /* lying */
-    CAMERA_CYLINDER_3, /* upright, each line seen from its own height */
-    CAMERA_CYLINDER_4, /* lying, each column from its own place */
-    CAMERA_FISHEYE,    /* a disc; the rest of the picture is black */
-    CAMERA_OMNIMAX,    /* a disc, cut off below: a dome's film */
+/* How a camera's rays lie. */
+enum camera_lines {
+    CAMERA_CENTRAL,   /* from one point; straight lines stay straight */
+    CAMERA_PARALLEL,  /* side by side; straight lines stay straight */
+    CAMERA_BENT,      /* lines are bent */
+    CAMERA_SCATTERED, /* from anywhere to anywhere */
 };
 
+struct camera;
+
+/* One kind of camera: a file in camera/ and a row in camera/list.h. */
+struct camera_kind {
+    const char *name; /* the keyword */
+    const char *help;
+    /* After the keyword; of struct camera. NULL: nothing. */
+    const struct field *arguments;
+    enum camera_lines lines;
+    /* Once all has been read, before it is turned to look_at; NULL: nothing. */
+    void (*finish)(struct camera *camera);
+    /* Whether it sees anything at x to the right and y above the middle of the
+     * picture, whose sides are 1; NULL: everywhere. */
+    bool (*sees)(const struct camera *camera, double x, double y);
+    /* Its ray there, of any length. */
+    struct ray (*ray)(const struct camera *camera, double x, double y);
+    /* Other rays of the same pixel, 1 to camera->rays - 1. False: none. NULL:
+     * there are no others. */
+    bool (*other_ray)(const struct camera *camera, double x, double y, int i,
+                      struct ray *ray);
+};
+
+extern const struct camera_kind perspective_camera;
+
+/* The kind of this name, or NULL. */
+const struct camera_kind *camera_kind_find(const char *name);
+
+/* Number `index` of the list, or NULL past its end. */
+const struct camera_kind *camera_kind_at(size_t index);
+
+struct camera_mesh;
+struct normal;
+
 struct camera {
-    enum camera_kind kind;
+    const struct camera_kind *kind;
+    int number;                     /* of a cylinder camera: 1 to 4 */
+    int pixels[2];                  /* across and down the picture */
+    int rays;                       /* of one pixel, their mean is seen; 1 */
+    const struct camera_mesh *mesh; /* of a mesh_camera */
+    const struct normal *normal;    /* bends the rays, or NULL */
     vec3 location, direction, right, up, sky;
     bool has_size;   /* right or up was given: an orthographic camera's size */
     double angle;    /* degrees, 0: none */
@@ -49,8 +82,16 @@ struct camera camera_default(void);
  * found by camera_place. */
 static inline bool camera_is_bent(const struct camera *camera)
 {
-    return camera->kind > CAMERA_ORTHOGRAPHIC;
+    return camera->kind->lines > CAMERA_PARALLEL || camera->normal;
 }
+
+/* right, up and direction times these. */
+vec3 camera_sum(const struct camera *camera, double right, double up,
+                double direction);
+
+/* For kinds that turn: angles are put into turn and turn_up, `usual` if none
+ * is said, and the direction is made a unit. */
+void camera_turns(struct camera *camera, double usual);
 
 /* Whether its lens blurs what is out of focus. */
 static inline bool camera_blurs(const struct camera *camera)
@@ -74,8 +115,13 @@ bool camera_sees(const struct camera *camera, double x, double y);
 /* The ray through the picture at (x, y). The direction is unit. */
 struct ray camera_ray(const struct camera *camera, double x, double y);
 
-/* The same through another point of the lens, from its middle along right and
- * up, for an aperture of 1 (scene/lens.h). */
+/* The ray number `i` of the pixel, from 0 to camera->rays - 1. False: there is
+ * none. */
+bool camera_pixel_ray(const struct camera *camera, double x, double y, int i,
+                      struct ray *ray);
+
+/* The same as camera_ray through another point of the lens, from its middle
+ * along right and up, for an aperture of 1 (scene/lens.h). */
 struct ray camera_lens_ray(const struct camera *camera, double x, double y,
                            const double lens[2]);
 

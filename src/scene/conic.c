@@ -43,6 +43,7 @@ static vec3 reject(vec3 p, vec3 axis, double along)
  * middle of the axis, so that far rays lose no digits. */
 struct wall {
     double shift, s, ds, a, b, c;
+    double from; /* along the axis at t = 0 */
 };
 
 /* The origin `o` is from the base. */
@@ -54,6 +55,7 @@ static struct wall wall_along(const struct conic *conic, vec3 o, vec3 d)
     vec3 near = vec3_along(o, d, wall.shift);
     wall.s = vec3_dot(near, conic->axis);
     wall.ds = vec3_dot(d, conic->axis);
+    wall.from = vec3_dot(o, conic->axis);
     vec3 q = reject(near, conic->axis, wall.s);
     vec3 dq = reject(d, conic->axis, wall.ds);
     double r = conic->base_radius + conic->slope * wall.s;
@@ -64,31 +66,38 @@ static struct wall wall_along(const struct conic *conic, vec3 o, vec3 d)
     return wall;
 }
 
-static void intersect_wall(const struct conic *conic, vec3 o, vec3 d,
+static void intersect_wall(const struct conic *conic, const struct wall *wall,
                            struct hits *hits)
 {
-    struct wall wall = wall_along(conic, o, d);
     double roots[2];
-    int count = quadratic_roots(wall.a, wall.b, wall.c, roots);
+    int count = quadratic_roots(wall->a, wall->b, wall->c, roots);
     for (int i = 0; i < count; i++) {
-        double along = wall.s + roots[i] * wall.ds;
+        double along = wall->s + roots[i] * wall->ds;
         if (along >= 0 && along <= conic->height)
-            hits_add(hits, roots[i] + wall.shift, CONIC_WALL);
+            hits_add(hits, roots[i] + wall->shift, CONIC_WALL);
     }
 }
 
-static void intersect_cap(const struct conic *conic, vec3 o, vec3 d,
-                          double height, double radius, int part,
-                          struct hits *hits)
+/* The disc that closes an end; the line passes its plane. */
+static void intersect_cap(const struct conic *conic, const struct ray *line,
+                          const struct wall *wall, int part, struct hits *hits)
 {
-    double ds = vec3_dot(d, conic->axis);
-    if (ds == 0)
-        return;
-    double t = (height - vec3_dot(o, conic->axis)) / ds;
-    vec3 p = vec3_along(o, d, t);
+    bool base = part == CONIC_BASE;
+    double height = base ? 0 : conic->height;
+    double radius = base ? conic->base_radius : conic->apex_radius;
+    double t = (height - wall->from) / wall->ds;
+    vec3 p = ray_point(line, t);
     vec3 q = reject(p, conic->axis, vec3_dot(p, conic->axis));
     if (vec3_dot(q, q) <= radius * radius)
         hits_add(hits, t, part);
+}
+
+/* Whether the wall, continued, is a cylinder or a single cone to the ray, which
+ * passes it by without coming near the caps. */
+static bool wall_is_missed(const struct conic *conic, const struct wall *wall)
+{
+    return wall->a > 0 && conic->base_radius >= 0 && conic->apex_radius >= 0 &&
+           wall->b * wall->b < wall->a * wall->c * (1 - 1e-9);
 }
 
 void conic_intersect(const void *shape, const struct ray *ray,
@@ -96,12 +105,15 @@ void conic_intersect(const void *shape, const struct ray *ray,
 {
     const struct conic *conic = shape;
     vec3 o = vec3_sub(ray->origin, conic->base), d = ray->direction;
-    intersect_wall(conic, o, d, hits);
-    if (conic->open)
+    struct wall wall = wall_along(conic, o, d);
+    if (wall_is_missed(conic, &wall))
         return;
-    intersect_cap(conic, o, d, 0, conic->base_radius, CONIC_BASE, hits);
-    intersect_cap(conic, o, d, conic->height, conic->apex_radius, CONIC_APEX,
-                  hits);
+    intersect_wall(conic, &wall, hits);
+    if (conic->open || wall.ds == 0)
+        return;
+    const struct ray line = { o, d };
+    intersect_cap(conic, &line, &wall, CONIC_BASE, hits);
+    intersect_cap(conic, &line, &wall, CONIC_APEX, hits);
 }
 
 static bool crossing_between(const struct conic *conic, const struct ray *ray,

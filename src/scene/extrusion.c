@@ -2,6 +2,8 @@
  * coordinates, w runs along the axis. */
 #include "scene/extrusion.h"
 
+#include "scene/slab.h"
+
 enum { PART_LOW = -1, PART_HIGH = -2 };
 
 /* What the fingerprint of a scene is made of; the parser has readers of its
@@ -77,29 +79,51 @@ static bool extrusion_covers(const struct extrusion *e, vec3 p)
     return scale != 0 && outline_covers(&e->outline, p.x / scale, p.y / scale);
 }
 
-static void cap_intersect(const struct extrusion *e, double w, int part,
-                          const struct ray *ray, struct hits *hits)
+/* Crossings between tmin and tmax are looked for: all into `hits`, or, if it is
+ * NULL, the first into `hit`, and then tmax is where that is. */
+struct extrusion_search {
+    const struct extrusion *extrusion;
+    struct ray ray; /* in u, v, w */
+    double tmin, tmax;
+    struct hits *hits;
+    struct hit hit;
+    bool found;
+};
+
+static void search_take(struct extrusion_search *search, double t, int part,
+                        double u)
 {
+    const struct hit hit = { t, part, u, 0 };
+    if (!(t > search->tmin && t < search->tmax))
+        return;
+    if (search->hits) {
+        if (search->hits->count < HITS_MAX)
+            search->hits->at[search->hits->count++] = hit;
+        return;
+    }
+    search->hit = hit;
+    search->tmax = t;
+    search->found = true;
+}
+
+static void search_cap(struct extrusion_search *search, double w, int part)
+{
+    const struct ray *ray = &search->ray;
     double t = (w - ray->origin.z) / ray->direction.z;
     vec3 p = { ray->origin.x + t * ray->direction.x,
                ray->origin.y + t * ray->direction.y, w };
-    if (extrusion_covers(e, p))
-        hits_add(hits, t, part);
+    if (t > search->tmin && t < search->tmax &&
+        extrusion_covers(search->extrusion, p))
+        search_take(search, t, part, 0);
 }
-
-struct side_search {
-    const struct extrusion *extrusion;
-    const struct ray *ray; /* in u, v, w */
-    struct hits *hits;
-};
 
 /* The ray meets the line, or the line to the tip, over this point of the
  * outline. */
 static void side_found(void *context, int index, double s)
 {
-    struct side_search *search = context;
+    struct extrusion_search *search = context;
     const struct extrusion *e = search->extrusion;
-    vec3 o = search->ray->origin, d = search->ray->direction;
+    vec3 o = search->ray.origin, d = search->ray.direction;
     double at[2];
     segment_point(&e->outline.pieces[index].curve, s, at);
     double a, b, c, f;
@@ -116,30 +140,85 @@ static void side_found(void *context, int index, double s)
     }
     double t = fabs(a) > fabs(b) ? c / a : f / b;
     double w = o.z + t * d.z;
-    if (!(w >= e->low && w <= e->high) || search->hits->count == HITS_MAX)
-        return;
-    hits_add(search->hits, t, index);
-    search->hits->at[search->hits->count - 1].u = s;
+    if (w >= e->low && w <= e->high)
+        search_take(search, t, index, s);
+}
+
+/* Whether the ray meets the box around the piece, which is raised along the
+ * axis, where it is looked for. The box is a little larger, as a ray along one
+ * of its sides isn't told to be in it. */
+static bool side_is_met(const struct extrusion_search *search,
+                        const struct slabs *slabs, const struct piece *piece)
+{
+    const struct extrusion *e = search->extrusion;
+    const double *low = piece->low, *high = piece->high;
+    double more = 1e-9 * (fabs(low[0]) + fabs(low[1]) + fabs(high[0]) +
+                          fabs(high[1]) + fabs(e->low) + fabs(e->high));
+    const struct box3 box = { { low[0] - more, low[1] - more, e->low - more },
+                              { high[0] + more, high[1] + more,
+                                e->high + more } };
+    double enter = search->tmin, leave = search->tmax;
+    slabs_clip(slabs, &box, &enter, &leave);
+    return enter <= leave;
 }
 
 /* Seen along the axis the ray is a line in the outline's plane; seen from the
  * tip of a cone, too: the plane through both cuts w = 1 in it. */
+static void extrusion_search(struct extrusion_search *search)
+{
+    const struct extrusion *e = search->extrusion;
+    vec3 o = search->ray.origin, d = search->ray.direction;
+    vec3 n = e->conic ? vec3_cross(o, d)
+                      : (vec3){ d.y, -d.x, d.x * o.y - d.y * o.x };
+    const double line[3] = { n.x, n.y, n.z };
+    struct slabs slabs = slabs_of(&search->ray);
+    for (size_t i = 0; i < e->outline.count; i++)
+        if (e->conic || side_is_met(search, &slabs, &e->outline.pieces[i]))
+            outline_cross(&e->outline, (int)i, line, side_found, search);
+    if (e->open || d.z == 0)
+        return;
+    search_cap(search, e->low, PART_LOW);
+    search_cap(search, e->high, PART_HIGH);
+}
+
+static struct extrusion_search extrusion_search_new(const void *shape,
+                                                    const struct ray *ray,
+                                                    double tmin, double tmax)
+{
+    const struct extrusion *e = shape;
+    return (struct extrusion_search){
+        .extrusion = e,
+        .ray = { extrusion_turned(e, ray->origin),
+                 extrusion_turned(e, ray->direction) },
+        .tmin = tmin,
+        .tmax = tmax,
+    };
+}
+
 static void extrusion_intersect(const void *shape, const struct ray *ray,
                                 struct hits *hits)
 {
-    const struct extrusion *e = shape;
-    struct ray own = { extrusion_turned(e, ray->origin),
-                       extrusion_turned(e, ray->direction) };
-    struct side_search search = { e, &own, hits };
-    vec3 d = own.direction;
-    vec3 n = e->conic
-                 ? vec3_cross(own.origin, d)
-                 : (vec3){ d.y, -d.x, d.x * own.origin.y - d.y * own.origin.x };
-    outline_cross(&e->outline, n.x, n.y, n.z, side_found, &search);
-    if (e->open || d.z == 0)
-        return;
-    cap_intersect(e, e->low, PART_LOW, &own, hits);
-    cap_intersect(e, e->high, PART_HIGH, &own, hits);
+    struct extrusion_search search =
+        extrusion_search_new(shape, ray, -HUGE_VAL, HUGE_VAL);
+    search.hits = hits;
+    extrusion_search(&search);
+}
+
+static bool extrusion_first(const void *shape, const struct ray *ray,
+                            double tmin, double tmax, struct hit *hit)
+{
+    struct extrusion_search search =
+        extrusion_search_new(shape, ray, tmin, tmax);
+    extrusion_search(&search);
+    *hit = search.hit;
+    return search.found;
+}
+
+static bool extrusion_crosses(const void *shape, const struct ray *ray,
+                              double tmin, double tmax)
+{
+    struct hit hit;
+    return extrusion_first(shape, ray, tmin, tmax, &hit);
 }
 
 /* Of a side: across the outline, and for cones across the line to the tip. */
@@ -180,6 +259,8 @@ const struct primitive prism_primitive = {
     .prepare = extrusion_prepare,
     .bounds = extrusion_bounds,
     .intersect = extrusion_intersect,
+    .crosses = extrusion_crosses,
+    .first = extrusion_first,
     .normal = extrusion_normal,
     .inside = extrusion_inside,
 };
@@ -193,6 +274,8 @@ const struct primitive text_primitive = {
     .prepare = extrusion_prepare,
     .bounds = extrusion_bounds,
     .intersect = extrusion_intersect,
+    .crosses = extrusion_crosses,
+    .first = extrusion_first,
     .normal = extrusion_normal,
     .inside = extrusion_inside,
 };

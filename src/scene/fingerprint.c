@@ -159,10 +159,11 @@ static uint64_t finish_hash(uint64_t hash, const struct finish *f)
         f->specular_albedo, f->metallic,     f->crand,
         f->conserve_energy, f->ior,          r->falloff,
         r->exponent,        r->metallic,     r->fresnel,
-        f->old_filter,
+        f->old_filter,      f->film.amount,  f->film.thickness,
+        f->film.turbulence,
     };
     hash = hash_rgb(hash_rgb(hash, f->ambient), f->emission);
-    hash = hash_rgb(hash, f->glow);
+    hash = hash_rgb(hash_rgb(hash, f->glow), f->film.wavelength);
     hash = hash_rgb(hash_rgb(hash, r->minimum), r->maximum);
     return hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
 }
@@ -279,8 +280,9 @@ static void walk_material(struct walk *walk, const struct object *object,
         return;
     uint64_t *textures = &walk->found.textures;
     const double numbers[] = { interior->ior, interior->fade_distance,
-                               interior->fade_power, interior->caustics };
-    *textures = hash_numbers(*textures, numbers, 4);
+                               interior->fade_power, interior->caustics,
+                               interior->dispersion };
+    *textures = hash_numbers(*textures, numbers, 5);
     *textures = hash_rgb(*textures, interior->fade_colour);
     if (interior->media.count == 0)
         return;
@@ -302,6 +304,7 @@ static uint64_t light_hash(uint64_t hash, const struct light *light)
         light->shadowless,
         light->media_attenuation,
         light->no_media,
+        light->photons.refraction,
         light->group,
         light->area,
         light->size1,
@@ -326,10 +329,14 @@ static uint64_t shape_hash(struct walk *walk, const struct object *object)
         (unsigned)object->has_hollow << 4 | (unsigned)object->no_shadow << 3 |
         (unsigned)object->no_image << 2 | (unsigned)object->no_reflection << 1 |
         (unsigned)object->double_illuminate;
-    const double counts[] = { flags, (double)object->child_count,
+    const struct photon_flags *photons = object->photons;
+    const double counts[] = { flags,
+                              photons ? photons->target + 2.0 : 0,
+                              photons ? photons->refraction : 0,
+                              (double)object->child_count,
                               (double)object->clip_count,
                               (double)object->bound_count };
-    uint64_t hash = hash_numbers(0, counts, 4);
+    uint64_t hash = hash_numbers(0, counts, 6);
     if (object->kind == OBJECT_MESH)
         return random_key(hash, mesh_hash(walk, object->mesh));
     if (object->kind != OBJECT_SHAPE)
@@ -361,6 +368,8 @@ static void walk_object(struct walk *walk, const struct object *object,
         found->lights = light_hash(found->lights, &light);
         if (light.looks_like)
             walk_object(walk, light.looks_like, place);
+        if (light.window)
+            walk_object(walk, light.window, place);
         return;
     }
     found->objects = random_key(found->objects, shape_hash(walk, object));

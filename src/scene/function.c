@@ -123,8 +123,13 @@ double function_evaluate(const struct function *function,
 static double function_within(const struct function *function, vec3 point,
                               unsigned long left)
 {
-    const double arguments[] = { point.x, point.y, point.z };
-    double value = function_evaluate(function, arguments, &left);
+    double stack[FUNCTION_STACK];
+    stack[0] = point.x;
+    stack[1] = point.y;
+    stack[2] = point.z;
+    machine_run(function, stack, 0, function->steps.count,
+                stack + function->slots, &left);
+    double value = stack[function->slots];
     return left == 0 || isnan(value) ? 0 : value;
 }
 

@@ -2,6 +2,7 @@
 #include "scene/function_field.h"
 
 #include "scene/material.h"
+#include "scene/noise.h"
 #include "scene/spline.h"
 
 static double pattern_field(const struct function_field *field, vec3 point)
@@ -16,6 +17,20 @@ const struct function_field *field_of_pattern(struct arena *arena,
     struct pattern *kept = ARENA_NEW(arena, struct pattern);
     *kept = *pattern;
     *field = (struct function_field){ pattern_field, kept, 0 };
+    return field;
+}
+
+static double noise_field(const struct function_field *field, vec3 point)
+{
+    const struct noise_settings *settings = field->thing;
+    return vec3_finite(point) ? noise_value(settings->generator, point) : 0;
+}
+
+const struct function_field *field_of_noise(struct arena *arena,
+                                            const struct noise_settings *noise)
+{
+    struct function_field *field = ARENA_NEW(arena, struct function_field);
+    *field = (struct function_field){ noise_field, noise, 0 };
     return field;
 }
 

@@ -7,6 +7,7 @@
 #include "base/arena.h"
 #include "scene/function.h"
 
+struct noise_settings;
 struct pattern;
 struct pigment;
 struct spline;
@@ -18,6 +19,9 @@ enum field_part { FIELD_GREY = 5, FIELD_HEIGHT };
 /* The pattern's value, of a block pattern the block's number. */
 const struct function_field *field_of_pattern(struct arena *arena,
                                               const struct pattern *pattern);
+/* Solid noise by whatever the settings say when it is asked for. */
+const struct function_field *field_of_noise(struct arena *arena,
+                                            const struct noise_settings *noise);
 /* One part of the values, 0 beyond the last. */
 const struct function_field *
 field_of_values(struct arena *arena, const struct function_values *values,

@@ -178,11 +178,15 @@ static vec3 height_normal(const void *shape, vec3 point, const struct hit *hit)
     return height_normal_placed(shape, point, hit, NULL);
 }
 
+/* All that is under water, too, though nothing is seen there (measured). */
 static bool height_inside(const void *shape, vec3 point)
 {
     const struct height_field *field = shape;
     vec3 p = into_grid(&field->grid, point);
     double height;
+    if (p.y < field->grid.water)
+        return p.x >= 0 && p.z >= 0 && p.x <= field->grid.width - 1 &&
+               p.z <= field->grid.height - 1;
     return height_grid_over(&field->grid, p.x, p.z, &height) && p.y < height;
 }
 
@@ -216,9 +220,10 @@ static unsigned height_meets(const void *shape, const struct cell *cell)
     vec3 a = into_grid(&field->grid, box.low);
     vec3 b = into_grid(&field->grid, box.high);
     struct box3 there = { { a.x, a.y, b.z }, { b.x, b.y, a.z } };
-    return height_grid_search(&field->grid, there, square_meets, &meeting)
-               ? CELL_SURFACE | CELL_BORDER
-               : 0;
+    if (height_grid_search(&field->grid, there, square_meets, &meeting))
+        return CELL_SURFACE | CELL_BORDER;
+    bool water = a.y <= field->grid.water && b.y >= field->grid.water;
+    return water ? CELL_BORDER : 0;
 }
 
 const struct primitive height_field_primitive = {

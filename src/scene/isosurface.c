@@ -14,13 +14,7 @@ enum {
 static const struct field isosurface_arguments[] = {
     { "samples", FIELD_TERMS, offsetof(struct isosurface, samples), 0, 0,
       "values of the function" },
-    { "low", FIELD_VECTOR, offsetof(struct isosurface, low), 0, 0, "a corner" },
-    { "high", FIELD_VECTOR, offsetof(struct isosurface, high), 0, 0,
-      "the corner opposite to it" },
-    { "centre", FIELD_VECTOR, offsetof(struct isosurface, centre), 0, 0,
-      "of the ball" },
-    { "radius", FIELD_FLOAT, offsetof(struct isosurface, radius), 0, 0,
-      "of the ball" },
+    CONTAINER_FIELDS(struct isosurface),
     { NULL },
 };
 
@@ -38,8 +32,7 @@ static const struct field isosurface_items[] = {
 
 void isosurface_init(struct isosurface *surface)
 {
-    surface->low = vec3_make(-1, -1, -1);
-    surface->high = vec3_make(1, 1, 1);
+    surface->container = container_default();
     surface->accuracy = 0.001;
     surface->max_gradient = 1.1;
 }
@@ -48,70 +41,25 @@ static const char *isosurface_prepare(void *shape, struct arena *arena,
                                       const char **warning)
 {
     struct isosurface *s = shape;
-    vec3 a = s->low, b = s->high, r = { s->radius, s->radius, s->radius };
+    const char *problem = container_prepare(&s->container);
     (void)arena;
     (void)warning;
-    s->low = s->ball ? vec3_sub(s->centre, r) : vec3_min(a, b);
-    s->high = s->ball ? vec3_add(s->centre, r) : vec3_max(a, b);
+    if (problem)
+        return problem;
     if (!(s->accuracy > 0))
         return "its accuracy must be above 0";
     if (!(s->max_gradient > 0))
         return "its max_gradient must be above 0";
-    if (s->ball && !(s->radius > 0))
-        return "the radius of its container must be above 0";
     return NULL;
 }
 
 static struct box3 isosurface_bounds(const void *shape)
 {
     const struct isosurface *s = shape;
-    return (struct box3){ s->low, s->high };
+    return s->container.box;
 }
 
-/* ---- the container ---- */
-
-enum { PART_FUNCTION, PART_BALL, PART_SIDES };
-
-static bool ball_interval(const struct isosurface *s, const struct ray *ray,
-                          struct hit ends[2])
-{
-    vec3 o = vec3_sub(ray->origin, s->centre);
-    double dd = vec3_dot(ray->direction, ray->direction);
-    double middle = -vec3_dot(o, ray->direction) / dd;
-    vec3 nearest = vec3_along(o, ray->direction, middle);
-    double rest = s->radius * s->radius - vec3_dot(nearest, nearest);
-    if (!(rest > 0))
-        return false;
-    double half = sqrt(rest / dd);
-    ends[0] = (struct hit){ middle - half, PART_BALL, 0, 0 };
-    ends[1] = (struct hit){ middle + half, PART_BALL, 0, 0 };
-    return true;
-}
-
-static bool box_interval(const struct isosurface *s, const struct ray *ray,
-                         struct hit ends[2])
-{
-    ends[0] = (struct hit){ -HUGE_VAL, PART_SIDES, 0, 0 };
-    ends[1] = (struct hit){ HUGE_VAL, PART_SIDES, 0, 0 };
-    for (int axis = 0; axis < 3; axis++) {
-        double o = vec3_component(ray->origin, axis);
-        double d = vec3_component(ray->direction, axis);
-        double low = vec3_component(s->low, axis);
-        double high = vec3_component(s->high, axis);
-        if (d == 0 && (o < low || o > high))
-            return false;
-        if (d == 0)
-            continue;
-        double a = ((d > 0 ? low : high) - o) / d;
-        double b = ((d > 0 ? high : low) - o) / d;
-        int part = PART_SIDES + 2 * axis;
-        if (a > ends[0].t)
-            ends[0] = (struct hit){ a, part + (d < 0), 0, 0 };
-        if (b < ends[1].t)
-            ends[1] = (struct hit){ b, part + (d > 0), 0, 0 };
-    }
-    return ends[0].t < ends[1].t;
-}
+enum { PART_FUNCTION, PART_CONTAINER };
 
 /* ---- the function along a ray ---- */
 
@@ -195,7 +143,8 @@ static bool search_start(struct search *search, const struct isosurface *s,
                                .accuracy = s->accuracy / speed,
                                .left = ISOSURFACE_STEPS,
                                .wanted = HITS_MAX - 2 };
-    return speed > 0 && (s->ball ? ball_interval : box_interval)(s, ray, ends);
+    return speed > 0 &&
+           container_interval(&s->container, ray, PART_CONTAINER, ends);
 }
 
 /* Where the container cuts through the inside, it is the surface. */
@@ -259,14 +208,9 @@ static vec3 isosurface_normal(const void *shape, vec3 point,
 {
     const struct isosurface *s = shape;
     double e = s->accuracy;
-    if (hit->part == PART_BALL)
-        return vec3_sub(point, s->centre);
-    if (hit->part >= PART_SIDES) {
-        int side = hit->part - PART_SIDES;
-        double sign = side & 1 ? 1 : -1;
-        return vec3_make(side / 2 == 0 ? sign : 0, side / 2 == 1 ? sign : 0,
-                         side / 2 == 2 ? sign : 0);
-    }
+    if (hit->part >= PART_CONTAINER)
+        return container_normal(&s->container, point,
+                                hit->part - PART_CONTAINER);
     double here = surface_value(s, point);
     vec3 n = {
         surface_value(s, vec3_make(point.x + e, point.y, point.z)) - here,
@@ -280,11 +224,7 @@ static vec3 isosurface_normal(const void *shape, vec3 point,
 static bool isosurface_inside(const void *shape, vec3 point)
 {
     const struct isosurface *s = shape;
-    vec3 p = vec3_sub(point, s->centre);
-    if (s->ball ? vec3_dot(p, p) >= s->radius * s->radius
-                : !box3_contains(isosurface_bounds(s), point))
-        return false;
-    return surface_value(s, point) < 0;
+    return container_holds(&s->container, point) && surface_value(s, point) < 0;
 }
 
 /* Nothing of the surface is nearer to the middle than the value there and the
@@ -294,18 +234,11 @@ static unsigned isosurface_meets(const void *shape, const struct cell *cell)
     const struct isosurface *s = shape;
     double value = surface_value(s, cell->centre);
     double reach = s->max_gradient * cell->radius;
-    if (!cell_meets_box(cell, isosurface_bounds(s)) || value > reach)
-        return 0;
-    if (s->ball && cell_nearest(cell, s->centre) > s->radius)
+    if (value > reach || !container_meets(&s->container, cell))
         return 0;
     if (value >= -reach)
         return CELL_SURFACE | CELL_BORDER;
-    vec3 half = cell->half, centre = cell->centre;
-    bool deep =
-        s->ball
-            ? cell_farthest(cell, s->centre) < s->radius
-            : box3_contains(isosurface_bounds(s), vec3_sub(centre, half)) &&
-                  box3_contains(isosurface_bounds(s), vec3_add(centre, half));
+    bool deep = container_covers(&s->container, cell);
     return deep ? 0 : s->open ? CELL_BORDER : CELL_SURFACE | CELL_BORDER;
 }
 

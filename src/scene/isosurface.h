@@ -3,6 +3,7 @@
 #ifndef SCENE_ISOSURFACE_H
 #define SCENE_ISOSURFACE_H
 
+#include "scene/container.h"
 #include "scene/primitive.h"
 
 struct function;
@@ -10,10 +11,7 @@ struct function;
 struct isosurface {
     const struct function *function;
     struct terms samples; /* of the function: what tells it from others */
-    bool ball;            /* contained by a ball, not a box */
-    vec3 low, high;       /* of the box */
-    vec3 centre;          /* of the ball */
-    double radius;
+    struct container container;
     double threshold;    /* inside is what is below it */
     double accuracy;     /* two crossings nearer to each other may be missed */
     double max_gradient; /* the function changes no faster */

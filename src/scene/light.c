@@ -12,6 +12,7 @@ struct light light_default(void)
         .size1 = 1,
         .size2 = 1,
         .adaptive = -1,
+        .photons = photon_flags_default,
     };
 }
 

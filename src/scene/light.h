@@ -5,9 +5,11 @@
 
 #include "base/affine.h"
 #include "base/rgb.h"
+#include "scene/photon.h"
 #include "text/source.h"
 
 struct object;
+struct solid;
 
 enum light_kind { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER };
 
@@ -25,6 +27,8 @@ struct light {
     bool media_attenuation; /* weakened by fog and media on its way */
     bool no_media;          /* media scatter none of it */
 
+    struct photon_flags photons; /* what it says of those it sends */
+
     unsigned group; /* whose objects alone it lights; 0: all */
 
     bool area;
@@ -35,6 +39,9 @@ struct light {
 
     /* What is seen of it, in the space that `location` is in; or NULL. */
     const struct object *looks_like;
+    /* What its light shines through alone (projected_through), likewise. */
+    const struct object *window;
+    const struct solid *pane; /* the same in the world */
     struct span span;
 };
 

@@ -29,6 +29,19 @@ enum mesh_shadows {
                          * of many those on which neighbours disagree */
 };
 
+/* What becomes of the light of surfaces at each bounce. */
+struct bounce_tone {
+    double brightness; /* multiplies it, 1 */
+    double grey;       /* how much of its colour goes, 0 to 1 */
+};
+
+/* Values of radiosity {} that say how bright it is, not how it is found. */
+struct radiosity_settings {
+    struct bounce_tone tone;
+    int recursion_limit; /* bounces, 2 */
+    bool normal;         /* bumps count */
+};
+
 /* light_mesh {} */
 struct light_mesh_settings {
     double quality;            /* 1..10, 5 if not said; turn it first */
@@ -46,6 +59,10 @@ struct light_mesh_settings {
         int samples; /* gather rays of a mesh point */
         int bounces;
         bool skeleton; /* the skeleton's light ends the last bounce */
+        /* What POV-Ray's radiosity does and a scene says there alone: */
+        struct bounce_tone tone;
+        bool dark;  /* nothing comes after the last bounce */
+        bool glows; /* `ambient` is light of its own, as before version 3.7 */
     } indirect;
     struct {
         struct mesh_region *items;

@@ -22,7 +22,8 @@ bool finish_is_to_glow(const struct finish *finish, rgb ambient_light)
 
 struct interior interior_default(void)
 {
-    return (struct interior){ .ior = 1 };
+    return (
+        struct interior){ .ior = 1, .dispersion = 1, .dispersion_samples = 7 };
 }
 
 static int texture_average(const struct texture_choice *choice,
@@ -44,6 +45,10 @@ int texture_choose(const struct texture_choice *choice, vec3 point,
 {
     const struct texture_entry *entries = choice->entries;
     size_t after = 0, last = choice->count - 1;
+    if (choice->rule) {
+        *located = pattern_locate(&choice->pattern, point);
+        return choice->rule(choice, *located, surface, picks);
+    }
     *located = pattern_locate(&choice->pattern,
                               pattern_start(&choice->pattern, point, surface));
     if (choice->pattern.kind->average)
@@ -129,6 +134,7 @@ const struct texture *texture_moved(struct arena *arena,
         return choice_moved(arena, texture, transform);
     struct texture *moved = ARENA_NEW(arena, struct texture);
     moved->count = texture->count;
+    moved->span = texture->span;
     moved->layers = ARENA_ARRAY(arena, struct layer, texture->count);
     for (size_t i = 0; i < texture->count; i++) {
         const struct layer *layer = &texture->layers[i];

@@ -14,6 +14,7 @@
 #include "text/source.h"
 
 struct image;
+struct noise_settings;
 struct pigment;
 
 /* Entries of a colour_map or pigment_map in increasing order of `value`; of a
@@ -109,6 +110,7 @@ struct normal {
     const struct slope_map *slopes; /* or NULL */
     const struct image_map *bumps;  /* instead of a pattern, or NULL */
     unsigned depth, parts; /* of maps in each other, limited as pigments' */
+    bool level; /* no_bump_scale: bumps are as high however they are scaled */
     bool uv_turned; /* mapped as a part of its texture: bumps turn with it */
 };
 
@@ -118,6 +120,14 @@ struct reflection {
     double exponent;      /* 1 */
     double metallic;      /* 0 */
     bool fresnel;
+};
+
+/* irid: a film, thinner here and thicker there, on which light interferes. */
+struct film {
+    double amount; /* 0: none */
+    double thickness, turbulence;
+    rgb wavelength;
+    const struct noise_settings *noise;
 };
 
 /* POV-Ray 3.7's defaults are in finish_default. */
@@ -134,6 +144,7 @@ struct finish {
     bool specular_albedo;
     double metallic; /* of phong and specular */
     double crand;    /* grain */
+    struct film film;
     struct reflection reflection;
     bool conserve_energy;
     bool old_filter;      /* before 3.7 a dark colour filters less: see
@@ -157,6 +168,19 @@ struct texture_entry {
     const struct texture *texture;
 };
 
+struct texture_choice;
+struct texture_pick;
+
+/* Picks at a point of the texture's space as texture_choose does. Those of
+ * texture_rules.c. */
+typedef int texture_rule(const struct texture_choice *choice, vec3 point,
+                         const struct uv_source *surface,
+                         struct texture_pick *picks);
+texture_rule pick_by_corners; /* of a triangle; the entries are theirs */
+texture_rule pick_by_image;   /* `thing` is the image_map */
+texture_rule pick_by_parts;   /* `thing` is the struct blob */
+texture_rule pick_by_insides; /* `thing` is a struct cutaway */
+
 /* Declared, and not yet some pattern's. */
 struct texture_map {
     struct texture_entry *entries;
@@ -165,6 +189,8 @@ struct texture_map {
 
 struct texture_choice {
     struct pattern pattern;
+    texture_rule *rule; /* picks instead of the pattern, or NULL */
+    const void *thing;  /* that the rule looks at */
     struct texture_entry *entries;
     size_t count;   /* at least one */
     unsigned depth; /* of choices in each other */
@@ -178,6 +204,7 @@ struct texture {
     struct layer *layers;
     size_t count;
     const struct texture_choice *choice; /* or NULL */
+    struct span span; /* where it was written, as near as is known */
 };
 
 enum { TEXTURE_PICKS = TEXTURE_LAYERS };
@@ -213,12 +240,14 @@ struct media {
 enum { MEDIA_MAX = 64 }; /* in one place; the parser refuses more in one list */
 
 struct interior {
-    double ior;           /* 1 */
-    double fade_distance; /* 0: none */
-    double fade_power;    /* 0: none */
-    rgb fade_colour;      /* black */
-    double caustics;      /* pretended, in shadows: shade/shadow.c; 0: none */
-    struct media media;   /* of the space that the interior is written in */
+    double ior;             /* 1, of green light */
+    double dispersion;      /* that of violet light over that of red, 1 */
+    int dispersion_samples; /* colours that light is divided into, 7 */
+    double fade_distance;   /* 0: none */
+    double fade_power;      /* 0: none */
+    rgb fade_colour;        /* black */
+    double caustics;        /* pretended, in shadows: shade/shadow.c; 0: none */
+    struct media media;     /* of the space that the interior is written in */
 };
 
 struct material {
@@ -241,6 +270,9 @@ struct pigment pigment_default(struct arena *arena);
 /* Pigments nested in pigments more deeply than this are black; the parser
  * should refuse them. */
 enum { PIGMENT_DEPTH = 32 };
+
+/* A map's colour at this value. */
+colour blend_map_colour(const struct blend_map *map, double value);
 
 /* The pigment's value at a point of the texture's space. */
 colour pigment_colour(const struct pigment *pigment, vec3 point);

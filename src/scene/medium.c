@@ -42,9 +42,8 @@ static rgb pigment_most(const struct pigment *pigment, int *budget)
     rgb most = rgb_grey(0);
     if (pigment->kind == PIGMENT_COLOUR)
         return colour_rgb(pigment->colour);
-    const struct blend_map *map = pigment->map || !pigment->pattern.kind
-                                      ? pigment->map
-                                      : pigment->pattern.kind->map;
+    const struct blend_map *map =
+        pigment->map ? pigment->map : pattern_map(&pigment->pattern);
     if (pigment->kind == PIGMENT_IMAGE || !map || --*budget < 0)
         return rgb_grey(1);
     for (size_t i = 0; i < map->count; i++) {

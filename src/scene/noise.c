@@ -42,29 +42,61 @@ static inline struct cell cell_at(vec3 point)
     return cell;
 }
 
-/* Blends `count` (1 or 3) fields of the cell into out[]. */
-static inline void cell_blend(const struct noise_tables *tables,
-                              const struct cell *cell, int count, float *out)
+/* What the corners of a cell add up to. */
+struct corners {
+    const struct noise_tables *tables;
+    const struct cell *cell;
+    lanes place;
+    lanes sum[NOISE_FIELDS];
+};
+
+/* Adds the corner on the upper planes where i, j and k are 1: its weight, and
+ * the hash of its x and y. */
+static inline __attribute__((always_inline)) void
+corner_add(struct corners *corners, int count, int i, int j, int k,
+           float weight, uint32_t hash)
 {
-    const lanes place = { 0.5f, cell->place[0], cell->place[1],
-                          cell->place[2] };
-    lanes sum[NOISE_FIELDS] = { { 0 }, { 0 }, { 0 } };
-    for (int corner = 0; corner < 8; corner++) {
-        int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-        const lanes origin = { 0, (float)i, (float)j, (float)k };
-        float weight = corner_weight(cell->blend, i, j, k);
-        lanes basis = (place - origin) * weight;
-        uint32_t hash = lattice_hash(tables, cell->plane[0][i],
-                                     cell->plane[1][j], cell->plane[2][k]);
-        const float *window = &tables->lattice[hash % NOISE_WINDOWS];
-        for (int field = 0; field < count; field++) {
-            lanes random;
-            memcpy(&random, window + field * NOISE_FIELD_STEP, sizeof random);
-            sum[field] += basis * random;
-        }
-    }
+    const struct noise_tables *tables = corners->tables;
+    const lanes origin = { 0, (float)i, (float)j, (float)k };
+    lanes basis = (corners->place - origin) * weight;
+    hash = tables->permutation[hash ^ corners->cell->plane[2][k]];
+    const float *window = &tables->lattice[hash % NOISE_WINDOWS];
     for (int field = 0; field < count; field++) {
-        lanes s = sum[field];
+        lanes random;
+        memcpy(&random, window + field * NOISE_FIELD_STEP, sizeof random);
+        corners->sum[field] += basis * random;
+    }
+}
+
+/* Blends `count` (1 or 3) fields of the cell into out[]. The corners are added
+ * in a fixed order, without a loop: its branches would take as long again. */
+static inline __attribute__((always_inline)) void
+cell_blend(const struct noise_tables *tables, const struct cell *cell,
+           int count, float *out)
+{
+    struct corners c = { tables, cell, { 0 }, { { 0 }, { 0 }, { 0 } } };
+    const uint16_t *permutation = tables->permutation;
+    const uint32_t *y = cell->plane[1];
+    const float *blend = cell->blend;
+    uint32_t low = permutation[cell->plane[0][0]];
+    uint32_t high = permutation[cell->plane[0][1]];
+    uint32_t hash[4] = { permutation[low ^ y[0]], permutation[high ^ y[0]],
+                         permutation[low ^ y[1]], permutation[high ^ y[1]] };
+    float weight[4] = { (1 - blend[0]) * (1 - blend[1]),
+                        blend[0] * (1 - blend[1]), (1 - blend[0]) * blend[1],
+                        blend[0] * blend[1] };
+    float below = 1 - blend[2], above = blend[2];
+    c.place = (lanes){ 0.5f, cell->place[0], cell->place[1], cell->place[2] };
+    corner_add(&c, count, 0, 0, 0, weight[0] * below, hash[0]);
+    corner_add(&c, count, 1, 0, 0, weight[1] * below, hash[1]);
+    corner_add(&c, count, 0, 1, 0, weight[2] * below, hash[2]);
+    corner_add(&c, count, 1, 1, 0, weight[3] * below, hash[3]);
+    corner_add(&c, count, 0, 0, 1, weight[0] * above, hash[0]);
+    corner_add(&c, count, 1, 0, 1, weight[1] * above, hash[1]);
+    corner_add(&c, count, 0, 1, 1, weight[2] * above, hash[2]);
+    corner_add(&c, count, 1, 1, 1, weight[3] * above, hash[3]);
+    for (int field = 0; field < count; field++) {
+        lanes s = c.sum[field];
         out[field] = s[0] + s[1] + s[2] + s[3];
     }
 }
@@ -115,9 +147,7 @@ vec3 noise_cell_point(double x, double y, double z)
     uint32_t hash = lattice_hash(tables, plane_below(&x) & LATTICE_MASK,
                                  plane_below(&y) & LATTICE_MASK,
                                  plane_below(&z) & LATTICE_MASK);
-    const double unit = 0x1p-32;
-    const uint32_t *random = &tables->cells[hash];
-    return vec3_make(random[0] * unit, random[1] * unit, random[2] * unit);
+    return noise_cell_inner(tables, hash);
 }
 
 int turbulence_octaves(const struct turbulence *turbulence)

@@ -43,4 +43,14 @@ static inline uint32_t lattice_hash(const struct noise_tables *tables,
     return permutation[permutation[permutation[x] ^ y] ^ z];
 }
 
+/* The random point of the cell whose planes, as numbers without an offset, have
+ * this hash: in the unit cube. */
+static inline vec3 noise_cell_inner(const struct noise_tables *tables,
+                                    uint32_t hash)
+{
+    const double unit = 0x1p-32;
+    const uint32_t *random = &tables->cells[hash];
+    return vec3_make(random[0] * unit, random[1] * unit, random[2] * unit);
+}
+
 #endif

@@ -47,8 +47,9 @@ static vec3 normal_slope(const struct normal *normal, vec3 point)
 }
 
 /* The unit normal in the pattern's space: by the cofactors of the map there,
- * which are its inverse transpose up to a factor. */
-static vec3 normal_into_pattern(const affine *map, vec3 normal)
+ * which are its inverse transpose up to a factor; *length is what it has by the
+ * inverse transpose. */
+static vec3 normal_into_pattern(const affine *map, vec3 normal, double *length)
 {
     vec3 row[3];
     for (int i = 0; i < 3; i++)
@@ -57,8 +58,9 @@ static vec3 normal_into_pattern(const affine *map, vec3 normal)
     vec3 local = { vec3_dot(first, normal),
                    vec3_dot(vec3_cross(row[2], row[0]), normal),
                    vec3_dot(vec3_cross(row[0], row[1]), normal) };
-    bool mirrored = vec3_dot(row[0], first) < 0;
-    return vec3_normalise(mirrored ? vec3_negate(local) : local);
+    double volume = vec3_dot(row[0], first);
+    *length = vec3_length(local) / fabs(volume);
+    return vec3_normalise(volume < 0 ? vec3_negate(local) : local);
 }
 
 static vec3 entry_normal(const struct normal_entry *entry, vec3 point,
@@ -99,8 +101,9 @@ static vec3 map_normal(const struct normal *perturbation, vec3 point,
     return vec3_mix(entry_normal(&entries[after - 1], point, normal), high, t);
 }
 
+/* `length` is that of the normal for bumps that are not scaled; else 1. */
 static vec3 normal_tilted(const struct normal *perturbation, vec3 point,
-                          vec3 normal)
+                          vec3 normal, double length)
 {
     const struct pattern *pattern = &perturbation->pattern;
     vec3 tilt;
@@ -112,7 +115,9 @@ static vec3 normal_tilted(const struct normal *perturbation, vec3 point,
         tilt = pattern->kind->perturbation(pattern, point, normal);
     else
         tilt = vec3_negate(normal_slope(perturbation, point));
-    return vec3_along(normal, tilt, perturbation->amount);
+    bool full = pattern->kind && pattern->kind->full;
+    return vec3_along(vec3_scale(normal, length), tilt,
+                      full ? 1 : perturbation->amount);
 }
 
 bool normal_tilts(const struct normal *perturbation)
@@ -129,8 +134,11 @@ vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
         return normal;
     vec3 at = pattern_locate(pattern, point);
     affine inward = pattern_affine(pattern);
-    vec3 local = normal_into_pattern(&inward, normal);
-    local = normal_tilted(perturbation, at, local);
+    double height;
+    vec3 local = normal_into_pattern(&inward, normal, &height);
+    if (!perturbation->level || !isfinite(height))
+        height = 1;
+    local = normal_tilted(perturbation, at, local, height);
     vec3 result = vec3_normalise(affine_normal(&inward, local));
     double length = vec3_dot(result, result);
     return length > 0.5 && length < 2 ? result : normal;

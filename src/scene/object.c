@@ -129,3 +129,13 @@ struct box3 object_bounds(const struct object *object)
         box = box_within(box, object->bounds, object->bound_count);
     return box;
 }
+
+bool object_is_hollow(const struct object *object, bool hollow)
+{
+    hollow |= object->hollow;
+    while (object->child_count > 0) {
+        object = object->children[object->child_count - 1];
+        hollow |= object->hollow;
+    }
+    return hollow;
+}

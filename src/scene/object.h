@@ -17,6 +17,7 @@ struct mesh;
 struct light;
 struct texture;
 struct interior;
+struct photon_flags;
 struct object;
 
 enum object_kind {
@@ -70,10 +71,10 @@ struct object {
     bool hollow, has_hollow; /* has_: said at all, else the parent's */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
-    unsigned light_group;  /* whose lamps light it; 0: none. Of objects at the
-                            * top level alone */
+    unsigned light_group;  /* whose lamps light it; 0: none, or the parent's */
     bool no_global_lights; /* and no others do */
     bool uv_mapping;       /* the texture is of the surface's own coordinates */
+    const struct photon_flags *photons; /* NULL: the parent's */
 };
 
 /* A new node of this kind with identity transformations. */
@@ -86,6 +87,11 @@ struct object *object_copy(struct arena *arena, const struct object *object);
 /* Moves the node, its texture, its clips and bounds. */
 void object_move(struct arena *arena, struct object *object,
                  const affine *transform);
+
+/* Whether media fill the node's interior, which its last part decides; a node
+ * that is hollow, or below one (`hollow`), makes all its parts so (measured).
+ */
+bool object_is_hollow(const struct object *object, bool hollow);
 
 /* Whether the node's bounds have an effect. */
 bool object_is_bounded(const struct object *object);

@@ -1,5 +1,5 @@
 /* inside() and trace(): see object_probe.h. The rule for CSG is that of
- * embree/solid.h: a crossing of a part counts if it is inside all siblings of
+ * world/solid.h: a crossing of a part counts if it is inside all siblings of
  * an intersection, outside all siblings of a merge, and inside every clip. */
 #include "scene/object_probe.h"
 

@@ -1,6 +1,6 @@
 /* What a scene's text may ask about an object while the scene is still being
  * read: is a point inside, where does a ray meet it. Slow, straight from the
- * tree; the renderer has its own way (embree/). */
+ * tree; the renderer has its own way (world/). */
 #ifndef SCENE_OBJECT_PROBE_H
 #define SCENE_OBJECT_PROBE_H
 

@@ -66,20 +66,71 @@ static double orbit_interior(const struct orbit *orbit, double nearest,
            (way == 1 ? sqrt(nearest) : orbit_end(way, x, y));
 }
 
-double orbit_value(const struct orbit *orbit, double x, double y, double u,
-                   double v)
+enum { CYCLE_FIRST = 15 }; /* steps before a cycle is looked for */
+
+/* An orbit as far as it is known: where it is, and the least square of its
+ * distance from the origin. */
+struct orbit_state {
+    double x, y, nearest;
+    int steps;
+};
+
+/* Goes on until the orbit leaves the circle of radius 2 and returns true, or
+ * until all steps are done. Where it comes back to a place to the last bit, it
+ * goes round for ever: whole rounds change nothing and are left out (R. P.
+ * Brent, "An improved Monte Carlo factorization algorithm", 1980, finds such
+ * cycles). Compiled for each exponent, as the power decides the time. */
+static inline __attribute__((always_inline)) bool
+orbit_leaves(struct orbit_state *orbit, int end, int exponent, double u,
+             double v)
 {
-    double nearest = x * x + y * y;
-    for (int i = 0; i < orbit->iterations; i++) {
-        complex_power(&x, &y, orbit->exponent);
+    double x = orbit->x, y = orbit->y, nearest = orbit->nearest;
+    double seen_x = x, seen_y = y;
+    int i, seen = 0, look = CYCLE_FIRST;
+    bool leaves = false;
+    for (i = 0; i < end; i++) {
+        complex_power(&x, &y, exponent);
         x += u;
         y += v;
         double square = x * x + y * y;
-        if (square > 4)
-            return orbit_exterior(orbit, i, x, y);
-        nearest = fmin(nearest, square);
+        leaves = square > 4;
+        if (leaves)
+            break;
+        nearest = square < nearest ? square : nearest;
+        if (x == seen_x && y == seen_y && seen > 0)
+            i = end - 1 - (end - 1 - i) % (i - seen);
+        if (i == look) {
+            seen_x = x;
+            seen_y = y;
+            seen = look;
+            look = 2 * look + 1;
+        }
     }
-    return orbit_interior(orbit, nearest, x, y);
+    *orbit = (struct orbit_state){ x, y, nearest, i };
+    return leaves;
+}
+
+double orbit_value(const struct orbit *orbit, double x, double y, double u,
+                   double v)
+{
+    struct orbit_state state = { x, y, x * x + y * y, 0 };
+    int end = orbit->iterations;
+    bool leaves;
+    switch (orbit->exponent) {
+    case 2:
+        leaves = orbit_leaves(&state, end, 2, u, v);
+        break;
+    case 3:
+        leaves = orbit_leaves(&state, end, 3, u, v);
+        break;
+    case 4:
+        leaves = orbit_leaves(&state, end, 4, u, v);
+        break;
+    default:
+        leaves = orbit_leaves(&state, end, orbit->exponent, u, v);
+    }
+    return leaves ? orbit_exterior(orbit, state.steps, state.x, state.y)
+                  : orbit_interior(orbit, state.nearest, state.x, state.y);
 }
 
 struct complex {
@@ -145,7 +196,7 @@ double orbit_magnet(const struct orbit *orbit, double x, double y, double u,
         double off = (z.x - 1) * (z.x - 1) + z.y * z.y;
         if (!(square <= far) || off < near)
             return orbit_exterior(orbit, i, z.x, z.y);
-        nearest = fmin(nearest, square);
+        nearest = square < nearest ? square : nearest;
     }
     return orbit_interior(orbit, nearest, z.x, z.y);
 }

@@ -246,39 +246,32 @@ bool outline_covers(const struct outline *outline, double x, double y)
     return odd;
 }
 
-/* The line is a x + b y + c = 0. Signs at ends are those of the numbers that
- * neighbours share. */
-static void piece_cross(const struct piece *piece, int index, double a,
-                        double b, double c, outline_visit *visit, void *context)
+/* Signs at ends are those of the numbers that neighbours share. */
+void outline_cross(const struct outline *outline, int index,
+                   const double line[3], outline_visit *visit, void *context)
 {
+    const struct piece *piece = &outline->pieces[index];
     const struct segment *curve = &piece->curve;
-    double line[4], turns[4] = { 0 };
+    double a = line[0], b = line[1], c = line[2];
+    double low = a * (a > 0 ? piece->low[0] : piece->high[0]) +
+                 b * (b > 0 ? piece->low[1] : piece->high[1]) + c;
+    double high = a * (a > 0 ? piece->high[0] : piece->low[0]) +
+                  b * (b > 0 ? piece->high[1] : piece->low[1]) + c;
+    if (low > 0 || high < 0)
+        return;
+    double side[4], turns[4] = { 0 };
     for (int i = 0; i < 4; i++)
-        line[i] = a * curve->x[i] + b * curve->y[i];
-    line[0] += c;
-    int count = 1 + cubic_turns(line, turns + 1);
+        side[i] = a * curve->x[i] + b * curve->y[i];
+    side[0] += c;
+    int count = 1 + cubic_turns(side, turns + 1);
     turns[count] = 1;
-    double f = line[0];
+    double f = side[0];
     for (int i = 1; i <= count; i++) {
-        double g = i < count ? cubic_at(line, turns[i])
+        double g = i < count ? cubic_at(side, turns[i])
                              : a * curve->end[0] + b * curve->end[1] + c;
         if ((f > 0) != (g > 0))
             visit(context, index,
-                  cubic_root(line, turns[i - 1], turns[i], f, g));
+                  cubic_root(side, turns[i - 1], turns[i], f, g));
         f = g;
-    }
-}
-
-void outline_cross(const struct outline *outline, double a, double b, double c,
-                   outline_visit *visit, void *context)
-{
-    for (size_t i = 0; i < outline->count; i++) {
-        const struct piece *piece = &outline->pieces[i];
-        double low = a * (a > 0 ? piece->low[0] : piece->high[0]) +
-                     b * (b > 0 ? piece->low[1] : piece->high[1]) + c;
-        double high = a * (a > 0 ? piece->high[0] : piece->low[0]) +
-                      b * (b > 0 ? piece->high[1] : piece->low[1]) + c;
-        if (!(low > 0) && !(high < 0))
-            piece_cross(piece, (int)i, a, b, c, visit, context);
     }
 }

@@ -61,9 +61,10 @@ struct outline outline_of_numbers(struct arena *arena, const double *numbers,
 /* Whether an odd number of curves is to the right of the point. */
 bool outline_covers(const struct outline *outline, double x, double y);
 
-/* Calls for each crossing with the line a x + b y + c = 0. */
+/* Calls for each crossing of that piece with the line line[0] x + line[1] y +
+ * line[2] = 0. */
 typedef void outline_visit(void *context, int piece, double s);
-void outline_cross(const struct outline *outline, double a, double b, double c,
-                   outline_visit *visit, void *context);
+void outline_cross(const struct outline *outline, int piece,
+                   const double line[3], outline_visit *visit, void *context);
 
 #endif

@@ -74,6 +74,14 @@ unsigned pattern_levels(const struct pattern *pattern)
                                 : 0);
 }
 
+const struct blend_map *pattern_map(const struct pattern *pattern)
+{
+    const struct pattern_kind *kind = pattern->kind;
+    if (!kind || (kind->mapped && !kind->mapped(pattern->parameters)))
+        return NULL;
+    return kind->map;
+}
+
 int pattern_generator(const struct pattern *pattern)
 {
     return pattern->generator ? pattern->generator

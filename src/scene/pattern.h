@@ -55,6 +55,8 @@ struct pattern {
  * uv_mapping. The rest, in the world, is for slope and aoi. */
 struct uv_source {
     vec3 (*point)(const struct uv_source *source);
+    /* Of a triangle: how near its corners are, in all 1. */
+    void (*corners)(const struct uv_source *source, double shares[3]);
     vec3 place, normal; /* unit, turned to the viewer */
     vec3 view;          /* unit, to whoever looks */
 };
@@ -100,6 +102,8 @@ struct pattern_kind {
     /* Colours of a continuous pattern where the scene names none; NULL: black
      * to white. */
     const struct blend_map *map;
+    /* Whether they are of patterns with these parameters; NULL: of all. */
+    bool (*mapped)(const void *parameters);
     bool average; /* the map's entries are mixed: it needs one */
     /* Some patterns use their turbulence themselves, inside value(). */
     bool own_turbulence;
@@ -113,6 +117,7 @@ struct pattern_kind {
      * gradient of the value is used. */
     vec3 (*perturbation)(const struct pattern *pattern, vec3 point,
                          vec3 normal);
+    bool full; /* it is added as it is, for any amount */
 };
 
 /* A pattern of `kind` (may be NULL) with POV-Ray's default settings. */
@@ -125,6 +130,9 @@ vec3 pattern_locate(const struct pattern *pattern, vec3 point);
 
 /* As far as it is affine: the warps left out. For normals. */
 affine pattern_affine(const struct pattern *pattern);
+
+/* The colours it has where the scene names none; NULL: black to white. */
+const struct blend_map *pattern_map(const struct pattern *pattern);
 
 /* Which noise it is made of: enum noise_generator. */
 int pattern_generator(const struct pattern *pattern);

@@ -65,6 +65,12 @@ static colour map_colour(const struct blend_map *map, double value, vec3 point,
                       entry_colour(after, point, depth), t);
 }
 
+colour blend_map_colour(const struct blend_map *map, double value)
+{
+    struct depth depth = { 0 };
+    return map_colour(map, value, vec3_make(0, 0, 0), depth);
+}
+
 /* The entries' numbers are their weights. */
 static colour average_colour(const struct blend_map *map, vec3 point,
                              struct depth depth)
@@ -112,9 +118,8 @@ static colour pattern_colour(const struct pigment *pigment, vec3 point,
     double value = pattern_value_seen(pattern, located, depth.surface);
     if (pattern->kind && pattern->kind->blocks > 0)
         return block_colour(pigment, value, located, depth);
-    const struct blend_map *map = pigment->map;
-    if (!map && pattern->kind)
-        map = pattern->kind->map;
+    const struct blend_map *map =
+        pigment->map ? pigment->map : pattern_map(pattern);
     if (!map || map->count == 0)
         return colour_opaque(rgb_grey(value));
     if (pattern->kind->average)

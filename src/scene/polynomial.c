@@ -2,7 +2,6 @@
 #include "scene/polynomial.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 enum {
     BERNSTEIN_DEPTH = 10,
@@ -35,8 +34,8 @@ static double value_at(const double *c, int degree, double t)
     return value;
 }
 
-static double value_and_slope(const double *c, int degree, double t,
-                              double *slope)
+static inline double value_and_slope(const double *c, int degree, double t,
+                                     double *slope)
 {
     double value = c[degree], derivative = 0;
     for (int i = degree - 1; i >= 0; i--) {
@@ -52,8 +51,9 @@ static double value_and_slope(const double *c, int degree, double t,
  * shrink twofold, else the bracket is halved: never more than some 100 rounds.
  * When a step shrank k-fold, the next one will k^2-fold: it is not taken if it
  * would be nothing. */
-static double root_between(const double *c, int degree, double low, double high,
-                           double f, double g)
+static inline __attribute__((always_inline)) double
+newton_between(const double *c, int degree, double low, double high, double f,
+               double g)
 {
     double t = low + (high - low) * fmin(fmax(f / (f - g), 0.05), 0.95);
     double step = high - low, last = step;
@@ -81,6 +81,23 @@ static double root_between(const double *c, int degree, double low, double high,
         t = next;
     }
     return t;
+}
+
+/* The degrees that shapes have are compiled for themselves: the loops over the
+ * coefficients are then none. */
+static double root_between(const double *c, int degree, double low, double high,
+                           double f, double g)
+{
+    switch (degree) {
+    case 3:
+        return newton_between(c, 3, low, high, f, g);
+    case 4:
+        return newton_between(c, 4, low, high, f, g);
+    case 6:
+        return newton_between(c, 6, low, high, f, g);
+    default:
+        return newton_between(c, degree, low, high, f, g);
+    }
 }
 
 /* c's roots, given the points between which it is monotonic. */
@@ -146,9 +163,8 @@ static int roots_by_turns(const double *c, int degree, double low, double high,
     return count;
 }
 
-/* The polynomial's Bernstein coefficients over [low, high]. */
-static void to_bernstein(const double *c, int degree, double low, double high,
-                         double *b)
+static inline __attribute__((always_inline)) void
+bernstein_of(const double *c, int degree, double low, double high, double *b)
 {
     double scale = 1;
     for (int i = 0; i <= degree; i++)
@@ -164,6 +180,25 @@ static void to_bernstein(const double *c, int degree, double low, double high,
     for (int k = 1; k <= degree; k++)
         for (int i = degree; i >= k; i--)
             b[i] += b[i - 1];
+}
+
+/* The polynomial's Bernstein coefficients over [low, high]. */
+static void to_bernstein(const double *c, int degree, double low, double high,
+                         double *b)
+{
+    switch (degree) {
+    case 3:
+        bernstein_of(c, 3, low, high, b);
+        break;
+    case 4:
+        bernstein_of(c, 4, low, high, b);
+        break;
+    case 6:
+        bernstein_of(c, 6, low, high, b);
+        break;
+    default:
+        bernstein_of(c, degree, low, high, b);
+    }
 }
 
 /* A polynomial c, and Bernstein coefficients of a piece of it. */
@@ -198,58 +233,143 @@ static void piece_cut(struct piece *right, struct piece *left)
     }
 }
 
-/* Descartes: no sign change is no root and one is one, else the piece is
- * halved (Lane and Riesenfeld 1981); where that doesn't help, roots are all
- * but double, and the derivatives decide. */
-static int roots_of_piece(struct piece *piece, double *roots, int depth)
+static bool search_take(const struct root_search *search, double root)
 {
-    int changes = sign_changes(piece);
-    if (changes == 0)
-        return 0;
-    if (changes == 1) {
-        roots[0] =
-            root_between(piece->c, piece->degree, piece->low, piece->high,
-                         piece->b[0], piece->b[piece->degree]);
-        return 1;
-    }
-    if (depth == BERNSTEIN_DEPTH)
-        return roots_by_turns(piece->c, piece->degree, piece->low, piece->high,
-                              roots);
-    struct piece left;
-    piece_cut(piece, &left);
-    int count = roots_of_piece(&left, roots, depth + 1);
-    return count + roots_of_piece(piece, roots + count, depth + 1);
+    return root > search->least && search->visit(search->context, root);
 }
 
-int polynomial_roots(const double *c, int degree, double low, double high,
-                     double *roots, int limit)
+static bool search_turns(const struct root_search *search, const double *c,
+                         int degree, double low, double high)
 {
-    double found[2 * POLYNOMIAL_DEGREE_MAX];
-    int count;
+    double roots[POLYNOMIAL_DEGREE_MAX];
+    int count = roots_by_turns(c, degree, low, high, roots);
+    for (int i = 0; i < count; i++)
+        if (search_take(search, roots[i]))
+            return true;
+    return false;
+}
+
+/* Descartes: no sign change is no root and one is one, else the piece is
+ * halved (Lane and Riesenfeld 1981); where that doesn't help, roots are all
+ * but double, and the derivatives decide. Returns true when the search is over.
+ */
+static bool search_piece(const struct root_search *search, struct piece *piece,
+                         int depth)
+{
+    int changes = sign_changes(piece);
+    if (changes == 0 || piece->high <= search->least)
+        return false;
+    if (changes == 1)
+        return search_take(search,
+                           root_between(piece->c, piece->degree, piece->low,
+                                        piece->high, piece->b[0],
+                                        piece->b[piece->degree]));
+    if (depth == BERNSTEIN_DEPTH)
+        return search_turns(search, piece->c, piece->degree, piece->low,
+                            piece->high);
+    struct piece left;
+    piece_cut(piece, &left);
+    return search_piece(search, &left, depth + 1) ||
+           search_piece(search, piece, depth + 1);
+}
+
+/* c without leading zeros; 0: it has no roots that could be told. */
+static int polynomial_degree(const double *c, int degree)
+{
     while (degree > 0 && c[degree] == 0)
         degree--;
     for (int i = 0; i <= degree; i++)
         if (!isfinite(c[i]))
             return 0;
-    if (degree == 0 || !(low < high))
-        return 0;
-    if (degree <= BERNSTEIN_DEGREE && high - low < BERNSTEIN_WIDTH) {
-        struct piece piece = { c, degree, low, high, { 0 } };
-        to_bernstein(c, degree, low, high, piece.b);
-        count = roots_of_piece(&piece, found, 0);
-    } else {
-        count = roots_by_turns(c, degree, low, high, found);
-    }
-    if (count > limit)
-        count = limit;
+    return degree;
+}
+
+static void search_quadratic(const struct root_search *search, const double *c,
+                             int degree, double low, double high)
+{
+    double roots[2];
+    int count = quadratic_roots(degree == 2 ? c[2] : 0, c[1] / 2, c[0], roots);
     for (int i = 0; i < count; i++)
-        roots[i] = found[i];
-    return count;
+        if (roots[i] >= low && roots[i] <= high &&
+            search_take(search, roots[i]))
+            return;
+}
+
+void polynomial_visit(const double *c, int degree, double low, double high,
+                      const struct root_search *search)
+{
+    degree = polynomial_degree(c, degree);
+    if (degree == 0 || !(low < high))
+        return;
+    if (degree <= 2) {
+        search_quadratic(search, c, degree, low, high);
+    } else if (degree <= BERNSTEIN_DEGREE && high - low < BERNSTEIN_WIDTH) {
+        struct piece piece = { .c = c, degree, low, high };
+        to_bernstein(c, degree, low, high, piece.b);
+        search_piece(search, &piece, 0);
+    } else {
+        search_turns(search, c, degree, low, high);
+    }
+}
+
+struct root_list {
+    double *roots;
+    int count, limit;
+};
+
+static bool list_take(void *context, double root)
+{
+    struct root_list *list = context;
+    list->roots[list->count++] = root;
+    return list->count == list->limit;
+}
+
+int polynomial_roots(const double *c, int degree, double low, double high,
+                     double *roots, int limit)
+{
+    struct root_list list = { roots, 0, limit };
+    const struct root_search search = { -HUGE_VAL, list_take, &list };
+    if (limit > 0)
+        polynomial_visit(c, degree, low, high, &search);
+    return list.count;
+}
+
+/* As search_piece, but one sign change is enough to know: no root is worked
+ * out. */
+static bool piece_crosses(struct piece *piece, int depth)
+{
+    double roots[POLYNOMIAL_DEGREE_MAX];
+    int changes = sign_changes(piece);
+    if (changes < 2)
+        return changes;
+    if (depth == BERNSTEIN_DEPTH)
+        return roots_by_turns(piece->c, piece->degree, piece->low, piece->high,
+                              roots) > 0;
+    struct piece left;
+    piece_cut(piece, &left);
+    return piece_crosses(&left, depth + 1) || piece_crosses(piece, depth + 1);
+}
+
+bool polynomial_crosses(const double *c, int degree, double low, double high)
+{
+    struct piece piece;
+    double root;
+    degree = polynomial_degree(c, degree);
+    if (degree == 0 || !(low < high))
+        return false;
+    if (degree <= 2 || degree > BERNSTEIN_DEGREE ||
+        !(high - low < BERNSTEIN_WIDTH))
+        return polynomial_roots(c, degree, low, high, &root, 1) > 0;
+    piece = (struct piece){ .c = c, degree, low, high };
+    to_bernstein(c, degree, low, high, piece.b);
+    return piece_crosses(&piece, 0);
 }
 
 int polynomial_bernstein_roots(const double *b, int degree, double *roots)
 {
     struct piece piece = { .degree = degree, .high = 1 };
+    struct root_list list = { roots, 0, 2 * BERNSTEIN_DEGREE };
+    const struct root_search search = { -HUGE_VAL, list_take, &list };
     double c[BERNSTEIN_DEGREE + 1], binomial = 1;
     for (int i = 0; i <= degree; i++)
         piece.b[i] = c[i] = b[i];
@@ -264,7 +384,8 @@ int polynomial_bernstein_roots(const double *b, int degree, double *roots)
         c[k] *= binomial;
     }
     piece.c = c;
-    return roots_of_piece(&piece, roots, 0);
+    search_piece(&search, &piece, 0);
+    return list.count;
 }
 
 double polynomial_bound(const double *c, int degree)

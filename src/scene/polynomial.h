@@ -3,6 +3,8 @@
 #ifndef SCENE_POLYNOMIAL_H
 #define SCENE_POLYNOMIAL_H
 
+#include <stdbool.h>
+
 enum { POLYNOMIAL_DEGREE_MAX = 35, BERNSTEIN_DEGREE = 8 };
 
 /* Both roots of a t^2 + 2 b t + c, increasing, without cancellation; note the
@@ -19,9 +21,24 @@ int quadratic_roots(double a, double b, double c, double roots[2]);
 int polynomial_roots(const double *c, int degree, double low, double high,
                      double *roots, int limit);
 
-/* The same between 0 and 1 of b[0] B(0) + ... + b[degree] B(degree), where B(i)
- * is the Bernstein polynomial i of that degree, at most BERNSTEIN_DEGREE.
- * There is room for twice as many roots as that. */
+/* Who is told the roots: those that are larger than `least`, until `visit`
+ * returns true. */
+struct root_search {
+    double least;
+    bool (*visit)(void *context, double root);
+    void *context;
+};
+
+/* Tells these roots, increasing: what nobody wants isn't even looked for. */
+void polynomial_visit(const double *c, int degree, double low, double high,
+                      const struct root_search *search);
+
+/* Whether there is any of them in [low, high], without its place: sooner. */
+bool polynomial_crosses(const double *c, int degree, double low, double high);
+
+/* The same as polynomial_roots between 0 and 1 of b[0] B(0) + ... + b[degree]
+ * B(degree), where B(i) is the Bernstein polynomial i of that degree, at most
+ * BERNSTEIN_DEGREE. There is room for twice as many roots as that. */
 int polynomial_bernstein_roots(const double *b, int degree, double *roots);
 
 /* A bound on the magnitude of every root (Fujiwara 1916, rounded up to a

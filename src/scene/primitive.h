@@ -3,7 +3,7 @@
  *
  * Everything is in the shape's own space, in double precision. A shape gives
  * *all* crossings of the whole line, and tells whether a point is inside;
- * CSG, clipping and shadows are made of these two (embree/solid). */
+ * CSG, clipping and shadows are made of these two (world/solid). */
 #ifndef SCENE_PRIMITIVE_H
 #define SCENE_PRIMITIVE_H
 
@@ -40,6 +40,9 @@ struct primitive {
      * the scene. */
     const char *(*prepare)(void *shape, struct arena *arena,
                            const char **warning);
+    /* Whether POV-Ray sees it in intersections and differences alone, as a
+     * sphere whose radius is negative; NULL: no. */
+    bool (*unseen)(const void *shape);
     /* May be infinite in some directions. */
     struct box3 (*bounds)(const void *shape);
     /* Around the part of the inside that is in the box, or empty; NULL: no

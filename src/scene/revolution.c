@@ -46,23 +46,35 @@ static bool revolution_inside(const void *shape, vec3 point)
     return outline_covers(&r->outline, hypot(point.x, point.z), point.y);
 }
 
-/* What of the ray the curves need: x^2 + z^2 = a t^2 + 2 b t + c. */
+/* What of the ray the curves need: x^2 + z^2 = a t^2 + 2 b t + c. Crossings
+ * between tmin and tmax are looked for: all into `hits`, or, if it is NULL, the
+ * first into `hit`, and then tmax is where that is. */
 struct spin {
     const struct ray *ray;
     double a, b, c;
+    double tmin, tmax;
+    struct hits *hits;
+    struct hit hit;
+    bool found;
 };
 
-static void spin_add(struct hits *hits, int part, double s, double t)
+static void spin_add(struct spin *spin, int part, double s, double t)
 {
-    if (hits->count == HITS_MAX || !isfinite(t))
+    const struct hit hit = { t, part, s, 0 };
+    if (!(t > spin->tmin && t < spin->tmax))
         return;
-    hits_add(hits, t, part);
-    hits->at[hits->count - 1].u = s;
+    if (spin->hits) {
+        if (spin->hits->count < HITS_MAX)
+            spin->hits->at[spin->hits->count++] = hit;
+        return;
+    }
+    spin->hit = hit;
+    spin->tmax = t;
+    spin->found = true;
 }
 
 /* The ray is level: it meets the curve where that has its height, twice. */
-static void spin_level(const struct spin *spin, const struct piece *piece,
-                       int part, struct hits *hits)
+static void spin_level(struct spin *spin, const struct piece *piece, int part)
 {
     const double *y = piece->curve.y;
     double c[4] = { y[0] - spin->ray->origin.y, y[1], y[2], y[3] };
@@ -73,7 +85,7 @@ static void spin_level(const struct spin *spin, const struct piece *piece,
         int found =
             quadratic_roots(spin->a, spin->b, spin->c - at[0] * at[0], t);
         for (int k = 0; k < found; k++)
-            spin_add(hits, part, roots[i], t[k]);
+            spin_add(spin, part, roots[i], t[k]);
     }
 }
 
@@ -85,6 +97,9 @@ static void multiply(const double a[4], const double b[4], double scale,
             sum[i + k] += scale * a[i] * b[k];
 }
 
+/* The slope of a ray below which its height says little of where it is. */
+static const double spin_flat = 1e-4;
+
 /* Of two t at which the ray is as far from the axis as the curve, the one at
  * which it is as high, too. Near level rays the height alone says little. */
 static double spin_place(const struct spin *spin, double radius, double t)
@@ -93,7 +108,7 @@ static double spin_place(const struct spin *spin, double radius, double t)
     int count =
         quadratic_roots(spin->a, spin->b, spin->c - radius * radius, roots);
     double slope = spin->ray->direction.y;
-    if (count == 0 || slope * slope > 1e-4 * spin->a)
+    if (count == 0 || slope * slope > spin_flat * spin->a)
         return t;
     return count == 1 || fabs(roots[0] - t) < fabs(roots[1] - t) ? roots[0]
                                                                  : roots[1];
@@ -101,8 +116,7 @@ static double spin_place(const struct spin *spin, double radius, double t)
 
 /* With h = y(s) - oy the ray is at this height at t = h / dy, and there as far
  * from the axis as the curve if c dy^2 + 2 b dy h + a h^2 - dy^2 x(s)^2 = 0. */
-static void spin_piece(const struct spin *spin, const struct piece *piece,
-                       int part, struct hits *hits)
+static void spin_piece(struct spin *spin, const struct piece *piece, int part)
 {
     const struct segment *curve = &piece->curve;
     double dy = spin->ray->direction.y, dy2 = dy * dy;
@@ -120,38 +134,76 @@ static void spin_piece(const struct spin *spin, const struct piece *piece,
     for (int i = 0; i < count; i++) {
         segment_point(curve, roots[i], at);
         double t = (at[1] - spin->ray->origin.y) / dy;
-        spin_add(hits, part, roots[i], spin_place(spin, at[0], t));
+        spin_add(spin, part, roots[i], spin_place(spin, at[0], t));
     }
 }
 
 /* Whether the ray is nearer to the axis than the piece reaches while it is as
- * high as the piece. */
+ * high as the piece, and where it is looked for. */
 static bool spin_meets(const struct spin *spin, const struct piece *piece)
 {
     double dy = spin->ray->direction.y, y = spin->ray->origin.y;
     double low = (piece->low[1] - y) / dy, high = (piece->high[1] - y) / dy;
+    double enter = fmin(low, high), leave = fmax(low, high);
+    double margin = 1e-9 * (fabs(enter) + fabs(leave));
+    if (dy * dy > spin_flat * spin->a &&
+        (leave + margin < spin->tmin || enter - margin > spin->tmax))
+        return false;
     double t = -spin->b / spin->a;
-    t = fmax(fmin(low, high), fmin(t, fmax(low, high)));
+    t = fmax(enter, fmin(t, leave));
     double radius = fmax(fabs(piece->low[0]), fabs(piece->high[0]));
     double nearest = (spin->a * t + 2 * spin->b) * t + spin->c;
     return !(nearest > radius * radius * (1 + 1e-9) + 1e-12);
 }
 
-static void revolution_intersect(const void *shape, const struct ray *ray,
-                                 struct hits *hits)
+static struct spin spin_new(const struct ray *ray, double tmin, double tmax)
 {
-    const struct revolution *r = shape;
     vec3 o = ray->origin, d = ray->direction;
-    struct spin spin = { ray, d.x * d.x + d.z * d.z, o.x * d.x + o.z * d.z,
-                         o.x * o.x + o.z * o.z };
-    bool level = d.y * d.y < 1e-16 * spin.a;
+    return (struct spin){
+        .ray = ray,
+        .a = d.x * d.x + d.z * d.z,
+        .b = o.x * d.x + o.z * d.z,
+        .c = o.x * o.x + o.z * o.z,
+        .tmin = tmin,
+        .tmax = tmax,
+    };
+}
+
+static void spin_all(struct spin *spin, const struct revolution *r)
+{
+    double dy = spin->ray->direction.y;
+    bool level = dy * dy < 1e-16 * spin->a;
     for (size_t i = 0; i < r->outline.count; i++) {
         const struct piece *piece = &r->outline.pieces[i];
         if (level)
-            spin_level(&spin, piece, (int)i, hits);
-        else if (spin_meets(&spin, piece))
-            spin_piece(&spin, piece, (int)i, hits);
+            spin_level(spin, piece, (int)i);
+        else if (spin_meets(spin, piece))
+            spin_piece(spin, piece, (int)i);
     }
+}
+
+static void revolution_intersect(const void *shape, const struct ray *ray,
+                                 struct hits *hits)
+{
+    struct spin spin = spin_new(ray, -HUGE_VAL, HUGE_VAL);
+    spin.hits = hits;
+    spin_all(&spin, shape);
+}
+
+static bool revolution_first(const void *shape, const struct ray *ray,
+                             double tmin, double tmax, struct hit *hit)
+{
+    struct spin spin = spin_new(ray, tmin, tmax);
+    spin_all(&spin, shape);
+    *hit = spin.hit;
+    return spin.found;
+}
+
+static bool revolution_crosses(const void *shape, const struct ray *ray,
+                               double tmin, double tmax)
+{
+    struct hit hit;
+    return revolution_first(shape, ray, tmin, tmax, &hit);
 }
 
 static vec3 revolution_normal(const void *shape, vec3 point,
@@ -234,6 +286,8 @@ const struct primitive lathe_primitive = {
     .prepare = revolution_prepare,
     .bounds = revolution_bounds,
     .intersect = revolution_intersect,
+    .crosses = revolution_crosses,
+    .first = revolution_first,
     .normal = revolution_normal,
     .uv = revolution_uv,
     .inside = revolution_inside,

@@ -14,10 +14,15 @@ struct scene *scene_new(size_t memory_limit)
         .gamma_kind = GAMMA_NONE,
         .assumed_gamma = 1,
         .ambient_light = rgb_grey(1),
+        .irid_wavelength = { 0.70, 0.52, 0.48 },
         .max_trace_level = 5,
         .adc_bailout = 1.0 / 255,
         .light_mesh = { .quality = 5,
-                        .indirect = { .on = true, .skeleton = true } },
+                        .indirect = { .on = true,
+                                      .skeleton = true,
+                                      .tone = { .brightness = 1 } } },
+        .radiosity_said = { .tone = { .brightness = 1 }, .recursion_limit = 2 },
+        .photons = photon_settings_default(),
     };
     return scene;
 }

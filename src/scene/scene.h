@@ -10,6 +10,8 @@
 #include "scene/material.h"
 #include "scene/noise.h"
 #include "scene/object.h"
+#include "scene/photon.h"
+#include "scene/rainbow.h"
 
 struct fog {
     double distance; /* > 0: T = exp(-d / distance) */
@@ -44,12 +46,15 @@ struct settings {
     enum gamma_kind gamma_kind;
     double assumed_gamma;
     rgb ambient_light;   /* white */
+    rgb irid_wavelength; /* of red, green and blue, in units of thickness */
     int max_trace_level; /* 5 */
     double adc_bailout;  /* 1/255 */
-    bool radiosity;      /* radiosity {} was said */
-    bool old_filter;     /* of skies before 3.7: see shade/background.c */
+    bool radiosity;      /* radiosity {} was said, */
+    struct radiosity_settings radiosity_said; /* and that in it */
+    bool old_filter; /* of skies before 3.7: see shade/background.c */
     struct light_mesh_settings light_mesh;
     struct skeleton_settings skeleton;
+    struct photon_settings photons;
 };
 
 /* Whether sky and background light the scene, as with radiosity; else what
@@ -70,18 +75,30 @@ struct scene {
         struct fog *items;
         size_t count, capacity;
     } fogs;
+    struct {
+        struct rainbow *items;
+        size_t count, capacity;
+    } rainbows;
     /* Objects and lights at the top level, in file order. Each has a texture
      * by now: its own or the #default in force where it was written. */
     struct {
         const struct object **items;
         size_t count, capacity;
     } objects;
+    bool windows;                /* of lamps that are projected_through */
     unsigned light_groups;       /* how many there are: 1 to that */
     struct media media;          /* of all space */
     bool misty;                  /* there are media somewhere */
     struct noise_settings noise; /* of all patterns and fogs */
     double version; /* the language's version the scene asked for */
 };
+
+/* Whether lamps light some places and not others by what a mesh point between
+ * them can't know. */
+static inline bool scene_lamps_choose(const struct scene *scene)
+{
+    return scene->light_groups > 0 || scene->windows;
+}
 
 /* `memory_limit` bytes for its arena, 0: none. */
 struct scene *scene_new(size_t memory_limit);

@@ -45,14 +45,27 @@ static inline void slab_clip(double low, double high, double origin,
     *leave = slab_min(*leave, slab_max(a, b));
 }
 
+/* The part of [*enter, *leave] in the box. */
+static inline void slabs_clip(const struct slabs *slabs, const struct box3 *box,
+                              double *enter, double *leave)
+{
+    vec3 o = slabs->origin, k = slabs->inverse;
+    slab_clip(box->low.x, box->high.x, o.x, k.x, enter, leave);
+    slab_clip(box->low.y, box->high.y, o.y, k.y, enter, leave);
+    slab_clip(box->low.z, box->high.z, o.z, k.z, enter, leave);
+}
+
+/* Whether anything of it is left. */
+static inline bool slabs_overlap(double enter, double leave)
+{
+    return enter <= leave + 1e-12 * (fabs(enter) + fabs(leave));
+}
+
 static inline bool slabs_hit(const struct slabs *slabs, const struct box3 *box,
                              double tmin, double tmax)
 {
-    vec3 o = slabs->origin, k = slabs->inverse;
-    slab_clip(box->low.x, box->high.x, o.x, k.x, &tmin, &tmax);
-    slab_clip(box->low.y, box->high.y, o.y, k.y, &tmin, &tmax);
-    slab_clip(box->low.z, box->high.z, o.z, k.z, &tmin, &tmax);
-    return tmin <= tmax + 1e-12 * (fabs(tmin) + fabs(tmax));
+    slabs_clip(slabs, box, &tmin, &tmax);
+    return slabs_overlap(tmin, tmax);
 }
 
 #endif

@@ -19,24 +19,32 @@ static vec3 warp_repeat(const struct warp *warp, vec3 point)
     return vec3_along(vec3_make(at[0], at[1], at[2]), warp->offset, count);
 }
 
-/* Along one axis the middle of the nearest hole; the first does not begin below
- * 0. */
+/* Along one axis the middle of the hole of the cell; the first does not begin
+ * below 0. */
 static double hole_middle(double centre, double period, double radius,
-                          double at)
+                          double at, double *number)
 {
+    *number = 0;
     if (!(period > 0))
         return centre;
     double first = fmax(centre, radius);
-    return first + floor((at - first) / period + 0.5) * period;
+    *number = floor(at / period);
+    return first + *number * period;
 }
 
 static vec3 warp_black_hole(const struct warp *warp, vec3 point)
 {
     vec3 c = warp->centre, period = warp->period;
     double radius = warp->radius;
-    c = vec3_make(hole_middle(c.x, period.x, radius, point.x),
-                  hole_middle(c.y, period.y, radius, point.y),
-                  hole_middle(c.z, period.z, radius, point.z));
+    double number[3];
+    c = vec3_make(hole_middle(c.x, period.x, radius, point.x, &number[0]),
+                  hole_middle(c.y, period.y, radius, point.y, &number[1]),
+                  hole_middle(c.z, period.z, radius, point.z, &number[2]));
+    bool repeated = period.x > 0 || period.y > 0 || period.z > 0;
+    if (repeated && vec3_length(warp->turbulence.amount) > 0)
+        c = vec3_add(
+            c, vec3_mul(warp->turbulence.amount,
+                        noise_cell_point(number[0], number[1], number[2])));
     vec3 away = vec3_sub(point, c);
     double distance = vec3_length(away);
     if (!(distance < radius))

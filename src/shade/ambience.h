@@ -33,7 +33,8 @@ rgb ambience_beyond(const struct ambience *ambience, vec3 direction);
 double ambience_open(const struct ambience *ambience, const struct world *world,
                      struct worker *worker, const struct ray *ray);
 
-/* How much of a surface is such a sky. */
+/* How much of a surface is such a sky. Of that part what lies beyond is all
+ * that it sends to other surfaces: lamps light no sky. */
 double surface_sky(const struct surface *surface);
 
 /* What it makes of ambient light 1. */

@@ -5,7 +5,7 @@
 #ifndef SHADE_EMITTERS_H
 #define SHADE_EMITTERS_H
 
-#include "embree/world.h"
+#include "world/world.h"
 
 struct emitters;
 

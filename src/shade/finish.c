@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "shade/film.h"
 
 /* Diffuse reflection of light at `cosine` to the normal (negative: from
  * behind). `diffuse albedo` makes the whole reflected share `diffuse`. */
@@ -119,6 +120,10 @@ rgb finish_light(const struct surface *surface,
         finish_has_highlights(finish))
         share = rgb_add(share, finish_highlights(surface, layer,
                                                  sample->direction, cosine));
+    if (finish->film.amount > 0)
+        share = rgb_mul(
+            share, film_tint(&finish->film, surface->point, cosine,
+                             fabs(vec3_dot(surface->view, layer->normal))));
     return rgb_mul(share, sample->colour);
 }
 

@@ -3,7 +3,7 @@
 #ifndef SHADE_FIRST_HITS_H
 #define SHADE_FIRST_HITS_H
 
-#include "embree/world.h"
+#include "world/world.h"
 
 /* The grid reaches so far beyond what is wanted of the picture, and a little
  * beyond the picture itself: what is said of a place may depend on what is so

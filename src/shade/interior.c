@@ -31,15 +31,34 @@ void interiors_cross(struct interiors *list, const struct leaf *leaf)
 void interiors_copy(struct interiors *to, const struct interiors *from)
 {
     to->count = from->count;
+    to->divided = from->divided;
+    to->place = from->place;
     memcpy(to->at, from->at, (size_t)from->count * sizeof from->at[0]);
+}
+
+void interiors_clear(struct interiors *list)
+{
+    list->count = 0;
+    list->divided = false;
+    list->place = 0;
+}
+
+/* Measured: from red to violet it grows by the same factor at each step. */
+double interiors_ior_of(const struct interiors *list,
+                        const struct interior *interior)
+{
+    if (!interior || !(interior->ior > 0))
+        return 1;
+    if (!list->divided || interior->dispersion == 1)
+        return interior->ior;
+    return interior->ior * pow(interior->dispersion, list->place - 0.5);
 }
 
 double interiors_ior(const struct interiors *list)
 {
-    if (list->count == 0)
-        return 1;
-    const struct interior *last = list->at[list->count - 1].interior;
-    return last && last->ior > 0 ? last->ior : 1;
+    return list->count == 0
+               ? 1
+               : interiors_ior_of(list, list->at[list->count - 1].interior);
 }
 
 bool interiors_open(const struct interiors *list)

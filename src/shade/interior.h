@@ -3,7 +3,7 @@
 #define SHADE_INTERIOR_H
 
 #include "base/rgb.h"
-#include "embree/solid.h"
+#include "world/solid.h"
 
 enum { INTERIORS_MAX = 64 }; /* deeper nesting is not noticed */
 
@@ -16,6 +16,8 @@ struct interior_entry {
 /* The bodies a ray is inside of, the last entered last. */
 struct interiors {
     int count;
+    bool divided; /* the ray is of one colour, at: */
+    double place; /* in the spectrum (shade/spectrum.h) */
     struct interior_entry at[INTERIORS_MAX];
 };
 
@@ -27,6 +29,14 @@ void interiors_cross(struct interiors *list, const struct leaf *leaf);
 
 /* Copies the part in use only. */
 void interiors_copy(struct interiors *to, const struct interiors *from);
+
+/* A list without bodies, for white light. */
+void interiors_clear(struct interiors *list);
+
+/* Refractive index of one body's interior, which may be NULL, for the light of
+ * this ray. */
+double interiors_ior_of(const struct interiors *list,
+                        const struct interior *interior);
 
 /* Refractive index of the body entered last, 1 in the open. */
 double interiors_ior(const struct interiors *list);

@@ -91,9 +91,10 @@ bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
     if (lamp_is_parallel(lamp)) {
         lamp_look_along(lamp, offset, view);
     } else {
-        view->distance = vec3_length(offset);
-        view->direction = vec3_negate(vec3_normalise(offset));
-        if (!(view->distance > 0))
+        double distance = vec3_length(offset);
+        view->distance = distance;
+        view->direction = vec3_scale(offset, distance > 0 ? -1 / distance : -1);
+        if (!(distance > 0))
             return false;
     }
     view->attenuation = 1;

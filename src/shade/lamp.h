@@ -4,7 +4,7 @@
 #ifndef SHADE_LAMP_H
 #define SHADE_LAMP_H
 
-#include "embree/solid.h"
+#include "world/solid.h"
 #include "scene/light.h"
 
 /* A light with what doesn't change from point to point. */

@@ -10,9 +10,16 @@ struct lamps lamps_new(const struct world *world, const struct scene *scene,
                        int quality, uint64_t seed)
 {
     struct lamps lamps = {
-        .world = world, .scene = scene, .quality = quality, .seed = seed
+        .world = world,
+        .scene = scene,
+        .quality = quality,
+        .photons = scene->settings.photons.on && quality >= QUALITY_PHOTONS,
+        .seed = seed,
     };
     const struct light *lights = world_lights(world, &lamps.count);
+    bool air = quality >= QUALITY_FOG;
+    lamps.foggy = air && (scene->fogs.count > 0 || scene->media.count > 0);
+    lamps.misty = air && scene->misty;
     lamps.items = memory_new(lamps.count * sizeof *lamps.items);
     for (size_t i = 0; i < lamps.count; i++)
         lamps.items[i] = lamp_new(&lights[i], (int)i);
@@ -63,32 +70,37 @@ static struct lamp_question lamp_question(const struct lamps *lamps,
 
 static bool lamp_fog(const struct lamps *lamps, const struct lamp *lamp)
 {
-    return lamp->light->media_attenuation && lamps->quality >= QUALITY_FOG &&
-           (lamps->scene->fogs.count > 0 || lamps->scene->media.count > 0);
+    return lamps->foggy && lamp->light->media_attenuation;
 }
 
-static bool lamps_misty(const struct lamps *lamps)
+static struct shadow_path lamp_path(const struct lamps *lamps,
+                                    const struct lamp *lamp,
+                                    const struct lamp_target *target)
 {
-    return lamps->scene->misty && lamps->quality >= QUALITY_FOG;
+    return (struct shadow_path){
+        .point = target->point,
+        .direction = target->view.direction,
+        .distance = target->view.distance,
+        .light = lamp->number,
+        .inside = target->inside,
+        .fog = lamp_fog(lamps, lamp) ? lamps->scene : NULL,
+        .misty = lamps->misty,
+        .photons =
+            lamps->photons && !target->straight ? &lamp->light->photons : NULL,
+    };
 }
 
 /* `place` is one in the question's shaft. */
 static rgb lamp_trace(const struct lamp_question *q, vec3 direction,
                       double distance, const double place[2])
 {
-    const struct lamps *lamps = q->lamps;
-    struct shadow_path path = {
-        .point = q->target->point,
-        .direction = direction,
-        .distance = distance,
-        .light = q->lamp->number,
-        .inside = q->target->inside,
-        .shaft = q->shaft,
-        .place = { place[0], place[1] },
-        .fog = lamp_fog(lamps, q->lamp) ? lamps->scene : NULL,
-        .misty = lamps_misty(lamps),
-    };
-    return shadow_visibility(lamps->world, q->worker, &path);
+    struct shadow_path path = lamp_path(q->lamps, q->lamp, q->target);
+    path.direction = direction;
+    path.distance = distance;
+    path.shaft = q->shaft;
+    path.place[0] = place[0];
+    path.place[1] = place[1];
+    return shadow_visibility(q->lamps->world, q->worker, &path);
 }
 
 /* From the point to a place of the lamp. Parallel light comes from the grid
@@ -128,12 +140,10 @@ static bool lamp_casts(const struct lamps *lamps, const struct lamp *lamp)
 rgb lamps_share_point(const struct lamps *lamps, const struct lamp *lamp,
                       struct worker *worker, const struct lamp_target *target)
 {
-    const struct lamp_view *view = &target->view;
-    struct lamp_question question = lamp_question(lamps, lamp, worker, target);
     if (!lamp_casts(lamps, lamp))
         return rgb_grey(1);
-    return lamp_trace(&question, view->direction, view->distance,
-                      (const double[2]){ 0, 0 });
+    struct shadow_path path = lamp_path(lamps, lamp, target);
+    return shadow_visibility(lamps->world, worker, &path);
 }
 
 /* To all places of a lamp with a size. */
@@ -159,7 +169,7 @@ static void lamp_shaft(struct lamp_question *q, const struct area_grid *grid,
     world_shaft(q->lamps->world, &rays, shaft);
     q->shaft = shaft;
     q->clear = !shaft->crowded && !lamp_fog(q->lamps, q->lamp) &&
-               !lamps_misty(q->lamps);
+               !q->lamps->misty && !q->lamp->light->pane;
     q->plain = q->clear && shaft->plain;
 }
 
@@ -176,8 +186,6 @@ static rgb lamp_share(struct lamp_question *q, const struct area_grid *grid,
 
 static rgb lamps_share_grid(struct lamp_question *q, bool fine)
 {
-    if (!lamp_casts(q->lamps, q->lamp) || !lamps_soft(q->lamps, q->lamp))
-        return lamps_share_point(q->lamps, q->lamp, q->worker, q->target);
     struct area_grid grid =
         area_grid_new(q->lamp, q->target->point, q->lamps->seed);
     struct shaft shaft;
@@ -190,6 +198,8 @@ static rgb lamps_share_grid(struct lamp_question *q, bool fine)
 rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
                 struct worker *worker, const struct lamp_target *target)
 {
+    if (!lamp_casts(lamps, lamp) || !lamps_soft(lamps, lamp))
+        return lamps_share_point(lamps, lamp, worker, target);
     struct lamp_question q = lamp_question(lamps, lamp, worker, target);
     return lamps_share_grid(&q, false);
 }
@@ -197,6 +207,8 @@ rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
                      struct worker *worker, const struct lamp_target *target)
 {
+    if (!lamp_casts(lamps, lamp) || !lamps_soft(lamps, lamp))
+        return lamps_share_point(lamps, lamp, worker, target);
     struct lamp_question q = lamp_question(lamps, lamp, worker, target);
     return lamps_share_grid(&q, true);
 }

@@ -5,7 +5,7 @@
 #define SHADE_LAMPS_H
 
 #include "base/worker.h"
-#include "embree/world.h"
+#include "world/world.h"
 #include "shade/interior.h"
 #include "shade/lamp.h"
 
@@ -15,7 +15,10 @@ struct lamps {
     struct lamp *items;
     size_t count;
     int quality;   /* +Q */
+    bool photons;  /* they bring the light that is bent on its way */
     uint64_t seed; /* of the jitter of area lights */
+    bool foggy;    /* fogs or media between objects weaken light */
+    bool misty;    /* media in objects do */
 };
 
 /* Frees with lamps_free. World and scene must outlive it. */
@@ -37,6 +40,7 @@ struct lamp_target {
     const struct interiors *inside; /* bodies the point is in; may be NULL */
     struct lamp_view view;          /* of the lamp's centre, by lamp_look */
     const struct intersection *at;  /* what it is on; NULL: in the open */
+    bool straight; /* photons bring nothing there: bent light goes straight */
 };
 
 /* The share of the lamp's light that is not in shadow, tinted by filters:

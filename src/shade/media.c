@@ -70,7 +70,9 @@ static rgb sample_lamp(const struct media_way *way, const struct lamp *lamp,
                        vec3 point, rgb scattered)
 {
     const struct light *light = lamp->light;
-    struct lamp_target target = { .point = point, .inside = way->inside };
+    struct lamp_target target = { .point = point,
+                                  .inside = way->inside,
+                                  .straight = true };
     if (light->shadowless || light->no_media ||
         !lamp_look(lamp, light->location, point, &target.view))
         return rgb_grey(0);

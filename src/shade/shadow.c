@@ -6,6 +6,7 @@
  * the surface steeply. */
 #include "shade/shadow.h"
 
+#include "scene/photon.h"
 #include "shade/background.h"
 #include "shade/free_path.h"
 #include "shade/interior.h"
@@ -24,8 +25,9 @@ struct shadow_crossing {
 };
 
 struct shadow_ray {
-    vec3 direction; /* unit */
-    rgb share;      /* of those that found no place */
+    vec3 direction;                     /* unit */
+    rgb share;                          /* of those that found no place */
+    const struct photon_flags *photons; /* as in the path */
     int count;
     struct shadow_crossing at[CROSSINGS_MAX]; /* in order of t */
 };
@@ -58,9 +60,19 @@ static double shadow_caustics(const struct shadow_ray *shadow,
     return 1 + pow(cosine, 45 * interior->caustics);
 }
 
+/* Whether this light goes through it, or round it, as photons. */
+static bool shadow_is_bent(const struct photon_flags *photons,
+                           const struct leaf *leaf)
+{
+    return photons && leaf->target &&
+           photon_happens(photons->refraction, leaf->photons->refraction);
+}
+
 static bool shadow_filter(void *context, const struct intersection *at)
 {
     struct shadow_ray *shadow = context;
+    if (shadow_is_bent(shadow->photons, at->leaf))
+        return true;
     struct shadow_crossing crossing = { at->t, at->leaf,
                                         surface_transmittance(at) };
     if (rgb_peak(crossing.through) == 0)
@@ -123,7 +135,7 @@ static rgb shadow_share(const struct shadow_ray *shadow,
     double from = 0;
     if (shadow->count == 0 && !path->fog && !path->misty)
         return share;
-    inside.count = 0;
+    interiors_clear(&inside);
     if (path->inside)
         interiors_copy(&inside, path->inside);
     for (int i = 0; i < shadow->count; i++) {
@@ -170,19 +182,48 @@ static bool shadow_blocked(const struct world *world,
                                 shadow_filter, shadow);
 }
 
+/* Through what may weaken the light. */
+static rgb shadow_filtered(const struct world *world, struct worker *worker,
+                           const struct shadow_path *path, double from,
+                           double to)
+{
+    struct shadow_ray shadow;
+    shadow.direction = path->direction;
+    shadow.photons = path->photons;
+    shadow.share = rgb_grey(1);
+    shadow.count = 0;
+    if (shadow_blocked(world, path, from, to, &shadow))
+        return rgb_grey(0);
+    return shadow_share(&shadow, path, worker);
+}
+
+/* Light that is projected through something comes from there: nothing beyond
+ * it casts a shadow, and what misses it is dark (measured). */
+static bool shadow_begins(const struct world *world,
+                          const struct shadow_path *path, double from,
+                          double *to)
+{
+    struct ray ray = { path->point, path->direction };
+    double pane = world_pane(world, path->light, &ray, from, *to);
+    if (pane < *to)
+        *to = pane - shadow_margin;
+    return pane >= 0;
+}
+
 rgb shadow_visibility(const struct world *world, struct worker *worker,
                       const struct shadow_path *path)
 {
     double from = shadow_start(path->point);
     double to = path->distance - shadow_margin;
-    struct shadow_ray shadow;
     if (!(to > from))
         return rgb_grey(1);
-    shadow.direction = path->direction;
-    shadow.share = rgb_grey(1);
-    shadow.count = 0;
-    worker->counters.shadow_rays++;
-    if (shadow_blocked(world, path, from, to, &shadow))
+    if (!shadow_begins(world, path, from, &to))
         return rgb_grey(0);
-    return shadow_share(&shadow, path, worker);
+    worker->counters.shadow_rays++;
+    if (!world_is_opaque(world) || path->shaft || path->fog || path->misty)
+        return shadow_filtered(world, worker, path, from, to);
+    const struct ray ray = { path->point, path->direction };
+    bool blocked =
+        world_occluded(world, &ray, from, to, path->light, NULL, NULL);
+    return rgb_grey(blocked ? 0 : 1);
 }

@@ -3,8 +3,10 @@
 #define SHADE_SHADOW_H
 
 #include "base/worker.h"
-#include "embree/world.h"
+#include "world/world.h"
 #include "shade/interior.h"
+
+struct photon_flags;
 
 /* A way that light may go. */
 struct shadow_path {
@@ -18,6 +20,10 @@ struct shadow_path {
     const struct scene *fog; /* whose fogs and media weaken the light; NULL:
                               * only media in objects do */
     bool misty;              /* there are some */
+    /* What the lamp says of photons: what they bring through their targets is
+     * no light of this way. NULL: there are none, or they light nothing there.
+     */
+    const struct photon_flags *photons;
     uint64_t key; /* of random numbers: media are met without bias; 0: as
                    * POV-Ray samples them */
 };

@@ -4,6 +4,7 @@
  * with conserve_energy of (1 - reflection), over the layers above it. */
 #include "shade/surface.h"
 
+#include "shade/film.h"
 #include "shade/finish.h"
 
 /* A texture and its space: that of a picked one is its pattern's. */
@@ -27,12 +28,32 @@ static vec3 surface_uv_point(const struct uv_source *source)
     return world_uv(uv->at);
 }
 
+/* The areas that the point cuts from the triangle. */
+static void surface_corners(const struct uv_source *source, double shares[3])
+{
+    const struct intersection *at = ((const struct surface_uv *)source)->at;
+    shares[0] = 1;
+    shares[1] = shares[2] = 0;
+    if (at->leaf->object->kind != OBJECT_MESH)
+        return;
+    vec3 corner[3];
+    for (int k = 0; k < 3; k++)
+        corner[k] = leaf_corner(at->leaf, (size_t)at->part, k);
+    vec3 a = vec3_sub(corner[1], corner[0]), b = vec3_sub(corner[2], corner[0]);
+    vec3 p = vec3_sub(at->point, corner[0]), face = vec3_cross(a, b);
+    double area = vec3_dot(face, face);
+    shares[1] = fmax(0, vec3_dot(vec3_cross(p, b), face) / area);
+    shares[2] = fmax(0, vec3_dot(vec3_cross(a, p), face) / area);
+    shares[0] = fmax(0, 1 - shares[1] - shares[2]);
+}
+
 static struct surface_uv surface_uv(const struct intersection *at, vec3 view)
 {
     bool away = vec3_dot(at->normal, view) < 0;
     vec3 normal = away ? vec3_negate(at->normal) : at->normal;
-    return (struct surface_uv){ { surface_uv_point, at->point, normal, view },
-                                at };
+    return (struct surface_uv){
+        { surface_uv_point, surface_corners, at->point, normal, view }, at
+    };
 }
 
 /* Where a normal or an object is laid by the surface's own coordinates, its
@@ -110,6 +131,10 @@ static void layer_reflect(struct surface *surface, struct surface_layer *layer,
     struct finish_mirror mirror = finish_mirror(
         layer->finish, colour_rgb(layer->pigment), cosine, view->ior);
     layer->reflection = mirror.colour;
+    if (layer->finish->film.amount > 0)
+        layer->reflection = rgb_mul(
+            layer->reflection,
+            film_tint(&layer->finish->film, surface->point, cosine, cosine));
     layer->reflection_weight = mirror.weight;
 }
 
@@ -183,20 +208,31 @@ static void surface_fill_layers(struct surface *surface,
     surface->through = surface_add(surface, view, &place, rgb_grey(1));
 }
 
-/* At the lowest qualities a surface is the bottom layer's plain colour. */
-static void surface_fill_plain(struct surface *surface, int quality)
+/* At the lowest qualities a surface is the plain colour of its deepest layer
+ * that still shows (measured). */
+static void surface_fill_plain(struct surface *surface,
+                               const struct surface_view *view)
 {
     const struct intersection *at = surface->at;
-    const struct layer *source = &at->texture->layers[0];
+    const struct texture *texture = at->texture;
     struct surface_uv uv = surface_uv(at, surface->view);
     struct place place = place_at(at, &uv.source);
+    rgb weight = rgb_grey(1);
     surface->count = 1;
-    surface->layer[0] = (struct surface_layer){
-        .finish = source->finish,
-        .pigment = layer_pigment(source, &place, quality, surface->normal),
-        .normal = surface->normal,
-        .weight = rgb_grey(1),
-    };
+    for (size_t i = texture->choice ? 1 : texture->count; i-- > 0;) {
+        const struct layer *source = &texture->layers[i];
+        surface->layer[0] = (struct surface_layer){
+            .finish = source->finish,
+            .pigment =
+                layer_pigment(source, &place, view->quality, surface->normal),
+            .normal = surface->normal,
+            .weight = rgb_grey(1),
+        };
+        weight =
+            rgb_mul(weight, colour_transmittance(surface->layer[0].pigment));
+        if (fabs(rgb_brightness(weight)) < view->bailout)
+            break;
+    }
 }
 
 void surface_fill(struct surface *surface, const struct intersection *at,
@@ -215,7 +251,7 @@ void surface_fill(struct surface *surface, const struct intersection *at,
     surface->count = 0;
     surface->through = rgb_grey(0);
     if (view->quality < QUALITY_LIT)
-        surface_fill_plain(surface, view->quality);
+        surface_fill_plain(surface, view);
     else
         surface_fill_layers(surface, view);
 }

@@ -4,7 +4,7 @@
 #define SHADE_SURFACE_H
 
 #include "base/rgb.h"
-#include "embree/world.h"
+#include "world/world.h"
 #include "shade/interior.h"
 
 /* The quality levels of +Q at which something begins. */
@@ -15,6 +15,7 @@ enum {
     QUALITY_TRANSPARENCY = 6, /* transmitted rays; no more quick_colour */
     QUALITY_REFLECTION = 8,   /* reflected rays */
     QUALITY_FOG = 9,
+    QUALITY_PHOTONS = 9,
 };
 
 /* One layer of the texture, evaluated at the point. */

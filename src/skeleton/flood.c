@@ -317,7 +317,7 @@ static void flood_from_camera(struct flood *flood, const struct camera *camera)
 {
     flood->space->camera = VOXEL_NONE;
     flood_from_eye(flood, camera->location, true);
-    for (int i = 0; i < EYES && camera->kind == CAMERA_ORTHOGRAPHIC; i++)
+    for (int i = 0; i < EYES && camera->kind->lines == CAMERA_PARALLEL; i++)
         for (int j = 0; j < EYES; j++) {
             struct ray ray =
                 camera_ray(camera, (i + 0.5) / EYES, (j + 0.5) / EYES);

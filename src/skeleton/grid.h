@@ -3,7 +3,7 @@
 #ifndef SKELETON_GRID_H
 #define SKELETON_GRID_H
 
-#include "embree/world.h"
+#include "world/world.h"
 #include "skeleton/voxels.h"
 
 /* Places the grid around what is bounded, the camera, the lights and what they

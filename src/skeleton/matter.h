@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "embree/world.h"
+#include "world/world.h"
 
 enum {
     MATTER_WALL = 1,    /* stops light */

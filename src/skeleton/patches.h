@@ -7,7 +7,7 @@
 #include "shade/lamp.h"
 #include "skeleton/voxels.h"
 #include "base/worker.h"
-#include "embree/world.h"
+#include "world/world.h"
 
 /* Single precision: there may be a million. */
 struct patch_light {

@@ -6,7 +6,7 @@
 #define SKELETON_SKELETON_H
 
 #include "base/worker.h"
-#include "embree/world.h"
+#include "world/world.h"
 #include "shade/ambience.h"
 #include "shade/lamp.h"
 #include "skeleton/graph.h"

@@ -5,7 +5,7 @@
 
 #include <stdatomic.h>
 
-#include "embree/world.h"
+#include "world/world.h"
 #include "skeleton/voxels.h"
 
 /* A part of the void that is connected over voxel faces. */

@@ -1,11 +1,11 @@
 /* Solids to voxels by descent: boxes that no surface can meet are dropped
- * (embree/overlap.h), the others halved, down to quarters of a voxel, where
+ * (world/overlap.h), the others halved, down to quarters of a voxel, where
  * what the bounds say too much is little. */
 #include "skeleton/voxelise.h"
 
 #include "base/array.h"
 #include "base/parallel.h"
-#include "embree/overlap.h"
+#include "world/overlap.h"
 #include "scene/primitive.h"
 
 enum {

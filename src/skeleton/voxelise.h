@@ -5,7 +5,7 @@
 
 #include <stdatomic.h>
 
-#include "embree/world.h"
+#include "world/world.h"
 #include "skeleton/voxels.h"
 
 /* Adds to out[voxels_count(grid)], one byte a voxel, the marks of every leaf

@@ -129,8 +129,19 @@ static bool diag_admit(struct diag *diag, enum diag_level level)
         diag->muted =
             diag->quiet_warnings || diag->warnings > DIAG_WARNING_LIMIT;
     } else if (level == DIAG_MESSAGE)
-        return diag->out && !diag->quiet_messages;
-    return diag->out && !diag->muted;
+        return (diag->out || diag->listen) && !diag->quiet_messages;
+    return (diag->out || diag->listen) && !diag->muted;
+}
+
+static void diag_tell(struct diag *diag, enum diag_level level,
+                      struct span span, const char *hint, const char *format,
+                      va_list arguments)
+{
+    struct diag_text text = { .arena = arena_new(0) };
+    diag_vputf(&text, format, arguments);
+    diag_put(&text, "", 1);
+    diag->listen(diag->listener, level, span, hint, text.items);
+    arena_free(text.arena);
 }
 
 struct diag diag_new(void)
@@ -143,6 +154,10 @@ void diag_vprint(struct diag *diag, enum diag_level level, struct span span,
 {
     if (!diag_admit(diag, level))
         return;
+    if (diag->listen) {
+        diag_tell(diag, level, span, hint, format, arguments);
+        return;
+    }
     if (level == DIAG_MESSAGE) {
         vfprintf(diag->out, format, arguments);
         return;

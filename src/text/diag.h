@@ -28,9 +28,16 @@ enum {
     DIAG_WARNING_LIMIT = 100, /* more are counted, not printed */
 };
 
+/* Hears a message instead of `out`: its text without place and level. */
+typedef void diag_listener(void *context, enum diag_level level,
+                           struct span span, const char *hint,
+                           const char *text);
+
 struct diag {
-    FILE *out;           /* normally stderr; NULL prints nothing (fuzzing) */
-    const char *program; /* begins messages without a place; NULL: "glim" */
+    FILE *out;             /* normally stderr; NULL prints nothing (fuzzing) */
+    diag_listener *listen; /* NULL: messages are printed */
+    void *listener;        /* its context */
+    const char *program;   /* begins messages without a place; NULL: "glim" */
     bool quiet_warnings, quiet_messages;
     unsigned errors, warnings;
     bool muted; /* the last error was beyond the limit: drop its notes */

@@ -2,8 +2,8 @@
 #include "token/lexer.h"
 
 #include "base/array.h"
+#include "token/bulk.h"
 #include "token/lookalike.h"
-#include "token/triangles.h"
 
 /* A longer word is an error in POV-Ray too, even in skipped text. */
 enum { LEXER_WORD_LIMIT = 200 };
@@ -17,7 +17,7 @@ struct lexer {
         struct token *items;
         size_t count, capacity;
     } tokens;
-    struct triangle_bench bench;
+    struct bulk bulk;
 };
 
 static bool is_digit(char c)
@@ -128,52 +128,19 @@ static size_t lexer_word_end(const struct lexer *lexer, size_t at)
     return at;
 }
 
-static bool word_begins_list(const struct word *word)
-{
-    return word->keyword == KEYWORD_VERTEX_VECTORS ||
-           word->keyword == KEYWORD_NORMAL_VECTORS ||
-           word->keyword == KEYWORD_FACE_INDICES ||
-           word->keyword == KEYWORD_NORMAL_INDICES;
-}
-
-/* The list of a mesh2, as one token if it is long and plain. */
-static void lexer_list(struct lexer *lexer)
+/* What is cut as one token, if that stands here. */
+static bool lexer_bulk(struct lexer *lexer)
 {
     size_t start = lexer->at, length;
-    while (is_space(lexer->text[start]))
-        start++;
-    const struct number_list *list = numbers_cut(
-        lexer->arena, lexer->text + start, lexer->length - start, &length);
-    if (!list)
-        return;
-    lexer->at = start + length;
-    lexer_push(lexer, TOKEN_NUMBERS, start, lexer->at)->numbers = list;
-}
-
-/* Whether the last token is `mesh {` or triangles cut at once: whatever reads
- * the next expects more of them. */
-static bool lexer_in_mesh(const struct lexer *lexer)
-{
-    if (lexer->tokens.count == 0)
-        return false;
-    const struct token *end = lexer->tokens.items + lexer->tokens.count;
-    if (end[-1].kind == TOKEN_TRIANGLES)
-        return true;
-    return lexer->tokens.count > 1 && end[-1].kind == TOKEN_LBRACE &&
-           end[-2].kind == TOKEN_WORD && end[-2].word->keyword == KEYWORD_MESH;
-}
-
-/* Triangles of a mesh, as one token if they are plain. */
-static bool lexer_triangles(struct lexer *lexer)
-{
-    size_t start = lexer->at, length;
-    const struct triangle_run *run =
-        triangles_cut(lexer->arena, lexer->words, &lexer->bench,
-                      lexer->text + start, &length);
-    if (!run)
+    struct token bulk;
+    if (!bulk_cut(&lexer->bulk, lexer->tokens.items, lexer->tokens.count,
+                  lexer->text + start, &bulk, &length))
         return false;
     lexer->at = start + length;
-    lexer_push(lexer, TOKEN_TRIANGLES, start, lexer->at)->triangles = run;
+    struct token *token = lexer_push(lexer, bulk.kind, start, lexer->at);
+    bulk.offset = token->offset;
+    bulk.length = token->length;
+    *token = bulk;
     return true;
 }
 
@@ -190,8 +157,6 @@ static void lexer_word(struct lexer *lexer, enum token_kind kind, size_t start)
     const struct word *word =
         word_intern(lexer->words, lexer->text + begin, end - begin);
     lexer_push(lexer, kind, start, end)->word = word;
-    if (kind == TOKEN_WORD && word_begins_list(word))
-        lexer_list(lexer);
 }
 
 /* A '#' that no word follows is skipped, as POV-Ray does.
@@ -368,11 +333,11 @@ static void lexer_foreign(struct lexer *lexer)
 static void lexer_token(struct lexer *lexer)
 {
     const char *here = lexer->text + lexer->at;
-    if (is_word_start(*here)) {
-        if ((*here != 't' && *here != 's') || !lexer_in_mesh(lexer) ||
-            !lexer_triangles(lexer))
-            lexer_word(lexer, TOKEN_WORD, lexer->at);
-    } else if (is_digit(*here) || (*here == '.' && is_digit(here[1])))
+    if (lexer_bulk(lexer))
+        return;
+    if (is_word_start(*here))
+        lexer_word(lexer, TOKEN_WORD, lexer->at);
+    else if (is_digit(*here) || (*here == '.' && is_digit(here[1])))
         lexer_number(lexer);
     else if (*here == '"')
         lexer_string(lexer);
@@ -393,6 +358,7 @@ const struct token_list *lexer_run_part(struct arena *arena,
 {
     struct lexer lexer = { .arena = arena,
                            .words = words,
+                           .bulk = { arena, words, source->text + end },
                            .text = source->text,
                            .length = end,
                            .at = start };

@@ -51,19 +51,31 @@ static bool take_paint(const char **at, const char *text,
     return numbers_take(at, '}');
 }
 
-static bool take_triangle(const char **at, const char *text, const char *word,
-                          struct word_table *words, double (*vectors)[3],
-                          int count, struct triangle_paint *paint)
+/* One of the run that begins at `text`. */
+struct triangle {
+    bool smooth;
+    double vectors[6][3];
+    struct triangle_paint paint;
+};
+
+static int triangle_vectors(bool smooth)
 {
+    return smooth ? 6 : 3;
+}
+
+static bool take_triangle(const char **at, const char *text,
+                          struct word_table *words, struct triangle *triangle)
+{
+    const char *word = triangle->smooth ? "smooth_triangle" : "triangle";
     if (!take_word(at, word) || !numbers_take(at, '{'))
         return false;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < triangle_vectors(triangle->smooth); i++) {
         if (i > 0)
             numbers_take(at, ',');
-        if (!numbers_take_vector(at, vectors[i]))
+        if (!numbers_take_vector(at, triangle->vectors[i]))
             return false;
     }
-    return take_paint(at, text, words, paint) && **at == '}';
+    return take_paint(at, text, words, &triangle->paint) && **at == '}';
 }
 
 static const struct triangle_run *
@@ -86,20 +98,17 @@ const struct triangle_run *triangles_cut(struct arena *arena,
                                          struct triangle_bench *bench,
                                          const char *text, size_t *length)
 {
-    bool smooth = *text == 's';
-    const char *word = smooth ? "smooth_triangle" : "triangle", *at = text;
-    int count = smooth ? 6 : 3;
-    double vectors[6][3];
-    struct triangle_paint paint;
+    struct triangle triangle = { .smooth = *text == 's' };
+    const char *at = text;
     bench->vectors.count = bench->paints.count = 0;
     while (bench->paints.count < TRIANGLES_MOST &&
-           take_triangle(&at, text, word, words, vectors, count, &paint)) {
+           take_triangle(&at, text, words, &triangle)) {
         *length = (size_t)(++at - text);
         at = numbers_skip_space(at);
-        for (int i = 0; i < count; i++)
-            memcpy(*ARRAY_PUSH(arena, &bench->vectors), vectors[i],
-                   sizeof *vectors);
-        *ARRAY_PUSH(arena, &bench->paints) = paint;
+        for (int i = 0; i < triangle_vectors(triangle.smooth); i++)
+            memcpy(*ARRAY_PUSH(arena, &bench->vectors), triangle.vectors[i],
+                   sizeof *triangle.vectors);
+        *ARRAY_PUSH(arena, &bench->paints) = triangle.paint;
     }
-    return bench->paints.count ? run_new(arena, bench, smooth) : NULL;
+    return bench->paints.count ? run_new(arena, bench, triangle.smooth) : NULL;
 }

@@ -13,7 +13,7 @@ static double crossing_mirror_ior(const struct crossing *crossing,
     const struct interior *left = crossing->at.leaf->interior;
     if (!crossing->leaving || inside->count < 2)
         return crossing->ior;
-    return interiors_ior(inside) / (left && left->ior > 0 ? left->ior : 1);
+    return interiors_ior(inside) / interiors_ior_of(inside, left);
 }
 
 void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
@@ -32,6 +32,31 @@ void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
         .bailout = bailout,
     };
     surface_fill(&crossing->surface, &crossing->at, &view);
+}
+
+static const struct interior *interiors_last(const struct interiors *list)
+{
+    return list->count > 0 ? list->at[list->count - 1].interior : NULL;
+}
+
+int crossing_parts(const struct crossing *crossing,
+                   const struct interiors *inside)
+{
+    const struct interior *before = interiors_last(inside),
+                          *behind = interiors_last(&crossing->beyond);
+    if (inside->divided)
+        return 1;
+    if (behind && behind->dispersion != 1)
+        return behind->dispersion_samples;
+    return before && before->dispersion != 1 ? before->dispersion_samples : 1;
+}
+
+void crossing_divide(struct crossing *crossing, struct interiors *inside,
+                     double place)
+{
+    inside->divided = crossing->beyond.divided = true;
+    inside->place = crossing->beyond.place = place;
+    crossing->ior = interiors_ior(&crossing->beyond) / interiors_ior(inside);
 }
 
 vec3 crossing_mirrored(const struct crossing *crossing, vec3 direction,
@@ -76,6 +101,12 @@ bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside)
            interiors_open(inside);
 }
 
+bool tracer_arched(const struct tracer *tracer, const struct interiors *inside)
+{
+    return tracer->scene->rainbows.count > 0 &&
+           tracer->quality >= QUALITY_FOG && interiors_open(inside);
+}
+
 bool tracer_misty(const struct tracer *tracer)
 {
     return tracer->scene->misty && tracer->quality >= QUALITY_FOG;
@@ -110,7 +141,7 @@ static void interiors_enter(void *context, const struct leaf *leaf)
 void tracer_inside(const struct tracer *tracer, vec3 point,
                    struct interiors *inside)
 {
-    inside->count = 0;
+    interiors_clear(inside);
     world_containing(tracer->world, point, interiors_enter, inside);
 }
 
@@ -118,15 +149,16 @@ void tracer_ready(struct tracer *tracer)
 {
     const struct camera *camera = &tracer->scene->camera;
     struct box3 origins = box3_empty();
-    tracer->start.count = 0;
+    interiors_clear(&tracer->start);
     for (int corner = 0; corner < 4; corner++)
         origins = box3_add(origins,
                            camera_ray(camera, corner % 2, corner / 2).origin);
     tracer->ready = true;
-    if (camera->kind == CAMERA_PERSPECTIVE)
+    if (camera->kind->lines == CAMERA_CENTRAL)
         tracer_inside(tracer, camera->location, &tracer->start);
     else
-        tracer->ready = !world_may_contain(tracer->world, origins);
+        tracer->ready = camera->kind->lines != CAMERA_SCATTERED &&
+                        !world_may_contain(tracer->world, origins);
 }
 
 void tracer_enter(const struct tracer *tracer, struct worker *worker,

@@ -32,11 +32,24 @@ vec3 crossing_mirrored(const struct crossing *crossing, vec3 direction,
 bool crossing_refracted(const struct crossing *crossing, vec3 direction,
                         vec3 normal, vec3 *out);
 
+/* How many colours the light that passes is divided into: 1 where nothing has
+ * dispersion, or the ray is of one colour already. */
+int crossing_parts(const struct crossing *crossing,
+                   const struct interiors *inside);
+
+/* Makes the ray, in `inside`, one of the colour at this place of the spectrum.
+ */
+void crossing_divide(struct crossing *crossing, struct interiors *inside,
+                     double place);
+
 /* A ray goes on from a surface only while its level is below this. */
 int tracer_levels(const struct tracer *tracer);
 
 /* Whether fog reaches a ray that is inside of these. */
 bool tracer_foggy(const struct tracer *tracer, const struct interiors *inside);
+
+/* Whether rainbows are seen by it. */
+bool tracer_arched(const struct tracer *tracer, const struct interiors *inside);
 
 /* Whether there are media to be looked for. */
 bool tracer_misty(const struct tracer *tracer);

@@ -59,6 +59,9 @@ static rgb lamp_visibility(const struct question *q, const struct lamp *lamp,
         .inside = q->receiver->inside,
         .fog = fog ? scene : NULL,
         .misty = tracer_misty(tracer),
+        .photons = q->receiver->straight || !tracer->photons
+                       ? NULL
+                       : &lamp->light->photons,
         .key = question_key(q, lamp->number),
     };
     if (lamp->light->shadowless || tracer->quality < QUALITY_SHADOWS)

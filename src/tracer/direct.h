@@ -24,6 +24,7 @@ struct receiver {
     double (*density)(const void *context, vec3 direction);
     const void *context;
     const struct leaf *leaf; /* what it is on; NULL: any lamp lights it */
+    bool straight;           /* photons bring nothing to it */
     bool in_media;           /* that lamps may say they don't light */
 };
 

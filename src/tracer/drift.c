@@ -44,6 +44,7 @@ static bool drift_turn(struct walk *walk, const struct draws *draws,
         .density = drift_density,
         .context = collision,
         .in_media = true,
+        .straight = true,
     };
     rgb light =
         direct_lamps(walk->tracer, walk->worker, &receiver, draws, walk->split);

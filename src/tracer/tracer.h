@@ -5,13 +5,16 @@
 #include "lighting/lighting.h"
 #include "shade/interior.h"
 
+struct photon_map;
+
 struct tracer {
     const struct scene *scene;
     const struct world *world;
     const struct lighting *lighting;
     void *lighting_state;
-    int quality; /* +Q: see man/glim.1 */
-    bool alpha;  /* +UA: the background's transparency shows as opacity */
+    const struct photon_map *photons; /* NULL: none (tracer/photons.h) */
+    int quality;                      /* +Q: see man/glim.1 */
+    bool alpha; /* +UA: the background's transparency shows as opacity */
     /* By tracer_ready: what camera rays start in, if it is known for all. */
     bool ready;
     struct interiors start;

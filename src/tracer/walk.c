@@ -12,8 +12,9 @@
  *   sees them, of later ones one, chosen by weight. Light that is mirrored or
  *   bent on its way from a glowing surface (caustics) is found by scattered
  *   rays alone: exact, but slow to settle if that surface is small. Lamps are
- *   points and make none; their light goes straight through what is
- *   transparent, as POV-Ray's does.
+ *   points: what photons bring of theirs is taken from the map (photons.h),
+ *   with its blur; where none are sent their light goes straight through what
+ *   is transparent, as POV-Ray's does.
  * - A reflection exponent is not linear: it is applied to each sample.
  * - Russian roulette (Arvo and Kirk 1990) ends paths that weigh little; with
  *   --guide those that are worth little, and splits those worth much. */
@@ -22,11 +23,13 @@
 #include "base/warp.h"
 #include "shade/background.h"
 #include "shade/finish.h"
+#include "shade/rainbow.h"
 #include "shade/shadow.h"
 #include "tracer/crossing.h"
 #include "tracer/direct.h"
 #include "tracer/drift.h"
 #include "tracer/lobes.h"
+#include "tracer/photons.h"
 
 enum {
     VERTICES_MAX = 2000, /* of a path: for safety alone */
@@ -106,6 +109,14 @@ static const struct ambience *walk_ambience(const struct walk *walk)
 static bool walk_sees_sky(const struct walk *walk)
 {
     return walk->split || walk_ambience(walk)->sky;
+}
+
+static void walk_rainbows(struct walk *walk, double distance)
+{
+    if (!walk->split || !tracer_arched(walk->tracer, &walk->inside))
+        return;
+    struct veil veil = rainbow_veil(walk->tracer->scene, &walk->ray, distance);
+    walk_veil(walk, &veil);
 }
 
 static void walk_fog(struct walk *walk, double distance)
@@ -242,6 +253,25 @@ static void walk_value(struct walk *walk, const struct meeting *meeting,
     walk->worth = worth_share * sqrt(typical * sqrt(typical * pixel));
 }
 
+struct photon_asker {
+    struct walk *walk;
+    const struct surface *surface;
+};
+
+/* What photons bring, which no ray finds: light of lamps that was bent. */
+static void walk_photon(void *context, const struct light_sample *sample)
+{
+    const struct photon_asker *asker = context;
+    rgb response = surface_response(asker->surface, sample->direction, true);
+    walk_gather(asker->walk, rgb_mul(response, sample->colour));
+}
+
+static void walk_photons(struct walk *walk, const struct surface *surface)
+{
+    struct photon_asker asker = { walk, surface };
+    photons_light(walk->tracer, walk->worker, surface, walk_photon, &asker);
+}
+
 static void walk_direct(struct walk *walk, struct meeting *meeting)
 {
     const struct crossing *crossing = &meeting->crossing;
@@ -256,9 +286,11 @@ static void walk_direct(struct walk *walk, struct meeting *meeting)
         .density = scatterer_density,
         .context = &scatterer,
         .leaf = crossing->at.leaf,
+        .straight = crossing->at.leaf->photons->unlit,
     };
     rgb lamps = direct_lamps(walk->tracer, walk->worker, &receiver,
                              &meeting->draws, walk->split);
+    walk_photons(walk, &crossing->surface);
     lobes_guide(&meeting->lobes, walk_guide(walk), receiver.point,
                 receiver.normal, rgb_peak(lamps) > 0);
     walk_value(walk, meeting, lamps);
@@ -473,11 +505,16 @@ static void walk_ambient(struct walk *walk, const struct meeting *meeting)
 
 /* Finishes may send back more than they get. What the camera sees of such a
  * surface is as bright as it says; from one surface to the next the light must
- * not grow (shade/finish.h, surface_albedo). */
+ * not grow (shade/finish.h, surface_albedo), and a sky sends none of it on
+ * (shade/ambience.h). */
 static void walk_restrain(struct walk *walk, const struct meeting *meeting)
 {
     double total = meeting->lobes.total;
-    if (!walk->split && total > ALBEDO_MOST)
+    if (walk->split)
+        return;
+    double solid = 1 - fmin(surface_sky(&meeting->crossing.surface), 1);
+    walk->share = rgb_scale(walk->share, solid);
+    if (total > ALBEDO_MOST)
         walk->share = rgb_scale(walk->share, ALBEDO_MOST / total);
 }
 
@@ -532,6 +569,7 @@ struct radiance walk_follow(struct walk *walk)
             break;
         }
         walk_fog(walk, distance);
+        walk_rainbows(walk, distance);
         if (!met) {
             double clear;
             walk_gather(walk, walk_beyond(walk, &clear));

@@ -2,17 +2,25 @@
 # has fallen below the baseline, which holds POV-Ray's time over glim's and its
 # memory over glim's. Times of one program vary by a quarter on a shared
 # machine, those below a twentieth of a second by more: `slack` allows for it.
-# With `accept` the baseline is written instead. Ends with 1 if any has fallen.
+# With `accept` what was measured is written into the baseline instead. Ends
+# with 1 if any has fallen.
 BEGIN {
     slack = 0.7
     memory_slack = 0.85
-    while (!accept && (getline line < baseline) > 0) {
+    while ((getline line < baseline) > 0) {
         split(line, field, " ")
-        if (line !~ /^#/) {
-            least_time[field[1] "," field[2]] = field[3]
-            least_memory[field[1] "," field[2]] = field[4]
+        key = field[1] "," field[2]
+        if (line ~ /^#/)
+            continue
+        if (accept) {
+            kept[++rows] = key
+            row[key] = line
+        } else {
+            least_time[key] = field[3]
+            least_memory[key] = field[4]
         }
     }
+    close(baseline)
 }
 
 NR > 1 && $3 > 0 && $5 > 0 {
@@ -25,7 +33,9 @@ NR > 1 && $3 > 0 && $5 > 0 {
     name[$1, n] = $2
     value[$1, n] = ratio
     sum[$1] += log(ratio)
-    lines[++all] = sprintf("%s %s %.2f %.2f", $1, $2, ratio, memory)
+    if (!(key in row))
+        kept[++rows] = key
+    row[key] = sprintf("%s %s %.2f %.2f", $1, $2, ratio, memory)
     if (key in least_time) {
         allowed = least_time[key] * ($3 < 0.05 ? slack * slack : slack)
         if (ratio < allowed)
@@ -67,8 +77,8 @@ END {
     if (accept) {
         print "# SECTION ROW POV-Ray's time / glim's, its memory / glim's;" \
             " written by BASELINE=accept" > baseline
-        for (i = 1; i <= all; i++)
-            print lines[i] > baseline
+        for (i = 1; i <= rows; i++)
+            print row[kept[i]] > baseline
     }
     for (i = 1; i <= lost; i++)
         print "fallen below the baseline: " fallen[i]

@@ -1,3 +1,3 @@
-#declare Fractal = julia_fractal { <0, 0, 0, 0> }
+#declare Shell = finish { subsurface { translucency 0.3 } }
 sphere { 0, 1 }
-object { Fractal }
+sphere { 0, 1 finish { Shell } }

@@ -1,1 +1,1 @@
-julia_fractal { <0, 0, 0, 0> }
+sphere { 0, 1 finish { subsurface { translucency 1 } } }

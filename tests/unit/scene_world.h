@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "embree/world.h"
+#include "world/world.h"
 #include "parse/parse.h"
 
 /* `text` without #version and global_settings; what is printed is kept. */

@@ -32,7 +32,7 @@ static void places_are_where_rays_go(void **state)
     (void)state;
     for (int kind = 0; kind < 2; kind++) {
         struct camera camera = camera_default();
-        camera.kind = kind ? CAMERA_ORTHOGRAPHIC : CAMERA_PERSPECTIVE;
+        camera.kind = camera_kind_find(kind ? "orthographic" : "perspective");
         camera.location = vec3_make(3, -1, 2);
         camera.direction = vec3_make(0.2, 0, 1); /* sheared */
         camera.angle = 60;
@@ -87,7 +87,7 @@ static void orthographic_sizes_are_povrays(void **state)
 {
     (void)state;
     struct camera camera = camera_default();
-    camera.kind = CAMERA_ORTHOGRAPHIC;
+    camera.kind = camera_kind_find("orthographic");
     look_at(&camera, 0, 0, 5);
     expect(camera, -2.91, 2.084, 2.91, -2.084);
     camera.angle = 60;
@@ -98,7 +98,7 @@ static void orthographic_sizes_are_povrays(void **state)
     camera.up = vec3_make(0, 3, 0);
     expect(camera, -1.75, 1.25, 1.75, -1.25);
     camera = camera_default();
-    camera.kind = CAMERA_ORTHOGRAPHIC;
+    camera.kind = camera_kind_find("orthographic");
     camera.location = vec3_make(0, 5, -10);
     expect(camera, -7.031, 10.035, 7.031, -0.035);
 }

@@ -61,6 +61,28 @@ static void crossings_asked_for_alone_agree(void **state)
         "superellipsoid { <.3,.6> }",
         "superellipsoid { <1.5,1> }",
         "superellipsoid { <2.5,.7> }",
+        "superellipsoid { .2 }",
+        "superellipsoid { <.4,.3> }",
+        "superellipsoid { <.5,2> }",
+        "plane { <.3,1,.2>, .1 }",
+        "torus { .8, .4 }",
+        "torus { .3, .6 }",
+        "torus { -.2, .9 }",
+        "torus { 0, .9 }",
+        "cubic { <1,0,0,0,0,0,-1,0,0,0,1,0,0,0,0,0,0,0,.5,.1> }",
+        "quartic { <1,0,0,0,2,0,0,2,0,-1.6,0,0,0,0,0,0,0,0,0,0,1,0,0,2,0,"
+        "1.28,0,0,0,0,1,0,-1.6,0,.4096> }",
+        "polynomial { 6, xyz(6,0,0): 1, xyz(0,6,0): 1, xyz(0,0,6): 1, "
+        "xyz(0,0,0): -.7 }",
+        "prism { cubic_spline -.5, .5, 7, <-1,0>, <0,1>, <1,0>, <0,-1>, "
+        "<-1,0>, <0,1>, <1,0> }",
+        "prism { linear_spline -.9, .7, 5, <-1,-1>, <1,-1>, <.4,.8>, <-1,1>, "
+        "<-1,-1> open }",
+        "lathe { cubic_spline 6, <0,-1.2>, <.5,-1>, <1,-.4>, <.4,.4>, <.7,1>, "
+        "<.5,1.2> }",
+        "lathe { linear_spline 5, <0,-1>, <1,-1>, <.5,0>, <1,1>, <0,1> }",
+        "prism { conic_sweep linear_spline .1, 1, 5, <-1,-1>, <1,-1>, <.4,.8>, "
+        "<-1,1>, <-1,-1> }",
         "blob { threshold .4 sphere { <-.5,.2,0>, .9, 1 } "
         "sphere { <.5,0,.1>, .8, 1 scale <1,.7,1.3> } "
         "cylinder { -y, <.3,1,.2>, .6, .8 } sphere { <0,.3,-.5>, .5, -.7 } "

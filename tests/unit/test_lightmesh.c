@@ -107,6 +107,7 @@ static void test_interpolation(void **state)
     (void)state;
     for (size_t i = 0; interpolation_at(i); i++) {
         const struct interpolation *kind = interpolation_at(i);
+        bool jumps = kind->single || kind == interpolation_find("mean");
         double before = 0;
         for (int step = 0; step < 1000; step++) {
             vec3 place = vec3_make(step * 0.003, 0.4 + step * 0.001, -1.3);
@@ -118,7 +119,7 @@ static void test_interpolation(void **state)
                          (weights[k].at[0] + 2 * weights[k].at[1]);
             }
             assert_true(count > 0 && sum > 0);
-            if (step > 0 && !kind->single)
+            if (step > 0 && !jumps)
                 assert_true(fabs(value / sum - before) < 0.05);
             before = value / sum;
         }

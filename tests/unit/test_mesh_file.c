@@ -1,6 +1,11 @@
 /* Light meshes as bytes: what comes back is what was kept, and bytes that
  * anybody has changed do no harm. */
+#include <unistd.h>
+
 #include "harness.h"
+
+#include "base/map.h"
+#include "base/save.h"
 
 #include "base/hash.h"
 #include "base/memory.h"
@@ -10,7 +15,7 @@
 #include "lightmesh/table.h"
 #include "scene_world.h"
 
-enum { POINTS = 40, PAYLOAD = 12 };
+enum { POINTS = 40, PAYLOAD = 16 };
 
 static const char scene_text[] = "light_source { <1, 5, -2> rgb 1 }\n"
                                  "plane { y, 0 pigment { rgb 1 } }\n"
@@ -28,7 +33,13 @@ static struct mesh_stamp stamp_of(const char *text)
     struct scene_world *all = scene_world_new(text);
     struct mesh_stamp stamp =
         mesh_stamp_new(all->scene, MESH_SHADOWS_SOFT, true, 9, 7);
-    stamp.frame = (struct mesh_frame){ .spacing = 0.5, .near = 3, .size = 4 };
+    stamp.frame = (struct mesh_frame){ .spacing = 0.5,
+                                       .near = 3,
+                                       .size = 4,
+                                       .gather = 0.7,
+                                       .samples = 32,
+                                       .closed = true,
+                                       .around = { { 1, 2, 3 }, 0.5 } };
     scene_world_free(all);
     return stamp;
 }
@@ -72,11 +83,15 @@ static void test_back(void **state)
     void *bytes = mesh_packed(0, 1, &size);
     assert_true(mesh_file_open(&file, bytes, size, text, sizeof text));
     assert_true(file.stamp.frame.spacing == 0.5);
+    assert_true(file.stamp.frame.gather == 0.7);
+    assert_true(file.stamp.frame.samples == 32 && file.stamp.frame.closed);
+    assert_true(file.stamp.frame.around.light.b == 3 &&
+                file.stamp.frame.around.open == 0.5);
     assert_true(mesh_stamp_same(&file.stamp, &stamp, text, sizeof text));
-    assert_false(mesh_file_fill(&file, meshes, 2, 1));
-    assert_true(mesh_file_fill(&file, meshes, 1, 1e-9));
+    assert_false(mesh_file_fill(&file, meshes, 2, 1, NULL));
+    assert_true(mesh_file_fill(&file, meshes, 1, 1e-9, NULL));
     assert_int_equal(table_count(mesh.table), 0);
-    assert_true(mesh_file_fill(&file, meshes, 1, 1));
+    assert_true(mesh_file_fill(&file, meshes, 1, 1, NULL));
     assert_int_equal(table_count(mesh.table), POINTS);
     for (uint64_t key = 1; key <= POINTS; key++) {
         void *record;
@@ -87,6 +102,49 @@ static void test_back(void **state)
     }
     point_mesh_free(&mesh);
     memory_free(bytes);
+}
+
+/* A file's points stay in it; others are added beside them, and all are packed
+ * again. */
+static void test_shared(void **state)
+{
+    static const char name[] = "/tmp/glim-shared.mesh";
+    struct point_mesh mesh = mesh_empty();
+    const struct point_mesh *meshes[] = { &mesh };
+    struct mesh_file file;
+    char text[200], own[PAYLOAD] = { 77 };
+    size_t size, again;
+    void *record;
+    (void)state;
+    void *bytes = mesh_packed(0, 1, &size);
+    assert_true(save_bytes(name, bytes, size, text, sizeof text));
+    struct map *map = map_open(name);
+    assert_int_equal(map_size(map), size);
+    assert_true(mesh_file_open(&file, map_bytes(map), size, text, sizeof text));
+    assert_true(mesh_file_fill(&file, meshes, 1, 1, map));
+    map_release(map);
+    unlink(name);
+    assert_int_equal(table_count(mesh.table), POINTS);
+    for (uint64_t key = 1; key <= POINTS; key++) {
+        assert_int_equal(
+            table_find(mesh.table, key, lattice_hash(key), &record),
+            TABLE_READY);
+        assert_int_equal(*(char *)record, (char)key);
+        assert_in_range((uintptr_t)record, (uintptr_t)file.tables,
+                        (uintptr_t)file.end);
+    }
+    void *packed = mesh_file_pack(&file.stamp, meshes, 1, &again);
+    assert_int_equal(again, size);
+    assert_memory_equal(packed, bytes, size);
+    table_insert(mesh.table, POINTS + 1, lattice_hash(POINTS + 1), own);
+    assert_int_equal(table_count(mesh.table), POINTS + 1);
+    uint64_t key;
+    assert_int_equal(*(const char *)table_at(mesh.table, POINTS, &key), 77);
+    assert_int_equal(key, POINTS + 1);
+    memory_free(packed);
+    memory_free(bytes);
+    point_mesh_free(&mesh);
+    assert_null(map_open(name));
 }
 
 /* Changed bytes are found; with a right hash they may pass for a mesh, but
@@ -113,7 +171,7 @@ static void test_changed(void **state)
         number = hash_bytes(0, bytes, cut - 8);
         memcpy(bytes + cut - 8, &number, sizeof number);
         if (mesh_file_open(&file, bytes, cut, text, sizeof text))
-            opened += mesh_file_fill(&file, meshes, 1, 1);
+            opened += mesh_file_fill(&file, meshes, 1, 1, NULL);
         memory_free(bytes);
         point_mesh_free(&mesh);
     }
@@ -186,7 +244,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_order),   cmocka_unit_test(test_back),
         cmocka_unit_test(test_changed), cmocka_unit_test(test_counts),
-        cmocka_unit_test(test_stamp),
+        cmocka_unit_test(test_stamp),   cmocka_unit_test(test_shared),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,10 @@
 /* Noise and what is made of it: numbers that POV-Ray 3.7 printed. */
 #include "harness.h"
 
+#include <stdlib.h>
+
+#include "base/order.h"
+#include "scene/cubes.h"
 #include "scene/noise.h"
 
 #define NEAR 1e-6
@@ -134,6 +138,28 @@ static void turbulence_octaves_are_limited(void **state)
     assert_true(noise_turbulence(NOISE_SCALED, p, &turbulence) == ten);
 }
 
+static void cubes_are_all_looked_at(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3000; i++) {
+        /* The same cubes again and again, and those of the same slot. */
+        vec3 base = { i % 7 - 3, i % 5 * 16, i % 3 * 4096 - 2 };
+        vec3 place = { i % 10 * 0.1, i % 11 / 11.0, i % 13 / 13.0 };
+        double least[4] = { HUGE_VAL, HUGE_VAL, HUGE_VAL, 0 }, squares[3];
+        for (int cube = 0; cube < 27; cube++) {
+            vec3 step = { cube % 3 - 1, cube / 3 % 3 - 1, cube / 9 - 1 };
+            vec3 cell = vec3_add(base, step);
+            vec3 at = vec3_add(step, noise_cell_point(cell.x, cell.y, cell.z));
+            vec3 way = vec3_sub(at, place);
+            least[3] = vec3_dot(way, way);
+            qsort(least, 4, sizeof *least, order_double);
+        }
+        cubes_nearest(base, place, squares);
+        for (int k = 0; k < 3; k++)
+            assert_true(squares[k] == least[k]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -143,6 +169,7 @@ int main(void)
         cmocka_unit_test(turbulence_is_povrays),
         cmocka_unit_test(noise_is_continuous),
         cmocka_unit_test(turbulence_octaves_are_limited),
+        cmocka_unit_test(cubes_are_all_looked_at),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -349,9 +349,10 @@ static void errors_say_what_to_type(void **state)
                           "'2x'\n");
     bad("scene.pov Height=nan", "glim: error: 'Height=nan': Height wants a "
                                 "number, not 'nan'\n");
-    bad("scene.pov +W60000 +H60000",
+    bad("scene.pov +FP +W60000 +H60000",
         "glim: error: 60000 x 60000 pixels are too many: glim's limit is "
-        "268435456 in all, 16384 x 16384\n");
+        "268435456 in all, 16384 x 16384, but for PNG and OpenEXR files, "
+        "which it draws in bands\n");
     bad("scene.pov --lighting ryas", "glim: error: '--lighting=ryas': there is "
                                      "no lighting 'ryas': type rays\n");
     bad("scene.pov Declare=5=6",

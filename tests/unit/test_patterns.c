@@ -6,6 +6,7 @@
 #include "scene/image_map.h"
 #include "scene/material.h"
 #include "scene/noise.h"
+#include "scene/orbit.h"
 
 #include <stdlib.h>
 
@@ -410,8 +411,51 @@ static void list_is_complete(void **state)
         assert_non_null(kind->help);
         assert_true(!kind->defaults || kind->size > 0);
     }
-    assert_int_equal(count, 41);
+    assert_int_equal(count, 42);
     assert_null(pattern_find("plaid"));
+}
+
+/* The orbit's last place, step by step; false if it leaves. */
+static bool orbit_plainly(const struct orbit *orbit, double u, double v,
+                          double last[2])
+{
+    double x = u, y = v;
+    for (int i = 0; i < orbit->iterations; i++) {
+        double a = x, b = y;
+        for (int k = 1; k < orbit->exponent; k++) {
+            double real = x * a - y * b;
+            y = x * b + y * a;
+            x = real;
+        }
+        x += u;
+        y += v;
+        if (x * x + y * y > 4)
+            return false;
+    }
+    last[0] = x;
+    last[1] = y;
+    return true;
+}
+
+/* Interior 2 is x of the last place, which a round too many would miss. */
+static void orbits_may_leave_out_whole_rounds(void **state)
+{
+    int stayed = 0;
+    (void)state;
+    for (int i = 0; i < 4000; i++) {
+        struct orbit orbit = {
+            .iterations = 900 + i % 97,
+            .exponent = 2 + i % 4,
+            .exterior = { 1, 1 },
+            .interior = { 2 + i % 2, 1 },
+        };
+        double u = i % 63 * 0.04 - 1.9, v = i / 63 * 0.03 - 0.95, last[2];
+        if (!orbit_plainly(&orbit, u, v, last))
+            continue;
+        stayed++;
+        assert_true(orbit_value(&orbit, u, v, u, v) == last[i % 2]);
+    }
+    assert_true(stayed > 500);
 }
 
 int main(void)
@@ -430,6 +474,7 @@ int main(void)
         cmocka_unit_test(normals_tilt_as_povrays),
         cmocka_unit_test(special_normals_have_povrays_statistics),
         cmocka_unit_test(patterns_survive_anything),
+        cmocka_unit_test(orbits_may_leave_out_whole_rounds),
         cmocka_unit_test(list_is_complete),
     };
     return cmocka_run_group_tests(tests, setup, teardown);

@@ -1,4 +1,4 @@
-/* lightmesh/irregular, lamp_sights, pixel_mesh and embree/casters: what lamps
+/* lightmesh/irregular, lamp_sights, pixel_mesh and world/casters: what lamps
  * see of many points at once is what rays find one by one. */
 #include "harness.h"
 

@@ -1,12 +1,13 @@
-/* model scalar: the paper's equations (1) to (8), each against a value worked
- * out by hand. Lamps a million units away are as far from everywhere, so that
- * means over mesh points are known; E = 1000001 / 2 gives E / phi1 = 0.5. */
+/* --lighting paper: the paper's equations (1) to (8), each against a value
+ * worked out by hand. Lamps a million units away are as far from everywhere, so
+ * that means over mesh points are known; E = 1000001 / 2 gives E / phi1 = 0.5.
+ */
 #include "harness.h"
 
 #include <math.h>
 
-#include "lighting/mesh_scalar.h"
 #include "lightmesh/gather.h"
+#include "lightmesh/scalar.h"
 #include "scene_world.h"
 
 #include "pixel.h"
@@ -160,9 +161,9 @@ static void test_emission_gathered(void **state)
 static rgb picture(const char *settings, const char *text)
 {
     char whole[2048];
-    struct pixel_options options = { .quality = 9, .lighting = "mesh" };
+    struct pixel_options options = { .quality = 9, .lighting = "paper" };
     snprintf(whole, sizeof whole,
-             "global_settings { light_mesh { model scalar density 4 "
+             "global_settings { light_mesh { density 4 "
              "interpolation spherical %s } } camera { location <0, 5, -5> "
              "look_at 0 angle 1 } %s",
              settings, text);

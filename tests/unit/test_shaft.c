@@ -1,4 +1,4 @@
-/* embree/shaft: rays of a shaft meet what they meet without it. */
+/* world/shaft: rays of a shaft meet what they meet without it. */
 #include "harness.h"
 
 #include "scene_world.h"

@@ -1,13 +1,13 @@
-/* embree/: what rays meet in random scenes, against answers found the slow
+/* world/: what rays meet in random scenes, against answers found the slow
  * way, straight from the tree of objects. */
 #include <stdlib.h>
 
 #include "shapes.h"
 
 #include "base/array.h"
-#include "embree/flatten.h"
-#include "embree/halfspace.h"
-#include "embree/world.h"
+#include "world/flatten.h"
+#include "world/halfspace.h"
+#include "world/world.h"
 #include "scene/mesh.h"
 
 static struct object *shape_object(struct scene *scene, const char *name,

@@ -1,9 +1,7 @@
-/* What the picture shows little of: it uses coarser mesh points, or none, and
- * crowded pictures are known from plain ones. */
+/* What the picture shows little of: it uses coarser mesh points, or none. */
 #include "harness.h"
 
 #include "lightmesh/indirect.h"
-#include "lightmesh/outlook.h"
 #include "lightmesh/point_mesh.h"
 #include "lightmesh/table.h"
 #include "scene_world.h"
@@ -140,45 +138,12 @@ static void test_unknown_void(void **state)
     stage_end(&stage);
 }
 
-static double crowding(const char *objects)
-{
-    char text[1000];
-    snprintf(text, sizeof text,
-             "camera { location <0, 3, -10> look_at <0, 1, 0> } %s", objects);
-    struct scene_world *all = scene_world_new(text);
-    struct outlook outlook = outlook_of(all->world, all->scene, 320);
-    struct lattice lattice = { .spacing = outlook.size / 24,
-                               .near = 2 * outlook.distance };
-    double found =
-        outlook_crowding(all->world, &all->scene->camera, &outlook, &lattice);
-    scene_world_free(all);
-    return found;
-}
-
-static void test_crowding(void **state)
-{
-    double wall = crowding("plane { -z, 0 }");
-    double floor = crowding("plane { y, 0 }");
-    double room = crowding("box { <-6, 0, -11>, <6, 7, 6> inverse }");
-    double posts = crowding(
-        "#declare K = 0; #while (K < 900) cylinder { <mod(K * 7, 31) - 15, "
-        "-9, mod(K * 11, 29)>, <mod(K * 7, 31) - 15 + mod(K, 5) - 2, 9, "
-        "mod(K * 11, 29)>, 0.04 } #declare K = K + 1; #end");
-    (void)state;
-    assert_true(wall > 1 && wall < 4);
-    assert_true(floor > 0.3 && floor < 4);
-    assert_true(room > 1 && room < 4);
-    assert_true(posts > 4);
-    assert_true(crowding("") == 0);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_levels),
         cmocka_unit_test(test_gap),
         cmocka_unit_test(test_unknown_void),
-        cmocka_unit_test(test_crowding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,4 +3,5 @@
 X(trilinear)
 X(nearest)
 X(spherical)
+X(mean)
 X(smooth)

@@ -6,19 +6,10 @@
 static int spherical_weights(vec3 place, vec3 normal, double radius,
                              struct mesh_weight out[INTERPOLATION_POINTS])
 {
-    double r = fmin(fmax(radius, 0.9), INTERPOLATION_RADIUS_MAX);
-    int count = 0;
+    int count = interpolation_ball(place, radius, out);
     (void)normal;
-    for (double z = ceil(place.z - r); z <= place.z + r; z++)
-        for (double y = ceil(place.y - r); y <= place.y + r; y++)
-            for (double x = ceil(place.x - r); x <= place.x + r; x++) {
-                vec3 d = vec3_sub(vec3_make(x, y, z), place);
-                double left = 1 - vec3_dot(d, d) / (r * r);
-                if (left > 0 && count < INTERPOLATION_POINTS)
-                    out[count++] =
-                        (struct mesh_weight){ { (int)x, (int)y, (int)z },
-                                              left * left };
-            }
+    for (int i = 0; i < count; i++)
+        out[i].weight *= out[i].weight;
     return count;
 }
 

@@ -107,11 +107,21 @@ static bool declare_value(struct parser *p, struct value *value)
     return ok;
 }
 
-/* Where the value goes: an element's place or, *slot NULL, the name itself. */
-static bool declare_place(struct parser *p, const struct word *name,
-                          struct value **slot)
+/* What stands before the '='. */
+struct declaration {
+    const struct word *name;
+    struct span span;   /* of the name */
+    struct value *slot; /* of an array's element, NULL: the name itself */
+    const char *deprecated;
+    bool once;
+};
+
+/* Where the value goes: an element's place or, slot NULL, the name itself. */
+static bool declare_place(struct parser *p, struct declaration *head)
 {
-    *slot = NULL;
+    const struct word *name = head->name;
+    head->slot = NULL;
+    head->span = p->last_span;
     if (stream_peek_infix(p)->kind != TOKEN_LBRACKET)
         return true;
     struct symbol *symbol = symbol_lookup(p, name);
@@ -119,22 +129,13 @@ static bool declare_place(struct parser *p, const struct word *name,
         return error_at(p, p->last_span, symbol_nearest(p, name->text),
                         "'%s' is not an array", name->text);
     p->changes++;
-    return array_element(p, symbol->value.array, slot);
+    return array_element(p, symbol->value.array, &head->slot);
 }
-
-/* What stands before the '='. */
-struct declaration {
-    const struct word *name;
-    struct value *slot; /* of an array's element, NULL: the name itself */
-    const char *deprecated;
-    bool once;
-};
 
 static bool declare_head(struct parser *p, struct declaration *head)
 {
     return declare_deprecation(p, &head->deprecated, &head->once) &&
-           declare_name(p, &head->name) &&
-           declare_place(p, head->name, &head->slot) &&
+           declare_name(p, &head->name) && declare_place(p, head) &&
            expect(p, TOKEN_EQUAL, span_none());
 }
 
@@ -149,6 +150,28 @@ static void declare_skip(struct parser *p)
         if (kind == TOKEN_SEMICOLON)
             return;
     }
+}
+
+static void declare_tell(struct parser *p, const struct declaration *head,
+                         const struct value *value)
+{
+    const struct parse_listener *listener = p->options->listener;
+    if (!listener || value->kind == VALUE_UNSUPPORTED)
+        return;
+    bool is_colour = value->kind == VALUE_COLOUR;
+    struct parse_declared declared = {
+        .name = head->name->text,
+        .span = head->span,
+        .kind = value_kind_name(value->kind),
+        .numbers = value->number,
+        .size = value->kind == VALUE_FLOAT    ? 1
+                : value->kind == VALUE_VECTOR ? value->size
+                : is_colour                   ? 5
+                                              : 0,
+        .colour = is_colour,
+        .text = value->kind == VALUE_STRING ? value->text : NULL,
+    };
+    listener->declared(listener->context, &declared);
 }
 
 /* declaration = [deprecation] name {"[" float "]"} "=" value [";"] . */
@@ -176,6 +199,7 @@ static bool declare_read(struct parser *p, bool local)
         symbol_give(symbol, value);
         symbol->deprecated = head.deprecated;
         symbol->deprecated_once = head.once;
+        declare_tell(p, &head, &value);
     }
     if (ok)
         return declare_semicolon(p, &value);

@@ -22,7 +22,12 @@ static const struct token_list *include_load(struct parser *p, const char *path,
     if (known)
         return known;
     const char *problem;
-    const struct source *source = source_read(p->sources, path, at, &problem);
+    const struct parse_listener *listener = p->options->listener;
+    const struct source *source =
+        listener ? listener->text(listener->context, p->sources, path, at)
+                 : NULL;
+    if (!source)
+        source = source_read(p->sources, path, at, &problem);
     if (!source) {
         error_at(p, at, NULL, "can't read '%s': %s", path, problem);
         stream_abort(p);

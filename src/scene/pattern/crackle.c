@@ -1,9 +1,11 @@
 /* crackle: cells around random points, one point in each unit cube
  * (S. Worley, "A Cellular Texture Basis Function", SIGGRAPH 1996). The value
  * is made of the distances to the nearest, second and third nearest point. */
-#include "scene/noise.h"
-
 #include <stdlib.h>
+
+#include "scene/crackle.h"
+#include "scene/cubes.h"
+#include "scene/noise.h"
 
 struct crackle {
     vec3 form; /* weights of the three distances */
@@ -123,16 +125,27 @@ static struct nearest crackle_search(const struct crackle *crackle, vec3 point)
 {
     struct nearest nearest = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, point };
     struct crackle_place p = { .crackle = crackle };
-    int keep = crackle->form.z != 0 ? 2 : 1;
+    int keep = crackle->form.z != 0 ? 2 : 1, from = 0;
     p.base = vec3_make(floor(point.x), floor(point.y), floor(point.z));
     p.place = vec3_sub(point, p.base);
+    if (crackle->metric == 2 && !crackle->solid) {
+        cubes_nearest(p.base, p.place, nearest.sum);
+        from = CRACKLE_FAR;
+    }
     for (int ring = 0; ring <= CRACKLE_FAR; ring++) {
         if (ring == 2 && nearest.sum[keep] <= 1)
             break;
         place_measure(&p, ring);
-        crackle_ring(&p, ring, keep, &nearest);
+        if (ring >= from)
+            crackle_ring(&p, ring, keep, &nearest);
     }
     return nearest;
+}
+
+vec3 crackle_centre(vec3 point)
+{
+    static const struct crackle cells = { { -1, 1, 0 }, 2, 0, true };
+    return crackle_search(&cells, point).point;
 }
 
 static double crackle_value(const struct pattern *pattern, vec3 point)

@@ -29,6 +29,13 @@ static const struct blend_entry mandel_colours[] = {
 
 static const struct blend_map mandel_map = { mandel_colours, 6 };
 
+/* Measured: sets of z^3 + c and beyond are grey. */
+static bool mandel_mapped(const void *parameters)
+{
+    const struct orbit *orbit = parameters;
+    return orbit->exponent == 2;
+}
+
 const struct pattern_kind mandel_pattern = {
     .name = "mandel",
     .help = "the Mandelbrot set in x and y",
@@ -37,5 +44,6 @@ const struct pattern_kind mandel_pattern = {
     .arguments = mandel_arguments,
     .items = mandel_items,
     .map = &mandel_map,
+    .mapped = mandel_mapped,
     .value = mandel_value,
 };

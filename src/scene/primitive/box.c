@@ -95,6 +95,17 @@ static bool box_crosses(const void *shape, const struct ray *ray, double tmin,
                                          (in.leave > tmin && in.leave < tmax));
 }
 
+static bool box_first(const void *shape, const struct ray *ray, double tmin,
+                      double tmax, struct hit *hit)
+{
+    struct interval in;
+    if (!box_clip(shape, ray, &in))
+        return false;
+    *hit = in.enter > tmin ? (struct hit){ in.enter, in.enter_part, 0, 0 }
+                           : (struct hit){ in.leave, in.leave_part, 0, 0 };
+    return hit->t > tmin && hit->t < tmax;
+}
+
 static vec3 box_normal(const void *shape, vec3 point, const struct hit *hit)
 {
     static const vec3 sides[6] = { { -1, 0, 0 }, { 1, 0, 0 },  { 0, -1, 0 },
@@ -170,6 +181,7 @@ const struct primitive box_primitive = {
     .bounds = box_bounds,
     .intersect = box_intersect,
     .crosses = box_crosses,
+    .first = box_first,
     .normal = box_normal,
     .uv = box_uv,
     .inside = box_inside,

@@ -65,19 +65,27 @@ static struct box3 ovus_bounds(const void *shape)
                           { r, fmax(o->bottom, o->bottom + o->top), r } };
 }
 
-static void ovus_ball(const struct ray *ray, double y, double radius,
-                      double low, double high, int part, struct hits *hits)
+/* What of a ball around a point of the axis is seen: from a height to another.
+ */
+struct ovus_end {
+    double y, radius;
+    double low, high;
+    int part;
+};
+
+static void ovus_ball(const struct ray *ray, struct ovus_end end,
+                      struct hits *hits)
 {
     double roots[2];
-    vec3 w = vec3_sub(ray->origin, vec3_make(0, y, 0));
+    vec3 w = vec3_sub(ray->origin, vec3_make(0, end.y, 0));
     vec3 d = ray->direction;
     if (quadratic_roots(vec3_dot(d, d), vec3_dot(w, d),
-                        vec3_dot(w, w) - radius * radius, roots) != 2)
+                        vec3_dot(w, w) - end.radius * end.radius, roots) != 2)
         return;
     for (int i = 0; i < 2; i++) {
         double at = ray->origin.y + roots[i] * d.y;
-        if (at >= low && at < high)
-            hits_add(hits, roots[i], part);
+        if (at >= end.low && at < end.high)
+            hits_add(hits, roots[i], end.part);
     }
 }
 
@@ -118,8 +126,12 @@ static void ovus_intersect(const void *shape, const struct ray *ray,
     double shift = -vec3_dot(ray->origin, ray->direction) / dd;
     struct ray near = { ray_point(ray, shift), ray->direction };
     int first = hits->count;
-    ovus_ball(&near, 0, o->bottom, -HUGE_VAL, o->lower, OVUS_BOTTOM, hits);
-    ovus_ball(&near, o->bottom, o->top, o->upper, HUGE_VAL, OVUS_TOP, hits);
+    const struct ovus_end bottom = { 0, o->bottom, -HUGE_VAL, o->lower,
+                                     OVUS_BOTTOM };
+    const struct ovus_end top = { o->bottom, o->top, o->upper, HUGE_VAL,
+                                  OVUS_TOP };
+    ovus_ball(&near, bottom, hits);
+    ovus_ball(&near, top, hits);
     if (o->lower < o->upper)
         ovus_side(o, &near, hits);
     for (int i = first; i < hits->count; i++)

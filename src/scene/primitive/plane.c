@@ -61,6 +61,23 @@ static void plane_intersect(const void *shape, const struct ray *ray,
     hits_add(hits, -height / slope, 0);
 }
 
+static bool plane_first(const void *shape, const struct ray *ray, double tmin,
+                        double tmax, struct hit *hit)
+{
+    const struct plane *plane = shape;
+    double height = vec3_dot(plane->normal, ray->origin) - plane->distance;
+    *hit = (struct hit){ -height / vec3_dot(plane->normal, ray->direction), 0,
+                         0, 0 };
+    return hit->t > tmin && hit->t < tmax;
+}
+
+static bool plane_crosses(const void *shape, const struct ray *ray, double tmin,
+                          double tmax)
+{
+    struct hit hit;
+    return plane_first(shape, ray, tmin, tmax, &hit);
+}
+
 static vec3 plane_normal(const void *shape, vec3 point, const struct hit *hit)
 {
     const struct plane *plane = shape;
@@ -95,6 +112,8 @@ const struct primitive plane_primitive = {
     .bounds = plane_bounds,
     .half_space = plane_half_space,
     .intersect = plane_intersect,
+    .crosses = plane_crosses,
+    .first = plane_first,
     .normal = plane_normal,
     .inside = plane_inside,
     .meets = plane_meets,

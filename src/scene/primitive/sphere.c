@@ -14,6 +14,11 @@ static const struct field sphere_arguments[] = {
     { .name = NULL },
 };
 
+static bool sphere_unseen(const void *shape)
+{
+    return ((const struct sphere *)shape)->radius < 0;
+}
+
 static struct box3 sphere_bounds(const void *shape)
 {
     const struct sphere *sphere = shape;
@@ -59,6 +64,17 @@ static bool sphere_crosses(const void *shape, const struct ray *ray,
     double t[2];
     return sphere_roots(shape, ray, t) &&
            ((t[0] > tmin && t[0] < tmax) || (t[1] > tmin && t[1] < tmax));
+}
+
+static bool sphere_first(const void *shape, const struct ray *ray, double tmin,
+                         double tmax, struct hit *hit)
+{
+    double t[2];
+    if (!sphere_roots(shape, ray, t))
+        return false;
+    double near = t[0] < t[1] ? t[0] : t[1], far = t[0] < t[1] ? t[1] : t[0];
+    *hit = (struct hit){ near > tmin ? near : far, 0, 0, 0 };
+    return hit->t > tmin && hit->t < tmax;
 }
 
 /* A negative radius turns the normal, as in POV-Ray. */
@@ -110,9 +126,11 @@ const struct primitive sphere_primitive = {
     .arguments = sphere_arguments,
     .solid = true,
     .convex = true,
+    .unseen = sphere_unseen,
     .bounds = sphere_bounds,
     .intersect = sphere_intersect,
     .crosses = sphere_crosses,
+    .first = sphere_first,
     .normal = sphere_normal,
     .uv = sphere_uv,
     .inside = sphere_inside,

@@ -4,13 +4,30 @@
 
 struct superellipsoid {
     double exponents[2]; /* E: around z, N: along z */
+    int powers[2];       /* 2/E and 2/N, if they are whole numbers; else 0 */
 };
+
+enum { POWER_MOST = 64 };
 
 static const struct field superellipsoid_arguments[] = {
     { "exponents", FIELD_VECTOR2, offsetof(struct superellipsoid, exponents),
       1e-3, 1e3, "roundness around z and along z: 0.1 a box, 1 a ball", false },
     { .name = NULL },
 };
+
+static const char *superellipsoid_prepare(void *shape, struct arena *arena,
+                                          const char **warning)
+{
+    struct superellipsoid *s = shape;
+    (void)arena;
+    (void)warning;
+    for (int i = 0; i < 2; i++) {
+        double power = 2 / s->exponents[i], near = rint(power);
+        bool whole = near <= POWER_MOST && fabs(power - near) < 1e-12 * power;
+        s->powers[i] = whole ? (int)near : 0;
+    }
+    return NULL;
+}
 
 /* (a^p + b^p)^(1/p) of positive numbers, and its slopes by a and by b. */
 static double power_norm(double a, double b, double p, double slope[2])
@@ -40,6 +57,42 @@ static double superellipsoid_norm(const struct superellipsoid *s, vec3 p,
         (vec3){ copysign(tall[0] * flat[0], p.x),
                 copysign(tall[0] * flat[1], p.y), copysign(tall[1], p.z) };
     return norm;
+}
+
+static double power_of(double a, int n)
+{
+    double result = 1;
+    for (; n > 0; n >>= 1, a *= a)
+        if (n & 1)
+            result *= a;
+    return result;
+}
+
+/* (|x|^p + |y|^p)^(q/p) + |z|^q - 1 where p is whole and q at least 1: many
+ * times quicker than the norm, has the same sign, and is as convex. */
+static double superellipsoid_whole(const struct superellipsoid *s, vec3 at,
+                                   vec3 *gradient)
+{
+    int p = s->powers[0], n = s->powers[1];
+    double q = 2 / s->exponents[1];
+    vec3 a = { fabs(at.x), fabs(at.y), fabs(at.z) };
+    double x = power_of(a.x, p - 1), y = power_of(a.y, p - 1);
+    double z = n ? power_of(a.z, n - 1) : pow(a.z, q - 1);
+    double ring = x * a.x + y * a.y, scale = 1;
+    if (p != n)
+        scale = ring > 0 ? pow(ring, q / p - 1) : 0;
+    *gradient = (vec3){ copysign(q * scale * x, at.x),
+                        copysign(q * scale * y, at.y), copysign(q * z, at.z) };
+    return scale * ring + z * a.z - 1;
+}
+
+/* Below 0 inside, above it outside, and what it grows by. */
+static double superellipsoid_value(const struct superellipsoid *s, vec3 p,
+                                   vec3 *gradient)
+{
+    return s->powers[0] > 0 && s->exponents[1] <= 2
+               ? superellipsoid_whole(s, p, gradient)
+               : superellipsoid_norm(s, p, gradient) - 1;
 }
 
 static struct box3 superellipsoid_bounds(const void *shape)
@@ -76,7 +129,7 @@ static bool convex_root(const struct superellipsoid *s, const struct ray *ray,
     double t = from, last = 0;
     for (int round = 0; round < 100; round++) {
         vec3 gradient;
-        double value = superellipsoid_norm(s, ray_point(ray, t), &gradient) - 1;
+        double value = superellipsoid_value(s, ray_point(ray, t), &gradient);
         double slope = sign * vec3_dot(gradient, ray->direction);
         *root = t;
         if (value <= 1e-15)
@@ -97,7 +150,7 @@ static bool superellipsoid_holds(const struct superellipsoid *s,
                                  const struct ray *ray, double t)
 {
     vec3 unused;
-    return superellipsoid_norm(s, ray_point(ray, t), &unused) < 1;
+    return superellipsoid_value(s, ray_point(ray, t), &unused) < 0;
 }
 
 enum { PIECES = 32 };
@@ -204,7 +257,7 @@ static vec3 superellipsoid_normal(const void *shape, vec3 point,
 {
     vec3 gradient;
     (void)hit;
-    superellipsoid_norm(shape, point, &gradient);
+    superellipsoid_value(shape, point, &gradient);
     double peak =
         fmax(fabs(gradient.x), fmax(fabs(gradient.y), fabs(gradient.z)));
     return peak > 0 && isfinite(peak) ? gradient : point;
@@ -213,7 +266,7 @@ static vec3 superellipsoid_normal(const void *shape, vec3 point,
 static bool superellipsoid_inside(const void *shape, vec3 point)
 {
     vec3 unused;
-    return superellipsoid_norm(shape, point, &unused) < 1;
+    return superellipsoid_value(shape, point, &unused) < 0;
 }
 
 const struct primitive superellipsoid_primitive = {
@@ -222,6 +275,7 @@ const struct primitive superellipsoid_primitive = {
     .size = sizeof(struct superellipsoid),
     .arguments = superellipsoid_arguments,
     .solid = true,
+    .prepare = superellipsoid_prepare,
     .bounds = superellipsoid_bounds,
     .intersect = superellipsoid_intersect,
     .first = superellipsoid_first,

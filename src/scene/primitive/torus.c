@@ -1,10 +1,12 @@
 /* torus { MAJOR, MINOR }, around the y axis. */
-#include "scene/polynomial.h"
+#include "scene/crossings.h"
+#include "scene/line_roots.h"
 #include "scene/primitive.h"
 
 struct torus {
     double major, minor;
     bool sturm;
+    bool unseen; /* of a negative minor radius: inside stays (measured) */
 };
 
 static const struct field torus_arguments[] = {
@@ -27,6 +29,7 @@ static const char *torus_prepare(void *shape, struct arena *arena,
     struct torus *torus = shape;
     (void)arena;
     (void)warning;
+    torus->unseen = torus->minor < 0;
     torus->minor = fabs(torus->minor);
     return NULL;
 }
@@ -72,50 +75,100 @@ static void torus_clip(const struct torus *torus, double y, double dy,
 }
 
 /* Without a major radius all roots are double: it is a ball. */
-static int torus_ball(const struct torus *torus, double nearest, double *roots)
+static void torus_ball(const struct torus *torus, double nearest, double *roots)
 {
     double half = sqrt(torus->minor * torus->minor - nearest);
     roots[0] = -half;
     roots[1] = half;
-    return 2;
+}
+
+/* The part of the line that may meet the tube, false if there is none. */
+static bool torus_part(const struct torus *torus, const struct ray *ray,
+                       struct line *line, double *low, double *high)
+{
+    double reach = fabs(torus->major) + torus->minor;
+    if (torus->unseen || !(torus->major + torus->minor > 0) ||
+        !line_of(line, ray))
+        return false;
+    double nearest = vec3_dot(line->near, line->near);
+    if (nearest >= reach * reach)
+        return false;
+    double limit = sqrt(reach * reach - nearest) * (1 + 1e-12);
+    *low = -limit;
+    *high = limit;
+    torus_clip(torus, line->near.y, line->along.y, low, high);
+    return *low < *high;
 }
 
 /* A negative major radius leaves the part where the tube overlaps itself. */
-static bool torus_in_lens(const struct torus *torus, vec3 o, vec3 d, double t)
+struct lens_visit {
+    struct line_visit line; /* first */
+    const struct torus *torus;
+};
+
+static bool lens_visit_root(void *context, double root)
 {
-    vec3 p = vec3_along(o, d, t);
-    return sqrt(p.x * p.x + p.z * p.z) <= torus->major + torus->minor;
+    const struct lens_visit *visit = context;
+    const struct torus *torus = visit->torus;
+    const struct line *line = visit->line.line;
+    vec3 p = vec3_along(line->near, line->along, root);
+    return sqrt(p.x * p.x + p.z * p.z) <= torus->major + torus->minor &&
+           line_visit_root(context, root);
+}
+
+static void torus_crossings(const void *shape, const struct ray *ray,
+                            double tmin, double tmax, hit_visit *visit,
+                            void *context)
+{
+    const struct torus *torus = shape;
+    struct line line;
+    double c[5], low, high, ends[2];
+    if (!torus_part(torus, ray, &line, &low, &high))
+        return;
+    struct lens_visit found = { { &line, tmin, tmax, visit, context }, torus };
+    if (torus->major == 0) {
+        torus_ball(torus, vec3_dot(line.near, line.near), ends);
+        if (!line_visit_root(&found, ends[0]))
+            line_visit_root(&found, ends[1]);
+        return;
+    }
+    torus_quartic(torus, line.near, line.along, c);
+    const struct root_search search = { line_root(&line, tmin),
+                                        torus->major < 0 ? lens_visit_root
+                                                         : line_visit_root,
+                                        &found };
+    polynomial_visit(c, 4, low, high, &search);
 }
 
 static void torus_intersect(const void *shape, const struct ray *ray,
                             struct hits *hits)
 {
+    crossings_all(torus_crossings, shape, ray, hits);
+}
+
+static bool torus_first(const void *shape, const struct ray *ray, double tmin,
+                        double tmax, struct hit *hit)
+{
+    return crossings_first(torus_crossings, shape, ray, tmin, tmax, hit);
+}
+
+static bool torus_crosses(const void *shape, const struct ray *ray, double tmin,
+                          double tmax)
+{
     const struct torus *torus = shape;
-    double length = vec3_length(ray->direction);
-    double reach = fabs(torus->major) + torus->minor;
-    if (!(length > 0) || !(torus->major + torus->minor > 0))
-        return;
-    vec3 d = vec3_scale(ray->direction, 1 / length);
-    double shift = -vec3_dot(ray->origin, d);
-    vec3 o = vec3_along(ray->origin, d, shift);
-    double nearest = vec3_dot(o, o);
-    if (nearest >= reach * reach)
-        return;
-    double c[5], roots[4], limit = sqrt(reach * reach - nearest) * (1 + 1e-12);
-    double low = -limit, high = limit;
-    int count;
-    torus_clip(torus, o.y, d.y, &low, &high);
+    struct line line;
+    double c[5], low, high;
+    struct hit hit;
+    if (!(torus->major > 0))
+        return torus_first(shape, ray, tmin, tmax, &hit);
+    if (!torus_part(torus, ray, &line, &low, &high))
+        return false;
+    low = fmax(low, line_root(&line, tmin));
+    high = fmin(high, line_root(&line, tmax));
     if (!(low < high))
-        return;
-    if (torus->major == 0) {
-        count = torus_ball(torus, nearest, roots);
-    } else {
-        torus_quartic(torus, o, d, c);
-        count = polynomial_roots(c, 4, low, high, roots, 4);
-    }
-    for (int i = 0; i < count; i++)
-        if (torus->major >= 0 || torus_in_lens(torus, o, d, roots[i]))
-            hits_add(hits, (roots[i] + shift) / length, 0);
+        return false;
+    torus_quartic(torus, line.near, line.along, c);
+    return polynomial_crosses(c, 4, low, high);
 }
 
 static vec3 torus_normal(const void *shape, vec3 point, const struct hit *hit)
@@ -160,7 +213,8 @@ static unsigned torus_meets(const void *shape, const struct cell *cell)
     double far = hypot(x.high, z.high) - torus->major;
     struct range out = range_of_magnitude((near + far) / 2, (far - near) / 2);
     bool apart = hypot(out.low, y.low) > r || hypot(out.high, y.high) < r;
-    return apart ? 0 : CELL_SURFACE | CELL_BORDER;
+    unsigned surface = torus->unseen ? 0 : CELL_SURFACE;
+    return apart ? 0 : surface | CELL_BORDER;
 }
 
 /* Measured: both turn the other way than a sphere's. */
@@ -183,6 +237,9 @@ const struct primitive torus_primitive = {
     .prepare = torus_prepare,
     .bounds = torus_bounds,
     .intersect = torus_intersect,
+    .crossings = torus_crossings,
+    .crosses = torus_crosses,
+    .first = torus_first,
     .normal = torus_normal,
     .uv = torus_uv,
     .inside = torus_inside,

@@ -43,6 +43,10 @@ struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
         lens_sample(u, lens);
         walk.ray = camera_lens_ray(&tracer->scene->camera, x, y, lens);
     }
+    int other = (int)(draws->index % (uint32_t)tracer->scene->camera.rays);
+    if (other > 0 &&
+        camera_pixel_ray(&tracer->scene->camera, x, y, other, &walk.ray))
+        tracer_enter(tracer, worker, walk.ray.origin, &walk.inside);
     return walk_follow(&walk);
 }
 
@@ -183,6 +187,7 @@ struct path_light path_irradiance(const struct tracer *tracer,
         .response = normal ? plate_response : speck_response,
         .density = normal ? plate_density : speck_density,
         .context = &probe.lobes,
+        .straight = true,
     };
     rgb sum = rgb_grey(0), squares = rgb_grey(0);
     double n = samples ? samples : 1;

@@ -19,10 +19,13 @@
 #include "shade/finish.h"
 #include "shade/interior.h"
 #include "shade/media.h"
+#include "shade/rainbow.h"
 #include "shade/shadow.h"
+#include "shade/spectrum.h"
 #include "shade/background.h"
 #include "tracer/crossing.h"
 #include "tracer/integrator.h"
+#include "tracer/photons.h"
 
 enum {
     SURFACES_MAX = 1000 * 1000, /* a ray passes straight through */
@@ -97,6 +100,10 @@ static void path_air(struct path *path, double distance)
         struct veil veil = fog_veil(tracer->scene, &path->ray, distance);
         path_veil(path, &veil);
     }
+    if (tracer_arched(tracer, &path->inside)) {
+        struct veil veil = rainbow_veil(tracer->scene, &path->ray, distance);
+        path_veil(path, &veil);
+    }
     if (tracer_misty(tracer))
         path_media(path, distance);
 }
@@ -127,6 +134,7 @@ static rgb path_shade(const struct path *path, const struct surface *surface)
     struct diffuse_light diffuse =
         tracer->lighting->illuminate(tracer->lighting_state, path->worker,
                                      surface, gather_sample, &gathering);
+    photons_light(tracer, path->worker, surface, gather_sample, &gathering);
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         rgb glow = finish_glow(layer, diffuse.ambient, diffuse.irradiance);
@@ -182,6 +190,34 @@ static void path_fade(struct path *path, const struct crossing *crossing)
                     interior_fade(crossing->at.leaf->interior, crossing->at.t));
 }
 
+/* One colour of the light that passes, which is bent its own way. */
+static void path_part(struct path *path, const struct crossing *crossing,
+                      int number, int parts)
+{
+    rgb part = spectrum_part(number, parts);
+    struct crossing own = *crossing;
+    struct path branch = *path;
+    branch.weight =
+        path->weight * rgb_peak(crossing->surface.through) * rgb_peak(part);
+    if (branch.weight < path->tracer->scene->settings.adc_bailout)
+        return;
+    vec3 normal = crossing->surface.layer[0].normal;
+    crossing_divide(&own, &branch.inside, spectrum_place(number, parts));
+    if (crossing_refracted(&own, path->ray.direction, normal,
+                           &branch.ray.direction)) {
+        part = rgb_mul(part, crossing->surface.through);
+        interiors_copy(&branch.inside, &own.beyond);
+    } else {
+        branch.ray.direction =
+            crossing_mirrored(&own, path->ray.direction, normal);
+    }
+    branch.ray.origin = crossing->at.point;
+    branch.level++;
+    branch.straight = false;
+    path->worker->counters.secondary_rays++;
+    path_gather(path, rgb_mul(part, path_follow(&branch).colour));
+}
+
 /* Goes on behind the surface, or inside it after total reflection. Returns
  * false if the ray ends here. */
 static bool path_pass(struct path *path, const struct crossing *crossing)
@@ -197,6 +233,14 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
     if (tracer->quality < QUALITY_TRANSPARENCY || rgb_peak(through) == 0 ||
         fabs(rgb_brightness(through)) < bailout || weight < bailout) {
         path_mirrors(path, crossing);
+        return false;
+    }
+    int parts = bends ? crossing_parts(crossing, &path->inside) : 1;
+    if (parts > 1) {
+        path_mirrors(path, crossing);
+        path_fade(path, crossing);
+        for (int i = 0; i < parts; i++)
+            path_part(path, crossing, i, parts);
         return false;
     }
     if (bends)
@@ -333,6 +377,13 @@ static void blur_add(struct blur *blur, struct radiance seen)
     blur->count++;
 }
 
+static struct radiance blur_mean(const struct blur *blur)
+{
+    double share = blur->count ? 1.0 / blur->count : 0;
+    return (struct radiance){ rgb_scale(blur->sum, share),
+                              blur->opacity * share };
+}
+
 /* Whether the mean's variance is, with the confidence asked for, small enough.
  * The logistic distribution stands for the normal one. */
 static bool blur_settled(const struct blur *blur, const struct camera *camera)
@@ -368,9 +419,26 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
         if (blur_settled(&blur, camera))
             break;
     }
-    double share = blur.count ? 1.0 / blur.count : 0;
-    return (struct radiance){ rgb_scale(blur.sum, share),
-                              blur.opacity * share };
+    return blur_mean(&blur);
+}
+
+/* The mean of the pixel's rays; those that lead nowhere don't count. */
+static struct radiance tracer_several(const struct tracer *tracer,
+                                      struct worker *worker,
+                                      const struct picture_place *place)
+{
+    const struct camera *camera = &tracer->scene->camera;
+    struct blur blur = { .count = 0 };
+    for (int i = 0; i < camera->rays && !worker_stopped(worker); i++) {
+        struct path path;
+        struct ray ray;
+        if (!camera_pixel_ray(camera, place->at[0], place->at[1], i, &ray))
+            continue;
+        path_start(&path, tracer, worker, NULL, &ray);
+        blur_add(&blur, path_follow(&path));
+        arena_reset(worker->scratch);
+    }
+    return blur_mean(&blur);
 }
 
 struct radiance tracer_camera(const struct tracer *tracer,
@@ -383,6 +451,8 @@ struct radiance tracer_camera(const struct tracer *tracer,
         return (struct radiance){ rgb_grey(0), 0 };
     if (camera_blurs(camera))
         return tracer_blurred(tracer, worker, place);
+    if (camera->rays > 1)
+        return tracer_several(tracer, worker, place);
     struct ray ray = camera_ray(camera, place->at[0], place->at[1]);
     path_start(&path, tracer, worker, place, &ray);
     return path_follow(&path);
@@ -415,8 +485,9 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
         if (!camera_sees(&tracer->scene->camera, places[i].at[0],
                          places[i].at[1]))
             continue;
-        if (camera_blurs(&tracer->scene->camera)) {
-            out[i] = tracer_blurred(tracer, worker, &places[i]);
+        if (tracer->scene->camera.rays > 1 ||
+            camera_blurs(&tracer->scene->camera)) {
+            out[i] = tracer_camera(tracer, worker, &places[i]);
             continue;
         }
         path_start(&path, tracer, worker, &places[i], &rays[i]);

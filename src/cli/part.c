@@ -1,0 +1,201 @@
+/* Part files around a picture's drawing: see part.h. */
+#include "cli/part.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "base/writer.h"
+#include "cli/origin.h"
+#include "cli/output_name.h"
+#include "cli/part_image.h"
+#include "tracer/integrator.h"
+
+enum { WHY_SIZE = 600 };
+
+/* Seconds of drawing before there is a file. */
+static const double begin_after = 1;
+
+static int digits_of(int number)
+{
+    return snprintf(NULL, 0, "%d", number);
+}
+
+void part_name(const struct options *options, const char *name, char *path)
+{
+    const struct share *share = &options->render.share;
+    const struct render_options *render = &options->render;
+    int stem = (int)output_stem(name);
+    if (share->count == 1 && strcmp(options->part, "strip") == 0)
+        snprintf(path, PATH_MAX, "%.*s.rows%d-%dcolumns%d-%d.glim-part", stem,
+                 name, render->row_start + 1, render->row_end,
+                 render->column_start + 1, render->column_end);
+    else if (share->count)
+        snprintf(path, PATH_MAX, "%.*s.%0*dof%d.glim-part", stem, name,
+                 digits_of(share->count), share->number, share->count);
+    else
+        snprintf(path, PATH_MAX, "%.*s.glim-part", stem, name);
+}
+
+/* Only what has a name and is a file can be gone on with; and where what the
+ * lighting knows is wanted afterwards all of it must have been asked here. */
+static bool part_is_possible(const struct options *options, const char *name)
+{
+    struct stat status;
+    if (!name || strcmp(name, "-") == 0 || options->show ||
+        options->light.light_mesh.save_file || options->debug_pixel)
+        return false;
+    return stat(name, &status) != 0 || S_ISREG(status.st_mode);
+}
+
+/* Each second; what is not on the disk is lost when power fails. */
+static void part_sync(void *context)
+{
+    struct part *part = context;
+    if (atomic_load(&part->keeper.state) == KEEPER_READY)
+        part_file_sync(part->keeper.file);
+}
+
+/* The picture is on the disk before the file goes that it was made of. */
+static void part_settle(const struct part *part)
+{
+    int file = open(part->picture, O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        return;
+    fsync(file);
+    close(file);
+}
+
+static struct part_file *part_create(void *context)
+{
+    struct part *part = context;
+    const struct render_options *render = &part->options->render;
+    char why[256];
+    struct part_file *file = part_file_create(
+        part->path, part->text, render->width, render->height, why, sizeof why);
+    if (!file && *why)
+        diag_print(part->diag, DIAG_WARNING, span_none(), NULL,
+                   "what is drawn can't be kept in '%s': %s", part->path, why);
+    return file;
+}
+
+/* Whether the file is of what is drawn now; else the reason. */
+static bool part_is_ours(const struct part *part, const struct part_file *file,
+                         char *why, size_t size)
+{
+    const char *made = part_file_text(file);
+    const struct render_options *render = &part->options->render;
+    if (strcmp(made, part->text) == 0 &&
+        part_file_width(file) == render->width &&
+        part_file_height(file) == render->height)
+        return true;
+    struct arena *arena = arena_new(0);
+    struct file_list seen = { .arena = arena };
+    if (origin_same_settings(made, part->text, why, size) &&
+        origin_same_files(made, &seen, why, size))
+        snprintf(why, size, "it was drawn of other files");
+    arena_free(arena);
+    return false;
+}
+
+/* +C: what is there, or NULL. */
+static struct part_file *part_take_up(struct part *part)
+{
+    char why[WHY_SIZE];
+    if (access(part->path, F_OK) != 0)
+        return NULL;
+    struct part_file *file = part_file_open(part->path, why, sizeof why);
+    if (!file && !*why)
+        snprintf(why, sizeof why, "another glim is using it");
+    if (file && part_is_ours(part, file, why, sizeof why))
+        return file;
+    part_file_close(file);
+    diag_print(part->diag, DIAG_WARNING, span_none(), NULL,
+               "'%s' is not gone on with: %s", part->path, why);
+    return NULL;
+}
+
+bool part_start(struct part *part, const struct options *options,
+                const struct settings *settings, const char *name,
+                const char *origin, struct diag *diag)
+{
+    bool shared = options->render.share.count > 0;
+    *part = (struct part){ .options = options, .diag = diag };
+    part->keeper.state = KEEPER_OFF;
+    if (!part_is_possible(options, name))
+        return true;
+    part_name(options, name, part->path);
+    part->text = part_text(settings, origin);
+    part->picture = name;
+    part->ticker = ticker_start(begin_after, begin_after, part_sync, part);
+    part->keeper.create = part_create;
+    part->keeper.context = part;
+    part->keeper.begin = clock_seconds() + begin_after;
+    part->keeper.file = options->continue_trace ? part_take_up(part) : NULL;
+    part->keeper.state = part->keeper.file ? KEEPER_READY : KEEPER_WAITS;
+    if (!shared && !part_has_bands(options, name))
+        return true;
+    part->keeper.begin = 0;
+    if (keeper_ready(&part->keeper))
+        return true;
+    char why[256];
+    if (part_file_open(part->path, why, sizeof why) == NULL && !*why)
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   "'%s' is being drawn by another glim", part->path);
+    else
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   "%s needs '%s', which can't be written",
+                   shared ? "--part" : "so large a picture", part->path);
+    return false;
+}
+
+/* Pixels that are held in memory at most; they take 16 bytes, and 17 more while
+ * they are drawn. */
+static const double whole_pixels = 8e6, band_pixels = 4e6;
+
+bool part_has_bands(const struct options *options, const char *name)
+{
+    const struct render_options *render = &options->render;
+    const struct image_format format = options_format(options);
+    bool targets = render->target_error > 0 || render->target_time > 0;
+    return (double)render->width * render->height > whole_pixels &&
+           part_is_possible(options, name) && image_has_bands(&format) &&
+           !(integrator_for(options->lighting)->sample && targets);
+}
+
+int part_band_rows(int width)
+{
+    int bands = (int)(band_pixels / width / RENDER_BAND);
+    return (bands > 1 ? bands : 1) * RENDER_BAND;
+}
+
+bool part_is_left(const struct part *part)
+{
+    return part->keeper.file && !part->options->render.share.count;
+}
+
+bool part_finish(struct part *part, bool done)
+{
+    ticker_stop(part->ticker);
+    struct part_file *file = part->keeper.file;
+    const char *problem = file ? part_file_problem(file) : NULL;
+    bool shared = part->options && part->options->render.share.count;
+    if (problem)
+        diag_print(part->diag, shared ? DIAG_ERROR : DIAG_WARNING, span_none(),
+                   NULL, "what was drawn could not be kept in '%s': %s",
+                   part->path, problem);
+    if (file && done)
+        part_settle(part);
+    if (part->text && done && !shared)
+        unlink(part->path);
+    part_file_close(file);
+    memory_free(part->text);
+    part->keeper.file = NULL;
+    part->text = NULL;
+    return !(problem && shared);
+}

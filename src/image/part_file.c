@@ -1,0 +1,447 @@
+/* Journals of tiles: see part_file.h. Places in the file are given out by a
+ * counter, so that threads need not wait for each other; a process that is
+ * killed may so leave a hole, which reads as zeros and is passed over. */
+#include "image/part_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdatomic.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/uio.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "base/memory.h"
+#include "image/image.h"
+
+enum {
+    PART_VERSION = 1,
+    ORDER = 0x01020304,
+    MARK = 0x454c4954,
+    TEXT_LIMIT = 8 << 20,
+    SIDE_LIMIT = 4097, /* of a tile; rows of tallies are longer */
+    WINDOW = 1 << 20,
+    LOCK_TRIES = 20,
+    LOCK_PAUSE = 50, /* ms */
+};
+
+static const char magic[16] = "glim part file\n";
+
+struct part_head {
+    char magic[16];
+    uint32_t version, order;
+    int32_t width, height;
+    uint32_t length, checksum;
+};
+
+struct part_record {
+    uint32_t mark, kind;
+    int32_t left, top, right, bottom;
+    uint32_t values, checksum;
+};
+
+_Static_assert(sizeof(struct part_head) == 40 &&
+                   sizeof(struct part_record) == 32,
+               "no padding");
+
+/* A tile that is in the file. */
+struct part_tile {
+    enum part_kind kind;
+    struct area area;
+    off_t at; /* of its record */
+    struct part_tile *before;
+};
+
+struct part_file {
+    int handle;
+    char *text;
+    int width, height;
+    bool damaged;
+    atomic_llong end;
+    _Atomic(struct part_tile *) last;
+    atomic_int problem; /* errno of the first failure; 0: none */
+    char words[128];
+};
+
+size_t part_unit(enum part_kind kind)
+{
+    return kind == PART_TALLIES ? PART_TALLY : 4 * sizeof(float);
+}
+
+static uint32_t checksum(uint32_t sum, const void *bytes, size_t count)
+{
+    const unsigned char *from = bytes;
+    for (; count > WINDOW; count -= WINDOW, from += WINDOW)
+        sum = (uint32_t)crc32(sum, from, WINDOW);
+    return (uint32_t)crc32(sum, from, (uInt)count);
+}
+
+static uint32_t head_checksum(const struct part_head *head, const char *text)
+{
+    struct part_head bare = *head;
+    bare.checksum = 0;
+    return checksum(checksum(0, &bare, sizeof bare), text, head->length);
+}
+
+static uint32_t record_checksum(const struct part_record *record)
+{
+    return checksum(0, record, offsetof(struct part_record, checksum));
+}
+
+/* All bytes, or false. */
+static bool read_at(int handle, void *to, size_t count, off_t at)
+{
+    char *next = to;
+    while (count > 0) {
+        ssize_t got = pread(handle, next, count, at);
+        if (got == 0 || (got < 0 && errno != EINTR))
+            return false;
+        if (got > 0) {
+            next += got;
+            count -= (size_t)got;
+            at += got;
+        }
+    }
+    return true;
+}
+
+static bool write_at(int handle, const struct part_record *record,
+                     const void *values, size_t count, off_t at)
+{
+    struct iovec parts[2] = {
+        { .iov_base = (void *)(uintptr_t)record, .iov_len = sizeof *record },
+        { .iov_base = (void *)(uintptr_t)values, .iov_len = count },
+    };
+    size_t left = sizeof *record + count;
+    for (int first = 0; left > 0;) {
+        ssize_t put = pwritev(handle, parts + first, 2 - first, at);
+        if (put < 0 && errno != EINTR)
+            return false;
+        at += put > 0 ? put : 0;
+        left -= put > 0 ? (size_t)put : 0;
+        for (; put > 0 && first < 2; first++) {
+            size_t gone = parts[first].iov_len < (size_t)put
+                              ? parts[first].iov_len
+                              : (size_t)put;
+            parts[first].iov_base = (char *)parts[first].iov_base + gone;
+            parts[first].iov_len -= gone;
+            put -= (ssize_t)gone;
+            if (parts[first].iov_len > 0)
+                break;
+        }
+    }
+    return true;
+}
+
+static void tile_add(struct part_file *file, enum part_kind kind,
+                     struct area area, off_t at)
+{
+    struct part_tile *tile = memory_new(sizeof *tile);
+    *tile = (struct part_tile){ .kind = kind, .area = area, .at = at };
+    tile->before = atomic_load(&file->last);
+    while (!atomic_compare_exchange_weak(&file->last, &tile->before, tile))
+        continue;
+}
+
+/* A process that was killed may hold it for a moment yet. */
+static bool part_lock(int handle)
+{
+    for (int i = 0; i < LOCK_TRIES; i++) {
+        if (flock(handle, LOCK_EX | LOCK_NB) == 0)
+            return true;
+        poll(NULL, 0, LOCK_PAUSE);
+    }
+    return false;
+}
+
+/* Open and locked, or -1 with the reason. */
+static int part_handle(const char *path, int flags, char *error, size_t size)
+{
+    int handle = open(path, O_RDWR | O_CLOEXEC | flags, 0666);
+    struct stat status;
+    if (handle < 0) {
+        snprintf(error, size, "%s", strerror(errno));
+        return -1;
+    }
+    bool plain = fstat(handle, &status) == 0 && S_ISREG(status.st_mode);
+    if (plain && part_lock(handle))
+        return handle;
+    if (plain)
+        *error = '\0';
+    else
+        snprintf(error, size, "it is not a regular file");
+    close(handle);
+    return -1;
+}
+
+static struct part_file *part_new(int handle, int width, int height,
+                                  size_t length)
+{
+    struct part_file *file = memory_new(sizeof *file);
+    file->handle = handle;
+    file->width = width;
+    file->height = height;
+    file->text = memory_new(length + 1);
+    return file;
+}
+
+struct part_file *part_file_create(const char *path, const char *text,
+                                   int width, int height, char *error,
+                                   size_t size)
+{
+    size_t length = strlen(text);
+    struct part_head head = { .version = PART_VERSION,
+                              .order = ORDER,
+                              .width = width,
+                              .height = height,
+                              .length = (uint32_t)length };
+    int handle = part_handle(path, O_CREAT, error, size);
+    if (handle < 0)
+        return NULL;
+    memcpy(head.magic, magic, sizeof magic);
+    head.checksum = head_checksum(&head, text);
+    bool done = length <= TEXT_LIMIT && ftruncate(handle, 0) == 0 &&
+                pwrite(handle, &head, sizeof head, 0) == sizeof head &&
+                pwrite(handle, text, length, sizeof head) == (ssize_t)length;
+    if (!done) {
+        snprintf(error, size, "%s", strerror(errno));
+        close(handle);
+        unlink(path);
+        return NULL;
+    }
+    struct part_file *file = part_new(handle, width, height, length);
+    memcpy(file->text, text, length);
+    file->end = (long long)(sizeof head + length);
+    return file;
+}
+
+/* Whether a record can be one of this file, whose values end before `end`. */
+static bool record_possible(const struct part_file *file,
+                            const struct part_record *r, off_t at, off_t end)
+{
+    if (r->mark != MARK || r->kind >= PART_KINDS ||
+        r->checksum != record_checksum(r) || r->left < -1 || r->top < -1 ||
+        r->right <= r->left || r->bottom <= r->top ||
+        r->right > file->width + 1 || r->bottom > file->height + 1)
+        return false;
+    long long wide = (long long)r->right - r->left;
+    long long high = (long long)r->bottom - r->top;
+    if ((wide > SIDE_LIMIT || high > SIDE_LIMIT) && wide * high > WINDOW)
+        return false;
+    long long bytes = wide * high * (long long)part_unit(r->kind);
+    return bytes <= end - at - (long long)sizeof *r;
+}
+
+static struct area record_area(const struct part_record *record)
+{
+    return (struct area){ record->left, record->top, record->right,
+                          record->bottom };
+}
+
+/* The values of a record, if they are whole; freed with memory_free. */
+static void *record_values(const struct part_file *file,
+                           const struct part_record *record, off_t at)
+{
+    size_t count = area_pixels(record_area(record)) * part_unit(record->kind);
+    void *values = memory_new(count);
+    if (read_at(file->handle, values, count, at + (off_t)sizeof *record) &&
+        checksum(0, values, count) == record->values)
+        return values;
+    memory_free(values);
+    return NULL;
+}
+
+/* Where the next mark is, from `at` on; `end` if there is none. */
+static off_t mark_after(const struct part_file *file, off_t at, off_t end)
+{
+    static const uint32_t mark = MARK;
+    char *window = memory_new(WINDOW);
+    off_t found = end;
+    while (found == end && end - at >= (off_t)sizeof mark) {
+        size_t count = end - at < WINDOW ? (size_t)(end - at) : WINDOW;
+        if (!read_at(file->handle, window, count, at))
+            break;
+        for (size_t i = 0; found == end && i + sizeof mark <= count; i++)
+            if (memcmp(window + i, &mark, sizeof mark) == 0)
+                found = at + (off_t)i;
+        at += (off_t)(count - sizeof mark + 1);
+    }
+    memory_free(window);
+    return found;
+}
+
+/* Finds all tiles that are whole. What comes after the last is cut off, or new
+ * tiles would stand behind it for nothing. */
+static void part_look(struct part_file *file, off_t at, off_t end)
+{
+    struct part_record record;
+    off_t good = at;
+    while (end - at > (off_t)sizeof record) {
+        void *values = NULL;
+        if (read_at(file->handle, &record, sizeof record, at) &&
+            record_possible(file, &record, at, end))
+            values = record_values(file, &record, at);
+        if (!values) {
+            file->damaged = true;
+            at = mark_after(file, at + 1, end);
+            continue;
+        }
+        memory_free(values);
+        struct area area = record_area(&record);
+        tile_add(file, record.kind, area, at);
+        at +=
+            (off_t)(sizeof record + area_pixels(area) * part_unit(record.kind));
+        good = at;
+    }
+    file->damaged |= good < end;
+    file->end = good;
+}
+
+static bool head_right(const struct part_head *head, char *error, size_t size)
+{
+    const char *problem = NULL;
+    if (memcmp(head->magic, magic, sizeof magic) != 0)
+        problem = "it is no part file, or damaged";
+    else if (head->order != ORDER)
+        problem = "it is damaged, or of a machine with another order of bytes";
+    else if (head->version != PART_VERSION)
+        problem = "it is of another version of glim";
+    else if (head->length > TEXT_LIMIT || head->width < 1 || head->height < 1 ||
+             head->width > IMAGE_SIDE_LIMIT || head->height > IMAGE_SIDE_LIMIT)
+        problem = "it is damaged";
+    if (problem)
+        snprintf(error, size, "%s", problem);
+    return !problem;
+}
+
+struct part_file *part_file_open(const char *path, char *error, size_t size)
+{
+    struct part_head head;
+    struct stat status;
+    int handle = part_handle(path, 0, error, size);
+    if (handle < 0)
+        return NULL;
+    struct part_file *file = NULL;
+    if (!read_at(handle, &head, sizeof head, 0) || fstat(handle, &status) != 0)
+        snprintf(error, size, "it is cut off");
+    else if (head_right(&head, error, size))
+        file = part_new(handle, head.width, head.height, head.length);
+    if (file && (!read_at(handle, file->text, head.length, sizeof head) ||
+                 head.checksum != head_checksum(&head, file->text) ||
+                 strlen(file->text) != head.length)) {
+        snprintf(error, size, "it is damaged");
+        part_file_close(file);
+        return NULL;
+    }
+    if (file)
+        part_look(file, (off_t)(sizeof head + head.length), status.st_size);
+    else
+        close(handle);
+    return file;
+}
+
+void part_file_close(struct part_file *file)
+{
+    if (!file)
+        return;
+    struct part_tile *tile = atomic_load(&file->last);
+    while (tile) {
+        struct part_tile *before = tile->before;
+        memory_free(tile);
+        tile = before;
+    }
+    close(file->handle);
+    memory_free(file->text);
+    memory_free(file);
+}
+
+const char *part_file_text(const struct part_file *file)
+{
+    return file->text;
+}
+
+int part_file_width(const struct part_file *file)
+{
+    return file->width;
+}
+
+int part_file_height(const struct part_file *file)
+{
+    return file->height;
+}
+
+bool part_file_was_damaged(const struct part_file *file)
+{
+    return file->damaged;
+}
+
+void part_file_put(struct part_file *file, enum part_kind kind,
+                   struct area area, const void *values)
+{
+    size_t count = area_pixels(area) * part_unit(kind);
+    struct part_record record = { .mark = MARK,
+                                  .kind = kind,
+                                  .left = area.left,
+                                  .top = area.top,
+                                  .right = area.right,
+                                  .bottom = area.bottom,
+                                  .values = checksum(0, values, count) };
+    int none = 0;
+    record.checksum = record_checksum(&record);
+    if (atomic_load(&file->problem))
+        return;
+    off_t at =
+        (off_t)atomic_fetch_add(&file->end, (long long)(sizeof record + count));
+    if (write_at(file->handle, &record, values, count, at))
+        tile_add(file, kind, area, at);
+    else
+        atomic_compare_exchange_strong(&file->problem, &none, errno);
+}
+
+const char *part_file_problem(const struct part_file *file)
+{
+    int problem = atomic_load(&file->problem);
+    return problem ? strerror(problem) : NULL;
+}
+
+void part_file_sync(struct part_file *file)
+{
+    fdatasync(file->handle);
+}
+
+static struct part_tile *tiles_turned(struct part_tile *tile)
+{
+    struct part_tile *turned = NULL;
+    while (tile) {
+        struct part_tile *before = tile->before;
+        tile->before = turned;
+        turned = tile;
+        tile = before;
+    }
+    return turned;
+}
+
+void part_file_each(struct part_file *file, enum part_kind kind,
+                    struct area within, part_take *take, void *context)
+{
+    struct part_record record;
+    struct part_tile *oldest = tiles_turned(atomic_load(&file->last));
+    for (struct part_tile *tile = oldest; tile; tile = tile->before) {
+        if (tile->kind != kind || !area_meet(tile->area, within))
+            continue;
+        void *values = NULL;
+        if (read_at(file->handle, &record, sizeof record, tile->at) &&
+            record.checksum == record_checksum(&record) &&
+            area_pixels(record_area(&record)) == area_pixels(tile->area))
+            values = record_values(file, &record, tile->at);
+        if (values)
+            take(context, tile->area, values);
+        memory_free(values);
+    }
+    atomic_store(&file->last, tiles_turned(oldest));
+}

@@ -1,0 +1,43 @@
+/* Light of one indirect mesh point: see indirect_light.h. */
+#include "lightmesh/indirect_light.h"
+
+#include "base/warp.h"
+
+const struct indirect_light indirect_light_none = { { { 0 }, { 0 }, { 0 } },
+                                                    { 0 } };
+
+/* The mean over a hemisphere weighted with the cosine is 1/pi of the
+ * integral. */
+void indirect_light_add(struct indirect_light *light, vec3 direction,
+                        rgb radiance, double open, double density)
+{
+    double weight = 1 / (WARP_PI * density);
+    if (rgb_peak(radiance) > 0)
+        harmonics_add(&light->light, direction, rgb_scale(radiance, weight));
+    if (open > 0)
+        harmonics_add_share(light->open, direction, open * weight);
+}
+
+void indirect_light_mix(struct indirect_light *sum,
+                        const struct indirect_light *from, float weight)
+{
+    harmonics_mix(&sum->light, &from->light, weight);
+    for (int i = 0; i < HARMONICS; i++)
+        sum->open[i] += weight * from->open[i];
+}
+
+void indirect_light_scale(struct indirect_light *light, float factor)
+{
+    struct indirect_light sum = indirect_light_none;
+    indirect_light_mix(&sum, light, factor);
+    *light = sum;
+}
+
+struct indirect_share indirect_light_share(const struct indirect_light *light,
+                                           vec3 normal)
+{
+    return (struct indirect_share){
+        harmonics_irradiance(&light->light, normal, 1),
+        harmonics_share(light->open, normal),
+    };
+}

@@ -1,0 +1,34 @@
+/* What a point of the indirect mesh keeps, and what a surface gets of it. */
+#ifndef LIGHTMESH_INDIRECT_LIGHT_H
+#define LIGHTMESH_INDIRECT_LIGHT_H
+
+#include "lightmesh/harmonics.h"
+
+struct indirect_light {
+    struct harmonics light; /* first: a mesh_alone looks at it */
+    float open[HARMONICS];  /* as harmonics: where ambient light comes in */
+};
+
+extern const struct indirect_light indirect_light_none;
+
+/* Light, and the openness to what is outside, that one of many ways has which
+ * are drawn with that density per solid angle. */
+void indirect_light_add(struct indirect_light *light, vec3 direction,
+                        rgb radiance, double open, double density);
+
+/* sum += weight * from */
+void indirect_light_mix(struct indirect_light *sum,
+                        const struct indirect_light *from, float weight);
+void indirect_light_scale(struct indirect_light *light, float factor);
+
+/* What a receiver gets. */
+struct indirect_share {
+    rgb light;   /* indirect, that of glowing surfaces included, in POV-Ray's
+                  * units */
+    double open; /* of the ambient light outside, 0 to 1 */
+};
+
+struct indirect_share indirect_light_share(const struct indirect_light *light,
+                                           vec3 normal);
+
+#endif

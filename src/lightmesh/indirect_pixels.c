@@ -1,0 +1,269 @@
+/* Indirect light at a grid of the picture: see indirect_pixels.h. */
+#include "lightmesh/indirect_pixels.h"
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "lightmesh/table.h"
+#include "lightmesh/tuning.h"
+#include "shade/first_hits.h"
+#include "shade/shadow.h"
+#include "shade/surface.h"
+
+struct indirect_pixels {
+    const struct indirect_mesh *mesh;
+    const struct camera *camera;
+    double width, height; /* of the picture, in steps of the grid */
+    uint64_t columns;
+    struct table *corners;
+};
+
+/* What is known at a corner. */
+struct corner {
+    bool met; /* the camera sees a surface there: */
+    vec3 point, side;
+    double reach; /* how far it may serve, units */
+    struct indirect_light light;
+    struct indirect_share share; /* of a surface without bumps */
+};
+
+struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
+                                            const struct camera *camera,
+                                            int width, int height)
+{
+    struct indirect_pixels *pixels = memory_new(sizeof *pixels);
+    double apart = sqrt((double)width * height / indirect_pixels_most);
+    apart = fmin(fmax(apart, indirect_pixels_near), indirect_pixels_far);
+    *pixels = (struct indirect_pixels){
+        .mesh = mesh,
+        .camera = camera,
+        .width = width / apart,
+        .height = height / apart,
+        .columns = (uint64_t)(width / apart) + 4,
+        .corners = table_new(sizeof(struct corner), INDIRECT_PIXELS_BYTES),
+    };
+    return pixels;
+}
+
+void indirect_pixels_free(struct indirect_pixels *pixels)
+{
+    if (!pixels)
+        return;
+    table_free(pixels->corners);
+    memory_free(pixels);
+}
+
+size_t indirect_pixels_bytes(const struct indirect_pixels *pixels)
+{
+    return table_bytes(pixels->corners);
+}
+
+/* Column and row of a corner, and how much what asks there is worth: see
+ * point_mesh_worth. */
+struct corner_name {
+    int at[2];
+    int coarser;
+};
+
+/* What the camera sees at the corner asks the mesh, as one of the receivers
+ * around would that have its worth. */
+static void corner_fill(struct corner *corner,
+                        const struct indirect_pixels *pixels,
+                        struct worker *worker, const struct corner_name *name,
+                        const struct receiver *like)
+{
+    const struct point_mesh *points = &pixels->mesh->points;
+    struct intersection at;
+    double coarse, x = name->at[0] / pixels->width,
+                   y = name->at[1] / pixels->height;
+    corner->met = false;
+    if (!camera_sees(pixels->camera, x, y))
+        return;
+    struct ray ray = camera_ray(pixels->camera, x, y);
+    if (!world_closest(points->world, &ray, surface_offset(ray.origin),
+                       RAY_CAMERA, &at))
+        return;
+    struct receiver receiver = *like;
+    receiver.point = at.point;
+    receiver.side =
+        vec3_dot(at.face, ray.direction) > 0 ? vec3_negate(at.face) : at.face;
+    receiver.normal = receiver.side;
+    receiver.from = ray.origin;
+    receiver.at = NULL;
+    receiver.weight = point_mesh_typical_worth(name->coarser);
+    int level =
+        lattice_level(&points->lattice, &receiver.view, at.point, &coarse);
+    corner->met = true;
+    corner->point = receiver.point;
+    corner->side = receiver.side;
+    corner->reach = lattice_spacing(&points->lattice, level);
+    corner->light = indirect_mesh_blend(pixels->mesh, worker, &receiver);
+    corner->share = indirect_light_share(&corner->light, corner->side);
+}
+
+static const struct corner *corner_get(const struct indirect_pixels *pixels,
+                                       struct worker *worker,
+                                       const struct corner_name *name,
+                                       const struct receiver *like)
+{
+    void *record;
+    uint64_t row = (uint64_t)(name->at[1] + 1),
+             column = (uint64_t)(name->at[0] + 1);
+    uint64_t key = 1 + (row * pixels->columns + column) * POINT_MESH_WORTHS +
+                   (uint64_t)name->coarser;
+    enum table_state state =
+        table_find(pixels->corners, key, random_mix(key), &record);
+    if (state == TABLE_READY)
+        return record;
+    if (state == TABLE_NONE)
+        record = arena_alloc(worker->scratch, sizeof(struct corner));
+    corner_fill(record, pixels, worker, name, like);
+    if (state == TABLE_MINE)
+        table_publish(pixels->corners, record);
+    return record;
+}
+
+/* Whether both are on one surface, which may be bent, and near to each other.
+ */
+static bool corner_serves(const struct corner *corner,
+                          const struct receiver *receiver)
+{
+    if (!corner->met ||
+        vec3_dot(corner->side, receiver->side) < indirect_pixels_bend)
+        return false;
+    vec3 between = vec3_sub(corner->point, receiver->point);
+    double apart = vec3_length(between);
+    double rise = fmax(fabs(vec3_dot(between, receiver->side)),
+                       fabs(vec3_dot(between, corner->side)));
+    return apart <= corner->reach && rise <= indirect_pixels_rise * apart;
+}
+
+/* The corners around a place that serve it, with their weights. */
+struct corners {
+    int count;
+    bool missing; /* another is on another surface */
+    double sum;
+    struct {
+        const struct corner *corner;
+        double weight;
+    } at[4];
+};
+
+static void corners_find(struct corners *corners,
+                         const struct indirect_pixels *pixels,
+                         struct worker *worker, const struct receiver *receiver)
+{
+    double x = receiver->pixel->at[0] * pixels->width,
+           y = receiver->pixel->at[1] * pixels->height;
+    double across = x - floor(x), down = y - floor(y);
+    int coarser = point_mesh_worth(receiver->weight);
+    corners->count = 0;
+    corners->sum = 0;
+    corners->missing = false;
+    for (int i = 0; i < 4; i++) {
+        struct corner_name name = {
+            { (int)floor(x) + i % 2, (int)floor(y) + i / 2 }, coarser
+        };
+        double weight =
+            (i % 2 ? across : 1 - across) * (i / 2 ? down : 1 - down);
+        if (weight < indirect_pixels_least)
+            continue;
+        const struct corner *corner =
+            corner_get(pixels, worker, &name, receiver);
+        if (!corner_serves(corner, receiver)) {
+            corners->missing = true;
+            continue;
+        }
+        corners->at[corners->count].corner = corner;
+        corners->at[corners->count++].weight = weight;
+        corners->sum += weight;
+    }
+}
+
+/* Whether nothing stands between, a little above the surface. */
+static bool corner_sees(const struct indirect_pixels *pixels,
+                        struct worker *worker, const struct corner *corner,
+                        const struct receiver *receiver)
+{
+    double apart = vec3_length(vec3_sub(corner->point, receiver->point));
+    double lift = indirect_pixels_lift * apart;
+    vec3 from = vec3_along(receiver->point, receiver->side, lift);
+    vec3 to = vec3_along(corner->point, corner->side, lift);
+    vec3 between = vec3_sub(to, from);
+    double length = vec3_length(between);
+    if (!(length > 0))
+        return true;
+    struct ray ray = { from, vec3_scale(between, 1 / length) };
+    worker->counters.shadow_rays++;
+    return !world_occluded(pixels->mesh->points.world, &ray, 0, length, -1,
+                           NULL, NULL);
+}
+
+/* Where another surface is near, a wall seen from its edge may stand between
+ * all corners and the place. */
+static bool corners_see(const struct corners *corners,
+                        const struct indirect_pixels *pixels,
+                        struct worker *worker, const struct receiver *receiver)
+{
+    for (int i = 0; i < corners->count && corners->missing; i++)
+        if (!corner_sees(pixels, worker, corners->at[i].corner, receiver))
+            return false;
+    return true;
+}
+
+/* Where they differ much something may stand between, seen from the edge. */
+static bool corners_alike(const struct corners *corners)
+{
+    double least = HUGE_VAL, most = 0;
+    for (int i = 0; i < corners->count; i++) {
+        const struct indirect_share *share = &corners->at[i].corner->share;
+        double amount =
+            rgb_brightness(share->light) + indirect_pixels_open * share->open;
+        least = fmin(least, amount);
+        most = fmax(most, amount);
+    }
+    return most - least <= indirect_pixels_even * most + indirect_pixels_dim;
+}
+
+/* Irradiance is interpolated as it is, between corners whose normals follow
+ * the surface. */
+static struct indirect_share corners_smooth(const struct corners *corners)
+{
+    struct indirect_share share = { rgb_grey(0), 0 };
+    for (int i = 0; i < corners->count; i++) {
+        const struct corner *corner = corners->at[i].corner;
+        double weight = corners->at[i].weight / corners->sum;
+        share.light = rgb_add_scaled(share.light, corner->share.light, weight);
+        share.open += weight * corner->share.open;
+    }
+    return share;
+}
+
+/* Bumps take what comes from their own sides. */
+static struct indirect_share corners_bumpy(const struct corners *corners,
+                                           vec3 normal)
+{
+    struct indirect_light light = indirect_light_none;
+    for (int i = 0; i < corners->count; i++)
+        indirect_light_mix(&light, &corners->at[i].corner->light,
+                           (float)(corners->at[i].weight / corners->sum));
+    return indirect_light_share(&light, normal);
+}
+
+bool indirect_pixels_light(const struct indirect_pixels *pixels,
+                           struct worker *worker,
+                           const struct receiver *receiver,
+                           struct indirect_share *share)
+{
+    struct corners corners;
+    if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
+        return false;
+    corners_find(&corners, pixels, worker, receiver);
+    if (corners.sum < indirect_pixels_enough || !corners_alike(&corners) ||
+        !corners_see(&corners, pixels, worker, receiver))
+        return false;
+    bool bumpy =
+        vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
+    *share = bumpy ? corners_bumpy(&corners, receiver->normal)
+                   : corners_smooth(&corners);
+    return true;
+}

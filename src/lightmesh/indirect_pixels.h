@@ -1,0 +1,32 @@
+/* What the indirect mesh says at a coarse grid of the picture: its light
+ * changes so slowly that pixels between share the answers of their grid's
+ * corners, on the same surface (as irradiance gradients do: Ward and Heckbert
+ * 1992; across the picture: Segovia et al. 2006). Each corner is asked for when
+ * a pixel near it is, and is a function of its place in the picture alone. */
+#ifndef LIGHTMESH_INDIRECT_PIXELS_H
+#define LIGHTMESH_INDIRECT_PIXELS_H
+
+#include "lightmesh/indirect.h"
+#include "scene/camera.h"
+
+struct indirect_pixels;
+
+/* Of a picture of so many pixels; mesh and camera must outlive it. Frees with
+ * indirect_pixels_free, which takes NULL. */
+struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
+                                            const struct camera *camera,
+                                            int width, int height);
+void indirect_pixels_free(struct indirect_pixels *pixels);
+
+/* The light of a receiver that the camera sees at first sight, as
+ * indirect_mesh_light has it. False if the corners around it are on other
+ * surfaces. */
+bool indirect_pixels_light(const struct indirect_pixels *pixels,
+                           struct worker *worker,
+                           const struct receiver *receiver,
+                           struct indirect_share *share);
+
+/* The bytes in use. */
+size_t indirect_pixels_bytes(const struct indirect_pixels *pixels);
+
+#endif

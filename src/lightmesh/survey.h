@@ -1,0 +1,31 @@
+/* What indirect light would do to a picture, by a few gather rays from what its
+ * camera sees: how many rays it is worth, and whether there is any. */
+#ifndef LIGHTMESH_SURVEY_H
+#define LIGHTMESH_SURVEY_H
+
+#include "lightmesh/gather.h"
+#include "lightmesh/indirect_light.h"
+
+struct survey {
+    double open;  /* share of gather rays that leave the scene, or end where it
+                   * glows: there is no bounce after them */
+    double worth; /* what they change of what the picture shows: mean, relative
+                   */
+    double rough; /* by how much one of them differs from another: root mean
+                   * square, relative to what the picture shows */
+    struct indirect_share around; /* what surfaces give each other, mean */
+};
+
+/* What to reckon with where nobody looks: all matters. */
+struct survey survey_none(void);
+
+/* `gather` has no mesh. */
+struct survey survey_of(const struct gather *gather, const struct scene *scene,
+                        struct worker *worker);
+
+/* Takes a line: what, how much, and its unit or "". */
+typedef void survey_row(void *context, const char *what, double amount,
+                        const char *unit);
+void survey_tell(const struct survey *survey, survey_row *row, void *context);
+
+#endif

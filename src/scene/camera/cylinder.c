@@ -1,0 +1,50 @@
+/* cylinder 1 to 4: the picture is rolled. Across or up it the length of the
+ * vector that isn't rolled counts (measured). */
+#include "scene/camera.h"
+
+static const struct field cylinder_arguments[] = {
+    { "kind", FIELD_INTEGER, offsetof(struct camera, number), 1, 4,
+      "1 upright, seen from its middle; 2 lying; 3, 4 the same, each line seen "
+      "from its own place" },
+    { NULL },
+};
+
+static bool cylinder_stands(const struct camera *camera)
+{
+    return camera->number == 1 || camera->number == 3;
+}
+
+static void cylinder_finish(struct camera *camera)
+{
+    camera_turns(camera, 90);
+    if (cylinder_stands(camera))
+        camera->right = vec3_normalise(camera->right);
+    else
+        camera->up = vec3_normalise(camera->up);
+}
+
+static struct ray cylinder_ray(const struct camera *camera, double x, double y)
+{
+    struct ray ray = { .origin = camera->location };
+    double a = x * camera->turn, b = y * camera->turn_up;
+    bool along = camera->number > 2;
+    if (cylinder_stands(camera)) {
+        if (along)
+            ray.origin = vec3_along(ray.origin, camera->up, y);
+        ray.direction = camera_sum(camera, sin(a), along ? 0 : y, cos(a));
+    } else {
+        if (along)
+            ray.origin = vec3_along(ray.origin, camera->right, x);
+        ray.direction = camera_sum(camera, along ? 0 : x, sin(b), cos(b));
+    }
+    return ray;
+}
+
+const struct camera_kind cylinder_camera = {
+    .name = "cylinder",
+    .help = "rolled, 1 and 3 upright, 2 and 4 lying",
+    .arguments = cylinder_arguments,
+    .lines = CAMERA_BENT,
+    .finish = cylinder_finish,
+    .ray = cylinder_ray,
+};

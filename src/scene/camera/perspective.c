@@ -1,0 +1,25 @@
+/* perspective: all rays from one point through a plane. */
+#include "scene/camera.h"
+
+static void perspective_finish(struct camera *camera)
+{
+    if (!(camera->angle > 0))
+        return;
+    double tangent = tan(camera->angle * (M_PI / 180) / 2);
+    double length = vec3_length(camera->right) / (2 * tangent);
+    camera->direction = vec3_scale(vec3_normalise(camera->direction), length);
+}
+
+static struct ray perspective_ray(const struct camera *camera, double x,
+                                  double y)
+{
+    return (struct ray){ camera->location, camera_sum(camera, x, y, 1) };
+}
+
+const struct camera_kind perspective_camera = {
+    .name = "perspective",
+    .help = "as a pinhole sees, the default",
+    .lines = CAMERA_CENTRAL,
+    .finish = perspective_finish,
+    .ray = perspective_ray,
+};

@@ -1,0 +1,84 @@
+/* Distances two by two: see cubes.h. Leaving out what is far takes longer than
+ * looking at it, for nobody can predict which it is. The points are kept for
+ * the next who asks, who most often is in the same cube: a pixel beside,
+ * another sample of a bump. */
+#include "scene/cubes.h"
+
+#include "base/pair.h"
+#include "scene/noise.h"
+#include "scene/noise_cell.h"
+
+enum { CUBES = 27, CUBE_PAIRS = (CUBES + PAIR - 1) / PAIR, CUBES_KEPT = 16 };
+
+/* The points from the middle cube's corner on; what fills up the last pair is
+ * far away. */
+struct cubes {
+    vec3 base;
+    bool filled;
+    pair at[CUBE_PAIRS][3];
+};
+
+static const double far_away = 1e100;
+
+static void cubes_fill(struct cubes *cubes, vec3 base)
+{
+    cubes->base = base;
+    cubes->filled = true;
+    for (int axis = 0; axis < 3; axis++)
+        cubes->at[CUBE_PAIRS - 1][axis] = pair_of(far_away);
+    for (int i = 0; i < CUBES; i++) {
+        vec3 step = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
+        vec3 cell = vec3_add(base, step);
+        vec3 at = vec3_add(step, noise_cell_point(cell.x, cell.y, cell.z));
+        cubes->at[i / PAIR][0][i % PAIR] = at.x;
+        cubes->at[i / PAIR][1][i % PAIR] = at.y;
+        cubes->at[i / PAIR][2][i % PAIR] = at.z;
+    }
+}
+
+/* Of this thread's. */
+static const struct cubes *cubes_around(vec3 base)
+{
+    static _Thread_local struct cubes kept[CUBES_KEPT];
+    double x = base.x, y = base.y, z = base.z;
+    uint64_t slot = (uint64_t)plane_below(&x) + 5 * (uint64_t)plane_below(&y) +
+                    7 * (uint64_t)plane_below(&z);
+    struct cubes *cubes = &kept[slot % CUBES_KEPT];
+    if (!cubes->filled || cubes->base.x != base.x || cubes->base.y != base.y ||
+        cubes->base.z != base.z)
+        cubes_fill(cubes, base);
+    return cubes;
+}
+
+/* Puts a number among three that increase. */
+static void squares_add(double squares[3], double square)
+{
+    for (int i = 0; i < 3; i++) {
+        double larger = squares[i] < square ? square : squares[i];
+        squares[i] = squares[i] < square ? squares[i] : square;
+        square = larger;
+    }
+}
+
+void cubes_nearest(vec3 base, vec3 place, double squares[3])
+{
+    const struct cubes *cubes = cubes_around(base);
+    pair x = pair_of(place.x), y = pair_of(place.y), z = pair_of(place.z);
+    pair first = pair_of(HUGE_VAL), second = first, third = first;
+    for (int i = 0; i < CUBE_PAIRS; i++) {
+        pair dx = cubes->at[i][0] - x, dy = cubes->at[i][1] - y;
+        pair dz = cubes->at[i][2] - z;
+        pair square = dx * dx + dy * dy + dz * dz;
+        pair more = pair_max(first, square);
+        first = pair_min(first, square);
+        square = pair_max(second, more);
+        second = pair_min(second, more);
+        third = pair_min(third, square);
+    }
+    squares[0] = first[0];
+    squares[1] = second[0];
+    squares[2] = third[0];
+    squares_add(squares, first[1]);
+    squares_add(squares, second[1]);
+    squares_add(squares, third[1]);
+}

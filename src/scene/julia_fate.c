@@ -1,0 +1,174 @@
+/* Julia sets of squares and cubes, quickly: see julia_fate.h. Distances are by
+ * J. Hart, D. Sandin and L. Kauffman, "Ray Tracing Deterministic 3-D Fractals"
+ * (SIGGRAPH 1989): |z| ln |z| / (2 |z'|) is no more than the distance from the
+ * set that stays for ever. That of a certain number of steps reaches farther,
+ * by its own potential: ln |z| shrinks to that of its surface. */
+#include "scene/julia_fate.h"
+
+#include "scene/julia_orbit.h"
+
+/* Of all that stays a ray goes at most so much of the radius at a time: an
+ * estimate by derivatives knows nothing of what is farther. */
+static const double fate_cap = 0.02;
+
+/* The size that ends an orbit, squared: its logarithm is then the potential. */
+static const double fate_far = 1e4;
+
+/* What has become of a point after `steps` steps: its size and the length of
+ * its derivative, both squared. */
+struct flight {
+    double size2, growth2;
+    int steps;
+};
+
+/* ln of the radius after the last step, were it seen at another. */
+static double flight_potential(const struct julia_fractal *f, double radius,
+                               int steps, bool cube)
+{
+    int ahead = steps - (f->iterations - 1);
+    return log(radius) * (cube ? pow(3, ahead) : ldexp(1, ahead));
+}
+
+static double flight_distance(const struct julia_fractal *f,
+                              const struct flight *flight, double radius,
+                              bool cube)
+{
+    double height = 0.5 * log(flight->size2);
+    double potential = flight_potential(f, radius, flight->steps, cube);
+    return height > potential ? 0.5 * (1 - potential / height) * height *
+                                    sqrt(flight->size2 / flight->growth2)
+                              : 0;
+}
+
+/* Steps on to the end, or until it is far away. */
+static struct flight square_flight(const struct julia_fractal *f, vec3 p,
+                                   bool *gone)
+{
+    double x = p.x, y = p.y, z = p.z;
+    double w = f->w[0] * x + f->w[1] * y + f->w[2] * z + f->w[3];
+    struct flight fl = { 0, 1, 0 };
+    int last = f->iterations - 1;
+    *gone = false;
+    for (int i = 0;; i++) {
+        double rest = y * y + z * z + w * w, twice = 2 * x;
+        fl.size2 = x * x + rest;
+        fl.steps = i;
+        *gone = *gone || fl.size2 > f->limits[i] * f->limits[i];
+        if (fl.size2 > fate_far || (i >= last && !*gone) ||
+            i == last + JULIA_MORE)
+            return fl;
+        fl.growth2 *= 4 * fl.size2;
+        x = x * x - rest + f->c[0];
+        y = twice * y + f->c[1];
+        z = twice * z + f->c[2];
+        w = twice * w + f->c[3];
+    }
+}
+
+static struct flight cube_flight(const struct julia_fractal *f, vec3 p,
+                                 bool *gone)
+{
+    double x = p.x, y = p.y, z = p.z;
+    double w = f->w[0] * x + f->w[1] * y + f->w[2] * z + f->w[3];
+    struct flight fl = { 0, 1, 0 };
+    int last = f->iterations - 1;
+    *gone = false;
+    for (int i = 0;; i++) {
+        double rest = y * y + z * z + w * w, real = x * x;
+        double factor = 3 * real - rest;
+        fl.size2 = real + rest;
+        fl.steps = i;
+        *gone = *gone || fl.size2 > f->limits[i] * f->limits[i];
+        if (fl.size2 > fate_far || (i >= last && !*gone) ||
+            i == last + JULIA_MORE)
+            return fl;
+        fl.growth2 *= 9 * fl.size2 * fl.size2;
+        x = x * (real - 3 * rest) + f->c[0];
+        y = factor * y + f->c[1];
+        z = factor * z + f->c[2];
+        w = factor * w + f->c[3];
+    }
+}
+
+static void fate_quaternion(const struct julia_fractal *f, vec3 point,
+                            struct julia_fate *fate)
+{
+    struct flight fl = f->cube ? cube_flight(f, point, &fate->gone)
+                               : square_flight(f, point, &fate->gone);
+    if (fate->gone) {
+        fate->distance = flight_distance(f, &fl, f->radius, f->cube);
+        return;
+    }
+    double room = f->radius - sqrt(fl.size2);
+    fate->distance = fmin(0.5 * room / sqrt(fl.growth2), fate_cap * f->radius);
+}
+
+/* The two complex numbers that a hypercomplex one is: what stays does so in
+ * both. */
+struct twins {
+    double x[2], y[2], growth2[2];
+};
+
+static double twin_distance(const struct julia_fractal *f,
+                            const struct twins *twins, int i, int steps)
+{
+    struct flight fl = { twins->x[i] * twins->x[i] + twins->y[i] * twins->y[i],
+                         twins->growth2[i], steps };
+    return flight_distance(f, &fl, sqrt(2) * f->radius, false);
+}
+
+static void fate_hypercomplex(const struct julia_fractal *f, vec3 p,
+                              struct julia_fate *fate)
+{
+    double w = f->w[0] * p.x + f->w[1] * p.y + f->w[2] * p.z + f->w[3];
+    struct twins t = { { p.x - w, p.x + w },
+                       { p.y + p.z, p.y - p.z },
+                       { 1, 1 } };
+    const double cx[2] = { f->c[0] - f->c[3], f->c[0] + f->c[3] };
+    const double cy[2] = { f->c[1] + f->c[2], f->c[1] - f->c[2] };
+    int last = f->iterations - 1;
+    double size2;
+    fate->gone = false;
+    for (int i = 0;; i++) {
+        double xx[2], yy[2];
+        for (int k = 0; k < 2; k++) {
+            xx[k] = t.x[k] * t.x[k];
+            yy[k] = t.y[k] * t.y[k];
+        }
+        size2 = (xx[0] + yy[0] + xx[1] + yy[1]) / 2;
+        fate->gone = fate->gone || size2 > f->limits[i] * f->limits[i];
+        if (size2 > fate_far || (i >= last && !fate->gone) ||
+            i == last + JULIA_MORE) {
+            last = i;
+            break;
+        }
+        for (int k = 0; k < 2; k++) {
+            t.growth2[k] *= 4 * (xx[k] + yy[k]);
+            t.y[k] = 2 * t.x[k] * t.y[k] + cy[k];
+            t.x[k] = xx[k] - yy[k] + cx[k];
+        }
+    }
+    double growth = sqrt(fmax(t.growth2[0], t.growth2[1]));
+    fate->distance = fate->gone ? fmax(twin_distance(f, &t, 0, last),
+                                       twin_distance(f, &t, 1, last)) /
+                                      sqrt(2)
+                                : fmin(0.5 * (f->radius - sqrt(size2)) / growth,
+                                       fate_cap * f->radius);
+}
+
+void julia_fate_find(const struct julia_fractal *fractal, vec3 point,
+                     struct julia_fate *fate)
+{
+    if (!fractal->polynomial) {
+        struct julia_orbit orbit;
+        julia_orbit_follow(fractal, point, &orbit);
+        fate->gone = orbit.gone;
+        fate->distance = julia_orbit_reach(fractal, &orbit);
+        return;
+    }
+    (fractal->algebra == JULIA_QUATERNION
+         ? fate_quaternion
+         : fate_hypercomplex)(fractal, point, fate);
+    fate->distance =
+        isfinite(fate->distance) ? fate->distance / fractal->stretch : 0;
+}

@@ -1,0 +1,289 @@
+/* julia_fractal: see julia_fractal.h. A ray goes on by steps in which nothing
+ * can change (julia_orbit_sure), but no shorter than a limit; where something
+ * has, the place is found by regula falsi. */
+#include "scene/julia_fractal.h"
+
+#include "scene/julia_fate.h"
+#include "scene/julia_orbit.h"
+
+enum {
+    JULIA_STEPS = 20000, /* of one ray, at most */
+    JULIA_ROUNDS = 60,   /* for one crossing */
+};
+
+static const double julia_coarse = 0.02; /* of functions that bend and jump more
+                                          * than bounds can follow; POV-Ray's */
+
+static const char *const algebras[] = { "quaternion", "hypercomplex", NULL };
+
+static const struct field julia_arguments[] = {
+    { "c", FIELD_VECTOR5, offsetof(struct julia_fractal, c), 0, 0,
+      "what is added at each step" },
+    { "algebra", FIELD_CHOICE, offsetof(struct julia_fractal, algebra), 0, 0,
+      "of what numbers", false, algebras },
+    { "cube", FIELD_BOOL, offsetof(struct julia_fractal, cube), 0, 0,
+      "instead of the square" },
+    { "power", FIELD_VECTOR2, offsetof(struct julia_fractal, power), 0, 0,
+      "of pwr" },
+    { "slice", FIELD_VECTOR5, offsetof(struct julia_fractal, slice), 0, 0,
+      "where the fourth dimension is cut" },
+    { NULL },
+};
+
+static const struct field julia_items[] = {
+    { "max_iteration", FIELD_INTEGER,
+      offsetof(struct julia_fractal, iterations), 1, JULIA_ITERATIONS,
+      "steps, 20" },
+    { "precision", FIELD_FLOAT, offsetof(struct julia_fractal, precision), 0, 0,
+      "the shortest step of a ray is 1 / precision, 20" },
+    { NULL },
+};
+
+void julia_fractal_init(struct julia_fractal *fractal)
+{
+    fractal->c[0] = 1;
+    fractal->function = julia_function_at(0);
+    fractal->iterations = 20;
+    fractal->precision = 20;
+    fractal->slice[3] = 1;
+}
+
+/* What stays has |z z + c| <= limit, so that |z z| <= limit + |c| one step
+ * before; |z z| is |z|^2 of a quaternion, and of a hypercomplex number between
+ * |z|^2 and the root of 2 times that. Nothing is known of other functions. */
+static void julia_limit(struct julia_fractal *f, double c, struct arena *arena)
+{
+    bool hypercomplex = f->algebra == JULIA_HYPERCOMPLEX;
+    bool cube = f->cube && !hypercomplex;
+    int last = f->iterations - 1;
+    f->limits = ARENA_ARRAY(arena, double, last + 1 + JULIA_MORE);
+    f->limits[last] = f->radius;
+    for (int i = last; i > 0; i--) {
+        double most = f->limits[i] + c;
+        f->limits[i - 1] = fmin(f->radius, !f->polynomial ? f->radius
+                                           : cube         ? cbrt(most)
+                                                          : sqrt(most));
+    }
+    for (int i = last; i < last + JULIA_MORE; i++) {
+        double square = f->limits[i] * f->limits[i];
+        f->limits[i + 1] = !f->polynomial ? HUGE_VAL
+                           : cube         ? square * f->limits[i] + c
+                           : hypercomplex ? sqrt(2) * square + c
+                                          : square + c;
+    }
+}
+
+/* The slice's normal is made a unit, its distance stays (measured). */
+static const char *julia_prepare(void *shape, struct arena *arena,
+                                 const char **warning)
+{
+    struct julia_fractal *f = shape;
+    double length2 = 0, c2 = 0;
+    (void)warning;
+    for (int i = 0; i < 4; i++) {
+        length2 += f->slice[i] * f->slice[i];
+        c2 += f->c[i] * f->c[i];
+    }
+    if (!(fabs(f->slice[3]) > 1e-9 * sqrt(length2)) || !isfinite(length2))
+        return "the fourth number of its slice's normal must not be 0";
+    if (!(f->precision > 0))
+        return "its precision must be above 0";
+    if (!isfinite(c2))
+        return "its numbers must be finite";
+    double tilt = 1;
+    for (int i = 0; i < 3; i++) {
+        f->w[i] = -f->slice[i] / f->slice[3];
+        tilt += f->w[i] * f->w[i];
+    }
+    f->w[3] = f->slice[4] * sqrt(length2) / f->slice[3];
+    f->stretch = sqrt(tilt);
+    f->radius = f->algebra == JULIA_QUATERNION ? 1 + sqrt(c2) : 4;
+    f->polynomial = f->algebra == JULIA_QUATERNION ||
+                    f->function->value == julia_function_at(0)->value;
+    julia_limit(f, sqrt(c2), arena);
+    return NULL;
+}
+
+static struct box3 julia_bounds(const void *shape)
+{
+    const struct julia_fractal *f = shape;
+    vec3 r = { f->limits[0], f->limits[0], f->limits[0] };
+    return (struct box3){ vec3_negate(r), r };
+}
+
+/* ---- rays ---- */
+
+struct march {
+    const struct julia_fractal *fractal;
+    const struct ray *ray;
+    double speed; /* length of the ray's direction */
+    double least; /* step, in space */
+    struct julia_fate fate;
+};
+
+/* Whether the point at t stays; and then how far all do as it does. */
+static bool march_look(struct march *m, double t)
+{
+    julia_fate_find(m->fractal, ray_point(m->ray, t), &m->fate);
+    return !m->fate.gone;
+}
+
+static double march_step(const struct march *m)
+{
+    return fmax(m->fate.distance, m->least) / m->speed;
+}
+
+/* The crossing between a and b (regula falsi, the Illinois variant). */
+static double march_refine(const struct march *m, double a, double b)
+{
+    double at_a = julia_orbit_beyond(m->fractal, ray_point(m->ray, a));
+    double at_b = julia_orbit_beyond(m->fractal, ray_point(m->ray, b));
+    double enough = 1e-7 * m->fractal->radius / m->speed;
+    for (int i = 1; i < JULIA_ROUNDS && b - a > enough; i++) {
+        double t = a - at_a * (b - a) / (at_b - at_a);
+        if (i % 4 == 0 || !(t > a && t < b))
+            t = 0.5 * (a + b);
+        double at_t = julia_orbit_beyond(m->fractal, ray_point(m->ray, t));
+        if ((at_t <= 0) == (at_a <= 0)) {
+            a = t;
+            at_a = at_t;
+            at_b /= 2;
+        } else {
+            b = t;
+            at_b = at_t;
+            at_a /= 2;
+        }
+    }
+    return 0.5 * (a + b);
+}
+
+/* Where the ray is in the ball around it. */
+static bool march_start(struct march *m, double *tmin, double *tmax)
+{
+    vec3 o = m->ray->origin, d = m->ray->direction;
+    double dd = vec3_dot(d, d), middle = -vec3_dot(o, d) / dd;
+    vec3 nearest = vec3_along(o, d, middle);
+    const struct julia_fractal *f = m->fractal;
+    double radius = f->limits[0];
+    double rest = radius * radius - vec3_dot(nearest, nearest);
+    if (!(rest > 0))
+        return false;
+    *tmin = fmax(*tmin, middle - sqrt(rest / dd));
+    *tmax = fmin(*tmax, middle + sqrt(rest / dd));
+    m->speed = sqrt(dd);
+    m->least = f->polynomial ? 1 / f->precision : julia_coarse;
+    return *tmin < *tmax;
+}
+
+static void julia_crossings(const void *shape, const struct ray *ray,
+                            double tmin, double tmax, hit_visit *visit,
+                            void *context)
+{
+    struct march m;
+    m.fractal = shape;
+    m.ray = ray;
+    if (!march_start(&m, &tmin, &tmax))
+        return;
+    double t = tmin;
+    bool stays = march_look(&m, t);
+    for (int i = 0; i < JULIA_STEPS && t < tmax; i++) {
+        double next = fmin(t + march_step(&m), tmax);
+        bool stayed = stays;
+        stays = march_look(&m, next);
+        if (stays != stayed) {
+            struct hit hit = { march_refine(&m, t, next), 0, 0, 0 };
+            if (hit.t > tmin && hit.t < tmax && visit(context, &hit))
+                return;
+        }
+        if (!(next > t))
+            return;
+        t = next;
+    }
+}
+
+static bool take_all(void *context, const struct hit *hit)
+{
+    struct hits *hits = context;
+    hits_add(hits, hit->t, 0);
+    return hits->count == HITS_MAX;
+}
+
+static void julia_intersect(const void *shape, const struct ray *ray,
+                            struct hits *hits)
+{
+    julia_crossings(shape, ray, -HUGE_VAL, HUGE_VAL, take_all, hits);
+}
+
+struct first_crossing {
+    struct hit hit;
+    bool found;
+};
+
+static bool take_first(void *context, const struct hit *hit)
+{
+    struct first_crossing *first = context;
+    first->hit = *hit;
+    first->found = true;
+    return true;
+}
+
+static bool julia_first(const void *shape, const struct ray *ray, double tmin,
+                        double tmax, struct hit *hit)
+{
+    struct first_crossing first = { .found = false };
+    julia_crossings(shape, ray, tmin, tmax, take_first, &first);
+    *hit = first.hit;
+    return first.found;
+}
+
+static bool julia_crosses(const void *shape, const struct ray *ray, double tmin,
+                          double tmax)
+{
+    struct hit hit;
+    return julia_first(shape, ray, tmin, tmax, &hit);
+}
+
+static vec3 julia_normal(const void *shape, vec3 point, const struct hit *hit)
+{
+    vec3 slope = julia_orbit_slope(shape, point);
+    double size = fmax(fmax(fabs(slope.x), fabs(slope.y)), fabs(slope.z));
+    (void)hit;
+    return size > 0 && isfinite(size) ? vec3_scale(slope, 1 / size)
+                                      : vec3_make(0, 1, 0);
+}
+
+static bool julia_inside(const void *shape, vec3 point)
+{
+    struct julia_fate fate;
+    julia_fate_find(shape, point, &fate);
+    return !fate.gone;
+}
+
+static unsigned julia_meets(const void *shape, const struct cell *cell)
+{
+    struct julia_orbit orbit;
+    if (!cell_meets_box(cell, julia_bounds(shape)))
+        return 0;
+    julia_orbit_follow(shape, cell->centre, &orbit);
+    return julia_orbit_reach(shape, &orbit) > cell->radius
+               ? 0
+               : CELL_SURFACE | CELL_BORDER;
+}
+
+const struct primitive julia_fractal_primitive = {
+    .name = "julia_fractal",
+    .help = "a slice of a Julia set of four dimensions",
+    .size = sizeof(struct julia_fractal),
+    .arguments = julia_arguments,
+    .items = julia_items,
+    .solid = true,
+    .prepare = julia_prepare,
+    .bounds = julia_bounds,
+    .intersect = julia_intersect,
+    .crossings = julia_crossings,
+    .crosses = julia_crosses,
+    .first = julia_first,
+    .normal = julia_normal,
+    .inside = julia_inside,
+    .meets = julia_meets,
+};

@@ -1,0 +1,362 @@
+/* The k-d tree of photons: see photon_map.h. */
+#include "shade/photon_map.h"
+
+#include "base/memory.h"
+#include "base/order.h"
+#include "base/parallel.h"
+
+#include <stdlib.h>
+
+enum {
+    LEAF_PHOTONS = 8,  /* not sorted any more */
+    DEPTH_MAX = 40,    /* of halvings, more than PHOTONS_MOST allows */
+    PARTS_LEVEL = 6,   /* 2^6 parts of the tree are sorted side by side */
+    RADII_TRIED = 400, /* to know how dense photons are */
+};
+
+static const double pi = 3.14159265358979323846;
+
+/* Of the radii at which places find as many photons as they look for, this
+ * share is enough: sparser ones find fewer. */
+static const double radius_quantile = 0.8;
+
+/* Photons farther from the tangent plane than this share of their distance
+ * are of another surface. */
+static const float flatness = 0.5F;
+
+struct photon_map {
+    struct photon *photons;
+    size_t count;
+    unsigned most;
+    float reach; /* square of the largest radius */
+};
+
+void photon_pack(vec3 d, int16_t packed[2])
+{
+    double sum = fabs(d.x) + fabs(d.y) + fabs(d.z);
+    double x = sum > 0 ? d.x / sum : 0, y = sum > 0 ? d.y / sum : 0;
+    if (d.z < 0) {
+        double turned = (1 - fabs(y)) * (x < 0 ? -1 : 1);
+        y = (1 - fabs(x)) * (y < 0 ? -1 : 1);
+        x = turned;
+    }
+    packed[0] = (int16_t)lrint(x * 32767);
+    packed[1] = (int16_t)lrint(y * 32767);
+}
+
+vec3 photon_unpack(const int16_t packed[2])
+{
+    double x = packed[0] / 32767.0, y = packed[1] / 32767.0;
+    double z = 1 - fabs(x) - fabs(y);
+    if (z < 0) {
+        double turned = (1 - fabs(y)) * (x < 0 ? -1 : 1);
+        y = (1 - fabs(x)) * (y < 0 ? -1 : 1);
+        x = turned;
+    }
+    return vec3_normalise(vec3_make(x, y, z));
+}
+
+/* ---- building ---- */
+
+struct photon_range {
+    size_t from, to; /* one past the last */
+};
+
+static unsigned range_axis(const struct photon *photons,
+                           const struct photon_range *range)
+{
+    float low[3], high[3];
+    unsigned axis = 0;
+    for (int k = 0; k < 3; k++)
+        low[k] = high[k] = photons[range->from].at[k];
+    for (size_t i = range->from + 1; i < range->to; i++)
+        for (int k = 0; k < 3; k++) {
+            float x = photons[i].at[k];
+            low[k] = x < low[k] ? x : low[k];
+            high[k] = x > high[k] ? x : high[k];
+        }
+    for (unsigned k = 1; k < 3; k++)
+        if (high[k] - low[k] > high[axis] - low[axis])
+            axis = k;
+    return axis;
+}
+
+static void photon_swap(struct photon *a, struct photon *b)
+{
+    struct photon kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+/* The middle one where sorting would put it, none larger before it and none
+ * smaller behind (Hoare 1961). */
+static void range_select(struct photon *photons, struct photon_range range,
+                         size_t middle, unsigned axis)
+{
+    while (range.to - range.from > 1) {
+        float pivot = photons[(range.from + range.to - 1) / 2].at[axis];
+        size_t i = range.from, j = range.to - 1;
+        for (;;) {
+            while (photons[i].at[axis] < pivot)
+                i++;
+            while (photons[j].at[axis] > pivot)
+                j--;
+            if (i >= j)
+                break;
+            photon_swap(&photons[i++], &photons[j--]);
+        }
+        /* Up to j none is larger than the pivot; from j + 1 none smaller. */
+        if (middle <= j)
+            range.to = j + 1;
+        else
+            range.from = j + 1;
+    }
+}
+
+static size_t range_split(struct photon *photons,
+                          const struct photon_range *range)
+{
+    size_t middle = (range->from + range->to) / 2;
+    unsigned axis = range_axis(photons, range);
+    range_select(photons, *range, middle, axis);
+    photons[middle].axis = axis & 3;
+    return middle;
+}
+
+static void range_build(struct photon *photons, struct photon_range range)
+{
+    while (range.to - range.from > LEAF_PHOTONS) {
+        size_t middle = range_split(photons, &range);
+        range_build(photons, (struct photon_range){ range.from, middle });
+        range.from = middle + 1;
+    }
+}
+
+struct building {
+    struct photon *photons;
+    struct photon_range parts[1 << PARTS_LEVEL];
+    size_t count;
+};
+
+static void build_part(void *context, size_t item, unsigned thread)
+{
+    struct building *building = context;
+    (void)thread;
+    range_build(building->photons, building->parts[item]);
+}
+
+/* The upper levels one after the other, then what is below them. */
+static void build_top(struct building *building, struct photon_range range,
+                      int level)
+{
+    if (level == 0 || range.to - range.from <= LEAF_PHOTONS) {
+        building->parts[building->count++] = range;
+        return;
+    }
+    size_t middle = range_split(building->photons, &range);
+    build_top(building, (struct photon_range){ range.from, middle }, level - 1);
+    build_top(building, (struct photon_range){ middle + 1, range.to },
+              level - 1);
+}
+
+/* ---- looking up ---- */
+
+struct near {
+    float square; /* of the distance */
+    const struct photon *photon;
+};
+
+/* The nearest so far: a heap with the farthest at its top, once it is full. */
+struct search {
+    const struct photon_map *map;
+    float at[3], normal[3];
+    bool any; /* whatever side it came to */
+    float reach;
+    struct near *near;
+    unsigned count;
+};
+
+static void heap_sink(struct near *near, unsigned count, unsigned at)
+{
+    struct near moved = near[at];
+    for (;;) {
+        unsigned child = 2 * at + 1;
+        if (child >= count)
+            break;
+        if (child + 1 < count && near[child + 1].square > near[child].square)
+            child++;
+        if (near[child].square <= moved.square)
+            break;
+        near[at] = near[child];
+        at = child;
+    }
+    near[at] = moved;
+}
+
+static void search_add(struct search *search, const struct near *found)
+{
+    unsigned most = search->map->most;
+    if (search->count < most) {
+        search->near[search->count++] = *found;
+        if (search->count < most)
+            return;
+        for (unsigned i = most / 2; i-- > 0;)
+            heap_sink(search->near, most, i);
+    } else {
+        search->near[0] = *found;
+        heap_sink(search->near, most, 0);
+    }
+    search->reach = search->near[0].square;
+}
+
+/* Whether it came to the side that the normal shows, and lies on it. */
+static bool search_takes(const struct search *search,
+                         const struct photon *photon, const float away[3],
+                         float square)
+{
+    const float *n = search->normal;
+    float height = away[0] * n[0] + away[1] * n[1] + away[2] * n[2];
+    vec3 from = photon_unpack(photon->from);
+    return height * height <= flatness * flatness * square &&
+           from.x * (double)n[0] + from.y * (double)n[1] +
+                   from.z * (double)n[2] >
+               0;
+}
+
+static void search_try(struct search *search, const struct photon *photon)
+{
+    float away[3], square = 0;
+    for (int k = 0; k < 3; k++) {
+        away[k] = photon->at[k] - search->at[k];
+        square += away[k] * away[k];
+    }
+    struct near found = { square, photon };
+    if (square < search->reach &&
+        (search->any || search_takes(search, photon, away, square)))
+        search_add(search, &found);
+}
+
+/* Nearer halves first; the others wait, with the distance to their plane. */
+static void search_run(struct search *search)
+{
+    const struct photon *photons = search->map->photons;
+    struct {
+        struct photon_range range;
+        float square;
+    } waiting[DEPTH_MAX];
+    int count = 0;
+    struct photon_range range = { 0, search->map->count };
+    for (;;) {
+        while (range.to - range.from > LEAF_PHOTONS) {
+            size_t middle = (range.from + range.to) / 2;
+            const struct photon *node = &photons[middle];
+            float side = search->at[node->axis] - node->at[node->axis];
+            struct photon_range low = { range.from, middle };
+            struct photon_range high = { middle + 1, range.to };
+            search_try(search, node);
+            waiting[count].range = side < 0 ? high : low;
+            waiting[count++].square = side * side;
+            range = side < 0 ? low : high;
+        }
+        for (size_t i = range.from; i < range.to; i++)
+            search_try(search, &photons[i]);
+        do
+            if (count-- == 0)
+                return;
+        while (waiting[count].square >= search->reach);
+        range = waiting[count].range;
+    }
+}
+
+static void search_start(struct search *search, const struct photon_map *map,
+                         vec3 point, struct near *near)
+{
+    search->map = map;
+    search->at[0] = (float)point.x;
+    search->at[1] = (float)point.y;
+    search->at[2] = (float)point.z;
+    search->near = near;
+    search->count = 0;
+    search->reach = map->reach;
+}
+
+void photon_map_visit(const struct photon_map *map, struct worker *worker,
+                      vec3 point, vec3 normal, photon_visit *visit,
+                      void *context)
+{
+    struct search search;
+    if (map->count == 0)
+        return;
+    search_start(&search, map, point,
+                 ARENA_ARRAY(worker->scratch, struct near, map->most));
+    search.any = false;
+    search.normal[0] = (float)normal.x;
+    search.normal[1] = (float)normal.y;
+    search.normal[2] = (float)normal.z;
+    search_run(&search);
+    double reach = (double)search.reach;
+    if (!(reach > 0))
+        return;
+    for (unsigned i = 0; i < search.count; i++) {
+        const struct photon *photon = search.near[i].photon;
+        double square = (double)search.near[i].square;
+        double weight = 2 * (1 - square / reach) / (pi * reach);
+        rgb flux = { (double)photon->flux[0], (double)photon->flux[1],
+                     (double)photon->flux[2] };
+        visit(context, photon, rgb_scale(flux, weight));
+    }
+}
+
+/* ---- the map ---- */
+
+/* The radius within which most places find as many as they look for. */
+static double map_radius(const struct photon_map *map)
+{
+    double radii[RADII_TRIED];
+    size_t tried = map->count < RADII_TRIED ? map->count : RADII_TRIED;
+    struct near *near = memory_new(map->most * sizeof *near);
+    for (size_t i = 0; i < tried; i++) {
+        const float *at = map->photons[i * map->count / tried].at;
+        struct search search;
+        float farthest = 0;
+        search_start(&search, map,
+                     vec3_make((double)at[0], (double)at[1], (double)at[2]),
+                     near);
+        search.any = true;
+        search_run(&search);
+        for (unsigned k = 0; k < search.count; k++)
+            farthest = near[k].square > farthest ? near[k].square : farthest;
+        radii[i] = sqrt((double)farthest);
+    }
+    memory_free(near);
+    qsort(radii, tried, sizeof *radii, order_double);
+    return tried ? radii[(size_t)(radius_quantile * (double)(tried - 1))] : 0;
+}
+
+struct photon_map *photon_map_new(struct photon *photons, size_t count,
+                                  const struct photon_gather *gather,
+                                  unsigned threads)
+{
+    struct photon_map *map = memory_new(sizeof *map);
+    struct building building = { .photons = photons };
+    *map = (struct photon_map){ photons, count, gather->most, HUGE_VALF };
+    build_top(&building, (struct photon_range){ 0, count }, PARTS_LEVEL);
+    parallel_run(threads, building.count, NULL, build_part, &building);
+    double radius = gather->radius > 0 ? gather->radius : map_radius(map);
+    map->reach = (float)(radius * gather->share * radius * gather->share);
+    return map;
+}
+
+void photon_map_free(struct photon_map *map)
+{
+    if (!map)
+        return;
+    memory_free(map->photons);
+    memory_free(map);
+}
+
+const struct photon *photon_map_all(const struct photon_map *map, size_t *count)
+{
+    *count = map->count;
+    return map->photons;
+}

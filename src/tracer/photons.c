@@ -1,0 +1,423 @@
+/* Photons on their way: see photons.h. */
+#include "tracer/photons.h"
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "base/random.h"
+#include "scene/photon.h"
+#include "shade/shadow.h"
+#include "shade/spectrum.h"
+#include "tracer/crossing.h"
+#include "tracer/photon_aim.h"
+
+enum {
+    SENT_MOST = 50 * 1000 * 1000, /* photons, some minutes of a core */
+    MEETINGS_MAX = 2000,          /* surfaces that one photon and its branches
+                                   * meet */
+    ROW_FIRST = 64,               /* photons that a row has room for at first */
+};
+
+/* Steps by this share of a circle come near to no place soon. */
+static const double golden = 0.618;
+
+/* The photons of one row, in order. */
+struct photon_row {
+    const struct photon_aim *aim;
+    size_t number; /* in its aim */
+    uint64_t key;
+    struct photon *items;
+    size_t count, capacity;
+};
+
+struct sending {
+    const struct tracer *tracer;
+    struct lamps lamps;
+    struct photon_aims aims;
+    struct photon_row *rows;
+    size_t row_count;
+    struct worker *workers;
+    int levels;
+    double bailout;
+    atomic_size_t kept;
+    const atomic_int *stop;
+};
+
+/* One photon, or a branch of it. */
+struct flight {
+    struct sending *sending;
+    struct photon_row *row;
+    struct worker *worker;
+    struct ray ray;
+    rgb share;     /* of the lamp's colour */
+    double gone;   /* from the lamp */
+    size_t number; /* in its row */
+    int level;     /* 1 until the target bends it */
+    bool bent;     /* it has met its target */
+    int *meetings; /* still allowed */
+    double extent; /* of the lamp's cone or beam */
+    struct interiors inside;
+};
+
+_Static_assert(4 * SETTINGS_LEVELS_MAX *
+                       (sizeof(struct flight) + sizeof(struct crossing)) <
+                   PARALLEL_STACK,
+               "max_trace_level fits into the stack");
+
+static void flight_follow(struct flight *flight);
+
+/* ---- landing ---- */
+
+static struct photon *row_push(struct photon_row *row)
+{
+    if (row->count == row->capacity) {
+        row->capacity = row->capacity ? 2 * row->capacity : ROW_FIRST;
+        row->items =
+            memory_resize(row->items, row->capacity * sizeof *row->items);
+    }
+    return &row->items[row->count++];
+}
+
+static bool surface_diffuses(const struct surface *surface)
+{
+    for (int i = 0; i < surface->count; i++) {
+        const struct finish *finish = surface->layer[i].finish;
+        if (finish->diffuse != 0 || finish->phong != 0 || finish->specular != 0)
+            return true;
+    }
+    return false;
+}
+
+static void flight_land(const struct flight *flight,
+                        const struct surface *surface)
+{
+    const struct lamp *lamp = flight->row->aim->lamp;
+    struct photon photon = { .lamp = (unsigned)lamp->number & 0x3fffffff };
+    double worth = flight->extent * lamp_fading(lamp, flight->gone);
+    if (!flight->row->aim->beam)
+        worth *= flight->gone * flight->gone;
+    rgb flux = rgb_mul(flight->share, rgb_scale(lamp->light->colour, worth));
+    vec3 at = surface->point;
+    if (surface->at->leaf->photons->unlit || !surface_diffuses(surface) ||
+        !isfinite(rgb_peak(flux)) || !vec3_finite(at))
+        return;
+    photon.at[0] = (float)at.x;
+    photon.at[1] = (float)at.y;
+    photon.at[2] = (float)at.z;
+    photon.flux[0] = (float)flux.r;
+    photon.flux[1] = (float)flux.g;
+    photon.flux[2] = (float)flux.b;
+    photon_pack(vec3_negate(flight->ray.direction), photon.from);
+    *row_push(flight->row) = photon;
+    atomic_fetch_add(&flight->sending->kept, 1);
+}
+
+/* ---- surfaces ---- */
+
+/* What a clear thing before the target leaves of it. False if that is
+ * nothing. */
+static bool flight_pass_clear(struct flight *flight,
+                              const struct intersection *at)
+{
+    rgb through = at->leaf->opaque ? rgb_grey(0) : surface_transmittance(at);
+    flight->share = rgb_mul(flight->share, through);
+    if (interiors_find(&flight->inside, at->leaf->body) >= 0 &&
+        interior_dims_shadows(at->leaf->interior))
+        flight->share =
+            rgb_mul(flight->share, interior_fade(at->leaf->interior, at->t));
+    interiors_cross(&flight->inside, at->leaf);
+    flight->ray.origin = at->point;
+    return rgb_peak(flight->share) >= flight->sending->bailout;
+}
+
+static void flight_mirror(const struct flight *flight,
+                          const struct crossing *crossing,
+                          const struct surface_layer *layer)
+{
+    struct flight branch = *flight;
+    branch.share =
+        rgb_mul(flight->share, rgb_mul(layer->weight, layer->reflection));
+    if (rgb_peak(branch.share) < flight->sending->bailout)
+        return;
+    branch.ray.origin = crossing->at.point;
+    branch.ray.direction =
+        crossing_mirrored(crossing, flight->ray.direction, layer->normal);
+    branch.level++;
+    flight_follow(&branch);
+}
+
+static void flight_mirrors(const struct flight *flight,
+                           const struct crossing *crossing)
+{
+    const struct surface *surface = &crossing->surface;
+    for (int i = 0; i < surface->count; i++)
+        if (!rgb_is_black(surface->layer[i].reflection))
+            flight_mirror(flight, crossing, &surface->layer[i]);
+}
+
+/* Where glass divides light each photon is of one colour, another than its
+ * neighbours are. */
+static rgb flight_divide(struct flight *flight, struct crossing *crossing)
+{
+    int parts = crossing_parts(crossing, &flight->inside);
+    if (parts <= 1)
+        return rgb_grey(1);
+    size_t stride = (size_t)(golden * parts) + 1;
+    int number =
+        (int)((flight->number + stride * flight->row->number) % (size_t)parts);
+    crossing_divide(crossing, &flight->inside, spectrum_place(number, parts));
+    return rgb_scale(spectrum_part(number, parts), parts);
+}
+
+/* On behind the surface, or back from it in total reflection. */
+static bool flight_pass(struct flight *flight, struct crossing *crossing)
+{
+    const struct surface *surface = &crossing->surface;
+    vec3 normal = surface->layer[0].normal, direction = flight->ray.direction;
+    rgb through = rgb_mul(flight->share, surface->through);
+    if (rgb_peak(surface->through) == 0)
+        return false;
+    rgb part =
+        crossing->ior != 1 ? flight_divide(flight, crossing) : rgb_grey(1);
+    flight->share = rgb_mul(flight->share, part);
+    through = rgb_mul(through, part);
+    if (crossing->leaving && crossing->at.leaf->interior)
+        through = rgb_mul(through, interior_fade(crossing->at.leaf->interior,
+                                                 crossing->at.t));
+    if (crossing->ior != 1 &&
+        !crossing_refracted(crossing, direction, normal, &direction)) {
+        flight->ray.direction =
+            crossing_mirrored(crossing, flight->ray.direction, normal);
+    } else {
+        flight->ray.direction = direction;
+        flight->share = through;
+        interiors_copy(&flight->inside, &crossing->beyond);
+    }
+    flight->ray.origin = crossing->at.point;
+    flight->level += crossing->ior != 1;
+    return rgb_peak(flight->share) >= flight->sending->bailout;
+}
+
+/* False if it ends there. */
+static bool flight_meet(struct flight *flight, struct crossing *crossing,
+                        bool land)
+{
+    const struct photon_flags *lamp = &flight->row->aim->lamp->light->photons;
+    const struct photon_flags *object = crossing->at.leaf->photons;
+    crossing_fill(crossing, flight->sending->tracer, flight->ray.direction,
+                  &flight->inside, flight->sending->bailout, false);
+    if (land)
+        flight_land(flight, &crossing->surface);
+    if (flight->level >= flight->sending->levels)
+        return false;
+    if (photon_happens(lamp->reflection, object->reflection))
+        flight_mirrors(flight, crossing);
+    return photon_happens(lamp->refraction, object->refraction) &&
+           flight_pass(flight, crossing);
+}
+
+/* False if the photon is not for what it meets. */
+static bool flight_aims(struct flight *flight, const struct leaf *leaf)
+{
+    if (leaf->target == flight->row->aim->target)
+        flight->bent = true;
+    return flight->bent || leaf->target == 0;
+}
+
+static void flight_follow(struct flight *flight)
+{
+    const struct world *world = flight->sending->tracer->world;
+    struct crossing crossing;
+    while (--*flight->meetings >= 0 && !worker_stopped(flight->worker)) {
+        bool land = flight->bent;
+        if (!world_closest(world, &flight->ray,
+                           surface_offset(flight->ray.origin), RAY_OBSTACLE,
+                           &crossing.at))
+            return;
+        const struct leaf *leaf = crossing.at.leaf;
+        flight->gone += crossing.at.t;
+        if (leaf->no_image) {
+            flight->ray.origin = crossing.at.point;
+            continue;
+        }
+        if (!flight_aims(flight, leaf))
+            return;
+        if (flight->bent ? !flight_meet(flight, &crossing, land)
+                         : !flight_pass_clear(flight, &crossing.at))
+            return;
+    }
+}
+
+/* ---- rows ---- */
+
+/* What of its brightness the lamp sends into that direction. */
+static double start_share(const struct lamp *lamp, const struct ray *ray)
+{
+    struct lamp_view view;
+    vec3 point = vec3_add(ray->origin, ray->direction);
+    if (!lamp_look(lamp, ray->origin, point, &view))
+        return 0;
+    double fading = lamp_fading(lamp, view.distance);
+    return fading > 0 ? view.attenuation / fading : 0;
+}
+
+/* `inside`: what all of them start in; NULL: each has a start of its own. */
+static void row_send(struct sending *sending, struct photon_row *row,
+                     struct worker *worker, const struct interiors *inside,
+                     size_t place)
+{
+    int meetings = MEETINGS_MAX;
+    struct photon_start start;
+    if (!photon_aim_start(row->aim, &sending->lamps, row->number, place,
+                          random_key(row->key, place), &start))
+        return;
+    double share = start_share(row->aim->lamp, &start.ray);
+    if (share == 0)
+        return;
+    struct flight flight = { .sending = sending,
+                             .row = row,
+                             .worker = worker,
+                             .number = place,
+                             .ray = start.ray,
+                             .share = rgb_grey(share),
+                             .level = 1,
+                             .meetings = &meetings,
+                             .extent = start.extent };
+    if (inside)
+        interiors_copy(&flight.inside, inside);
+    else
+        tracer_inside(sending->tracer, start.ray.origin, &flight.inside);
+    flight_follow(&flight);
+}
+
+static void send_row(void *context, size_t item, unsigned thread)
+{
+    struct sending *sending = context;
+    struct photon_row *row = &sending->rows[item];
+    struct worker *worker = &sending->workers[thread];
+    const struct light *light = row->aim->lamp->light;
+    bool alike = !row->aim->beam && !light->photons.area;
+    struct interiors inside;
+    tracer_inside(sending->tracer, light->location, &inside);
+    for (size_t i = 0; i < row->aim->side && !worker_stopped(worker); i++) {
+        if (atomic_load(&sending->kept) > PHOTONS_MOST)
+            return;
+        row_send(sending, row, worker, alike ? &inside : NULL, i);
+        arena_reset(worker->scratch);
+    }
+}
+
+static void sending_rows(struct sending *sending)
+{
+    const struct photon_aims *aims = &sending->aims;
+    for (size_t i = 0; i < aims->count; i++)
+        sending->row_count += aims->items[i].side;
+    sending->rows = memory_new(sending->row_count * sizeof *sending->rows);
+    struct photon_row *row = sending->rows;
+    for (size_t i = 0; i < aims->count; i++)
+        for (size_t k = 0; k < aims->items[i].side; k++, row++)
+            *row = (struct photon_row){
+                .aim = &aims->items[i],
+                .number = k,
+                .key = random_key(random_key(0, i), k),
+            };
+}
+
+static bool sending_run(struct sending *sending, unsigned threads)
+{
+    sending->workers = memory_new(threads * sizeof *sending->workers);
+    for (unsigned i = 0; i < threads; i++)
+        sending->workers[i] = (struct worker){ .number = i,
+                                               .stop = sending->stop,
+                                               .scratch = arena_new(0) };
+    sending_rows(sending);
+    bool done = parallel_run(threads, sending->row_count, sending->stop,
+                             send_row, sending) &&
+                !(sending->stop && atomic_load(sending->stop));
+    for (unsigned i = 0; i < threads; i++)
+        arena_free(sending->workers[i].scratch);
+    memory_free(sending->workers);
+    return done;
+}
+
+/* All rows' photons, one after the other. */
+static struct photon *sending_join(struct sending *sending)
+{
+    size_t kept = atomic_load(&sending->kept), count = 0;
+    struct photon *all = kept ? memory_new(kept * sizeof *all) : NULL;
+    for (size_t i = 0; i < sending->row_count; i++) {
+        struct photon_row *row = &sending->rows[i];
+        if (row->count)
+            memcpy(&all[count], row->items, row->count * sizeof *all);
+        count += row->count;
+        memory_free(row->items);
+        row->items = NULL;
+    }
+    return all;
+}
+
+static bool sending_fits(const struct sending *sending, struct diag *diag)
+{
+    const struct photon_aims *aims = &sending->aims;
+    double spacing = aims->spacing * sqrt(aims->photons / SENT_MOST) * 1.01;
+    if (aims->photons <= SENT_MOST)
+        return true;
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "a photon every %.3g units makes %.3g of them; glim's limit is "
+               "%d: type photons { spacing %.3g } or more",
+               aims->spacing, aims->photons, SENT_MOST, spacing);
+    return false;
+}
+
+static bool sending_kept(const struct sending *sending, struct diag *diag)
+{
+    if (atomic_load(&sending->kept) <= PHOTONS_MOST)
+        return true;
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "more than %d photons land, which is glim's limit: type "
+               "photons { spacing %.3g } or more",
+               PHOTONS_MOST, sending->aims.spacing * 1.5);
+    return false;
+}
+
+static void sending_end(struct sending *sending)
+{
+    for (size_t i = 0; i < sending->row_count; i++)
+        memory_free(sending->rows[i].items);
+    memory_free(sending->rows);
+    memory_free(sending->aims.items);
+    lamps_free(&sending->lamps);
+}
+
+bool photons_send(const struct tracer *tracer, unsigned threads,
+                  const atomic_int *stop, struct diag *diag,
+                  struct photon_map **map)
+{
+    const struct settings *settings = &tracer->scene->settings;
+    const struct photon_settings *said = &settings->photons;
+    struct sending sending = {
+        .tracer = tracer,
+        .levels = said->max_trace_level > 0 ? said->max_trace_level
+                                            : settings->max_trace_level,
+        .bailout =
+            said->adc_bailout > 0 ? said->adc_bailout : settings->adc_bailout,
+        .stop = stop,
+    };
+    *map = NULL;
+    if (!said->on || tracer->quality < QUALITY_PHOTONS)
+        return true;
+    if (sending.levels > SETTINGS_LEVELS_MAX)
+        sending.levels = SETTINGS_LEVELS_MAX;
+    threads = threads ? threads : 1;
+    sending.lamps = lamps_new(tracer->world, tracer->scene, tracer->quality, 0);
+    sending.aims = photon_aims_new(&sending.lamps);
+    bool done = sending_fits(&sending, diag) &&
+                sending_run(&sending, threads) && sending_kept(&sending, diag);
+    if (done) {
+        struct photon_gather gather = { (unsigned)said->gather[1], said->radius,
+                                        said->radius_share };
+        *map = photon_map_new(sending_join(&sending),
+                              atomic_load(&sending.kept), &gather, threads);
+    }
+    sending_end(&sending);
+    return done;
+}

@@ -1,0 +1,22 @@
+/* Few solids, which a ray looks at one after the other: setting out through
+ * Embree takes longer. */
+#ifndef WORLD_FEW_H
+#define WORLD_FEW_H
+
+#include "world/flatten.h"
+#include "world/query.h"
+
+struct few {
+    const struct solid_list *solids; /* NULL: there are not few */
+    struct few_pair *pairs;          /* of their boxes */
+    size_t count;
+};
+
+/* All of them, each with a box that holds it; in `arena`. */
+struct few few_new(struct arena *arena, const struct solid_list *solids,
+                   const struct box3 *boxes);
+
+/* As geometry_trace (geometry.h). */
+void few_trace(const struct few *few, struct query *query);
+
+#endif

@@ -1,0 +1,594 @@
+/* Walks the tree of objects: see flatten.h. */
+#include "world/flatten.h"
+
+#include "world/mesh_tree.h"
+#include "scene/material.h"
+#include "scene/medium.h"
+#include "scene/mesh.h"
+#include "scene/photon.h"
+#include "scene/primitive.h"
+
+struct limits {
+    const struct solid **items;
+    size_t count;
+};
+
+/* What a node hands down to its children. */
+struct inherited {
+    affine to_world; /* of the space the children's transform leads to */
+    affine to_tree;  /* the same to the space that the tree is kept in */
+    const struct texture *texture;
+    affine from_texture;
+    const struct texture *inner;
+    affine from_inner;
+    const struct interior *interior;
+    unsigned body;
+    bool all_hollow; /* some node above is */
+    bool hollow, no_shadow, no_image, no_reflection, double_illuminate;
+    bool uv_mapping;
+    unsigned light_group;
+    bool no_global_lights;
+    const struct photon_flags *photons; /* NULL: nothing was said */
+    unsigned target;
+    bool flipped;  /* inverted an odd number of times */
+    bool inverted; /* inverted at all */
+    bool clip;     /* part of a clip: has no surface of its own */
+    bool no_flags; /* below an intersection parts are seen like the whole */
+    bool no_shadow_flags; /* below a merge they cast shadows like it */
+    int looks_like;
+    struct limits clips, gates; /* of unions that were taken apart */
+    unsigned depth;
+};
+
+static struct solid *build_solid(struct flat *flat, const struct object *object,
+                                 const struct inherited *up, bool root);
+
+/* Counts the node; false when a limit is met. */
+static bool flat_enter(struct flat *flat, const struct object *object,
+                       unsigned depth)
+{
+    if (flat->failed)
+        return false;
+    size_t limit = flat->node_limit ? flat->node_limit : FLAT_NODE_LIMIT;
+    if (++flat->nodes > limit) {
+        diag_print(flat->diag, DIAG_ERROR, object->span, NULL,
+                   "the scene has too many objects (limit is %zu)", limit);
+        flat->failed = true;
+    } else if (depth > FLAT_DEPTH_LIMIT) {
+        diag_print(flat->diag, DIAG_ERROR, object->span, NULL,
+                   "objects are nested too deep (limit is %d)",
+                   FLAT_DEPTH_LIMIT);
+        flat->failed = true;
+    }
+    return !flat->failed;
+}
+
+/* What parts of CSG objects say about shadows is ignored, and within
+ * intersections also the rest (measured on POV-Ray). */
+static void inherit_visibility(const struct object *object,
+                               struct inherited *in)
+{
+    if (!in->no_flags && !in->no_shadow_flags)
+        in->no_shadow |= object->no_shadow;
+    if (!in->no_flags) {
+        in->no_image |= object->no_image;
+        in->no_reflection |= object->no_reflection;
+    }
+}
+
+static struct inherited inherit(struct flat *flat, const struct object *object,
+                                const struct inherited *up)
+{
+    struct inherited in = *up;
+    in.depth++;
+    in.to_world = affine_compose(up->to_world, *object->transform);
+    in.to_tree = affine_compose(up->to_tree, *object->transform);
+    if (object->texture) {
+        in.texture = object->texture;
+        in.from_texture =
+            affine_compose(up->to_world, *object->texture_transform);
+    }
+    if (object->inner) {
+        in.inner = object->inner;
+        in.from_inner = affine_compose(up->to_world, *object->inner_transform);
+    }
+    if (object->interior) {
+        affine place =
+            affine_compose(up->to_world, *object->interior_transform);
+        in.interior = interior_moved(flat->arena, object->interior, &place);
+    }
+    if (object->interior || up->depth == 0)
+        in.body = flat->bodies++;
+    if (up->depth == 0)
+        in.hollow = object->hollow;
+    if (object->interior)
+        in.hollow = object_is_hollow(object, up->all_hollow);
+    in.all_hollow |= object->hollow;
+    if (up->depth == 0 || object->light_group) {
+        in.light_group = object->light_group;
+        in.no_global_lights = object->no_global_lights;
+    }
+    if (object->photons) {
+        in.photons = object->photons;
+        in.target = object->photons->target ? ++flat->targets : 0;
+    }
+    inherit_visibility(object, &in);
+    in.double_illuminate |= object->double_illuminate;
+    in.uv_mapping |= object->uv_mapping;
+    in.flipped ^= object->inverse;
+    in.inverted |= object->inverse;
+    return in;
+}
+
+/* Clips or bounds of an object whose parent's space `up` leads from. */
+static struct limits build_limits(struct flat *flat, const struct clip *clips,
+                                  size_t count, const struct inherited *up)
+{
+    struct limits limits = {
+        ARENA_ARRAY(flat->arena, const struct solid *, count), count
+    };
+    struct inherited in = { .from_texture = affine_identity(),
+                            .looks_like = -1,
+                            .clip = true,
+                            .depth = up->depth + 1 };
+    for (size_t i = 0; i < count; i++) {
+        in.to_world = affine_compose(up->to_world, clips[i].transform);
+        in.to_tree = affine_compose(up->to_tree, clips[i].transform);
+        struct solid *solid = build_solid(flat, clips[i].object, &in, true);
+        if (!solid) {
+            /* Nothing left to be inside of: a merge of nothing. */
+            solid = ARENA_NEW(flat->arena, struct solid);
+            solid->kind = OBJECT_MERGE;
+        }
+        solid_finish(flat->arena, solid);
+        limits.items[i] = solid;
+    }
+    return limits;
+}
+
+/* `b` first; the result is new. */
+static struct limits limits_join(struct flat *flat, struct limits a,
+                                 struct limits b)
+{
+    struct limits both = { NULL, a.count + b.count };
+    both.items = ARENA_ARRAY(flat->arena, const struct solid *, both.count);
+    for (size_t i = 0; i < both.count; i++)
+        both.items[i] = i < b.count ? b.items[i] : a.items[i - b.count];
+    return both;
+}
+
+static bool mesh_is_opaque(const struct mesh *mesh)
+{
+    for (size_t i = 0; i < mesh->texture_count; i++)
+        if (mesh->textures[i] && !texture_is_opaque(mesh->textures[i]))
+            return false;
+    return true;
+}
+
+static const struct leaf_inner *build_inner(struct flat *flat,
+                                            const struct inherited *in)
+{
+    affine to_texture;
+    if (!in->inner || !affine_inverse(in->from_inner, &to_texture))
+        return NULL;
+    struct leaf_inner *inner = ARENA_NEW(flat->arena, struct leaf_inner);
+    *inner = (struct leaf_inner){ in->inner, to_texture, in->from_inner };
+    return inner;
+}
+
+/* False if it has no inverse. */
+static bool find_place(struct flat *flat, const affine *outward,
+                       struct flat_place *place)
+{
+    affine inward;
+    if (affine_is_identity(*outward)) {
+        *place = (struct flat_place){ &affine_unmoved, &affine_unmoved };
+        return true;
+    }
+    for (int i = 0; i < FLAT_RECENT; i++) {
+        *place = flat->recent[i];
+        if (place->outward &&
+            memcmp(place->outward, outward, sizeof *outward) == 0)
+            return true;
+    }
+    if (!affine_inverse(*outward, &inward))
+        return false;
+    place->outward = affine_kept(flat->arena, outward);
+    place->inward = affine_kept(flat->arena, &inward);
+    flat->recent[flat->recent_next++ % FLAT_RECENT] = *place;
+    return true;
+}
+
+/* NULL if its transformation squeezes it flat. */
+static struct leaf *build_leaf(struct flat *flat, const struct object *object,
+                               const struct inherited *in)
+{
+    struct flat_place place, texture;
+    if (!find_place(flat, &in->to_world, &place))
+        return NULL;
+    if (!find_place(flat, &in->from_texture, &texture))
+        texture = (struct flat_place){ &affine_unmoved, &affine_unmoved };
+    struct leaf *leaf = ARENA_NEW(flat->arena, struct leaf);
+    leaf->object = object;
+    leaf->to_world = place.outward;
+    leaf->to_object = place.inward;
+    leaf->moved = place.inward != &affine_unmoved;
+    leaf->from_texture = texture.outward;
+    leaf->to_texture = texture.inward;
+    leaf->texture = in->texture ? in->texture : flat->fallback;
+    leaf->inner = build_inner(flat, in);
+    leaf->interior = in->interior;
+    leaf->body = in->body;
+    leaf->no_shadow = in->no_shadow;
+    leaf->no_image = in->no_image;
+    leaf->no_reflection = in->no_reflection;
+    leaf->double_illuminate = in->double_illuminate;
+    leaf->uv_mapping = in->uv_mapping;
+    leaf->hollow = in->hollow;
+    leaf->light_group = in->light_group;
+    leaf->no_global_lights = in->no_global_lights;
+    leaf->photons = in->photons ? in->photons : &photon_flags_default;
+    leaf->target = in->target;
+    leaf->inverse = in->flipped;
+    leaf->looks_like = in->looks_like;
+    leaf->opaque = true; /* of clips */
+    if (!in->clip) {
+        leaf->opaque =
+            texture_is_opaque(leaf->texture) &&
+            (!leaf->inner || texture_is_opaque(leaf->inner->texture)) &&
+            (object->kind == OBJECT_SHAPE || mesh_is_opaque(object->mesh));
+        flat->translucent |= !leaf->opaque;
+        leaf->number = (unsigned)flat->leaf_count++;
+    }
+    return leaf;
+}
+
+/* The other side of a half space along an axis. */
+static struct box3 complement(struct box3 box)
+{
+    double low[3] = { box.low.x, box.low.y, box.low.z };
+    double high[3] = { box.high.x, box.high.y, box.high.z };
+    int finite = 0, axis = 0;
+    bool upper = false;
+    for (int i = 0; i < 3; i++) {
+        if (isfinite(low[i]) || isfinite(high[i])) {
+            finite += isfinite(low[i]) + isfinite(high[i]);
+            axis = i;
+            upper = isfinite(high[i]);
+        }
+    }
+    struct box3 other = box3_infinite();
+    if (finite != 1)
+        return other;
+    double *side = upper ? &other.low.x : &other.high.x;
+    side[axis] = upper ? high[axis] : low[axis];
+    return other;
+}
+
+static void measure_leaf(struct flat *flat, struct solid *solid,
+                         const affine *to_tree)
+{
+    const struct leaf *leaf = solid->leaf;
+    const struct object *object = leaf->object;
+    bool shape = object->kind == OBJECT_SHAPE;
+    bool beyond = shape && object->primitive->beyond;
+    bool has_inside = shape ? object->primitive->solid : object->mesh->solid;
+    struct box3 box =
+        shape ? object->primitive->bounds(object->shape) : object->mesh->bounds;
+    solid->surface = solid_padded(affine_box(to_tree, box));
+    solid->region = &solid_nothing;
+    solid->holes = &solid_everything;
+    if (!has_inside)
+        return;
+    /* A disc's inside is the half space behind it. */
+    struct box3 inside = beyond ? box3_infinite() : solid->surface;
+    struct box3 region = leaf->inverse ? box3_infinite() : inside;
+    if (leaf->inverse && shape && !beyond)
+        region = solid_padded(affine_box(to_tree, complement(box)));
+    solid_set_boxes(flat->arena, solid, region,
+                    leaf->inverse ? inside : box3_infinite());
+}
+
+static const struct mesh_tree *flat_tree(struct flat *flat,
+                                         const struct mesh *mesh)
+{
+    struct mesh_entry *entry =
+        mesh_table_entry(flat->arena, &flat->meshes_used, mesh);
+    if (!entry->tree)
+        entry->tree = mesh_tree_new(flat->arena, mesh);
+    return entry->tree;
+}
+
+static struct solid *build_leaf_solid(struct flat *flat,
+                                      const struct object *object,
+                                      const struct inherited *in)
+{
+    struct leaf *leaf = build_leaf(flat, object, in);
+    struct flat_place place;
+    if (!leaf || !find_place(flat, &in->to_tree, &place))
+        return NULL;
+    struct solid *solid = ARENA_NEW(flat->arena, struct solid);
+    solid->kind = object->kind;
+    solid->leaf = leaf;
+    leaf->solid = solid;
+    solid->to_shape = place.inward;
+    solid->moved = solid->to_shape != &affine_unmoved;
+    if (object->kind == OBJECT_MESH)
+        solid->tree = flat_tree(flat, object->mesh);
+    measure_leaf(flat, solid, &in->to_tree);
+    return solid;
+}
+
+static void flatten(struct flat *flat, const struct object *object,
+                    const struct inherited *up);
+
+/* `in` leads from the light's own space, in which what it looks like stands:
+ * that casts no shadow in the light of any lamp (measured on POV-Ray). */
+static void add_light(struct flat *flat, const struct object *object,
+                      const struct inherited *in)
+{
+    const struct light *light = object->light;
+    if (in->clip)
+        return;
+    struct inherited shown = *in;
+    shown.looks_like = (int)flat->lights.count;
+    shown.no_shadow = true;
+    shown.body = flat->bodies++;
+    shown.to_tree = in->to_world;
+    shown.flipped = shown.inverted = false;
+    struct light moved = light_moved(light, &in->to_world);
+    moved.group = in->light_group;
+    size_t next = flat->lights.count, number = next;
+    if (light->window) {
+        const struct clip clip = { light->window, affine_identity() };
+        moved.pane = build_limits(flat, &clip, 1, &shown).items[0];
+    }
+    if (!light->looks_like && !light->window)
+        number =
+            light_table_number(&flat->light_places, flat->arena, &moved, next);
+    if (number < next) {
+        rgb *sum = &flat->lights.items[number].colour;
+        *sum = rgb_add(*sum, moved.colour);
+        return;
+    }
+    *ARRAY_PUSH(flat->arena, &flat->lights) = moved;
+    if (light->looks_like)
+        flatten(flat, light->looks_like, &shown);
+}
+
+/* De Morgan. A union turned twice keeps the merge it became on the way. */
+static enum object_kind turned_kind(enum object_kind kind,
+                                    const struct inherited *in)
+{
+    if (in->flipped)
+        return kind == OBJECT_INTERSECTION ? OBJECT_MERGE : OBJECT_INTERSECTION;
+    return kind == OBJECT_UNION && in->inverted ? OBJECT_MERGE : kind;
+}
+
+struct children {
+    struct solid **items;
+    size_t count, capacity;
+};
+
+/* A child of the node's own kind gives it its children instead. */
+static void add_child(struct flat *flat, struct children *children,
+                      enum object_kind kind, struct solid *child)
+{
+    if (child->leaf || child->kind != kind || child->clip_count ||
+        child->gate_count) {
+        *ARRAY_PUSH(flat->arena, children) = child;
+        return;
+    }
+    for (size_t i = 0; i < child->child_count; i++)
+        *ARRAY_PUSH(flat->arena, children) = child->children[i];
+}
+
+static struct solid *build_node(struct flat *flat, const struct object *object,
+                                struct inherited *in)
+{
+    struct children children = { NULL, 0, 0 };
+    enum object_kind kind = turned_kind(object->kind, in);
+    in->no_flags |= kind == OBJECT_INTERSECTION;
+    in->no_shadow_flags |= kind == OBJECT_MERGE;
+    for (size_t i = 0; i < object->child_count; i++) {
+        struct solid *child = build_solid(flat, object->children[i], in, false);
+        if (child)
+            add_child(flat, &children, kind, child);
+    }
+    if (children.count == 0)
+        return NULL;
+    struct solid *only = children.items[0];
+    if (children.count == 1 && !only->clip_count && !only->gate_count &&
+        !object->clip_count && !object->bound_count)
+        return only;
+    struct solid *solid = ARENA_NEW(flat->arena, struct solid);
+    solid->kind = kind;
+    solid->children = children.items;
+    solid->child_count = children.count;
+    return solid;
+}
+
+/* The space of the root's own object. NULL if it has no inverse. */
+static const struct frame *build_frame(struct flat *flat, const affine *outward)
+{
+    struct flat_place place;
+    if (!find_place(flat, outward, &place))
+        return NULL;
+    struct frame *frame = ARENA_NEW(flat->arena, struct frame);
+    *frame = (struct frame){ place.inward, place.outward };
+    return frame;
+}
+
+/* In POV-Ray a part of a CSG object heeds its bounds whatever it is. */
+static void add_limits(struct flat *flat, const struct object *object,
+                       const struct inherited *up, bool root,
+                       struct solid *solid)
+{
+    if (object->clip_count) {
+        struct limits limits =
+            build_limits(flat, object->clips, object->clip_count, up);
+        solid->clips = limits.items;
+        solid->clip_count = limits.count;
+    }
+    if (!object->bound_count || (root && !object_is_bounded(object)))
+        return;
+    struct limits limits =
+        build_limits(flat, object->bounds, object->bound_count, up);
+    if (root && object->kind == OBJECT_SHAPE &&
+        object->primitive->bounded == BOUNDS_AS_BOX) {
+        for (size_t i = 0; i < limits.count; i++)
+            solid_bound_by_box(flat->arena, solid, limits.items[i]);
+    } else {
+        solid->gates = limits.items;
+        solid->gate_count = limits.count;
+    }
+}
+
+/* The object as a tree (`root`) or as a part of one; NULL if nothing is left
+ * of it. */
+static struct solid *build_solid(struct flat *flat, const struct object *object,
+                                 const struct inherited *up, bool root)
+{
+    struct inherited in = inherit(flat, object, up);
+    const struct frame *frame = NULL;
+    struct solid *solid;
+    if (!flat_enter(flat, object, in.depth))
+        return NULL;
+    if (object->kind == OBJECT_LIGHT) {
+        add_light(flat, object, &in);
+        return NULL;
+    }
+    if (object->kind == OBJECT_SHAPE || object->kind == OBJECT_MESH) {
+        solid = build_leaf_solid(flat, object, &in);
+    } else {
+        if (root && !affine_is_identity(in.to_tree)) {
+            frame = build_frame(flat, &in.to_tree);
+            if (!frame)
+                return NULL;
+            in.to_tree = affine_identity();
+        }
+        solid = build_node(flat, object, &in);
+    }
+    if (solid) {
+        solid->frame = frame;
+        add_limits(flat, object, up, root, solid);
+    }
+    return solid;
+}
+
+/* A solid of its own, with the limits of the unions it was taken out of. */
+static void add_solid(struct flat *flat, const struct object *object,
+                      const struct inherited *up)
+{
+    struct inherited plain = *up;
+    plain.clips = plain.gates = (struct limits){ NULL, 0 };
+    struct solid *solid = build_solid(flat, object, &plain, true);
+    if (!solid)
+        return;
+    struct limits clips = { solid->clips, solid->clip_count };
+    struct limits gates = { solid->gates, solid->gate_count };
+    clips = limits_join(flat, clips, up->clips);
+    gates = limits_join(flat, gates, up->gates);
+    solid->clips = clips.items;
+    solid->clip_count = clips.count;
+    solid->gates = gates.items;
+    solid->gate_count = gates.count;
+    solid_finish(flat->arena, solid);
+    *ARRAY_PUSH(flat->arena, &flat->solids) = solid;
+    *ARRAY_PUSH(flat->arena, &flat->containers) = solid;
+}
+
+/* A mesh that Embree gets as it is. */
+static void add_mesh(struct flat *flat, const struct object *object,
+                     const struct inherited *up)
+{
+    struct inherited in = inherit(flat, object, up);
+    const struct mesh *mesh = object->mesh;
+    if (!flat_enter(flat, object, in.depth) || mesh->triangle_count == 0)
+        return;
+    if (mesh->solid) {
+        struct solid *solid = build_leaf_solid(flat, object, &in);
+        if (!solid)
+            return;
+        solid_finish(flat->arena, solid);
+        *ARRAY_PUSH(flat->arena, &flat->containers) = solid;
+        *ARRAY_PUSH(flat->arena, &flat->meshes) = solid->leaf;
+    } else {
+        const struct leaf *leaf = build_leaf(flat, object, &in);
+        if (!leaf)
+            return;
+        *ARRAY_PUSH(flat->arena, &flat->meshes) = leaf;
+    }
+    mesh_table_entry(flat->arena, &flat->meshes_used, mesh)->uses++;
+    flat->triangle_count += mesh->triangle_count;
+}
+
+/* A union's clips and bounds apply to each of its children. */
+static void flatten_union(struct flat *flat, const struct object *object,
+                          const struct inherited *up)
+{
+    struct inherited in = inherit(flat, object, up);
+    if (!flat_enter(flat, object, in.depth))
+        return;
+    if (object->clip_count)
+        in.clips = limits_join(
+            flat, up->clips,
+            build_limits(flat, object->clips, object->clip_count, up));
+    if (object_is_bounded(object))
+        in.gates = limits_join(
+            flat, up->gates,
+            build_limits(flat, object->bounds, object->bound_count, up));
+    for (size_t i = 0; i < object->child_count; i++)
+        flatten(flat, object->children[i], &in);
+}
+
+/* Whether the limits of unions around it cut the mesh. */
+static bool mesh_is_limited(const struct object *object,
+                            const struct inherited *up)
+{
+    affine to_world = affine_compose(up->to_world, *object->transform);
+    struct box3 box = affine_box(&to_world, object->mesh->bounds);
+    if (up->clips.count || object->clip_count)
+        return true;
+    for (size_t i = 0; i < up->gates.count; i++)
+        if (!solid_surrounds(up->gates.items[i], box))
+            return true;
+    return false;
+}
+
+/* An object that is no part of a CSG object. */
+static void flatten(struct flat *flat, const struct object *object,
+                    const struct inherited *up)
+{
+    if (object->kind == OBJECT_UNION && !up->inverted && !object->inverse)
+        flatten_union(flat, object, up);
+    else if (object->kind == OBJECT_MESH && !mesh_is_limited(object, up))
+        add_mesh(flat, object, up);
+    else
+        add_solid(flat, object, up);
+}
+
+static const struct texture *fallback_texture(struct arena *arena)
+{
+    struct texture *texture = ARENA_NEW(arena, struct texture);
+    struct pigment *pigment = ARENA_NEW(arena, struct pigment);
+    struct finish *finish = ARENA_NEW(arena, struct finish);
+    *pigment = pigment_default(arena);
+    *finish = finish_default();
+    texture->layers = ARENA_NEW(arena, struct layer);
+    texture->count = 1;
+    texture->layers[0] = (struct layer){ pigment, NULL, finish };
+    return texture;
+}
+
+bool flatten_scene(struct flat *flat, const struct scene *scene)
+{
+    struct inherited top = { .to_world = affine_identity(),
+                             .to_tree = affine_identity(),
+                             .from_texture = affine_identity(),
+                             .looks_like = -1 };
+    flat->fallback = fallback_texture(flat->arena);
+    for (size_t i = 0; i < scene->objects.count && !flat->failed; i++)
+        flatten(flat, scene->objects.items[i], &top);
+    return !flat->failed;
+}

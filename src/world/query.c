@@ -1,0 +1,445 @@
+/* A ray meets leaves and solids: see query.h. */
+#include "world/query.h"
+
+#include "world/mesh_tree.h"
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+
+bool query_sees(const struct query *query, const struct leaf *leaf)
+{
+    if (query->occlusion)
+        return !leaf->no_shadow &&
+               (leaf->looks_like < 0 || leaf->looks_like != query->light);
+    if (query->kind == RAY_OBSTACLE)
+        return !leaf->no_shadow;
+    return query->kind == RAY_CAMERA ? !leaf->no_image : !leaf->no_reflection;
+}
+
+bool query_take(struct query *query, const struct leaf *leaf,
+                const struct hit *hit)
+{
+    if (!query->occlusion) {
+        query->tmax = hit->t;
+        query->leaf = leaf;
+        query->hit = *hit;
+        query->rough = false;
+        return false;
+    }
+    if (leaf->opaque || !query->filter) {
+        query->blocked = true;
+    } else {
+        struct intersection crossing;
+        query_describe(&query->ray, leaf, hit, &crossing);
+        query->blocked = query->filter(query->context, &crossing);
+    }
+    return query->blocked;
+}
+
+/* The tree the leaf is a part of; those at the top are taken apart if they are
+ * unions. */
+static const struct solid *leaf_root(const struct leaf *leaf)
+{
+    const struct solid *solid = leaf->solid;
+    while (solid && solid->parent)
+        solid = solid->parent;
+    return solid;
+}
+
+/* Whether both are of one tree, or of unions taken apart that have a clip in
+ * common. */
+static bool leaves_are_cut_together(const struct leaf *a, const struct leaf *b)
+{
+    const struct solid *one = leaf_root(a), *other = leaf_root(b);
+    if (!one || !other || one == other)
+        return one && one == other;
+    for (size_t i = 0; i < one->clip_count; i++)
+        for (size_t k = 0; k < other->clip_count; k++)
+            if (one->clips[i] == other->clips[k])
+                return true;
+    return false;
+}
+
+/* Of two crossings at the same place the one of the earlier leaf is seen, but
+ * in an intersection, a merge or a clipped union that of the later (measured),
+ * whatever the order they are found in. */
+static bool tie_is_won(const struct leaf *leaf, const struct leaf *other)
+{
+    return leaves_are_cut_together(leaf, other) ? leaf->number > other->number
+                                                : leaf->number < other->number;
+}
+
+static bool query_wants(const struct query *query, const struct leaf *leaf,
+                        double t)
+{
+    if (!(t > query->tmin))
+        return false;
+    return t < query->tmax ||
+           (t == query->tmax && query->leaf && tie_is_won(leaf, query->leaf));
+}
+
+/* The ray in the space of the tree at hand; its t is the same everywhere. Of
+ * the tree no crossing before `enter` or after `leave` counts. */
+struct space {
+    struct ray ray;
+    struct slabs slabs;
+    double enter, leave;
+};
+
+static bool take_if_counts(struct query *query, const struct solid *solid,
+                           const struct ray *ray, const struct hit *hit)
+{
+    if (!query_wants(query, solid->leaf, hit->t))
+        return false;
+    if (!solid->simple && !solid_counts(solid, ray_point(ray, hit->t),
+                                        ray_point(&query->ray, hit->t)))
+        return false;
+    return query_take(query, solid->leaf, hit);
+}
+
+/* Whether any crossing blocks the ray, so that it need not be known which. */
+static bool query_is_plain(const struct query *query, const struct solid *solid)
+{
+    return query->occlusion && solid->simple &&
+           (solid->leaf->opaque || !query->filter);
+}
+
+struct crossing_query {
+    struct query *query;
+    const struct solid *solid;
+    const struct ray *ray;
+};
+
+static bool take_crossing(void *context, const struct hit *hit)
+{
+    struct crossing_query *crossing = context;
+    return take_if_counts(crossing->query, crossing->solid, crossing->ray, hit);
+}
+
+/* By increasing t: beyond the nearest that counts there is nothing to see. */
+static bool take_next(void *context, const struct hit *hit)
+{
+    struct crossing_query *crossing = context;
+    struct query *query = crossing->query;
+    return take_crossing(context, hit) ||
+           (!query->occlusion && query->tmax == hit->t);
+}
+
+/* Of a shape that tells them one by one; `inner` is the ray in its space. Of a
+ * part, crossings outside its box and the tree's don't count. */
+static bool query_crossings(struct query *query, const struct solid *solid,
+                            const struct ray *ray, const struct ray *inner,
+                            const struct space *space)
+{
+    const struct object *object = solid->leaf->object;
+    struct crossing_query context = { query, solid, ray };
+    double enter = query->tmin, leave = query->tmax;
+    if (space) {
+        enter = slab_max(enter, space->enter);
+        leave = slab_min(leave, space->leave);
+        slabs_clip(&space->slabs, &solid->surface, &enter, &leave);
+    }
+    object->primitive->crossings(object->shape, inner, enter, leave, take_next,
+                                 &context);
+    return query->blocked;
+}
+
+static bool query_shape(struct query *query, const struct solid *solid,
+                        const struct ray *ray, const struct space *space)
+{
+    const struct object *object = solid->leaf->object;
+    const struct primitive *primitive = object->primitive;
+    const struct ray *inner = ray;
+    struct ray local;
+    struct hits hits;
+    hits.count = 0;
+    if (solid->moved) {
+        local = ray_into(solid->to_shape, ray);
+        inner = &local;
+    }
+    if (primitive->crossings)
+        return query_crossings(query, solid, ray, inner, space);
+    primitive->intersect(object->shape, inner, &hits);
+    for (int i = 0; i < hits.count; i++)
+        if (take_if_counts(query, solid, ray, &hits.at[i]))
+            return true;
+    return false;
+}
+
+static bool query_mesh(struct query *query, const struct solid *solid,
+                       const struct ray *ray)
+{
+    struct crossing_query context = { query, solid, ray };
+    struct ray local = ray_into(solid->to_shape, ray);
+    mesh_tree_crossings(solid->tree, &local, query->tmin, query->tmax,
+                        take_crossing, &context);
+    return query->blocked;
+}
+
+/* `space` is NULL for a simple solid. */
+static bool query_leaf(struct query *query, const struct solid *solid,
+                       const struct ray *ray, const struct space *space)
+{
+    return query_sees(query, solid->leaf) &&
+           (solid->kind == OBJECT_SHAPE ? query_shape(query, solid, ray, space)
+                                        : query_mesh(query, solid, ray));
+}
+
+/* Whether the ray meets every gate or starts in it. */
+static bool gates_open(const struct solid *solid, const struct ray *ray,
+                       const struct slabs *slabs)
+{
+    for (size_t i = 0; i < solid->gate_count; i++) {
+        struct query probe;
+        probe.ray = *ray;
+        probe.slabs = *slabs;
+        probe.tmin = 0;
+        probe.tmax = HUGE_VAL;
+        probe.occlusion = true;
+        probe.light = -1;
+        probe.leaf = NULL;
+        probe.blocked = false;
+        if (!query_solid(&probe, solid->gates[i]) &&
+            !solid_inside(solid->gates[i], ray->origin))
+            return false;
+    }
+    return true;
+}
+
+/* A node below a root. */
+static bool query_part(struct query *query, const struct solid *solid,
+                       const struct space *space)
+{
+    if (!slabs_hit(&space->slabs, &solid->surface, query->tmin, query->tmax))
+        return false;
+    if (solid->gate_count && !gates_open(solid, &space->ray, &space->slabs))
+        return false;
+    if (solid->leaf)
+        return query_leaf(query, solid, &space->ray, space);
+    for (size_t i = 0; i < solid->child_count; i++)
+        if (query_part(query, solid->children[i], space))
+            return true;
+    return false;
+}
+
+/* Of most rays at most shapes: the first crossing, or whether there is any. One
+ * as far as what is known by now may win the tie. */
+static bool query_simple(struct query *query, const struct solid *solid)
+{
+    const struct object *object = solid->leaf->object;
+    const struct primitive *primitive = object->primitive;
+    const struct ray *ray = &query->ray;
+    struct ray local;
+    struct hit hit;
+    if (!query_sees(query, solid->leaf))
+        return false;
+    if (solid->kind == OBJECT_SHAPE && query_is_plain(query, solid))
+        return query->blocked =
+                   solid_crosses(solid, ray, query->tmin, query->tmax);
+    if (solid->kind != OBJECT_SHAPE || query->occlusion || !primitive->first)
+        return query_leaf(query, solid, ray, NULL);
+    if (solid->moved) {
+        local = ray_into(solid->to_shape, ray);
+        ray = &local;
+    }
+    double far = query->tmax * (1 + 0x1p-52);
+    return primitive->first(object->shape, ray, query->tmin, far, &hit) &&
+           query_wants(query, solid->leaf, hit.t) &&
+           query_take(query, solid->leaf, &hit);
+}
+
+bool query_solid(struct query *query, const struct solid *solid)
+{
+    if (solid->simple)
+        return query_simple(query, solid);
+    double enter = query->tmin, leave = query->tmax;
+    slabs_clip(&query->slabs, &solid->surface, &enter, &leave);
+    if (!slabs_overlap(enter, leave))
+        return false;
+    if (solid->gate_count && !gates_open(solid, &query->ray, &query->slabs))
+        return false;
+    struct space space = { query->ray, query->slabs, enter, leave };
+    if (solid->frame) {
+        space.ray = ray_into(solid->frame->inward, &query->ray);
+        space.slabs = slabs_of(&space.ray);
+        if (!slabs_hit(&space.slabs, solid->inner, query->tmin, query->tmax))
+            return false;
+    }
+    if (solid->leaf)
+        return query_leaf(query, solid, &space.ray, &space);
+    for (size_t i = 0; i < solid->child_count; i++)
+        if (query_part(query, solid->children[i], &space))
+            return true;
+    return false;
+}
+
+bool query_triangle(const struct query *query, const struct leaf *leaf,
+                    uint32_t triangle, double *t)
+{
+    const struct mesh *mesh = leaf->object->mesh;
+    if (leaf->moved) {
+        struct ray ray = ray_into(leaf->to_object, &query->ray);
+        *t = mesh_distance(mesh, triangle, &ray);
+    } else {
+        *t = mesh_distance(mesh, triangle, &query->ray);
+    }
+    return query_wants(query, leaf, *t);
+}
+
+/* Only smooth triangles need more than t. */
+void query_refine(const struct ray *ray, const struct leaf *leaf,
+                  struct hit *hit)
+{
+    const struct mesh *mesh = leaf->object->mesh;
+    if (leaf->object->kind != OBJECT_MESH ||
+        mesh->triangles[hit->part].normal[0] == MESH_NONE)
+        return;
+    struct ray there = leaf->moved ? ray_into(leaf->to_object, ray) : *ray;
+    mesh_refine(mesh, (size_t)hit->part, &there, hit);
+}
+
+void query_finish(struct query *query)
+{
+    if (query->rough)
+        query_refine(&query->ray, query->leaf, &query->hit);
+    query->rough = false;
+}
+
+bool query_take_triangle(struct query *query, const struct leaf *leaf,
+                         uint32_t triangle, double t)
+{
+    struct hit hit = { t, (int)triangle, 0, 0 };
+    if (query->occlusion && !leaf->opaque) {
+        for (unsigned i = 0; i < query->recent_count && i < QUERY_RECENT; i++)
+            if (query->recent[i].leaf == leaf &&
+                fabs(query->recent[i].t - t) <= 1e-9 * (1 + t))
+                return false;
+        query->recent[query->recent_count % QUERY_RECENT].leaf = leaf;
+        query->recent[query->recent_count++ % QUERY_RECENT].t = t;
+        query_refine(&query->ray, leaf, &hit);
+    }
+    bool over = query_take(query, leaf, &hit);
+    query->rough = true;
+    return over;
+}
+
+/* Of tiny or huge vectors, which would lose their length. */
+static vec3 unit_scaled(vec3 v)
+{
+    double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+    if (!(most > 0) || !isfinite(most))
+        return vec3_make(0, 0, 0);
+    return vec3_normalise(vec3_make(v.x / most, v.y / most, v.z / most));
+}
+
+static inline vec3 unit(vec3 v)
+{
+    double square = vec3_dot(v, v);
+    if (square > 1e-200 && square < 1e200)
+        return vec3_scale(v, 1 / sqrt(square));
+    return unit_scaled(v);
+}
+
+static vec3 leaf_normal(const struct leaf *leaf, vec3 point,
+                        const struct hit *hit)
+{
+    const struct object *object = leaf->object;
+    if (object->kind == OBJECT_MESH)
+        return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v);
+    if (leaf->moved)
+        point = affine_point(leaf->to_object, point);
+    if (object->primitive->normal_placed)
+        return object->primitive->normal_placed(
+            object->shape, point, hit, leaf->moved ? leaf->to_object : NULL);
+    return object->primitive->normal(object->shape, point, hit);
+}
+
+/* Of what was hit of a shape or a mesh whose normals are interpolated there; 0:
+ * they are not. */
+static vec3 leaf_face(const struct object *object, const struct hit *hit)
+{
+    if (object->kind == OBJECT_MESH) {
+        if (object->mesh->triangles[hit->part].normal[0] != MESH_NONE)
+            return mesh_face(object->mesh, (size_t)hit->part);
+    } else if (object->primitive->face) {
+        return object->primitive->face(object->shape, hit);
+    }
+    return vec3_make(0, 0, 0);
+}
+
+/* The normal of a facet whose interpolated one is known; of other shapes they
+ * are the same. */
+static void describe_face(const struct leaf *leaf, const struct hit *hit,
+                          struct intersection *out)
+{
+    vec3 face = leaf_face(leaf->object, hit);
+    out->face = out->normal;
+    if (vec3_dot(face, face) == 0)
+        return;
+    if (leaf->moved)
+        face = affine_normal(leaf->to_object, face);
+    face = unit(face);
+    if (vec3_dot(face, face) > 0)
+        out->face = vec3_dot(face, out->normal) < 0 ? vec3_negate(face) : face;
+}
+
+static void describe_texture(const struct leaf *leaf, const struct hit *hit,
+                             struct intersection *out)
+{
+    out->texture = leaf->texture;
+    out->to_texture = leaf->to_texture;
+    out->from_texture = leaf->from_texture;
+    if (leaf->object->kind != OBJECT_MESH)
+        return;
+    const struct mesh *mesh = leaf->object->mesh;
+    uint32_t number = mesh->triangles[hit->part].texture;
+    if (number >= mesh->texture_count || !mesh->textures[number])
+        return;
+    out->texture = mesh->textures[number];
+    out->to_texture = leaf->to_object;
+    out->from_texture = leaf->to_world;
+}
+
+/* The outside of a mesh's triangle is where its corners turn to the left, not
+ * where its normals are (measured); see also mesh.h. */
+static bool describe_inside(const struct ray *ray, const struct leaf *leaf,
+                            const struct intersection *out)
+{
+    const struct object *object = leaf->object;
+    if (object->kind != OBJECT_MESH)
+        return vec3_dot(out->face, ray->direction) > 0;
+    vec3 face = mesh_face(object->mesh, (size_t)out->part);
+    if (leaf->moved)
+        face = affine_normal(leaf->to_object, face);
+    return (vec3_dot(face, ray->direction) < 0) != object->mesh->turned;
+}
+
+static void describe_inner(const struct leaf_inner *inner,
+                           struct intersection *out)
+{
+    out->texture = inner->texture;
+    out->to_texture = &inner->to_texture;
+    out->from_texture = &inner->from_texture;
+}
+
+void query_describe(const struct ray *ray, const struct leaf *leaf,
+                    const struct hit *hit, struct intersection *out)
+{
+    /* Kept at hand: what was just stored is read back late. */
+    vec3 point = ray_point(ray, hit->t);
+    vec3 normal = leaf_normal(leaf, point, hit);
+    out->t = hit->t;
+    out->point = point;
+    out->leaf = leaf;
+    out->part = hit->part;
+    if (leaf->moved)
+        normal = affine_normal(leaf->to_object, normal);
+    normal = unit(normal);
+    if (!(vec3_dot(normal, normal) > 0))
+        normal = vec3_negate(ray->direction);
+    out->normal = leaf->inverse ? vec3_negate(normal) : normal;
+    describe_face(leaf, hit, out);
+    if (leaf->inner && describe_inside(ray, leaf, out))
+        describe_inner(leaf->inner, out);
+    else
+        describe_texture(leaf, hit, out);
+}

@@ -1,0 +1,85 @@
+/* A ray on its way through the world, with the exact ray and the best crossing
+ * so far. Embree hands it to the callbacks as the extended context of a
+ * traversal, so that its own float ray decides nothing but where to look. Of
+ * rays that are traced together it hands on the first of an array: the id of
+ * Embree's ray says which is meant. */
+#ifndef WORLD_QUERY_H
+#define WORLD_QUERY_H
+
+#include "world/rtcore.h"
+#include "scene/slab.h"
+#include "world/world.h"
+
+enum { QUERY_RECENT = 16 };
+
+struct query {
+    embree_context embree; /* first: Embree gives this pointer */
+    struct ray ray;
+    struct slabs slabs;
+    double tmin, tmax; /* tmax: the best crossing so far */
+    double shift;      /* Embree's t minus ours */
+    double doubt;      /* how far Embree's t may be off */
+    bool occlusion;    /* any crossing, not the nearest */
+
+    enum ray_kind kind; /* nearest: */
+    const struct leaf *leaf;
+    struct hit hit;
+    bool rough; /* the hit's u and v are still to be found */
+
+    int light; /* occlusion: */
+    world_filter *filter;
+    void *context;
+    bool blocked;
+    struct {
+        const struct leaf *leaf;
+        double t;
+    } recent[QUERY_RECENT]; /* triangles told, against telling them twice */
+    unsigned recent_count;
+};
+
+/* Embree's packets of N rays and their hits are arrays of N of each of these
+ * words, one array after the other; those of a single ray are plain structs,
+ * which is the same for N = 1. */
+enum { LANE_TFAR = 8, LANE_ID = 10, LANE_HIT = 12 }; /* of a ray */
+enum { LANE_PRIMITIVE = 5, LANE_GEOMETRY = 6, LANE_INSTANCE = 7 }; /* a hit */
+
+/* The query of ray i of N. */
+static inline struct query *query_lane(embree_context *context,
+                                       const void *rays, unsigned n, unsigned i)
+{
+    return (struct query *)context + ((const unsigned *)rays)[LANE_ID * n + i];
+}
+
+/* Whether the ray sees the leaf at all. */
+bool query_sees(const struct query *query, const struct leaf *leaf);
+
+/* Takes a crossing that counts, within tmin and tmax. Returns true when the
+ * search is over. */
+bool query_take(struct query *query, const struct leaf *leaf,
+                const struct hit *hit);
+
+/* Looks at everything in the solid; returns true when the search is over. */
+bool query_solid(struct query *query, const struct solid *solid);
+
+/* The exact crossing of a triangle that Embree says is hit: its plane decides
+ * t. False if it is not within tmin and tmax. */
+bool query_triangle(const struct query *query, const struct leaf *leaf,
+                    uint32_t triangle, double *t);
+
+/* As query_take for a triangle, which Embree may offer more than once or, where
+ * two share an edge, both of them. */
+bool query_take_triangle(struct query *query, const struct leaf *leaf,
+                         uint32_t triangle, double t);
+
+/* Fills in what is left out of the hit of a triangle, u and v. */
+void query_refine(const struct ray *ray, const struct leaf *leaf,
+                  struct hit *hit);
+
+/* The same for query->hit, if it is left out. */
+void query_finish(struct query *query);
+
+/* Everything about the crossing, for the one who asked. */
+void query_describe(const struct ray *ray, const struct leaf *leaf,
+                    const struct hit *hit, struct intersection *out);
+
+#endif

@@ -1,0 +1,69 @@
+/* Embree 3 (from 3.12) or 4, whichever the Makefile has found: what they call
+ * by different names has one name here. Of Embree 4 callbacks of solids must
+ * also set `valid`, to -1 where they found something and else to 0; Embree 3
+ * doesn't look at it. */
+#ifndef WORLD_RTCORE_H
+#define WORLD_RTCORE_H
+
+#if GLIM_EMBREE == 4
+#include <embree4/rtcore.h>
+typedef struct RTCRayQueryContext embree_context;
+#else
+#include <embree3/rtcore.h>
+typedef struct RTCIntersectContext embree_context;
+#endif
+
+/* These three hand `context`, whatever it is the beginning of, to the callbacks
+ * and fill it in first. The nearest crossing: */
+static inline void embree_nearest(RTCScene scene, embree_context *context,
+                                  struct RTCRayHit *rayhit)
+{
+#if GLIM_EMBREE == 4
+    struct RTCIntersectArguments arguments;
+    rtcInitRayQueryContext(context);
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = context;
+    rtcIntersect1(scene, rayhit, &arguments);
+#else
+    rtcInitIntersectContext(context);
+    rtcIntersect1(scene, context, rayhit);
+#endif
+}
+
+/* Any crossing: */
+static inline void embree_any(RTCScene scene, embree_context *context,
+                              struct RTCRay *ray)
+{
+#if GLIM_EMBREE == 4
+    struct RTCOccludedArguments arguments;
+    rtcInitRayQueryContext(context);
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = context;
+    rtcOccluded1(scene, ray, &arguments);
+#else
+    rtcInitIntersectContext(context);
+    rtcOccluded1(scene, context, ray);
+#endif
+}
+
+/* The nearest crossings of those of 16 rays close together that are `valid`
+ * (-1, else 0): */
+static inline void embree_nearest16(const int *valid, RTCScene scene,
+                                    embree_context *context,
+                                    struct RTCRayHit16 *rayhit)
+{
+#if GLIM_EMBREE == 4
+    struct RTCIntersectArguments arguments;
+    rtcInitRayQueryContext(context);
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = context;
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, rayhit, &arguments);
+#else
+    rtcInitIntersectContext(context);
+    context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, context, rayhit);
+#endif
+}
+
+#endif

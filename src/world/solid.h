@@ -1,0 +1,155 @@
+/* The scene's tree flattened for tracing: leaves with their composed
+ * transformations, and the CSG conditions a crossing must meet to count.
+ *
+ * POV-Ray's rule, for every crossing of a leaf: climbing to the root, it must
+ * be inside all siblings of an intersection, outside all siblings of a merge,
+ * and inside every clip. This needs nothing from a shape but all crossings
+ * and an inside test, so discs, triangles, half spaces and open cylinders
+ * take part in CSG as they do in POV-Ray (spans would need closed solids).
+ *
+ * `inverse` is pushed down to the leaves (De Morgan), as POV-Ray does
+ * (measured): an inverse union is an intersection of inverses, an inverse
+ * intersection a merge of inverses. What has no inside (a triangle, a
+ * polygon) contains no point, inverse or not; clips are never inverted. */
+#ifndef WORLD_SOLID_H
+#define WORLD_SOLID_H
+
+#include "scene/mesh.h"
+#include "scene/object.h"
+#include "scene/ray.h"
+
+struct photon_flags;
+
+/* What a leaf is painted with inside. */
+struct leaf_inner {
+    const struct texture *texture;
+    affine to_texture, from_texture;
+};
+
+/* A shape or a mesh in the world. */
+struct leaf {
+    const struct object *object; /* OBJECT_SHAPE or OBJECT_MESH */
+    const struct solid *solid;   /* its node in the tree; NULL: a mesh that is
+                                  * no part of a CSG object */
+    const affine *to_object, *to_world; /* points; many leaves share these */
+    const struct texture *texture;      /* never NULL */
+    const affine *to_texture, *from_texture; /* world <-> the texture's space */
+    const struct leaf_inner *inner;  /* seen from inside; NULL: the same */
+    const struct interior *interior; /* NULL: none */
+    /* What a ray that enters is inside of: the same number for all leaves
+     * below one use of an object at the top level, but a new one below every
+     * node that has an interior of its own. A ray that meets the same body
+     * once more has left it, so overlapping parts of one union cancel
+     * (measured on POV-Ray). */
+    unsigned body;
+    bool opaque; /* no texture of it lets light pass */
+    bool moved;  /* to_object is not the identity */
+    bool no_shadow, no_image, no_reflection;
+    bool double_illuminate;
+    bool uv_mapping;       /* the texture is of the surface's own coordinates */
+    unsigned light_group;  /* 0: none */
+    bool no_global_lights; /* only those of its group */
+    bool hollow;  /* as its interior is, or, without one, the object at the top
+                   * level, whatever its parts say */
+    bool inverse; /* turned inside out, all its ancestors considered */
+    const struct photon_flags *photons; /* never NULL */
+    unsigned target; /* of photons: the same for all parts of one; 0: none */
+    int looks_like;  /* number of the light it stands for, or -1 */
+    unsigned number; /* 0..leaf_count-1 */
+};
+
+/* A corner, 0 to 2, of a mesh's triangle in the world. */
+static inline vec3 leaf_corner(const struct leaf *leaf, size_t triangle, int k)
+{
+    const struct mesh *mesh = leaf->object->mesh;
+    vec3 v = mesh->vertices[mesh->triangles[triangle].vertex[k]];
+    return leaf->moved ? affine_point(leaf->to_world, v) : v;
+}
+
+/* The space a CSG tree is kept in: its object's own, in which its parts are
+ * more often unmoved and its planes along the axes. */
+struct frame {
+    const affine *inward, *outward;
+};
+
+/* A node of a tree. A root's space is the world's (or, for a clip, that of
+ * what it clips); everything below a root with a frame is in the frame. */
+struct solid {
+    enum object_kind kind; /* shape, mesh, union, merge or intersection */
+    bool simple;           /* a leaf without parent, frame, clips and bounds */
+    bool boxed;            /* rays must meet the box of the surface */
+    bool moved;            /* to_shape is not the identity */
+    const struct frame *frame; /* only of a root; NULL: none */
+    const struct solid *parent;
+    struct solid **children;
+    size_t child_count;
+    const struct solid **clips; /* outside the frame, as are the gates */
+    size_t clip_count;
+    const struct solid **gates; /* rays that miss one miss the solid */
+    size_t gate_count;
+    const struct leaf *leaf;      /* shape, mesh */
+    const affine *to_shape;       /* of a leaf: from the space it is in */
+    const struct mesh_tree *tree; /* mesh */
+    struct box3 surface;          /* holds every crossing that counts */
+    const struct box3 *region;    /* outside it nothing is inside */
+    const struct box3 *holes;     /* outside it everything is inside */
+    const struct box3 *inner; /* of a root with a frame: the surface there */
+};
+
+/* Boxes of which most solids have one. */
+extern const struct box3 solid_nothing, solid_everything;
+
+/* Sets region and holes, and keeps in `arena` only what is not the same for
+ * many. */
+void solid_set_boxes(struct arena *arena, struct solid *solid,
+                     struct box3 region, struct box3 holes);
+
+static inline struct ray ray_into(const affine *transform,
+                                  const struct ray *ray)
+{
+    return (struct ray){ affine_point(transform, ray->origin),
+                         affine_direction(transform, ray->direction) };
+}
+
+/* Whether the point is inside the solid and its clips. */
+bool solid_inside(const struct solid *solid, vec3 point);
+
+/* Whether the ray has a crossing of a simple shape between tmin and tmax. */
+bool solid_crosses(const struct solid *solid, const struct ray *ray,
+                   double tmin, double tmax);
+
+/* Whether the box is known to be inside the solid, so that no ray can meet the
+ * box and miss the solid. */
+bool solid_surrounds(const struct solid *solid, struct box3 box);
+
+/* Whether a crossing of this leaf's surface counts; the point in the root's
+ * frame and outside it. */
+bool solid_counts(const struct solid *leaf, vec3 inner, vec3 outer);
+
+/* Fills surface, region and holes from the children and clips. For a leaf,
+ * `region` and `holes` of the shape alone must be there. */
+void solid_measure(struct arena *arena, struct solid *solid);
+
+/* From now on rays must meet the box around `bound` to meet the solid, a leaf.
+ */
+void solid_bound_by_box(struct arena *arena, struct solid *solid,
+                        const struct solid *bound);
+
+/* The box a little larger, so that rounding loses nothing. */
+struct box3 solid_padded(struct box3 box);
+
+/* Makes a tree ready: parents, boxes, groups. */
+void solid_finish(struct arena *arena, struct solid *solid);
+
+/* Cuts a node with many children into a tree of nodes of its kind with few
+ * children each, so that far ones are left out together. */
+void solid_group(struct arena *arena, struct solid *solid);
+
+/* Calls visit for the leaves that hold the point: every part of a union, the
+ * first of an intersection. As in POV-Ray (measured) nothing holds a point
+ * outside its bounding box, be it a half space behind a disc. */
+void solid_containing(const struct solid *solid, vec3 point,
+                      void (*visit)(void *context, const struct leaf *leaf),
+                      void *context);
+
+#endif

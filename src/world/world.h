@@ -1,0 +1,138 @@
+/* The world: the scene made ready for rays. Embree finds what is bounded,
+ * infinite objects are tested beside it (Embree loses bounds of 1e20).
+ * Const after world_new; any number of threads may ask. */
+#ifndef WORLD_WORLD_H
+#define WORLD_WORLD_H
+
+#include "world/shaft.h"
+#include "world/solid.h"
+#include "scene/light.h"
+#include "scene/scene.h"
+#include "text/diag.h"
+
+struct world;
+
+/* Builds on `threads` threads. `camera_rays` is about how many will be sent,
+ * 0 for very many: few rays don't repay a thorough build of many triangles.
+ * Returns NULL after an error was printed. The scene must outlive the world. */
+struct world *world_new(const struct scene *scene, unsigned threads,
+                        double camera_rays, struct diag *diag);
+void world_free(struct world *world);
+
+/* All lights, those in unions too, moved to where they are; file order. Several
+ * that differ in their colours alone are one, with the sum of these. */
+const struct light *world_lights(const struct world *world, size_t *count);
+
+/* Whether nothing in it lets any light pass. */
+bool world_is_opaque(const struct world *world);
+
+enum ray_kind {
+    RAY_CAMERA,     /* sees all but no_image objects */
+    RAY_REFLECTION, /* all but no_reflection objects */
+    RAY_OBSTACLE,   /* all but no_shadow objects */
+};
+
+/* Where a ray meets the scene. */
+struct intersection {
+    double t;
+    vec3 point;
+    vec3 normal; /* unit, interpolated on meshes; outward, which for a leaf
+                  * turned inside out is into the shape */
+    vec3 face;   /* unit, the true one of the triangle, on the normal's side */
+    const struct leaf *leaf;
+    int part;                      /* of a mesh: the triangle */
+    const struct texture *texture; /* the leaf's, or the triangle's own */
+    const affine *to_texture, *from_texture; /* world <-> its space */
+};
+
+/* The nearest crossing with t > tmin, ray.direction unit. `tmin` is a small
+ * offset; crossings beyond 1e7 units don't exist (as in POV-Ray). */
+bool world_closest(const struct world *world, const struct ray *ray,
+                   double tmin, enum ray_kind kind, struct intersection *out);
+
+/* The surface's own coordinates there, (u, v, 0); of surfaces that have none x
+ * and y of the point. */
+vec3 world_uv(const struct intersection *at);
+
+/* The least there is to know of where a ray meets the scene. */
+struct world_hit {
+    const struct leaf *leaf; /* NULL: nowhere */
+    struct hit hit;          /* u and v of a shape, not of a triangle */
+};
+
+enum { WORLD_RAYS = 16 };
+
+/* The same for up to WORLD_RAYS rays, which is twice as quick if they begin
+ * and go close together, as those of neighbouring pixels do. */
+void world_closest_many(const struct world *world, const struct ray *rays,
+                        const double *tmin, unsigned count, enum ray_kind kind,
+                        struct world_hit *out);
+
+/* Everything about a hit of that ray; its leaf must not be NULL. */
+void world_describe(const struct ray *ray, const struct world_hit *hit,
+                    struct intersection *out);
+
+/* The same as world_closest, for crossings up to tmax. */
+bool world_within(const struct world *world, const struct ray *ray, double tmin,
+                  double tmax, enum ray_kind kind, struct intersection *out);
+
+/* Called for every crossing that may let light pass (leaf->opaque false), in
+ * any order; returns true when the light is all blocked and no more crossings
+ * are wanted. `out` is filled as by world_closest. */
+typedef bool world_filter(void *context, const struct intersection *out);
+
+/* Whether an opaque thing lies on the ray between tmin and tmax, or the filter
+ * said blocked; without one, NULL, whatever lies there. no_shadow leaves don't
+ * count, nor what looks like light number `light` (-1: none). */
+bool world_occluded(const struct world *world, const struct ray *ray,
+                    double tmin, double tmax, int light, world_filter *filter,
+                    void *context);
+
+/* How far a ray to light number `light` goes until it meets what that light
+ * shines through alone; tmax if it shines through nothing, negative if it
+ * misses it. */
+double world_pane(const struct world *world, int light, const struct ray *ray,
+                  double tmin, double tmax);
+
+/* What may stand in the way of rays that world_occluded_in is asked about.
+ * Crowded if no light has an area, or there are very many things. */
+void world_shaft(const struct world *world, const struct shaft_rays *rays,
+                 struct shaft *shaft);
+
+/* How wide penumbras are, at least, as shaft_blur has it. 0 if nothing is known
+ * of shafts. */
+double world_blur(const struct world *world, const struct shaft_rays *rays,
+                  double enough);
+
+/* The same as world_occluded, for the ray of the shaft to the place of these
+ * coordinates: the sooner the less there is on the way. */
+bool world_occluded_in(const struct world *world, const struct shaft *shaft,
+                       const double place[2], const struct ray *ray,
+                       double tmin, double tmax, int light,
+                       world_filter *filter, void *context);
+
+/* Calls visit for every leaf whose inside holds the point (CSG and clips
+ * respected), in file order: the interiors a camera starts in. */
+void world_containing(const struct world *world, vec3 point,
+                      void (*visit)(void *context, const struct leaf *leaf),
+                      void *context);
+
+/* False if world_containing finds nothing for any point of the box. */
+bool world_may_contain(const struct world *world, struct box3 box);
+
+/* Calls `solid` for every shape and CSG object, and `mesh` for every mesh that
+ * is no part of one; always in the same order. */
+void world_visit(const struct world *world,
+                 void (*solid)(void *context, const struct solid *solid),
+                 void (*mesh)(void *context, const struct leaf *leaf),
+                 void *context);
+
+/* How many targets of photons there are: leaf->target is 1 to that. */
+unsigned world_targets(const struct world *world);
+
+/* Sizes for --stats and for lighting methods. */
+size_t world_leaf_count(const struct world *world);
+size_t world_triangle_count(const struct world *world);
+struct box3 world_bounds(const struct world *world); /* of what is bounded */
+
+#endif

@@ -1,0 +1,11 @@
+// no_bump_scale: bumps as high as before they are scaled, unevenly too.
+// compare: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -6> look_at 0 angle 40 }
+light_source { <-5, 8, -6>, 1 }
+#default { pigment { rgb <.9, .6, .3> } finish { ambient .1 } }
+sphere { <-1, .9, 0>, .9 normal { bumps .4 scale <.2, 1, .5> no_bump_scale } }
+sphere { <1, .9, 0>, .9 texture { normal { gradient x .3 no_bump_scale } scale .3 } }
+sphere { <-1, -.9, 0>, .9 texture { normal { wrinkles .4 } scale 2 no_bump_scale } }
+sphere { <1, -.9, 0>, .9 normal { bumps .4 scale .3 } }

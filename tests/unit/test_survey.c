@@ -1,0 +1,119 @@
+/* What indirect light is worth in a picture, and what it may cost; one lamp
+ * drawn of many. */
+#include "harness.h"
+
+#include "lightmesh/drawn_lamp.h"
+#include "lightmesh/plan.h"
+#include "scene_world.h"
+
+#define CAMERA "camera { location <0, 3, -10> look_at <0, 1, 0> } "
+#define LAMP   "light_source { <0, 6, -8>, 1 } "
+
+static struct survey surveyed(const char *text)
+{
+    struct scene_world *all = scene_world_new(text);
+    struct lamps lamps = lamps_new(all->world, all->scene, 9, 0);
+    struct emitters *emitters = emitters_new(all->world);
+    struct ambience ambience = ambience_new(all->world, all->scene);
+    const struct gather gather = { .lamps = &lamps,
+                                   .emitters = emitters,
+                                   .ambience = &ambience };
+    struct worker worker = { .scratch = arena_new(0) };
+    struct survey survey = survey_of(&gather, all->scene, &worker);
+    arena_free(worker.scratch);
+    emitters_free(emitters);
+    lamps_free(&lamps);
+    scene_world_free(all);
+    return survey;
+}
+
+static void test_open(void **state)
+{
+    struct survey plane = surveyed(
+        CAMERA LAMP "plane { y, 0 pigment { rgb 1 } finish { ambient 0.2 } }");
+    struct survey nothing = surveyed(CAMERA LAMP);
+    (void)state;
+    assert_true(plane.open == 1 && plane.worth == 0 && plane.rough == 0);
+    assert_true(nothing.open == 1 && nothing.worth == 0);
+    assert_true(rgb_peak(plane.around.light) == 0);
+    assert_true(plane.around.open == 1);
+}
+
+static void test_room(void **state)
+{
+    struct survey room = surveyed(
+        CAMERA LAMP "box { <-6, 0, -11>, <6, 7, 6> inverse pigment { rgb 1 } "
+                    "finish { ambient 0.2 diffuse 0.7 } }");
+    struct survey yard =
+        surveyed(CAMERA LAMP "plane { y, 0 pigment { rgb 1 } } box { -2, 2 }");
+    (void)state;
+    assert_true(room.open == 0 && room.worth > 0.1 && room.rough > 0.05);
+    assert_true(room.around.light.r > 0.05 && room.around.open == 0);
+    assert_true(yard.open > 0.5 && yard.open < 1 && yard.worth > 0 &&
+                yard.worth < room.worth);
+}
+
+/* Rays are saved before points are. */
+static void test_afford(void **state)
+{
+    struct scene_world *all = scene_world_new(CAMERA);
+    const struct survey survey = { .open = 0.5, .worth = 0.1 };
+    struct mesh_frame few = { .spacing = 1, .gather = 1, .samples = 128 };
+    struct mesh_frame many = few, crowd = few;
+    (void)state;
+    assert_false(plan_afford(&few, all->scene, &survey, 100, 100000));
+    assert_true(few.samples == 128 && few.gather == 1);
+    assert_true(plan_afford(&many, all->scene, &survey, 500, 100000));
+    assert_true(many.samples < 128 && many.samples >= 32 && many.gather == 1);
+    assert_true(plan_afford(&crowd, all->scene, &survey, 50000, 100000));
+    assert_true(crowd.samples == 16 && crowd.gather > 1);
+    scene_world_free(all);
+}
+
+/* In the mean the drawn lamp is all of them, behind shadows too. */
+static void test_drawn(void **state)
+{
+    struct scene_world *all = scene_world_new(
+        "#declare I = 0; #while (I < 40) light_source { <I - 20, 9, I / 5>, "
+        "<0.1, 0.02 * I, 0.5> } #declare I = I + 1; #end "
+        "box { <-9, 5, -9>, <0, 6, 9> }");
+    struct lamps lamps = lamps_new(all->world, all->scene, 9, 0);
+    struct worker worker = { .scratch = arena_new(0) };
+    vec3 place = { 0.5, 0, 0.3 }, up = { 0, 1, 0 };
+    rgb all_of_them = rgb_grey(0), drawn = rgb_grey(0);
+    enum { SAMPLES = 8192 };
+    (void)state;
+    for (size_t i = 0; i < lamps.count; i++) {
+        struct lamp_target target = { .point = place };
+        const struct lamp *lamp = &lamps.items[i];
+        lamp_look(lamp, lamp->light->location, place, &target.view);
+        double cosine = vec3_dot(target.view.direction, up);
+        rgb share = lamps_share_point(&lamps, lamp, &worker, &target);
+        all_of_them =
+            rgb_add(all_of_them,
+                    rgb_scale(rgb_mul(lamp->light->colour, share), cosine));
+    }
+    for (uint32_t i = 0; i < SAMPLES; i++) {
+        struct draws draws = { 7, i };
+        drawn = rgb_add(
+            drawn, drawn_lamp_light(&lamps, &worker, &draws, 0, place, up));
+    }
+    assert_true(rgb_peak(all_of_them) > 1);
+    assert_true(fabs(drawn.r / SAMPLES - all_of_them.r) < 0.02 * all_of_them.r);
+    assert_true(fabs(drawn.g / SAMPLES - all_of_them.g) < 0.02 * all_of_them.g);
+    assert_true(fabs(drawn.b / SAMPLES - all_of_them.b) < 0.02 * all_of_them.b);
+    arena_free(worker.scratch);
+    lamps_free(&lamps);
+    scene_world_free(all);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_open),
+        cmocka_unit_test(test_room),
+        cmocka_unit_test(test_afford),
+        cmocka_unit_test(test_drawn),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
