@@ -204,9 +204,10 @@ bench-scenes: ## write build/bench/forest.pov and triangles.pov
 	build/bench/generate forest > build/bench/forest.pov
 	build/bench/generate triangles > build/bench/triangles.pov
 
-farm-test: all ## farms: a real Slurm on this machine, 200 kills, make's jobs
+farm-test: all ## farms: a real Slurm on this machine, 200 kills, damage, make's jobs
 	@$(DEPS) slurm-wlm munge parallel openimageio-tools
-	@GLIM=$(abspath $(BUILD)/glim) tests/farm/run
+	@$(MAKE) --no-print-directory $(BUILD)/tests/tools/runnable
+	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/farm/run
 
 hostile: all ## 700 inputs that mean harm: an error or a picture, soon
 	@GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) tests/hostile/run
