@@ -128,6 +128,14 @@ $(BUILD)/src/language/grammar.o: $(BUILD)/text/grammar.inc
 $(BUILD)/src/language/manual.o: $(BUILD)/text/manual.inc
 $(SERVER_OBJECTS): override CPPFLAGS += -I$(BUILD)/text
 
+# What decides the bits of pictures, as a hash: see src/cli/build.h.
+$(BUILD)/text/build.inc: $(sort $(shell find src -name '*.[ch]' -o -name '*.cpp'))
+	@mkdir -p $(@D)
+	@{ cat $^; $(CC) --version | head -n 1; echo '$(FLAGS)'; } | \
+		sha256sum | sed 's/^\(.\{16\}\).*/"\1"/' > $@
+$(BUILD)/src/cli/build.o: $(BUILD)/text/build.inc
+$(BUILD)/src/cli/build.o: override CPPFLAGS += -I$(BUILD)/text
+
 $(BUILD)/glim-view: $(VIEW_OBJECTS) $(BUILD)/libglim.a | $(MODULE)
 	$(call TICK,link $@)
 	@$(CXX) $(FLAGS) $(LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lSDL2_ttf -lSDL2

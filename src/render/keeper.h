@@ -18,7 +18,7 @@ struct keeper {
      * the disk; NULL: somebody else does. */
     void (*settle)(void *context);
     void *context;
-    atomic_int state; /* KEEPER_WAITS at first, KEEPER_READY with a file */
+    atomic_int state;  /* KEEPER_WAITS at first, KEEPER_READY with a file */
     atomic_int second; /* of clock_seconds(), when it was settled last */
 };
 

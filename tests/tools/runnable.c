@@ -8,17 +8,19 @@
  * more than LIMIT, and how often it was looked. The exit status is the
  * command's.
  *
- * A look takes time, in which one thread ends and another begins, so each thread
- * is looked at twice: those count that were runnable both times and have not
- * waited in between (the kernel counts that, proc(5)). All of these ran, or
+ * A look takes time, in which one thread ends and another begins, so each
+ * thread is looked at twice: those count that were runnable both times and have
+ * not waited in between (the kernel counts that, proc(5)). All of these ran, or
  * wanted to, when the first round was over: none is counted that was not there
  * together with the others.
  */
 #include <dirent.h>
+#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -115,6 +117,7 @@ int main(int argc, char **argv)
     setsid(); /* fails where it is not needed: at the head of a session */
     pid_t child = fork();
     if (child == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGTERM); /* make then ends what it began */
         execvp(argv[3], argv + 3);
         _exit(127);
     }
