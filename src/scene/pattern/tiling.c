@@ -5,6 +5,8 @@
 static double tiling_pattern_value(const struct pattern *pattern, vec3 point)
 {
     const struct tiling_use *use = pattern->parameters;
+    if (!use->tiling)
+        return 0;
     return tiling_value(use->tiling, point.x, point.z);
 }
 
