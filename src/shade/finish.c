@@ -22,10 +22,11 @@ static double finish_diffuse(const struct finish *finish, double cosine,
     return share * cosine;
 }
 
-/* cosine^size; most of the time nothing that could be seen. */
+/* cosine^size; most of the time nothing that could be seen: the logarithm of a
+ * cosine c is at most c - 1, and exp(-24) 4e-11. */
 static double finish_lobe(double cosine, double size)
 {
-    return cosine < 0.5 && size > 64 ? 0 : pow(cosine, size);
+    return size * (1 - cosine) > 24 ? 0 : pow(cosine, size);
 }
 
 /* phong * (R.L)^size, R the mirrored view direction. */
@@ -74,11 +75,6 @@ static double finish_grain(const struct finish *finish, vec3 point, vec3 light)
     return finish->crand * random_unit(key);
 }
 
-static bool finish_has_highlights(const struct finish *finish)
-{
-    return finish->phong != 0 || finish->specular != 0;
-}
-
 static rgb finish_highlights(const struct surface *surface,
                              const struct surface_layer *layer, vec3 light,
                              double cosine)
@@ -89,6 +85,8 @@ static rgb finish_highlights(const struct surface *surface,
         share += finish_phong(finish, surface, layer, light);
     if (finish->specular != 0)
         share += finish_specular(finish, surface, layer, light);
+    if (finish->metallic == 0)
+        return rgb_grey(share);
     rgb tint =
         finish_metallic(finish->metallic, cosine, colour_rgb(layer->pigment));
     return rgb_scale(tint, share);
@@ -147,13 +145,6 @@ rgb finish_shine(const struct surface_layer *layer)
 {
     rgb light = rgb_mul(layer->finish->glow, colour_rgb(layer->pigment));
     return rgb_scale(light, layer_opacity(layer));
-}
-
-bool finish_lit_by(const struct finish *finish, double cosine, bool twice)
-{
-    if (cosine > 0 || twice)
-        return finish->diffuse != 0 || finish_has_highlights(finish);
-    return cosine < 0 && finish->diffuse_back != 0;
 }
 
 double finish_fresnel(double cosine, double ior)

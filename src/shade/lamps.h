@@ -19,6 +19,8 @@ struct lamps {
     uint64_t seed; /* of the jitter of area lights */
     bool foggy;    /* fogs or media between objects weaken light */
     bool misty;    /* media in objects do */
+    bool plain;    /* light arrives whole or not at all, but for lamps that are
+                    * projected through something */
 };
 
 /* Frees with lamps_free. World and scene must outlive it. */

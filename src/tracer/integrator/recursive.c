@@ -478,18 +478,18 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
                      const struct world_hit *hits, unsigned count,
                      struct radiance *out)
 {
+    const struct camera *camera = &tracer->scene->camera;
+    bool single = camera->rays <= 1 && !camera_blurs(camera);
     for (unsigned i = 0; i < count; i++) {
         struct path path;
         struct crossing crossing;
-        out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(&tracer->scene->camera, places[i].at[0],
-                         places[i].at[1]))
-            continue;
-        if (tracer->scene->camera.rays > 1 ||
-            camera_blurs(&tracer->scene->camera)) {
+        if (!single) {
             out[i] = tracer_camera(tracer, worker, &places[i]);
             continue;
         }
+        out[i] = (struct radiance){ rgb_grey(0), 0 };
+        if (!camera_sees(camera, places[i].at[0], places[i].at[1]))
+            continue;
         path_start(&path, tracer, worker, &places[i], &rays[i]);
         if (hits[i].leaf)
             world_describe(&path.ray, &hits[i], &crossing.at);
