@@ -77,7 +77,8 @@ static void output_levels(float *pixel, const struct tone_table *table)
 {
     for (int i = 0; i < 3; i++)
         pixel[i] =
-            table->number[tone_table_level(table, (double)share_of_1(pixel[i]))];
+            table
+                ->number[tone_table_level(table, (double)share_of_1(pixel[i]))];
     pixel[3] = share_of_1(pixel[3]);
 }
 

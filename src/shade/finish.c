@@ -101,9 +101,11 @@ static double layer_opacity(const struct surface_layer *layer)
     return 1 - c.filter * peak - c.transmit;
 }
 
-rgb finish_light(const struct surface *surface,
-                 const struct surface_layer *layer,
-                 const struct light_sample *sample)
+/* What one layer sends of it, before the layer's weight: diffuse, phong and
+ * specular. */
+static inline rgb finish_light(const struct surface *surface,
+                               const struct surface_layer *layer,
+                               const struct light_sample *sample)
 {
     const struct finish *finish = layer->finish;
     double cosine = vec3_dot(layer->normal, sample->direction);
@@ -123,6 +125,16 @@ rgb finish_light(const struct surface *surface,
             share, film_tint(&finish->film, surface->point, cosine,
                              fabs(vec3_dot(surface->view, layer->normal))));
     return rgb_mul(share, sample->colour);
+}
+
+void surface_add_light(const struct surface *surface,
+                       const struct light_sample *sample, rgb *sum)
+{
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb light = finish_light(surface, layer, sample);
+        *sum = rgb_add(*sum, rgb_mul(layer->weight, light));
+    }
 }
 
 rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance)

@@ -20,7 +20,8 @@ struct lamps lamps_new(const struct world *world, const struct scene *scene,
     bool air = quality >= QUALITY_FOG;
     lamps.foggy = air && (scene->fogs.count > 0 || scene->media.count > 0);
     lamps.misty = air && scene->misty;
-    lamps.plain = world_is_opaque(world) && !lamps.foggy && !lamps.misty;
+    lamps.plain = quality >= QUALITY_SHADOWS && world_is_opaque(world) &&
+                  !lamps.foggy && !lamps.misty;
     lamps.items = memory_new(lamps.count * sizeof *lamps.items);
     for (size_t i = 0; i < lamps.count; i++)
         lamps.items[i] = lamp_new(&lights[i], (int)i);
@@ -143,12 +144,6 @@ rgb lamps_share_point(const struct lamps *lamps, const struct lamp *lamp,
 {
     if (!lamp_casts(lamps, lamp))
         return rgb_grey(1);
-    if (lamps->plain && !lamp->light->pane)
-        return rgb_grey(shadow_falls(lamps->world, worker, target->point,
-                                     target->view.direction,
-                                     target->view.distance, lamp->number)
-                            ? 0
-                            : 1);
     struct shadow_path path = lamp_path(lamps, lamp, target);
     return shadow_visibility(lamps->world, worker, &path);
 }

@@ -130,8 +130,7 @@ static void trace_nearest(const struct world *world, struct query *query)
     trace_unbounded(world, query, 0, world->shape_count);
     if (world->bounded)
         geometry_trace(&world->geometry, query);
-    trace_unbounded(world, query, world->shape_count,
-                    world->flat.solids.count);
+    trace_unbounded(world, query, world->shape_count, world->flat.solids.count);
 }
 
 bool world_closest(const struct world *world, const struct ray *ray,

@@ -117,13 +117,7 @@ struct gathering {
 static void gather_sample(void *context, const struct light_sample *sample)
 {
     struct gathering *gathering = context;
-    const struct surface *surface = gathering->surface;
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        rgb light = finish_light(surface, layer, sample);
-        gathering->light =
-            rgb_add(gathering->light, rgb_mul(layer->weight, light));
-    }
+    surface_add_light(gathering->surface, sample, &gathering->light);
 }
 
 /* The light that the surface itself sends to the viewer. */
