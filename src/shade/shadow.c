@@ -215,11 +215,14 @@ bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
                   vec3 direction, double distance, int light)
 {
     const struct ray ray = { point, direction };
-    double from = shadow_start(point), to = distance - shadow_margin;
-    if (!(to > from))
+    const struct occlusion way = { .ray = &ray,
+                                   .tmin = shadow_start(point),
+                                   .tmax = distance - shadow_margin,
+                                   .light = light };
+    if (!(way.tmax > way.tmin))
         return false;
     worker->counters.shadow_rays++;
-    return world_occluded(world, &ray, from, to, light, NULL, NULL);
+    return world_occluded(world, &way);
 }
 
 rgb shadow_visibility(const struct world *world, struct worker *worker,
