@@ -154,6 +154,10 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         from = crossing->t;
     }
     double rest = path->distance - from;
+    if (!interiors_open(&inside))
+        return share;
+    /* Media that the lamp itself is in, too, don't count (measured). */
+    interiors_clear(&inside);
     return rgb_mul(share, shadow_air(path, &inside, from, rest, worker));
 }
 
