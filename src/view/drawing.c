@@ -85,32 +85,37 @@ static void easel_share(void *easel_, double share)
     context->share(context->told, share);
 }
 
-/* Of a picture whose sizes are a `step`th. */
+/* How a picture is drawn. */
+struct draft {
+    const struct lighting *lighting;
+    int quality;
+    int step;                         /* a ray for so many pixels each way */
+    const struct lighting_kept *kept; /* or NULL */
+};
+
 static struct tracer drawing_tracer(const struct drawing *drawing,
-                                    const struct lighting *lighting,
-                                    int quality, int step,
-                                    const struct lighting_kept *kept,
+                                    const struct draft *draft,
                                     const atomic_int *stop, struct diag *diag)
 {
     const struct options *options = &drawing->options;
     const struct lighting_options light = {
         .threads = options->render.threads,
-        .width = rough_part(options->render.width, step),
-        .height = rough_part(options->render.height, step),
-        .quality = quality,
+        .width = rough_part(options->render.width, draft->step),
+        .height = rough_part(options->render.height, draft->step),
+        .quality = draft->quality,
         .stop = stop,
-        .keep = lighting->keep,
-        .kept = kept,
-        .kept_use = step > 1 ? KEPT_ONLY : KEPT_SAME,
+        .keep = draft->lighting->keep,
+        .kept = draft->kept,
+        .kept_use = draft->step > 1 ? KEPT_ONLY : KEPT_SAME,
     };
     struct model *model = drawing->model;
     return (struct tracer){
         .scene = model->scene,
         .world = model->world,
-        .lighting = lighting,
+        .lighting = draft->lighting,
         .lighting_state =
-            lighting->start(model->world, model->scene, &light, diag),
-        .quality = quality,
+            draft->lighting->start(model->world, model->scene, &light, diag),
+        .quality = draft->quality,
         .alpha = options->alpha,
     };
 }
@@ -159,9 +164,10 @@ static bool drawing_rough(struct drawing *drawing, struct easel *easel,
                           const struct rough *rough, const atomic_int *stop)
 {
     struct diag silent = { .out = NULL };
-    const struct tracer tracer = drawing_tracer(
-        drawing, lighting_find("rays"), rough_quality(drawing, rough),
-        rough->step, NULL, stop, &silent);
+    const struct draft draft = { lighting_find("rays"),
+                                 rough_quality(drawing, rough), rough->step,
+                                 NULL };
+    const struct tracer tracer = drawing_tracer(drawing, &draft, stop, &silent);
     return rough_draw(drawing, easel, &tracer, rough->step, stop);
 }
 
@@ -192,9 +198,10 @@ static void drawing_as_before(struct drawing *drawing, struct easel *easel,
     if (!kept || !kept->bytes ||
         fly_same(&context->before->camera, &drawing->camera))
         return;
+    const struct draft draft = { context->before->lighting, options->quality,
+                                 step, kept };
     const struct tracer tracer =
-        drawing_tracer(drawing, context->before->lighting, options->quality,
-                       step, kept, context->stop, &silent);
+        drawing_tracer(drawing, &draft, context->stop, &silent);
     rough_draw(drawing, easel, &tracer, step, context->stop);
 }
 
@@ -269,10 +276,12 @@ static bool drawing_light(struct drawing *drawing,
 {
     const struct options *options = &drawing->options;
     context->stage(context->told, DRAWING_LIGHT);
-    drawing->tracer = drawing_tracer(
-        drawing, lighting_for(options->lighting, drawing->model->scene),
-        options->quality, 1, drawing_kept(drawing, context), context->stop,
-        context->diag);
+    const struct draft draft = {
+        lighting_for(options->lighting, drawing->model->scene),
+        options->quality, 1, drawing_kept(drawing, context)
+    };
+    drawing->tracer =
+        drawing_tracer(drawing, &draft, context->stop, context->diag);
     if (!drawing->tracer.lighting_state ||
         (!drawing->photons &&
          !photons_send(&drawing->tracer, options->render.threads, context->stop,
