@@ -253,8 +253,9 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
         block.hits[i] =
             *first_hits_at(sampler->hits, (int)block.places[i].grid[0],
                            (int)block.places[i].grid[1]);
-    tracer_see_many(sampler->tracer, worker, block.places, block.rays,
-                    block.hits, block.count, seen);
+    const struct tracer_met met = { block.places, block.rays, block.hits,
+                                    block.count };
+    tracer_see_many(sampler->tracer, worker, &met, seen);
     if (worker_stopped(worker)) /* while it was looked at */
         return;
     for (unsigned i = 0; i < block.count; i++) {

@@ -154,6 +154,10 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         from = crossing->t;
     }
     double rest = path->distance - from;
+    if (!interiors_open(&inside))
+        return share;
+    /* Media that the lamp itself is in, too, don't count (measured). */
+    interiors_clear(&inside);
     return rgb_mul(share, shadow_air(path, &inside, from, rest, worker));
 }
 
@@ -174,12 +178,12 @@ static bool shadow_blocked(const struct world *world,
                            const struct shadow_path *path, double from,
                            double to, struct shadow_ray *shadow)
 {
-    struct ray ray = { path->point, path->direction };
+    const struct ray ray = { path->point, path->direction };
+    const struct occlusion asked = { &ray,        from,          to,
+                                     path->light, shadow_filter, shadow };
     return path->shaft
-               ? world_occluded_in(world, path->shaft, path->place, &ray, from,
-                                   to, path->light, shadow_filter, shadow)
-               : world_occluded(world, &ray, from, to, path->light,
-                                shadow_filter, shadow);
+               ? world_occluded_in(world, path->shaft, path->place, &asked)
+               : world_occluded(world, &asked);
 }
 
 /* Through what may weaken the light. */
@@ -223,7 +227,9 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
     if (!world_is_opaque(world) || path->shaft || path->fog || path->misty)
         return shadow_filtered(world, worker, path, from, to);
     const struct ray ray = { path->point, path->direction };
-    bool blocked =
-        world_occluded(world, &ray, from, to, path->light, NULL, NULL);
+    const struct occlusion asked = {
+        .ray = &ray, .tmin = from, .tmax = to, .light = path->light
+    };
+    bool blocked = world_occluded(world, &asked);
     return rgb_grey(blocked ? 0 : 1);
 }

@@ -252,7 +252,6 @@ static void drawing_origin(const struct drawing *drawing, struct writer *origin)
 bool drawing_save(const struct drawing *drawing, const char *name, bool own,
                   struct diag *diag)
 {
-    const struct options *options = &drawing->options;
     const struct image *image = drawing->image;
     struct image *copy = image_new(image->width, image->height);
     size_t pixels = (size_t)image->width * (size_t)image->height;
@@ -260,8 +259,10 @@ bool drawing_save(const struct drawing *drawing, const char *name, bool own,
     memcpy(copy->pixels, image->pixels, pixels * 4 * sizeof *copy->pixels);
     if (!own)
         drawing_origin(drawing, &origin);
-    bool done = picture_write(copy, options, &drawing->model->scene->settings,
-                              name, own ? NULL : origin.items, diag);
+    const struct picture_file file = { &drawing->options,
+                                       &drawing->model->scene->settings, name,
+                                       own ? NULL : origin.items };
+    bool done = picture_write(copy, &file, diag);
     writer_free(&origin);
     image_free(copy);
     return done;

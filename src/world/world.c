@@ -185,24 +185,22 @@ bool world_within(const struct world *world, const struct ray *ray, double tmin,
 }
 
 static bool occlusion_begin(const struct world *world, struct query *query,
-                            const struct ray *ray, double tmin, double tmax,
-                            int light, world_filter *filter, void *context)
+                            const struct occlusion *occlusion)
 {
     query->occlusion = true;
-    query->light = light;
-    query->filter = filter;
-    query->context = context;
-    return query_begin(world, query, ray, tmin, slab_min(tmax, world_limit));
+    query->light = occlusion->light;
+    query->filter = occlusion->filter;
+    query->context = occlusion->context;
+    return query_begin(world, query, occlusion->ray, occlusion->tmin,
+                       slab_min(occlusion->tmax, world_limit));
 }
 
-bool world_occluded(const struct world *world, const struct ray *ray,
-                    double tmin, double tmax, int light, world_filter *filter,
-                    void *context)
+bool world_occluded(const struct world *world,
+                    const struct occlusion *occlusion)
 {
     struct query query;
     size_t count = world->flat.solids.count;
-    if (!occlusion_begin(world, &query, ray, tmin, tmax, light, filter,
-                         context))
+    if (!occlusion_begin(world, &query, occlusion))
         return false;
     if (trace_unbounded(world, &query, 0, world->shape_count))
         return true;
@@ -227,15 +225,12 @@ double world_blur(const struct world *world, const struct shaft_rays *rays,
 }
 
 bool world_occluded_in(const struct world *world, const struct shaft *shaft,
-                       const double place[2], const struct ray *ray,
-                       double tmin, double tmax, int light,
-                       world_filter *filter, void *context)
+                       const double place[2], const struct occlusion *occlusion)
 {
     struct query query;
     if (shaft->crowded)
-        return world_occluded(world, ray, tmin, tmax, light, filter, context);
-    if (!occlusion_begin(world, &query, ray, tmin, tmax, light, filter,
-                         context))
+        return world_occluded(world, occlusion);
+    if (!occlusion_begin(world, &query, occlusion))
         return false;
     for (int i = 0; i < shaft->count; i++)
         if (shaft_shades(&shaft->at[i], place) &&

@@ -474,26 +474,25 @@ void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
 }
 
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const struct picture_place *places, const struct ray *rays,
-                     const struct world_hit *hits, unsigned count,
-                     struct radiance *out)
+                     const struct tracer_met *met, struct radiance *out)
 {
-    for (unsigned i = 0; i < count; i++) {
+    for (unsigned i = 0; i < met->count; i++) {
+        const struct picture_place *place = &met->places[i];
+        const struct world_hit *hit = &met->hits[i];
         struct path path;
         struct crossing crossing;
         out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(&tracer->scene->camera, places[i].at[0],
-                         places[i].at[1]))
+        if (!camera_sees(&tracer->scene->camera, place->at[0], place->at[1]))
             continue;
         if (tracer->scene->camera.rays > 1 ||
             camera_blurs(&tracer->scene->camera)) {
-            out[i] = tracer_camera(tracer, worker, &places[i]);
+            out[i] = tracer_camera(tracer, worker, place);
             continue;
         }
-        path_start(&path, tracer, worker, &places[i], &rays[i]);
-        if (hits[i].leaf)
-            world_describe(&path.ray, &hits[i], &crossing.at);
-        out[i] = path_go_on(&path, &crossing, hits[i].leaf);
+        path_start(&path, tracer, worker, place, &met->rays[i]);
+        if (hit->leaf)
+            world_describe(&path.ray, hit, &crossing.at);
+        out[i] = path_go_on(&path, &crossing, hit->leaf);
         arena_reset(worker->scratch);
     }
 }
