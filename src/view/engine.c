@@ -76,7 +76,8 @@ static void engine_seen(void *told)
     size_t lamps;
     world_lights(drawing->model->world, &lamps);
     engine->model = model_use(drawing->model);
-    engine->status.first = drawing->first;
+    if (engine->number == engine->done) /* else it is an old wish's */
+        engine->status.first = drawing->first;
     engine->status.lamps = (int)lamps;
     SDL_UnlockMutex(engine->lock);
     model_leave(before);
@@ -436,6 +437,7 @@ unsigned engine_wish(struct engine *engine, const struct wish *wish)
     unsigned number = ++engine->number;
     engine->status.number = number;
     engine->status.stage = ENGINE_READING;
+    engine->status.first = 0;
     atomic_store(&engine->stop, 1);
     SDL_CondSignal(engine->wished);
     SDL_UnlockMutex(engine->lock);

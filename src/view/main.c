@@ -226,10 +226,18 @@ static bool view_script(struct view *view)
         .number = view->finished,
         .first = view->status.first,
         .finished = view->status.finished,
+        .shown = view->shown,
     };
     if (!view->script)
         return true;
     return script_step(view->script, view->window, &state, &view->diag);
+}
+
+static void view_painted(struct view *view)
+{
+    view->dirty = false;
+    if (view->shown == 0 && view->status.first > 0)
+        view->shown = clock_seconds();
 }
 
 static void view_loop(struct view *view, const atomic_int *stop)
@@ -245,7 +253,7 @@ static void view_loop(struct view *view, const atomic_int *stop)
         view_look_beside(view);
         view_play(view);
         if (view->dirty && paint_window(view))
-            view->dirty = false;
+            view_painted(view);
         if (!view_script(view)) {
             view->quit = view->quit || script_failed(view->script);
             script_free(view->script);

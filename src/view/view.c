@@ -71,6 +71,7 @@ void view_wish(struct view *view)
     *last = view->wish;
     view->busy = true;
     view->dirty = true;
+    view->shown = view->status.first = 0;
     engine_wish(view->engine, &view->wish);
 }
 

@@ -39,6 +39,7 @@ struct view {
     unsigned models, answers;
     unsigned finished; /* counts pictures that were finished, or failed */
     bool busy;         /* the last one isn't yet */
+    double shown;      /* clock_seconds, of something of it; 0: not yet */
 
     SDL_Rect picture;  /* where it is in the window */
     SDL_Rect slider;   /* of time; empty: no animation */
