@@ -194,8 +194,9 @@ static bool corner_sees(const struct indirect_pixels *pixels,
         return true;
     struct ray ray = { from, vec3_scale(between, 1 / length) };
     worker->counters.shadow_rays++;
-    return !world_occluded(pixels->mesh->points.world, &ray, 0, length, -1,
-                           NULL, NULL);
+    return !world_occluded(
+        pixels->mesh->points.world,
+        &(struct occlusion){ .ray = &ray, .tmax = length, .light = -1 });
 }
 
 /* Where another surface is near, a wall seen from its edge may stand between
