@@ -14,10 +14,10 @@ struct first_hits {
     int width, height; /* of the picture, pixels */
     int left, top;     /* pixel of the first place; may be -1 */
     int columns, rows;
-    int apron; /* what is said of a place may depend on what is so near to it:
-                * at most FIRST_HITS_APRON, and 0 if on that place alone */
     double middle;        /* where in their pixels the places are, both ways */
     struct world_hit *at; /* row by row */
+    int apron; /* what is said of a place may depend on what is so near to it:
+                * at most FIRST_HITS_APRON, and 0 if on that place alone */
 };
 
 static inline struct world_hit *first_hits_at(const struct first_hits *hits,
