@@ -52,6 +52,7 @@ static const struct {
     { "media", medium_fields },
     { "scattering", scattering_fields },
     { "light_source", lamp_fields },
+    { "light_source", lamp_kind_fields },
     { "light_source", directed_fields },
     { "camera", camera_fields },
     { "camera", blur_fields },
