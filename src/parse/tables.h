@@ -5,8 +5,6 @@
 
 #include "scene/fields.h"
 
-extern const struct field finish_fields[];
-extern const struct field reflection_fields[];
 extern const struct field turbulence_fields[];
 extern const struct field repeat_fields[];
 extern const struct field hole_fields[];

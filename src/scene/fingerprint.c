@@ -158,23 +158,37 @@ static uint64_t pigment_hash(struct walk *walk, uint64_t hash,
     return random_key(hash, pigment->map->count);
 }
 
-static uint64_t finish_hash(uint64_t hash, const struct finish *f)
+/* What the item keeps of its own, if it was said. */
+static uint64_t finish_own_hash(uint64_t hash, const struct finish *finish,
+                                size_t place)
 {
-    const struct reflection *r = &f->reflection;
-    const double numbers[] = {
-        f->diffuse,         f->diffuse_back, f->diffuse_albedo,
-        f->brilliance,      f->phong,        f->phong_size,
-        f->phong_albedo,    f->specular,     f->roughness,
-        f->specular_albedo, f->metallic,     f->crand,
-        f->conserve_energy, f->ior,          r->falloff,
-        r->exponent,        r->metallic,     r->fresnel,
-        f->old_filter,      f->film.amount,  f->film.thickness,
-        f->film.turbulence,
-    };
-    hash = hash_rgb(hash_rgb(hash, f->ambient), f->emission);
-    hash = hash_rgb(hash_rgb(hash, f->glow), f->film.wavelength);
-    hash = hash_rgb(hash_rgb(hash, r->minimum), r->maximum);
-    return hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
+    const struct finish_item *item = finish_item_at(place);
+    if (!finish->own[place])
+        return hash;
+    return hash_one(hash_text(hash, item->name), item->fields,
+                    finish->own[place]);
+}
+
+/* Vectors first, then all other numbers in one row, of the items in their
+ * order. */
+static uint64_t finish_hash(uint64_t hash, const struct finish *finish)
+{
+    const struct field *tables[2 * FINISH_ITEMS + 1] = { NULL };
+    size_t count = 0;
+    const struct finish_item *item;
+    for (size_t i = 0; (item = finish_item_at(i)) != NULL; i++) {
+        if (!item->size && item->fields)
+            hash = hash_wide(hash, tables[count++] = item->fields, finish);
+        if (!item->size && item->inner)
+            tables[count++] = item->inner;
+    }
+    for (size_t i = 0; (item = finish_item_at(i)) != NULL; i++)
+        if (!item->size && item->inner)
+            hash = hash_wide(hash, item->inner, finish);
+    hash = hash_narrow(hash, tables, finish);
+    for (size_t i = 0; i < FINISH_ITEMS; i++)
+        hash = finish_own_hash(hash, finish, i);
+    return hash;
 }
 
 static uint64_t normal_hash(struct walk *walk, uint64_t hash,
