@@ -97,7 +97,7 @@ CORES = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell \
 	nproc 2> /dev/null || getconf _NPROCESSORS_ONLN))
 
 all: needed ## build build/glim and others (installs what they need, but SDL)
-	@$(call BUILD_ALL,programs)
+	+@$(call BUILD_ALL,programs)
 
 # What can be built once packages are installed only the next make sees.
 programs: $(PROGRAMS)
@@ -152,7 +152,7 @@ $(BUILD)/%.cpp.o: %.cpp
 		-MMD -MP -c -o $@ $<
 
 demo: needed ## build, render an example, say where the picture is
-	@$(call BUILD_ALL,programs)
+	+@$(call BUILD_ALL,programs)
 	@tests/tools/demo $(BUILD)/glim
 
 needed:
@@ -165,7 +165,7 @@ test-deps: ## install the Debian packages that testing needs
 	@$(DEPS) $(PACKAGES) $(VIEW_PACKAGES) $(TEST_PACKAGES)
 
 test: test-deps ## everything: "N passed, N failed" is the last line
-	@$(call BUILD_ALL,programs $(UNIT_TESTS) $(TEST_TOOLS))
+	+@$(call BUILD_ALL,programs $(UNIT_TESTS) $(TEST_TOOLS))
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) \
 		tests/run
 

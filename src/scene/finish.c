@@ -3,10 +3,6 @@
 
 #include "base/listing.h"
 
-#define X(name, role) extern const struct finish_item name##_finish;
-#include "scene/finish/list.h"
-#undef X
-
 static const struct finish_item *const items[] = {
 #define X(name, role) &name##_finish,
 #include "scene/finish/list.h"
@@ -14,50 +10,6 @@ static const struct finish_item *const items[] = {
 };
 
 LISTING(finish_item, finish_item, items);
-
-/* Those of one role: what is asked for each lamp should not ask the others. */
-struct finish_part {
-    const struct finish_item *item;
-    enum finish_place place;
-};
-
-#define PART(name) { &name##_finish, FINISH_PLACE_##name },
-#define NO_PART(name)
-
-static const struct finish_part highlights[] = {
-#define HIGHLIGHTS_highlight PART
-#define HIGHLIGHTS_tint      NO_PART
-#define HIGHLIGHTS_plain     NO_PART
-#define X(name, role)        HIGHLIGHTS_##role(name)
-#include "scene/finish/list.h"
-#undef X
-};
-
-static const struct finish_part tints[] = {
-#define TINTS_highlight NO_PART
-#define TINTS_tint      PART
-#define TINTS_plain     NO_PART
-#define X(name, role)   TINTS_##role(name)
-#include "scene/finish/list.h"
-#undef X
-};
-
-enum {
-    HIGHLIGHTS = sizeof highlights / sizeof *highlights,
-    TINTS = sizeof tints / sizeof *tints,
-};
-
-/* What the finish says of it, or NULL while it does nothing. */
-static const void *part_said(const struct finish_part *part,
-                             const struct finish *finish)
-{
-    const struct finish_item *item = part->item;
-    const void *said = item->size ? finish->own[part->place] : finish;
-    if (!said)
-        return NULL;
-    const double *amount = (const void *)((const char *)said + item->amount);
-    return *amount != 0 ? said : NULL;
-}
 
 const struct field *finish_field(const char *word, enum finish_place *place)
 {
@@ -70,23 +22,18 @@ const struct field *finish_field(const char *word, enum finish_place *place)
     return NULL;
 }
 
-bool finish_shines(const struct finish *finish)
-{
-    for (int i = 0; i < HIGHLIGHTS; i++)
-        if (part_said(&highlights[i], finish))
-            return true;
-    return false;
-}
-
 double finish_highlight(const struct finish *finish,
                         const struct finish_meeting *meeting)
 {
     double share = 0;
-    for (int i = 0; i < HIGHLIGHTS; i++) {
-        const void *said = part_said(&highlights[i], finish);
-        if (said)
-            share += highlights[i].item->highlight(said, meeting);
-    }
+    const void *said;
+#define ADD(name)                                                              \
+    said = finish_part(finish, &name##_finish, FINISH_PLACE_##name);           \
+    if (said)                                                                  \
+        share += name##_finish.highlight(said, meeting);
+#define X(name, role) FINISH_HIGHLIGHT_##role(ADD, name)
+#include "scene/finish/list.h"
+#undef X
     return share;
 }
 
@@ -94,32 +41,29 @@ int finish_spreads(const struct finish *finish,
                    struct finish_spread spreads[FINISH_ITEMS])
 {
     int count = 0;
-    for (int i = 0; i < HIGHLIGHTS; i++) {
-        const void *said = part_said(&highlights[i], finish);
-        if (said && highlights[i].item->spread)
-            spreads[count++] = highlights[i].item->spread(said);
+    for (int i = 0; i < FINISH_ITEMS; i++) {
+        const struct finish_item *item = items[i];
+        const void *said = item->spread
+                               ? finish_part(finish, item, (enum finish_place)i)
+                               : NULL;
+        if (said)
+            spreads[count++] = item->spread(said);
     }
     return count;
-}
-
-bool finish_tints(const struct finish *finish)
-{
-    for (int i = 0; i < TINTS; i++)
-        if (part_said(&tints[i], finish))
-            return true;
-    return false;
 }
 
 rgb finish_tint(const struct finish *finish, vec3 point, double lamp,
                 double viewer)
 {
     rgb tint = rgb_grey(1);
-    for (int i = 0; i < TINTS; i++) {
-        const void *said = part_said(&tints[i], finish);
-        if (said)
-            tint =
-                rgb_mul(tint, tints[i].item->tint(said, point, lamp, viewer));
-    }
+    const void *said;
+#define MULTIPLY(name)                                                         \
+    said = finish_part(finish, &name##_finish, FINISH_PLACE_##name);           \
+    if (said)                                                                  \
+        tint = rgb_mul(tint, name##_finish.tint(said, point, lamp, viewer));
+#define X(name, role) FINISH_TINT_##role(MULTIPLY, name)
+#include "scene/finish/list.h"
+#undef X
     return tint;
 }
 

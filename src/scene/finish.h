@@ -106,26 +106,68 @@ const struct finish_item *finish_item_find(const char *name);
 /* The row of the word, and the item it is of; NULL: no finish has it. */
 const struct field *finish_field(const char *word, enum finish_place *place);
 
-/* Whether it has highlights. */
-bool finish_shines(const struct finish *finish);
+#define X(name, role) extern const struct finish_item name##_finish;
+#include "scene/finish/list.h"
+#undef X
 
-/* All of them: the share of a lamp's light. */
+/* What the finish says of the item, or NULL while that does nothing. */
+static inline const void *finish_part(const struct finish *finish,
+                                      const struct finish_item *item,
+                                      enum finish_place place)
+{
+    const void *said = item->size ? finish->own[place] : finish;
+    if (!said)
+        return NULL;
+    const double *amount = (const void *)((const char *)said + item->amount);
+    return *amount != 0 ? said : NULL;
+}
+
+/* In a row's X: DO(name) if the item has that role. */
+#define FINISH_HIGHLIGHT_highlight(DO, name) DO(name)
+#define FINISH_HIGHLIGHT_tint(DO, name)
+#define FINISH_HIGHLIGHT_plain(DO, name)
+#define FINISH_TINT_highlight(DO, name)
+#define FINISH_TINT_tint(DO, name) DO(name)
+#define FINISH_TINT_plain(DO, name)
+#define FINISH_ON(name)                                                        \
+    if (finish_part(finish, &name##_finish, FINISH_PLACE_##name))              \
+        return true;
+
+/* Whether it has highlights, and tints. Asked for each lamp and layer: written
+ * out item by item, and the compiler sees their structs. */
+static inline bool finish_shines(const struct finish *finish)
+{
+#define X(name, role) FINISH_HIGHLIGHT_##role(FINISH_ON, name)
+#include "scene/finish/list.h"
+#undef X
+    return false;
+}
+
+static inline bool finish_tints(const struct finish *finish)
+{
+#define X(name, role) FINISH_TINT_##role(FINISH_ON, name)
+#include "scene/finish/list.h"
+#undef X
+    return false;
+}
+
+/* All highlights: the share of a lamp's light. */
 double finish_highlight(const struct finish *finish,
                         const struct finish_meeting *meeting);
 
-/* Where paths look for them, returns how many there are. */
+/* Where paths look for them; returns how many there are. */
 int finish_spreads(const struct finish *finish,
                    struct finish_spread spreads[FINISH_ITEMS]);
 
-/* Whether there are tints, and what they make of white light. */
-bool finish_tints(const struct finish *finish);
+/* What tints make of white light. */
 rgb finish_tint(const struct finish *finish, vec3 point, double lamp,
                 double viewer);
 
-/* cosine^size; most of the time nothing that could be seen. */
+/* cosine^size; most of the time nothing that could be seen: the logarithm of a
+ * cosine c is at most c - 1, and exp(-24) 4e-11. */
 static inline double finish_lobe(double cosine, double size)
 {
-    return cosine < 0.5 && size > 64 ? 0 : pow(cosine, size);
+    return size * (1 - cosine) > 24 ? 0 : pow(cosine, size);
 }
 
 struct finish finish_default(void);

@@ -46,6 +46,8 @@ static rgb finish_highlights(const struct surface *surface,
     const struct finish_meeting meeting = { layer->normal, surface->view,
                                             light };
     double share = finish_highlight(finish, &meeting);
+    if (finish->metallic == 0)
+        return rgb_grey(share);
     rgb tint =
         finish_metallic(finish->metallic, cosine, colour_rgb(layer->pigment));
     return rgb_scale(tint, share);
@@ -60,9 +62,11 @@ static double layer_opacity(const struct surface_layer *layer)
     return 1 - c.filter * peak - c.transmit;
 }
 
-rgb finish_light(const struct surface *surface,
-                 const struct surface_layer *layer,
-                 const struct light_sample *sample)
+/* What one layer sends of it, before the layer's weight: diffuse, phong and
+ * specular. */
+static inline rgb finish_light(const struct surface *surface,
+                               const struct surface_layer *layer,
+                               const struct light_sample *sample)
 {
     const struct finish *finish = layer->finish;
     double cosine = vec3_dot(layer->normal, sample->direction);
@@ -81,6 +85,16 @@ rgb finish_light(const struct surface *surface,
             share, finish_tint(finish, surface->point, cosine,
                                fabs(vec3_dot(surface->view, layer->normal))));
     return rgb_mul(share, sample->colour);
+}
+
+void surface_add_light(const struct surface *surface,
+                       const struct light_sample *sample, rgb *sum)
+{
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb light = finish_light(surface, layer, sample);
+        *sum = rgb_add(*sum, rgb_mul(layer->weight, light));
+    }
 }
 
 rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance)
@@ -103,13 +117,6 @@ rgb finish_shine(const struct surface_layer *layer)
 {
     rgb light = rgb_mul(layer->finish->glow, colour_rgb(layer->pigment));
     return rgb_scale(light, layer_opacity(layer));
-}
-
-bool finish_lit_by(const struct finish *finish, double cosine, bool twice)
-{
-    if (cosine > 0 || twice)
-        return finish->diffuse != 0 || finish_shines(finish);
-    return cosine < 0 && finish->diffuse_back != 0;
 }
 
 double finish_fresnel(double cosine, double ior)

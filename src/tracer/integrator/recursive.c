@@ -117,13 +117,7 @@ struct gathering {
 static void gather_sample(void *context, const struct light_sample *sample)
 {
     struct gathering *gathering = context;
-    const struct surface *surface = gathering->surface;
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        rgb light = finish_light(surface, layer, sample);
-        gathering->light =
-            rgb_add(gathering->light, rgb_mul(layer->weight, light));
-    }
+    surface_add_light(gathering->surface, sample, &gathering->light);
 }
 
 /* The light that the surface itself sends to the viewer. */
@@ -476,19 +470,20 @@ void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
                      const struct tracer_met *met, struct radiance *out)
 {
+    const struct camera *camera = &tracer->scene->camera;
+    bool single = camera->rays <= 1 && !camera_blurs(camera);
     for (unsigned i = 0; i < met->count; i++) {
         const struct picture_place *place = &met->places[i];
         const struct world_hit *hit = &met->hits[i];
         struct path path;
         struct crossing crossing;
-        out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(&tracer->scene->camera, place->at[0], place->at[1]))
-            continue;
-        if (tracer->scene->camera.rays > 1 ||
-            camera_blurs(&tracer->scene->camera)) {
+        if (!single) {
             out[i] = tracer_camera(tracer, worker, place);
             continue;
         }
+        out[i] = (struct radiance){ rgb_grey(0), 0 };
+        if (!camera_sees(camera, place->at[0], place->at[1]))
+            continue;
         path_start(&path, tracer, worker, place, &met->rays[i]);
         if (hit->leaf)
             world_describe(&path.ray, hit, &crossing.at);
