@@ -12,6 +12,7 @@
  * - Fading in an interior weakens what passes where the ray leaves it. */
 #include <string.h>
 
+#include "base/draw.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/telling.h"
@@ -391,6 +392,16 @@ static bool blur_settled(const struct blur *blur, const struct camera *camera)
            rgb_peak(spread) * width * width <= n * camera->variance;
 }
 
+/* Each ray is of another place of the pixel, whatever antialiasing does beside
+ * it (measured). */
+static void blur_spread(const struct camera *camera, struct draws draws,
+                        double at[2])
+{
+    draw_pair(&draws, 0, at);
+    for (int i = 0; i < 2; i++)
+        at[i] = camera->pixels[i] > 0 ? (at[i] - 0.5) / camera->pixels[i] : 0;
+}
+
 static struct radiance tracer_blurred(const struct tracer *tracer,
                                       struct worker *worker,
                                       const struct picture_place *place)
@@ -404,9 +415,10 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
     uint64_t key = random_key(bits[0], bits[1]);
     for (int i = 0; i < most && !worker_stopped(worker); i++) {
         struct path path;
-        double lens[2];
+        double lens[2], at[2];
+        blur_spread(camera, (struct draws){ key, (uint32_t)i }, at);
         lens_point(most, i, key, lens);
-        struct ray ray = camera_lens_ray(camera, x, y, lens);
+        struct ray ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
         path_start(&path, tracer, worker, NULL, &ray);
         blur_add(&blur, path_follow(&path));
         arena_reset(worker->scratch);
