@@ -63,13 +63,9 @@ static void gatherer_look(const struct gatherer *gatherer,
     struct gathered_ray found;
     struct ray ray = { site->place, way };
     gather_radiance(gather, gatherer->worker, &ray, draws, &found);
-    if (emitters_any(gather->emitters) && rgb_peak(found.glow) > 0) {
-        double other = emitters_density(gather->emitters, ray.origin,
-                                        ray.direction, &found.at);
-        double twice = isfinite(other) ? other / (density + other) : 1;
-        found.light = rgb_add_scaled(found.light, found.glow, -twice);
-    }
-    indirect_light_add(light, ray.direction, found.light, found.open, density);
+    indirect_light_add(light, way,
+                       gather_balanced(gather, &ray, density, &found),
+                       found.open, density);
 }
 
 /* The same for a place on something that glows. */
@@ -77,24 +73,12 @@ static void gatherer_pick(const struct gatherer *gatherer,
                           const struct draws *draws,
                           struct indirect_light *light)
 {
-    const struct gather *gather = &gatherer->mesh->gather;
-    double which = draw_unit(draws, GATHER_WHICH), u[2];
-    struct emitter_pick pick;
-    struct intersection at;
-    draw_pair(draws, GATHER_WHERE, u);
-    if (!emitters_pick(gather->emitters, gatherer->site->place, which, u,
-                       &pick))
-        return;
-    struct ray ray = { gatherer->site->place, pick.direction };
-    rgb glow = gather_glow(gather, gatherer->worker, &ray, &at);
-    if (at.leaf != pick.leaf || rgb_peak(glow) == 0)
-        return;
-    bool anywhere = isinf(pick.distance);
-    if (!anywhere && fabs(at.t - pick.distance) > 1e-5 * (1 + at.t))
-        return;
-    indirect_light_add(light, ray.direction, glow, 0,
-                       pick.density +
-                           gatherer_density(gatherer, ray.direction));
+    struct gathered_glow found;
+    if (gather_pick(&gatherer->mesh->gather, gatherer->worker,
+                    gatherer->site->place, draws, &found))
+        indirect_light_add(light, found.direction, found.light, 0,
+                           found.density +
+                               gatherer_density(gatherer, found.direction));
 }
 
 /* All mesh points look in the same directions, but for the corners of a cell,
@@ -189,7 +173,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .close = options->close,
         .close_context = options->close_context,
         .around = options->around,
-        .usual = options->usual,
+        .onward = options->onward,
         .tone = options->tone,
     };
     mesh->samples = options->samples;
@@ -213,7 +197,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     };
     if (bounce > 1) {
         mesh->points.refinement.levels = 0;
-        mesh->points.lattice.spacing *= bounce > 2 || options->usual ? 4 : 2;
+        mesh->points.lattice.spacing *= bounce > 2 ? 4 : 2;
         if (mesh->samples > LATER_SAMPLES)
             mesh->samples = LATER_SAMPLES;
     }

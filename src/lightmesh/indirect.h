@@ -28,8 +28,8 @@ struct indirect_options {
     struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;
-    struct indirect_share around; /* what does if that is NULL, */
-    bool usual;                   /* and is right where no mesh point is seen */
+    bool onward;                  /* further rays do if that is NULL, */
+    struct indirect_share around; /* or this, from which those differ */
 };
 
 struct indirect_mesh {

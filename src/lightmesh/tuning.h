@@ -129,7 +129,7 @@ static const double penumbra_swell = 0.25; /* of a block, in its side */
 enum {
     BOUNCES = 6,
     CLOSED_BOUNCES = 1, /* when the skeleton knows the rest */
-    OPEN_BOUNCES = 2,   /* where much of the light leaves the scene */
+    OPEN_BOUNCES = 1,   /* when further rays do: much light leaves the scene */
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
     GATHER_FEW = 32,    /* and else */
     GATHER_MOST = 1024,
@@ -184,6 +184,7 @@ static const double open_enough = 0.1; /* share of gather rays that leave the
 static const double gather_worth_least = 0.02; /* then the skeleton answers */
 static const double gather_worth_whole = 0.5;  /* less gathers fewer rays */
 static const double gather_least = 0.02;       /* share that is followed */
-static const double often_mirrored = 2, often_lit = 4; /* roulette, factors */
+static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
+static const double onward_often = 1; /* of where it goes on [truth] */
 
 #endif
