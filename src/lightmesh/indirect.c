@@ -4,6 +4,7 @@
 #include "base/draw.h"
 #include "base/memory.h"
 #include "base/warp.h"
+#include "lightmesh/near_field.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 #include "shade/shadow.h"
@@ -177,6 +178,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .tone = options->tone,
     };
     mesh->samples = options->samples;
+    mesh->near = options->near;
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
         mesh->lone_samples /= LONE_PART;
@@ -275,9 +277,13 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                           receiver->normal, receiver->from),
             0
         };
-    const struct indirect_light light =
-        indirect_mesh_blend(mesh, worker, receiver);
-    return indirect_light_share(&light, receiver->normal);
+    const struct near_rays rays = { mesh->near / NEAR_LONE_PART, 0 };
+    struct indirect_light light = indirect_mesh_blend(mesh, worker, receiver);
+    struct indirect_share share =
+        near_field_share(mesh, worker, receiver, rays, &light);
+    if (vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat)
+        share = indirect_light_share(&light, receiver->normal);
+    return share;
 }
 
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "lightmesh/near_field.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 #include "shade/first_hits.h"
@@ -12,8 +13,7 @@
 struct indirect_pixels {
     const struct indirect_mesh *mesh;
     const struct camera *camera;
-    double width, height; /* of the picture, in steps of the grid */
-    uint64_t columns;
+    double width, height; /* of the picture, in steps of the coarsest grid */
     struct table *corners;
 };
 
@@ -38,7 +38,6 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
         .camera = camera,
         .width = width / apart,
         .height = height / apart,
-        .columns = (uint64_t)(width / apart) + 4,
         .corners = table_new(sizeof(struct corner), INDIRECT_PIXELS_BYTES),
     };
     return pixels;
@@ -57,12 +56,20 @@ size_t indirect_pixels_bytes(const struct indirect_pixels *pixels)
     return table_bytes(pixels->corners);
 }
 
-/* Column and row of a corner, and how much what asks there is worth: see
- * point_mesh_worth. */
+/* Column and row of a corner in the grid whose steps are 2^finer times as
+ * short, and how much what asks there is worth: see point_mesh_worth. */
 struct corner_name {
-    int at[2];
+    int at[2], finer;
     int coarser;
 };
+
+static uint64_t corner_key(const struct corner_name *name)
+{
+    uint64_t key = (uint64_t)name->finer;
+    for (int axis = 0; axis < 2; axis++)
+        key = key << 28 | (uint64_t)(name->at[axis] + 1);
+    return key * POINT_MESH_WORTHS + (uint64_t)name->coarser + 1;
+}
 
 /* What the camera sees at the corner asks the mesh, as one of the receivers
  * around would that have its worth. */
@@ -73,8 +80,8 @@ static void corner_fill(struct corner *corner,
 {
     const struct point_mesh *points = &pixels->mesh->points;
     struct intersection at;
-    double coarse, x = name->at[0] / pixels->width,
-                   y = name->at[1] / pixels->height;
+    double coarse, x = ldexp(name->at[0] / pixels->width, -name->finer),
+                   y = ldexp(name->at[1] / pixels->height, -name->finer);
     corner->met = false;
     if (!camera_sees(pixels->camera, x, y))
         return;
@@ -97,7 +104,12 @@ static void corner_fill(struct corner *corner,
     corner->side = receiver.side;
     corner->reach = lattice_spacing(&points->lattice, level);
     corner->light = indirect_mesh_blend(pixels->mesh, worker, &receiver);
-    corner->share = indirect_light_share(&corner->light, corner->side);
+    const struct near_rays rays = {
+        pixels->mesh->near,
+        (uint32_t)((name->at[0] & 1) + 2 * (name->at[1] & 1)),
+    };
+    corner->share =
+        near_field_share(pixels->mesh, worker, &receiver, rays, &corner->light);
 }
 
 static const struct corner *corner_get(const struct indirect_pixels *pixels,
@@ -106,10 +118,7 @@ static const struct corner *corner_get(const struct indirect_pixels *pixels,
                                        const struct receiver *like)
 {
     void *record;
-    uint64_t row = (uint64_t)(name->at[1] + 1),
-             column = (uint64_t)(name->at[0] + 1);
-    uint64_t key = 1 + (row * pixels->columns + column) * POINT_MESH_WORTHS +
-                   (uint64_t)name->coarser;
+    uint64_t key = corner_key(name);
     enum table_state state =
         table_find(pixels->corners, key, random_mix(key), &record);
     if (state == TABLE_READY)
@@ -150,10 +159,11 @@ struct corners {
 
 static void corners_find(struct corners *corners,
                          const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver)
+                         struct worker *worker, const struct receiver *receiver,
+                         int finer)
 {
-    double x = receiver->pixel->at[0] * pixels->width,
-           y = receiver->pixel->at[1] * pixels->height;
+    double x = ldexp(receiver->pixel->at[0] * pixels->width, finer),
+           y = ldexp(receiver->pixel->at[1] * pixels->height, finer);
     double across = x - floor(x), down = y - floor(y);
     int coarser = point_mesh_worth(receiver->weight);
     corners->count = 0;
@@ -161,7 +171,7 @@ static void corners_find(struct corners *corners,
     corners->missing = false;
     for (int i = 0; i < 4; i++) {
         struct corner_name name = {
-            { (int)floor(x) + i % 2, (int)floor(y) + i / 2 }, coarser
+            { (int)floor(x) + i % 2, (int)floor(y) + i / 2 }, finer, coarser
         };
         double weight =
             (i % 2 ? across : 1 - across) * (i / 2 ? down : 1 - down);
@@ -255,11 +265,16 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            struct indirect_share *share)
 {
     struct corners corners;
+    bool known = false;
     if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
-    corners_find(&corners, pixels, worker, receiver);
-    if (corners.sum < indirect_pixels_enough || !corners_alike(&corners) ||
-        !corners_see(&corners, pixels, worker, receiver))
+    for (int finer = 0; !known && finer <= INDIRECT_PIXELS_FINER; finer++) {
+        corners_find(&corners, pixels, worker, receiver, finer);
+        known = corners.sum >= indirect_pixels_enough &&
+                corners_alike(&corners) &&
+                corners_see(&corners, pixels, worker, receiver);
+    }
+    if (!known)
         return false;
     bool bumpy =
         vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;

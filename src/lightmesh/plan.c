@@ -203,6 +203,8 @@ static void plan_indirect(struct plan *plan,
         .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
         .samples = frame->samples,
+        .near = NEAR_LONE_PART * (int)ceil(plan->finer * plan->finer *
+                                           NEAR_RAYS / NEAR_LONE_PART),
         .bytes = INDIRECT_BYTES,
         .close = close,
         .close_context = close_context,

@@ -143,11 +143,16 @@ enum {
     GATHER_MIRRORS = 3,   /* on one way */
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
     CLOSE_RAYS = 30000,   /* between its walls */
+    NEAR_RAYS = 16,       /* to what is close to a place that is seen; */
+    NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 
 /* Indirect light at a grid of the picture [price, look]. */
-enum { INDIRECT_PIXELS_BYTES = 16 * 1000 * 1000 };
+enum {
+    INDIRECT_PIXELS_BYTES = 16 * 1000 * 1000,
+    INDIRECT_PIXELS_FINER = 1, /* times half as far apart where they don't do */
+};
 static const double indirect_pixels_most = 19200;  /* corners, but for these: */
 static const double indirect_pixels_near = 4;      /* apart at least, pixels */
 static const double indirect_pixels_far = 16;      /* and at most */
@@ -164,6 +169,9 @@ static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
                                                    */
 static const double indirect_pixels_least = 0.01; /* weight of a corner asked */
 static const double indirect_pixels_enough = 0.4; /* and of all that serve */
+
+static const double near_field_reach = 0.75; /* spacings: what stands farther
+                                              * off mesh points see [truth] */
 
 static const double gather_noise = 0.02; /* of the picture, by a point's rays:
                                           * what is seen of it is a third */
