@@ -13,7 +13,8 @@
 struct indirect_pixels {
     const struct indirect_mesh *mesh;
     const struct camera *camera;
-    double width, height; /* of the picture, in steps of the coarsest grid */
+    double width, height; /* of the picture, in steps of the grid */
+    uint64_t columns;
     struct table *corners;
 };
 
@@ -38,6 +39,7 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
         .camera = camera,
         .width = width / apart,
         .height = height / apart,
+        .columns = (uint64_t)(width / apart) + 4,
         .corners = table_new(sizeof(struct corner), INDIRECT_PIXELS_BYTES),
     };
     return pixels;
@@ -56,20 +58,12 @@ size_t indirect_pixels_bytes(const struct indirect_pixels *pixels)
     return table_bytes(pixels->corners);
 }
 
-/* Column and row of a corner in the grid whose steps are 2^finer times as
- * short, and how much what asks there is worth: see point_mesh_worth. */
+/* Column and row of a corner, and how much what asks there is worth: see
+ * point_mesh_worth. */
 struct corner_name {
-    int at[2], finer;
+    int at[2];
     int coarser;
 };
-
-static uint64_t corner_key(const struct corner_name *name)
-{
-    uint64_t key = (uint64_t)name->finer;
-    for (int axis = 0; axis < 2; axis++)
-        key = key << 28 | (uint64_t)(name->at[axis] + 1);
-    return key * POINT_MESH_WORTHS + (uint64_t)name->coarser + 1;
-}
 
 /* What the camera sees at the corner asks the mesh, as one of the receivers
  * around would that have its worth. */
@@ -80,8 +74,8 @@ static void corner_fill(struct corner *corner,
 {
     const struct point_mesh *points = &pixels->mesh->points;
     struct intersection at;
-    double coarse, x = ldexp(name->at[0] / pixels->width, -name->finer),
-                   y = ldexp(name->at[1] / pixels->height, -name->finer);
+    double coarse, x = name->at[0] / pixels->width,
+                   y = name->at[1] / pixels->height;
     corner->met = false;
     if (!camera_sees(pixels->camera, x, y))
         return;
@@ -118,7 +112,10 @@ static const struct corner *corner_get(const struct indirect_pixels *pixels,
                                        const struct receiver *like)
 {
     void *record;
-    uint64_t key = corner_key(name);
+    uint64_t row = (uint64_t)(name->at[1] + 1),
+             column = (uint64_t)(name->at[0] + 1);
+    uint64_t key = 1 + (row * pixels->columns + column) * POINT_MESH_WORTHS +
+                   (uint64_t)name->coarser;
     enum table_state state =
         table_find(pixels->corners, key, random_mix(key), &record);
     if (state == TABLE_READY)
@@ -159,11 +156,10 @@ struct corners {
 
 static void corners_find(struct corners *corners,
                          const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver,
-                         int finer)
+                         struct worker *worker, const struct receiver *receiver)
 {
-    double x = ldexp(receiver->pixel->at[0] * pixels->width, finer),
-           y = ldexp(receiver->pixel->at[1] * pixels->height, finer);
+    double x = receiver->pixel->at[0] * pixels->width,
+           y = receiver->pixel->at[1] * pixels->height;
     double across = x - floor(x), down = y - floor(y);
     int coarser = point_mesh_worth(receiver->weight);
     corners->count = 0;
@@ -171,7 +167,7 @@ static void corners_find(struct corners *corners,
     corners->missing = false;
     for (int i = 0; i < 4; i++) {
         struct corner_name name = {
-            { (int)floor(x) + i % 2, (int)floor(y) + i / 2 }, finer, coarser
+            { (int)floor(x) + i % 2, (int)floor(y) + i / 2 }, coarser
         };
         double weight =
             (i % 2 ? across : 1 - across) * (i / 2 ? down : 1 - down);
@@ -208,18 +204,6 @@ static bool corner_sees(const struct indirect_pixels *pixels,
                            NULL, NULL);
 }
 
-/* Where another surface is near, a wall seen from its edge may stand between
- * all corners and the place. */
-static bool corners_see(const struct corners *corners,
-                        const struct indirect_pixels *pixels,
-                        struct worker *worker, const struct receiver *receiver)
-{
-    for (int i = 0; i < corners->count && corners->missing; i++)
-        if (!corner_sees(pixels, worker, corners->at[i].corner, receiver))
-            return false;
-    return true;
-}
-
 /* Where they differ much something may stand between, seen from the edge. */
 static bool corners_alike(const struct corners *corners)
 {
@@ -232,6 +216,19 @@ static bool corners_alike(const struct corners *corners)
         most = fmax(most, amount);
     }
     return most - least <= indirect_pixels_even * most + indirect_pixels_dim;
+}
+
+/* Where another surface is near, a wall seen from its edge may stand between
+ * all corners and the place. */
+static bool corners_see(const struct corners *corners,
+                        const struct indirect_pixels *pixels,
+                        struct worker *worker, const struct receiver *receiver)
+{
+    bool doubt = corners->missing || !corners_alike(corners);
+    for (int i = 0; i < corners->count && doubt; i++)
+        if (!corner_sees(pixels, worker, corners->at[i].corner, receiver))
+            return false;
+    return true;
 }
 
 /* Irradiance is interpolated as it is, between corners whose normals follow
@@ -265,16 +262,11 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            struct indirect_share *share)
 {
     struct corners corners;
-    bool known = false;
     if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
-    for (int finer = 0; !known && finer <= INDIRECT_PIXELS_FINER; finer++) {
-        corners_find(&corners, pixels, worker, receiver, finer);
-        known = corners.sum >= indirect_pixels_enough &&
-                corners_alike(&corners) &&
-                corners_see(&corners, pixels, worker, receiver);
-    }
-    if (!known)
+    corners_find(&corners, pixels, worker, receiver);
+    if (corners.sum < indirect_pixels_enough ||
+        !corners_see(&corners, pixels, worker, receiver))
         return false;
     bool bumpy =
         vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;

@@ -144,15 +144,12 @@ enum {
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
     CLOSE_RAYS = 30000,   /* between its walls */
     NEAR_RAYS = 16,       /* to what is close to a place that is seen; */
-    NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
+    NEAR_LONE_PART = 4,   /* one in so many where only a pixel shares them */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 
 /* Indirect light at a grid of the picture [price, look]. */
-enum {
-    INDIRECT_PIXELS_BYTES = 16 * 1000 * 1000,
-    INDIRECT_PIXELS_FINER = 1, /* times half as far apart where they don't do */
-};
+enum { INDIRECT_PIXELS_BYTES = 16 * 1000 * 1000 };
 static const double indirect_pixels_most = 19200;  /* corners, but for these: */
 static const double indirect_pixels_near = 4;      /* apart at least, pixels */
 static const double indirect_pixels_far = 16;      /* and at most */
