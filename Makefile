@@ -97,7 +97,7 @@ CORES = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell \
 	nproc 2> /dev/null || getconf _NPROCESSORS_ONLN))
 
 all: needed ## build build/glim and others (installs what they need, but SDL)
-	@$(call BUILD_ALL,programs)
+	+@$(call BUILD_ALL,programs)
 
 # What can be built once packages are installed only the next make sees.
 programs: $(PROGRAMS)
@@ -152,7 +152,7 @@ $(BUILD)/%.cpp.o: %.cpp
 		-MMD -MP -c -o $@ $<
 
 demo: needed ## build, render an example, say where the picture is
-	@$(call BUILD_ALL,programs)
+	+@$(call BUILD_ALL,programs)
 	@tests/tools/demo $(BUILD)/glim
 
 needed:
@@ -165,7 +165,7 @@ test-deps: ## install the Debian packages that testing needs
 	@$(DEPS) $(PACKAGES) $(VIEW_PACKAGES) $(TEST_PACKAGES)
 
 test: test-deps ## everything: "N passed, N failed" is the last line
-	@$(call BUILD_ALL,programs $(UNIT_TESTS) $(TEST_TOOLS))
+	+@$(call BUILD_ALL,programs $(UNIT_TESTS) $(TEST_TOOLS))
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) \
 		tests/run
 
@@ -196,6 +196,14 @@ bench: all ## what light costs, and how right it is, as ratios (BENCH=quick)
 reference: all $(BUILD)/tests/tools/figures ## path against POV-Ray's radiosity and Embree's path tracer
 	@$(DEPS) povray openimageio-tools embree-tools
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/reference/run
+
+latency: all ## how soon glim-view shows a change, over examples/ and POV-Ray's scenes
+	@$(DEPS) povray povray-examples
+	@GLIM=$(abspath $(BUILD)/glim) tests/view/latency
+
+view-camera: all $(BUILD)/tests/tools/compare ## 100 camera blocks of glim-view, drawn by both programs
+	@$(DEPS) povray openimageio-tools
+	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/view/camera
 
 # The scenes that are too large to be kept; the others are in examples/light.
 bench-scenes: ## write build/bench/forest.pov and triangles.pov
@@ -273,7 +281,7 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
 
 .PHONY: all programs demo needed deps test-deps test conformance bench reference \
-	bench-scenes farm-test hostile fuzz fuzz-language lint format html \
+	latency view-camera bench-scenes farm-test hostile fuzz fuzz-language lint format html \
 	install uninstall clean help
 -include $(OBJECTS:.o=.d) $(VIEW_OBJECTS:.o=.d) $(MODULE_OBJECTS:.o=.d) \
 	$(SERVER_OBJECTS:.o=.d)

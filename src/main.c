@@ -74,14 +74,15 @@ static bool frame_write(struct work *work, const struct tracer *tracer,
                         const char *name, struct image *image)
 {
     const struct options *options = &work->options;
-    const struct settings *settings = &tracer->scene->settings;
-    const char *origin = work->origin.items;
+    const struct picture_file file = { options, &tracer->scene->settings, name,
+                                       work->origin.items };
     if (options->render.share.count)
         return true;
     if (part_has_bands(options, name))
-        return part_write(&work->part, settings, name, origin);
-    return picture_show(image, options, tracer, work->stop, &work->diag) &&
-           picture_write(image, options, settings, name, origin, &work->diag);
+        return part_write(&work->part, file.settings, name, file.origin);
+    return picture_show(image, options, tracer, work->stop, NULL,
+                        &work->diag) &&
+           picture_write(image, &file, &work->diag);
 }
 
 /* After an interruption: what there is, for the eye and for +C. */
@@ -90,9 +91,10 @@ static void frame_rescue(struct work *work, const struct settings *settings,
                          const struct stats *stats)
 {
     const struct options *options = &work->options;
+    const struct picture_file file = { options, settings, name, NULL };
     if (!options->render.share.count && !part_has_bands(options, name))
-        picture_rescue(image, options, settings, name, &stats->rays,
-                       &work->unfinished, &work->diag);
+        picture_rescue(image, &file, &stats->rays, &work->unfinished,
+                       &work->diag);
     if (part_is_left(&work->part))
         strcpy(work->left, work->part.path);
 }

@@ -227,8 +227,10 @@ static bool join_write(struct joining *joining)
         return join_fail(
             joining, "the parts are of a picture called %.*s%s, not %s",
             (int)joining->stem, joining->picture, extension, joining->picture);
-    return part_image_write(joining->files, joining->names.count, &options,
-                            &settings, joining->picture, origin, joining->diag);
+    const struct picture_file picture = { &options, &settings, joining->picture,
+                                          origin };
+    return part_image_write(joining->files, joining->names.count, &picture,
+                            joining->diag);
 }
 
 bool part_join(const char *name, struct diag *diag)

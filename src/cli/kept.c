@@ -65,18 +65,18 @@ static bool kept_current(struct kept *kept, const char *name,
 }
 
 static bool kept_right(struct kept *kept, const struct options *options,
-                       const char *name, const char *settings, char *why,
-                       size_t size, struct diag *diag)
+                       const char *name, const char *settings,
+                       char why[WHY_SIZE], struct diag *diag)
 {
     int width, height;
-    if (!image_probe(name, &width, &height, why, size))
+    if (!image_probe(name, &width, &height, why, WHY_SIZE))
         return false;
     if (width != options->render.width || height != options->render.height) {
-        snprintf(why, size, "it has %d x %d pixels", width, height);
+        snprintf(why, WHY_SIZE, "it has %d x %d pixels", width, height);
         return false;
     }
     if (kept_carries_origin(options))
-        return kept_current(kept, name, settings, why, size);
+        return kept_current(kept, name, settings, why, WHY_SIZE);
     kept_tell_newer(kept, options, name, diag);
     return true;
 }
@@ -87,7 +87,7 @@ bool kept_picture(struct kept *kept, const struct options *options,
     char why[WHY_SIZE];
     if (!name || strcmp(name, "-") == 0 || access(name, F_OK) != 0)
         return false;
-    if (kept_right(kept, options, name, settings, why, sizeof why, diag))
+    if (kept_right(kept, options, name, settings, why, diag))
         return true;
     diag_print(diag, DIAG_WARNING, span_none(), NULL,
                "'%s' is rendered again: %s", name, why);

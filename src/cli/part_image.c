@@ -106,21 +106,21 @@ static const struct image *reading_at(void *context, int y, int *top)
 }
 
 bool part_image_write(struct part_file *const *files, size_t count,
-                      const struct options *options,
-                      const struct settings *settings, const char *name,
-                      const char *origin, struct diag *diag)
+                      const struct picture_file *picture, struct diag *diag)
 {
+    const char *name = picture->name;
     struct image_format format;
     struct output_space space;
     int width = part_file_width(files[0]), height = part_file_height(files[0]);
     int rows = part_band_rows(width);
     char why[256];
-    picture_describe(options, settings, &format, &space);
-    format.note = origin;
+    picture_describe(picture->options, picture->settings, &format, &space);
+    format.note = picture->origin;
     bool bands = image_has_bands(&format);
-    struct reading reading = {
-        .files = files, .count = count, .options = options, .space = &space
-    };
+    struct reading reading = { .files = files,
+                               .count = count,
+                               .options = picture->options,
+                               .space = &space };
     reading.band = image_new(width, bands && rows < height ? rows : height);
     const struct image_bands source = { width, height, reading_at, &reading };
     bool done;
@@ -141,6 +141,7 @@ bool part_image_write(struct part_file *const *files, size_t count,
 bool part_write(struct part *part, const struct settings *settings,
                 const char *name, const char *origin)
 {
-    return part_image_write(&part->keeper.file, 1, part->options, settings,
-                            name, origin, part->diag);
+    const struct picture_file picture = { part->options, settings, name,
+                                          origin };
+    return part_image_write(&part->keeper.file, 1, &picture, part->diag);
 }

@@ -3,6 +3,7 @@
 #define CLI_PART_IMAGE_H
 
 #include "cli/part.h"
+#include "cli/picture.h"
 
 /* The text of a part file's head: the origin, and what is to be known besides
  * to write the picture. Freed with memory_free. */
@@ -10,9 +11,7 @@ char *part_text(const struct settings *settings, const char *origin);
 
 /* Writes the picture that several files have the pixels of. */
 bool part_image_write(struct part_file *const *files, size_t count,
-                      const struct options *options,
-                      const struct settings *settings, const char *name,
-                      const char *origin, struct diag *diag);
+                      const struct picture_file *picture, struct diag *diag);
 
 /* What the text of a part file says of the picture's file, as far as writing it
  * goes; *origin gets the part of the text that the picture carries, in the

@@ -36,8 +36,10 @@ struct output_space picture_space(const struct options *options,
 
 bool picture_show(struct image *image, const struct options *options,
                   const struct tracer *tracer, const atomic_int *stop,
-                  struct diag *diag)
+                  struct picture_shown *shown, struct diag *diag)
 {
+    if (shown)
+        *shown = (struct picture_shown){ .show = { .arena = NULL } };
     if (!options->show)
         return true;
     if (camera_is_bent(&tracer->scene->camera)) {
@@ -64,7 +66,10 @@ bool picture_show(struct image *image, const struct options *options,
         diag_print(diag, DIAG_MESSAGE, span_none(), NULL,
                    "%s: %s from %.3g (blue) to %.3g (red)\n", options->show,
                    show.what, range.low, range.high);
-    show_free(&show);
+    if (done && shown)
+        *shown = (struct picture_shown){ show, range };
+    else
+        show_free(&show);
     return done;
 }
 
@@ -80,17 +85,17 @@ void picture_describe(const struct options *options,
         space->bits = format->bits;
 }
 
-bool picture_write(struct image *image, const struct options *options,
-                   const struct settings *settings, const char *name,
-                   const char *origin, struct diag *diag)
+bool picture_write(struct image *image, const struct picture_file *file,
+                   struct diag *diag)
 {
+    const char *name = file->name;
     if (!name)
         return true;
     struct output_space space;
     struct image_format format;
-    picture_describe(options, settings, &format, &space);
-    format.note = origin;
-    output_convert(image, &space, options->render.threads);
+    picture_describe(file->options, file->settings, &format, &space);
+    format.note = file->origin;
+    output_convert(image, &space, file->options->render.threads);
     char why[256];
     if (image_write(image, name, &format, why, sizeof why))
         return true;
@@ -110,15 +115,16 @@ static void unfinished_name(const char *name, char *out, size_t size)
     snprintf(out, size, "%.*s-unfinished%s", length, name, dot ? dot : "");
 }
 
-void picture_rescue(struct image *image, const struct options *options,
-                    const struct settings *settings, const char *name,
+void picture_rescue(struct image *image, const struct picture_file *file,
                     const struct render_stats *drawn,
                     struct unfinished *unfinished, struct diag *diag)
 {
-    if (!name || strcmp(name, "-") == 0 || !(drawn->share > 0))
+    const struct picture_file beside = { file->options, file->settings,
+                                         unfinished->name, NULL };
+    if (!file->name || strcmp(file->name, "-") == 0 || !(drawn->share > 0))
         return;
-    unfinished_name(name, unfinished->name, sizeof unfinished->name);
+    unfinished_name(file->name, unfinished->name, sizeof unfinished->name);
     unfinished->share = drawn->share;
-    if (!picture_write(image, options, settings, unfinished->name, NULL, diag))
+    if (!picture_write(image, &beside, diag))
         unfinished->name[0] = '\0';
 }

@@ -6,6 +6,8 @@
 
 #include "cli/options.h"
 #include "image/output.h"
+#include "image/ramp.h"
+#include "lighting/show.h"
 
 /* Whether `name` (NULL: none) can be written, found out before the work.
  * Returns false after an error was printed. */
@@ -15,23 +17,36 @@ bool picture_can_be(const char *name, struct diag *diag);
 struct output_space picture_space(const struct options *options,
                                   const struct settings *settings);
 
+/* What --show has drawn, to be drawn again; `show` freed with show_free. */
+struct picture_shown {
+    struct show show;
+    struct ramp_range range;
+};
+
 /* Draws over the picture what --show names, if anything, and says what the
- * colours mean. Returns false if stopped. */
+ * colours mean. *shown (NULL: not wanted) gets it, or an arena of NULL. Returns
+ * false if stopped. */
 bool picture_show(struct image *image, const struct options *options,
                   const struct tracer *tracer, const atomic_int *stop,
-                  struct diag *diag);
+                  struct picture_shown *shown, struct diag *diag);
+
+/* A picture's file. */
+struct picture_file {
+    const struct options *options;
+    const struct settings *settings;
+    const char *name;   /* NULL: there is none */
+    const char *origin; /* it carries (cli/origin.h), or NULL */
+};
 
 /* How the picture's file is written, and what numbers it has. */
 void picture_describe(const struct options *options,
                       const struct settings *settings,
                       struct image_format *format, struct output_space *space);
 
-/* Turns the picture into the file's numbers, in place, and writes it, with its
- * origin (cli/origin.h) unless that is NULL. Returns false after an error was
- * printed. */
-bool picture_write(struct image *image, const struct options *options,
-                   const struct settings *settings, const char *name,
-                   const char *origin, struct diag *diag);
+/* Turns the picture into the file's numbers, in place, and writes it. Returns
+ * false after an error was printed. */
+bool picture_write(struct image *image, const struct picture_file *file,
+                   struct diag *diag);
 
 /* What was written of a picture that was not finished. */
 struct unfinished {
@@ -39,11 +54,10 @@ struct unfinished {
     double share;            /* of the pixels, that it has */
 };
 
-/* After an interruption, with what render_run left: writes a picture beside
- * `name`, called NAME-unfinished, unless nothing is there to write or `name` is
+/* After an interruption, with what render_run left: writes a picture beside the
+ * file, called NAME-unfinished, unless nothing is there to write or the file is
  * standard output. */
-void picture_rescue(struct image *image, const struct options *options,
-                    const struct settings *settings, const char *name,
+void picture_rescue(struct image *image, const struct picture_file *file,
                     const struct render_stats *drawn,
                     struct unfinished *unfinished, struct diag *diag);
 

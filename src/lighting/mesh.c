@@ -9,36 +9,12 @@
 #include "lighting/mesh_diffuse.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_lamps.h"
-#include "lighting/mesh_pixels.h"
-#include "lighting/mesh_report.h"
+#include "lighting/mesh_state.h"
 #include "lighting/mesh_views.h"
 #include "lighting/names.h"
-#include "lightmesh/census.h"
 #include "lightmesh/facet_mesh.h"
 #include "lightmesh/indirect.h"
-#include "lightmesh/outlook.h"
-#include "lightmesh/plan.h"
 #include "lightmesh/tuning.h"
-
-struct mesh_lighting {
-    struct lamps lamps;
-    struct ambience ambience;
-    struct direct_mesh *direct;
-    struct survey survey;
-    struct plan plan;
-    struct emitters *emitters;               /* with indirect light */
-    struct indirect_mesh *indirect;          /* or NULL */
-    struct indirect_pixels *indirect_pixels; /* likewise */
-    struct void_skeleton close; /* what ends its bounces, if asked for */
-    struct mesh_pixels pixels;  /* that lamps look at */
-    struct knowers knowers;
-    struct mesh_report report;
-    /* How this picture's camera asks; what mesh points hold must not depend on
-     * it, only on the stamp's frame. */
-    struct lattice_view direct_view, indirect_view;
-    struct mesh_stamp stamp;
-    int width, height; /* of the picture, pixels */
-};
 
 enum { MESHES_MAX = 2 + BOUNCES_MAX };
 
@@ -55,14 +31,6 @@ static size_t mesh_points(const struct mesh_lighting *mesh,
     return count;
 }
 
-static void mesh_clear(struct mesh_lighting *mesh)
-{
-    indirect_mesh_free(mesh->indirect);
-    direct_mesh_free(mesh->direct);
-    mesh->indirect = NULL;
-    mesh->direct = NULL;
-}
-
 static void mesh_finish(void *state)
 {
     struct mesh_lighting *mesh = state;
@@ -75,97 +43,6 @@ static void mesh_finish(void *state)
     emitters_free(mesh->emitters);
     lamps_free(&mesh->lamps);
     memory_free(mesh);
-}
-
-/* The meshes of the stamp's frame, without points. */
-static void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
-                      const struct interpolation *interpolation)
-{
-    const struct skeleton *skeleton = mesh->close.skeleton;
-    struct plan *plan = &mesh->plan;
-    mesh_clear(mesh);
-    *plan = plan_new(scene, &mesh->lamps, &mesh->stamp.frame, interpolation,
-                     skeleton ? mesh_close_light : NULL, skeleton);
-    mesh->direct_view = plan->direct.view;
-    mesh->indirect_view = plan->indirect.view;
-    mesh->direct_view.eye = mesh->indirect_view.eye = scene->camera.location;
-    mesh->direct = direct_mesh_new(&mesh->lamps, &plan->direct);
-    if (plan->indirect.bounces > 0)
-        mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
-                                           &mesh->ambience, &plan->indirect);
-}
-
-/* Of a picture of which it isn't said. */
-static const double usual_pixels = 640 * 480;
-
-/* What is to be counted before points are made. */
-static struct census mesh_census(const struct mesh_lighting *mesh,
-                                 const struct scene *scene,
-                                 const struct lighting_options *options)
-{
-    return (struct census){
-        .scene = scene,
-        .direct = mesh->direct,
-        .space = mesh->plan.lamps != PLAN_EACH,
-        .surfaces = mesh->plan.direct.surfaces,
-        .indirect = mesh->indirect,
-        .direct_view = mesh->direct_view,
-        .indirect_view = mesh->indirect_view,
-        .pixels = options->width > 0 ? (double)options->width * options->height
-                                     : usual_pixels,
-    };
-}
-
-/* An indirect mesh of no more gather rays than the picture is worth. */
-static void mesh_afford(struct mesh_lighting *mesh, const struct scene *scene,
-                        const struct interpolation *interpolation,
-                        const struct lighting_options *options)
-{
-    if (!mesh->indirect || options->numbers)
-        return;
-    const struct census census = mesh_census(mesh, scene, options);
-    if (plan_afford(&mesh->stamp.frame, scene, &mesh->survey,
-                    census_gathered(&census), census.pixels))
-        mesh_make(mesh, scene, interpolation);
-}
-
-/* Whether there will be more points than have room. */
-static bool mesh_crowded(const struct mesh_lighting *mesh,
-                         const struct scene *scene,
-                         const struct lighting_options *options)
-{
-    const struct census census = mesh_census(mesh, scene, options);
-    return census_crowding(&census) > 1;
-}
-
-/* Meshes whose points have room, as near to each other as the scene and the
- * picture want, or less. Returns false after an error was printed: as near as
- * was said they have none. */
-static bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
-                     const struct interpolation *interpolation,
-                     const struct outlook *outlook,
-                     const struct lighting_options *options, struct diag *diag)
-{
-    const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    int coarser = 0;
-    mesh_make(mesh, scene, interpolation);
-    mesh_afford(mesh, scene, interpolation, options);
-    while (coarser < SPACINGS_MOST && mesh_crowded(mesh, scene, options)) {
-        mesh->stamp.frame =
-            plan_frame(scene, outlook, &mesh->survey, ++coarser);
-        mesh_make(mesh, scene, interpolation);
-        mesh_afford(mesh, scene, interpolation, options);
-    }
-    if (!(said->density > 0) || coarser == 0)
-        return true;
-    double density = 1 / mesh->stamp.frame.spacing;
-    double step = pow(10, floor(log10(density)) - 1);
-    diag_print(diag, DIAG_ERROR, span_none(), NULL,
-               "a light mesh of density %.3g needs more than the %.0f MB that "
-               "glim gives it: type --mesh-density %g, or less",
-               said->density, (double)MESH_BYTES * 1e-6,
-               floor(density / step) * step);
-    return false;
 }
 
 static void mesh_report_on(struct mesh_lighting *mesh)
@@ -207,12 +84,12 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
            (!frame->closed || frame->samples == 0 ||
             mesh_close_make(&mesh->close, mesh->lamps.world, scene, options,
                             diag));
-    if (done && known.found) {
+    if (done && known.found)
         mesh_make(mesh, scene, interpolation);
-        done = mesh_known_fill(&known, meshes, mesh_points(mesh, meshes), diag);
-    } else if (done) {
+    else if (done)
         done = mesh_fit(mesh, scene, interpolation, outlook, options, diag);
-    }
+    if (done && mesh_known_same(&known, &mesh->stamp, options))
+        done = mesh_known_fill(&known, meshes, mesh_points(mesh, meshes), diag);
     mesh_known_end(&known);
     return done;
 }

@@ -203,8 +203,9 @@ static bool seeker_sees(const struct facet_seeker *seeker, vec3 place)
     struct ray ray = { vec3_add(seeker->receiver->point, up),
                        vec3_scale(offset, 1 / length) };
     seeker->worker->counters.shadow_rays++;
-    return !world_occluded(seeker->mesh->points.world, &ray, 0, length, -1,
-                           NULL, NULL);
+    return !world_occluded(
+        seeker->mesh->points.world,
+        &(struct occlusion){ .ray = &ray, .tmax = length, .light = -1 });
 }
 
 /* Whether it doesn't matter which of the points see the place. */

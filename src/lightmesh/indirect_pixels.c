@@ -200,8 +200,9 @@ static bool corner_sees(const struct indirect_pixels *pixels,
         return true;
     struct ray ray = { from, vec3_scale(between, 1 / length) };
     worker->counters.shadow_rays++;
-    return !world_occluded(pixels->mesh->points.world, &ray, 0, length, -1,
-                           NULL, NULL);
+    return !world_occluded(
+        pixels->mesh->points.world,
+        &(struct occlusion){ .ray = &ray, .tmax = length, .light = -1 });
 }
 
 /* Where they differ much something may stand between, seen from the edge. */

@@ -29,9 +29,12 @@ static bool seeker_sees(const struct seeker *seeker,
     struct ray ray = { seeker->receiver->point,
                        vec3_scale(offset, -1 / length) };
     seeker->worker->counters.shadow_rays++;
-    return !world_occluded(seeker->mesh->world, &ray,
-                           surface_offset(seeker->receiver->point), length, -1,
-                           NULL, NULL);
+    return !world_occluded(
+        seeker->mesh->world,
+        &(struct occlusion){ .ray = &ray,
+                             .tmin = surface_offset(seeker->receiver->point),
+                             .tmax = length,
+                             .light = -1 });
 }
 
 /* 0 behind the surface, 1 well before it. */

@@ -107,11 +107,14 @@ static bool parse_area_light(struct parser *p, struct light *light)
     return area_size(p, &light->size1) && area_size(p, &light->size2);
 }
 
-static bool looks_like_body(struct parser *p, struct object **out)
+/* The object of such a block, and what modifies it. */
+static bool block_of_object(struct parser *p, const char *block,
+                            struct object **out)
 {
+    struct modifiers m = { .block = block };
     if (!parse_object(p, out))
         return false;
-    struct modifiers m = { .object = *out, .block = "looks_like" };
+    m.object = *out;
     return parse_modifiers(p, &m);
 }
 
@@ -126,20 +129,12 @@ static bool parse_looks_like(struct parser *p, struct object *owner,
         return error_at(p, span, NULL, "a light has only one looks_like");
     stream_next(p);
     if (!block_begin(p, &open) ||
-        !block_end(p, open, looks_like_body(p, looks)))
+        !block_end(p, open, block_of_object(p, "looks_like", looks)))
         return false;
     object_link(p, *looks);
     object_move(p->scene_arena, *looks, &place);
     light->looks_like = *looks;
     return object_adopt(p, owner, *looks);
-}
-
-static bool window_body(struct parser *p, struct object **out)
-{
-    if (!parse_object(p, out))
-        return false;
-    struct modifiers m = { .object = *out, .block = "projected_through" };
-    return parse_modifiers(p, &m);
 }
 
 /* projected_through = "projected_through" "{" object {modifier} "}" .
@@ -153,7 +148,8 @@ static bool parse_projected_through(struct parser *p, struct object *owner,
         return error_at(p, span, "union",
                         "a light has only one projected_through");
     stream_next(p);
-    if (!block_begin(p, &open) || !block_end(p, open, window_body(p, &window)))
+    if (!block_begin(p, &open) ||
+        !block_end(p, open, block_of_object(p, "projected_through", &window)))
         return false;
     object_link(p, window);
     light->window = window;

@@ -10,11 +10,11 @@
 #include "scene/object_probe.h"
 #include "scene/orbit.h"
 #include "scene/samples.h"
+#include "scene/tiling.h"
 
 /* Patterns of POV-Ray that glim does not have. */
 static const struct unsupported_word pattern_unsupported[] = {
     { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
-    { KEYWORD_TILING, "the 'tiling' pattern" },
     { KEYWORD_NONE, NULL },
 };
 
@@ -159,6 +159,20 @@ static bool density_file_read(struct parser *p, struct pattern *pattern)
     return true;
 }
 
+static bool parse_tiling(struct parser *p, struct pattern *pattern)
+{
+    struct tiling_use *use = pattern->parameters;
+    stream_next(p);
+    struct span span = stream_span(p);
+    if (!parse_arguments(p, pattern->kind->arguments, use))
+        return false;
+    if (use->number > TILING_COUNT)
+        return error_unsupported(p, span_join(span, p->last_span),
+                                 "Penrose's tilings, 25 to 27,");
+    use->tiling = tiling_make(p->scene_arena, use->number);
+    return true;
+}
+
 /* magnet = "magnet" float ( "mandel" | "julia" vector [","] ) float . */
 static bool parse_magnet(struct parser *p, struct pattern *pattern)
 {
@@ -202,6 +216,8 @@ bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
         return parse_pigment_pattern(p, pattern);
     case KEYWORD_MAGNET:
         return parse_magnet(p, pattern);
+    case KEYWORD_TILING:
+        return parse_tiling(p, pattern);
     case KEYWORD_SLOPE:
         return parse_slope(p, pattern->parameters);
     case KEYWORD_DENSITY_FILE:

@@ -2,6 +2,7 @@
  * coordinates, w runs along the axis. */
 #include "scene/extrusion.h"
 
+#include "scene/hit_search.h"
 #include "scene/slab.h"
 
 enum { PART_LOW = -1, PART_HIGH = -2 };
@@ -79,32 +80,11 @@ static bool extrusion_covers(const struct extrusion *e, vec3 p)
     return scale != 0 && outline_covers(&e->outline, p.x / scale, p.y / scale);
 }
 
-/* Crossings between tmin and tmax are looked for: all into `hits`, or, if it is
- * NULL, the first into `hit`, and then tmax is where that is. */
 struct extrusion_search {
     const struct extrusion *extrusion;
     struct ray ray; /* in u, v, w */
-    double tmin, tmax;
-    struct hits *hits;
-    struct hit hit;
-    bool found;
+    struct hit_search hits;
 };
-
-static void search_take(struct extrusion_search *search, double t, int part,
-                        double u)
-{
-    const struct hit hit = { t, part, u, 0 };
-    if (!(t > search->tmin && t < search->tmax))
-        return;
-    if (search->hits) {
-        if (search->hits->count < HITS_MAX)
-            search->hits->at[search->hits->count++] = hit;
-        return;
-    }
-    search->hit = hit;
-    search->tmax = t;
-    search->found = true;
-}
 
 static void search_cap(struct extrusion_search *search, double w, int part)
 {
@@ -112,9 +92,9 @@ static void search_cap(struct extrusion_search *search, double w, int part)
     double t = (w - ray->origin.z) / ray->direction.z;
     vec3 p = { ray->origin.x + t * ray->direction.x,
                ray->origin.y + t * ray->direction.y, w };
-    if (t > search->tmin && t < search->tmax &&
+    if (hit_search_wants(&search->hits, t) &&
         extrusion_covers(search->extrusion, p))
-        search_take(search, t, part, 0);
+        hit_search_take(&search->hits, (struct hit){ t, part, 0, 0 });
 }
 
 /* The ray meets the line, or the line to the tip, over this point of the
@@ -141,7 +121,7 @@ static void side_found(void *context, int index, double s)
     double t = fabs(a) > fabs(b) ? c / a : f / b;
     double w = o.z + t * d.z;
     if (w >= e->low && w <= e->high)
-        search_take(search, t, index, s);
+        hit_search_take(&search->hits, (struct hit){ t, index, s, 0 });
 }
 
 /* Whether the ray meets the box around the piece, which is raised along the
@@ -157,7 +137,7 @@ static bool side_is_met(const struct extrusion_search *search,
     const struct box3 box = { { low[0] - more, low[1] - more, e->low - more },
                               { high[0] + more, high[1] + more,
                                 e->high + more } };
-    double enter = search->tmin, leave = search->tmax;
+    double enter = search->hits.tmin, leave = search->hits.tmax;
     slabs_clip(slabs, &box, &enter, &leave);
     return enter <= leave;
 }
@@ -190,8 +170,7 @@ static struct extrusion_search extrusion_search_new(const void *shape,
         .extrusion = e,
         .ray = { extrusion_turned(e, ray->origin),
                  extrusion_turned(e, ray->direction) },
-        .tmin = tmin,
-        .tmax = tmax,
+        .hits = { .tmin = tmin, .tmax = tmax },
     };
 }
 
@@ -200,7 +179,7 @@ static void extrusion_intersect(const void *shape, const struct ray *ray,
 {
     struct extrusion_search search =
         extrusion_search_new(shape, ray, -HUGE_VAL, HUGE_VAL);
-    search.hits = hits;
+    search.hits.all = hits;
     extrusion_search(&search);
 }
 
@@ -210,8 +189,8 @@ static bool extrusion_first(const void *shape, const struct ray *ray,
     struct extrusion_search search =
         extrusion_search_new(shape, ray, tmin, tmax);
     extrusion_search(&search);
-    *hit = search.hit;
-    return search.found;
+    *hit = search.hits.first;
+    return search.hits.found;
 }
 
 static bool extrusion_crosses(const void *shape, const struct ray *ray,

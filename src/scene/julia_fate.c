@@ -19,6 +19,7 @@ static const double fate_far = 1e4;
 struct flight {
     double size2, growth2;
     int steps;
+    bool gone; /* out of the radius that a step allows, once */
 };
 
 /* ln of the radius after the last step, were it seen at another. */
@@ -40,22 +41,27 @@ static double flight_distance(const struct julia_fractal *f,
                               : 0;
 }
 
-/* Steps on to the end, or until it is far away. */
-static struct flight square_flight(const struct julia_fractal *f, vec3 p,
-                                   bool *gone)
+/* Whether all is known with this step: it is far away, or the last step has
+ * not left, or it has, and went on for long enough. */
+static bool flight_ends(const struct julia_fractal *f, struct flight *flight,
+                        double size2, int steps)
+{
+    int last = f->iterations - 1;
+    flight->size2 = size2;
+    flight->steps = steps;
+    flight->gone = flight->gone || size2 > f->limits[steps] * f->limits[steps];
+    return size2 > fate_far || (steps >= last && !flight->gone) ||
+           steps == last + JULIA_MORE;
+}
+
+static struct flight square_flight(const struct julia_fractal *f, vec3 p)
 {
     double x = p.x, y = p.y, z = p.z;
     double w = f->w[0] * x + f->w[1] * y + f->w[2] * z + f->w[3];
-    struct flight fl = { 0, 1, 0 };
-    int last = f->iterations - 1;
-    *gone = false;
+    struct flight fl = { .growth2 = 1 };
     for (int i = 0;; i++) {
         double rest = y * y + z * z + w * w, twice = 2 * x;
-        fl.size2 = x * x + rest;
-        fl.steps = i;
-        *gone = *gone || fl.size2 > f->limits[i] * f->limits[i];
-        if (fl.size2 > fate_far || (i >= last && !*gone) ||
-            i == last + JULIA_MORE)
+        if (flight_ends(f, &fl, x * x + rest, i))
             return fl;
         fl.growth2 *= 4 * fl.size2;
         x = x * x - rest + f->c[0];
@@ -65,22 +71,15 @@ static struct flight square_flight(const struct julia_fractal *f, vec3 p,
     }
 }
 
-static struct flight cube_flight(const struct julia_fractal *f, vec3 p,
-                                 bool *gone)
+static struct flight cube_flight(const struct julia_fractal *f, vec3 p)
 {
     double x = p.x, y = p.y, z = p.z;
     double w = f->w[0] * x + f->w[1] * y + f->w[2] * z + f->w[3];
-    struct flight fl = { 0, 1, 0 };
-    int last = f->iterations - 1;
-    *gone = false;
+    struct flight fl = { .growth2 = 1 };
     for (int i = 0;; i++) {
         double rest = y * y + z * z + w * w, real = x * x;
         double factor = 3 * real - rest;
-        fl.size2 = real + rest;
-        fl.steps = i;
-        *gone = *gone || fl.size2 > f->limits[i] * f->limits[i];
-        if (fl.size2 > fate_far || (i >= last && !*gone) ||
-            i == last + JULIA_MORE)
+        if (flight_ends(f, &fl, real + rest, i))
             return fl;
         fl.growth2 *= 9 * fl.size2 * fl.size2;
         x = x * (real - 3 * rest) + f->c[0];
@@ -93,8 +92,9 @@ static struct flight cube_flight(const struct julia_fractal *f, vec3 p,
 static void fate_quaternion(const struct julia_fractal *f, vec3 point,
                             struct julia_fate *fate)
 {
-    struct flight fl = f->cube ? cube_flight(f, point, &fate->gone)
-                               : square_flight(f, point, &fate->gone);
+    struct flight fl =
+        f->cube ? cube_flight(f, point) : square_flight(f, point);
+    fate->gone = fl.gone;
     if (fate->gone) {
         fate->distance = flight_distance(f, &fl, f->radius, f->cube);
         return;
@@ -112,8 +112,10 @@ struct twins {
 static double twin_distance(const struct julia_fractal *f,
                             const struct twins *twins, int i, int steps)
 {
-    struct flight fl = { twins->x[i] * twins->x[i] + twins->y[i] * twins->y[i],
-                         twins->growth2[i], steps };
+    struct flight fl = { .size2 = twins->x[i] * twins->x[i] +
+                                  twins->y[i] * twins->y[i],
+                         .growth2 = twins->growth2[i],
+                         .steps = steps };
     return flight_distance(f, &fl, sqrt(2) * f->radius, false);
 }
 
@@ -126,22 +128,15 @@ static void fate_hypercomplex(const struct julia_fractal *f, vec3 p,
                        { 1, 1 } };
     const double cx[2] = { f->c[0] - f->c[3], f->c[0] + f->c[3] };
     const double cy[2] = { f->c[1] + f->c[2], f->c[1] - f->c[2] };
-    int last = f->iterations - 1;
-    double size2;
-    fate->gone = false;
+    struct flight fl = { .gone = false };
     for (int i = 0;; i++) {
         double xx[2], yy[2];
         for (int k = 0; k < 2; k++) {
             xx[k] = t.x[k] * t.x[k];
             yy[k] = t.y[k] * t.y[k];
         }
-        size2 = (xx[0] + yy[0] + xx[1] + yy[1]) / 2;
-        fate->gone = fate->gone || size2 > f->limits[i] * f->limits[i];
-        if (size2 > fate_far || (i >= last && !fate->gone) ||
-            i == last + JULIA_MORE) {
-            last = i;
+        if (flight_ends(f, &fl, (xx[0] + yy[0] + xx[1] + yy[1]) / 2, i))
             break;
-        }
         for (int k = 0; k < 2; k++) {
             t.growth2[k] *= 4 * (xx[k] + yy[k]);
             t.y[k] = 2 * t.x[k] * t.y[k] + cy[k];
@@ -149,11 +144,12 @@ static void fate_hypercomplex(const struct julia_fractal *f, vec3 p,
         }
     }
     double growth = sqrt(fmax(t.growth2[0], t.growth2[1]));
-    fate->distance = fate->gone ? fmax(twin_distance(f, &t, 0, last),
-                                       twin_distance(f, &t, 1, last)) /
-                                      sqrt(2)
-                                : fmin(0.5 * (f->radius - sqrt(size2)) / growth,
-                                       fate_cap * f->radius);
+    fate->gone = fl.gone;
+    fate->distance = fl.gone ? fmax(twin_distance(f, &t, 0, fl.steps),
+                                    twin_distance(f, &t, 1, fl.steps)) /
+                                   sqrt(2)
+                             : fmin(0.5 * (f->radius - sqrt(fl.size2)) / growth,
+                                    fate_cap * f->radius);
 }
 
 void julia_fate_find(const struct julia_fractal *fractal, vec3 point,

@@ -46,6 +46,7 @@ static inline struct cell cell_at(vec3 point)
 struct corners {
     const struct noise_tables *tables;
     const struct cell *cell;
+    int count; /* of fields, 1 or NOISE_FIELDS */
     lanes place;
     lanes sum[NOISE_FIELDS];
 };
@@ -53,15 +54,15 @@ struct corners {
 /* Adds the corner on the upper planes where i, j and k are 1: its weight, and
  * the hash of its x and y. */
 static inline __attribute__((always_inline)) void
-corner_add(struct corners *corners, int count, int i, int j, int k,
-           float weight, uint32_t hash)
+corner_add(struct corners *corners, int i, int j, int k, float weight,
+           uint32_t hash)
 {
     const struct noise_tables *tables = corners->tables;
     const lanes origin = { 0, (float)i, (float)j, (float)k };
     lanes basis = (corners->place - origin) * weight;
     hash = tables->permutation[hash ^ corners->cell->plane[2][k]];
     const float *window = &tables->lattice[hash % NOISE_WINDOWS];
-    for (int field = 0; field < count; field++) {
+    for (int field = 0; field < corners->count; field++) {
         lanes random;
         memcpy(&random, window + field * NOISE_FIELD_STEP, sizeof random);
         corners->sum[field] += basis * random;
@@ -74,7 +75,7 @@ static inline __attribute__((always_inline)) void
 cell_blend(const struct noise_tables *tables, const struct cell *cell,
            int count, float *out)
 {
-    struct corners c = { tables, cell, { 0 }, { { 0 }, { 0 }, { 0 } } };
+    struct corners c = { .tables = tables, .cell = cell, .count = count };
     const uint16_t *permutation = tables->permutation;
     const uint32_t *y = cell->plane[1];
     const float *blend = cell->blend;
@@ -87,14 +88,14 @@ cell_blend(const struct noise_tables *tables, const struct cell *cell,
                         blend[0] * blend[1] };
     float below = 1 - blend[2], above = blend[2];
     c.place = (lanes){ 0.5f, cell->place[0], cell->place[1], cell->place[2] };
-    corner_add(&c, count, 0, 0, 0, weight[0] * below, hash[0]);
-    corner_add(&c, count, 1, 0, 0, weight[1] * below, hash[1]);
-    corner_add(&c, count, 0, 1, 0, weight[2] * below, hash[2]);
-    corner_add(&c, count, 1, 1, 0, weight[3] * below, hash[3]);
-    corner_add(&c, count, 0, 0, 1, weight[0] * above, hash[0]);
-    corner_add(&c, count, 1, 0, 1, weight[1] * above, hash[1]);
-    corner_add(&c, count, 0, 1, 1, weight[2] * above, hash[2]);
-    corner_add(&c, count, 1, 1, 1, weight[3] * above, hash[3]);
+    corner_add(&c, 0, 0, 0, weight[0] * below, hash[0]);
+    corner_add(&c, 1, 0, 0, weight[1] * below, hash[1]);
+    corner_add(&c, 0, 1, 0, weight[2] * below, hash[2]);
+    corner_add(&c, 1, 1, 0, weight[3] * below, hash[3]);
+    corner_add(&c, 0, 0, 1, weight[0] * above, hash[0]);
+    corner_add(&c, 1, 0, 1, weight[1] * above, hash[1]);
+    corner_add(&c, 0, 1, 1, weight[2] * above, hash[2]);
+    corner_add(&c, 1, 1, 1, weight[3] * above, hash[3]);
     for (int field = 0; field < count; field++) {
         lanes s = c.sum[field];
         out[field] = s[0] + s[1] + s[2] + s[3];

@@ -100,14 +100,15 @@ static double root_between(const double *c, int degree, double low, double high,
     }
 }
 
-/* c's roots, given the points between which it is monotonic. */
-static int roots_between(const double *c, int degree, double low, double high,
-                         const double *turns, int turn_count, double *roots)
+/* c's roots between the first and the last of these places, between which it is
+ * monotonic. */
+static int roots_between(const double *c, int degree, const double *turns,
+                         int turn_count, double *roots)
 {
     int count = 0;
-    double left = low, f = value_at(c, degree, low);
-    for (int i = 0; i <= turn_count; i++) {
-        double right = i < turn_count ? turns[i] : high;
+    double left = turns[0], f = value_at(c, degree, left);
+    for (int i = 1; i < turn_count; i++) {
+        double right = turns[i];
         double g = value_at(c, degree, right);
         if ((f < 0) != (g < 0))
             roots[count++] = root_between(c, degree, left, right, f, g);
@@ -142,24 +143,26 @@ static int quadratic_roots_between(const double *c, double low, double high,
 static int roots_by_turns(const double *c, int degree, double low, double high,
                           double *roots)
 {
-    double buffers[2][POLYNOMIAL_DEGREE_MAX + 1];
+    double buffers[2][POLYNOMIAL_DEGREE_MAX + 2]; /* with `low` and `high` */
     double derivative[POLYNOMIAL_DEGREE_MAX + 1];
     double *turns = buffers[0], *found = buffers[1];
     int count = 0, first = 1;
+    turns[0] = found[0] = low;
     if (degree >= 2) {
         derive(c, degree, degree - 2, derivative);
-        count = quadratic_roots_between(derivative, low, high, found);
+        count = quadratic_roots_between(derivative, low, high, found + 1);
         first = 3;
     }
     for (int d = first; d <= degree; d++) {
         double *swap = turns;
         turns = found;
         found = swap;
+        turns[count + 1] = high;
         derive(c, degree, degree - d, derivative);
-        count = roots_between(derivative, d, low, high, turns, count, found);
+        count = roots_between(derivative, d, turns, count + 2, found + 1);
     }
     for (int i = 0; i < count; i++)
-        roots[i] = found[i];
+        roots[i] = found[i + 1];
     return count;
 }
 

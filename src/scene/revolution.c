@@ -1,6 +1,7 @@
 /* Curves turned around the y axis: see revolution.h. */
 #include "scene/revolution.h"
 
+#include "scene/hit_search.h"
 #include "scene/polynomial.h"
 
 static const struct field revolution_fields[] = {
@@ -46,31 +47,16 @@ static bool revolution_inside(const void *shape, vec3 point)
     return outline_covers(&r->outline, hypot(point.x, point.z), point.y);
 }
 
-/* What of the ray the curves need: x^2 + z^2 = a t^2 + 2 b t + c. Crossings
- * between tmin and tmax are looked for: all into `hits`, or, if it is NULL, the
- * first into `hit`, and then tmax is where that is. */
+/* What of the ray the curves need: x^2 + z^2 = a t^2 + 2 b t + c. */
 struct spin {
     const struct ray *ray;
     double a, b, c;
-    double tmin, tmax;
-    struct hits *hits;
-    struct hit hit;
-    bool found;
+    struct hit_search hits;
 };
 
 static void spin_add(struct spin *spin, int part, double s, double t)
 {
-    const struct hit hit = { t, part, s, 0 };
-    if (!(t > spin->tmin && t < spin->tmax))
-        return;
-    if (spin->hits) {
-        if (spin->hits->count < HITS_MAX)
-            spin->hits->at[spin->hits->count++] = hit;
-        return;
-    }
-    spin->hit = hit;
-    spin->tmax = t;
-    spin->found = true;
+    hit_search_take(&spin->hits, (struct hit){ t, part, s, 0 });
 }
 
 /* The ray is level: it meets the curve where that has its height, twice. */
@@ -147,7 +133,7 @@ static bool spin_meets(const struct spin *spin, const struct piece *piece)
     double enter = fmin(low, high), leave = fmax(low, high);
     double margin = 1e-9 * (fabs(enter) + fabs(leave));
     if (dy * dy > spin_flat * spin->a &&
-        (leave + margin < spin->tmin || enter - margin > spin->tmax))
+        (leave + margin < spin->hits.tmin || enter - margin > spin->hits.tmax))
         return false;
     double t = -spin->b / spin->a;
     t = fmax(enter, fmin(t, leave));
@@ -164,8 +150,7 @@ static struct spin spin_new(const struct ray *ray, double tmin, double tmax)
         .a = d.x * d.x + d.z * d.z,
         .b = o.x * d.x + o.z * d.z,
         .c = o.x * o.x + o.z * o.z,
-        .tmin = tmin,
-        .tmax = tmax,
+        .hits = { .tmin = tmin, .tmax = tmax },
     };
 }
 
@@ -186,7 +171,7 @@ static void revolution_intersect(const void *shape, const struct ray *ray,
                                  struct hits *hits)
 {
     struct spin spin = spin_new(ray, -HUGE_VAL, HUGE_VAL);
-    spin.hits = hits;
+    spin.hits.all = hits;
     spin_all(&spin, shape);
 }
 
@@ -195,8 +180,8 @@ static bool revolution_first(const void *shape, const struct ray *ray,
 {
     struct spin spin = spin_new(ray, tmin, tmax);
     spin_all(&spin, shape);
-    *hit = spin.hit;
-    return spin.found;
+    *hit = spin.hits.first;
+    return spin.hits.found;
 }
 
 static bool revolution_crosses(const void *shape, const struct ray *ray,

@@ -22,10 +22,11 @@ static double finish_diffuse(const struct finish *finish, double cosine,
     return share * cosine;
 }
 
-/* cosine^size; most of the time nothing that could be seen. */
+/* cosine^size; most of the time nothing that could be seen: the logarithm of a
+ * cosine c is at most c - 1, and exp(-24) 4e-11. */
 static double finish_lobe(double cosine, double size)
 {
-    return cosine < 0.5 && size > 64 ? 0 : pow(cosine, size);
+    return size * (1 - cosine) > 24 ? 0 : pow(cosine, size);
 }
 
 /* phong * (R.L)^size, R the mirrored view direction. */
@@ -74,11 +75,6 @@ static double finish_grain(const struct finish *finish, vec3 point, vec3 light)
     return finish->crand * random_unit(key);
 }
 
-static bool finish_has_highlights(const struct finish *finish)
-{
-    return finish->phong != 0 || finish->specular != 0;
-}
-
 static rgb finish_highlights(const struct surface *surface,
                              const struct surface_layer *layer, vec3 light,
                              double cosine)
@@ -89,6 +85,8 @@ static rgb finish_highlights(const struct surface *surface,
         share += finish_phong(finish, surface, layer, light);
     if (finish->specular != 0)
         share += finish_specular(finish, surface, layer, light);
+    if (finish->metallic == 0)
+        return rgb_grey(share);
     rgb tint =
         finish_metallic(finish->metallic, cosine, colour_rgb(layer->pigment));
     return rgb_scale(tint, share);
@@ -103,9 +101,11 @@ static double layer_opacity(const struct surface_layer *layer)
     return 1 - c.filter * peak - c.transmit;
 }
 
-rgb finish_light(const struct surface *surface,
-                 const struct surface_layer *layer,
-                 const struct light_sample *sample)
+/* What one layer sends of it, before the layer's weight: diffuse, phong and
+ * specular. */
+static inline rgb finish_light(const struct surface *surface,
+                               const struct surface_layer *layer,
+                               const struct light_sample *sample)
 {
     const struct finish *finish = layer->finish;
     double cosine = vec3_dot(layer->normal, sample->direction);
@@ -125,6 +125,16 @@ rgb finish_light(const struct surface *surface,
             share, film_tint(&finish->film, surface->point, cosine,
                              fabs(vec3_dot(surface->view, layer->normal))));
     return rgb_mul(share, sample->colour);
+}
+
+void surface_add_light(const struct surface *surface,
+                       const struct light_sample *sample, rgb *sum)
+{
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        rgb light = finish_light(surface, layer, sample);
+        *sum = rgb_add(*sum, rgb_mul(layer->weight, light));
+    }
 }
 
 rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance)
@@ -147,13 +157,6 @@ rgb finish_shine(const struct surface_layer *layer)
 {
     rgb light = rgb_mul(layer->finish->glow, colour_rgb(layer->pigment));
     return rgb_scale(light, layer_opacity(layer));
-}
-
-bool finish_lit_by(const struct finish *finish, double cosine, bool twice)
-{
-    if (cosine > 0 || twice)
-        return finish->diffuse != 0 || finish_has_highlights(finish);
-    return cosine < 0 && finish->diffuse_back != 0;
 }
 
 double finish_fresnel(double cosine, double ior)

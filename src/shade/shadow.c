@@ -154,12 +154,17 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         from = crossing->t;
     }
     double rest = path->distance - from;
+    if (!interiors_open(&inside))
+        return share;
+    /* Media that the lamp itself is in, too, don't count (measured). */
+    interiors_clear(&inside);
     return rgb_mul(share, shadow_air(path, &inside, from, rest, worker));
 }
 
 double shadow_start(vec3 point)
 {
-    return fmax(shadow_margin, surface_offset(point));
+    double offset = surface_offset(point);
+    return offset > shadow_margin ? offset : shadow_margin;
 }
 
 bool shadow_is_whole(const struct shaft *shaft, const double place[2],
@@ -174,12 +179,12 @@ static bool shadow_blocked(const struct world *world,
                            const struct shadow_path *path, double from,
                            double to, struct shadow_ray *shadow)
 {
-    struct ray ray = { path->point, path->direction };
+    const struct ray ray = { path->point, path->direction };
+    const struct occlusion asked = { &ray,        from,          to,
+                                     path->light, shadow_filter, shadow };
     return path->shaft
-               ? world_occluded_in(world, path->shaft, path->place, &ray, from,
-                                   to, path->light, shadow_filter, shadow)
-               : world_occluded(world, &ray, from, to, path->light,
-                                shadow_filter, shadow);
+               ? world_occluded_in(world, path->shaft, path->place, &asked)
+               : world_occluded(world, &asked);
 }
 
 /* Through what may weaken the light. */
@@ -210,6 +215,20 @@ static bool shadow_begins(const struct world *world,
     return pane >= 0;
 }
 
+bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
+                  vec3 direction, double distance, int light)
+{
+    const struct ray ray = { point, direction };
+    const struct occlusion way = { .ray = &ray,
+                                   .tmin = shadow_start(point),
+                                   .tmax = distance - shadow_margin,
+                                   .light = light };
+    if (!(way.tmax > way.tmin))
+        return false;
+    worker->counters.shadow_rays++;
+    return world_occluded(world, &way);
+}
+
 rgb shadow_visibility(const struct world *world, struct worker *worker,
                       const struct shadow_path *path)
 {
@@ -223,7 +242,9 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
     if (!world_is_opaque(world) || path->shaft || path->fog || path->misty)
         return shadow_filtered(world, worker, path, from, to);
     const struct ray ray = { path->point, path->direction };
-    bool blocked =
-        world_occluded(world, &ray, from, to, path->light, NULL, NULL);
+    const struct occlusion asked = {
+        .ray = &ray, .tmin = from, .tmax = to, .light = path->light
+    };
+    bool blocked = world_occluded(world, &asked);
     return rgb_grey(blocked ? 0 : 1);
 }

@@ -96,5 +96,9 @@ bool matter_hides(const struct world *world, const uint8_t *marks, vec3 from,
     double distance = vec3_length(way);
     struct ray ray = { from, vec3_normalise(way) };
     return distance > 0 &&
-           world_occluded(world, &ray, 0, distance, -1, has_mark, &marks);
+           world_occluded(world, &(struct occlusion){ .ray = &ray,
+                                                      .tmax = distance,
+                                                      .light = -1,
+                                                      .filter = has_mark,
+                                                      .context = &marks });
 }

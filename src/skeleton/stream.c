@@ -26,8 +26,12 @@ bool stream_sees(const struct skeleton *skeleton, vec3 from, vec3 to)
     struct ray ray = { from, vec3_normalise(way) };
     if (!(length > 2 * margin))
         return true;
-    return !world_occluded(skeleton->world, &ray, margin, length - margin, -1,
-                           stream_passes, NULL);
+    return !world_occluded(skeleton->world,
+                           &(struct occlusion){ .ray = &ray,
+                                                .tmin = margin,
+                                                .tmax = length - margin,
+                                                .light = -1,
+                                                .filter = stream_passes });
 }
 
 /* What the lamp gives to a surface that faces it, if the point sees it. */

@@ -147,10 +147,6 @@ rgb surface_response(const struct surface *surface, vec3 direction,
 {
     struct light_sample sample = { direction, { 1, 1, 1 }, highlights };
     rgb sum = rgb_grey(0);
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        rgb light = finish_light(surface, layer, &sample);
-        sum = rgb_add(sum, rgb_mul(layer->weight, light));
-    }
+    surface_add_light(surface, &sample, &sum);
     return sum;
 }

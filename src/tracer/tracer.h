@@ -37,6 +37,14 @@ struct radiance tracer_camera(const struct tracer *tracer,
                               struct worker *worker,
                               const struct picture_place *place);
 
+/* `count` of each. */
+struct tracer_met {
+    const struct picture_place *places;
+    const struct ray *rays;
+    const struct world_hit *hits;
+    unsigned count;
+};
+
 /* The same at up to WORLD_RAYS places, quicker where they are neighbours, in
  * parts: the camera's ray of each, what it meets first, and what is seen then.
  * The worker's scratch memory is reset after each. */
@@ -45,8 +53,6 @@ struct ray tracer_ray(const struct tracer *tracer,
 void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
                       unsigned count, struct world_hit *hits);
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const struct picture_place *places, const struct ray *rays,
-                     const struct world_hit *hits, unsigned count,
-                     struct radiance *out);
+                     const struct tracer_met *met, struct radiance *out);
 
 #endif

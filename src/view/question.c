@@ -106,16 +106,17 @@ static int question_index(double x, int count)
 
 /* Who told the light: of a lighting with several stores, the one that did. */
 static void question_lit(const struct drawing *drawing,
-                         const struct question_hit *hit, int column, int row,
+                         const struct question_hit *hit, const int pixel[2],
                          FILE *out, char *notice, size_t size)
 {
     char place[FILENAME_MAX], *lines = NULL;
     size_t length;
     const struct lighting *lighting = drawing->tracer.lighting;
     FILE *told = open_memstream(&lines, &length);
-    const char *answer = integrator_for(lighting)->sample
-                             ? NULL
-                             : question_pixel(drawing, column, row, told);
+    const char *answer =
+        integrator_for(lighting)->sample
+            ? NULL
+            : question_pixel(drawing, pixel[0], pixel[1], told);
     rgb light = question_light(drawing, hit);
     fclose(told);
     fprintf(out, "irradiance <%.4g, %.4g, %.4g> by %s%s%s\n%s", light.r,
@@ -137,12 +138,12 @@ void question_answer(const struct drawing *drawing, double x, double y,
     const struct image *image = drawing->image;
     struct question_hit hit =
         question_meet(drawing->model, &drawing->camera, x, y);
-    int column = question_index(x, image->width);
-    int row = question_index(y, image->height);
-    const float *pixel = image_pixel(image, column, row);
+    const int pixel[2] = { question_index(x, image->width),
+                           question_index(y, image->height) };
+    const float *seen = image_pixel(image, pixel[0], pixel[1]);
     question_tell(&hit, out);
-    fprintf(out, "pixel %d,%d: colour <%.4g, %.4g, %.4g>\n", column + 1,
-            row + 1, (double)pixel[0], (double)pixel[1], (double)pixel[2]);
+    fprintf(out, "pixel %d,%d: colour <%.4g, %.4g, %.4g>\n", pixel[0] + 1,
+            pixel[1] + 1, (double)seen[0], (double)seen[1], (double)seen[2]);
     if (hit.met && drawing->options.quality >= QUALITY_LIT)
-        question_lit(drawing, &hit, column, row, out, notice, size);
+        question_lit(drawing, &hit, pixel, out, notice, size);
 }

@@ -117,16 +117,24 @@ const struct mesh_tree *mesh_tree_new(struct arena *arena,
     return tree;
 }
 
+/* Who asks for crossings. */
+struct tree_asker {
+    const struct ray *ray;
+    double tmin, tmax;
+    hit_visit *visit;
+    void *context;
+};
+
 static bool visit_leaf(const struct mesh_tree *tree,
-                       const struct tree_node *node, const struct ray *ray,
-                       double tmin, double tmax, hit_visit *visit,
-                       void *context)
+                       const struct tree_node *node,
+                       const struct tree_asker *asker)
 {
     for (uint32_t i = 0; i < node->count; i++) {
         struct hit hit;
-        if (mesh_intersect(tree->mesh, tree->order[node->first + i], ray,
+        if (mesh_intersect(tree->mesh, tree->order[node->first + i], asker->ray,
                            &hit) &&
-            hit.t > tmin && hit.t < tmax && visit(context, &hit))
+            hit.t > asker->tmin && hit.t < asker->tmax &&
+            asker->visit(asker->context, &hit))
             return true;
     }
     return false;
@@ -136,6 +144,7 @@ void mesh_tree_crossings(const struct mesh_tree *tree, const struct ray *ray,
                          double tmin, double tmax, hit_visit *visit,
                          void *context)
 {
+    const struct tree_asker asker = { ray, tmin, tmax, visit, context };
     uint32_t stack[TREE_DEPTH];
     int depth = 0;
     if (tree->node_count == 0)
@@ -148,7 +157,7 @@ void mesh_tree_crossings(const struct mesh_tree *tree, const struct ray *ray,
         if (!slabs_hit(&slabs, &node->box, tmin, tmax))
             continue;
         if (node->count > 0) {
-            if (visit_leaf(tree, node, ray, tmin, tmax, visit, context))
+            if (visit_leaf(tree, node, &asker))
                 return;
         } else if (depth + 2 <= TREE_DEPTH) {
             stack[depth++] = node->first;

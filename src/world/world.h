@@ -19,6 +19,10 @@ struct world *world_new(const struct scene *scene, unsigned threads,
                         double camera_rays, struct diag *diag);
 void world_free(struct world *world);
 
+/* Light number `light` of world_lights alone lights from now on: the others
+ * are black. Not while rays are traced. */
+void world_solo(struct world *world, size_t light);
+
 /* All lights, those in unions too, moved to where they are; file order. Several
  * that differ in their colours alone are one, with the sum of these. */
 const struct light *world_lights(const struct world *world, size_t *count);
@@ -81,12 +85,20 @@ bool world_within(const struct world *world, const struct ray *ray, double tmin,
  * are wanted. `out` is filled as by world_closest. */
 typedef bool world_filter(void *context, const struct intersection *out);
 
+/* What world_occluded is asked. */
+struct occlusion {
+    const struct ray *ray; /* its direction is unit */
+    double tmin, tmax;
+    int light;            /* what looks like this one doesn't count; -1: none */
+    world_filter *filter; /* or NULL */
+    void *context;        /* of the filter */
+};
+
 /* Whether an opaque thing lies on the ray between tmin and tmax, or the filter
- * said blocked; without one, NULL, whatever lies there. no_shadow leaves don't
- * count, nor what looks like light number `light` (-1: none). */
-bool world_occluded(const struct world *world, const struct ray *ray,
-                    double tmin, double tmax, int light, world_filter *filter,
-                    void *context);
+ * said blocked; without one whatever lies there. no_shadow leaves don't count.
+ */
+bool world_occluded(const struct world *world,
+                    const struct occlusion *occlusion);
 
 /* How far a ray to light number `light` goes until it meets what that light
  * shines through alone; tmax if it shines through nothing, negative if it
@@ -107,9 +119,8 @@ double world_blur(const struct world *world, const struct shaft_rays *rays,
 /* The same as world_occluded, for the ray of the shaft to the place of these
  * coordinates: the sooner the less there is on the way. */
 bool world_occluded_in(const struct world *world, const struct shaft *shaft,
-                       const double place[2], const struct ray *ray,
-                       double tmin, double tmax, int light,
-                       world_filter *filter, void *context);
+                       const double place[2],
+                       const struct occlusion *occlusion);
 
 /* Calls visit for every leaf whose inside holds the point (CSG and clips
  * respected), in file order: the interiors a camera starts in. */

@@ -1,6 +1,6 @@
 // assumed_gamma 2.2: light is added in the scene's own space and leaves it by
 // the power of 2.2 when a linear file is written.
-// claims: rays path mesh soft
+// claims: rays path mesh soft many
 //
 // Two parallel lights of .3, head on: .6^2.2 = .325037. The glowing box: pigment
 // .5 by emission .8: .4^2.2 = .133209. A background of <.9, .2, .05>: .793110,

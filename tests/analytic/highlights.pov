@@ -1,5 +1,5 @@
 // phong and specular: sizes, and the factor of albedo.
-// claims: rays path mesh soft
+// claims: rays path mesh soft many
 //
 // The view is along z on the wall z = 0; the light is parallel, from
 // <3, 0, -4>/5, so n.l = .8, the mirrored view is -z and R.l = .8, and

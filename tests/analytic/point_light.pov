@@ -1,5 +1,5 @@
 // A point light before a wall.
-// claims: rays path mesh soft
+// claims: rays path mesh soft many
 //
 // The light is at <1, 0, -2>, the wall is z = 0. At (x, y) the cosine is
 // 2/sqrt((x - 1)^2 + y^2 + 4); the colour is L * pigment * diffuse * cosine

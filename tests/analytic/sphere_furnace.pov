@@ -1,5 +1,5 @@
 // A closed sphere that glows everywhere and reflects half.
-// claims: rays path
+// claims: rays path bounced
 // options path: --samples 8192 +SC33 +EC34 +SR25 +ER26
 //
 // Lamps there are none, so rays sees emission * pigment = .3. With light

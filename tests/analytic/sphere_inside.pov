@@ -1,5 +1,5 @@
 // The light at the centre of a unit sphere, seen from there.
-// claims: rays path mesh soft
+// claims: rays path mesh soft bounced many
 // options path: --samples 8192 +SC33 +EC34 +SR25 +ER26
 //
 // Every wall point is lit head on, at distance 1, without fading: pigment *

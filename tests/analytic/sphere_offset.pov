@@ -1,5 +1,5 @@
 // A lamp beside the middle of a diffuse unit sphere, fading with the distance.
-// claims: rays path
+// claims: rays path bounced
 // options path: --samples 16384
 //
 // fade_distance f = .01 and fade_power 2 make 2 c/(1 + d^2/f^2), with

@@ -6,19 +6,6 @@ function judge(what, found, most) {
     missed += found > most
 }
 
-function rank(section, n,    i, j, v, s) {
-    for (i = 2; i <= n; i++) {
-        v = value[section, i]
-        s = name[section, i]
-        for (j = i - 1; j > 0 && value[section, j] > v; j--) {
-            value[section, j + 1] = value[section, j]
-            name[section, j + 1] = name[section, j]
-        }
-        value[section, j + 1] = v
-        name[section, j + 1] = s
-    }
-}
-
 NR > 1 && $3 != "" {
     n = ++count[$1]
     name[$1, n] = $2

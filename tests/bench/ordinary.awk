@@ -47,26 +47,12 @@ NR > 1 && $3 > 0 && $5 > 0 {
     }
 }
 
-# Sorts the rows of a section by ratio, least first.
-function sort_rows(section, n,    i, j, v, s) {
-    for (i = 2; i <= n; i++) {
-        v = value[section, i]
-        s = name[section, i]
-        for (j = i - 1; j > 0 && value[section, j] > v; j--) {
-            value[section, j + 1] = value[section, j]
-            name[section, j + 1] = name[section, j]
-        }
-        value[section, j + 1] = v
-        name[section, j + 1] = s
-    }
-}
-
 END {
     print "\nPOV-Ray's processor time over glim's"
     for (i = 1; i <= sections; i++) {
         s = order[i]
         n = count[s]
-        sort_rows(s, n)
+        rank(s, n)
         printf "%-12s %3d rows, geometric mean %.2f, best %s %.1f\n", s, n,
             exp(sum[s] / n), name[s, n], value[s, n]
         printf "    least:"

@@ -170,8 +170,12 @@ static void measure_rays(struct cost *cost, const struct setting *setting)
     }
     double start = seconds();
     for (size_t i = 0; i < RAYS; i++)
-        blocked += world_occluded(setting->world, &rays[i], 1e-4, lengths[i],
-                                  -1, passes, NULL);
+        blocked += world_occluded(setting->world,
+                                  &(struct occlusion){ .ray = &rays[i],
+                                                       .tmin = 1e-4,
+                                                       .tmax = lengths[i],
+                                                       .light = -1,
+                                                       .filter = passes });
     keep_least(&cost->rays, 1e7 / RAYS * (seconds() - start));
     if (blocked == 0 || blocked == RAYS)
         fprintf(stderr, "skeleton_cost: all rays alike\n");

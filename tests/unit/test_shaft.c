@@ -86,9 +86,18 @@ static void look(const struct world *world, const struct shaft_rays *rays,
     double to = vec3_length(way) - 1e-3;
     int wanted = 0, met = 0;
     bool blocked =
-        world_occluded(world, &ray, rays->tmin, to, 0, count_filter, &wanted);
-    assert_true(world_occluded_in(world, shaft, place, &ray, rays->tmin, to, 0,
-                                  count_filter, &met) == blocked);
+        world_occluded(world, &(struct occlusion){ .ray = &ray,
+                                                   .tmin = rays->tmin,
+                                                   .tmax = to,
+                                                   .filter = count_filter,
+                                                   .context = &wanted });
+    assert_true(world_occluded_in(world, shaft, place,
+                                  &(struct occlusion){ .ray = &ray,
+                                                       .tmin = rays->tmin,
+                                                       .tmax = to,
+                                                       .filter = count_filter,
+                                                       .context = &met }) ==
+                blocked);
     if (!blocked)
         assert_int_equal(met, wanted);
     if (!shaft->crowded && shaft->plain)
@@ -147,8 +156,9 @@ static void other_shafts_are_crowded(void **state)
         world_shaft(all->world, &rays, &shaft);
         assert_true(shaft.crowded);
         assert_false(shaft_clear(&shaft, place));
-        assert_true(world_occluded_in(all->world, &shaft, place, &ray, 0, 4, -1,
-                                      NULL, NULL));
+        assert_true(world_occluded_in(
+            all->world, &shaft, place,
+            &(struct occlusion){ .ray = &ray, .tmax = 4, .light = -1 }));
         scene_world_free(all);
     }
 }
@@ -229,8 +239,11 @@ static void nothing_stands_before_lit_pieces(void **state)
                               rays.half[1], v);
         vec3 way = vec3_sub(end, from);
         struct ray ray = { from, vec3_normalise(way) };
-        assert_false(world_occluded(all->world, &ray, rays.tmin,
-                                    vec3_length(way) - 1e-3, 0, NULL, NULL));
+        assert_false(world_occluded(
+            all->world,
+            &(struct occlusion){ .ray = &ray,
+                                 .tmin = rays.tmin,
+                                 .tmax = vec3_length(way) - 1e-3 }));
         lit++;
     }
     assert_true(lit > 500);

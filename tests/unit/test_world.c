@@ -235,7 +235,11 @@ static void solids_have_the_boundaries_of_their_insides(void **state)
                 if (fabs(vec3_dot(at.normal, ray.direction)) > 0.1)
                     assert_false(slow_inside(solid, outer));
             }
-            world_occluded(world, &ray, 0, 1e6, -1, count_crossing, &counted);
+            world_occluded(world, &(struct occlusion){ .ray = &ray,
+                                                       .tmax = 1e6,
+                                                       .light = -1,
+                                                       .filter = count_crossing,
+                                                       .context = &counted });
             double sum = 0;
             int count = 0;
             for (; count < wanted.count && wanted.t[count] < 1e6; count++)
@@ -282,12 +286,14 @@ static void crowds_give_the_nearest(void **state)
         assert_true(hit == (nearest < 1e7));
         if (hit)
             assert_true(fabs(at.t - nearest) < 1e-9 * (1 + nearest));
-        bool blocked =
-            world_occluded(world, &ray, 0, nearest + 1e-3, -1, NULL, NULL);
+        bool blocked = world_occluded(
+            world, &(struct occlusion){
+                       .ray = &ray, .tmax = nearest + 1e-3, .light = -1 });
         assert_true(blocked == hit);
         if (nearest > 0.01)
-            assert_false(
-                world_occluded(world, &ray, 0, nearest - 1e-3, -1, NULL, NULL));
+            assert_false(world_occluded(
+                world, &(struct occlusion){
+                           .ray = &ray, .tmax = nearest - 1e-3, .light = -1 }));
     }
     world_free(world);
     scene_free(scene);
@@ -385,8 +391,12 @@ static void triangles_are_hit_exactly(void **state)
             if (hits > 0)
                 assert_true(fabs(at.t - nearest) < 1e-5);
             struct counted counted = { 0, 0 };
-            bool blocked = world_occluded(world, &ray, 0, 1e4, -1,
-                                          count_crossing, &counted);
+            bool blocked = world_occluded(
+                world, &(struct occlusion){ .ray = &ray,
+                                            .tmax = 1e4,
+                                            .light = -1,
+                                            .filter = count_crossing,
+                                            .context = &counted });
             assert_true(blocked == (trial == 1 && hits > 0));
             if (trial != 1)
                 assert_int_equal(counted.count, hits);
@@ -543,8 +553,11 @@ static void properties_come_down_the_tree(void **state)
     assert_true(at.t == 4 && at.leaf->interior == &glass && at.leaf->hollow);
     assert_true(world_closest(world, &z, 6.5, RAY_REFLECTION, &at));
     assert_true(fabs(at.t - 9) < 1e-12 && at.leaf->looks_like == 0);
-    assert_false(world_occluded(world, &z, 6.5, 20, 0, NULL, NULL));
-    assert_false(world_occluded(world, &z, 6.5, 20, 1, NULL, NULL));
+    assert_false(world_occluded(
+        world, &(struct occlusion){ .ray = &z, .tmin = 6.5, .tmax = 20 }));
+    assert_false(world_occluded(
+        world,
+        &(struct occlusion){ .ray = &z, .tmin = 6.5, .tmax = 20, .light = 1 }));
 
     const struct leaf *inside = NULL;
     world_containing(world, vec3_make(0, 10.5, 0), note_leaf, &inside);
@@ -610,8 +623,10 @@ static void bounds_hide_what_misses_them(void **state)
     assert_true(world_closest(world, &through, 0, RAY_CAMERA, &at));
     assert_true(fabs(at.t - 4) < 1e-12);
     assert_false(world_closest(world, &beside, 0, RAY_CAMERA, &at));
-    assert_true(world_occluded(world, &through, 0, 9, -1, NULL, NULL));
-    assert_false(world_occluded(world, &beside, 0, 9, -1, NULL, NULL));
+    assert_true(world_occluded(
+        world, &(struct occlusion){ .ray = &through, .tmax = 9, .light = -1 }));
+    assert_false(world_occluded(
+        world, &(struct occlusion){ .ray = &beside, .tmax = 9, .light = -1 }));
     assert_true(box3_is_finite(world_bounds(world)));
     world_free(world);
     scene_free(scene);
@@ -737,8 +752,10 @@ static void odd_rays_do_no_harm(void **state)
     for (size_t i = 0; i < sizeof rays / sizeof *rays; i++) {
         struct intersection at;
         assert_false(world_closest(world, &rays[i], 1e-6, RAY_CAMERA, &at));
-        assert_false(
-            world_occluded(world, &rays[i], 1e-6, 1e7, -1, NULL, NULL));
+        assert_false(world_occluded(world, &(struct occlusion){ .ray = &rays[i],
+                                                                .tmin = 1e-6,
+                                                                .tmax = 1e7,
+                                                                .light = -1 }));
     }
     world_free(world);
     scene_free(scene);

@@ -1,0 +1,25 @@
+/* tiling: the plane of x and z paved with regular polygons and bricks. */
+#include "scene/pattern.h"
+#include "scene/tiling.h"
+
+static double tiling_pattern_value(const struct pattern *pattern, vec3 point)
+{
+    const struct tiling_use *use = pattern->parameters;
+    if (!use->tiling)
+        return 0;
+    return tiling_value(use->tiling, point.x, point.z);
+}
+
+static const struct field tiling_arguments[] = {
+    { "tiling", FIELD_INTEGER, offsetof(struct tiling_use, number), 1, 27,
+      "which one, 1 to 24", false },
+    { .name = NULL },
+};
+
+const struct pattern_kind tiling_pattern = {
+    .name = "tiling",
+    .help = "tiles of one of 24 kinds, each with a bevel: tiling 5",
+    .size = sizeof(struct tiling_use),
+    .arguments = tiling_arguments,
+    .value = tiling_pattern_value,
+};
