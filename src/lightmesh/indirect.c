@@ -277,9 +277,7 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                           receiver->normal, receiver->from),
             0
         };
-    const struct near_rays rays = {
-        receiver->pixel ? mesh->near / NEAR_LONE_PART : 0, 0
-    };
+    int rays = receiver->pixel ? mesh->near / NEAR_LONE_PART : 0;
     struct indirect_light light = indirect_mesh_blend(mesh, worker, receiver);
     struct indirect_share share =
         near_field_share(mesh, worker, receiver, rays, &light);

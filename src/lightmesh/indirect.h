@@ -30,7 +30,7 @@ struct indirect_options {
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;
     bool onward;                  /* further rays do if that is NULL, */
-    struct indirect_share around; /* or this, from which those differ */
+    struct indirect_share around; /* or this */
 };
 
 struct indirect_mesh {

@@ -98,12 +98,8 @@ static void corner_fill(struct corner *corner,
     corner->side = receiver.side;
     corner->reach = lattice_spacing(&points->lattice, level);
     corner->light = indirect_mesh_blend(pixels->mesh, worker, &receiver);
-    const struct near_rays rays = {
-        pixels->mesh->near,
-        (uint32_t)((name->at[0] & 1) + 2 * (name->at[1] & 1)),
-    };
-    corner->share =
-        near_field_share(pixels->mesh, worker, &receiver, rays, &corner->light);
+    corner->share = near_field_share(pixels->mesh, worker, &receiver,
+                                     pixels->mesh->near, &corner->light);
 }
 
 static const struct corner *corner_get(const struct indirect_pixels *pixels,

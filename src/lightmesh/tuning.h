@@ -144,7 +144,7 @@ enum {
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
     CLOSE_RAYS = 30000,   /* between its walls */
     NEAR_RAYS = 16,       /* to what is close to a place that is seen; */
-    NEAR_LONE_PART = 4,   /* one in so many where only a pixel shares them */
+    NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 
