@@ -277,10 +277,11 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                           receiver->normal, receiver->from),
             0
         };
-    int rays = receiver->pixel ? mesh->near / NEAR_LONE_PART : 0;
     struct indirect_light light = indirect_mesh_blend(mesh, worker, receiver);
-    struct indirect_share share =
-        near_field_share(mesh, worker, receiver, rays, &light);
+    if (!receiver->pixel)
+        return indirect_light_share(&light, receiver->normal);
+    struct indirect_share share = near_field_share(
+        mesh, worker, receiver, mesh->near / NEAR_LONE_PART, &light);
     if (vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat)
         share = indirect_light_share(&light, receiver->normal);
     return share;
