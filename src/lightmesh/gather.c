@@ -125,7 +125,8 @@ static rgb gathering_picked(const struct gathering *gathering,
     return rgb_scale(found.light, density / (density + found.density));
 }
 
-/* One ray more from there, as often as it matters. */
+/* One ray more from there, as often as it matters: by how much it differs from
+ * what is usual, which may be less than nothing. */
 static struct indirect_share gathering_onward(const struct gathering *gathering,
                                               const struct surface *surface,
                                               double matters)
@@ -133,12 +134,11 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     const struct gather *gather = gathering->gather;
     struct draws draws =
         draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
-    struct indirect_share none = { rgb_grey(0), 0 };
+    struct indirect_share share = gather->around;
     double chance = fmin(onward_often * matters, 1), u[2];
-    if (gathering->before >= BOUNCES)
-        return gather->around;
-    if (draw_unit(&draws, GATHER_CHANCE) >= chance)
-        return none;
+    if (gathering->before >= BOUNCES ||
+        draw_unit(&draws, GATHER_CHANCE) >= chance)
+        return share;
     struct gathered_ray found = { .open = 0 };
     draw_pair(&draws, GATHER_DIRECTION, u);
     struct gathering further = {
@@ -155,8 +155,9 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     found.light = gathering_follow(&further, &found.at, &found.glow);
     found.light = rgb_add(gather_balanced(gather, &ray, density, &found),
                           gathering_picked(gathering, surface, &draws));
-    return (struct indirect_share){ rgb_scale(found.light, 1 / chance),
-                                    found.open / chance };
+    share.light = rgb_mix(share.light, found.light, 1 / chance);
+    share.open += (found.open - share.open) / chance;
+    return share;
 }
 
 /* All light on the surface, of which the share `matters` is seen. Where the

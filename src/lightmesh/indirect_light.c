@@ -12,9 +12,9 @@ void indirect_light_add(struct indirect_light *light, vec3 direction,
                         rgb radiance, double open, double density)
 {
     double weight = 1 / (WARP_PI * density);
-    if (rgb_peak(radiance) > 0)
+    if (radiance.r != 0 || radiance.g != 0 || radiance.b != 0)
         harmonics_add(&light->light, direction, rgb_scale(radiance, weight));
-    if (open > 0)
+    if (open != 0)
         harmonics_add_share(light->open, direction, open * weight);
 }
 

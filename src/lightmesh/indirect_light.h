@@ -12,7 +12,8 @@ struct indirect_light {
 extern const struct indirect_light indirect_light_none;
 
 /* Light, and the openness to what is outside, that one of many ways has which
- * are drawn with that density per solid angle. */
+ * are drawn with that density per solid angle; what is only right in the mean
+ * may be less than 0. */
 void indirect_light_add(struct indirect_light *light, vec3 direction,
                         rgb radiance, double open, double density);
 
