@@ -166,7 +166,7 @@ static bool parse_metallic(struct parser *p, struct finish *finish)
 }
 
 /* film_value = "thickness" float | "turbulence" float . */
-static const struct field film_fields[] = {
+const struct field film_fields[] = {
     FINISH("thickness", FIELD_FLOAT, film.thickness, 0, 0,
            "of the film, in the unit of irid_wavelength, 0"),
     FINISH("turbulence", FIELD_FLOAT, film.turbulence, 0, 0,

@@ -6,6 +6,7 @@
 
 extern const struct field finish_fields[];
 extern const struct field reflection_fields[];
+extern const struct field film_fields[];
 extern const struct field turbulence_fields[];
 extern const struct field repeat_fields[];
 extern const struct field hole_fields[];
@@ -25,6 +26,7 @@ extern const struct field blur_fields[];
 extern const struct field normal_fields[];
 extern const struct field fog_fields[];
 extern const struct field fog_turbulence_fields[];
+extern const struct field rainbow_fields[];
 extern const struct field sky_fields[];
 extern const struct field image_fields[];
 extern const struct field image_pattern_fields[];

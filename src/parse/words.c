@@ -30,6 +30,7 @@ static const struct {
 } tables[] = {
     { "finish", finish_fields },
     { "reflection", reflection_fields },
+    { "irid", film_fields },
     { "image_map", image_fields },
     { "image_pattern", image_pattern_fields },
     { "image_pattern", image_fields },
@@ -57,6 +58,7 @@ static const struct {
     { "camera", blur_fields },
     { "fog", fog_fields },
     { "fog", fog_turbulence_fields },
+    { "rainbow", rainbow_fields },
     { "sky_sphere", sky_fields },
     { "light_mesh", light_mesh_fields },
     { "indirect", indirect_fields },
