@@ -3,6 +3,7 @@
 #ifndef BASE_RGB_H
 #define BASE_RGB_H
 
+#include <math.h>
 #include <stdbool.h>
 
 typedef struct {
@@ -58,15 +59,13 @@ static inline rgb rgb_mix(rgb a, rgb b, double t)
 
 static inline bool rgb_is_black(rgb a)
 {
-    return a.r == 0 && a.g == 0 && a.b == 0;
+    return fabs(a.r) + fabs(a.g) + fabs(a.b) == 0;
 }
 
 /* The largest component by magnitude: how much a ray of this weight matters. */
 static inline double rgb_peak(rgb a)
 {
-    double r = a.r < 0 ? -a.r : a.r;
-    double g = a.g < 0 ? -a.g : a.g;
-    double b = a.b < 0 ? -a.b : a.b;
+    double r = fabs(a.r), g = fabs(a.g), b = fabs(a.b);
     double peak = r > g ? r : g;
     return peak > b ? peak : b;
 }

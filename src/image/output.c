@@ -17,6 +17,13 @@ static double output_clamp(double value, double low, double high)
     return value < high ? value : high;
 }
 
+/* The same for 0 to 1, in two instructions. */
+static inline float share_of_1(float value)
+{
+    value = value > 0 ? value : 0;
+    return value < 1 ? value : 1;
+}
+
 /* POV-Ray's weights, taken on linear light before clipping (measured). */
 static void output_grey(double c[3])
 {
@@ -35,7 +42,7 @@ static double output_number(double light, const struct conversion *conversion)
     const struct output_space *space = conversion->space;
     const struct tone_table *table = conversion->table;
     if (table)
-        return table->number[tone_table_level(table, light)];
+        return (double)table->number[tone_table_level(table, light)];
     return tone_encode(light, space->keep_numbers ? 0 : space->file_gamma);
 }
 
@@ -68,11 +75,11 @@ static void output_pixel(float *pixel, const struct conversion *conversion)
 /* As output_pixel, where linear light only has to become levels. */
 static void output_levels(float *pixel, const struct tone_table *table)
 {
-    for (int i = 0; i < 3; i++) {
-        double light = output_clamp((double)pixel[i], 0, 1);
-        pixel[i] = (float)table->number[tone_table_level(table, light)];
-    }
-    pixel[3] = (float)output_clamp((double)pixel[3], 0, 1);
+    for (int i = 0; i < 3; i++)
+        pixel[i] =
+            table
+                ->number[tone_table_level(table, (double)share_of_1(pixel[i]))];
+    pixel[3] = share_of_1(pixel[3]);
 }
 
 static void output_row(void *context, size_t row, unsigned thread)

@@ -65,20 +65,24 @@ static unsigned png_level(float v, int bits, unsigned top)
     return (unsigned)((float)level * ((float)top / (float)levels) + 0.5f);
 }
 
-/* As below, of the usual kind. */
-static void png_fill_bytes(const struct png_job *job, const float *pixel)
+/* As below, of the usual kinds, RGB and RGBA. */
+static inline void png_fill_bytes(const struct png_job *job,
+                                  const float *restrict pixel, int channels)
 {
-    unsigned char *out = job->row;
-    for (int x = 0; x < job->bands->width; x++, pixel += 4)
-        for (int c = 0; c < job->channels; c++)
-            *out++ = (unsigned char)tone_level(pixel[c], 255);
+    unsigned char *restrict out = job->row;
+    for (int x = 0; x < job->bands->width; x++, pixel += 4, out += channels)
+        for (int c = 0; c < channels; c++)
+            out[c] = (unsigned char)tone_level(pixel[c], 255);
 }
 
 static void png_fill_row(const struct png_job *job, const float *pixel)
 {
     unsigned char *out = job->row;
     if (job->channels >= 3 && job->bits == 8) {
-        png_fill_bytes(job, pixel);
+        if (job->channels == 3)
+            png_fill_bytes(job, pixel, 3);
+        else
+            png_fill_bytes(job, pixel, 4);
         return;
     }
     for (int x = 0; x < job->bands->width; x++, pixel += 4) {

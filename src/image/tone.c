@@ -68,9 +68,10 @@ void tone_table_fill(struct tone_table *table, double gamma, unsigned top)
     table->top = top;
     table->begin[0] = 0;
     for (unsigned i = 0; i <= top; i++)
-        table->number[i] = i / (double)top;
+        table->number[i] = (float)(i / (double)top);
     for (unsigned i = 1; i <= top; i++)
         table->begin[i] = level_begin(gamma, i, top);
+    table->begin[top + 1] = (double)INFINITY;
     for (unsigned i = 0; i <= TONE_PARTS; i++) {
         while (level < top && (double)i / TONE_PARTS >= table->begin[level + 1])
             level++;

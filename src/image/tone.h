@@ -16,7 +16,8 @@ double tone_decode(double encoded, double gamma);
  * 0.9 * 255 is 229.5 and goes up, as in POV-Ray. */
 static inline unsigned tone_level(float v, unsigned top)
 {
-    return v > 0 ? (unsigned)(int)((v < 1 ? v : 1) * (float)top + 0.5f) : 0;
+    v = v > 0 ? v : 0;
+    return (unsigned)(int)((v < 1 ? v : 1) * (float)top + 0.5f);
 }
 
 enum { TONE_TOP = 255, TONE_PARTS = 2048 };
@@ -25,9 +26,9 @@ enum { TONE_TOP = 255, TONE_PARTS = 2048 };
  * each number: where the levels begin, found with those functions. */
 struct tone_table {
     unsigned top;
-    double begin[TONE_TOP + 1];          /* of each level */
+    double begin[TONE_TOP + 2];          /* of each level; above all none */
     unsigned char level[TONE_PARTS + 1]; /* at each 1/2048 */
-    double number[TONE_TOP + 1];         /* of each level, in 0..1 */
+    float number[TONE_TOP + 1];          /* of each level, in 0..1 */
 };
 
 /* For `top` of 1..255. */
@@ -38,7 +39,7 @@ static inline unsigned tone_table_level(const struct tone_table *table,
                                         double linear)
 {
     unsigned level = table->level[(int)(linear * TONE_PARTS)];
-    while (level < table->top && linear >= table->begin[level + 1])
+    while (linear >= table->begin[level + 1])
         level++;
     return level;
 }

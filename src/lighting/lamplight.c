@@ -16,6 +16,9 @@ static struct lamp_target lamplight_target(const struct lamplight *light,
 rgb lamplight_trace(struct lamplight *light, const struct lamp *lamp,
                     const struct lamp_view *view)
 {
+    if (lamps_plain(light->lamps, lamp))
+        return lamps_share_plain(light->lamps, lamp, light->worker,
+                                 light->surface->point, view);
     struct lamp_target target = lamplight_target(light, view);
     return lamps_share(light->lamps, lamp, light->worker, &target);
 }

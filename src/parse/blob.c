@@ -184,31 +184,8 @@ static bool parse_blob_body(struct parser *p, void *shape)
                                "a blob needs at least one part");
 }
 
-/* The texture of the parts that have none, in the blob's own space. */
-static const struct texture *blob_own_texture(struct parser *p,
-                                              const struct object *object)
-{
-    affine inward;
-    if (!object->texture)
-        return texture_from_defaults(p);
-    if (!affine_inverse(*object->transform, &inward))
-        return object->texture;
-    affine moved = affine_compose(inward, *object->texture_transform);
-    return texture_moved(p->scene_arena, object->texture, &moved);
-}
-
 /* blob = "blob" "{" blob_body {modifier} "}" . */
 bool parse_blob(struct parser *p, struct object **out)
 {
-    if (!parse_shape(p, out, &blob_primitive, parse_blob_body))
-        return false;
-    struct object *object = *out;
-    const struct blob *blob = object->shape;
-    if (object->primitive != &blob_primitive || !blob->textures)
-        return true;
-    blob->part_textures[0] = blob_own_texture(p, object);
-    object->texture = texture_by_rule(p, pick_by_parts, blob,
-                                      blob->part_textures, blob->texture_count);
-    object->texture_transform = object->transform;
-    return object->texture != NULL;
+    return parse_shape(p, out, &blob_primitive, parse_blob_body);
 }

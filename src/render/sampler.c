@@ -182,8 +182,8 @@ struct sampler_block {
     struct world_hit hits[SAMPLER_BLOCK * SAMPLER_BLOCK];
 };
 
-/* With `needed` only those that are. */
-static void block_start(const struct sampler *sampler,
+/* With `needed` only those that are. Returns whether there are any. */
+static bool block_start(const struct sampler *sampler,
                         struct sampler_block *block,
                         const struct first_hits *grid, struct area area,
                         bool needed)
@@ -201,6 +201,7 @@ static void block_start(const struct sampler *sampler,
             place->grid[1] = y;
             block->rays[block->count++] = tracer_ray(sampler->tracer, place);
         }
+    return block->count > 0;
 }
 
 static void block_meet(const struct sampler *sampler,
@@ -227,11 +228,11 @@ static bool sampler_needs_near(const struct sampler *sampler, struct area area)
 void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
                   struct area area)
 {
-    struct sampler_block block = { 0 };
+    struct sampler_block block;
     unsigned count = 0;
-    if (sampler->sparse && !sampler_needs_near(sampler, area))
+    if ((sampler->sparse && !sampler_needs_near(sampler, area)) ||
+        !block_start(sampler, &block, hits, area, false))
         return;
-    block_start(sampler, &block, hits, area, false);
     block_meet(sampler, &block);
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)
@@ -242,10 +243,9 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
                    struct area area)
 {
     struct first_hits grid = sampler_grid(sampler);
-    struct sampler_block block = { 0 };
+    struct sampler_block block;
     struct radiance seen[SAMPLER_BLOCK * SAMPLER_BLOCK];
-    block_start(sampler, &block, &grid, area, true);
-    if (!block.count)
+    if (!block_start(sampler, &block, &grid, area, true))
         return;
     if (!sampler->hits)
         block_meet(sampler, &block);

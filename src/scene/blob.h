@@ -29,7 +29,8 @@ struct blob {
     const struct blob_tree *tree; /* over the parts */
     const unsigned *textures;     /* of each part, a number of these; NULL: all
                                    * parts are alike */
-    const struct texture **part_textures;
+    const struct texture **part_textures; /* the first stands for the object's:
+                                           * NULL */
     size_t texture_count;
 };
 
@@ -48,5 +49,13 @@ bool blob_part_make(struct blob_part *part, vec3 base, vec3 apex, double radius,
 
 /* Moves a part, as modifiers of its own do. False: nothing would be left. */
 bool blob_part_move(struct blob_part *part, const affine *transform);
+
+/* What a blob is painted with whose object has the texture `own`: with the
+ * parts' textures where they have one. `from_texture` leads from its space to
+ * the world, and is set to that of what is returned. */
+const struct texture *blob_texture(struct arena *arena, const struct blob *blob,
+                                   const affine *to_world,
+                                   const struct texture *own,
+                                   affine *from_texture);
 
 #endif

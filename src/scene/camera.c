@@ -116,13 +116,19 @@ bool camera_sees(const struct camera *camera, double x, double y)
 
 /* The normal bends the ray as it bends a surface's at the place in the picture,
  * whose sides are 1 and whose middle is the origin (measured). */
-static struct ray camera_finished(const struct camera *camera, double x,
-                                  double y, struct ray ray)
+static vec3 camera_bent(const struct camera *camera, double x, double y,
+                        vec3 direction)
+{
+    return vec3_normalise(normal_perturbed(
+        camera->normal, vec3_make(x - 0.5, 0.5 - y, 0), direction));
+}
+
+static inline struct ray camera_finished(const struct camera *camera, double x,
+                                         double y, struct ray ray)
 {
     ray.direction = vec3_normalise(ray.direction);
     if (camera->normal)
-        ray.direction = vec3_normalise(normal_perturbed(
-            camera->normal, vec3_make(x - 0.5, 0.5 - y, 0), ray.direction));
+        ray.direction = camera_bent(camera, x, y, ray.direction);
     return ray;
 }
 

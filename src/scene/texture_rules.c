@@ -89,6 +89,50 @@ int pick_by_parts(const struct texture_choice *choice, vec3 point,
     return picks_even(choice, part.count, picks);
 }
 
+/* A choice among the parts' textures, and for the parts without one `own`. */
+static const struct texture *parts_choice(struct arena *arena,
+                                          const struct blob *blob,
+                                          const struct texture *own)
+{
+    struct texture *texture = ARENA_NEW(arena, struct texture);
+    struct texture_choice *choice = ARENA_NEW(arena, struct texture_choice);
+    *texture = (struct texture){ .choice = choice, .span = own->span };
+    choice->pattern = pattern_new(arena, NULL);
+    choice->rule = pick_by_parts;
+    choice->thing = blob;
+    choice->depth = 1;
+    choice->count = blob->texture_count;
+    choice->entries = ARENA_ARRAY(arena, struct texture_entry, choice->count);
+    for (size_t i = 0; i < choice->count; i++) {
+        const struct texture *part = i == 0 ? own : blob->part_textures[i];
+        choice->entries[i] = (struct texture_entry){ (double)i, part };
+        texture->count += part->count;
+        if (part->choice && part->choice->depth >= choice->depth)
+            choice->depth = part->choice->depth + 1;
+    }
+    texture->layers = ARENA_ARRAY(arena, struct layer, texture->count);
+    struct layer *layer = texture->layers;
+    for (size_t i = 0; i < choice->count; i++) {
+        const struct texture *part = choice->entries[i].texture;
+        memcpy(layer, part->layers, part->count * sizeof *layer);
+        layer += part->count;
+    }
+    return choice->depth <= TEXTURE_DEPTH ? texture : own;
+}
+
+const struct texture *blob_texture(struct arena *arena, const struct blob *blob,
+                                   const affine *to_world,
+                                   const struct texture *own,
+                                   affine *from_texture)
+{
+    affine inward;
+    if (!blob->textures || !own || !affine_inverse(*to_world, &inward))
+        return own;
+    affine moved = affine_compose(inward, *from_texture);
+    *from_texture = *to_world;
+    return parts_choice(arena, blob, texture_moved(arena, own, &moved));
+}
+
 /* All whose insides the point is in, each as much. */
 int pick_by_insides(const struct texture_choice *choice, vec3 point,
                     const struct uv_source *surface, struct texture_pick *picks)

@@ -5,14 +5,14 @@
 
 #include "shade/surface.h"
 
-/* Light of one direction that one layer of the surface sends to the viewer:
- * diffuse, phong and specular; the layer's weight is not applied. */
-rgb finish_light(const struct surface *surface,
-                 const struct surface_layer *layer,
-                 const struct light_sample *sample);
+/* Adds what the surface's layers send to the viewer of light of one direction:
+ * diffuse, phong and specular. */
+void surface_add_light(const struct surface *surface,
+                       const struct light_sample *sample, rgb *sum);
 
-/* Light without a direction: ambient, emission, and irradiance (Lambert is
- * diffuse * pigment * irradiance). The layer's weight is not applied. */
+/* What one layer makes of light without a direction: ambient, emission, and
+ * irradiance (Lambert is diffuse * pigment * irradiance). The layer's weight is
+ * not applied. */
 rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance);
 
 /* What the layer makes of ambient light 1. Likewise. */
@@ -38,7 +38,13 @@ rgb surface_albedo(const struct surface *surface);
 
 /* Whether light that meets the layer at this cosine (negative: from behind)
  * does anything. `twice`: the object says double_illuminate. */
-bool finish_lit_by(const struct finish *finish, double cosine, bool twice);
+static inline bool finish_lit_by(const struct finish *finish, double cosine,
+                                 bool twice)
+{
+    if (cosine > 0 || twice)
+        return finish->diffuse != 0 || finish_shines(finish);
+    return cosine < 0 && finish->diffuse_back != 0;
+}
 
 struct finish_mirror {
     rgb colour;    /* multiplies the mirrored light */

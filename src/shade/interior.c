@@ -28,14 +28,6 @@ void interiors_cross(struct interiors *list, const struct leaf *leaf)
     }
 }
 
-void interiors_copy(struct interiors *to, const struct interiors *from)
-{
-    to->count = from->count;
-    to->divided = from->divided;
-    to->place = from->place;
-    memcpy(to->at, from->at, (size_t)from->count * sizeof from->at[0]);
-}
-
 void interiors_clear(struct interiors *list)
 {
     list->count = 0;
@@ -52,13 +44,6 @@ double interiors_ior_of(const struct interiors *list,
     if (!list->divided || interior->dispersion == 1)
         return interior->ior;
     return interior->ior * pow(interior->dispersion, list->place - 0.5);
-}
-
-double interiors_ior(const struct interiors *list)
-{
-    return list->count == 0
-               ? 1
-               : interiors_ior_of(list, list->at[list->count - 1].interior);
 }
 
 bool interiors_open(const struct interiors *list)

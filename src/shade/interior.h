@@ -2,6 +2,8 @@
 #ifndef SHADE_INTERIOR_H
 #define SHADE_INTERIOR_H
 
+#include <string.h>
+
 #include "base/rgb.h"
 #include "world/solid.h"
 
@@ -27,8 +29,16 @@ int interiors_find(const struct interiors *list, unsigned body);
 /* Crossing a surface of the body: in when it was out, out when it was in. */
 void interiors_cross(struct interiors *list, const struct leaf *leaf);
 
-/* Copies the part in use only. */
-void interiors_copy(struct interiors *to, const struct interiors *from);
+/* Copies the part in use only, which is mostly nothing. */
+static inline void interiors_copy(struct interiors *to,
+                                  const struct interiors *from)
+{
+    to->count = from->count;
+    to->divided = from->divided;
+    to->place = from->place;
+    if (from->count > 0)
+        memcpy(to->at, from->at, (size_t)from->count * sizeof from->at[0]);
+}
 
 /* A list without bodies, for white light. */
 void interiors_clear(struct interiors *list);
@@ -39,7 +49,12 @@ double interiors_ior_of(const struct interiors *list,
                         const struct interior *interior);
 
 /* Refractive index of the body entered last, 1 in the open. */
-double interiors_ior(const struct interiors *list);
+static inline double interiors_ior(const struct interiors *list)
+{
+    return list->count == 0
+               ? 1
+               : interiors_ior_of(list, list->at[list->count - 1].interior);
+}
 
 /* Fog reaches the ray: all it is inside of is hollow. */
 bool interiors_open(const struct interiors *list);

@@ -8,7 +8,7 @@ static double radians(double degrees)
 
 struct lamp lamp_new(const struct light *light, int number)
 {
-    return (struct lamp){
+    struct lamp lamp = {
         .light = light,
         .number = number,
         .axis = vec3_normalise(vec3_sub(light->point_at, light->location)),
@@ -16,6 +16,8 @@ struct lamp lamp_new(const struct light *light, int number)
         .cosine_falloff = cos(radians(light->falloff)),
         .fades = light->fade_distance > 0 && light->fade_power > 0,
     };
+    lamp.even = light->kind == LIGHT_POINT && !light->parallel && !lamp.fades;
+    return lamp;
 }
 
 /* 0 at `zero`, 1 at `one` and beyond, s^2 (3 - 2 s) between. */
@@ -82,16 +84,14 @@ bool lamp_is_parallel(const struct lamp *lamp)
     return lamp->light->parallel || lamp->light->kind == LIGHT_CYLINDER;
 }
 
-bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
-               struct lamp_view *view)
+bool lamp_look_uneven(const struct lamp *lamp, vec3 offset, double distance,
+                      struct lamp_view *view)
 {
     const struct light *light = lamp->light;
-    vec3 offset = vec3_sub(point, location);
     view->attenuation = 0;
     if (lamp_is_parallel(lamp)) {
         lamp_look_along(lamp, offset, view);
     } else {
-        double distance = vec3_length(offset);
         view->distance = distance;
         view->direction = vec3_scale(offset, distance > 0 ? -1 / distance : -1);
         if (!(distance > 0))

@@ -14,6 +14,7 @@ struct lamp {
     vec3 axis;                            /* unit, location to point_at */
     double cosine_radius, cosine_falloff; /* of spots */
     bool fades;
+    bool even; /* shines as brightly everywhere, from one point */
 };
 
 /* The lamp as a point sees it. */
@@ -44,11 +45,25 @@ static inline bool lamp_is_for(const struct lamp *lamp, const struct leaf *leaf)
     return light_is_for(lamp->light, leaf);
 }
 
+/* As lamp_look, of any lamp: from it to the point. */
+bool lamp_look_uneven(const struct lamp *lamp, vec3 offset, double distance,
+                      struct lamp_view *view);
+
 /* Sees the lamp as if it stood at `location` (light->location, or a point of
  * an area light's grid) from `point`. Returns false if no light gets there;
  * direction and distance are given all the same. */
-bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
-               struct lamp_view *view);
+static inline bool lamp_look(const struct lamp *lamp, vec3 location, vec3 point,
+                             struct lamp_view *view)
+{
+    vec3 offset = vec3_sub(point, location);
+    double distance = vec3_length(offset);
+    if (!lamp->even || !(distance > 0))
+        return lamp_look_uneven(lamp, offset, distance, view);
+    view->distance = distance;
+    view->direction = vec3_scale(offset, -1 / distance);
+    view->attenuation = 1;
+    return true;
+}
 
 /* 2 / (1 + (d/D)^P): 1 at the distance D; always 1 for lamps without fading. */
 double lamp_fading(const struct lamp *lamp, double distance);

@@ -8,6 +8,7 @@
 #include "world/world.h"
 #include "shade/interior.h"
 #include "shade/lamp.h"
+#include "shade/shadow.h"
 
 struct lamps {
     const struct world *world;
@@ -19,6 +20,7 @@ struct lamps {
     uint64_t seed; /* of the jitter of area lights */
     bool foggy;    /* fogs or media between objects weaken light */
     bool misty;    /* media in objects do */
+    bool plain;    /* there are shadows, and what casts them is opaque */
 };
 
 /* Frees with lamps_free. World and scene must outlive it. */
@@ -28,6 +30,14 @@ void lamps_free(struct lamps *lamps);
 
 /* Whether the quality asks for the lamp's true, soft shadow. */
 bool lamps_soft(const struct lamps *lamps, const struct lamp *lamp);
+
+/* Whether all or nothing of its light gets to a point, which one ray tells. */
+static inline bool lamps_plain(const struct lamps *lamps,
+                               const struct lamp *lamp)
+{
+    const struct light *light = lamp->light;
+    return lamps->plain && !light->shadowless && !light->area && !light->pane;
+}
 
 /* Where the lamp's light comes from: its location, or one point of an area
  * light's grid as `point` sees it, drawn by two numbers in [0,1). */
@@ -47,6 +57,17 @@ struct lamp_target {
  * white without shadows. Black once the worker is told to stop. */
 rgb lamps_share(const struct lamps *lamps, const struct lamp *lamp,
                 struct worker *worker, const struct lamp_target *target);
+
+/* The same of one that is plain. */
+static inline rgb lamps_share_plain(const struct lamps *lamps,
+                                    const struct lamp *lamp,
+                                    struct worker *worker, vec3 point,
+                                    const struct lamp_view *view)
+{
+    bool dark = shadow_falls(lamps->world, worker, point, view->direction,
+                             view->distance, lamp->number);
+    return rgb_grey(dark ? 0 : 1);
+}
 
 /* The same, nearer the true share of an area light. */
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,

@@ -163,7 +163,8 @@ static rgb shadow_share(const struct shadow_ray *shadow,
 
 double shadow_start(vec3 point)
 {
-    return fmax(shadow_margin, surface_offset(point));
+    double offset = surface_offset(point);
+    return offset > shadow_margin ? offset : shadow_margin;
 }
 
 bool shadow_is_whole(const struct shaft *shaft, const double place[2],
@@ -212,6 +213,20 @@ static bool shadow_begins(const struct world *world,
     if (pane < *to)
         *to = pane - shadow_margin;
     return pane >= 0;
+}
+
+bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
+                  vec3 direction, double distance, int light)
+{
+    const struct ray ray = { point, direction };
+    const struct occlusion way = { .ray = &ray,
+                                   .tmin = shadow_start(point),
+                                   .tmax = distance - shadow_margin,
+                                   .light = light };
+    if (!(way.tmax > way.tmin))
+        return false;
+    worker->counters.shadow_rays++;
+    return world_occluded(world, &way);
 }
 
 rgb shadow_visibility(const struct world *world, struct worker *worker,

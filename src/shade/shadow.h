@@ -34,6 +34,10 @@ struct shadow_path {
 rgb shadow_visibility(const struct world *world, struct worker *worker,
                       const struct shadow_path *path);
 
+/* The same where nothing lets light pass by parts: whether none gets there. */
+bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
+                  vec3 direction, double distance, int light);
+
 /* Whether none does of a lamp's place that is `way` from the point: what is in
  * the shaft must be plain. `place` are its coordinates there. */
 bool shadow_is_whole(const struct shaft *shaft, const double place[2],

@@ -4,12 +4,12 @@
  * with conserve_energy of (1 - reflection), over the layers above it. */
 #include "shade/surface.h"
 
-#include "shade/film.h"
 #include "shade/finish.h"
 
 /* A texture and its space: that of a picked one is its pattern's. */
 struct place {
     const struct texture *texture;
+    bool located; /* `point` is known: paint that is even never asks */
     vec3 point;
     const affine *to, *from; /* world <-> the texture's space */
     double share;            /* of the surface that has this texture */
@@ -47,10 +47,10 @@ static void surface_corners(const struct uv_source *source, double shares[3])
     shares[0] = fmax(0, 1 - shares[1] - shares[2]);
 }
 
-static struct surface_uv surface_uv(const struct intersection *at, vec3 view)
+/* `normal` is turned to the viewer. */
+static struct surface_uv surface_uv(const struct intersection *at, vec3 normal,
+                                    vec3 view)
 {
-    bool away = vec3_dot(at->normal, view) < 0;
-    vec3 normal = away ? vec3_negate(at->normal) : at->normal;
     return (struct surface_uv){
         { surface_uv_point, surface_corners, at->point, normal, view }, at
     };
@@ -63,16 +63,13 @@ static const affine unmoved = {
     { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } }
 };
 
-/* Of the whole texture at the point, which is in the texture's space but for
- * objects with uv_mapping. */
-static struct place place_at(const struct intersection *at,
-                             const struct uv_source *uv)
+/* Of the whole texture at the point. */
+static inline struct place place_at(const struct intersection *at,
+                                    const struct uv_source *uv)
 {
     bool mapped = at->leaf->uv_mapping;
     return (struct place){
         .texture = at->texture,
-        .point =
-            mapped ? uv->point(uv) : affine_point(at->to_texture, at->point),
         .to = mapped ? &unmoved : at->to_texture,
         .from = mapped ? &unmoved : at->from_texture,
         .share = 1,
@@ -80,20 +77,36 @@ static struct place place_at(const struct intersection *at,
     };
 }
 
+/* The point, which is in the texture's space but for objects with uv_mapping.
+ */
+static vec3 place_point(struct place *place)
+{
+    const struct intersection *at = ((const struct surface_uv *)place->uv)->at;
+    if (!place->located)
+        place->point = at->leaf->uv_mapping
+                           ? place->uv->point(place->uv)
+                           : affine_point(place->to, at->point);
+    place->located = true;
+    return place->point;
+}
+
 /* slope and aoi see the layer's own bumps, turned to the viewer (measured). */
-static colour layer_pigment(const struct layer *layer,
-                            const struct place *place, int quality, vec3 normal)
+static inline colour layer_pigment(const struct layer *layer,
+                                   struct place *place, int quality,
+                                   vec3 normal)
 {
     const struct pigment *pigment = layer->pigment;
-    struct surface_uv surface = *(const struct surface_uv *)place->uv;
     if (quality < QUALITY_TRANSPARENCY && pigment->has_quick_colour)
         return pigment->quick_colour;
+    if (pigment->kind == PIGMENT_COLOUR)
+        return pigment->colour;
+    struct surface_uv surface = *(const struct surface_uv *)place->uv;
     surface.source.normal = normal;
-    return pigment_seen(pigment, place->point, &surface.source);
+    return pigment_seen(pigment, place_point(place), &surface.source);
 }
 
 /* Bumps live in the texture's space: the normal goes there and back. */
-static vec3 layer_normal(const struct layer *layer, const struct place *place,
+static vec3 layer_normal(const struct layer *layer, struct place *place,
                          vec3 normal)
 {
     vec3 there, bumped, back;
@@ -105,7 +118,8 @@ static vec3 layer_normal(const struct layer *layer, const struct place *place,
     there = vec3_normalise(affine_normal(place->from, normal));
     bumped = normal_perturbed(
         layer->normal,
-        pattern_start(&layer->normal->pattern, place->point, place->uv), there);
+        pattern_start(&layer->normal->pattern, place_point(place), place->uv),
+        there);
     back = vec3_normalise(affine_normal(place->to, bumped));
     return vec3_finite(back) ? back : normal;
 }
@@ -131,10 +145,10 @@ static void layer_reflect(struct surface *surface, struct surface_layer *layer,
     struct finish_mirror mirror = finish_mirror(
         layer->finish, colour_rgb(layer->pigment), cosine, view->ior);
     layer->reflection = mirror.colour;
-    if (layer->finish->film.amount > 0)
-        layer->reflection = rgb_mul(
-            layer->reflection,
-            film_tint(&layer->finish->film, surface->point, cosine, cosine));
+    if (finish_tints(layer->finish))
+        layer->reflection =
+            rgb_mul(layer->reflection,
+                    finish_tint(layer->finish, surface->point, cosine, cosine));
     layer->reflection_weight = mirror.weight;
 }
 
@@ -142,7 +156,7 @@ static void layer_reflect(struct surface *surface, struct surface_layer *layer,
  * let pass of `weight`. */
 static rgb surface_add_layers(struct surface *surface,
                               const struct surface_view *view,
-                              const struct place *place, rgb weight)
+                              struct place *place, rgb weight)
 {
     const struct texture *texture = place->texture;
     for (size_t i = texture->count; i-- > 0;) {
@@ -152,7 +166,7 @@ static rgb surface_add_layers(struct surface *surface,
         struct surface_layer *layer = &surface->layer[surface->count++];
         layer->finish = source->finish;
         layer->weight = weight;
-        layer->normal = view->smooth
+        layer->normal = view->smooth || !source->normal
                             ? surface->normal
                             : layer_normal(source, place, surface->normal);
         layer->pigment =
@@ -168,22 +182,34 @@ static rgb surface_add_layers(struct surface *surface,
     return weight;
 }
 
-/* As above, of any texture. A blend is as if each of both covered its share of
- * the place. */
+static rgb surface_add_choice(struct surface *surface,
+                              const struct surface_view *view,
+                              struct place *place, rgb weight);
+
+/* As above, of any texture. */
 static rgb surface_add(struct surface *surface, const struct surface_view *view,
-                       const struct place *place, rgb weight)
+                       struct place *place, rgb weight)
+{
+    return place->texture->choice
+               ? surface_add_choice(surface, view, place, weight)
+               : surface_add_layers(surface, view, place, weight);
+}
+
+/* A blend is as if each of both covered its share of the place. */
+static rgb surface_add_choice(struct surface *surface,
+                              const struct surface_view *view,
+                              struct place *place, rgb weight)
 {
     const struct texture_choice *choice = place->texture->choice;
-    if (!choice)
-        return surface_add_layers(surface, view, place, weight);
     struct texture_pick picks[TEXTURE_PICKS];
     struct place inner = *place;
     affine inward = pattern_affine(&choice->pattern);
     affine to, from, outward;
     rgb through = rgb_grey(0);
     bool mapped = choice->pattern.uv;
-    int count =
-        texture_choose(choice, place->point, place->uv, picks, &inner.point);
+    int count = texture_choose(choice, place_point(place), place->uv, picks,
+                               &inner.point);
+    inner.located = true;
     if (affine_inverse(inward, &outward)) {
         to = affine_compose(inward, mapped ? unmoved : *place->to);
         from = affine_compose(mapped ? unmoved : *place->from, outward);
@@ -203,7 +229,8 @@ static rgb surface_add(struct surface *surface, const struct surface_view *view,
 static void surface_fill_layers(struct surface *surface,
                                 const struct surface_view *view)
 {
-    struct surface_uv uv = surface_uv(surface->at, surface->view);
+    struct surface_uv uv =
+        surface_uv(surface->at, surface->normal, surface->view);
     struct place place = place_at(surface->at, &uv.source);
     surface->through = surface_add(surface, view, &place, rgb_grey(1));
 }
@@ -215,7 +242,7 @@ static void surface_fill_plain(struct surface *surface,
 {
     const struct intersection *at = surface->at;
     const struct texture *texture = at->texture;
-    struct surface_uv uv = surface_uv(at, surface->view);
+    struct surface_uv uv = surface_uv(at, surface->normal, surface->view);
     struct place place = place_at(at, &uv.source);
     rgb weight = rgb_grey(1);
     surface->count = 1;
@@ -258,16 +285,16 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 
 rgb surface_transmittance(const struct intersection *at)
 {
-    struct surface_uv uv = surface_uv(at, at->normal);
+    struct surface_uv uv = surface_uv(at, at->normal, at->normal);
     struct place place = place_at(at, &uv.source);
-    return texture_transmittance(at->texture, place.point, place.uv);
+    return texture_transmittance(at->texture, place_point(&place), place.uv);
 }
 
 vec3 surface_bumps(const struct intersection *at, vec3 direction)
 {
     bool behind = vec3_dot(at->normal, direction) > 0;
     const struct texture *texture = at->texture;
-    struct surface_uv uv = surface_uv(at, at->normal);
+    struct surface_uv uv = surface_uv(at, at->normal, at->normal);
     struct place place = place_at(at, &uv.source);
     return layer_normal(&texture->layers[texture->count - 1], &place,
                         behind ? vec3_negate(at->normal) : at->normal);

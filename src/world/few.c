@@ -1,5 +1,4 @@
-/* Boxes two by two: see few.h. A ray meets one of the two sides of each slab
- * first, the same for all boxes, so that they are clipped without branches. */
+/* Boxes two by two: see few.h. */
 #include "world/few.h"
 
 #include "base/pair.h"
@@ -8,15 +7,18 @@ struct few_pair {
     pair side[2][3]; /* low and high, along x, y and z */
 };
 
-/* A box that fills up the last pair is met by no ray. */
+/* A box that fills up the last pair is infinitely far away, where no ray meets
+ * it. */
 struct few few_new(struct arena *arena, const struct solid_list *solids,
                    const struct box3 *boxes)
 {
+    const vec3 away = { (double)INFINITY, (double)INFINITY, (double)INFINITY };
     struct few few = { .solids = solids };
     few.count = (solids->count + PAIR - 1) / PAIR;
     few.pairs = ARENA_ARRAY(arena, struct few_pair, few.count);
     for (size_t i = 0; i < few.count * PAIR; i++) {
-        struct box3 box = i < solids->count ? boxes[i] : box3_empty();
+        struct box3 box =
+            i < solids->count ? boxes[i] : (struct box3){ away, away };
         struct few_pair *boxed = &few.pairs[i / PAIR];
         for (int axis = 0; axis < 3; axis++) {
             boxed->side[0][axis][i % PAIR] = vec3_component(box.low, axis);
@@ -26,45 +28,34 @@ struct few few_new(struct arena *arena, const struct solid_list *solids,
     return few;
 }
 
-/* The ray as pairs need it. */
-struct few_ray {
-    pair origin[3], inverse[3];
-    int first[3]; /* side that it meets first */
-};
-
-static struct few_ray few_ray(const struct slabs *slabs)
+/* The part of [*enter, *leave] between two sides of both boxes. */
+static inline void pair_clip(const struct few_pair *boxes, int axis,
+                             double origin, double inverse, pair *enter,
+                             pair *leave)
 {
-    struct few_ray ray;
-    for (int axis = 0; axis < 3; axis++) {
-        double inverse = vec3_component(slabs->inverse, axis);
-        ray.origin[axis] = pair_of(vec3_component(slabs->origin, axis));
-        ray.inverse[axis] = pair_of(inverse);
-        ray.first[axis] = inverse < 0;
-    }
-    return ray;
+    pair low = (boxes->side[0][axis] - origin) * inverse;
+    pair high = (boxes->side[1][axis] - origin) * inverse;
+    *enter = pair_max(*enter, pair_min(low, high));
+    *leave = pair_min(*leave, pair_max(low, high));
 }
 
-/* Which of both boxes the ray meets between tmin and tmax. */
+/* Which of both boxes the ray meets. */
 static inline int pair_met(const struct few_pair *boxes,
-                           const struct few_ray *ray, double tmin, double tmax)
+                           const struct query *query)
 {
-    pair enter = pair_of(tmin), leave = pair_of(tmax);
-    for (int axis = 0; axis < 3; axis++) {
-        int first = ray->first[axis];
-        pair near = boxes->side[first][axis] - ray->origin[axis];
-        pair far = boxes->side[!first][axis] - ray->origin[axis];
-        enter = pair_max(enter, near * ray->inverse[axis]);
-        leave = pair_min(leave, far * ray->inverse[axis]);
-    }
+    const struct slabs *ray = &query->slabs;
+    pair enter = pair_of(query->tmin), leave = pair_of(query->tmax);
+    pair_clip(boxes, 0, ray->origin.x, ray->inverse.x, &enter, &leave);
+    pair_clip(boxes, 1, ray->origin.y, ray->inverse.y, &enter, &leave);
+    pair_clip(boxes, 2, ray->origin.z, ray->inverse.z, &enter, &leave);
     return pair_ordered(enter, leave);
 }
 
 void few_trace(const struct few *few, struct query *query)
 {
     struct solid *const *solids = few->solids->items;
-    struct few_ray ray = few_ray(&query->slabs);
     for (size_t i = 0; i < few->count; i++, solids += PAIR) {
-        int met = pair_met(&few->pairs[i], &ray, query->tmin, query->tmax);
+        int met = pair_met(&few->pairs[i], query);
         if (met & 1 && query_solid(query, solids[0]))
             return;
         if (met & 2 && query_solid(query, solids[1]))

@@ -2,6 +2,7 @@
 #include "world/flatten.h"
 
 #include "world/mesh_tree.h"
+#include "scene/blob.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "scene/mesh.h"
@@ -88,6 +89,9 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
         in.from_texture =
             affine_compose(up->to_world, *object->texture_transform);
     }
+    if (object->primitive == &blob_primitive)
+        in.texture = blob_texture(flat->arena, object->shape, &in.to_world,
+                                  in.texture, &in.from_texture);
     if (object->inner) {
         in.inner = object->inner;
         in.from_inner = affine_compose(up->to_world, *object->inner_transform);

@@ -286,13 +286,9 @@ static bool embree_ray(const struct geometry *geometry, struct query *query,
     return true;
 }
 
-void geometry_trace(const struct geometry *geometry, struct query *query)
+void geometry_trace_scene(const struct geometry *geometry, struct query *query)
 {
     struct RTCRayHit rayhit;
-    if (geometry->few.solids) {
-        few_trace(&geometry->few, query);
-        return;
-    }
     if (!embree_ray(geometry, query, &rayhit.ray))
         return;
     if (query->occlusion) {
@@ -304,7 +300,7 @@ void geometry_trace(const struct geometry *geometry, struct query *query)
     embree_nearest(geometry->scene, &query->embree, &rayhit);
 }
 
-static void trace_packet(const struct geometry *geometry, struct query *queries,
+void geometry_trace_many(const struct geometry *geometry, struct query *queries,
                          const bool *wanted, unsigned count)
 {
     _Alignas(64) float packet[sizeof(struct RTCRayHit16) / sizeof(float)];
@@ -325,16 +321,4 @@ static void trace_packet(const struct geometry *geometry, struct query *queries,
     }
     embree_nearest16(valid, geometry->scene, &queries->embree,
                      (struct RTCRayHit16 *)packet);
-}
-
-void geometry_trace_many(const struct geometry *geometry, struct query *queries,
-                         const bool *wanted, unsigned count)
-{
-    if (geometry->packets) {
-        trace_packet(geometry, queries, wanted, count);
-        return;
-    }
-    for (unsigned i = 0; i < count; i++)
-        if (wanted[i])
-            geometry_trace(geometry, &queries[i]);
 }

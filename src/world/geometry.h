@@ -27,13 +27,23 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
                     unsigned threads, double camera_rays, struct diag *diag);
 void geometry_free(struct geometry *geometry, struct flat *flat);
 
+/* Sends the query's ray through Embree's scene. */
+void geometry_trace_scene(const struct geometry *geometry, struct query *query);
+
 /* Sends the query's ray through; the results are in the query. */
-void geometry_trace(const struct geometry *geometry, struct query *query);
+static inline void geometry_trace(const struct geometry *geometry,
+                                  struct query *query)
+{
+    if (geometry->few.solids)
+        few_trace(&geometry->few, query);
+    else
+        geometry_trace_scene(geometry, query);
+}
 
 enum { GEOMETRY_RAYS = 16 };
 
-/* The same for up to so many rays close together, those that are `wanted`; none
- * may be an occlusion. */
+/* The same for up to so many rays close together, those that are `wanted`, if
+ * there are triangles; none may be an occlusion. */
 void geometry_trace_many(const struct geometry *geometry, struct query *queries,
                          const bool *wanted, unsigned count);
 

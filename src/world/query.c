@@ -5,16 +5,6 @@
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
-bool query_sees(const struct query *query, const struct leaf *leaf)
-{
-    if (query->occlusion)
-        return !leaf->no_shadow &&
-               (leaf->looks_like < 0 || leaf->looks_like != query->light);
-    if (query->kind == RAY_OBSTACLE)
-        return !leaf->no_shadow;
-    return query->kind == RAY_CAMERA ? !leaf->no_image : !leaf->no_reflection;
-}
-
 bool query_take(struct query *query, const struct leaf *leaf,
                 const struct hit *hit)
 {
@@ -196,6 +186,7 @@ static bool gates_open(const struct solid *solid, const struct ray *ray,
         probe.tmax = HUGE_VAL;
         probe.occlusion = true;
         probe.light = -1;
+        probe.filter = NULL;
         probe.leaf = NULL;
         probe.blocked = false;
         if (!query_solid(&probe, solid->gates[i]) &&
@@ -223,7 +214,7 @@ static bool query_part(struct query *query, const struct solid *solid,
 
 /* Of most rays at most shapes: the first crossing, or whether there is any. One
  * as far as what is known by now may win the tie. */
-static bool query_simple(struct query *query, const struct solid *solid)
+bool query_simple(struct query *query, const struct solid *solid)
 {
     const struct object *object = solid->leaf->object;
     const struct primitive *primitive = object->primitive;
@@ -247,10 +238,8 @@ static bool query_simple(struct query *query, const struct solid *solid)
            query_take(query, solid->leaf, &hit);
 }
 
-bool query_solid(struct query *query, const struct solid *solid)
+bool query_tree(struct query *query, const struct solid *solid)
 {
-    if (solid->simple)
-        return query_simple(query, solid);
     double enter = query->tmin, leave = query->tmax;
     slabs_clip(&query->slabs, &solid->surface, &enter, &leave);
     if (!slabs_overlap(enter, leave))

@@ -51,15 +51,32 @@ static inline struct query *query_lane(embree_context *context,
 }
 
 /* Whether the ray sees the leaf at all. */
-bool query_sees(const struct query *query, const struct leaf *leaf);
+static inline bool query_sees(const struct query *query,
+                              const struct leaf *leaf)
+{
+    if (query->occlusion)
+        return !leaf->no_shadow &&
+               (leaf->looks_like < 0 || leaf->looks_like != query->light);
+    if (query->kind == RAY_OBSTACLE)
+        return !leaf->no_shadow;
+    return query->kind == RAY_CAMERA ? !leaf->no_image : !leaf->no_reflection;
+}
 
 /* Takes a crossing that counts, within tmin and tmax. Returns true when the
  * search is over. */
 bool query_take(struct query *query, const struct leaf *leaf,
                 const struct hit *hit);
 
+/* Looks at everything in a solid that is simple, or is not. */
+bool query_simple(struct query *query, const struct solid *solid);
+bool query_tree(struct query *query, const struct solid *solid);
+
 /* Looks at everything in the solid; returns true when the search is over. */
-bool query_solid(struct query *query, const struct solid *solid);
+static inline bool query_solid(struct query *query, const struct solid *solid)
+{
+    return solid->simple ? query_simple(query, solid)
+                         : query_tree(query, solid);
+}
 
 /* The exact crossing of a triangle that Embree says is hit: its plane decides
  * t. False if it is not within tmin and tmax. */

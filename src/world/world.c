@@ -77,6 +77,13 @@ const struct light *world_lights(const struct world *world, size_t *count)
     return world->flat.lights.items;
 }
 
+void world_solo(struct world *world, size_t light)
+{
+    for (size_t i = 0; i < world->flat.lights.count; i++)
+        if (i != light)
+            world->flat.lights.items[i].colour = rgb_grey(0);
+}
+
 bool world_is_opaque(const struct world *world)
 {
     return !world->flat.translucent;
@@ -124,15 +131,25 @@ static void describe_nearest(struct query *query, struct intersection *out)
     query_describe(&query->ray, query->leaf, &query->hit, out);
 }
 
+/* Finds query->leaf, NULL if there is none. */
+static void trace_nearest(const struct world *world, struct query *query)
+{
+    trace_unbounded(world, query, 0, world->shape_count);
+    if (world->bounded)
+        geometry_trace(&world->geometry, query);
+    trace_unbounded(world, query, world->shape_count, world->flat.solids.count);
+}
+
 bool world_closest(const struct world *world, const struct ray *ray,
                    double tmin, enum ray_kind kind, struct intersection *out)
 {
     return world_within(world, ray, tmin, world_limit, kind, out);
 }
 
-void world_closest_many(const struct world *world, const struct ray *rays,
-                        const double *tmin, unsigned count, enum ray_kind kind,
-                        struct world_hit *out)
+/* Rays that are one packet on their way. */
+static void closest_packet(const struct world *world, const struct ray *rays,
+                           const double *tmin, unsigned count,
+                           enum ray_kind kind, struct world_hit *out)
 {
     struct query queries[WORLD_RAYS];
     bool good[WORLD_RAYS] = { false };
@@ -146,14 +163,34 @@ void world_closest_many(const struct world *world, const struct ray *rays,
         if (good[i])
             trace_unbounded(world, &queries[i], 0, world->shape_count);
     }
-    if (world->bounded)
-        geometry_trace_many(&world->geometry, queries, good, count);
+    geometry_trace_many(&world->geometry, queries, good, count);
     for (unsigned i = 0; i < count; i++) {
         struct query *query = &queries[i];
         if (good[i])
             trace_unbounded(world, query, world->shape_count, solids);
         out[i].leaf = good[i] ? query->leaf : NULL;
         out[i].hit = query->hit;
+    }
+}
+
+void world_closest_many(const struct world *world, const struct ray *rays,
+                        const double *tmin, unsigned count, enum ray_kind kind,
+                        struct world_hit *out)
+{
+    struct query query;
+    if (world->geometry.packets) {
+        closest_packet(world, rays, tmin, count, kind, out);
+        return;
+    }
+    query.occlusion = false;
+    query.kind = kind;
+    for (unsigned i = 0; i < count; i++) {
+        out[i].leaf = NULL;
+        if (!query_begin(world, &query, &rays[i], tmin[i], world_limit))
+            continue;
+        trace_nearest(world, &query);
+        out[i].leaf = query.leaf;
+        out[i].hit = query.hit;
     }
 }
 
@@ -169,15 +206,11 @@ bool world_within(const struct world *world, const struct ray *ray, double tmin,
                   double tmax, enum ray_kind kind, struct intersection *out)
 {
     struct query query;
-    size_t count = world->flat.solids.count;
     query.occlusion = false;
     query.kind = kind;
-    if (!query_begin(world, &query, ray, tmin, fmin(tmax, world_limit)))
+    if (!query_begin(world, &query, ray, tmin, slab_min(tmax, world_limit)))
         return false;
-    trace_unbounded(world, &query, 0, world->shape_count);
-    if (world->bounded)
-        geometry_trace(&world->geometry, &query);
-    trace_unbounded(world, &query, world->shape_count, count);
+    trace_nearest(world, &query);
     if (!query.leaf)
         return false;
     describe_nearest(&query, out);

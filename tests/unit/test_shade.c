@@ -75,6 +75,7 @@ static void test_mirror(void **state)
 static struct surface_layer layer_of(const struct finish *finish)
 {
     return (struct surface_layer){ .finish = finish,
+                                   .weight = { 1, 1, 1 },
                                    .pigment = { 1, 1, 1, 0, 0.5 },
                                    .normal = { 0, 0, -1 } };
 }
@@ -84,11 +85,15 @@ static double lit(const struct finish *finish, double x, double z, bool twice,
 {
     struct leaf leaf = { .double_illuminate = twice };
     struct intersection at = { .leaf = &leaf };
-    struct surface surface = { .at = &at, .view = { 0, 0, -1 } };
-    struct surface_layer layer = layer_of(finish);
+    struct surface surface = { .at = &at,
+                               .view = { 0, 0, -1 },
+                               .count = 1,
+                               .layer = { layer_of(finish) } };
     struct light_sample sample = { vec3_normalise(vec3_make(x, 0, z)),
                                    rgb_grey(1), highlights };
-    return finish_light(&surface, &layer, &sample).g;
+    rgb sum = rgb_grey(0);
+    surface_add_light(&surface, &sample, &sum);
+    return sum.g;
 }
 
 static void test_light(void **state)

@@ -12,6 +12,7 @@
  * - Fading in an interior weakens what passes where the ray leaves it. */
 #include <string.h>
 
+#include "base/draw.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/telling.h"
@@ -117,13 +118,7 @@ struct gathering {
 static void gather_sample(void *context, const struct light_sample *sample)
 {
     struct gathering *gathering = context;
-    const struct surface *surface = gathering->surface;
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        rgb light = finish_light(surface, layer, sample);
-        gathering->light =
-            rgb_add(gathering->light, rgb_mul(layer->weight, light));
-    }
+    surface_add_light(gathering->surface, sample, &gathering->light);
 }
 
 /* The light that the surface itself sends to the viewer. */
@@ -397,6 +392,16 @@ static bool blur_settled(const struct blur *blur, const struct camera *camera)
            rgb_peak(spread) * width * width <= n * camera->variance;
 }
 
+/* Each ray is of another place of the pixel, whatever antialiasing does beside
+ * it (measured). */
+static void blur_spread(const struct camera *camera, struct draws draws,
+                        double at[2])
+{
+    draw_pair(&draws, 0, at);
+    for (int i = 0; i < 2; i++)
+        at[i] = camera->pixels[i] > 0 ? (at[i] - 0.5) / camera->pixels[i] : 0;
+}
+
 static struct radiance tracer_blurred(const struct tracer *tracer,
                                       struct worker *worker,
                                       const struct picture_place *place)
@@ -410,9 +415,10 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
     uint64_t key = random_key(bits[0], bits[1]);
     for (int i = 0; i < most && !worker_stopped(worker); i++) {
         struct path path;
-        double lens[2];
+        double lens[2], at[2];
+        blur_spread(camera, (struct draws){ key, (uint32_t)i }, at);
         lens_point(most, i, key, lens);
-        struct ray ray = camera_lens_ray(camera, x, y, lens);
+        struct ray ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
         path_start(&path, tracer, worker, NULL, &ray);
         blur_add(&blur, path_follow(&path));
         arena_reset(worker->scratch);
@@ -476,19 +482,20 @@ void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
                      const struct tracer_met *met, struct radiance *out)
 {
+    const struct camera *camera = &tracer->scene->camera;
+    bool single = camera->rays <= 1 && !camera_blurs(camera);
     for (unsigned i = 0; i < met->count; i++) {
         const struct picture_place *place = &met->places[i];
         const struct world_hit *hit = &met->hits[i];
         struct path path;
         struct crossing crossing;
-        out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(&tracer->scene->camera, place->at[0], place->at[1]))
-            continue;
-        if (tracer->scene->camera.rays > 1 ||
-            camera_blurs(&tracer->scene->camera)) {
+        if (!single) {
             out[i] = tracer_camera(tracer, worker, place);
             continue;
         }
+        out[i] = (struct radiance){ rgb_grey(0), 0 };
+        if (!camera_sees(camera, place->at[0], place->at[1]))
+            continue;
         path_start(&path, tracer, worker, place, &met->rays[i]);
         if (hit->leaf)
             world_describe(&path.ray, hit, &crossing.at);
