@@ -40,7 +40,8 @@ static const struct field finish_names[] = {
     { .name = "diffuse" },    { .name = "phong" },
     { .name = "specular" },   { .name = "metallic" },
     { .name = "reflection" }, { .name = "conserve_energy" },
-    { .name = "irid" },       { .name = NULL },
+    { .name = "irid" },       { .name = "subsurface" },
+    { .name = NULL },
 };
 
 const struct field reflection_fields[] = {
@@ -51,11 +52,6 @@ const struct field reflection_fields[] = {
     REFLECTION("fresnel", FIELD_BOOL, fresnel, 0, 0,
                "the change follows the interior's ior"),
     { NULL },
-};
-
-static const struct unsupported_word finish_unsupported[] = {
-    { KEYWORD_SUBSURFACE, "'subsurface'" },
-    { KEYWORD_NONE, NULL },
 };
 
 /* reflection_item = "falloff" float | "exponent" float
@@ -196,6 +192,33 @@ static bool parse_film(struct parser *p, struct finish *finish)
     return block_begin(p, &open) && block_end(p, open, film_items(p, finish));
 }
 
+static const struct field translucency_fields[] = {
+    FINISH("translucency", FIELD_RGB, translucency, 0, HUGE_VAL,
+           "how far light goes within, mm"),
+    { NULL },
+};
+
+static bool translucency_items(struct parser *p, struct finish *finish)
+{
+    while (stream_peek(p)->kind != TOKEN_RBRACE) {
+        const struct field *field = accept_field(p, translucency_fields);
+        if (!field)
+            return error_unknown_item(p, "subsurface", translucency_fields);
+        if (!parse_field(p, field, finish))
+            return false;
+    }
+    return true;
+}
+
+/* translucency = "subsurface" "{" {"translucency" colour} "}" . */
+static bool parse_translucency(struct parser *p, struct finish *finish)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, translucency_items(p, finish));
+}
+
 /* old_refraction = "ior" float | "refraction" float | "caustics" float .
  * Scenes older than version 3.1: the interior's business today. */
 static bool parse_old_refraction(struct parser *p, struct finish *finish)
@@ -217,7 +240,7 @@ static bool parse_old_refraction(struct parser *p, struct finish *finish)
 
 /* finish_item = finish_value | diffuse | phong | specular | metallic
  *             | reflection | "reflection_exponent" float | film
- *             | old_refraction . */
+ *             | translucency | old_refraction . */
 static bool parse_finish_item(struct parser *p, struct finish *finish)
 {
     const struct field *field = accept_field(p, finish_fields);
@@ -236,6 +259,8 @@ static bool parse_finish_item(struct parser *p, struct finish *finish)
         return parse_reflection(p, finish);
     case KEYWORD_IRID:
         return parse_film(p, finish);
+    case KEYWORD_SUBSURFACE:
+        return parse_translucency(p, finish);
     case KEYWORD_REFLECTION_EXPONENT:
         stream_next(p);
         return parse_float(p, &finish->reflection.exponent);
@@ -244,8 +269,7 @@ static bool parse_finish_item(struct parser *p, struct finish *finish)
     case KEYWORD_CAUSTICS:
         return parse_old_refraction(p, finish);
     default:
-        return check_supported(p, finish_unsupported) &&
-               error_unknown_thing(p, "finish", finish_names, "a finish");
+        return error_unknown_thing(p, "finish", finish_names, "a finish");
     }
 }
 

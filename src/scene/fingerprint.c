@@ -165,6 +165,7 @@ static uint64_t finish_hash(uint64_t hash, const struct finish *f)
     hash = hash_rgb(hash_rgb(hash, f->ambient), f->emission);
     hash = hash_rgb(hash_rgb(hash, f->glow), f->film.wavelength);
     hash = hash_rgb(hash_rgb(hash, r->minimum), r->maximum);
+    hash = hash_rgb(hash, f->translucency);
     return hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
 }
 
