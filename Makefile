@@ -197,6 +197,14 @@ reference: all $(BUILD)/tests/tools/figures ## path against POV-Ray's radiosity 
 	@$(DEPS) povray openimageio-tools embree-tools
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/reference/run
 
+latency: all ## how soon glim-view shows a change, over examples/ and POV-Ray's scenes
+	@$(DEPS) povray povray-examples
+	@GLIM=$(abspath $(BUILD)/glim) tests/view/latency
+
+view-camera: all $(BUILD)/tests/tools/compare ## 100 camera blocks of glim-view, drawn by both programs
+	@$(DEPS) povray openimageio-tools
+	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/view/camera
+
 # The scenes that are too large to be kept; the others are in examples/light.
 bench-scenes: ## write build/bench/forest.pov and triangles.pov
 	@mkdir -p build/bench
@@ -273,7 +281,7 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
 
 .PHONY: all programs demo needed deps test-deps test conformance bench reference \
-	bench-scenes farm-test hostile fuzz fuzz-language lint format html \
+	latency view-camera bench-scenes farm-test hostile fuzz fuzz-language lint format html \
 	install uninstall clean help
 -include $(OBJECTS:.o=.d) $(VIEW_OBJECTS:.o=.d) $(MODULE_OBJECTS:.o=.d) \
 	$(SERVER_OBJECTS:.o=.d)

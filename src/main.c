@@ -80,7 +80,8 @@ static bool frame_write(struct work *work, const struct tracer *tracer,
         return true;
     if (part_has_bands(options, name))
         return part_write(&work->part, file.settings, name, file.origin);
-    return picture_show(image, options, tracer, work->stop, &work->diag) &&
+    return picture_show(image, options, tracer, work->stop, NULL,
+                        &work->diag) &&
            picture_write(image, &file, &work->diag);
 }
 

@@ -20,7 +20,8 @@ void writer_add(struct writer *writer, const char *text, size_t length)
 {
     if (writer->count + length > writer->capacity)
         ARRAY_RESERVE(writer->arena, writer, 2 * (writer->count + length));
-    memcpy(writer->items + writer->count, text, length);
+    if (length > 0)
+        memcpy(writer->items + writer->count, text, length);
     writer->count += length;
 }
 

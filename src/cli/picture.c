@@ -36,8 +36,10 @@ struct output_space picture_space(const struct options *options,
 
 bool picture_show(struct image *image, const struct options *options,
                   const struct tracer *tracer, const atomic_int *stop,
-                  struct diag *diag)
+                  struct picture_shown *shown, struct diag *diag)
 {
+    if (shown)
+        *shown = (struct picture_shown){ .show = { .arena = NULL } };
     if (!options->show)
         return true;
     if (camera_is_bent(&tracer->scene->camera)) {
@@ -64,7 +66,10 @@ bool picture_show(struct image *image, const struct options *options,
         diag_print(diag, DIAG_MESSAGE, span_none(), NULL,
                    "%s: %s from %.3g (blue) to %.3g (red)\n", options->show,
                    show.what, range.low, range.high);
-    show_free(&show);
+    if (done && shown)
+        *shown = (struct picture_shown){ show, range };
+    else
+        show_free(&show);
     return done;
 }
 

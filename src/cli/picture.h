@@ -6,6 +6,8 @@
 
 #include "cli/options.h"
 #include "image/output.h"
+#include "image/ramp.h"
+#include "lighting/show.h"
 
 /* Whether `name` (NULL: none) can be written, found out before the work.
  * Returns false after an error was printed. */
@@ -15,11 +17,18 @@ bool picture_can_be(const char *name, struct diag *diag);
 struct output_space picture_space(const struct options *options,
                                   const struct settings *settings);
 
+/* What --show has drawn, to be drawn again; `show` freed with show_free. */
+struct picture_shown {
+    struct show show;
+    struct ramp_range range;
+};
+
 /* Draws over the picture what --show names, if anything, and says what the
- * colours mean. Returns false if stopped. */
+ * colours mean. *shown (NULL: not wanted) gets it, or an arena of NULL. Returns
+ * false if stopped. */
 bool picture_show(struct image *image, const struct options *options,
                   const struct tracer *tracer, const atomic_int *stop,
-                  struct diag *diag);
+                  struct picture_shown *shown, struct diag *diag);
 
 /* A picture's file. */
 struct picture_file {

@@ -61,6 +61,13 @@ const char *program_find(const char *variable, const char *name, bool beside,
     return file ? file : program_along_path(name, arena);
 }
 
+char *program_povray_name(const char *letters, const char *name,
+                          struct arena *arena)
+{
+    const char *quote = strchr(name, '"') ? "'" : "\"";
+    return arena_printf(arena, "%s%s%s%s", letters, quote, name, quote);
+}
+
 /* ---- running ----------------------------------------------------------- */
 
 static double seconds(struct timeval time)

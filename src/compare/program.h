@@ -14,6 +14,12 @@
 const char *program_find(const char *variable, const char *name, bool beside,
                          struct arena *arena);
 
+/* `letters` (+I, +O, +L) and a name as POV-Ray reads them: it splits words at
+ * blanks and semicolons, even those of its command line, unless they stand in
+ * quotes. In `arena`. */
+char *program_povray_name(const char *letters, const char *name,
+                          struct arena *arena);
+
 enum program_end {
     PROGRAM_DONE,    /* exit status 0 */
     PROGRAM_FAILED,  /* another status, a signal, or it couldn't be started */

@@ -2,12 +2,12 @@
  * write 16-bit files, so that no difference is lost. */
 #include "compare/scene.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <unistd.h>
 
 #include "base/array.h"
+#include "base/scratch.h"
 #include "cli/output_name.h"
 #include "compare/program.h"
 
@@ -46,43 +46,33 @@ scene_fail(const struct scene_job *job, const char *format, ...)
 
 static bool scene_make_directory(const struct scene_job *job)
 {
-    const char *base = getenv("TMPDIR");
-    char *name = arena_printf(job->arena, "%s/glim-compare-XXXXXX",
-                              base && *base ? base : "/tmp");
-    job->pictures->directory = mkdtemp(name);
+    const char *tried;
+    job->pictures->directory = scratch_make("glim-compare", job->arena, &tried);
     return job->pictures->directory ||
-           scene_fail(job, "can't make a directory '%s': %s", name,
+           scene_fail(job, "can't make a directory '%s': %s", tried,
                       strerror(errno));
 }
 
 void scene_clean(struct scene_pictures *pictures)
 {
-    DIR *directory = pictures->directory ? opendir(pictures->directory) : NULL;
-    if (!directory)
-        return;
-    for (struct dirent *entry = readdir(directory); entry;
-         entry = readdir(directory))
-        unlinkat(dirfd(directory), entry->d_name, 0);
-    closedir(directory);
-    rmdir(pictures->directory);
+    scratch_remove(pictures->directory);
     pictures->directory = NULL;
 }
 
 /* ---- one program ------------------------------------------------------- */
 
-/* +I, +O or +L and a name. POV-Ray splits words at blanks and semicolons, even
- * those of its command line, unless they stand in quotes; glim does not. */
-static char *scene_named(const struct scene_job *job, bool quoted,
-                         const char *letters, const char *name)
-{
-    const char *quote = !quoted ? "" : strchr(name, '"') ? "'" : "\"";
-    return arena_printf(job->arena, "%s%s%s%s", letters, quote, name, quote);
-}
-
 static void words_add(struct arena *arena, struct words *words,
                       const char *word)
 {
     *ARRAY_PUSH(arena, words) = arena_copy_text(arena, word, strlen(word));
+}
+
+/* +I, +O or +L and a name. */
+static char *scene_named(const struct scene_job *job, bool quoted,
+                         const char *letters, const char *name)
+{
+    return quoted ? program_povray_name(letters, name, job->arena)
+                  : arena_printf(job->arena, "%s%s", letters, name);
 }
 
 /* Size and library first, so that the user's own win; the file last, so that

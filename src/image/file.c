@@ -155,7 +155,8 @@ static void file_tidy(char *error, size_t size)
 /* OIIO's name of what it holds, or NULL with the reason. */
 static const char *file_kind(const char *path, char *error, size_t size)
 {
-    static const char tail[8] = "IEND\xae\x42\x60\x82";
+    static const unsigned char tail[8] = { 'I',  'E',  'N',  'D',
+                                           0xae, 0x42, 0x60, 0x82 };
     unsigned char first[KIND_BYTES];
     char last[8] = "";
     FILE *file = fopen(path, "rb");

@@ -21,6 +21,13 @@ struct lighting_kept {
     uint64_t family; /* the same of all that may be used in one picture */
 };
 
+/* When that may be used. */
+enum kept_use {
+    KEPT_SCENE, /* of the same scene, seen from nearly as near */
+    KEPT_SAME,  /* only where the picture is the one without it */
+    KEPT_ONLY,  /* as KEPT_SCENE; without it `start` gives NULL, silently */
+};
+
 struct lighting_options {
     unsigned threads;
     int quality;       /* +Q, 0..11 */
@@ -30,7 +37,8 @@ struct lighting_options {
     const atomic_int *stop; /* non-zero: leave off; NULL: never */
     bool keep;              /* `keep` will be called */
     const struct lighting_kept *kept; /* by the picture before, or NULL; used
-                                       * only if it is of the same scene */
+                                       * only if it is of the same scene, */
+    enum kept_use kept_use;           /* and this */
 };
 
 struct lamps;

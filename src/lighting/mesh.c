@@ -84,12 +84,12 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
            (!frame->closed || frame->samples == 0 ||
             mesh_close_make(&mesh->close, mesh->lamps.world, scene, options,
                             diag));
-    if (done && known.found) {
+    if (done && known.found)
         mesh_make(mesh, scene, interpolation);
-        done = mesh_known_fill(&known, meshes, mesh_points(mesh, meshes), diag);
-    } else if (done) {
+    else if (done)
         done = mesh_fit(mesh, scene, interpolation, outlook, options, diag);
-    }
+    if (done && mesh_known_same(&known, &mesh->stamp, options))
+        done = mesh_known_fill(&known, meshes, mesh_points(mesh, meshes), diag);
     mesh_known_end(&known);
     return done;
 }

@@ -58,11 +58,24 @@ bool mesh_known_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                      struct diag *diag)
 {
     *known = (struct mesh_known){ 0 };
-    known->found = kept_find(known, wanted, options->kept);
+    if (options->kept_use != KEPT_SAME)
+        known->found = kept_find(known, wanted, options->kept);
+    if (options->kept_use == KEPT_ONLY)
+        return known->found;
     if (known->found || !file)
         return true;
     known->name = file;
     known->found = file_find(known, wanted, diag);
+    return known->found;
+}
+
+bool mesh_known_same(struct mesh_known *known, const struct mesh_stamp *made,
+                     const struct lighting_options *options)
+{
+    if (options->kept_use == KEPT_SAME && !known->found)
+        known->found =
+            kept_find(known, made, options->kept) &&
+            mesh_stamp_family(&known->file.stamp) == mesh_stamp_family(made);
     return known->found;
 }
 

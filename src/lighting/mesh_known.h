@@ -23,6 +23,11 @@ bool mesh_known_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                      const struct lighting_options *options, const char *file,
                      struct diag *diag);
 
+/* Once it is known what the picture's own mesh is made of: whether the mesh of
+ * the picture before (KEPT_SAME) is the same. */
+bool mesh_known_same(struct mesh_known *known, const struct mesh_stamp *made,
+                     const struct lighting_options *options);
+
 /* Into meshes made with known->file.stamp.frame, if something was found.
  * Returns false after an error was printed. */
 bool mesh_known_fill(const struct mesh_known *known,

@@ -87,8 +87,10 @@ static bool paper_begin(struct paper_lighting *paper, const struct scene *scene,
                 interpolation;
     if (done && known.found)
         paper->stamp = known.file.stamp;
-    if (done)
+    if (done) {
+        mesh_known_same(&known, &paper->stamp, options);
         paper_make(paper, scene, interpolation);
+    }
     done = done &&
            mesh_known_fill(&known, meshes, paper_points(paper, meshes), diag);
     mesh_known_end(&known);

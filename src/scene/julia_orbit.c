@@ -8,6 +8,11 @@
  * each other: functions are applied to both. */
 #include "scene/julia_orbit.h"
 
+/* glibc has it for gcc alone. */
+#if !defined CMPLX && defined __clang__
+#define CMPLX(re, im) __builtin_complex((double)(re), (double)(im))
+#endif
+
 static double quad_square(struct quad q)
 {
     return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;

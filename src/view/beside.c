@@ -2,14 +2,13 @@
  * their words, of which it doesn't know all. */
 #include "view/beside.h"
 
-#include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/save.h"
+#include "base/scratch.h"
 #include "compare/flip.h"
 #include "compare/heat.h"
 #include "compare/figures.h"
@@ -76,7 +75,13 @@ struct beside_words {
     size_t count, capacity;
 };
 
-/* Names are quoted: POV-Ray splits even the words of its command line. */
+static void words_name(struct beside_words *words, const char *letters,
+                       const char *name)
+{
+    *ARRAY_PUSH(words->arena, words) =
+        program_povray_name(letters, name, words->arena);
+}
+
 __attribute__((format(printf, 2, 3))) static void
 words_add(struct beside_words *words, const char *format, ...)
 {
@@ -111,7 +116,7 @@ static void words_options(struct beside_words *words,
         words_add(words, "Declare=%s=%s", parse.declares[i].name,
                   parse.declares[i].value);
     for (size_t i = 0; i < parse.include_path_count; i++)
-        words_add(words, "+L\"%s\"", parse.include_paths[i]);
+        words_name(words, "+L", parse.include_paths[i]);
 }
 
 /* The scene itself, or with another camera after its own, which wins. NULL: it
@@ -157,10 +162,12 @@ static struct image *beside_povray(struct beside *beside,
     }
     words_add(&words, "%s", program);
     words_options(&words, options, beside->view.frame);
-    words_add(&words, "+L\"%.*s\"", slash ? (int)(slash - options->path) : 1,
-              slash ? options->path : ".");
-    words_add(&words, "+I\"%s\"", scene);
-    words_add(&words, "+O\"%s\"", picture);
+    words_name(&words, "+L",
+               arena_printf(arena, "%.*s",
+                            slash ? (int)(slash - options->path) + 1 : 1,
+                            slash ? options->path : "."));
+    words_name(&words, "+I", scene);
+    words_name(&words, "+O", picture);
     static const char *const last[] = { "+FN8", "-D", "-P", "-V", "-GA" };
     for (size_t i = 0; i < sizeof last / sizeof *last; i++)
         words_add(&words, "%s", last[i]);
@@ -181,18 +188,6 @@ static struct image *beside_povray(struct beside *beside,
     return image;
 }
 
-static void directory_remove(const char *path)
-{
-    DIR *directory = opendir(path);
-    if (!directory)
-        return;
-    for (struct dirent *entry = readdir(directory); entry;
-         entry = readdir(directory))
-        unlinkat(dirfd(directory), entry->d_name, 0);
-    closedir(directory);
-    rmdir(path);
-}
-
 /* A picture of display numbers, onto a canvas. */
 static void beside_show(struct canvas *canvas, const struct image *image)
 {
@@ -209,18 +204,18 @@ static void beside_show(struct canvas *canvas, const struct image *image)
 static void beside_draw(void *context)
 {
     struct beside *beside = context;
-    const char *base = getenv("TMPDIR");
     struct diag silent = { .out = NULL };
-    char name[FILENAME_MAX];
     struct drawing *drawing =
         drawing_new(beside->view.argc, beside->view.argv, &silent);
-    snprintf(name, sizeof name, "%s/glim-view-XXXXXX",
-             base && *base ? base : "/tmp");
-    if (drawing && mkdtemp(name)) {
+    const char *directory =
+        drawing ? scratch_make("glim-view", drawing->arena, NULL) : NULL;
+    if (directory)
         beside->drawn =
-            beside_povray(beside, &drawing->options, name, drawing->arena);
-        directory_remove(name);
-    }
+            beside_povray(beside, &drawing->options, directory, drawing->arena);
+    else
+        snprintf(beside->text, sizeof beside->text,
+                 "POV-Ray: no directory can be made for its picture");
+    scratch_remove(directory);
     drawing_free(drawing);
     if (beside->drawn)
         beside_show(&beside->picture, beside->drawn);

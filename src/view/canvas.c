@@ -1,6 +1,8 @@
 /* The picture on display: see canvas.h. */
 #include "view/canvas.h"
 
+#include <math.h>
+
 #include "base/memory.h"
 
 enum { LEVELS = 255 };
@@ -13,6 +15,7 @@ void canvas_start(struct canvas *canvas)
 void canvas_end(struct canvas *canvas)
 {
     memory_free(canvas->pixels);
+    memory_free(canvas->layer);
     SDL_DestroyMutex(canvas->lock);
 }
 
@@ -32,6 +35,8 @@ void canvas_resize(struct canvas *canvas, int width, int height)
                              (size_t)x * (size_t)canvas->width / (size_t)width];
     }
     memory_free(canvas->pixels);
+    memory_free(canvas->layer);
+    canvas->layer = NULL;
     canvas->pixels = pixels;
     canvas->width = width;
     canvas->height = height;
@@ -102,4 +107,29 @@ void canvas_put(struct canvas *canvas, const struct canvas_tone *tone,
     canvas->changes++;
     SDL_UnlockMutex(canvas->lock);
     memory_free(colours);
+}
+
+/* A colour that was multiplied by its opacity. */
+static unsigned tone_layer(const struct canvas_tone *tone, const float *pixel)
+{
+    float ink[3], opacity = fminf(pixel[3], 1);
+    if (!(opacity > 0))
+        return 0;
+    for (int i = 0; i < 3; i++)
+        ink[i] = pixel[i] / opacity;
+    return (unsigned)(opacity * LEVELS + 0.5f) << 24 | tone_colour(tone, ink);
+}
+
+void canvas_lay(struct canvas *canvas, const struct canvas_tone *tone,
+                const struct image *image)
+{
+    size_t count = image ? (size_t)image->width * (size_t)image->height : 0;
+    unsigned *layer = image ? memory_new(count * sizeof *layer) : NULL;
+    for (size_t i = 0; i < count; i++)
+        layer[i] = tone_layer(tone, image->pixels + 4 * i);
+    SDL_LockMutex(canvas->lock);
+    canvas->changes += layer || canvas->layer;
+    memory_free(canvas->layer);
+    canvas->layer = layer;
+    SDL_UnlockMutex(canvas->lock);
 }

@@ -14,6 +14,7 @@ struct canvas {
     SDL_mutex *lock;
     int width, height;
     unsigned *pixels; /* 0x00RRGGBB, row by row from the top */
+    unsigned *layer;  /* 0xAARRGGBB, as large, over it; or NULL */
     unsigned changes; /* counts them */
 };
 
@@ -38,5 +39,10 @@ void canvas_tone(struct canvas_tone *tone, const struct output_space *space);
  * of the canvas. */
 void canvas_put(struct canvas *canvas, const struct canvas_tone *tone,
                 const struct render_part *part, int step);
+
+/* Puts the image, of the canvas's size and premultiplied, over the picture;
+ * NULL: nothing any more. */
+void canvas_lay(struct canvas *canvas, const struct canvas_tone *tone,
+                const struct image *image);
 
 #endif

@@ -8,7 +8,9 @@
 #include "cli/origin.h"
 #include "cli/picture.h"
 #include "tracer/integrator.h"
+#include "render/overlay.h"
 #include "tracer/photons.h"
+#include "view/fly.h"
 
 /* Rough pictures: one ray for so many pixels each way, by shadow rays or, at
  * first, without shadows. */
@@ -50,6 +52,8 @@ void drawing_free(struct drawing *drawing)
         drawing->tracer.lighting->finish(drawing->tracer.lighting_state);
     photon_map_free(drawing->photons);
     image_free(drawing->image);
+    if (drawing->shown.show.arena)
+        show_free(&drawing->shown.show);
     model_leave(drawing->model);
     arena_free(drawing->arena);
     memory_free(drawing);
@@ -69,31 +73,49 @@ static void easel_put(void *easel_, const struct render_part *part)
     canvas_put(easel->context->canvas, &easel->tone, part, easel->step);
 }
 
+/* Pixels of a picture in which each stands for `step` of `count`. */
+static int rough_part(int count, int step)
+{
+    return (count + step - 1) / step;
+}
+
 static void easel_share(void *easel_, double share)
 {
     const struct drawing_context *context = ((struct easel *)easel_)->context;
     context->share(context->told, share);
 }
 
+/* How a picture is drawn. */
+struct draft {
+    const struct lighting *lighting;
+    int quality;
+    int step;                         /* a ray for so many pixels each way */
+    const struct lighting_kept *kept; /* or NULL */
+};
+
 static struct tracer drawing_tracer(const struct drawing *drawing,
-                                    const struct lighting *lighting,
-                                    int quality, const atomic_int *stop,
-                                    struct diag *diag)
+                                    const struct draft *draft,
+                                    const atomic_int *stop, struct diag *diag)
 {
     const struct options *options = &drawing->options;
-    const struct lighting_options light = { .threads = options->render.threads,
-                                            .width = options->render.width,
-                                            .height = options->render.height,
-                                            .quality = quality,
-                                            .stop = stop };
+    const struct lighting_options light = {
+        .threads = options->render.threads,
+        .width = rough_part(options->render.width, draft->step),
+        .height = rough_part(options->render.height, draft->step),
+        .quality = draft->quality,
+        .stop = stop,
+        .keep = draft->lighting->keep,
+        .kept = draft->kept,
+        .kept_use = draft->step > 1 ? KEPT_ONLY : KEPT_SAME,
+    };
     struct model *model = drawing->model;
     return (struct tracer){
         .scene = model->scene,
         .world = model->world,
-        .lighting = lighting,
+        .lighting = draft->lighting,
         .lighting_state =
-            lighting->start(model->world, model->scene, &light, diag),
-        .quality = quality,
+            draft->lighting->start(model->world, model->scene, &light, diag),
+        .quality = draft->quality,
         .alpha = options->alpha,
     };
 }
@@ -112,35 +134,99 @@ static int rough_quality(const struct drawing *drawing,
     return rough->quality < most ? rough->quality : most;
 }
 
-/* A rough picture. */
-static bool drawing_rough(struct drawing *drawing, struct easel *easel,
-                          const struct rough *rough, const atomic_int *stop)
+/* A rough picture by that tracer, whose lighting is finished. */
+static bool rough_draw(struct drawing *drawing, struct easel *easel,
+                       const struct tracer *tracer, int step,
+                       const atomic_int *stop)
 {
-    const struct options *options = &drawing->options;
-    int quality = rough_quality(drawing, rough);
-    struct diag silent = { .out = NULL };
-    struct tracer tracer =
-        drawing_tracer(drawing, lighting_find("rays"), quality, stop, &silent);
-    if (!tracer.lighting_state)
+    struct render_options render = drawing->options.render;
+    if (!tracer->lighting_state)
         return false;
-    struct render_options render = options->render;
-    int step = rough->step;
     easel->step = step;
-    render.width = (render.width + step - 1) / step;
-    render.height = (render.height + step - 1) / step;
+    render.width = rough_part(render.width, step);
+    render.height = rough_part(render.height, step);
     render.column_start /= step;
     render.row_start /= step;
-    render.column_end = (render.column_end + step - 1) / step;
-    render.row_end = (render.row_end + step - 1) / step;
+    render.column_end = rough_part(render.column_end, step);
+    render.row_end = rough_part(render.row_end, step);
     render.antialias = false;
     render.stop = stop;
     render.drawn = easel_put;
     render.drawn_context = easel;
     struct image *image = image_new(render.width, render.height);
-    bool done = render_run(&tracer, &render, image, NULL);
+    bool done = render_run(tracer, &render, image, NULL);
     image_free(image);
-    tracer.lighting->finish(tracer.lighting_state);
+    tracer->lighting->finish(tracer->lighting_state);
     return done;
+}
+
+static bool drawing_rough(struct drawing *drawing, struct easel *easel,
+                          const struct rough *rough, const atomic_int *stop)
+{
+    struct diag silent = { .out = NULL };
+    const struct draft draft = { lighting_find("rays"),
+                                 rough_quality(drawing, rough), rough->step,
+                                 NULL };
+    const struct tracer tracer = drawing_tracer(drawing, &draft, stop, &silent);
+    return rough_draw(drawing, easel, &tracer, rough->step, stop);
+}
+
+/* What the drawing before knows of the light here. */
+static const struct lighting_kept *
+drawing_kept(const struct drawing *drawing,
+             const struct drawing_context *context)
+{
+    const struct heritage *before = context->before;
+    const struct lighting *lighting =
+        lighting_for(drawing->options.lighting, drawing->model->scene);
+    return before && before->lighting == lighting &&
+                   before->lamp == drawing->model->lamp
+               ? &before->kept
+               : NULL;
+}
+
+/* Of another view of what the drawing before has lit: a rough picture by what
+ * it knows. What stands there at the end must not depend on what was seen
+ * before, and so has a mesh of its own. */
+static void drawing_as_before(struct drawing *drawing, struct easel *easel,
+                              int step)
+{
+    const struct drawing_context *context = easel->context;
+    const struct options *options = &drawing->options;
+    const struct lighting_kept *kept = drawing_kept(drawing, context);
+    struct diag silent = { .out = NULL };
+    if (!kept || !kept->bytes ||
+        fly_same(&context->before->camera, &drawing->camera))
+        return;
+    const struct draft draft = { context->before->lighting, options->quality,
+                                 step, kept };
+    const struct tracer tracer =
+        drawing_tracer(drawing, &draft, context->stop, &silent);
+    rough_draw(drawing, easel, &tracer, step, context->stop);
+}
+
+/* What was shown before, as this camera sees it, until there is this drawing's
+ * own. */
+static void drawing_lay(struct drawing *drawing, struct easel *easel)
+{
+    const struct drawing_context *context = easel->context;
+    const struct options *options = &drawing->options;
+    const struct model *model = drawing->model;
+    const struct tracer eye = { .scene = model->scene, .world = model->world };
+    struct render_options render = options->render;
+    struct image *image = NULL;
+    struct ramp_range range;
+    render.stop = context->quit;
+    if (heritage_shows(context->before, options) &&
+        !camera_is_bent(&drawing->camera)) {
+        image = image_new(render.width, render.height);
+        overlay_draw(
+            &eye, &render, &context->before->shown.show,
+            picture_space(options, &model->scene->settings).working_gamma,
+            image, &range);
+    }
+    canvas_lay(context->canvas, &easel->tone, image);
+    image_free(image);
 }
 
 /* One after the other, while they are quick. */
@@ -148,7 +234,9 @@ static bool drawing_coarse(struct drawing *drawing, struct easel *easel)
 {
     const struct drawing_context *context = easel->context;
     double last = 0;
-    for (int i = 0; i < ROUGHS; i++) {
+    int i;
+    drawing_lay(drawing, easel);
+    for (i = 0; i < ROUGHS; i++) {
         double start = clock_seconds();
         if (i > 0 && (last > rough_limit / 4 || atomic_load(context->stop)))
             break;
@@ -161,6 +249,8 @@ static bool drawing_coarse(struct drawing *drawing, struct easel *easel)
         drawing->first = clock_seconds() - drawing->begun;
         context->seen(context->told);
     }
+    if (!atomic_load(context->stop))
+        drawing_as_before(drawing, easel, roughs[i < ROUGHS ? i : i - 1].step);
     return !atomic_load(context->stop);
 }
 
@@ -178,7 +268,7 @@ static bool drawing_pixels(struct drawing *drawing, struct easel *easel,
     easel->step = 1;
     return render_run(&drawing->tracer, &render, image, &drawing->stats.rays) &&
            picture_show(image, &drawing->options, &drawing->tracer,
-                        context->stop, context->diag);
+                        context->stop, &drawing->shown, context->diag);
 }
 
 static bool drawing_light(struct drawing *drawing,
@@ -186,12 +276,16 @@ static bool drawing_light(struct drawing *drawing,
 {
     const struct options *options = &drawing->options;
     context->stage(context->told, DRAWING_LIGHT);
-    drawing->tracer = drawing_tracer(
-        drawing, lighting_for(options->lighting, drawing->model->scene),
-        options->quality, context->stop, context->diag);
+    const struct draft draft = {
+        lighting_for(options->lighting, drawing->model->scene),
+        options->quality, 1, drawing_kept(drawing, context)
+    };
+    drawing->tracer =
+        drawing_tracer(drawing, &draft, context->stop, context->diag);
     if (!drawing->tracer.lighting_state ||
-        !photons_send(&drawing->tracer, options->render.threads, context->stop,
-                      context->diag, &drawing->photons))
+        (!drawing->photons &&
+         !photons_send(&drawing->tracer, options->render.threads, context->stop,
+                       context->diag, &drawing->photons)))
         return false;
     drawing->tracer.photons = drawing->photons;
     return true;
@@ -212,6 +306,7 @@ static bool drawing_fine(struct drawing *drawing, struct easel *easel)
     const struct render_part all = { { 0, 0, image->width, image->height },
                                      image->pixels };
     easel_put(easel, &all);
+    canvas_lay(context->canvas, &easel->tone, NULL);
     drawing->image = image;
     drawing->finished = clock_seconds() - drawing->begun;
     stats_lighting(&drawing->stats, &drawing->tracer);

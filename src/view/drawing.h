@@ -7,6 +7,7 @@
 #include "cli/options.h"
 #include "cli/stats.h"
 #include "view/canvas.h"
+#include "view/heritage.h"
 #include "view/model.h"
 
 enum drawing_stage {
@@ -26,7 +27,8 @@ struct drawing {
     struct camera camera;
     struct tracer tracer; /* its lighting_state is NULL until it is lit */
     struct photon_map *photons;
-    struct image *image; /* in the working space; NULL: not finished */
+    struct image *image;        /* in the working space; NULL: not finished */
+    struct picture_shown shown; /* over it; without an arena: nothing */
     struct stats stats;
     double begun;    /* clock_seconds when it was asked for */
     double first;    /* seconds until something was seen; 0: nothing yet */
@@ -38,6 +40,7 @@ struct drawing_context {
     struct canvas *canvas;
     const atomic_int *stop; /* leave off: something else is wanted */
     const atomic_int *quit; /* leave off even before the first rough picture */
+    const struct heritage *before; /* of an earlier drawing, or NULL */
     struct diag *diag;
     void *told;
     void (*stage)(void *told, enum drawing_stage stage);

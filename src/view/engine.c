@@ -17,8 +17,9 @@ struct engine {
     unsigned jobs;   /* enum engine_job */
     double at[2];    /* of a question */
     struct engine_status status;
-    struct file_list files; /* not yet taken; arena NULL: none */
-    struct model *model;    /* for engine_model */
+    struct file_list files;    /* not yet taken; arena NULL: none */
+    struct model *model;       /* for engine_model */
+    struct heritage *heritage; /* only the thread changes it */
     atomic_int stop, quit;
 
     /* Of the thread alone: */
@@ -72,8 +73,12 @@ static void engine_seen(void *told)
     struct drawing *drawing = engine->drawing;
     SDL_LockMutex(engine->lock);
     struct model *before = engine->model;
+    size_t lamps;
+    world_lights(drawing->model->world, &lamps);
     engine->model = model_use(drawing->model);
-    engine->status.first = drawing->first;
+    if (engine->number == engine->done) /* else it is an old wish's */
+        engine->status.first = drawing->first;
+    engine->status.lamps = (int)lamps;
     SDL_UnlockMutex(engine->lock);
     model_leave(before);
 }
@@ -150,7 +155,8 @@ static bool engine_must_read(const struct engine *engine,
     return !engine->drawing || engine->read != wish->read ||
            wish->frame != before->frame ||
            wish->word_count != before->word_count ||
-           memcmp(wish->words, before->words, sizeof wish->words) != 0;
+           memcmp(wish->words, before->words, sizeof wish->words) != 0 ||
+           memcmp(&wish->changes, &before->changes, sizeof wish->changes) != 0;
 }
 
 static void engine_describe(struct engine *engine,
@@ -182,7 +188,7 @@ static struct drawing *engine_read(struct engine *engine, bool read,
     int index = wish->frame < frames_count(frames) ? wish->frame : 0;
     drawing->frame = frames_number(frames, index);
     drawing->model = read ? model_read(&drawing->options, drawing->frame,
-                                       &engine->stop, diag)
+                                       &wish->changes, &engine->stop, diag)
                           : model_use(engine->drawing->model);
     if (!read) {
         drawing->files.count = 0;
@@ -203,6 +209,10 @@ static void engine_adopt(struct engine *engine, struct drawing *drawing,
                          bool read)
 {
     const struct wish *wish = &engine->at_work;
+    if (!read && engine->drawing) {
+        drawing->photons = engine->drawing->photons;
+        engine->drawing->photons = NULL;
+    }
     drawing_free(engine->drawing);
     engine->drawing = drawing;
     drawing->camera = wish->moved ? wish->camera : drawing->model->camera;
@@ -212,6 +222,7 @@ static void engine_adopt(struct engine *engine, struct drawing *drawing,
     engine->status.camera = drawing->model->camera;
     engine->status.models += read;
     engine->status.first = engine->status.finished = 0;
+    engine->status.shown = heritage_shows(engine->heritage, &drawing->options);
     SDL_UnlockMutex(engine->lock);
     if (read)
         engine_files_read(engine, &drawing->files);
@@ -244,7 +255,12 @@ static void engine_finished(struct engine *engine)
 {
     struct drawing *drawing = engine->drawing;
     const struct tracer *tracer = &drawing->tracer;
+    struct heritage *before = engine->heritage;
+    struct heritage *heritage = heritage_new(
+        tracer, &drawing->options, drawing->model->lamp, &drawing->shown);
     SDL_LockMutex(engine->lock);
+    engine->heritage = heritage;
+    engine->status.shown = heritage_shows(heritage, &drawing->options);
     engine->status.finished = drawing->finished;
     engine->status.light[0] = '\0';
     engine->status.density = 0;
@@ -253,6 +269,7 @@ static void engine_finished(struct engine *engine)
                                &engine->status);
     engine->status.stage = ENGINE_DONE;
     SDL_UnlockMutex(engine->lock);
+    heritage_leave(before);
 }
 
 static void engine_fulfil(struct engine *engine, const struct wish *before)
@@ -272,6 +289,7 @@ static void engine_fulfil(struct engine *engine, const struct wish *before)
             .canvas = engine->canvas,
             .stop = &engine->stop,
             .quit = &engine->quit,
+            .before = engine->heritage,
             .diag = &diag,
             .told = engine,
             .stage = engine_stage,
@@ -294,6 +312,12 @@ static void engine_fulfil(struct engine *engine, const struct wish *before)
         engine_failed(engine);
 }
 
+/* Whether the picture is no longer that of the file. */
+static bool engine_own(const struct wish *wish)
+{
+    return wish->moved || wish->changes.lamp || wish->changes.region_count;
+}
+
 /* Saves, answers; the drawing is finished. */
 static void engine_serve(struct engine *engine, unsigned jobs,
                          const double at[2])
@@ -313,7 +337,7 @@ static void engine_serve(struct engine *engine, unsigned jobs,
     if (jobs & ENGINE_SAVE && !name)
         fputs("nothing is saved: no picture file by the options\n", out);
     else if (jobs & ENGINE_SAVE &&
-             drawing_save(drawing, name, engine->at_work.moved, &diag))
+             drawing_save(drawing, name, engine_own(&engine->at_work), &diag))
         fprintf(out, "saved %s\n", name);
     fclose(out);
     SDL_LockMutex(engine->lock);
@@ -398,6 +422,7 @@ void engine_end(struct engine *engine)
     background_join(engine->thread);
     drawing_free(engine->drawing);
     model_leave(engine->model);
+    heritage_leave(engine->heritage);
     if (engine->files.arena)
         arena_free(engine->files.arena);
     SDL_DestroyCond(engine->wished);
@@ -412,6 +437,7 @@ unsigned engine_wish(struct engine *engine, const struct wish *wish)
     unsigned number = ++engine->number;
     engine->status.number = number;
     engine->status.stage = ENGINE_READING;
+    engine->status.first = 0;
     atomic_store(&engine->stop, 1);
     SDL_CondSignal(engine->wished);
     SDL_UnlockMutex(engine->lock);
@@ -444,6 +470,19 @@ struct model *engine_model(struct engine *engine)
     struct model *model = model_use(engine->model);
     SDL_UnlockMutex(engine->lock);
     return model;
+}
+
+bool engine_value(struct engine *engine, const struct camera *camera,
+                  const double at[2], const int size[2], char *text,
+                  size_t text_size)
+{
+    SDL_LockMutex(engine->lock);
+    struct heritage *heritage = heritage_use(engine->heritage);
+    SDL_UnlockMutex(engine->lock);
+    bool found =
+        heritage && heritage_value(heritage, camera, at, size, text, text_size);
+    heritage_leave(heritage);
+    return found;
 }
 
 bool engine_files(struct engine *engine, struct file_list *files)

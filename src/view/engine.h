@@ -21,6 +21,7 @@ struct wish {
     bool moved;           /* the camera is not the file's but: */
     struct camera camera; /* this */
     int frame;            /* index of an animation's */
+    struct model_changes changes;
 };
 
 enum engine_stage {
@@ -44,6 +45,8 @@ struct engine_status {
     char text[ENGINE_TEXT]; /* messages of the last reading */
     struct camera camera;   /* the file's */
     unsigned models;        /* counts scenes that were read */
+    int lamps;              /* of the scene */
+    bool shown;             /* something that engine_value can tell */
     int width, height;
     const char *lighting;
     double density;  /* of its mesh, points for a unit of length; 0: none */
@@ -74,6 +77,12 @@ unsigned engine_wish(struct engine *engine, const struct wish *wish);
 void engine_do(struct engine *engine, enum engine_job job, double x, double y);
 
 void engine_look(struct engine *engine, struct engine_status *status);
+
+/* The number of what is shown over the picture (--show) at (x, y), 0..1, as
+ * heritage_value. */
+bool engine_value(struct engine *engine, const struct camera *camera,
+                  const double at[2], const int size[2], char *text,
+                  size_t text_size);
 
 /* The scene that is drawn, or NULL; left with model_leave. */
 struct model *engine_model(struct engine *engine);

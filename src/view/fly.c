@@ -140,6 +140,18 @@ void fly_print(const struct camera *camera, FILE *out)
     fputs("}\n", out);
 }
 
+bool fly_same(const struct camera *a, const struct camera *b)
+{
+    const vec3 pairs[][2] = { { a->location, b->location },
+                              { a->direction, b->direction },
+                              { a->right, b->right },
+                              { a->up, b->up } };
+    bool same = a->kind == b->kind;
+    for (int i = 0; i < 4; i++)
+        same = same && vec3_length(vec3_sub(pairs[i][0], pairs[i][1])) == 0;
+    return same;
+}
+
 bool fly_free(const struct camera *camera)
 {
     return camera->kind->lines != CAMERA_SCATTERED;

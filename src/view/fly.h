@@ -24,6 +24,9 @@ void fly_dolly(struct camera *camera, vec3 pivot, double factor);
 /* Moves it along where it looks and to its right, units. */
 void fly_walk(struct camera *camera, double ahead, double right);
 
+/* Whether both see the same. */
+bool fly_same(const struct camera *a, const struct camera *b);
+
 /* Whether there is a place and a direction to move: not of a mesh_camera. */
 bool fly_free(const struct camera *camera);
 

@@ -61,9 +61,10 @@ static void view_mouse_move(struct view *view,
 {
     double across = (double)(event->x - view->last[0]) / view->picture.w;
     double down = (double)(event->y - view->last[1]) / view->picture.h;
-    view_in_picture(view, event->x, event->y);
+    view->hovers = view_in_picture(view, event->x, event->y);
     view->cross = view->box;
-    view->dirty = view->dirty || view->box || view->side == SIDE_SPLIT;
+    view->dirty = view->dirty || view->box || view->side == SIDE_SPLIT ||
+                  view->status.shown;
     if (view->drag == DRAG_NONE || view->drag == DRAG_BOX ||
         (across == 0 && down == 0))
         return;
@@ -128,18 +129,6 @@ static void view_event(struct view *view, const SDL_Event *event)
     }
 }
 
-static bool camera_same(const struct camera *a, const struct camera *b)
-{
-    const vec3 pairs[][2] = { { a->location, b->location },
-                              { a->direction, b->direction },
-                              { a->right, b->right },
-                              { a->up, b->up } };
-    bool same = a->kind == b->kind;
-    for (int i = 0; i < 4; i++)
-        same = same && vec3_length(vec3_sub(pairs[i][0], pairs[i][1])) == 0;
-    return same;
-}
-
 /* The text has been read: its camera counts, unless it is as before and was
  * left. */
 static void view_read(struct view *view, const struct camera *before)
@@ -147,7 +136,7 @@ static void view_read(struct view *view, const struct camera *before)
     const struct camera *now = &view->status.camera;
     bool first = view->models == 0;
     view->models = view->status.models;
-    if (!first && view->wish.moved && camera_same(before, now))
+    if (!first && view->wish.moved && fly_same(before, now))
         return;
     view->camera = *now;
     if (!view->wish.moved)
@@ -237,10 +226,18 @@ static bool view_script(struct view *view)
         .number = view->finished,
         .first = view->status.first,
         .finished = view->status.finished,
+        .shown = view->shown,
     };
     if (!view->script)
         return true;
     return script_step(view->script, view->window, &state, &view->diag);
+}
+
+static void view_painted(struct view *view)
+{
+    view->dirty = false;
+    if (view->shown == 0 && view->status.first > 0)
+        view->shown = clock_seconds();
 }
 
 static void view_loop(struct view *view, const atomic_int *stop)
@@ -256,7 +253,7 @@ static void view_loop(struct view *view, const atomic_int *stop)
         view_look_beside(view);
         view_play(view);
         if (view->dirty && paint_window(view))
-            view->dirty = false;
+            view_painted(view);
         if (!view_script(view)) {
             view->quit = view->quit || script_failed(view->script);
             script_free(view->script);

@@ -29,7 +29,18 @@ static bool model_parse(struct model *model, const struct options *options,
     return model->scene && names_good(&model->scene->settings, diag);
 }
 
+static void model_change(struct model *model,
+                         const struct model_changes *changes)
+{
+    struct scene *scene = model->scene;
+    struct light_mesh_settings *mesh = &scene->settings.light_mesh;
+    for (int i = 0; i < changes->region_count; i++)
+        *ARRAY_PUSH(scene->arena, &mesh->regions) = changes->regions[i];
+    model->lamp = changes->lamp;
+}
+
 struct model *model_read(const struct options *options, int frame,
+                         const struct model_changes *changes,
                          const atomic_int *stop, struct diag *diag)
 {
     struct model *model = memory_new(sizeof *model);
@@ -37,6 +48,7 @@ struct model *model_read(const struct options *options, int frame,
     atomic_init(&model->users, 1);
     if (model_parse(model, options, frame, stop, diag)) {
         model->camera = model->scene->camera;
+        model_change(model, changes);
         return model;
     }
     model_leave(model);
@@ -56,6 +68,8 @@ bool model_build(struct model *model, const struct options *options,
     if (!model->world)
         return false;
     world_lights(model->world, &lights);
+    if (model->lamp > 0 && (size_t)model->lamp <= lights)
+        world_solo(model->world, (size_t)model->lamp - 1);
     missing_tell(model->scene, lights, world_leaf_count(model->world), diag);
     return true;
 }

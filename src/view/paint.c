@@ -55,6 +55,9 @@ static void paint_stage(const struct view *view, char *text, size_t size)
     if (status->stage == ENGINE_DONE)
         length += snprintf(text + length, size - (size_t)length, " in %.2f s",
                            status->finished);
+    if (view->wish.changes.lamp)
+        length += snprintf(text + length, size - (size_t)length, " | lamp %d",
+                           view->wish.changes.lamp);
     if (status->lighting)
         length +=
             snprintf(text + length, size - (size_t)length, " | %s | %d x %d",
@@ -153,6 +156,22 @@ static void paint_pointer(struct view *view)
     }
 }
 
+/* The value of what is shown over the picture next to the pointer. */
+static void paint_value(struct view *view)
+{
+    const SDL_Rect *area = &view->picture;
+    const int size[2] = { area->w, area->h };
+    char text[VIEW_NOTICE];
+    bool asked = (view->hovers || view->cross) && view->status.shown;
+    if (!asked || view->side != SIDE_GLIM || view->reel.playing ||
+        !engine_value(view->engine, &view->camera, view->pointer, size, text,
+                      sizeof text))
+        return;
+    int x = area->x + (int)(view->pointer[0] * area->w) + 2 * EDGE;
+    int y = area->y + (int)(view->pointer[1] * area->h) + 2 * EDGE;
+    window_label(view->window, x, y, MARK, text);
+}
+
 /* glim's picture, POV-Ray's, both, or their differences. */
 static void paint_picture(struct view *view)
 {
@@ -189,6 +208,7 @@ bool paint_window(struct view *view)
     SDL_UnlockMutex(view->canvas.lock);
     paint_picture(view);
     paint_pointer(view);
+    paint_value(view);
     paint_message(view, all);
     paint_help(view);
     paint_slider(view, all);

@@ -1,6 +1,7 @@
 /* Lines to events: see script.h. */
 #include "view/script.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -23,6 +24,7 @@ struct script {
     int count;       /* of words */
     bool waiting;    /* the line at work is not done */
     double since;    /* waited */
+    double did;      /* clock_seconds, of the last key or change of a file */
     unsigned number; /* of the picture when it began to wait */
     bool failed;
 };
@@ -63,7 +65,8 @@ static bool script_line(struct script *script)
         while (at < end && text[at] != '#' && script->count < WORDS) {
             size_t length = strcspn(text + at, " \t\r\n");
             bool rest =
-                strcmp(script->words[0], "say") == 0 && script->count == 1;
+                (strcmp(script->words[0], "say") == 0 && script->count == 1) ||
+                (strcmp(script->words[0], "append") == 0 && script->count == 2);
             if (rest)
                 length = end - at;
             snprintf(script->words[script->count++], WORD, "%.*s", (int)length,
@@ -200,9 +203,22 @@ static bool script_waited(struct script *script,
         return state->idle && !state->wrong;
     if (strcmp(what, "error") == 0)
         return state->idle && state->wrong;
+    if (strcmp(what, "shown") == 0)
+        return state->shown > script->did;
     if (strcmp(what, "file") == 0)
         return access(script->words[2], F_OK) == 0;
     return waited >= script_number(script, 1);
+}
+
+static bool script_append(struct script *script, struct diag *diag)
+{
+    FILE *file = fopen(script->words[1], "a");
+    if (!file)
+        return script_fail(script, diag, "there is no such file to append to");
+    fprintf(file, "%s\n", script->words[2]);
+    script->did = clock_seconds();
+    fclose(file);
+    return true;
 }
 
 /* One line; false if it ends all. */
@@ -210,6 +226,8 @@ static bool script_do(struct script *script, struct window *window,
                       const struct script_state *state, struct diag *diag)
 {
     const char *word = script->words[0];
+    if (strcmp(word, "key") == 0 || strcmp(word, "drag") == 0)
+        script->did = clock_seconds();
     if (strcmp(word, "key") == 0)
         return script_key(script, diag);
     if (strcmp(word, "click") == 0)
@@ -228,11 +246,14 @@ static bool script_do(struct script *script, struct window *window,
     } else if (strcmp(word, "screenshot") == 0) {
         script->failed = !window_save(window, script->words[1], diag);
         return !script->failed;
+    } else if (strcmp(word, "append") == 0) {
+        return script_append(script, diag);
     } else if (strcmp(word, "say") == 0) {
         puts(script->words[1]);
         fflush(stdout);
     } else if (strcmp(word, "times") == 0) {
-        printf("first %.3f finished %.3f\n", state->first, state->finished);
+        printf("first %.3f finished %.3f shown %.3f\n", state->first,
+               state->finished, fmax(0, state->shown - script->did));
         fflush(stdout);
     } else if (strcmp(word, "quit") == 0)
         script_quit();
@@ -240,7 +261,8 @@ static bool script_do(struct script *script, struct window *window,
         return script_fail(script, diag,
                            "a script has lines 'key', 'click', 'drag', "
                            "'wheel', 'resize', 'wait', 'change', "
-                           "'screenshot', 'times', 'say' and 'quit'");
+                           "'append', 'screenshot', 'times', 'say' and "
+                           "'quit'");
     return true;
 }
 

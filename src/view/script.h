@@ -6,12 +6,13 @@
  *     drag X Y X2 Y2 [BUTTON]
  *     wheel STEPS
  *     resize WIDTH HEIGHT
- *     wait done | error | SECONDS | file NAME
+ *     append FILE TEXT          a line more, as of an editor that saves
+ *     wait done | error | shown | SECONDS | file NAME
  *     change                    wait for another picture than this
  *     screenshot FILE
- *     times                     on standard output: seconds until something,
- * and until all of the last picture was seen say TEXT                  on
- * standard output quit
+ *     times                     on standard output: seconds
+ *     say TEXT                  on standard output
+ *     quit
  */
 #ifndef VIEW_SCRIPT_H
 #define VIEW_SCRIPT_H
@@ -27,6 +28,8 @@ struct script_state {
     bool wrong;             /* the text is wrong */
     unsigned number;        /* counts pictures that were finished or failed */
     double first, finished; /* seconds, of the last one */
+    double shown; /* clock_seconds when the window first showed something of
+                   * what was wished for last; 0: not yet */
 };
 
 /* NULL after an error was printed: a file that can't be read, or a wrong line.

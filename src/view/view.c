@@ -11,6 +11,9 @@
 /* How far away the pivot is where nothing is seen, units. */
 static const double far_pivot = 10;
 
+/* Of a region that was drawn, times that of the mesh. */
+static const double region_density = 2;
+
 void view_say(struct view *view, bool aloud, const char *format, ...)
 {
     va_list arguments;
@@ -68,6 +71,7 @@ void view_wish(struct view *view)
     *last = view->wish;
     view->busy = true;
     view->dirty = true;
+    view->shown = view->status.first = 0;
     engine_wish(view->engine, &view->wish);
 }
 
@@ -159,6 +163,20 @@ void view_ask(struct view *view)
     engine_do(view->engine, ENGINE_ASK, x, y);
 }
 
+/* The mesh is as dense there as what is printed says. */
+static void view_region(struct view *view, const struct box3 *box)
+{
+    struct model_changes *changes = &view->wish.changes;
+    if (changes->region_count == MODEL_REGIONS) {
+        memmove(changes->regions, changes->regions + 1,
+                (MODEL_REGIONS - 1) * sizeof *changes->regions);
+        changes->region_count--;
+    }
+    changes->regions[changes->region_count++] =
+        (struct mesh_region){ box->low, box->high, region_density };
+    view_wish(view);
+}
+
 void view_box(struct view *view)
 {
     struct model *model = engine_model(view->engine);
@@ -180,10 +198,11 @@ void view_box(struct view *view)
         view_say(view, false, "nothing is seen in the box");
         return;
     }
+    view_region(view, &box);
     view_say(view, true,
-             "region { <%.5g, %.5g, %.5g>, <%.5g, %.5g, %.5g> density 2 }",
+             "region { <%.5g, %.5g, %.5g>, <%.5g, %.5g, %.5g> factor %g }",
              box.low.x, box.low.y, box.low.z, box.high.x, box.high.y,
-             box.high.z);
+             box.high.z, region_density);
 }
 
 void view_press(struct view *view, const SDL_Keysym *key)

@@ -39,6 +39,7 @@ struct view {
     unsigned models, answers;
     unsigned finished; /* counts pictures that were finished, or failed */
     bool busy;         /* the last one isn't yet */
+    double shown;      /* clock_seconds, of something of it; 0: not yet */
 
     SDL_Rect picture;  /* where it is in the window */
     SDL_Rect slider;   /* of time; empty: no animation */
@@ -48,6 +49,7 @@ struct view {
     int down[2], last[2];          /* of the mouse */
     double corner[2];              /* of a box */
     bool box;                      /* it is shown, up to the pointer */
+    bool hovers;                   /* the mouse is over the picture */
     char asked_file[FILENAME_MAX]; /* of the object that was asked for last */
     unsigned asked_line;           /* 0: none */
 
@@ -97,7 +99,8 @@ vec3 view_pivot(struct view *view);
 /* Says what is under the pointer. */
 void view_ask(struct view *view);
 
-/* The box that was drawn becomes a region: its text is printed. */
+/* The box that was drawn becomes a region of the light mesh, and its text is
+ * printed. */
 void view_box(struct view *view);
 
 #endif

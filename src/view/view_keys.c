@@ -154,6 +154,30 @@ static void press_box(struct view *view, int amount)
     view_say(view, false, "the box's other corner: move, then b again");
 }
 
+static void press_no_boxes(struct view *view, int amount)
+{
+    (void)amount;
+    view->wish.changes.region_count = 0;
+    view_wish(view);
+    view_say(view, false, "no regions but the file's");
+}
+
+/* One lamp after the other, then all again. */
+static void press_lamp(struct view *view, int amount)
+{
+    int count = view->status.lamps, *lamp = &view->wish.changes.lamp;
+    if (count < 2) {
+        view_say(view, false, "there are no two lamps");
+        return;
+    }
+    *lamp = (*lamp + amount + count + 1) % (count + 1);
+    view_wish(view);
+    if (*lamp)
+        view_say(view, false, "lamp %d of %d alone", *lamp, count);
+    else
+        view_say(view, false, "all %d lamps", count);
+}
+
 static void press_lighting(struct view *view, int amount)
 {
     const struct lighting *lighting = integrator_lighting_at((size_t)amount);
@@ -396,7 +420,11 @@ const struct view_key view_keys[] = {
     KEY(t, 0, "", NULL, press_show, 2),
     KEY(o, 0, "o", "show the next thing that this lighting has",
         press_next_show, 0),
-    KEY(b, 0, "b, right drag", "a box: print it as a region", press_box, 0),
+    KEY(l, 0, "l L", "one lamp alone: the next, the last", press_lamp, 1),
+    KEY(l, KMOD_SHIFT, "", NULL, press_lamp, -1),
+    KEY(b, 0, "b, right drag", "a box: a region of the mesh, printed",
+        press_box, 0),
+    KEY(b, KMOD_SHIFT, "B", "forget those regions", press_no_boxes, 0),
     KEY(p, 0, "p", "POV-Ray's picture, both split, how they differ",
         press_compare, 0),
     KEY(COMMA, 0, ", .", "the frame before, the next", press_frame, -1),

@@ -128,19 +128,26 @@ SDL_Rect window_area(const struct window *window)
     return (SDL_Rect){ 0, 0, window->surface->w, window->surface->h };
 }
 
+/* Pixels of the canvas; with an opacity they are blended. */
+static void window_pixels(struct window *window, const struct canvas *canvas,
+                          unsigned *pixels, Uint32 format, const SDL_Rect *to)
+{
+    SDL_Rect area = *to;
+    SDL_Surface *picture = pixels ? SDL_CreateRGBSurfaceWithFormatFrom(
+                                        pixels, canvas->width, canvas->height,
+                                        32, canvas->width * 4, format)
+                                  : NULL;
+    if (picture)
+        SDL_BlitScaled(picture, NULL, window->surface, &area);
+    SDL_FreeSurface(picture);
+}
+
 void window_picture(struct window *window, struct canvas *canvas,
                     const SDL_Rect *to)
 {
-    SDL_Rect area = *to;
     SDL_LockMutex(canvas->lock);
-    if (canvas->pixels) {
-        SDL_Surface *picture = SDL_CreateRGBSurfaceWithFormatFrom(
-            canvas->pixels, canvas->width, canvas->height, 32,
-            canvas->width * 4, SDL_PIXELFORMAT_RGB888);
-        if (picture)
-            SDL_BlitScaled(picture, NULL, window->surface, &area);
-        SDL_FreeSurface(picture);
-    }
+    window_pixels(window, canvas, canvas->pixels, SDL_PIXELFORMAT_RGB888, to);
+    window_pixels(window, canvas, canvas->layer, SDL_PIXELFORMAT_ARGB8888, to);
     SDL_UnlockMutex(canvas->lock);
 }
 
@@ -209,19 +216,29 @@ static const char *text_line(const char *text, char line[LINE_LIMIT])
     return text + length + (text[length] != '\0');
 }
 
-void window_box(struct window *window, int x, int y, unsigned tint,
-                const char *text)
+/* How large a box of the text is, at (x, y). */
+static SDL_Rect window_box_area(const struct window *window, int x, int y,
+                                const char *text)
 {
     char line[LINE_LIMIT];
-    int width = 0, lines = 0, high = window_line(window);
-    SDL_Rect all = window_area(window);
+    int width = 0, lines = 0;
     for (const char *next = text; (next = text_line(next, line)) != NULL;
          lines++) {
         int wide = 0;
         TTF_SizeUTF8(window->font, line, &wide, NULL);
         width = wide > width ? wide : width;
     }
-    SDL_Rect box = { x, y, width + 2 * MARGIN, lines * high + 2 * MARGIN };
+    return (SDL_Rect){ x, y, width + 2 * MARGIN,
+                       lines * window_line(window) + 2 * MARGIN };
+}
+
+void window_box(struct window *window, int x, int y, unsigned tint,
+                const char *text)
+{
+    char line[LINE_LIMIT];
+    int high = window_line(window);
+    SDL_Rect all = window_area(window);
+    SDL_Rect box = window_box_area(window, x, y, text);
     if (box.w > all.w - x)
         box.w = all.w - x;
     window_fill(window, &box, 0x101418, 225);
@@ -229,6 +246,16 @@ void window_box(struct window *window, int x, int y, unsigned tint,
         window_text(window, x + MARGIN, y + MARGIN, box.x + box.w, tint, line);
         y += high;
     }
+}
+
+void window_label(struct window *window, int x, int y, unsigned tint,
+                  const char *text)
+{
+    SDL_Rect all = window_area(window);
+    SDL_Rect box = window_box_area(window, x, y, text);
+    x = x + box.w > all.w ? all.w - box.w : x;
+    y = y + box.h > all.h ? all.h - box.h : y;
+    window_box(window, x < 0 ? 0 : x, y < 0 ? 0 : y, tint, text);
 }
 
 bool window_save(const struct window *window, const char *path,

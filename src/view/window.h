@@ -52,6 +52,10 @@ int window_text(struct window *window, int x, int y, int right, unsigned tint,
 void window_box(struct window *window, int x, int y, unsigned tint,
                 const char *text);
 
+/* The same at (x, y), or where there is room for all of it. */
+void window_label(struct window *window, int x, int y, unsigned tint,
+                  const char *text);
+
 /* What is shown, as a PNG. False after an error was printed. */
 bool window_save(const struct window *window, const char *path,
                  struct diag *diag);

@@ -77,6 +77,13 @@ const struct light *world_lights(const struct world *world, size_t *count)
     return world->flat.lights.items;
 }
 
+void world_solo(struct world *world, size_t light)
+{
+    for (size_t i = 0; i < world->flat.lights.count; i++)
+        if (i != light)
+            world->flat.lights.items[i].colour = rgb_grey(0);
+}
+
 bool world_is_opaque(const struct world *world)
 {
     return !world->flat.translucent;

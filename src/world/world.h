@@ -19,6 +19,10 @@ struct world *world_new(const struct scene *scene, unsigned threads,
                         double camera_rays, struct diag *diag);
 void world_free(struct world *world);
 
+/* Light number `light` of world_lights alone lights from now on: the others
+ * are black. Not while rays are traced. */
+void world_solo(struct world *world, size_t light);
+
 /* All lights, those in unions too, moved to where they are; file order. Several
  * that differ in their colours alone are one, with the sum of these. */
 const struct light *world_lights(const struct world *world, size_t *count);
