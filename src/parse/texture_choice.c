@@ -128,15 +128,18 @@ static bool choice_gather(struct parser *p, const struct choice_builder *b,
     for (size_t i = 0; i < b->entries.count; i++) {
         const struct texture *part = b->entries.items[i].texture;
         texture->count += part->count;
+        for (size_t k = 0; k < part->count; k++)
+            choice->bumps |= part->layers[k].normal != NULL;
         if (part->choice && part->choice->depth >= choice->depth)
             choice->depth = part->choice->depth + 1;
     }
     if (choice->depth > TEXTURE_DEPTH)
         return error_at(p, p->last_span, NULL,
                         "textures are nested more than %d deep", TEXTURE_DEPTH);
-    bool mixed = choice->rule || choice->pattern.kind->average;
-    if (mixed && choice->rule != pick_by_image &&
-        texture->count > TEXTURE_LAYERS && choice->rule != pick_by_parts)
+    /* Other rules pick some of many entries. */
+    bool mixed = choice->rule ? choice->rule == pick_by_corners
+                              : choice->pattern.kind->average;
+    if (mixed && texture->count > TEXTURE_LAYERS)
         return error_at(p, p->last_span, NULL,
                         "an average is made of at most %d layers of textures",
                         TEXTURE_LAYERS);
