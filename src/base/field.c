@@ -52,3 +52,56 @@ void field_copy(const struct field *field, void *to, const void *from)
     memcpy((char *)to + field->offset, (const char *)from + field->offset,
            field_size(field));
 }
+
+static size_t field_wide(enum field_kind kind)
+{
+    switch (kind) {
+    case FIELD_VECTOR2:
+    case FIELD_PAIR:
+        return 2;
+    case FIELD_VECTOR:
+    case FIELD_RGB:
+        return 3;
+    case FIELD_VECTOR5:
+    case FIELD_COLOUR:
+        return 5;
+    default:
+        return 0;
+    }
+}
+
+static double field_number(const struct field *field, const void *at)
+{
+    int whole;
+    double number;
+    switch (field->kind) {
+    case FIELD_FLOAT:
+        memcpy(&number, at, sizeof number);
+        return number;
+    case FIELD_INTEGER:
+    case FIELD_CHOICE:
+        memcpy(&whole, at, sizeof whole);
+        return whole;
+    default:
+        return *(const bool *)at;
+    }
+}
+
+size_t field_numbers(const struct field *table, const void *values,
+                     enum field_width width, double *out)
+{
+    size_t count = 0;
+    for (; table->name; table++) {
+        const char *at = (const char *)values + table->offset;
+        size_t wide = field_wide(table->kind);
+        if (table->dark || (width == FIELDS_NARROW && wide) ||
+            (width == FIELDS_WIDE && !wide))
+            continue;
+        if (wide)
+            memcpy(&out[count], at, wide * sizeof *out);
+        else
+            out[count] = field_number(table, at);
+        count += wide ? wide : 1;
+    }
+    return count;
+}

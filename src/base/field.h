@@ -50,7 +50,24 @@ struct field {
     const char *help; /* for lists: what it is, units, default */
     bool optional;    /* an argument that may be left out, with all after it */
     const char *const *choices; /* of a FIELD_CHOICE, ending with NULL */
+    const char *dark; /* why no light depends on it; NULL: some may, and scenes
+                       * that differ in it have different fingerprints */
 };
+
+/* Of the rows of a table. */
+enum field_width {
+    FIELDS_NARROW, /* single numbers, truths and choices */
+    FIELDS_WIDE,   /* vectors and colours */
+    FIELDS_BOTH,
+};
+
+/* The numbers of those fields that light may depend on, in the table's order,
+ * into `out`; returns how many. A truth is 0 or 1. Not lists or names. */
+size_t field_numbers(const struct field *table, const void *values,
+                     enum field_width width, double *out);
+
+/* So many it gives of one row at most. */
+enum { FIELD_WIDEST = 5 };
 
 /* The row called `name`, or NULL. A NULL table has no rows. */
 const struct field *field_find(const struct field *table, const char *name);

@@ -77,3 +77,34 @@ uint64_t hash_fields(uint64_t hash, const struct field *table,
             hash_field(hash, table->kind, (const char *)values + table->offset);
     return hash;
 }
+
+uint64_t hash_narrow(uint64_t hash, const struct field *const *tables,
+                     const void *values)
+{
+    double row[HASH_ROW];
+    size_t count = 0;
+    for (; *tables; tables++)
+        count += field_numbers(*tables, values, FIELDS_NARROW, row + count);
+    return hash_numbers(hash, row, count);
+}
+
+uint64_t hash_wide(uint64_t hash, const struct field *table, const void *values)
+{
+    double row[FIELD_WIDEST];
+    for (; table->name; table++) {
+        const struct field only[] = { *table, { NULL } };
+        size_t count = field_numbers(only, values, FIELDS_WIDE, row);
+        if (count)
+            hash = hash_numbers(hash, row, count);
+    }
+    return hash;
+}
+
+uint64_t hash_tables(uint64_t hash, const struct field *const *tables,
+                     const void *values)
+{
+    hash = hash_narrow(hash, tables, values);
+    for (; *tables; tables++)
+        hash = hash_wide(hash, *tables, values);
+    return hash;
+}

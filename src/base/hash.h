@@ -18,4 +18,17 @@ uint64_t hash_text(uint64_t hash, const char *text);
 uint64_t hash_fields(uint64_t hash, const struct field *table,
                      const void *values);
 
+/* Of a struct that several tables describe, ending with NULL: first all single
+ * numbers in one row, then each vector and colour. Fields that light doesn't
+ * depend on are left out; the tables have HASH_ROW numbers at most. */
+enum { HASH_ROW = 64 };
+uint64_t hash_tables(uint64_t hash, const struct field *const *tables,
+                     const void *values);
+
+/* Only the ones of a table, or the others, in the same way. */
+uint64_t hash_narrow(uint64_t hash, const struct field *const *tables,
+                     const void *values);
+uint64_t hash_wide(uint64_t hash, const struct field *table,
+                   const void *values);
+
 #endif

@@ -7,8 +7,7 @@
 static bool mesh_shines(const struct surface *surface)
 {
     for (int i = 0; i < surface->count; i++) {
-        const struct finish *finish = surface->layer[i].finish;
-        if (finish->phong != 0 || finish->specular != 0)
+        if (finish_shines(surface->layer[i].finish))
             return true;
     }
     return false;

@@ -18,30 +18,6 @@ bool parse_background(struct parser *p, colour *out)
 
 /* ---- fog ---- */
 
-const struct field fog_fields[] = {
-    { "distance", FIELD_FLOAT, offsetof(struct fog, distance), 0, 0,
-      "after which 1/e of what is behind is left" },
-    { "fog_offset", FIELD_FLOAT, offsetof(struct fog, offset), 0, 0,
-      "of fog_type 2: up to this height it is everywhere the same" },
-    { "fog_alt", FIELD_FLOAT, offsetof(struct fog, altitude), 0, 0,
-      "of fog_type 2: so far above that, half of it is left" },
-    { NULL },
-};
-
-const struct field fog_turbulence_fields[] = {
-    { "turbulence", FIELD_VECTOR, offsetof(struct fog, turbulence.amount), 0, 0,
-      "how many features of its noise a unit has" },
-    { "turb_depth", FIELD_FLOAT, offsetof(struct fog, turbulent_share), 0, 0,
-      "how much fog the noise takes away, 0.5" },
-    { "octaves", FIELD_INTEGER, offsetof(struct fog, turbulence.octaves), 1, 10,
-      "of the noise, 6" },
-    { "omega", FIELD_FLOAT, offsetof(struct fog, turbulence.omega), 0, 0,
-      "weight of the next octave, 0.5" },
-    { "lambda", FIELD_FLOAT, offsetof(struct fog, turbulence.lambda), 0, 0,
-      "frequency of the next octave, 2" },
-    { NULL },
-};
-
 /* fog_type = "fog_type" float .
  * 1 is the same everywhere, 2 lies on the ground. */
 static bool parse_fog_type(struct parser *p, struct fog *fog)

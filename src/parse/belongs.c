@@ -1,6 +1,7 @@
 /* Which block an item belongs into that stands in another, for errors. */
 #include "parse/expression.h"
 #include "parse/stream.h"
+#include "scene/finish.h"
 #include "scene/pattern.h"
 
 struct owner {
@@ -10,12 +11,6 @@ struct owner {
 
 static const char *const camera_items[] = { "angle", "location", "look_at",
                                             "orthographic", NULL };
-static const char *const finish_items[] = {
-    "ambient",    "brilliance", "conserve_energy", "crand",
-    "diffuse",    "emission",   "metallic",        "phong",
-    "phong_size", "reflection", "roughness",       "specular",
-    NULL
-};
 static const char *const interior_items[] = { "fade_color", "fade_distance",
                                               "fade_power", "ior", NULL };
 static const char *const light_items[] = { "area_light", "looks_like",
@@ -28,7 +23,6 @@ static const char *const settings_items[] = {
 
 static const struct owner owners[] = {
     { "camera", camera_items },
-    { "finish", finish_items },
     { "interior", interior_items },
     { "light_source", light_items },
     { "global_settings", settings_items },
@@ -40,6 +34,9 @@ static const char *owner_of(const struct word *word)
         for (const char *const *item = owners[i].items; *item; item++)
             if (strcmp(*item, word->text) == 0)
                 return owners[i].block;
+    enum finish_place place;
+    if (finish_item_find(word->text) || finish_field(word->text, &place))
+        return "finish";
     enum keyword keyword = word->keyword;
     bool colours = keyword == KEYWORD_COLOUR_MAP ||
                    keyword == KEYWORD_PIGMENT_MAP ||

@@ -3,56 +3,6 @@
 #include "parse/rules.h"
 #include "parse/tables.h"
 
-#define FINISH(name, kind, member, low, high, help)                            \
-    {                                                                          \
-        name, kind, offsetof(struct finish, member), low, high, help           \
-    }
-#define REFLECTION(name, kind, member, low, high, help)                        \
-    {                                                                          \
-        name, kind, offsetof(struct reflection, member), low, high, help       \
-    }
-
-/* finish_value = "ambient" colour | "emission" colour | "brilliance" float
- *              | "phong_size" float | "roughness" float | "crand" float
- *              | "conserve_energy" . */
-const struct field finish_fields[] = {
-    FINISH("ambient", FIELD_RGB, ambient, 0, 0,
-           "times ambient_light: light from everywhere, 0.1"),
-    FINISH("emission", FIELD_RGB, emission, 0, 0,
-           "light of its own (Emiss), 0"),
-    FINISH("brilliance", FIELD_FLOAT, brilliance, 0, 0,
-           "exponent of the cosine of diffuse light, 1"),
-    FINISH("phong_size", FIELD_FLOAT, phong_size, 0, 0,
-           "exponent of phong, 40"),
-    FINISH("roughness", FIELD_FLOAT, roughness, 0, 0,
-           "1 / exponent of specular, 0.05"),
-    FINISH("crand", FIELD_FLOAT, crand, 0, 0, "grain, 0"),
-    FINISH("conserve_energy", FIELD_FLAG, conserve_energy, 0, 0,
-           "what is reflected is not transmitted"),
-    { NULL },
-};
-
-/* The items with a form of their own are here for "did you mean". */
-static const struct field finish_names[] = {
-    { .name = "ambient" },    { .name = "emission" },
-    { .name = "brilliance" }, { .name = "phong_size" },
-    { .name = "roughness" },  { .name = "crand" },
-    { .name = "diffuse" },    { .name = "phong" },
-    { .name = "specular" },   { .name = "metallic" },
-    { .name = "reflection" }, { .name = "conserve_energy" },
-    { .name = "irid" },       { .name = NULL },
-};
-
-const struct field reflection_fields[] = {
-    REFLECTION("falloff", FIELD_FLOAT, falloff, 0, 0,
-               "exponent of the change from minimum to maximum, 1"),
-    REFLECTION("exponent", FIELD_FLOAT, exponent, 0, 0,
-               "reflected light is raised to 1/exponent, 1"),
-    REFLECTION("fresnel", FIELD_BOOL, fresnel, 0, 0,
-               "the change follows the interior's ior"),
-    { NULL },
-};
-
 static const struct unsupported_word finish_unsupported[] = {
     { KEYWORD_SUBSURFACE, "'subsurface'" },
     { KEYWORD_NONE, NULL },
@@ -60,13 +10,15 @@ static const struct unsupported_word finish_unsupported[] = {
 
 /* reflection_item = "falloff" float | "exponent" float
  *                 | "fresnel" [bool] | "metallic" [float] . */
-static bool parse_reflection_item(struct parser *p, struct reflection *r)
+static bool parse_reflection_item(struct parser *p, struct finish *finish)
 {
-    const struct field *field = accept_field(p, reflection_fields);
+    const struct field *inner = finish_item_find("reflection")->inner;
+    const struct field *field = accept_field(p, inner);
+    struct reflection *r = &finish->reflection;
     if (field)
-        return parse_field(p, field, r);
+        return parse_field(p, field, finish);
     if (!accept_keyword(p, KEYWORD_METALLIC))
-        return error_unknown_item(p, "reflection", reflection_fields);
+        return error_unknown_item(p, "reflection", inner);
     r->metallic = 1;
     return !at_expression(p) || parse_float(p, &r->metallic);
 }
@@ -107,7 +59,7 @@ static bool parse_reflection_range(struct parser *p, struct finish *finish)
     if (!reflection_colours(p, r, &lone))
         return false;
     while (stream_peek(p)->kind != TOKEN_RBRACE)
-        if (!parse_reflection_item(p, r))
+        if (!parse_reflection_item(p, finish))
             return false;
     if (lone && r->fresnel)
         r->minimum = rgb_grey(0);
@@ -166,22 +118,15 @@ static bool parse_metallic(struct parser *p, struct finish *finish)
 }
 
 /* film_value = "thickness" float | "turbulence" float . */
-static const struct field film_fields[] = {
-    FINISH("thickness", FIELD_FLOAT, film.thickness, 0, 0,
-           "of the film, in the unit of irid_wavelength, 0"),
-    FINISH("turbulence", FIELD_FLOAT, film.turbulence, 0, 0,
-           "how much the thickness varies, 0"),
-    { NULL },
-};
-
 static bool film_items(struct parser *p, struct finish *finish)
 {
+    const struct field *inner = finish_item_find("irid")->inner;
     if (!parse_float(p, &finish->film.amount))
         return false;
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
-        const struct field *field = accept_field(p, film_fields);
+        const struct field *field = accept_field(p, inner);
         if (!field)
-            return error_unknown_item(p, "irid", film_fields);
+            return error_unknown_item(p, "irid", inner);
         if (!parse_field(p, field, finish))
             return false;
     }
@@ -215,14 +160,64 @@ static bool parse_old_refraction(struct parser *p, struct finish *finish)
     return true;
 }
 
+/* The words of all items, for "did you mean". */
+static const struct field *finish_words(struct parser *p)
+{
+    const struct finish_item *item;
+    struct {
+        struct field *items;
+        size_t count, capacity;
+    } words = { NULL, 0, 0 };
+    for (size_t i = 0; (item = finish_item_at(i)) != NULL; i++) {
+        *ARRAY_PUSH(p->arena, &words) = (struct field){ .name = item->name };
+        for (const struct field *f = item->fields; f && f->name; f++)
+            *ARRAY_PUSH(p->arena, &words) = *f;
+    }
+    *ARRAY_PUSH(p->arena, &words) = (struct field){ .name = NULL };
+    return words.items;
+}
+
+/* What the item keeps, to be written: of its own it has a copy for each
+ * finish. */
+static void *finish_said(struct parser *p, struct finish *finish,
+                         enum finish_place place)
+{
+    const struct finish_item *item = finish_item_at(place);
+    const void *from = finish->own[place] ? finish->own[place] : item->usual;
+    if (!item->size)
+        return finish;
+    void *own = arena_alloc(p->scene_arena, item->size);
+    if (from)
+        memcpy(own, from, item->size);
+    else
+        memset(own, 0, item->size);
+    finish->own[place] = own;
+    return own;
+}
+
+/* finish_value = "ambient" colour | "emission" colour | "brilliance" float
+ *              | "phong_size" float | "roughness" float | "crand" float
+ *              | "conserve_energy" .
+ * All words of the items in scene/finish/ that have no form of their own. */
+static bool parse_finish_value(struct parser *p, struct finish *finish)
+{
+    const struct token *token = stream_peek(p);
+    enum finish_place place;
+    const struct field *field = token->kind == TOKEN_WORD
+                                    ? finish_field(token->word->text, &place)
+                                    : NULL;
+    if (!field)
+        return check_supported(p, finish_unsupported) &&
+               error_unknown_thing(p, "finish", finish_words(p), "a finish");
+    stream_next(p);
+    return parse_field(p, field, finish_said(p, finish, place));
+}
+
 /* finish_item = finish_value | diffuse | phong | specular | metallic
  *             | reflection | "reflection_exponent" float | film
  *             | old_refraction . */
 static bool parse_finish_item(struct parser *p, struct finish *finish)
 {
-    const struct field *field = accept_field(p, finish_fields);
-    if (field)
-        return parse_field(p, field, finish);
     switch (stream_keyword(p)) {
     case KEYWORD_DIFFUSE:
         return parse_diffuse(p, finish);
@@ -244,8 +239,7 @@ static bool parse_finish_item(struct parser *p, struct finish *finish)
     case KEYWORD_CAUSTICS:
         return parse_old_refraction(p, finish);
     default:
-        return check_supported(p, finish_unsupported) &&
-               error_unknown_thing(p, "finish", finish_names, "a finish");
+        return parse_finish_value(p, finish);
     }
 }
 

@@ -2,31 +2,6 @@
 #include "parse/rules.h"
 #include "parse/tables.h"
 
-#define INTERIOR(name, kind, member, low, high, help)                          \
-    {                                                                          \
-        name, kind, offsetof(struct interior, member), low, high, help         \
-    }
-
-/* interior_value = "ior" float | "fade_distance" float | "fade_power" float
- *                | "fade_colour" colour | "caustics" float
- *                | "dispersion" float | "dispersion_samples" float . */
-const struct field interior_fields[] = {
-    INTERIOR("ior", FIELD_FLOAT, ior, 0, 0, "index of refraction, 1"),
-    INTERIOR("fade_distance", FIELD_FLOAT, fade_distance, 0, 0,
-             "the way after which half the light is left, 0: never"),
-    INTERIOR("fade_power", FIELD_FLOAT, fade_power, 0, 0,
-             "how fast it dims, 0: not at all"),
-    INTERIOR("fade_colour", FIELD_RGB, fade_colour, 0, 0,
-             "what is left after a long way, black"),
-    INTERIOR("caustics", FIELD_FLOAT, caustics, 0, HUGE_VAL,
-             "sharpness of the light that is pretended to gather, 0: none"),
-    INTERIOR("dispersion", FIELD_FLOAT, dispersion, 0.01, 100,
-             "ior of violet light over that of red, 1"),
-    INTERIOR("dispersion_samples", FIELD_INTEGER, dispersion_samples, 2, 1000,
-             "colours that light is divided into, 7"),
-    { NULL },
-};
-
 /* old_interior_value = "refraction" float .
  * Changes nothing. */
 static bool parse_old_interior_value(struct parser *p, bool *found)
@@ -36,7 +11,10 @@ static bool parse_old_interior_value(struct parser *p, bool *found)
     return !*found || parse_float(p, &ignored);
 }
 
-/* interior_item = interior_value | media | old_interior_value . */
+/* interior_value = "ior" float | "fade_distance" float | "fade_power" float
+ *                | "fade_colour" colour | "caustics" float
+ *                | "dispersion" float | "dispersion_samples" float .
+ * interior_item = interior_value | media | old_interior_value . */
 static bool parse_interior_item(struct parser *p, struct interior *interior)
 {
     bool found;

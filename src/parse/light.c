@@ -5,51 +5,6 @@
 /* The samples of an area light are all asked for every point of a surface. */
 enum { AREA_SIZE_LIMIT = 1000 };
 
-#define LIGHT(name, kind, member, low, high, help)                             \
-    {                                                                          \
-        name, kind, offsetof(struct light, member), low, high, help            \
-    }
-
-/* light_value = "shadowless" | "fade_distance" float | "fade_power" float
- *             | "adaptive" float | "circular" | "orient" | "jitter"
- *             | "area_illumination" [bool] | "parallel"
- *             | "media_attenuation" [bool] . */
-const struct field lamp_fields[] = {
-    LIGHT("shadowless", FIELD_FLAG, shadowless, 0, 0,
-          "no shadows and no highlights"),
-    LIGHT("fade_distance", FIELD_FLOAT, fade_distance, 0, 0,
-          "where the light is as bright as written, 0: no fading"),
-    LIGHT("fade_power", FIELD_FLOAT, fade_power, 0, 0,
-          "how fast it fades, 0: not"),
-    LIGHT("adaptive", FIELD_INTEGER, adaptive, 0, 20,
-          "subdivisions of an area light always done"),
-    LIGHT("circular", FIELD_FLAG, circular, 0, 0, "a round area light"),
-    LIGHT("orient", FIELD_FLAG, orient, 0, 0,
-          "an area light that turns to what it lights"),
-    LIGHT("jitter", FIELD_FLAG, jitter, 0, 0,
-          "samples of an area light moved at random"),
-    LIGHT("area_illumination", FIELD_BOOL, area_illumination, 0, 0,
-          "light, not only shadows, from the whole area"),
-    LIGHT("media_attenuation", FIELD_BOOL, media_attenuation, 0, 0,
-          "weakened by fog on its way"),
-    LIGHT("parallel", FIELD_FLAG, parallel, 0, 0,
-          "rays parallel to location - point_at"),
-    { NULL },
-};
-
-/* directed_value = "point_at" vector | "radius" float | "falloff" float
- *                | "tightness" float . */
-const struct field directed_fields[] = {
-    LIGHT("point_at", FIELD_VECTOR, point_at, 0, 0, "where it shines, z"),
-    LIGHT("radius", FIELD_FLOAT, radius, 0, 0,
-          "full brightness inside: 30 degrees, or a cylinder's 0.75"),
-    LIGHT("falloff", FIELD_FLOAT, falloff, 0, 0,
-          "dark outside: 45 degrees, or a cylinder's 1"),
-    LIGHT("tightness", FIELD_FLOAT, tightness, 0, 0,
-          "how it gets darker from the axis, 0"),
-    { NULL },
-};
-
 static const struct field light_names[] = {
     { .name = "spotlight" },  { .name = "cylinder" },
     { .name = "parallel" },   { .name = "point_at" },
@@ -201,7 +156,13 @@ static bool light_check_directed(struct parser *p, const struct light *light)
                     token->word->text);
 }
 
-/* light_item = light_value | directed_value | light_kind | area_light
+/* light_value = "shadowless" | "fade_distance" float | "fade_power" float
+ *             | "adaptive" float | "circular" | "orient" | "jitter"
+ *             | "area_illumination" [bool] | "parallel"
+ *             | "media_attenuation" [bool] .
+ * directed_value = "point_at" vector | "radius" float | "falloff" float
+ *                | "tightness" float .
+ * light_item = light_value | directed_value | light_kind | area_light
  *            | looks_like | projected_through | media_interaction
  *            | photon_flags | transformation . */
 static bool parse_light_item(struct parser *p, struct object *object,
@@ -209,6 +170,8 @@ static bool parse_light_item(struct parser *p, struct object *object,
 {
     bool found;
     const struct field *field = accept_field(p, lamp_fields);
+    if (!field)
+        field = accept_field(p, lamp_kind_fields);
     if (field)
         return parse_field(p, field, light);
     if (!light_check_directed(p, light))

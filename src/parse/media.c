@@ -3,41 +3,7 @@
 #include "parse/tables.h"
 #include "scene/medium.h"
 
-enum { MEDIUM_SAMPLES_LIMIT = 10000, MEDIUM_INTERVALS_LIMIT = 10000 };
-
-#define MEDIUM(name, kind, member, low, high, help)                            \
-    {                                                                          \
-        name, kind, offsetof(struct medium, member), low, high, help           \
-    }
-
-/* medium_value = "absorption" colour | "emission" colour | "method" float
- *              | "intervals" float | "ratio" float | "confidence" float
- *              | "variance" float | "aa_level" float | "aa_threshold" float
- *              | "jitter" float . */
-const struct field medium_fields[] = {
-    MEDIUM("absorption", FIELD_RGB, absorption, 0, 0,
-           "what a unit of length swallows of light, 0"),
-    MEDIUM("emission", FIELD_RGB, emission, 0, 0,
-           "light of its own that a unit of length gives, 0"),
-    MEDIUM("method", FIELD_INTEGER, method, 1, 3,
-           "1: samples at random; 2: in a row, and more where they differ; 3: "
-           "between those that differ, the default"),
-    MEDIUM("intervals", FIELD_INTEGER, intervals, 1, MEDIUM_INTERVALS_LIMIT,
-           "pieces that a ray is cut into, 1"),
-    MEDIUM("ratio", FIELD_FLOAT, ratio, 0, 1,
-           "of those pieces in the light of spots, 0.9"),
-    MEDIUM("confidence", FIELD_FLOAT, confidence, 0, 0.999999,
-           "methods 1 and 2: how sure the variance is met, 0.9"),
-    MEDIUM("variance", FIELD_FLOAT, variance, 0, 1e9,
-           "methods 1 and 2: more samples while theirs is above, 1/128"),
-    MEDIUM("aa_level", FIELD_INTEGER, levels, 1, 20,
-           "method 3: how often pieces are halved at most, 3"),
-    MEDIUM("aa_threshold", FIELD_FLOAT, threshold, 0, 1e9,
-           "method 3: samples that differ more are refined, 0.1"),
-    MEDIUM("jitter", FIELD_FLOAT, jitter, 0, 1e9,
-           "how far samples are moved at random, 0"),
-    { NULL },
-};
+enum { MEDIUM_SAMPLES_LIMIT = 10000 };
 
 static const struct field medium_names[] = {
     { .name = "absorption" }, { .name = "emission" },
@@ -47,14 +13,6 @@ static const struct field medium_names[] = {
     { .name = "confidence" }, { .name = "variance" },
     { .name = "aa_level" },   { .name = "aa_threshold" },
     { .name = "jitter" },     { .name = NULL },
-};
-
-const struct field scattering_fields[] = {
-    MEDIUM("eccentricity", FIELD_FLOAT, eccentricity, -0.999999, 0.999999,
-           "of type 5: 1 forwards, -1 backwards, 0"),
-    MEDIUM("extinction", FIELD_FLOAT, extinction, 0, 1e9,
-           "how much of it is lost to light that goes straight on, 1"),
-    { NULL },
 };
 
 /* ---- densities ---- */
@@ -189,7 +147,11 @@ static void medium_move(struct parser *p, struct medium *medium,
     *medium = *medium_moved(p->scene_arena, medium, step);
 }
 
-/* medium_item = medium_value | scattering | density | medium_samples
+/* medium_value = "absorption" colour | "emission" colour | "method" float
+ *              | "intervals" float | "ratio" float | "confidence" float
+ *              | "variance" float | "aa_level" float | "aa_threshold" float
+ *              | "jitter" float .
+ * medium_item = medium_value | scattering | density | medium_samples
  *             | transformation . */
 static bool parse_medium_item(struct parser *p, struct medium *medium)
 {

@@ -3,14 +3,6 @@
 #include "parse/tables.h"
 
 /* normal_field = "bump_size" float | "accuracy" float . */
-const struct field normal_fields[] = {
-    { "bump_size", FIELD_FLOAT, offsetof(struct normal, amount), 0, 0,
-      "how strong, 0.5" },
-    { "accuracy", FIELD_FLOAT, offsetof(struct normal, accuracy), 0, 0,
-      "step by which the slope is measured, 0.02" },
-    { NULL },
-};
-
 static const struct field normal_names[] = {
     { .name = "bump_size" }, { .name = "accuracy" }, { .name = "normal_map" },
     { .name = "slope_map" }, { .name = NULL },

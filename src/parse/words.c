@@ -4,6 +4,7 @@
 #include "parse/directive.h"
 #include "parse/function.h"
 #include "parse/tables.h"
+#include "scene/finish.h"
 #include "scene/light_settings.h"
 
 const char *parse_function_at(size_t index)
@@ -28,8 +29,6 @@ static const struct {
     const char *block;
     const struct field *fields;
 } tables[] = {
-    { "finish", finish_fields },
-    { "reflection", reflection_fields },
     { "image_map", image_fields },
     { "image_pattern", image_pattern_fields },
     { "image_pattern", image_fields },
@@ -52,6 +51,7 @@ static const struct {
     { "media", medium_fields },
     { "scattering", scattering_fields },
     { "light_source", lamp_fields },
+    { "light_source", lamp_kind_fields },
     { "light_source", directed_fields },
     { "camera", camera_fields },
     { "camera", blur_fields },
@@ -63,8 +63,21 @@ static const struct {
     { "skeleton", skeleton_fields },
 };
 
+/* Of finish { } and of the blocks in it. */
+static const struct field *finish_word(const char *block, const char *word)
+{
+    enum finish_place place;
+    const struct finish_item *item = finish_item_find(block);
+    return strcmp(block, "finish") == 0 ? finish_field(word, &place)
+           : item && item->inner        ? field_find(item->inner, word)
+                                        : NULL;
+}
+
 const char *parse_field_help(const char *block, const char *word)
 {
+    const struct field *finish = block ? finish_word(block, word) : NULL;
+    if (finish && finish->help)
+        return finish->help;
     for (size_t i = 0; block && i < sizeof tables / sizeof *tables; i++) {
         const struct field *field = strcmp(tables[i].block, block) == 0
                                         ? field_find(tables[i].fields, word)

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "image/image.h"
+#include "scene/fields.h"
 #include "scene/light.h"
 #include "scene/medium.h"
 #include "scene/mesh.h"
@@ -80,25 +81,36 @@ static uint64_t hash_colour(uint64_t hash, colour c)
     return hash_numbers(hash, numbers, 5);
 }
 
+/* Of a struct that one table describes. */
+static uint64_t hash_one(uint64_t hash, const struct field *table,
+                         const void *values)
+{
+    const struct field *const tables[] = { table, NULL };
+    return hash_tables(hash, tables, values);
+}
+
+/* Whose row has one number more. */
+static uint64_t warp_hash(uint64_t hash, const struct warp *warp)
+{
+    double row[HASH_ROW];
+    size_t count = field_numbers(warp_said, warp, FIELDS_BOTH, row);
+    row[count++] = 0;
+    return hash_affine(hash_numbers(hash, row, count), &warp->inverse);
+}
+
+/* The row of its numbers ends with what takes more than a look at a field. */
 static uint64_t pattern_hash(uint64_t hash, const struct pattern *pattern)
 {
     const struct pattern_kind *kind = pattern->kind;
-    const struct turbulence *turbulence = &pattern->turbulence;
-    const double numbers[] = {
-        pattern->wave,         pattern->exponent,    pattern->frequency,
-        pattern->phase,        pattern->turbulent,   turbulence->octaves,
-        turbulence->omega,     turbulence->lambda,   turbulence->amount.x,
-        turbulence->amount.y,  turbulence->amount.z, pattern_generator(pattern),
-        pattern->noise->waves, pattern->uv,
-    };
+    double row[HASH_ROW];
+    size_t count = field_numbers(pattern_said, pattern, FIELDS_BOTH, row);
+    row[count++] = pattern_generator(pattern);
+    row[count++] = pattern->noise->waves;
+    row[count++] = pattern->uv;
     hash = hash_affine(hash, &pattern->inverse);
-    for (const struct warp *warp = pattern->warps; warp; warp = warp->inner) {
-        double all[WARP_NUMBERS];
-        warp_numbers(warp, all);
-        hash =
-            hash_affine(hash_numbers(hash, all, WARP_NUMBERS), &warp->inverse);
-    }
-    hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
+    for (const struct warp *warp = pattern->warps; warp; warp = warp->inner)
+        hash = warp_hash(hash, warp);
+    hash = hash_numbers(hash, row, count);
     if (!kind)
         return hash;
     hash = hash_text(hash, kind->name);
@@ -121,10 +133,7 @@ static uint64_t image_hash(struct walk *walk, const struct image *image)
 static uint64_t image_map_hash(struct walk *walk, uint64_t hash,
                                const struct image_map *image)
 {
-    const double numbers[] = { image->projection, image->interpolation,
-                               image->once, image->filter_all,
-                               image->transmit_all };
-    hash = hash_numbers(hash, numbers, 5);
+    hash = hash_one(hash, image_map_said, image);
     return random_key(hash, image_hash(walk, image->image));
 }
 
@@ -149,33 +158,44 @@ static uint64_t pigment_hash(struct walk *walk, uint64_t hash,
     return random_key(hash, pigment->map->count);
 }
 
-static uint64_t finish_hash(uint64_t hash, const struct finish *f)
+/* What the item keeps of its own, if it was said. */
+static uint64_t finish_own_hash(uint64_t hash, const struct finish *finish,
+                                size_t place)
 {
-    const struct reflection *r = &f->reflection;
-    const double numbers[] = {
-        f->diffuse,         f->diffuse_back, f->diffuse_albedo,
-        f->brilliance,      f->phong,        f->phong_size,
-        f->phong_albedo,    f->specular,     f->roughness,
-        f->specular_albedo, f->metallic,     f->crand,
-        f->conserve_energy, f->ior,          r->falloff,
-        r->exponent,        r->metallic,     r->fresnel,
-        f->old_filter,      f->film.amount,  f->film.thickness,
-        f->film.turbulence,
-    };
-    hash = hash_rgb(hash_rgb(hash, f->ambient), f->emission);
-    hash = hash_rgb(hash_rgb(hash, f->glow), f->film.wavelength);
-    hash = hash_rgb(hash_rgb(hash, r->minimum), r->maximum);
-    return hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
+    const struct finish_item *item = finish_item_at(place);
+    if (!finish->own[place])
+        return hash;
+    return hash_one(hash_text(hash, item->name), item->fields,
+                    finish->own[place]);
+}
+
+/* Vectors first, then all other numbers in one row, of the items in their
+ * order. */
+static uint64_t finish_hash(uint64_t hash, const struct finish *finish)
+{
+    const struct field *tables[2 * FINISH_ITEMS + 1] = { NULL };
+    size_t count = 0;
+    const struct finish_item *item;
+    for (size_t i = 0; (item = finish_item_at(i)) != NULL; i++) {
+        if (!item->size && item->fields)
+            hash = hash_wide(hash, tables[count++] = item->fields, finish);
+        if (!item->size && item->inner)
+            tables[count++] = item->inner;
+    }
+    for (size_t i = 0; (item = finish_item_at(i)) != NULL; i++)
+        if (!item->size && item->inner)
+            hash = hash_wide(hash, item->inner, finish);
+    hash = hash_narrow(hash, tables, finish);
+    for (size_t i = 0; i < FINISH_ITEMS; i++)
+        hash = finish_own_hash(hash, finish, i);
+    return hash;
 }
 
 static uint64_t normal_hash(struct walk *walk, uint64_t hash,
                             const struct normal *normal)
 {
     hash = pattern_hash(hash, &normal->pattern);
-    hash = hash_numbers(
-        hash,
-        (const double[]){ normal->amount, normal->accuracy, normal->uv_turned },
-        3);
+    hash = hash_one(hash, normal_fields, normal);
     for (size_t i = 0; normal->map && i < normal->map->count; i++) {
         const struct normal_entry *entry = &normal->map->entries[i];
         hash = hash_numbers(hash, &entry->value, 1);
@@ -243,20 +263,15 @@ static uint64_t mesh_hash(struct walk *walk, const struct mesh *mesh)
     return known_add(walk, mesh, hash);
 }
 
+static const struct field *const medium_tables[] = { scattering_fields,
+                                                     medium_fields, NULL };
+
 static uint64_t media_hash(struct walk *walk, uint64_t hash,
                            const struct media *media)
 {
     for (size_t i = 0; i < media->count; i++) {
         const struct medium *m = media->items[i];
-        const double numbers[] = {
-            m->phase,   m->eccentricity, m->extinction,   m->method,
-            m->samples, m->intervals,    m->samples_most, m->levels,
-            m->ratio,   m->threshold,    m->confidence,   m->variance,
-            m->jitter,
-        };
-        hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
-        hash = hash_rgb(hash_rgb(hash, m->absorption), m->emission);
-        hash = hash_rgb(hash, m->scattering);
+        hash = hash_tables(hash, medium_tables, m);
         for (size_t k = 0; k < m->density_count; k++)
             hash = pigment_hash(walk, hash, m->densities[k]);
     }
@@ -279,46 +294,12 @@ static void walk_material(struct walk *walk, const struct object *object,
     if (!interior)
         return;
     uint64_t *textures = &walk->found.textures;
-    const double numbers[] = { interior->ior, interior->fade_distance,
-                               interior->fade_power, interior->caustics,
-                               interior->dispersion };
-    *textures = hash_numbers(*textures, numbers, 5);
-    *textures = hash_rgb(*textures, interior->fade_colour);
+    *textures = hash_one(*textures, interior_fields, interior);
     if (interior->media.count == 0)
         return;
     affine media = affine_compose(outer, *object->interior_transform);
     *textures =
         media_hash(walk, hash_affine(*textures, &media), &interior->media);
-}
-
-static uint64_t light_hash(uint64_t hash, const struct light *light)
-{
-    const double numbers[] = {
-        light->kind,
-        light->parallel,
-        light->radius,
-        light->falloff,
-        light->tightness,
-        light->fade_distance,
-        light->fade_power,
-        light->shadowless,
-        light->media_attenuation,
-        light->no_media,
-        light->photons.refraction,
-        light->group,
-        light->area,
-        light->size1,
-        light->size2,
-        light->adaptive,
-        light->circular,
-        light->orient,
-        light->jitter,
-        light->area_illumination,
-    };
-    hash = hash_numbers(hash, numbers, sizeof numbers / sizeof *numbers);
-    hash = hash_vector(hash_vector(hash, light->location), light->point_at);
-    hash = hash_vector(hash_vector(hash, light->axis1), light->axis2);
-    return hash_rgb(hash, light->colour);
 }
 
 static uint64_t shape_hash(struct walk *walk, const struct object *object)
@@ -365,7 +346,7 @@ static void walk_object(struct walk *walk, const struct object *object,
     struct fingerprint *found = &walk->found;
     if (object->kind == OBJECT_LIGHT) {
         struct light light = light_moved(object->light, &place);
-        found->lights = light_hash(found->lights, &light);
+        found->lights = hash_tables(found->lights, light_tables, &light);
         if (light.looks_like)
             walk_object(walk, light.looks_like, place);
         if (light.window)
@@ -381,20 +362,15 @@ static void walk_object(struct walk *walk, const struct object *object,
     walk_clips(walk, object->bounds, object->bound_count, outer);
 }
 
+static const struct field *const fog_tables[] = { fog_fields,
+                                                  fog_turbulence_fields, NULL };
+
 /* Fog weakens lamps, too. */
 static uint64_t fogs_hash(const struct scene *scene)
 {
     uint64_t hash = random_mix(scene->fogs.count);
     for (size_t i = 0; i < scene->fogs.count; i++) {
-        const struct fog *fog = &scene->fogs.items[i];
-        const struct turbulence *turbulence = &fog->turbulence;
-        const double numbers[] = {
-            fog->distance,     fog->ground,         fog->offset,
-            fog->altitude,     fog->turbulent,      fog->turbulent_share,
-            turbulence->omega, turbulence->octaves, turbulence->lambda,
-        };
-        hash = hash_colour(hash_numbers(hash, numbers, 9), fog->colour);
-        hash = hash_vector(hash_vector(hash, fog->up), turbulence->amount);
+        hash = hash_tables(hash, fog_tables, &scene->fogs.items[i]);
     }
     return hash;
 }

@@ -1,6 +1,8 @@
 /* Light sources as data: see light.h. */
 #include "scene/light.h"
 
+#include "scene/fields.h"
+
 struct light light_default(void)
 {
     return (struct light){
@@ -24,4 +26,23 @@ struct light light_moved(const struct light *light, const affine *transform)
     moved.axis1 = affine_direction(transform, light->axis1);
     moved.axis2 = affine_direction(transform, light->axis2);
     return moved;
+}
+
+const struct field *const light_tables[] = { lamp_kind_fields, directed_fields,
+                                             lamp_fields, NULL };
+
+size_t light_said(const struct light *light, double said[LIGHT_SAID_MOST])
+{
+    struct light plain = *light;
+    size_t count = 0;
+    plain.colour = rgb_grey(0);
+    if (light->kind == LIGHT_POINT && !light->parallel && !light->area)
+        plain.point_at = vec3_make(0, 0, 0);
+    if (!light->area)
+        plain.axis1 = plain.axis2 = vec3_make(0, 0, 0);
+    for (int i = 0; light_tables[i]; i++)
+        count +=
+            field_numbers(light_tables[i], &plain, FIELDS_BOTH, said + count);
+    return count +
+           field_numbers(lamp_photon_fields, &plain, FIELDS_BOTH, said + count);
 }

@@ -4,6 +4,7 @@
 #define SCENE_LIGHT_H
 
 #include "base/affine.h"
+#include "base/field.h"
 #include "base/rgb.h"
 #include "scene/photon.h"
 #include "text/source.h"
@@ -49,5 +50,13 @@ struct light light_default(void);
 
 /* The light moved: location, point_at, axes. Distances stay. */
 struct light light_moved(const struct light *light, const affine *transform);
+
+/* All that is said of it but its colour, as numbers; returns how many. What
+ * means nothing is 0: where a lamp points that shines everywhere alike. */
+enum { LIGHT_SAID_MOST = 48 };
+size_t light_said(const struct light *light, double said[LIGHT_SAID_MOST]);
+
+/* The tables of what light depends on, ending with NULL: scene/fields.h. */
+extern const struct field *const light_tables[];
 
 #endif

@@ -1,25 +1,6 @@
 /* Defaults of materials, and copies of textures that are moved. */
 #include "scene/material.h"
 
-struct finish finish_default(void)
-{
-    return (struct finish){
-        .ambient = { 0.1, 0.1, 0.1 },
-        .diffuse = 0.6,
-        .brilliance = 1,
-        .phong_size = 40,
-        .roughness = 0.05,
-        .reflection = { .falloff = 1, .exponent = 1 },
-    };
-}
-
-bool finish_is_to_glow(const struct finish *finish, rgb ambient_light)
-{
-    double ambient = rgb_peak(rgb_mul(finish->ambient, ambient_light));
-    return ambient > rgb_peak(finish_default().ambient) &&
-           ambient > 0.5 * finish->diffuse;
-}
-
 struct interior interior_default(void)
 {
     return (

@@ -10,6 +10,7 @@
 #define SCENE_MATERIAL_H
 
 #include "base/rgb.h"
+#include "scene/finish.h"
 #include "scene/pattern.h"
 #include "text/source.h"
 
@@ -112,45 +113,6 @@ struct normal {
     unsigned depth, parts; /* of maps in each other, limited as pigments' */
     bool level; /* no_bump_scale: bumps are as high however they are scaled */
     bool uv_turned; /* mapped as a part of its texture: bumps turn with it */
-};
-
-struct reflection {
-    rgb minimum, maximum; /* at normal and at grazing incidence */
-    double falloff;       /* 1 */
-    double exponent;      /* 1 */
-    double metallic;      /* 0 */
-    bool fresnel;
-};
-
-/* irid: a film, thinner here and thicker there, on which light interferes. */
-struct film {
-    double amount; /* 0: none */
-    double thickness, turbulence;
-    rgb wavelength;
-    const struct noise_settings *noise;
-};
-
-/* POV-Ray 3.7's defaults are in finish_default. */
-struct finish {
-    rgb ambient, emission;
-    rgb glow; /* ambient light of what is meant to glow, ambient_light and all:
-               * seen whatever stands before it, and lights nothing else */
-    double diffuse, diffuse_back; /* light on the viewer's / the other side */
-    bool diffuse_albedo;
-    double brilliance;
-    double phong, phong_size;
-    bool phong_albedo;
-    double specular, roughness;
-    bool specular_albedo;
-    double metallic; /* of phong and specular */
-    double crand;    /* grain */
-    struct film film;
-    struct reflection reflection;
-    bool conserve_energy;
-    bool old_filter;      /* before 3.7 a dark colour filters less: see
-                           * shade/finish.c */
-    double ior, caustics; /* of scenes older than 3.1: the parser gives them
-                           * to the object's interior; 0: not said */
 };
 
 /* One layer of paint. No member is NULL but `normal`. */
@@ -256,12 +218,6 @@ struct material {
     const struct interior *interior;        /* may be NULL */
 };
 
-struct finish finish_default(void);
-
-/* Whether its ambient light is more than finishes have anyway, and than they
- * would scatter in surroundings half as bright as white: then it doesn't stand
- * for light from elsewhere, but the surface is meant to glow. */
-bool finish_is_to_glow(const struct finish *finish, rgb ambient_light);
 struct interior interior_default(void);
 
 /* Opaque black, as POV-Ray's. */

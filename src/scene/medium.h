@@ -5,6 +5,8 @@
 
 #include "scene/material.h"
 
+enum { MEDIUM_INTERVALS_LIMIT = 10000 }; /* the parser refuses more */
+
 /* How scattered light spreads: POV-Ray's numbers. */
 enum phase {
     PHASE_NONE,

@@ -110,21 +110,3 @@ vec3 warp_all(const struct warp *warp, vec3 point)
     }
     return point;
 }
-
-void warp_numbers(const struct warp *warp, double numbers[WARP_NUMBERS])
-{
-    const struct turbulence *t = &warp->turbulence;
-    const double all[WARP_NUMBERS] = {
-        warp->kind,          t->amount.x,         t->amount.y,
-        t->amount.z,         t->octaves,          t->omega,
-        t->lambda,           warp->period.x,      warp->period.y,
-        warp->period.z,      warp->offset.x,      warp->offset.y,
-        warp->offset.z,      warp->flip.x,        warp->flip.y,
-        warp->flip.z,        warp->centre.x,      warp->centre.y,
-        warp->centre.z,      warp->radius,        warp->falloff,
-        warp->strength,      warp->push,          warp->distance,
-        warp->stretch,       warp->major,         warp->orientation.x,
-        warp->orientation.y, warp->orientation.z, 0
-    };
-    memcpy(numbers, all, sizeof all);
-}

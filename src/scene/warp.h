@@ -34,8 +34,4 @@ struct warp {
 /* The point that all of them make of one. */
 vec3 warp_all(const struct warp *warp, vec3 point);
 
-/* Numbers that tell this warp from others. */
-enum { WARP_NUMBERS = 30 };
-void warp_numbers(const struct warp *warp, double numbers[WARP_NUMBERS]);
-
 #endif

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "shade/film.h"
 
 /* Diffuse reflection of light at `cosine` to the normal (negative: from
  * behind). `diffuse albedo` makes the whole reflected share `diffuse`. */
@@ -20,42 +19,6 @@ static double finish_diffuse(const struct finish *finish, double cosine,
     if (finish->brilliance != 1)
         cosine = pow(cosine, finish->brilliance);
     return share * cosine;
-}
-
-/* cosine^size; most of the time nothing that could be seen: the logarithm of a
- * cosine c is at most c - 1, and exp(-24) 4e-11. */
-static double finish_lobe(double cosine, double size)
-{
-    return size * (1 - cosine) > 24 ? 0 : pow(cosine, size);
-}
-
-/* phong * (R.L)^size, R the mirrored view direction. */
-static double finish_phong(const struct finish *finish,
-                           const struct surface *surface,
-                           const struct surface_layer *layer, vec3 light)
-{
-    double along = 2 * vec3_dot(surface->view, layer->normal);
-    vec3 mirrored = vec3_sub(vec3_scale(layer->normal, along), surface->view);
-    double cosine = vec3_dot(mirrored, light);
-    if (cosine <= 0)
-        return 0;
-    double albedo = finish->phong_albedo ? (finish->phong_size + 1) / 2 : 1;
-    return finish->phong * albedo * finish_lobe(cosine, finish->phong_size);
-}
-
-/* specular * (N.H)^(1/roughness), H halfway between light and viewer. */
-static double finish_specular(const struct finish *finish,
-                              const struct surface *surface,
-                              const struct surface_layer *layer, vec3 light)
-{
-    vec3 half = vec3_normalise(vec3_add(light, surface->view));
-    double cosine = vec3_dot(half, layer->normal);
-    if (cosine <= 0 || finish->roughness <= 0)
-        return 0;
-    double m = 1 / finish->roughness;
-    double albedo =
-        finish->specular_albedo ? (m + 2) / (4 * (2 - exp2(-m / 2))) : 1;
-    return finish->specular * albedo * finish_lobe(cosine, m);
 }
 
 static uint64_t bits_of(double value)
@@ -80,11 +43,9 @@ static rgb finish_highlights(const struct surface *surface,
                              double cosine)
 {
     const struct finish *finish = layer->finish;
-    double share = 0;
-    if (finish->phong != 0)
-        share += finish_phong(finish, surface, layer, light);
-    if (finish->specular != 0)
-        share += finish_specular(finish, surface, layer, light);
+    const struct finish_meeting meeting = { layer->normal, surface->view,
+                                            light };
+    double share = finish_highlight(finish, &meeting);
     if (finish->metallic == 0)
         return rgb_grey(share);
     rgb tint =
@@ -116,14 +77,13 @@ static inline rgb finish_light(const struct surface *surface,
     if (finish->crand > 0 && diffuse != 0)
         diffuse -= finish_grain(finish, surface->point, sample->direction);
     rgb share = rgb_scale(colour_rgb(layer->pigment), diffuse);
-    if ((cosine > 0 || twice) && sample->highlights &&
-        finish_has_highlights(finish))
+    if ((cosine > 0 || twice) && sample->highlights && finish_shines(finish))
         share = rgb_add(share, finish_highlights(surface, layer,
                                                  sample->direction, cosine));
-    if (finish->film.amount > 0)
+    if (finish_tints(finish))
         share = rgb_mul(
-            share, film_tint(&finish->film, surface->point, cosine,
-                             fabs(vec3_dot(surface->view, layer->normal))));
+            share, finish_tint(finish, surface->point, cosine,
+                               fabs(vec3_dot(surface->view, layer->normal))));
     return rgb_mul(share, sample->colour);
 }
 

@@ -36,18 +36,13 @@ rgb surface_shine(const struct surface *surface);
  * of them would grow without end. */
 rgb surface_albedo(const struct surface *surface);
 
-static inline bool finish_has_highlights(const struct finish *finish)
-{
-    return finish->phong != 0 || finish->specular != 0;
-}
-
 /* Whether light that meets the layer at this cosine (negative: from behind)
  * does anything. `twice`: the object says double_illuminate. */
 static inline bool finish_lit_by(const struct finish *finish, double cosine,
                                  bool twice)
 {
     if (cosine > 0 || twice)
-        return finish->diffuse != 0 || finish_has_highlights(finish);
+        return finish->diffuse != 0 || finish_shines(finish);
     return cosine < 0 && finish->diffuse_back != 0;
 }
 

@@ -4,7 +4,6 @@
  * with conserve_energy of (1 - reflection), over the layers above it. */
 #include "shade/surface.h"
 
-#include "shade/film.h"
 #include "shade/finish.h"
 
 /* A texture and its space: that of a picked one is its pattern's. */
@@ -146,10 +145,10 @@ static void layer_reflect(struct surface *surface, struct surface_layer *layer,
     struct finish_mirror mirror = finish_mirror(
         layer->finish, colour_rgb(layer->pigment), cosine, view->ior);
     layer->reflection = mirror.colour;
-    if (layer->finish->film.amount > 0)
-        layer->reflection = rgb_mul(
-            layer->reflection,
-            film_tint(&layer->finish->film, surface->point, cosine, cosine));
+    if (finish_tints(layer->finish))
+        layer->reflection =
+            rgb_mul(layer->reflection,
+                    finish_tint(layer->finish, surface->point, cosine, cosine));
     layer->reflection_weight = mirror.weight;
 }
 

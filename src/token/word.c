@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "base/text.h"
+#include "scene/finish.h"
 #include "scene/pattern.h"
 #include "scene/primitive.h"
 
@@ -76,6 +77,15 @@ static void word_reserve(struct word_table *words, const char *text,
     word->reserved = true;
 }
 
+/* Those that are words: see scene/fields.h. */
+static void word_reserve_fields(struct word_table *words,
+                                const struct field *field)
+{
+    for (; field && field->name; field++)
+        if (!strchr(field->name, ' '))
+            word_reserve(words, field->name, KEYWORD_NONE);
+}
+
 struct word_table *word_table_new(struct arena *arena)
 {
     struct word_table *words = ARENA_NEW(arena, struct word_table);
@@ -89,6 +99,8 @@ struct word_table *word_table_new(struct arena *arena)
         word_reserve(words, primitive_at(i)->name, KEYWORD_NONE);
     for (size_t i = 0; pattern_at(i); i++)
         word_reserve(words, pattern_at(i)->name, KEYWORD_NONE);
+    for (size_t i = 0; finish_item_at(i); i++)
+        word_reserve_fields(words, finish_item_at(i)->fields);
     return words;
 }
 

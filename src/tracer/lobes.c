@@ -39,21 +39,16 @@ static void lobes_add_diffuse(struct lobes *lobes,
 static void lobes_add_highlights(struct lobes *lobes,
                                  const struct surface_layer *layer)
 {
-    const struct finish *finish = layer->finish;
-    double tone = rgb_peak(layer->weight), m = fmax(finish->phong_size, 0);
+    struct finish_spread spreads[FINISH_ITEMS];
+    int count = finish_spreads(layer->finish, spreads);
+    double tone = rgb_peak(layer->weight);
     double along = 2 * vec3_dot(lobes->view, layer->normal);
     vec3 mirrored = vec3_sub(vec3_scale(layer->normal, along), lobes->view);
-    lobes_add(lobes, mirrored, m,
-              tone * fabs(finish->phong) *
-                  (finish->phong_albedo ? 1 : 2 / (m + 1)),
-              false);
-    if (!(finish->roughness > 0))
-        return;
-    m = 1 / finish->roughness;
-    lobes_add(lobes, layer->normal, m,
-              tone * fabs(finish->specular) *
-                  (finish->specular_albedo ? 2 : 8 / (m + 1)),
-              true);
+    for (int i = 0; i < count; i++)
+        lobes_add(lobes, spreads[i].halfway ? layer->normal : mirrored,
+                  spreads[i].power,
+                  tone * fabs(spreads[i].amount) * spreads[i].share,
+                  spreads[i].halfway);
 }
 
 void lobes_fill(struct lobes *lobes, const struct surface *surface)
@@ -65,8 +60,7 @@ void lobes_fill(struct lobes *lobes, const struct surface *surface)
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         lobes_add_diffuse(lobes, surface, layer);
-        if (layer->finish->phong != 0 || layer->finish->specular != 0)
-            lobes_add_highlights(lobes, layer);
+        lobes_add_highlights(lobes, layer);
     }
     for (int i = 0; i < lobes->count; i++)
         lobes->at[i].share /= lobes->total;

@@ -62,8 +62,7 @@ static bool surface_tells_apart(const struct surface *surface)
 {
     for (int i = 0; i < surface->count; i++) {
         const struct finish *finish = surface->layer[i].finish;
-        if (finish->phong != 0 || finish->specular != 0 ||
-            finish->brilliance != 1)
+        if (finish->brilliance != 1 || finish_shines(finish))
             return true;
     }
     return false;

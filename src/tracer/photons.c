@@ -81,7 +81,7 @@ static bool surface_diffuses(const struct surface *surface)
 {
     for (int i = 0; i < surface->count; i++) {
         const struct finish *finish = surface->layer[i].finish;
-        if (finish->diffuse != 0 || finish->phong != 0 || finish->specular != 0)
+        if (finish->diffuse != 0 || finish_shines(finish))
             return true;
     }
     return false;

@@ -1,6 +1,5 @@
-/* Interference: see film.h. */
-#include "shade/film.h"
-
+/* irid: a thin film on which light interferes with itself. */
+#include "scene/finish.h"
 #include "scene/noise.h"
 
 /* Measured: 1 + amount cos(2 pi d (lamp + viewer) / wavelength), and the
@@ -22,10 +21,36 @@ static double film_wave(const struct film *film, double way, double wavelength)
     return isfinite(phase) ? 1 + film->amount * cos(phase) : 1;
 }
 
-rgb film_tint(const struct film *film, vec3 point, double lamp, double viewer)
+static rgb irid_tint(const void *said, vec3 point, double lamp, double viewer)
 {
+    const struct film *film = &((const struct finish *)said)->film;
+    if (film->amount < 0)
+        return rgb_grey(1);
     double way = film_depth(film, point) * (lamp + viewer);
     return (rgb){ film_wave(film, way, film->wavelength.r),
                   film_wave(film, way, film->wavelength.g),
                   film_wave(film, way, film->wavelength.b) };
 }
+
+static const struct field fields[] = {
+    FINISH_FIELD("irid", FIELD_FLOAT, film.amount,
+                 "a film in whose colours light interferes: how much, 0"),
+    FINISH_FIELD("irid wavelength", FIELD_RGB, film.wavelength, NULL),
+    { NULL },
+};
+
+static const struct field inner[] = {
+    FINISH_FIELD("thickness", FIELD_FLOAT, film.thickness,
+                 "of the film, in the unit of irid_wavelength, 0"),
+    FINISH_FIELD("turbulence", FIELD_FLOAT, film.turbulence,
+                 "how much the thickness varies, 0"),
+    { NULL },
+};
+
+const struct finish_item irid_finish = {
+    .name = "irid",
+    .fields = fields,
+    .inner = inner,
+    .amount = offsetof(struct finish, film.amount),
+    .tint = irid_tint,
+};

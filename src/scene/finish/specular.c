@@ -1,0 +1,48 @@
+/* specular: highlights around the normal, of the halfway vector. */
+#include "scene/finish.h"
+
+/* specular * (N.H)^(1/roughness), H halfway between light and viewer. */
+static double specular_highlight(const void *said,
+                                 const struct finish_meeting *meeting)
+{
+    const struct finish *finish = said;
+    vec3 half = vec3_normalise(vec3_add(meeting->light, meeting->view));
+    double cosine = vec3_dot(half, meeting->normal);
+    if (cosine <= 0 || finish->roughness <= 0)
+        return 0;
+    double m = 1 / finish->roughness;
+    double albedo =
+        finish->specular_albedo ? (m + 2) / (4 * (2 - exp2(-m / 2))) : 1;
+    return finish->specular * albedo * finish_lobe(cosine, m);
+}
+
+static struct finish_spread specular_spread(const void *said)
+{
+    const struct finish *finish = said;
+    double m = 1 / finish->roughness;
+    if (!(finish->roughness > 0))
+        return (struct finish_spread){ .share = 0 };
+    return (struct finish_spread){
+        .halfway = true,
+        .power = m,
+        .amount = finish->specular,
+        .share = finish->specular_albedo ? 2 : 8 / (m + 1),
+    };
+}
+
+static const struct field fields[] = {
+    FINISH_FIELD("specular", FIELD_FLOAT, specular,
+                 "highlights: how bright, 0"),
+    FINISH_FIELD("roughness", FIELD_FLOAT, roughness,
+                 "1 / exponent of specular, 0.05"),
+    FINISH_FIELD("specular albedo", FIELD_FLAG, specular_albedo, NULL),
+    { NULL },
+};
+
+const struct finish_item specular_finish = {
+    .name = "specular",
+    .fields = fields,
+    .amount = offsetof(struct finish, specular),
+    .highlight = specular_highlight,
+    .spread = specular_spread,
+};
