@@ -229,6 +229,7 @@ static bool view_script(struct view *view)
         .first = view->status.first,
         .finished = view->status.finished,
         .shown = view->shown,
+        .worked = view->worked,
     };
     if (!view->script)
         return true;
@@ -238,8 +239,10 @@ static bool view_script(struct view *view)
 static void view_painted(struct view *view)
 {
     view->dirty = false;
-    if (view->shown == 0 && view->status.first > 0)
-        view->shown = clock_seconds();
+    if (view->shown > 0 || view->status.first == 0)
+        return;
+    view->shown = clock_seconds();
+    view->worked = clock_worked();
 }
 
 static void view_loop(struct view *view, const atomic_int *stop)

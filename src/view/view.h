@@ -40,6 +40,7 @@ struct view {
     unsigned finished; /* counts pictures that were finished, or failed */
     bool busy;         /* the last one isn't yet */
     double shown;      /* clock_seconds, of something of it; 0: not yet */
+    double worked;     /* clock_worked, likewise */
 
     SDL_Rect picture;  /* where it is in the window */
     SDL_Rect slider;   /* of time; empty: no animation */
