@@ -5,33 +5,44 @@
 #include "parse/rules.h"
 #include "scene/object.h"
 
-enum { CUTAWAY_LIMIT = 64 }; /* parts with textures */
+enum { CUTAWAY_LIMIT = 1000 }; /* parts with textures: a point asks them all */
 
 struct cutaway_builder {
-    struct cutaway cutaway;
-    const struct texture *textures[CUTAWAY_LIMIT + 1];
+    struct {
+        const struct object **items;
+        size_t count, capacity;
+    } objects;
+    struct {
+        const struct texture **items; /* the first: where no object is */
+        size_t count, capacity;
+    } textures;
 };
 
-static void cutaway_add(struct parser *p, struct cutaway_builder *b,
+static bool cutaway_add(struct parser *p, struct cutaway_builder *b,
                         const struct object *part,
                         const struct texture *texture, const affine *outward)
 {
+    if (b->objects.count == CUTAWAY_LIMIT)
+        return error_at(p, p->last_span, NULL,
+                        "'cutaway_textures' looks at most at %d parts that "
+                        "have textures",
+                        CUTAWAY_LIMIT);
     struct object *moved = object_copy(p->scene_arena, part);
-    if (b->cutaway.count == CUTAWAY_LIMIT)
-        return;
     object_move(p->scene_arena, moved, outward);
-    b->cutaway.objects[b->cutaway.count++] = moved;
-    b->textures[b->cutaway.count] = texture;
+    *ARRAY_PUSH(p->scene_arena, &b->objects) = moved;
+    *ARRAY_PUSH(p->scene_arena, &b->textures) = texture;
+    return true;
 }
 
 /* All below the node, whose children's space `outward` leads from to the CSG
  * object's own; `texture`, there, is what they have if they have none of their
  * own. What is taken away gives nothing. */
-static void cutaway_gather(struct parser *p, struct cutaway_builder *b,
+static bool cutaway_gather(struct parser *p, struct cutaway_builder *b,
                            const struct object *node,
                            const struct texture *texture, const affine *outward)
 {
-    for (size_t i = 0; i < node->child_count; i++) {
+    bool ok = true;
+    for (size_t i = 0; ok && i < node->child_count; i++) {
         const struct object *child = node->children[i];
         const struct texture *own = texture;
         if (child->inverse)
@@ -42,27 +53,28 @@ static void cutaway_gather(struct parser *p, struct cutaway_builder *b,
         }
         affine both = affine_compose(*outward, *child->transform);
         if (child->child_count > 0 && (!own || child->kind == OBJECT_UNION))
-            cutaway_gather(p, b, child, own, &both);
+            ok = cutaway_gather(p, b, child, own, &both);
         else if (own)
-            cutaway_add(p, b, child, own, outward);
+            ok = cutaway_add(p, b, child, own, outward);
     }
+    return ok;
 }
 
 bool cutaway_textures(struct parser *p, struct object *object)
 {
-    struct cutaway_builder *b =
-        ARENA_NEW(p->scene_arena, struct cutaway_builder);
+    struct cutaway_builder b = { .objects = { NULL, 0, 0 } };
     affine unmoved = affine_identity();
     if (object->texture || object->child_count == 0)
         return true;
-    b->cutaway.objects =
-        ARENA_ARRAY(p->scene_arena, const struct object *, CUTAWAY_LIMIT);
-    b->textures[0] = texture_from_defaults(p);
-    cutaway_gather(p, b, object, NULL, &unmoved);
-    if (b->cutaway.count == 0)
+    *ARRAY_PUSH(p->scene_arena, &b.textures) = texture_from_defaults(p);
+    if (!cutaway_gather(p, &b, object, NULL, &unmoved))
+        return false;
+    if (b.objects.count == 0)
         return true;
-    object->texture = texture_by_rule(p, pick_by_insides, &b->cutaway,
-                                      b->textures, b->cutaway.count + 1);
+    struct cutaway *cutaway = ARENA_NEW(p->scene_arena, struct cutaway);
+    *cutaway = (struct cutaway){ b.objects.items, b.objects.count };
+    object->texture = texture_by_rule(p, pick_by_insides, cutaway,
+                                      b.textures.items, b.textures.count);
     object->texture_transform = object->transform;
     return object->texture != NULL;
 }

@@ -1,5 +1,6 @@
 /* Rainbows. */
 #include "parse/rules.h"
+#include "parse/tables.h"
 
 #define RAINBOW(name, kind, member, low, high, help)                           \
     {                                                                          \
@@ -9,7 +10,7 @@
 /* rainbow_value = "direction" vector | "up" vector | "angle" float
  *               | "width" float | "arc_angle" float | "falloff_angle" float
  *               | "distance" float | "jitter" float . */
-static const struct field rainbow_fields[] = {
+const struct field rainbow_fields[] = {
     RAINBOW("direction", FIELD_VECTOR, direction, 0, 0,
             "to the middle of its circle"),
     RAINBOW("up", FIELD_VECTOR, up, 0, 0, "to the middle of its arc, y"),

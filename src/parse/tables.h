@@ -16,6 +16,7 @@ extern const struct field bicubic_fields[];
 extern const struct field radiosity_used[];
 extern const struct field camera_fields[];
 extern const struct field blur_fields[];
+extern const struct field rainbow_fields[];
 extern const struct field sky_fields[];
 extern const struct field image_fields[];
 extern const struct field image_pattern_fields[];

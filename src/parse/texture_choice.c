@@ -134,9 +134,10 @@ static bool choice_gather(struct parser *p, const struct choice_builder *b,
     if (choice->depth > TEXTURE_DEPTH)
         return error_at(p, p->last_span, NULL,
                         "textures are nested more than %d deep", TEXTURE_DEPTH);
-    bool mixed = choice->rule || choice->pattern.kind->average;
-    if (mixed && choice->rule != pick_by_image &&
-        texture->count > TEXTURE_LAYERS && choice->rule != pick_by_parts)
+    /* Other rules pick some of many entries. */
+    bool mixed = choice->rule ? choice->rule == pick_by_corners
+                              : choice->pattern.kind->average;
+    if (mixed && texture->count > TEXTURE_LAYERS)
         return error_at(p, p->last_span, NULL,
                         "an average is made of at most %d layers of textures",
                         TEXTURE_LAYERS);

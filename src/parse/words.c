@@ -57,6 +57,7 @@ static const struct {
     { "camera", blur_fields },
     { "fog", fog_fields },
     { "fog", fog_turbulence_fields },
+    { "rainbow", rainbow_fields },
     { "sky_sphere", sky_fields },
     { "light_mesh", light_mesh_fields },
     { "indirect", indirect_fields },

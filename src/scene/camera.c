@@ -141,12 +141,11 @@ struct ray camera_ray(const struct camera *camera, double x, double y)
 bool camera_pixel_ray(const struct camera *camera, double x, double y, int i,
                       struct ray *ray)
 {
-    if (i == 0) {
+    if (!camera->kind->pixel_ray) {
         *ray = camera_ray(camera, x, y);
-        return camera_sees(camera, x, y);
+        return i == 0 && camera_sees(camera, x, y);
     }
-    if (!camera->kind->other_ray ||
-        !camera->kind->other_ray(camera, x - 0.5, 0.5 - y, i, ray))
+    if (!camera->kind->pixel_ray(camera, x - 0.5, 0.5 - y, i, ray))
         return false;
     *ray = camera_finished(camera, x, y, *ray);
     return true;

@@ -31,9 +31,9 @@ struct camera_kind {
     bool (*sees)(const struct camera *camera, double x, double y);
     /* Its ray there, of any length. */
     struct ray (*ray)(const struct camera *camera, double x, double y);
-    /* Other rays of the same pixel, 1 to camera->rays - 1. False: none. NULL:
-     * there are no others. */
-    bool (*other_ray)(const struct camera *camera, double x, double y, int i,
+    /* The rays of one pixel, number 0 to camera->rays - 1. False: there is not
+     * this one. NULL: there is only `ray`. */
+    bool (*pixel_ray)(const struct camera *camera, double x, double y, int i,
                       struct ray *ray);
 };
 

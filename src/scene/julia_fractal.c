@@ -1,5 +1,5 @@
 /* julia_fractal: see julia_fractal.h. A ray goes on by steps in which nothing
- * can change (julia_orbit_sure), but no shorter than a limit; where something
+ * can change (julia_fate.h), but no shorter than a limit; where something
  * has, the place is found by regula falsi. */
 #include "scene/julia_fractal.h"
 

@@ -80,9 +80,11 @@ static const char *parametric_prepare(void *shape, struct arena *arena,
         return problem;
     s->samples = parametric_samples(s, arena);
     s->sheet = parametric_sheet_new(s, arena);
-    return s->sheet
-               ? NULL
-               : "its functions take more than 300 million steps, glim's limit";
+    return s->sheet ? NULL
+                    : arena_printf(arena,
+                                   "its functions take more than %d million "
+                                   "steps, glim's limit",
+                                   PARAMETRIC_STEPS / 1000000);
 }
 
 static struct box3 parametric_bounds(const void *shape)

@@ -6,12 +6,11 @@
 #include "base/array.h"
 
 enum {
-    SHEET_FIRST = 32,         /* cells along u and v to begin with */
-    SHEET_DEPTH = 14,         /* halvings of each */
-    SHEET_CELLS = 1 << 17,    /* no more are halved then: memory, */
-    SHEET_LOOKS = 1 << 19,    /* nor after so many looks at cells: time */
-    SHEET_STEPS = 1000000000, /* of functions, in all: time */
-    SHEET_LONGEST = 4,        /* sides of a cell, one by the other */
+    SHEET_FIRST = 32,      /* cells along u and v to begin with */
+    SHEET_DEPTH = 14,      /* halvings of each */
+    SHEET_CELLS = 1 << 17, /* no more are halved then: memory, */
+    SHEET_LOOKS = 1 << 19, /* nor after so many looks at cells: time */
+    SHEET_LONGEST = 4,     /* sides of a cell, one by the other */
 };
 
 static const double sheet_flat = 0.05; /* bend by size of a flat cell */
@@ -141,7 +140,7 @@ parametric_sheet_new(const struct parametric *surface, struct arena *arena)
 {
     struct sheet_builder b = { .surface = surface,
                                .arena = arena,
-                               .steps = SHEET_STEPS };
+                               .steps = PARAMETRIC_STEPS };
     struct parametric_cell first;
     for (int k = 0; k < 2; k++)
         first.half[k] = (surface->to[k] - surface->from[k]) / 2 / SHEET_FIRST;

@@ -22,7 +22,9 @@ struct parametric_sheet {
     const struct box_tree *tree; /* NULL: there is no cell */
 };
 
-/* In `arena`; NULL: its functions take too long. */
+enum { PARAMETRIC_STEPS = 1000 * 1000 * 1000 }; /* of functions: time */
+
+/* In `arena`; NULL: its functions take more steps than that. */
 const struct parametric_sheet *
 parametric_sheet_new(const struct parametric *surface, struct arena *arena);
 

@@ -47,7 +47,8 @@ int pick_by_image(const struct texture_choice *choice, vec3 point,
     double red = found.transmit >= 1 ? 0 : found.r; /* outside of it: 0 */
     size_t count = choice->count;
     double value = map->image->indexed ? red : red * 255;
-    size_t number = value > 0 ? (size_t)(value + 1e-4) : 0;
+    const double most = 1e9; /* pictures of floats may hold any number */
+    size_t number = value > 0 ? (size_t)(fmin(value, most) + 1e-4) : 0;
     (void)surface;
     number = number > count    ? number % count
              : number == count ? count - 1

@@ -33,10 +33,16 @@ struct lamp lamp_new(const struct light *light, int number);
 bool lamp_is_parallel(const struct lamp *lamp);
 
 /* Whether it lights what a light_group may keep it from. */
+static inline bool light_is_for(const struct light *light,
+                                const struct leaf *leaf)
+{
+    return light->group ? leaf->light_group == light->group
+                        : !leaf->no_global_lights;
+}
+
 static inline bool lamp_is_for(const struct lamp *lamp, const struct leaf *leaf)
 {
-    unsigned group = lamp->light->group;
-    return group ? leaf->light_group == group : !leaf->no_global_lights;
+    return light_is_for(lamp->light, leaf);
 }
 
 /* As lamp_look, of any lamp: from it to the point. */

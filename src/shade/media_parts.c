@@ -33,11 +33,14 @@ static int beam_roots(const struct lamp *lamp, const struct media_way *way,
     double b = s * o * d - c * vec3_dot(offset, way->direction);
     double rest = s * o * o - c * vec3_dot(offset, offset) - f;
     double discriminant = b * b - a * rest;
-    if (a == 0 || !(discriminant > 0))
+    if (!(discriminant > 0))
         return 0;
-    double root = sqrt(discriminant);
-    roots[0] = fmin((-b - root) / a, (-b + root) / a);
-    roots[1] = fmax((-b - root) / a, (-b + root) / a);
+    /* Neither is a difference of what is nearly alike; along the cone's own
+     * side one is endlessly far away. */
+    double sum = -b - copysign(sqrt(discriminant), b);
+    double one = sum / a, other = rest / sum;
+    roots[0] = fmin(one, other);
+    roots[1] = fmax(one, other);
     return 2;
 }
 

@@ -339,7 +339,9 @@ struct photon_map *photon_map_new(struct photon *photons, size_t count,
 {
     struct photon_map *map = memory_new(sizeof *map);
     struct building building = { .photons = photons };
-    *map = (struct photon_map){ photons, count, gather->most, HUGE_VALF };
+    *map =
+        (struct photon_map){ photons, count,
+                             gather->most > 1 ? gather->most : 2, HUGE_VALF };
     build_top(&building, (struct photon_range){ 0, count }, PARTS_LEVEL);
     parallel_run(threads, building.count, NULL, build_part, &building);
     double radius = gather->radius > 0 ? gather->radius : map_radius(map);

@@ -32,7 +32,8 @@ vec3 photon_unpack(const int16_t packed[2]);
 
 /* How a place looks for photons. */
 struct photon_gather {
-    unsigned most; /* photons, at least 1 */
+    unsigned most; /* photons, at least 1; of 1 the next one tells how much
+                    * room it has, so that 2 are looked at */
     double radius; /* of where they may lie; 0: by how dense they are */
     double share;  /* multiplies either */
 };
@@ -56,7 +57,8 @@ typedef void photon_visit(void *context, const struct photon *photon,
 
 /* Visits the nearest photons around a point of a surface of this unit normal,
  * of those that came to that side. The weights are Epanechnikov's kernel, 2 (1
- * - d^2/r^2) / (pi r^2), with r the distance of the farthest of them. */
+ * - d^2/r^2) / (pi r^2), with r the distance of the farthest of them; where the
+ * largest radius holds fewer than it looks for, with that radius. */
 void photon_map_visit(const struct photon_map *map, struct worker *worker,
                       vec3 point, vec3 normal, photon_visit *visit,
                       void *context);

@@ -135,6 +135,15 @@ static bool aim_new(struct photon_aim *aim, const struct lamp *lamp,
     return aim->across > 0 && isfinite(aim->across);
 }
 
+static void aims_push(struct photon_aims *aims, const struct photon_aim *aim)
+{
+    size_t n = aims->count;
+    if ((n & (n - 1)) == 0) /* a power of 2: all the room is taken */
+        aims->items =
+            memory_resize(aims->items, (n ? 2 * n : 1) * sizeof *aims->items);
+    aims->items[aims->count++] = *aim;
+}
+
 static void aims_add(struct photon_aims *aims, const struct lamps *lamps,
                      const struct targets *targets, unsigned count)
 {
@@ -143,11 +152,15 @@ static void aims_add(struct photon_aims *aims, const struct lamps *lamps,
         everything = (struct box3){ { -1, -1, -1 }, { 1, 1, 1 } };
     for (size_t i = 0; i < lamps->count; i++)
         for (unsigned k = 1; k <= count; k++) {
-            struct photon_aim *aim = &aims->items[aims->count];
-            if (!aim_new(aim, &lamps->items[i], &targets->items[k], everything))
+            struct photon_aim aim;
+            if (!aim_new(&aim, &lamps->items[i], &targets->items[k],
+                         everything))
                 continue;
-            aim->target = k;
-            aims->count++;
+            aims->many = aims->count == PHOTON_AIMS_MOST;
+            if (aims->many)
+                return;
+            aim.target = k;
+            aims_push(aims, &aim);
         }
 }
 
@@ -158,7 +171,6 @@ struct photon_aims photon_aims_new(const struct lamps *lamps)
     struct photon_aims aims = { .spacing = said->spacing };
     struct targets targets = { memory_new((count + 1) *
                                           sizeof(struct target)) };
-    aims.items = memory_new(lamps->count * count * sizeof *aims.items);
     world_visit(lamps->world, visit_solid, visit_mesh, &targets);
     aims_add(&aims, lamps, &targets, count);
     memory_free(targets.items);

@@ -23,7 +23,10 @@ struct photon_aims {
     size_t count;
     double spacing; /* of photons at their targets */
     double photons; /* all */
+    bool many;      /* more than PHOTON_AIMS_MOST, of which these are a part */
 };
+
+enum { PHOTON_AIMS_MOST = 1000 * 1000 }; /* 200 MB of memory */
 
 /* Every lamp and every target that it sends photons to. */
 struct photon_aims photon_aims_new(const struct lamps *lamps);

@@ -3,6 +3,7 @@
 
 #include "scene/photon.h"
 #include "shade/finish.h"
+#include "shade/lamp.h"
 
 /* Light that comes in flatter than this counts as if it came so. */
 static const double cosine_least = 0.05;
@@ -22,9 +23,7 @@ static bool photon_counts(const struct lighting_up *up,
 {
     size_t count;
     const struct light *lights = world_lights(up->tracer->world, &count);
-    unsigned group = lights[photon->lamp].group;
-    const struct leaf *leaf = up->surface->at->leaf;
-    return group ? leaf->light_group == group : !leaf->no_global_lights;
+    return light_is_for(&lights[photon->lamp], up->surface->at->leaf);
 }
 
 /* Irradiance from a direction is light times its cosine. */

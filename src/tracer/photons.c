@@ -173,23 +173,21 @@ static bool flight_pass(struct flight *flight, struct crossing *crossing)
 {
     const struct surface *surface = &crossing->surface;
     vec3 normal = surface->layer[0].normal, direction = flight->ray.direction;
-    rgb through = rgb_mul(flight->share, surface->through);
     if (rgb_peak(surface->through) == 0)
         return false;
-    rgb part =
-        crossing->ior != 1 ? flight_divide(flight, crossing) : rgb_grey(1);
-    flight->share = rgb_mul(flight->share, part);
-    through = rgb_mul(through, part);
-    if (crossing->leaving && crossing->at.leaf->interior)
-        through = rgb_mul(through, interior_fade(crossing->at.leaf->interior,
-                                                 crossing->at.t));
+    if (crossing->ior != 1)
+        flight->share = rgb_mul(flight->share, flight_divide(flight, crossing));
+    if (crossing->leaving)
+        flight->share =
+            rgb_mul(flight->share,
+                    interior_fade(crossing->at.leaf->interior, crossing->at.t));
     if (crossing->ior != 1 &&
         !crossing_refracted(crossing, direction, normal, &direction)) {
         flight->ray.direction =
             crossing_mirrored(crossing, flight->ray.direction, normal);
     } else {
         flight->ray.direction = direction;
-        flight->share = through;
+        flight->share = rgb_mul(flight->share, surface->through);
         interiors_copy(&flight->inside, &crossing->beyond);
     }
     flight->ray.origin = crossing->at.point;
@@ -359,6 +357,14 @@ static bool sending_fits(const struct sending *sending, struct diag *diag)
 {
     const struct photon_aims *aims = &sending->aims;
     double spacing = aims->spacing * sqrt(aims->photons / SENT_MOST) * 1.01;
+    if (aims->many) {
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   "lamps send photons to targets in more than %d pairs, which "
+                   "is glim's limit: type photons { refraction off reflection "
+                   "off } in some of the lamps",
+                   PHOTON_AIMS_MOST);
+        return false;
+    }
     if (aims->photons <= SENT_MOST)
         return true;
     diag_print(diag, DIAG_ERROR, span_none(), NULL,

@@ -110,6 +110,24 @@ static void map_finds_the_nearest(void **state)
     arena_free(worker.scratch);
 }
 
+/* Not even who looks for one photon alone finds it dark where there are some.
+ */
+static void one_photon_is_light(void **state)
+{
+    enum { COUNT = 300 };
+    struct worker worker = { .scratch = arena_new(0) };
+    struct photon_gather gather = { 1, 0, 1 };
+    struct photon_map *map =
+        photon_map_new(floor_photons(COUNT), COUNT, &gather, 1);
+    struct found found = { 0, 0 };
+    (void)state;
+    photon_map_visit(map, &worker, vec3_make(.5, 0, .5), vec3_make(0, 1, 0),
+                     visit_found, &found);
+    assert_true(found.light > 0);
+    photon_map_free(map);
+    arena_free(worker.scratch);
+}
+
 static void map_of_none(void **state)
 {
     struct worker worker = { .scratch = arena_new(0) };
@@ -185,6 +203,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(packing),
         cmocka_unit_test(map_finds_the_nearest),
+        cmocka_unit_test(one_photon_is_light),
         cmocka_unit_test(map_of_none),
         cmocka_unit_test(lens_loses_nothing),
         cmocka_unit_test(threads_change_nothing),

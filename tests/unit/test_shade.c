@@ -8,6 +8,8 @@
 #include "shade/area.h"
 #include "shade/finish.h"
 #include "shade/interior.h"
+#include "shade/lamps.h"
+#include "shade/media.h"
 
 static void near(double value, double wanted)
 {
@@ -240,6 +242,37 @@ static void test_lamps(void **state)
     near(arrives(light, 5, 5), 0);
     light.tightness = 1;
     near(arrives(light, 3, 3), 0.125);
+}
+
+/* Rays along a cone's own side enter it where they do, and never leave it. */
+static void test_media_parts(void **state)
+{
+    struct light light = light_default();
+    light.kind = LIGHT_SPOT;
+    light.radius = light.falloff = 45;
+    light.point_at = vec3_make(0, -1, 0);
+    struct lamp lamp = lamp_new(&light, 0);
+    struct lamps lamps = { .items = &lamp, .count = 1 };
+    struct media_list media = { .count = 1, .scatters = true };
+    (void)state;
+    for (int i = 1; i <= 100; i++) {
+        double high = i * 0.07, wide = i % 10 * 0.3;
+        struct media_way way = { .media = &media,
+                                 .origin = { wide, high, -5 },
+                                 .direction =
+                                     vec3_normalise(vec3_make(0, -1, 1)),
+                                 .length = 1000,
+                                 .lamps = &lamps };
+        struct media_part parts[MEDIA_PARTS_MAX];
+        /* wide^2 + (t - 5)^2 = (t - high)^2 */
+        double t = (25 + wide * wide - high * high) / 2 / (5 - high);
+        bool meets = high < 5;
+        int count = media_parts(&way, parts);
+        assert_int_equal(count, meets ? 2 : 1);
+        assert_int_equal(parts[count - 1].lit, meets);
+        if (meets)
+            roughly(parts[1].from, t * sqrt(2));
+    }
 }
 
 static void test_parallel(void **state)
@@ -483,6 +516,7 @@ int main(void)
         cmocka_unit_test(test_fade),
         cmocka_unit_test(test_interiors),
         cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_media_parts),
         cmocka_unit_test(test_parallel),
         cmocka_unit_test(test_area_weights),
         cmocka_unit_test(test_area_adaptive),

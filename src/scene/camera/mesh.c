@@ -136,7 +136,7 @@ static bool mesh_sees(const struct camera *camera, double x, double y)
     return false;
 }
 
-static bool mesh_other_ray(const struct camera *camera, double x, double y,
+static bool mesh_pixel_ray(const struct camera *camera, double x, double y,
                            int i, struct ray *ray)
 {
     struct mesh_place place;
@@ -151,7 +151,7 @@ static struct ray mesh_ray(const struct camera *camera, double x, double y)
 {
     struct ray ray = { camera->location, { 0, 0, 1 } };
     for (int i = 0; i < camera->rays; i++)
-        if (mesh_other_ray(camera, x, y, i, &ray))
+        if (mesh_pixel_ray(camera, x, y, i, &ray))
             break;
     return ray;
 }
@@ -162,5 +162,5 @@ const struct camera_kind mesh_camera = {
     .lines = CAMERA_SCATTERED,
     .sees = mesh_sees,
     .ray = mesh_ray,
-    .other_ray = mesh_other_ray,
+    .pixel_ray = mesh_pixel_ray,
 };

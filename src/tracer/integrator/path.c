@@ -19,6 +19,23 @@ enum {
     SLOT_LENS,
 }; /* of draws; the rest belongs to direct.c */
 
+/* Of a pixel that has several rays, those that there are take turns. False: it
+ * has one. */
+static bool path_other_ray(const struct camera *camera, double x, double y,
+                           uint32_t turn, struct ray *ray)
+{
+    uint32_t count = 0, wanted;
+    if (camera->rays <= 1)
+        return false;
+    for (int i = 0; i < camera->rays; i++)
+        count += camera_pixel_ray(camera, x, y, i, ray);
+    wanted = count > 0 ? turn % count : 0;
+    for (int i = 0; i < camera->rays; i++)
+        if (camera_pixel_ray(camera, x, y, i, ray) && wanted-- == 0)
+            return true;
+    return false;
+}
+
 struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
                             double x, double y, const struct draws *draws)
 {
@@ -43,9 +60,7 @@ struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
         lens_sample(u, lens);
         walk.ray = camera_lens_ray(&tracer->scene->camera, x, y, lens);
     }
-    int other = (int)(draws->index % (uint32_t)tracer->scene->camera.rays);
-    if (other > 0 &&
-        camera_pixel_ray(&tracer->scene->camera, x, y, other, &walk.ray))
+    if (path_other_ray(&tracer->scene->camera, x, y, draws->index, &walk.ray))
         tracer_enter(tracer, worker, walk.ray.origin, &walk.inside);
     return walk_follow(&walk);
 }
