@@ -128,6 +128,14 @@ $(BUILD)/src/language/grammar.o: $(BUILD)/text/grammar.inc
 $(BUILD)/src/language/manual.o: $(BUILD)/text/manual.inc
 $(SERVER_OBJECTS): override CPPFLAGS += -I$(BUILD)/text
 
+# What decides the bits of pictures, as a hash: see src/cli/build.h.
+$(BUILD)/text/build.inc: $(sort $(shell find src -name '*.[ch]' -o -name '*.cpp'))
+	@mkdir -p $(@D)
+	@{ cat $^; $(CC) --version | head -n 1; echo '$(FLAGS)'; } | \
+		sha256sum | sed 's/^\(.\{16\}\).*/"\1"/' > $@
+$(BUILD)/src/cli/build.o: $(BUILD)/text/build.inc
+$(BUILD)/src/cli/build.o: override CPPFLAGS += -I$(BUILD)/text
+
 $(BUILD)/glim-view: $(VIEW_OBJECTS) $(BUILD)/libglim.a | $(MODULE)
 	$(call TICK,link $@)
 	@$(CXX) $(FLAGS) $(LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lSDL2_ttf -lSDL2
@@ -212,9 +220,10 @@ bench-scenes: ## write build/bench/forest.pov and triangles.pov
 	build/bench/generate forest > build/bench/forest.pov
 	build/bench/generate triangles > build/bench/triangles.pov
 
-farm-test: all ## farms: a real Slurm on this machine, 200 kills, make's jobs
+farm-test: all ## farms: a real Slurm on this machine, 200 kills, damage, make's jobs
 	@$(DEPS) slurm-wlm munge parallel openimageio-tools
-	@GLIM=$(abspath $(BUILD)/glim) tests/farm/run
+	@$(MAKE) --no-print-directory $(BUILD)/tests/tools/runnable
+	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/farm/run
 
 hostile: all ## 700 inputs that mean harm: an error or a picture, soon
 	@GLIM=$(abspath $(BUILD)/glim) MODE=$(MODE) tests/hostile/run

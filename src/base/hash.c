@@ -1,5 +1,6 @@
 /* Words are mixed in one after the other, by SplitMix64's finaliser (Steele,
- * Lea and Flood 2014). See hash.h. */
+ * Lea and Flood 2014); those of long data in lanes that need not wait for each
+ * other. See hash.h. */
 #include "base/hash.h"
 
 #include <string.h>
@@ -7,10 +8,30 @@
 #include "base/random.h"
 #include "base/rgb.h"
 
+enum { LANES = 4, ROW = LANES * sizeof(uint64_t), LONG = 256 };
+
+/* As many whole rows as there are; what is left begins at *from. */
+static uint64_t hash_rows(uint64_t hash, const char **from, size_t *count)
+{
+    uint64_t lanes[LANES], words[LANES];
+    for (unsigned i = 0; i < LANES; i++)
+        lanes[i] = random_key(hash, i);
+    for (; *count >= ROW; *count -= ROW, *from += ROW) {
+        memcpy(words, *from, ROW);
+        for (unsigned i = 0; i < LANES; i++)
+            lanes[i] = random_mix(lanes[i] ^ words[i]);
+    }
+    for (unsigned i = 0; i < LANES; i++)
+        hash = random_key(hash, lanes[i]);
+    return hash;
+}
+
 uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count)
 {
     const char *from = bytes;
     uint64_t word;
+    if (count >= LONG)
+        hash = hash_rows(hash, &from, &count);
     for (; count >= sizeof word; count -= sizeof word, from += sizeof word) {
         memcpy(&word, from, sizeof word);
         hash = random_mix(hash ^ random_mix(word));

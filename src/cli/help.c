@@ -1,5 +1,6 @@
 /* --help, --version, --list and the manual page's table, all from the tables
  * that are used: nothing can be forgotten. */
+#include "cli/build.h"
 #include "cli/option.h"
 
 #include <errno.h>
@@ -272,7 +273,7 @@ bool options_answer(const struct options *options, struct diag *diag)
     if (options->action == ACTION_HELP)
         help_print();
     else if (options->action == ACTION_VERSION)
-        printf("glim %s\n", GLIM_VERSION);
+        printf("glim %s\nbuild %s\n", GLIM_VERSION, build_id);
     else if (options->action == ACTION_MAN)
         help_print_man();
     else if (options->action == ACTION_LANGUAGE_SERVER) {

@@ -150,65 +150,93 @@ static bool name_share(const struct joining *joining, size_t i,
     return sscanf(text, "%dof%d%n", &share->number, &share->count, &read) ==
                2 &&
            strcmp(text + read, ending) == 0 && share->number >= 1 &&
-           share->count >= share->number;
+           share->count >= share->number && share->count <= SHARE_LIMIT;
 }
 
-static size_t share_lacks(const struct joining *joining,
-                          const struct share *share)
+/* One of how many parts. */
+struct share_state {
+    bool there;
+    size_t lacks; /* pixels */
+};
+
+/* Pixels that no part has; those of each part into states, of `count`, if there
+ * are any. */
+static size_t join_lacks(const struct joining *joining,
+                         struct share_state *states, int count)
 {
     size_t lacking = 0;
     for (int y = 0; y < joining->height; y++)
-        for (int x = 0; x < joining->width; x++)
-            lacking += !join_knows(joining, x, y) &&
-                       share_has(share, joining->width, joining->height, x, y);
+        for (int x = 0; x < joining->width; x++) {
+            if (join_knows(joining, x, y))
+                continue;
+            lacking++;
+            if (states)
+                states[share_owner(count, joining->width, joining->height, x,
+                                   y) -
+                       1]
+                    .lacks++;
+        }
     return lacking;
+}
+
+static void join_tell_cut(const struct joining *joining,
+                          const struct share_state *states, int count)
+{
+    for (int n = 1; n <= count; n++)
+        if (states[n - 1].lacks && states[n - 1].there)
+            join_fail(joining,
+                      "part %d of %d is not whole, %zu pixels are missing: "
+                      "draw them with --part %d/%d +C",
+                      n, count, states[n - 1].lacks, n, count);
+}
+
+static void join_tell_gone(const struct joining *joining,
+                           const struct share_state *states, int count)
+{
+    char list[400] = "";
+    int missing = 0;
+    for (int n = 1; n <= count; n++) {
+        size_t used = strlen(list);
+        if (states[n - 1].lacks && !states[n - 1].there &&
+            missing++ < NAMED_MOST)
+            snprintf(list + used, sizeof list - used, "%s%d",
+                     missing > 1 ? ", " : "", n);
+    }
+    if (missing)
+        join_fail(joining, "of %d parts %d %s missing: %s%s", count, missing,
+                  missing > 1 ? "are" : "is", list,
+                  missing > NAMED_MOST ? ", ..." : "");
 }
 
 /* Names the parts that are not there, and those that are not whole. */
 static bool join_tell_missing(const struct joining *joining, size_t lacking)
 {
-    struct share share = { 0 }, all = { 0 };
-    char list[400] = "";
-    int missing = 0;
-    for (size_t i = 0; i < joining->names.count && !all.count; i++)
+    struct share share;
+    int count = 0;
+    for (size_t i = 0; i < joining->names.count && !count; i++)
         if (name_share(joining, i, &share))
-            all = share;
-    if (!all.count)
+            count = share.count;
+    if (!count)
         return join_fail(joining, "%zu of the pixels of '%s' are in no part",
                          lacking, joining->picture);
-    for (int n = 1; n <= all.count; n++) {
-        bool there = false;
-        for (size_t i = 0; i < joining->names.count && !there; i++)
-            there = name_share(joining, i, &share) && share.number == n &&
-                    share.count == all.count;
-        share = (struct share){ n, all.count };
-        size_t lacks = share_lacks(joining, &share);
-        if (lacks && there)
-            join_fail(joining,
-                      "part %d of %d is not whole, %zu pixels are missing: "
-                      "draw them with --part %d/%d +C",
-                      n, all.count, lacks, n, all.count);
-        if (!lacks || there)
-            continue;
-        size_t used = strlen(list);
-        if (missing++ < NAMED_MOST)
-            snprintf(list + used, sizeof list - used, "%s%d",
-                     missing > 1 ? ", " : "", n);
-    }
-    return !missing ? false
-                    : join_fail(joining, "of %d parts %d %s missing: %s%s",
-                                all.count, missing, missing > 1 ? "are" : "is",
-                                list, missing > NAMED_MOST ? ", ..." : "");
+    struct share_state *states = memory_new((size_t)count * sizeof *states);
+    for (size_t i = 0; i < joining->names.count; i++)
+        if (name_share(joining, i, &share) && share.count == count)
+            states[share.number - 1].there = true;
+    join_lacks(joining, states, count);
+    join_tell_cut(joining, states, count);
+    join_tell_gone(joining, states, count);
+    memory_free(states);
+    return false;
 }
 
 static bool join_covers(struct joining *joining)
 {
     const struct area all = { 0, 0, joining->width, joining->height };
-    const struct share whole = { 0 };
     joining->known = memory_new(area_pixels(all) / 8 + 1);
     for (size_t i = 0; i < joining->names.count; i++)
         part_file_each(joining->files[i], PART_PIXELS, all, join_note, joining);
-    size_t lacking = share_lacks(joining, &whole);
+    size_t lacking = join_lacks(joining, NULL, 0);
     return !lacking || join_tell_missing(joining, lacking);
 }
 

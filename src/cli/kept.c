@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "cli/build.h"
 #include "cli/origin.h"
 #include "image/note.h"
 
@@ -114,6 +115,11 @@ static bool check_told(const char *name, const char *made)
         printf("%d x %d, whole, not current: glim %s drew it, and this is "
                "glim %s\n",
                width, height, frame, GLIM_VERSION);
+    else if (!origin_value(made, "build", frame, sizeof frame) ||
+             strcmp(frame, build_id) != 0)
+        printf("%d x %d, whole, not current: another build of glim %s drew "
+               "it\n",
+               width, height, GLIM_VERSION);
     else if (!origin_same_files(made, &seen, why, sizeof why))
         printf("%d x %d, whole, not current: %s\n", width, height, why);
     else

@@ -301,7 +301,8 @@ static const struct option table[] = {
          "help in an editor: the Language Server Protocol on standard input "
          "and output"),
     WORD("help", set_action, ACTION_HELP, NULL, "this list"),
-    WORD("version", set_action, ACTION_VERSION, NULL, "the version"),
+    WORD("version", set_action, ACTION_VERSION, NULL,
+         "the version and the build"),
     WORD("man-options", set_action, ACTION_MAN, NULL,
          "this list for the manual page"),
 

@@ -8,6 +8,7 @@
 
 #include "base/hash.h"
 #include "base/text.h"
+#include "cli/build.h"
 #include "tracer/integrator.h"
 
 enum { VALUE_SIZE = 1024 };
@@ -151,6 +152,7 @@ void origin_settings(struct writer *text, const struct options *options,
                      int number, const struct source *scene)
 {
     line_text(text, "glim", GLIM_VERSION);
+    line_text(text, "build", build_id);
     line_text(text, "scene", options->path);
     if (strcmp(options->path, "-") == 0)
         line_hash(text, "text", hash_bytes(0, scene->text, scene->length));
@@ -265,7 +267,10 @@ bool origin_same_settings(const char *made, const char *now, char *why,
         if (strcmp(a.name, b.name) == 0 && strcmp(a.value, b.value) == 0)
             continue;
         bool lacks = more && wanted && origin_value(all, a.name, NULL, 0);
-        if (strcmp(a.name, b.name) != 0)
+        if (strcmp(b.name, "build") == 0)
+            snprintf(why, size,
+                     "another build of glim " GLIM_VERSION " drew it");
+        else if (strcmp(a.name, b.name) != 0)
             snprintf(why, size, "it was drawn %s '%.60s'",
                      more && !lacks ? "with" : "without",
                      more && !lacks ? a.name : b.name);

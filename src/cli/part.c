@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/clock.h"
+#include "base/jobserver.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/writer.h"
@@ -132,7 +133,11 @@ bool part_start(struct part *part, const struct options *options,
     part_name(options, name, part->path);
     part->text = part_text(settings, origin);
     part->picture = name;
-    part->ticker = ticker_start(begin_after, begin_after, part_sync, part);
+    /* Under make one thread more than there are tokens is one too many. */
+    if (jobserver_state() == JOBSERVER_NONE)
+        part->ticker = ticker_start(begin_after, begin_after, part_sync, part);
+    else
+        part->keeper.settle = part_sync;
     part->keeper.create = part_create;
     part->keeper.context = part;
     part->keeper.begin = clock_seconds() + begin_after;

@@ -78,8 +78,9 @@ struct lighting {
     /* Whether the method wants to know what the camera sees first at all places
      * of a grid (whose `at` is not there yet) before it lights any of it; then
      * `prepare` is called, once, with a worker for each thread. It may leave
-     * off when they are told to stop. NULL: never. */
-    bool (*foresees)(void *state, const struct first_hits *grid);
+     * off when they are told to stop. It may lower the grid's apron. NULL:
+     * never. */
+    bool (*foresees)(void *state, struct first_hits *grid);
     void (*prepare)(void *state, const struct first_hits *hits,
                     struct worker *const *workers, unsigned threads);
     /* Light at a surface point. Must depend on the surface, and on what the

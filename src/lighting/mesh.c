@@ -223,7 +223,7 @@ static const struct lamps *mesh_lamps(const void *state)
     return &mesh->lamps;
 }
 
-static bool mesh_foresees(void *state, const struct first_hits *grid)
+static bool mesh_foresees(void *state, struct first_hits *grid)
 {
     struct mesh_lighting *mesh = state;
     return mesh_pixels_wanted(&mesh->pixels, grid);

@@ -127,11 +127,12 @@ static bool pixels_sharp(struct mesh_pixels *pixels,
     return knower_pixels_pay(pixels->plan, &job);
 }
 
-bool mesh_pixels_wanted(struct mesh_pixels *pixels,
-                        const struct first_hits *grid)
+bool mesh_pixels_wanted(struct mesh_pixels *pixels, struct first_hits *grid)
 {
     pixels->soft = pixels_soft(pixels, grid);
     pixels->off = !pixels_sharp(pixels, grid);
+    if (!pixels->soft && pixels->each) /* a pixel asks no other */
+        grid->apron = 0;
     return pixels->soft || !pixels->off;
 }
 

@@ -27,8 +27,7 @@ struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
 void mesh_pixels_free(struct mesh_pixels *pixels);
 
 /* As foresees and prepare of lighting/lighting.h. */
-bool mesh_pixels_wanted(struct mesh_pixels *pixels,
-                        const struct first_hits *grid);
+bool mesh_pixels_wanted(struct mesh_pixels *pixels, struct first_hits *grid);
 void mesh_pixels_make(struct mesh_pixels *pixels, const struct first_hits *hits,
                       struct worker *const *workers, unsigned threads);
 

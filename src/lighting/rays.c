@@ -106,7 +106,7 @@ static const struct lamps *rays_lamps(const void *state)
     return &rays->lamps;
 }
 
-static bool rays_foresees(void *state, const struct first_hits *grid)
+static bool rays_foresees(void *state, struct first_hits *grid)
 {
     struct rays_lighting *rays = state;
     return rays->mesh && mesh_lighting.foresees(rays->mesh, grid);

@@ -8,15 +8,16 @@
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 
-/* What stands around points is kept apart from what they know: many are found
- * to be hidden, and then need know nothing. */
+/* What stands around points is found apart from what they know, in one table:
+ * some are found to be hidden, and then need know nothing. */
 void point_mesh_start(struct point_mesh *mesh, size_t bytes)
 {
     size_t payload = mesh->payload_size + sizeof(void *),
            around = sizeof(struct obstacles) + sizeof(void *);
     size_t share = bytes / (payload + 2 * around);
-    mesh->around = table_new(sizeof(struct obstacles), 2 * share * around);
-    mesh->table = table_new(mesh->payload_size, share * payload);
+    mesh->table =
+        table_new_beside(&mesh->around, mesh->payload_size, share * payload,
+                         sizeof(struct obstacles), 2 * share * around);
     mesh->work = memory_new(sizeof *mesh->work);
 }
 

@@ -59,7 +59,7 @@ struct point_mesh {
     struct lattice lattice;
     const struct interpolation *interpolation;
     double radius;        /* of interpolation, in spacings */
-    struct table *table;  /* payloads */
+    struct table *table;  /* payloads; and beside them, by the same keys, */
     struct table *around; /* obstacles */
     struct point_mesh_work *work;
     size_t payload_size;

@@ -1,6 +1,6 @@
 /* Open addressing with linear probing; a place is won by compare-and-swap of
- * its key and handed over by a release store of the record's number. See
- * table.h. */
+ * its key, a record there by that of its number, and handed over by a release
+ * store of the number. See table.h. */
 #include "lightmesh/table.h"
 
 #include <stdatomic.h>
@@ -10,11 +10,21 @@
 #include "base/map.h"
 #include "base/memory.h"
 
-enum { PROBES_MAX = 512 };
+enum { PROBES_MAX = 512, COLUMNS_MAX = 2 };
+
+/* Of a record's number, from 1. */
+static const uint32_t number_none = 0, number_claimed = UINT32_MAX;
 
 struct table_place {
-    _Atomic uint64_t key;    /* 0: free */
-    _Atomic uint32_t number; /* of the record, from 1; 0: not published */
+    _Atomic uint64_t key; /* 0: free */
+    _Atomic uint32_t number[COLUMNS_MAX];
+};
+
+/* The keys of a table, or of the two that stand beside each other. */
+struct table_index {
+    struct table_place *places;
+    size_t mask;
+    int columns; /* that are left */
 };
 
 /* Before each record. */
@@ -33,26 +43,60 @@ struct table_shared {
 
 struct table {
     struct table_shared shared;
-    struct table_place *places;
-    size_t mask;
+    struct table_index *index;
+    int column;
     char *records;
     size_t record_size, stride, capacity;
     atomic_size_t used;
 };
 
-struct table *table_new(size_t record_size, size_t bytes)
+/* A table without keys. */
+static struct table *table_column(size_t record_size, size_t bytes)
 {
     struct table *table = memory_new(sizeof *table);
-    size_t places = 64;
     table->record_size = record_size;
     table->stride = (sizeof(struct table_head) + record_size + 7) & ~(size_t)7;
     table->capacity =
         bytes / (table->stride + 2 * sizeof(struct table_place)) + 1;
-    while (places * 3 < table->capacity * 4)
-        places *= 2;
-    table->mask = places - 1;
-    table->places = memory_new(places * sizeof *table->places);
     table->records = memory_new(table->capacity * table->stride);
+    return table;
+}
+
+static struct table_index *index_new(size_t capacity)
+{
+    struct table_index *index = memory_new(sizeof *index);
+    size_t places = 64;
+    while (places * 3 < capacity * 4)
+        places *= 2;
+    index->mask = places - 1;
+    index->places = memory_new(places * sizeof *index->places);
+    return index;
+}
+
+static void table_index_by(struct table *table, struct table_index *index)
+{
+    table->index = index;
+    table->column = index->columns++;
+}
+
+struct table *table_new(size_t record_size, size_t bytes)
+{
+    struct table *table = table_column(record_size, bytes);
+    table_index_by(table, index_new(table->capacity));
+    return table;
+}
+
+struct table *table_new_beside(struct table **other, size_t record_size,
+                               size_t bytes, size_t other_size,
+                               size_t other_bytes)
+{
+    struct table *table = table_column(record_size, bytes);
+    *other = table_column(other_size, other_bytes);
+    size_t most = table->capacity > (*other)->capacity ? table->capacity
+                                                       : (*other)->capacity;
+    struct table_index *index = index_new(most);
+    table_index_by(table, index);
+    table_index_by(*other, index);
     return table;
 }
 
@@ -62,7 +106,10 @@ void table_free(struct table *table)
         return;
     map_release(table->shared.map);
     memory_free(table->shared.numbers);
-    memory_free(table->places);
+    if (--table->index->columns == 0) {
+        memory_free(table->index->places);
+        memory_free(table->index);
+    }
     memory_free(table->records);
     memory_free(table);
 }
@@ -126,19 +173,25 @@ static void *table_record(const struct table *table, size_t number)
            sizeof(struct table_head);
 }
 
-/* A new record for this key, unless another thread was quicker. */
-static enum table_state table_claim(struct table *table,
-                                    struct table_place *place, uint64_t key,
-                                    void **record)
+static bool table_is_full(struct table *table)
 {
-    if (atomic_load(&table->used) >= table->capacity)
-        return TABLE_NONE;
-    uint64_t found = 0;
-    if (!atomic_compare_exchange_strong(&place->key, &found, key))
+    return atomic_load(&table->used) >= table->capacity;
+}
+
+/* A new record at this place, which is the key's, unless another thread was
+ * quicker. */
+static enum table_state table_claim(struct table *table,
+                                    struct table_place *place, void **record)
+{
+    uint32_t none = number_none;
+    _Atomic uint32_t *claimed = &place->number[table->column];
+    if (table_is_full(table) ||
+        !atomic_compare_exchange_strong(claimed, &none, number_claimed))
         return TABLE_NONE;
     size_t number = atomic_fetch_add(&table->used, 1) + 1;
     if (number > table->capacity) {
         atomic_fetch_sub(&table->used, 1);
+        atomic_store(claimed, number_none);
         return TABLE_NONE;
     }
     struct table_head *head =
@@ -156,17 +209,22 @@ enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
         *record = (void *)(uintptr_t)known;
         return TABLE_READY;
     }
+    const struct table_index *index = table->index;
     for (size_t i = 0; i < PROBES_MAX; i++) {
-        struct table_place *place = &table->places[(hash + i) & table->mask];
+        struct table_place *place = &index->places[(hash + i) & index->mask];
         uint64_t found =
             atomic_load_explicit(&place->key, memory_order_relaxed);
+        if (found == 0 && table_is_full(table))
+            return TABLE_NONE;
         if (found == 0)
-            return table_claim(table, place, key, record);
-        if (found != key)
+            atomic_compare_exchange_strong(&place->key, &found, key);
+        if (found != 0 && found != key)
             continue;
-        uint32_t number =
-            atomic_load_explicit(&place->number, memory_order_acquire);
-        if (number == 0)
+        uint32_t number = atomic_load_explicit(&place->number[table->column],
+                                               memory_order_acquire);
+        if (number == number_none)
+            return table_claim(table, place, record);
+        if (number == number_claimed)
             return TABLE_NONE;
         *record = table_record(table, number);
         return TABLE_READY;
@@ -178,7 +236,7 @@ void table_publish(struct table *table, void *record)
 {
     struct table_head *head = (struct table_head *)record - 1;
     size_t offset = (size_t)((char *)head - table->records);
-    atomic_store_explicit(&head->place->number,
+    atomic_store_explicit(&head->place->number[table->column],
                           (uint32_t)(offset / table->stride + 1),
                           memory_order_release);
 }
@@ -206,10 +264,10 @@ size_t table_entries(const struct table *table, struct table_entry *entries)
     for (size_t n = 1; n <= shared->count; n++)
         entries[count++] = (struct table_entry){ shared_key(shared, n),
                                                  shared_record(shared, n) };
-    for (size_t i = 0; i <= table->mask; i++) {
-        const struct table_place *place = &table->places[i];
-        uint32_t number = atomic_load(&place->number);
-        if (number)
+    for (size_t i = 0; i <= table->index->mask; i++) {
+        const struct table_place *place = &table->index->places[i];
+        uint32_t number = atomic_load(&place->number[table->column]);
+        if (number != number_none && number != number_claimed)
             entries[count++] =
                 (struct table_entry){ atomic_load(&place->key),
                                       table_record(table, number) };
@@ -233,7 +291,8 @@ const void *table_at(const struct table *table, size_t number, uint64_t *key)
     number -= shared->count;
     const struct table_head *head =
         (const struct table_head *)(table->records + number * table->stride);
-    if (!head->place || atomic_load(&head->place->number) != number + 1)
+    if (!head->place ||
+        atomic_load(&head->place->number[table->column]) != number + 1)
         return NULL;
     *key = atomic_load(&head->place->key);
     return head + 1;
@@ -251,7 +310,8 @@ size_t table_capacity(const struct table *table)
 
 size_t table_bytes(const struct table *table)
 {
-    return (table->mask + 1) * sizeof *table->places +
+    const struct table_index *index = table->index;
+    return (index->mask + 1) * sizeof *index->places / (size_t)index->columns +
            atomic_load(&table->used) * table->stride +
            (table->shared.map ? table->shared.mask + 1 : 0) *
                sizeof *table->shared.numbers;

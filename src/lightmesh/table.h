@@ -20,6 +20,12 @@ enum table_state {
 /* Room for about `bytes` in all; pages are taken from the system as they are
  * used. */
 struct table *table_new(size_t record_size, size_t bytes);
+
+/* Two that stand beside each other, *other being the second: one set of keys,
+ * each of which may have a record in either. For keys that mostly have both. */
+struct table *table_new_beside(struct table **other, size_t record_size,
+                               size_t bytes, size_t other_size,
+                               size_t other_bytes);
 void table_free(struct table *table);
 
 /* `key` is not 0; `hash` spreads keys, and may keep neighbours together. */
@@ -54,7 +60,8 @@ size_t table_record_size(const struct table *table);
  * it isn't. Their order is chance. */
 const void *table_at(const struct table *table, size_t number, uint64_t *key);
 
-/* Records in use, how many fit, and the bytes touched that are no others'. */
+/* Records in use, how many fit, and the bytes touched that are no others'; of
+ * two beside each other each has half of what both need. */
 size_t table_count(const struct table *table);
 size_t table_capacity(const struct table *table);
 size_t table_bytes(const struct table *table);

@@ -20,6 +20,14 @@ bool keeper_ready(struct keeper *keeper)
     return state == KEEPER_READY;
 }
 
+void keeper_settle(struct keeper *keeper)
+{
+    int now = (int)clock_seconds(), last = atomic_load(&keeper->second);
+    if (keeper->settle && now != last &&
+        atomic_compare_exchange_strong(&keeper->second, &last, now))
+        keeper->settle(keeper->context);
+}
+
 void keeper_pass_start(struct keeper_pass *pass, struct keeper *keeper,
                        size_t count)
 {
@@ -53,4 +61,5 @@ void keeper_pass_done(struct keeper_pass *pass, size_t tile, unsigned thread)
     if (atomic_exchange(&pass->behind, false))
         for (size_t i = 0; i < pass->count; i++)
             pass_keep(pass, i, thread);
+    keeper_settle(pass->keeper);
 }

@@ -14,8 +14,12 @@ struct keeper {
     double begin;           /* clock_seconds(), when it is to be */
     /* Begins it, or returns NULL: then nothing is kept. */
     struct part_file *(*create)(void *context);
+    /* Each second called by a thread that has kept a tile, to put the file onto
+     * the disk; NULL: somebody else does. */
+    void (*settle)(void *context);
     void *context;
-    atomic_int state; /* KEEPER_WAITS at first, KEEPER_READY with a file */
+    atomic_int state;  /* KEEPER_WAITS at first, KEEPER_READY with a file */
+    atomic_int second; /* of clock_seconds(), when it was settled last */
 };
 
 enum { KEEPER_WAITS, KEEPER_BEGINS, KEEPER_READY, KEEPER_OFF };
@@ -23,6 +27,10 @@ enum { KEEPER_WAITS, KEEPER_BEGINS, KEEPER_READY, KEEPER_OFF };
 /* Whether tiles can be kept now; begins the file when it is time to. Any
  * thread. */
 bool keeper_ready(struct keeper *keeper);
+
+/* Calls `settle` if it is time to, by whoever has put something into the file;
+ * keeper_pass_done does. */
+void keeper_settle(struct keeper *keeper);
 
 /* The tiles of a pass over a picture, numbered from 0: each is kept once, those
  * that were done before the file was begun as soon as it is. */

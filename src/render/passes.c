@@ -147,6 +147,7 @@ static void passes_keep(struct passes *passes, size_t row)
     passes->kept[row] = now;
     part_file_put(options->keeper->file, PART_TALLIES, area,
                   passes->tallies + row * passes->columns);
+    keeper_settle(options->keeper);
 }
 
 /* A row that was kept may be a pass ahead. */

@@ -170,6 +170,7 @@ struct first_hits sampler_grid(const struct sampler *sampler)
         .top = area.top,
         .columns = area.right - area.left,
         .rows = area.bottom - area.top,
+        .apron = FIRST_HITS_APRON,
         .middle = sampler_middle(sampler),
     };
 }
@@ -210,16 +211,16 @@ static void block_meet(const struct sampler *sampler,
     tracer_meet_many(sampler->tracer, block->rays, block->count, block->hits);
 }
 
-/* Whether what is met there can decide about a place that is needed. */
-static bool sampler_needs_near(const struct sampler *sampler, struct area area)
+/* Whether what is met there can decide about a place that is needed, if that
+ * depends on what is so near to it. */
+static bool sampler_needs_near(const struct sampler *sampler, struct area area,
+                               int apron)
 {
     const struct area *first = &sampler->first;
-    int right = smaller(area.right + FIRST_HITS_APRON, first->right);
-    int bottom = smaller(area.bottom + FIRST_HITS_APRON, first->bottom);
-    for (int y = larger(area.top - FIRST_HITS_APRON, first->top); y < bottom;
-         y++)
-        for (int x = larger(area.left - FIRST_HITS_APRON, first->left);
-             x < right; x++)
+    int right = smaller(area.right + apron, first->right);
+    int bottom = smaller(area.bottom + apron, first->bottom);
+    for (int y = larger(area.top - apron, first->top); y < bottom; y++)
+        for (int x = larger(area.left - apron, first->left); x < right; x++)
             if (*sampler_state(sampler, x, y) & SAMPLER_NEEDED)
                 return true;
     return false;
@@ -230,7 +231,7 @@ void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
 {
     struct sampler_block block;
     unsigned count = 0;
-    if ((sampler->sparse && !sampler_needs_near(sampler, area)) ||
+    if ((sampler->sparse && !sampler_needs_near(sampler, area, hits->apron)) ||
         !block_start(sampler, &block, hits, area, false))
         return;
     block_meet(sampler, &block);

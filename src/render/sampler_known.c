@@ -59,16 +59,28 @@ void sampler_give_pixels(struct sampler *sampler, struct area area,
         }
 }
 
+static bool sampler_lacks(const struct sampler *sampler, struct area area)
+{
+    for (int y = area.top; y < area.bottom; y++)
+        for (int x = area.left; x < area.right; x++)
+            if (!(*sampler_state(sampler, x, y) & SAMPLER_DONE))
+                return true;
+    return false;
+}
+
 bool sampler_wants(const struct sampler *sampler, struct area tile)
 {
     struct area here = area_both(tile, sampler->wanted);
     const struct render_options *options = sampler->options;
-    for (int y = here.top; y < here.bottom; y++)
-        for (int x = here.left; x < here.right; x++)
-            if (!(*sampler_state(sampler, x, y) & SAMPLER_DONE) &&
-                share_has(&options->share, options->width, options->height, x,
-                          y))
+    const int width = options->width, height = options->height;
+    const int edge = share_block(width, height);
+    for (int y = here.top - here.top % edge; y < here.bottom; y += edge)
+        for (int x = here.left - here.left % edge; x < here.right; x += edge) {
+            struct area block = { x, y, x + edge, y + edge };
+            if (share_has(&options->share, width, height, x, y) &&
+                sampler_lacks(sampler, area_both(block, here)))
                 return true;
+        }
     return false;
 }
 

@@ -15,15 +15,19 @@ int share_block(int width, int height)
     return pixels < large_picture ? BLOCK_SMALL : BLOCK_LARGE;
 }
 
-bool share_has(const struct share *share, int width, int height, int x, int y)
+int share_owner(int count, int width, int height, int x, int y)
 {
-    if (share->count < 2)
-        return true;
     int edge = share_block(width, height);
     int across = (width + edge - 1) / edge;
-    unsigned count = (unsigned)share->count;
+    unsigned parts = (unsigned)count;
     uint64_t block =
         (uint64_t)(y / edge) * (unsigned)across + (unsigned)(x / edge);
-    uint64_t turn = random_mix(block / count + 1) % count;
-    return (block + turn) % count == (unsigned)share->number - 1;
+    uint64_t turn = random_mix(block / parts + 1) % parts;
+    return (int)((block + turn) % parts) + 1;
+}
+
+bool share_has(const struct share *share, int width, int height, int x, int y)
+{
+    return share->count < 2 ||
+           share_owner(share->count, width, height, x, y) == share->number;
 }

@@ -16,7 +16,10 @@ enum { SHARE_LIMIT = 100000 };
  * same for all parts of a picture. */
 int share_block(int width, int height);
 
-/* Whether the pixel of the picture is this part's. */
+/* The part, from 1 to count, that has the pixel of the picture. */
+int share_owner(int count, int width, int height, int x, int y);
+
+/* Whether the pixel is this part's. */
 bool share_has(const struct share *share, int width, int height, int x, int y);
 
 #endif

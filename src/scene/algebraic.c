@@ -21,6 +21,8 @@ const char *algebraic_check(const struct algebraic *surface,
                         surface->order, wanted, surface->terms.count);
 }
 
+enum { ALGEBRAIC_FEW = 4 };
+
 /* A polynomial in the ray's parameter; degree -1: nothing yet. Most terms of
  * most surfaces are 0, and add none. */
 struct sum {
@@ -51,8 +53,8 @@ static inline void sum_add(struct sum *sum, const double *c, int degree)
 }
 
 /* F along o + t d, of the surface's order. */
-static void restrict_to_line(const struct algebraic *surface, vec3 o, vec3 d,
-                             struct sum *all)
+static void restrict_many(const struct algebraic *surface, vec3 o, vec3 d,
+                          struct sum *all)
 {
     int n = surface->order;
     const double *term = surface->terms.values;
@@ -72,6 +74,93 @@ static void restrict_to_line(const struct algebraic *surface, vec3 o, vec3 d,
         }
         sum_times(all, o.x, d.x);
         sum_add(all, in_y.c, in_y.degree);
+    }
+}
+
+/* For the degrees that most surfaces have, with all terms and without a loop:
+ * quicker than leaving out those that are 0. Compilers take loops of known
+ * length apart, if they are in no other. */
+#define UNROLLED static inline __attribute__((always_inline))
+
+/* p times (a + b t), which makes it of this degree, plus a term. */
+UNROLLED void few_horner(double *p, int degree, double a, double b, double term)
+{
+    p[degree] = b * p[degree - 1];
+    for (int i = degree - 1; i > 0; i--)
+        p[i] = a * p[i] + b * p[i - 1];
+    p[0] = a * p[0] + term;
+}
+
+/* The polynomial in z, of degree n, is added to that in y. */
+UNROLLED const double *few_in_z(const double *term, int n, vec3 o, vec3 d,
+                                double *in_y)
+{
+    double p[ALGEBRAIC_FEW + 1] = { *term++ };
+    if (n >= 1)
+        few_horner(p, 1, o.z, d.z, *term++);
+    if (n >= 2)
+        few_horner(p, 2, o.z, d.z, *term++);
+    if (n >= 3)
+        few_horner(p, 3, o.z, d.z, *term++);
+    if (n >= 4)
+        few_horner(p, 4, o.z, d.z, *term++);
+    if (n >= 1)
+        few_horner(in_y, n, o.y, d.y, p[0]);
+    else
+        in_y[0] = p[0];
+    for (int i = 1; i <= n; i++)
+        in_y[i] += p[i];
+    return term;
+}
+
+/* That in y, of degree n, to that in x. */
+UNROLLED const double *few_in_y(const double *term, int n, vec3 o, vec3 d,
+                                double *in_x)
+{
+    double p[ALGEBRAIC_FEW + 1];
+    term = few_in_z(term, 0, o, d, p);
+    if (n >= 1)
+        term = few_in_z(term, 1, o, d, p);
+    if (n >= 2)
+        term = few_in_z(term, 2, o, d, p);
+    if (n >= 3)
+        term = few_in_z(term, 3, o, d, p);
+    if (n >= 4)
+        term = few_in_z(term, 4, o, d, p);
+    if (n >= 1)
+        few_horner(in_x, n, o.x, d.x, p[0]);
+    else
+        in_x[0] = p[0];
+    for (int i = 1; i <= n; i++)
+        in_x[i] += p[i];
+    return term;
+}
+
+UNROLLED void restrict_few(const double *term, int n, vec3 o, vec3 d,
+                           double *all)
+{
+    term = few_in_y(term, 0, o, d, all);
+    term = few_in_y(term, 1, o, d, all);
+    term = few_in_y(term, 2, o, d, all);
+    term = few_in_y(term, 3, o, d, all);
+    if (n >= 4)
+        few_in_y(term, 4, o, d, all);
+}
+
+static void restrict_to_line(const struct algebraic *surface, vec3 o, vec3 d,
+                             struct sum *all)
+{
+    const double *terms = surface->terms.values;
+    all->degree = surface->order;
+    switch (surface->order) {
+    case 3:
+        restrict_few(terms, 3, o, d, all->c);
+        break;
+    case ALGEBRAIC_FEW:
+        restrict_few(terms, ALGEBRAIC_FEW, o, d, all->c);
+        break;
+    default:
+        restrict_many(surface, o, d, all);
     }
 }
 

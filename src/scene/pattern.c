@@ -129,6 +129,19 @@ vec3 pattern_locate(const struct pattern *pattern, vec3 point)
     return vec3_add(point, vec3_mul(pattern->turbulence.amount, step));
 }
 
+/* As fmod, which takes long: for numbers that are not too large by differences,
+ * all of them exact, since neither number is ever twice the other (P. Sterbenz,
+ * Floating-Point Computation, 1974). */
+static double pattern_rest(double value, double period)
+{
+    double rest = fabs(value);
+    if (!(rest < 16 * period))
+        return fmod(value, period);
+    for (double part = 8 * period; part >= period; part /= 2)
+        rest = rest >= part ? rest - part : rest;
+    return copysign(rest, value);
+}
+
 /* The period is 1.00001, not 1: with it a value of exactly 1 is the end of a
  * colour map and not its start. frequency 0 leaves values above 1 alone. */
 static double pattern_cycle(const struct pattern *pattern, double value)
@@ -138,7 +151,7 @@ static double pattern_cycle(const struct pattern *pattern, double value)
         return value < 0 ? value - floor(value) : value;
     value = value * pattern->frequency + pattern->phase;
     if (!(value >= 0 && value < period))
-        value = fmod(value, period);
+        value = pattern_rest(value, period);
     return value < 0 ? value + 1 : value;
 }
 

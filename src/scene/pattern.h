@@ -61,6 +61,12 @@ struct uv_source {
     vec3 view;          /* unit, to whoever looks */
 };
 
+/* Whether a whole number is odd; NaN is. */
+static inline bool pattern_odd(double whole)
+{
+    return whole / 2 != floor(whole / 2);
+}
+
 /* Where the pattern is looked up: `point`, of the texture's space, or the
  * surface's coordinates. `uv` may be NULL, off any surface. */
 static inline vec3 pattern_start(const struct pattern *pattern, vec3 point,

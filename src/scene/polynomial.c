@@ -2,6 +2,8 @@
 #include "scene/polynomial.h"
 
 #include <math.h>
+#include <stdint.h>
+#include <string.h>
 
 enum {
     BERNSTEIN_DEPTH = 10,
@@ -391,20 +393,29 @@ int polynomial_bernstein_roots(const double *b, int degree, double *roots)
     return list.count;
 }
 
+/* As ilogb of what is neither 0 nor infinite, without a call. */
+static inline int power_of_2(double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    int power = (int)(bits >> 52 & 0x7ff);
+    return power > 0 ? power - 1023 : ilogb(value);
+}
+
 double polynomial_bound(const double *c, int degree)
 {
     if (degree < 1)
         return 0;
     if (c[degree] == 0)
         return HUGE_VAL;
-    int lead = ilogb(c[degree]), most = -1000;
+    int lead = power_of_2(c[degree]), most = -1000;
     for (int k = 1; k <= degree; k++) {
         if (c[degree - k] == 0)
             continue;
         if (!isfinite(c[degree - k]) || !isfinite(c[degree]))
             return HUGE_VAL;
         /* |c[n-k] / c[n]|^(1/k) < 2^power */
-        int ratio = ilogb(c[degree - k]) - lead + 1;
+        int ratio = power_of_2(c[degree - k]) - lead + 1;
         int power = ratio > 0 ? (ratio + k - 1) / k : ratio / k;
         most = power > most ? power : most;
     }

@@ -6,8 +6,8 @@
 #include "world/world.h"
 
 /* The grid reaches so far beyond what is wanted of the picture, and a little
- * beyond the picture itself: what is said of a place may depend on what is so
- * near to it, and is then the same for every part of a picture. */
+ * beyond the picture itself: so what is said of a place is the same for every
+ * part of a picture. */
 enum { FIRST_HITS_APRON = 17, FIRST_HITS_BEYOND = 4 };
 
 struct first_hits {
@@ -16,6 +16,8 @@ struct first_hits {
     int columns, rows;
     double middle;        /* where in their pixels the places are, both ways */
     struct world_hit *at; /* row by row */
+    int apron; /* what is said of a place may depend on what is so near to it:
+                * at most FIRST_HITS_APRON, and 0 if on that place alone */
 };
 
 static inline struct world_hit *first_hits_at(const struct first_hits *hits,

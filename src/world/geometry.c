@@ -267,7 +267,7 @@ static bool embree_ray(const struct geometry *geometry, struct query *query,
     slab_clip(box.low.z, box.high.z, slabs->origin.z, slabs->inverse.z, &enter,
               &leave);
     double margin = 1e-5 * geometry->scale;
-    if (!(enter <= leave + margin) || box3_is_empty(box))
+    if (!(enter <= leave + margin))
         return false;
     query->shift = margin - enter;
     query->doubt = 10 * margin;

@@ -30,7 +30,8 @@ void geometry_free(struct geometry *geometry, struct flat *flat);
 /* Sends the query's ray through Embree's scene. */
 void geometry_trace_scene(const struct geometry *geometry, struct query *query);
 
-/* Sends the query's ray through; the results are in the query. */
+/* Sends the query's ray through; the results are in the query. There must be
+ * something: `bounds` are not empty. */
 static inline void geometry_trace(const struct geometry *geometry,
                                   struct query *query)
 {

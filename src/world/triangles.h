@@ -46,7 +46,8 @@ void triangles_free(struct flat *flat);
 /* Saturating: Embree ignores what is beyond 1.8e18. */
 static inline float triangles_float(double value)
 {
-    return (float)(value > 1e30 ? 1e30 : value < -1e30 ? -1e30 : value);
+    value = 1e30 < value ? 1e30 : value;
+    return (float)(-1e30 > value ? -1e30 : value);
 }
 
 #endif

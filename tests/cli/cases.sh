@@ -57,6 +57,15 @@ same() { # FILE FILE: equal pixels
     oiiotool -q --diff "$1" "$2" > /dev/null || { echo "    $1 and $2 differ"; return 1; }
 }
 
+until_true() { # COMMAND...: waits for a state, a minute at most
+    for _ in $(seq 1200); do
+        "$@" > /dev/null 2>&1 && return
+        sleep 0.05
+    done
+    echo "    waited for a minute: $*"
+    return 1
+}
+
 small='+W16 +H12'
 
 scenes() { # what all cases find in their directory

@@ -38,6 +38,48 @@ static void test_table(void **state)
     table_free(table);
 }
 
+/* Two beside each other: a key has a record in either, in both, or in none;
+ * each has its own room. */
+static void test_beside(void **state)
+{
+    struct table *around;
+    struct table *table =
+        table_new_beside(&around, sizeof(int), 4000, sizeof(double), 20000);
+    size_t kept[2] = { 0, 0 };
+    uint64_t seen;
+    void *record, *seen_record;
+    (void)state;
+    for (uint64_t key = 1; key <= 200; key++) {
+        double number = (double)key / 2;
+        int whole = -(int)key;
+        if (key % 3)
+            table_insert(around, key, key, &number);
+        if (key % 2 && table_find(table, key, key, &record) == TABLE_MINE) {
+            assert_int_equal(table_find(table, key, key, &seen_record),
+                             TABLE_NONE);
+            *(int *)record = whole;
+            table_publish(table, record);
+        }
+    }
+    for (uint64_t key = 1; key <= 200; key++) {
+        enum table_state state_around = table_find(around, key, key, &record);
+        kept[1] += state_around == TABLE_READY;
+        assert_int_equal(state_around == TABLE_READY, key % 3 != 0);
+        if (state_around == TABLE_READY)
+            assert_true(*(double *)record == (double)key / 2);
+    }
+    assert_true(table_capacity(around) > table_capacity(table));
+    for (size_t i = 0; i < table_count(table); i++) {
+        const void *held = table_at(table, i, &seen);
+        assert_int_equal(*(const int *)held, -(int)seen);
+        kept[0]++;
+    }
+    assert_true(kept[0] == 100 || kept[0] == table_capacity(table));
+    assert_int_equal(kept[1], 134);
+    table_free(table);
+    table_free(around);
+}
+
 static void test_distinct(void **state)
 {
     static struct distinct seen;
@@ -253,6 +295,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_table),
+        cmocka_unit_test(test_beside),
         cmocka_unit_test(test_distinct),
         cmocka_unit_test(test_lattice),
         cmocka_unit_test(test_interpolation),

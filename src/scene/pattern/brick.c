@@ -35,7 +35,7 @@ static double brick_value(const struct pattern *pattern, vec3 point)
     double x = (point.x + offset) / brick->size.x;
     double y = (point.y + offset) / brick->size.y;
     double z = (point.z + offset) / brick->size.z;
-    bool odd = fmod(floor(y), 2) != 0;
+    bool odd = pattern_odd(floor(y));
     x += odd ? 0.5 : 0;
     z += odd ? 0 : 0.5;
     return brick_in_mortar(x, brick->mortar / brick->size.x) ||

@@ -19,7 +19,7 @@ static double gradient_value(const struct pattern *pattern, vec3 point)
 {
     const struct gradient *gradient = pattern->parameters;
     double value = vec3_dot(point, vec3_normalise(gradient->direction));
-    return value > 1 ? fmod(value, 1) : value;
+    return value > 1 ? value - floor(value) : value;
 }
 
 const struct pattern_kind gradient_pattern = {

@@ -4,7 +4,8 @@
 static double onion_value(const struct pattern *pattern, vec3 point)
 {
     (void)pattern;
-    return fmod(vec3_length(point), 1);
+    double length = vec3_length(point);
+    return length - floor(length);
 }
 
 const struct pattern_kind onion_pattern = {

@@ -5,17 +5,12 @@ static const double square_colours[][3] = {
     { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 0 }
 };
 
-static bool is_odd(double v)
-{
-    return fmod(floor(v), 2) != 0;
-}
-
 /* Measured: around each corner one of each, 0 where both coordinates are even,
  * 1 beyond it along z, then on in the same sense. */
 static double square_value(const struct pattern *pattern, vec3 point)
 {
     (void)pattern;
-    bool x = is_odd(point.x), z = is_odd(point.z);
+    bool x = pattern_odd(floor(point.x)), z = pattern_odd(floor(point.z));
     return x ? (z ? 2 : 3) : z;
 }
 
