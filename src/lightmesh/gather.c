@@ -1,6 +1,7 @@
 /* Gather rays: see gather.h. */
 #include "lightmesh/gather.h"
 
+#include "base/warp.h"
 #include "lightmesh/drawn_lamp.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
@@ -18,6 +19,7 @@ struct gathering {
     double *open; /* the sum of what leaves the scene */
     int mirrors;
     uint32_t met; /* surfaces */
+    int before;   /* surfaces that scattered what it brings */
 };
 
 static rgb gathering_follow(struct gathering *gathering,
@@ -77,12 +79,94 @@ rgb bounce_toned(const struct bounce_tone *tone, rgb light)
     return rgb_scale(light, tone->brightness);
 }
 
-/* All light on the surface. Where the skeleton ends the row of bounces it has
- * the ambient light as well. */
+rgb gather_balanced(const struct gather *gather, const struct ray *ray,
+                    double density, const struct gathered_ray *found)
+{
+    if (!emitters_any(gather->emitters) || !(rgb_peak(found->glow) > 0))
+        return found->light;
+    double other = emitters_density(gather->emitters, ray->origin,
+                                    ray->direction, &found->at);
+    double twice = isfinite(other) ? other / (density + other) : 1;
+    return rgb_add_scaled(found->light, found->glow, -twice);
+}
+
+bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
+                 const struct draws *draws, struct gathered_glow *found)
+{
+    double which = draw_unit(draws, GATHER_WHICH), u[2];
+    struct emitter_pick pick;
+    struct intersection at;
+    draw_pair(draws, GATHER_WHERE, u);
+    if (!emitters_pick(gather->emitters, place, which, u, &pick))
+        return false;
+    struct ray ray = { place, pick.direction };
+    found->light = gather_glow(gather, worker, &ray, &at);
+    found->direction = pick.direction;
+    found->density = pick.density;
+    if (at.leaf != pick.leaf || rgb_peak(found->light) == 0)
+        return false;
+    return isinf(pick.distance) ||
+           fabs(at.t - pick.distance) <= 1e-5 * (1 + at.t);
+}
+
+/* What is picked of what glows, as irradiance. */
+static rgb gathering_picked(const struct gathering *gathering,
+                            const struct surface *surface,
+                            const struct draws *draws)
+{
+    const struct gather *gather = gathering->gather;
+    struct gathered_glow found;
+    if (!emitters_any(gather->emitters) ||
+        !gather_pick(gather, gathering->worker, surface->point, draws, &found))
+        return rgb_grey(0);
+    double density = vec3_dot(found.direction, surface->side) / WARP_PI;
+    if (!(density > 0))
+        return rgb_grey(0);
+    return rgb_scale(found.light, density / (density + found.density));
+}
+
+/* One ray more from there, as often as it matters: by how much it differs from
+ * what is usual, which may be less than nothing. */
+static struct indirect_share gathering_onward(const struct gathering *gathering,
+                                              const struct surface *surface,
+                                              double matters)
+{
+    const struct gather *gather = gathering->gather;
+    struct draws draws =
+        draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
+    struct indirect_share share = gather->around;
+    double chance = fmin(onward_often * matters, 1), u[2];
+    if (gathering->before >= BOUNCES ||
+        draw_unit(&draws, GATHER_CHANCE) >= chance)
+        return share;
+    struct gathered_ray found = { .open = 0 };
+    draw_pair(&draws, GATHER_DIRECTION, u);
+    struct gathering further = {
+        .gather = gather,
+        .worker = gathering->worker,
+        .draws = &draws,
+        .ray = { surface->point, warp_lobe(u, surface->side, 1) },
+        .share = rgb_grey(1),
+        .open = &found.open,
+        .before = gathering->before + 1,
+    };
+    const struct ray ray = further.ray;
+    double density = vec3_dot(ray.direction, surface->side) / WARP_PI;
+    found.light = gathering_follow(&further, &found.at, &found.glow);
+    found.light = rgb_add(gather_balanced(gather, &ray, density, &found),
+                          gathering_picked(gathering, surface, &draws));
+    share.light = rgb_mix(share.light, found.light, 1 / chance);
+    share.open += (found.open - share.open) / chance;
+    return share;
+}
+
+/* All light on the surface, of which the share `matters` is seen. Where the
+ * skeleton ends the row of bounces it has the ambient light as well. */
 static struct indirect_share gathering_share(const struct gathering *gathering,
                                              const struct surface *surface,
-                                             vec3 normal)
+                                             double matters)
 {
+    vec3 normal = surface->normal;
     const struct gather *gather = gathering->gather;
     struct worker *worker = gathering->worker;
     const struct receiver receiver = { .point = surface->point,
@@ -101,7 +185,9 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                                       worker, receiver.point,
                                                       normal, receiver.from),
                                         0 };
-    else if (!found && gather->indirect && !gather->usual)
+    else if (!found && gather->onward)
+        more = gathering_onward(gathering, surface, matters);
+    else if (!found && gather->indirect)
         more = indirect_mesh_light(gather->indirect, worker, &receiver);
     more.light = rgb_add(bounce_toned(&gather->tone, more.light), light);
     return more;
@@ -125,13 +211,14 @@ static rgb gathering_shade(const struct gathering *gathering,
     double solid = 1 - fmin(surface_sky(surface), 1);
     rgb light = surface_glow(surface);
     rgb albedo = rgb_scale(surface_albedo(surface), solid);
-    double chance = often_lit * rgb_peak(rgb_mul(albedo, gathering->share));
+    double matters = rgb_peak(rgb_mul(albedo, gathering->share));
+    double chance = often_lit * matters;
     uint32_t slot = GATHER_MEETING + gathering->met;
     double count = chance > 0 ? gathering_chance(gathering, chance, slot) : 0;
     if (count == 0)
         return light;
     struct indirect_share arriving =
-        gathering_share(gathering, surface, surface->normal);
+        gathering_share(gathering, surface, count * matters);
     const struct ambience *ambience = gathering->gather->ambience;
     if (ambience->sky && ambience->everywhere)
         arriving.open = 1;

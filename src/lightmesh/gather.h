@@ -31,9 +31,9 @@ struct gather {
     struct bounce_tone tone; /* of what `indirect` says */
     gather_close *close;
     const void *close_context;
+    bool onward; /* else further rays end it, and stand in likewise */
     struct indirect_share around; /* what ends the bounces where nothing else
-                                   * does, */
-    bool usual; /* and stands in for it where a place sees no mesh point */
+                                   * does */
 };
 
 /* Light of surfaces as POV-Ray's radiosity has it (measured): brighter, or with
@@ -53,6 +53,8 @@ enum gather_slot {
                     * mirrors */
     GATHER_MEETING = GATHER_MIRROR + 8, /* whether a surface that is met is lit;
                                          * likewise */
+    GATHER_CHANCE = GATHER_MEETING + 128, /* whether a ray goes on */
+    GATHER_ONWARD,                        /* what is drawn for that one */
 };
 
 /* The surface that a gather ray met; `at` must stay as long. Of `gather` only
@@ -73,6 +75,23 @@ struct gathered_ray {
 void gather_radiance(const struct gather *gather, struct worker *worker,
                      const struct ray *ray, const struct draws *draws,
                      struct gathered_ray *gathered);
+
+/* Of what comes along the ray, which was drawn with that density per solid
+ * angle, what counts beside gather_pick (balance heuristic, Veach 1997, section
+ * 9.2): its first surface's glow only in part. */
+rgb gather_balanced(const struct gather *gather, const struct ray *ray,
+                    double density, const struct gathered_ray *found);
+
+/* A place that glows, picked as sample `draws`, as seen from a place. False:
+ * none, or something is before it. There must be some (emitters_any). */
+struct gathered_glow {
+    vec3 direction;
+    rgb light;
+    double density; /* of being picked, per solid angle */
+};
+
+bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
+                 const struct draws *draws, struct gathered_glow *found);
 
 /* What glows of itself at the first surface along the ray, alone. */
 rgb gather_glow(const struct gather *gather, struct worker *worker,

@@ -4,6 +4,7 @@
 #include "base/draw.h"
 #include "base/memory.h"
 #include "base/warp.h"
+#include "lightmesh/near_field.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 #include "shade/shadow.h"
@@ -63,13 +64,9 @@ static void gatherer_look(const struct gatherer *gatherer,
     struct gathered_ray found;
     struct ray ray = { site->place, way };
     gather_radiance(gather, gatherer->worker, &ray, draws, &found);
-    if (emitters_any(gather->emitters) && rgb_peak(found.glow) > 0) {
-        double other = emitters_density(gather->emitters, ray.origin,
-                                        ray.direction, &found.at);
-        double twice = isfinite(other) ? other / (density + other) : 1;
-        found.light = rgb_add_scaled(found.light, found.glow, -twice);
-    }
-    indirect_light_add(light, ray.direction, found.light, found.open, density);
+    indirect_light_add(light, way,
+                       gather_balanced(gather, &ray, density, &found),
+                       found.open, density);
 }
 
 /* The same for a place on something that glows. */
@@ -77,24 +74,12 @@ static void gatherer_pick(const struct gatherer *gatherer,
                           const struct draws *draws,
                           struct indirect_light *light)
 {
-    const struct gather *gather = &gatherer->mesh->gather;
-    double which = draw_unit(draws, GATHER_WHICH), u[2];
-    struct emitter_pick pick;
-    struct intersection at;
-    draw_pair(draws, GATHER_WHERE, u);
-    if (!emitters_pick(gather->emitters, gatherer->site->place, which, u,
-                       &pick))
-        return;
-    struct ray ray = { gatherer->site->place, pick.direction };
-    rgb glow = gather_glow(gather, gatherer->worker, &ray, &at);
-    if (at.leaf != pick.leaf || rgb_peak(glow) == 0)
-        return;
-    bool anywhere = isinf(pick.distance);
-    if (!anywhere && fabs(at.t - pick.distance) > 1e-5 * (1 + at.t))
-        return;
-    indirect_light_add(light, ray.direction, glow, 0,
-                       pick.density +
-                           gatherer_density(gatherer, ray.direction));
+    struct gathered_glow found;
+    if (gather_pick(&gatherer->mesh->gather, gatherer->worker,
+                    gatherer->site->place, draws, &found))
+        indirect_light_add(light, found.direction, found.light, 0,
+                           found.density +
+                               gatherer_density(gatherer, found.direction));
 }
 
 /* All mesh points look in the same directions, but for the corners of a cell,
@@ -189,10 +174,11 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .close = options->close,
         .close_context = options->close_context,
         .around = options->around,
-        .usual = options->usual,
+        .onward = options->onward,
         .tone = options->tone,
     };
     mesh->samples = options->samples;
+    mesh->near = options->near;
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
         mesh->lone_samples /= LONE_PART;
@@ -213,7 +199,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     };
     if (bounce > 1) {
         mesh->points.refinement.levels = 0;
-        mesh->points.lattice.spacing *= bounce > 2 || options->usual ? 4 : 2;
+        mesh->points.lattice.spacing *= bounce > 2 ? 4 : 2;
         if (mesh->samples > LATER_SAMPLES)
             mesh->samples = LATER_SAMPLES;
     }
@@ -291,9 +277,14 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                           receiver->normal, receiver->from),
             0
         };
-    const struct indirect_light light =
-        indirect_mesh_blend(mesh, worker, receiver);
-    return indirect_light_share(&light, receiver->normal);
+    struct indirect_light light = indirect_mesh_blend(mesh, worker, receiver);
+    if (!receiver->pixel)
+        return indirect_light_share(&light, receiver->normal);
+    struct indirect_share share = near_field_share(
+        mesh, worker, receiver, mesh->near / NEAR_LONE_PART, &light);
+    if (vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat)
+        share = indirect_light_share(&light, receiver->normal);
+    return share;
 }
 
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,

@@ -24,19 +24,20 @@ struct indirect_options {
     double radius; /* of interpolation, in spacings; 0: its own */
     int bounces;   /* 1..BOUNCES_MAX */
     int samples;   /* gather rays of a mesh point */
+    int near;      /* rays to what is close to a place that is seen */
     size_t bytes;  /* of memory, all bounces together */
     struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;
-    struct indirect_share around; /* what does if that is NULL, */
-    bool usual;                   /* and is right where no mesh point is seen */
+    bool onward;                  /* further rays do if that is NULL, */
+    struct indirect_share around; /* or this */
 };
 
 struct indirect_mesh {
     struct gather gather;
     struct point_mesh points;
     struct indirect_mesh *next; /* of the bounce before this, or NULL */
-    int samples, lone_samples;
+    int samples, lone_samples, near;
     uint32_t set; /* how many a mesh point has of its cell's directions */
     vec3 *ways;   /* those directions; NULL: too many to be kept */
 };

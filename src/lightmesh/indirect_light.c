@@ -12,9 +12,9 @@ void indirect_light_add(struct indirect_light *light, vec3 direction,
                         rgb radiance, double open, double density)
 {
     double weight = 1 / (WARP_PI * density);
-    if (rgb_peak(radiance) > 0)
+    if (radiance.r != 0 || radiance.g != 0 || radiance.b != 0)
         harmonics_add(&light->light, direction, rgb_scale(radiance, weight));
-    if (open > 0)
+    if (open != 0)
         harmonics_add_share(light->open, direction, open * weight);
 }
 
@@ -31,6 +31,16 @@ void indirect_light_scale(struct indirect_light *light, float factor)
     struct indirect_light sum = indirect_light_none;
     indirect_light_mix(&sum, light, factor);
     *light = sum;
+}
+
+void indirect_light_dim(struct indirect_light *light, double factor,
+                        double open)
+{
+    struct harmonics sum = indirect_light_none.light;
+    harmonics_mix(&sum, &light->light, (float)factor);
+    light->light = sum;
+    for (int i = 0; i < HARMONICS; i++)
+        light->open[i] *= (float)open;
 }
 
 struct indirect_share indirect_light_share(const struct indirect_light *light,

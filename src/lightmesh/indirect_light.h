@@ -12,7 +12,8 @@ struct indirect_light {
 extern const struct indirect_light indirect_light_none;
 
 /* Light, and the openness to what is outside, that one of many ways has which
- * are drawn with that density per solid angle. */
+ * are drawn with that density per solid angle; what is only right in the mean
+ * may be less than 0. */
 void indirect_light_add(struct indirect_light *light, vec3 direction,
                         rgb radiance, double open, double density);
 
@@ -20,6 +21,10 @@ void indirect_light_add(struct indirect_light *light, vec3 direction,
 void indirect_light_mix(struct indirect_light *sum,
                         const struct indirect_light *from, float weight);
 void indirect_light_scale(struct indirect_light *light, float factor);
+
+/* Leaves only so much of the light, and of the openness. */
+void indirect_light_dim(struct indirect_light *light, double factor,
+                        double open);
 
 /* What a receiver gets. */
 struct indirect_share {

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "lightmesh/near_field.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 #include "shade/first_hits.h"
@@ -97,7 +98,8 @@ static void corner_fill(struct corner *corner,
     corner->side = receiver.side;
     corner->reach = lattice_spacing(&points->lattice, level);
     corner->light = indirect_mesh_blend(pixels->mesh, worker, &receiver);
-    corner->share = indirect_light_share(&corner->light, corner->side);
+    corner->share = near_field_share(pixels->mesh, worker, &receiver,
+                                     pixels->mesh->near, &corner->light);
 }
 
 static const struct corner *corner_get(const struct indirect_pixels *pixels,
@@ -199,18 +201,6 @@ static bool corner_sees(const struct indirect_pixels *pixels,
         &(struct occlusion){ .ray = &ray, .tmax = length, .light = -1 });
 }
 
-/* Where another surface is near, a wall seen from its edge may stand between
- * all corners and the place. */
-static bool corners_see(const struct corners *corners,
-                        const struct indirect_pixels *pixels,
-                        struct worker *worker, const struct receiver *receiver)
-{
-    for (int i = 0; i < corners->count && corners->missing; i++)
-        if (!corner_sees(pixels, worker, corners->at[i].corner, receiver))
-            return false;
-    return true;
-}
-
 /* Where they differ much something may stand between, seen from the edge. */
 static bool corners_alike(const struct corners *corners)
 {
@@ -223,6 +213,19 @@ static bool corners_alike(const struct corners *corners)
         most = fmax(most, amount);
     }
     return most - least <= indirect_pixels_even * most + indirect_pixels_dim;
+}
+
+/* Where another surface is near, a wall seen from its edge may stand between
+ * all corners and the place. */
+static bool corners_see(const struct corners *corners,
+                        const struct indirect_pixels *pixels,
+                        struct worker *worker, const struct receiver *receiver)
+{
+    bool doubt = corners->missing || !corners_alike(corners);
+    for (int i = 0; i < corners->count && doubt; i++)
+        if (!corner_sees(pixels, worker, corners->at[i].corner, receiver))
+            return false;
+    return true;
 }
 
 /* Irradiance is interpolated as it is, between corners whose normals follow
@@ -259,7 +262,7 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
     if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
     corners_find(&corners, pixels, worker, receiver);
-    if (corners.sum < indirect_pixels_enough || !corners_alike(&corners) ||
+    if (corners.sum < indirect_pixels_enough ||
         !corners_see(&corners, pixels, worker, receiver))
         return false;
     bool bumpy =

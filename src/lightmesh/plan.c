@@ -192,7 +192,7 @@ static void plan_indirect(struct plan *plan,
     int usual = close ? CLOSED_BOUNCES : BOUNCES;
     int bounces = said->indirect.bounces;
     if (!frame->closed)
-        usual = OPEN_BOUNCES;
+        usual = OPEN_BOUNCES; /* the rest by further rays */
     plan->indirect = (struct indirect_options){
         .lattice = direct->lattice,
         .view = { .eye = frame->eye },
@@ -203,6 +203,8 @@ static void plan_indirect(struct plan *plan,
         .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
         .samples = frame->samples,
+        .near = NEAR_LONE_PART * (int)ceil(plan->finer * plan->finer *
+                                           NEAR_RAYS / NEAR_LONE_PART),
         .bytes = INDIRECT_BYTES,
         .close = close,
         .close_context = close_context,
@@ -210,7 +212,7 @@ static void plan_indirect(struct plan *plan,
     };
     if (!said->indirect.dark)
         plan->indirect.around = frame->around;
-    plan->indirect.usual = !frame->closed && !said->indirect.dark;
+    plan->indirect.onward = !frame->closed && !said->indirect.dark;
     plan->indirect.lattice.spacing *= frame->gather / frame->spacing;
 }
 
@@ -265,7 +267,9 @@ void plan_tell(const struct plan *plan, plan_row *row, void *context)
         return;
     row(context, "plan bounces", plan->indirect.bounces, "");
     row(context, "plan ends in", (double)NAN,
-        plan->indirect.close ? "the skeleton's light" : "what is usual");
+        plan->indirect.close    ? "the skeleton's light"
+        : plan->indirect.onward ? "further rays"
+                                : "what is usual");
     row(context, "plan gather rays", plan->indirect.samples, "");
     row(context, "plan gather step", lattice_spacing(indirect, indirect->usual),
         "units");

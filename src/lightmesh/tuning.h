@@ -129,7 +129,7 @@ static const double penumbra_swell = 0.25; /* of a block, in its side */
 enum {
     BOUNCES = 6,
     CLOSED_BOUNCES = 1, /* when the skeleton knows the rest */
-    OPEN_BOUNCES = 2,   /* where much of the light leaves the scene */
+    OPEN_BOUNCES = 1,   /* when further rays do: much light leaves the scene */
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
     GATHER_FEW = 32,    /* and else */
     GATHER_MOST = 1024,
@@ -143,6 +143,8 @@ enum {
     GATHER_MIRRORS = 3,   /* on one way */
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
     CLOSE_RAYS = 30000,   /* between its walls */
+    NEAR_RAYS = 16,       /* to what is close to a place that is seen; */
+    NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 
@@ -165,6 +167,9 @@ static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
 static const double indirect_pixels_least = 0.01; /* weight of a corner asked */
 static const double indirect_pixels_enough = 0.4; /* and of all that serve */
 
+static const double near_field_reach = 0.75; /* spacings: what stands farther
+                                              * off mesh points see [truth] */
+
 static const double gather_noise = 0.02; /* of the picture, by a point's rays:
                                           * what is seen of it is a third */
 static const double gather_worth_none = 0.003; /* change of the picture that is
@@ -184,6 +189,7 @@ static const double open_enough = 0.1; /* share of gather rays that leave the
 static const double gather_worth_least = 0.02; /* then the skeleton answers */
 static const double gather_worth_whole = 0.5;  /* less gathers fewer rays */
 static const double gather_least = 0.02;       /* share that is followed */
-static const double often_mirrored = 2, often_lit = 4; /* roulette, factors */
+static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
+static const double onward_often = 1; /* of where it goes on [truth] */
 
 #endif

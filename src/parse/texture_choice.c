@@ -128,6 +128,8 @@ static bool choice_gather(struct parser *p, const struct choice_builder *b,
     for (size_t i = 0; i < b->entries.count; i++) {
         const struct texture *part = b->entries.items[i].texture;
         texture->count += part->count;
+        for (size_t k = 0; k < part->count; k++)
+            choice->bumps |= part->layers[k].normal != NULL;
         if (part->choice && part->choice->depth >= choice->depth)
             choice->depth = part->choice->depth + 1;
     }

@@ -156,6 +156,7 @@ struct texture_choice {
     struct texture_entry *entries;
     size_t count;   /* at least one */
     unsigned depth; /* of choices in each other */
+    bool bumps;     /* some texture that may be picked has a normal */
 };
 
 enum { TEXTURE_DEPTH = 10 }; /* the parser refuses more choices in each other */

@@ -195,7 +195,8 @@ static rgb surface_add(struct surface *surface, const struct surface_view *view,
                : surface_add_layers(surface, view, place, weight);
 }
 
-/* A blend is as if each of both covered its share of the place. */
+/* A blend is as if each of both covered its share of the place. Only bumps ask
+ * for the way into what is picked and back. */
 static rgb surface_add_choice(struct surface *surface,
                               const struct surface_view *view,
                               struct place *place, rgb weight)
@@ -203,14 +204,15 @@ static rgb surface_add_choice(struct surface *surface,
     const struct texture_choice *choice = place->texture->choice;
     struct texture_pick picks[TEXTURE_PICKS];
     struct place inner = *place;
-    affine inward = pattern_affine(&choice->pattern);
-    affine to, from, outward;
+    affine inward, outward, to, from;
     rgb through = rgb_grey(0);
     bool mapped = choice->pattern.uv;
     int count = texture_choose(choice, place_point(place), place->uv, picks,
                                &inner.point);
     inner.located = true;
-    if (affine_inverse(inward, &outward)) {
+    if (choice->bumps)
+        inward = pattern_affine(&choice->pattern);
+    if (choice->bumps && affine_inverse(inward, &outward)) {
         to = affine_compose(inward, mapped ? unmoved : *place->to);
         from = affine_compose(mapped ? unmoved : *place->from, outward);
         inner.to = &to;
