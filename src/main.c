@@ -1,4 +1,6 @@
 /* glim: scene text -> scene -> world -> picture -> file, for every frame. */
+#include <sys/resource.h>
+
 #include "base/jobserver.h"
 #include "base/memory.h"
 #include "base/parallel.h"
@@ -20,6 +22,10 @@
 #include "scene/fingerprint.h"
 #include "tracer/integrator.h"
 #include "tracer/photons.h"
+
+/* Bytes of the first thread's stack that the system takes for the command line
+ * and the environment. */
+enum { ARGUMENTS_MOST = 6 << 20 };
 
 enum status { DONE = 0, FAILED = 1, INTERRUPTED = 2 };
 
@@ -541,13 +547,29 @@ static void command_run(void *context)
         continue;
 }
 
+/* Lets this thread's stack grow as large as those of others, if the system
+ * does: one that only waited for another would want to run now and then, and
+ * make gave no token for it (base/jobserver.h). */
+static bool stack_grows(void)
+{
+    struct rlimit limit;
+    const rlim_t wanted = PARALLEL_STACK + ARGUMENTS_MOST;
+    if (getrlimit(RLIMIT_STACK, &limit) != 0)
+        return false;
+    if (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < wanted)
+        limit.rlim_cur = wanted;
+    return setrlimit(RLIMIT_STACK, &limit) == 0;
+}
+
 /* Nested scenes and mirrors that face each other need stack, so all is done on
  * one of known size. */
 int main(int argc, char **argv)
 {
     struct command command = { .argc = argc, .argv = argv };
     struct diag diag = diag_new();
-    if (!parallel_call(command_run, &command)) {
+    if (stack_grows()) {
+        command_run(&command);
+    } else if (!parallel_call(command_run, &command)) {
         diag_print(&diag, DIAG_ERROR, span_none(), NULL,
                    "the system gives no thread with a stack of %d MiB",
                    PARALLEL_STACK >> 20);

@@ -103,7 +103,7 @@ static struct head *heap_block(size_t size)
  * touched, and come zeroed. The head is before the first large page, so that a
  * block nobody fills costs no more than a small one; of what is mapped to find
  * large pages the rest is given back. */
-static struct head *mapped_block(size_t size)
+static struct head *mapped_block(size_t size, bool sparse)
 {
     size_t rounded = size + LARGE_PAGE - 1;
     rounded -= rounded % LARGE_PAGE;
@@ -121,22 +121,33 @@ static struct head *mapped_block(size_t size)
         munmap(mapping, (size_t)(from - mapping));
     if (mapping + all > end)
         munmap(end, (size_t)(mapping + all - end));
-    memory_in_large_pages((uintptr_t)block, (uintptr_t)end);
+    if (!sparse)
+        memory_in_large_pages((uintptr_t)block, (uintptr_t)end);
     struct head *head = (struct head *)block - 1;
     *head = (struct head){ from, HEAD_ROOM + rounded };
     return head;
 }
 
-void *memory_new(size_t size)
+static void *memory_block(size_t size, bool sparse)
 {
     struct head *head = NULL;
     if (size < mapped_least)
         head = heap_block(size);
     else if (size < SIZE_MAX - 3 * LARGE_PAGE)
-        head = mapped_block(size);
+        head = mapped_block(size, sparse);
     if (!head)
         memory_exhausted(size);
     return head + 1;
+}
+
+void *memory_new(size_t size)
+{
+    return memory_block(size, false);
+}
+
+void *memory_new_sparse(size_t size)
+{
+    return memory_block(size, true);
 }
 
 void memory_free(void *memory)

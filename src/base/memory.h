@@ -8,6 +8,10 @@
 /* Zeroed memory; freed with memory_free. */
 void *memory_new(size_t size);
 
+/* The same for what may stay untouched for the most part, here and there: then
+ * it costs little. */
+void *memory_new_sparse(size_t size);
+
 /* As realloc: new bytes are not zeroed; `old` may be NULL. */
 void *memory_resize(void *old, size_t size);
 void memory_free(void *memory);

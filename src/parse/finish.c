@@ -3,11 +3,6 @@
 #include "parse/rules.h"
 #include "parse/tables.h"
 
-static const struct unsupported_word finish_unsupported[] = {
-    { KEYWORD_SUBSURFACE, "'subsurface'" },
-    { KEYWORD_NONE, NULL },
-};
-
 /* reflection_item = "falloff" float | "exponent" float
  *                 | "fresnel" [bool] | "metallic" [float] . */
 static bool parse_reflection_item(struct parser *p, struct finish *finish)
@@ -141,6 +136,28 @@ static bool parse_film(struct parser *p, struct finish *finish)
     return block_begin(p, &open) && block_end(p, open, film_items(p, finish));
 }
 
+static bool translucency_items(struct parser *p, struct finish *finish)
+{
+    const struct field *inner = finish_item_find("subsurface")->inner;
+    while (stream_peek(p)->kind != TOKEN_RBRACE) {
+        const struct field *field = accept_field(p, inner);
+        if (!field)
+            return error_unknown_item(p, "subsurface", inner);
+        if (!parse_field(p, field, finish))
+            return false;
+    }
+    return true;
+}
+
+/* translucency = "subsurface" "{" {"translucency" colour} "}" . */
+static bool parse_translucency(struct parser *p, struct finish *finish)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) &&
+           block_end(p, open, translucency_items(p, finish));
+}
+
 /* old_refraction = "ior" float | "refraction" float | "caustics" float .
  * Scenes older than version 3.1: the interior's business today. */
 static bool parse_old_refraction(struct parser *p, struct finish *finish)
@@ -207,15 +224,14 @@ static bool parse_finish_value(struct parser *p, struct finish *finish)
                                     ? finish_field(token->word->text, &place)
                                     : NULL;
     if (!field)
-        return check_supported(p, finish_unsupported) &&
-               error_unknown_thing(p, "finish", finish_words(p), "a finish");
+        return error_unknown_thing(p, "finish", finish_words(p), "a finish");
     stream_next(p);
     return parse_field(p, field, finish_said(p, finish, place));
 }
 
 /* finish_item = finish_value | diffuse | phong | specular | metallic
  *             | reflection | "reflection_exponent" float | film
- *             | old_refraction . */
+ *             | translucency | old_refraction . */
 static bool parse_finish_item(struct parser *p, struct finish *finish)
 {
     switch (stream_keyword(p)) {
@@ -231,6 +247,8 @@ static bool parse_finish_item(struct parser *p, struct finish *finish)
         return parse_reflection(p, finish);
     case KEYWORD_IRID:
         return parse_film(p, finish);
+    case KEYWORD_SUBSURFACE:
+        return parse_translucency(p, finish);
     case KEYWORD_REFLECTION_EXPONENT:
         stream_next(p);
         return parse_float(p, &finish->reflection.exponent);

@@ -8,7 +8,8 @@
     }
 
 /* setting_value = "ambient_light" colour | "irid_wavelength" colour
- *               | "max_trace_level" float | "adc_bailout" float . */
+ *               | "max_trace_level" float | "adc_bailout" float
+ *               | "mm_per_unit" float . */
 const struct field setting_fields[] = {
     SETTING("ambient_light", FIELD_RGB, ambient_light, 0, 0,
             "multiplies every ambient, white"),
@@ -18,6 +19,8 @@ const struct field setting_fields[] = {
             "surfaces a ray may meet one after the other, 5"),
     SETTING("adc_bailout", FIELD_FLOAT, adc_bailout, 0, 0,
             "rays that count for less are not followed, 1/255"),
+    SETTING("mm_per_unit", FIELD_FLOAT, subsurface.mm_per_unit, 1e-9, 1e9,
+            "how long a unit is, for subsurface, 10"),
     { NULL },
 };
 
@@ -27,7 +30,8 @@ static const struct field setting_names[] = {
     { .name = "irid_wavelength" }, { .name = "photons" },
     { .name = "noise_generator" }, { .name = "number_of_waves" },
     { .name = "radiosity" },       { .name = "light_mesh" },
-    { .name = "skeleton" },        { .name = NULL },
+    { .name = "skeleton" },        { .name = "subsurface" },
+    { .name = "mm_per_unit" },     { .name = NULL },
 };
 
 static const struct unsupported_word setting_unsupported[] = {
@@ -91,25 +95,46 @@ static bool parse_noise_setting(struct parser *p)
     return true;
 }
 
+static bool parse_subsurface_samples(struct parser *p, int *samples)
+{
+    enum { SUBSURFACE_SAMPLES_LIMIT = 100000 };
+    struct span span = stream_span(p);
+    if (!parse_integer(p, samples))
+        return false;
+    return (*samples >= 0 && *samples <= SUBSURFACE_SAMPLES_LIMIT) ||
+           error_at(p, span_join(span, p->last_span), "50",
+                    "there are 0 to %d samples", SUBSURFACE_SAMPLES_LIMIT);
+}
+
 /* subsurface_value = "samples" float [","] float | "radiosity" [bool] .
- * Of no effect where no finish has subsurface. */
+ * The light of surfaces goes in where it is known, whatever `radiosity` says.
+ */
 static bool parse_subsurface_value(struct parser *p)
 {
-    double ignored;
+    static const struct field names[] = { { .name = "samples" },
+                                          { .name = "radiosity" },
+                                          { .name = NULL } };
+    int *samples = p->scene->settings.subsurface.samples;
     bool flag;
     if (accept_keyword(p, KEYWORD_RADIOSITY))
-        return parse_bool(p, &flag);
+        return !at_expression(p) || parse_bool(p, &flag);
     if (!accept_word(p, "samples"))
-        return error_unknown_item(p, "subsurface", NULL);
-    if (!parse_float(p, &ignored))
+        return error_unknown_item(p, "subsurface", names);
+    if (!parse_subsurface_samples(p, &samples[0]))
         return false;
     accept(p, TOKEN_COMMA);
-    return parse_float(p, &ignored);
+    return parse_subsurface_samples(p, &samples[1]);
+}
+
+/* subsurface = "subsurface" "{" {subsurface_value} "}" . */
+static bool parse_subsurface(struct parser *p)
+{
+    p->scene->settings.subsurface.on = true;
+    return block_items(p, parse_subsurface_value);
 }
 
 /* setting_without_effect = "charset" name | "max_intersections" float
- *                        | "mm_per_unit" float | "hf_gray_16" [bool]
- *                        | "subsurface" "{" {subsurface_value} "}" . */
+ *                        | "hf_gray_16" [bool] . */
 static bool parse_setting_without_effect(struct parser *p, bool *found)
 {
     bool flag;
@@ -122,13 +147,10 @@ static bool parse_setting_without_effect(struct parser *p, bool *found)
         stream_next(p);
         return true;
     case KEYWORD_MAX_INTERSECTIONS:
-    case KEYWORD_MM_PER_UNIT:
         return skip_item(p);
     case KEYWORD_HF_GRAY_16:
         stream_next(p);
         return parse_bool(p, &flag);
-    case KEYWORD_SUBSURFACE:
-        return block_items(p, parse_subsurface_value);
     default:
         *found = false;
         return true;
@@ -151,7 +173,7 @@ static bool setting_field(struct parser *p, const struct field *field)
     return true;
 }
 
-/* light_setting = light_mesh | skeleton | radiosity | photons . */
+/* light_setting = light_mesh | skeleton | radiosity | photons | subsurface . */
 static bool parse_light_setting(struct parser *p, bool *found)
 {
     *found = true;
@@ -163,6 +185,8 @@ static bool parse_light_setting(struct parser *p, bool *found)
         return parse_radiosity(p);
     if (stream_keyword(p) == KEYWORD_PHOTONS)
         return parse_photons(p);
+    if (stream_keyword(p) == KEYWORD_SUBSURFACE)
+        return parse_subsurface(p);
     *found = false;
     return true;
 }

@@ -239,7 +239,8 @@ static bool render_foresee(struct rendering *rendering,
         return true;
     struct area all = sampler_foreseen(&rendering->sampler);
     size_t places = (size_t)hits->columns * (size_t)hits->rows;
-    hits->at = memory_new(places * sizeof *hits->at);
+    hits->at = (rendering->sampler.sparse ? memory_new_sparse : memory_new)(
+        places * sizeof *hits->at);
     rendering->tiles_total += tiles_in(rendering, all);
     if (!render_pass(rendering, all, &meeting))
         return false;

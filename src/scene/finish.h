@@ -51,6 +51,7 @@ struct finish {
     double crand;    /* grain */
     struct film film;
     struct reflection reflection;
+    rgb translucency; /* mm between scatterings within; black: none */
     bool conserve_energy;
     bool old_filter;      /* before 3.7 a dark colour filters less: see
                            * shade/finish.c */

@@ -23,6 +23,7 @@ struct scene *scene_new(size_t memory_limit)
                                       .tone = { .brightness = 1 } } },
         .radiosity_said = { .tone = { .brightness = 1 }, .recursion_limit = 2 },
         .photons = photon_settings_default(),
+        .subsurface = { .samples = { 50, 50 }, .mm_per_unit = 10 },
     };
     return scene;
 }

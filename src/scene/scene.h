@@ -42,6 +42,13 @@ enum gamma_kind {
 enum { SETTINGS_LEVELS_MAX = 256 }; /* of max_trace_level, as in POV-Ray */
 
 /* global_settings */
+/* subsurface {} */
+struct subsurface_settings {
+    bool on;            /* it was said */
+    int samples[2];     /* of light that was scattered often, and once */
+    double mm_per_unit; /* 10 */
+};
+
 struct settings {
     enum gamma_kind gamma_kind;
     double assumed_gamma;
@@ -55,6 +62,7 @@ struct settings {
     struct light_mesh_settings light_mesh;
     struct skeleton_settings skeleton;
     struct photon_settings photons;
+    struct subsurface_settings subsurface;
 };
 
 /* Whether sky and background light the scene, as with radiosity; else what

@@ -1,3 +1,3 @@
-#declare Shell = finish { subsurface { translucency 0.3 } }
+#declare Shell = pigment { pavement }
 sphere { 0, 1 }
-sphere { 0, 1 finish { Shell } }
+sphere { 0, 1 pigment { Shell } }

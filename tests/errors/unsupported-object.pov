@@ -1,1 +1,1 @@
-sphere { 0, 1 finish { subsurface { translucency 1 } } }
+sphere { 0, 1 normal { pavement } }

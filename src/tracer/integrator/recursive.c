@@ -27,6 +27,7 @@
 #include "tracer/crossing.h"
 #include "tracer/integrator.h"
 #include "tracer/photons.h"
+#include "tracer/subsurface.h"
 
 enum {
     SURFACES_MAX = 1000 * 1000, /* a ray passes straight through */
@@ -122,10 +123,12 @@ static void gather_sample(void *context, const struct light_sample *sample)
 }
 
 /* The light that the surface itself sends to the viewer. */
-static rgb path_shade(const struct path *path, const struct surface *surface)
+static rgb path_shade(const struct path *path, struct crossing *crossing)
 {
     const struct tracer *tracer = path->tracer;
-    struct gathering gathering = { surface, rgb_grey(0) };
+    const struct surface *surface = &crossing->surface;
+    rgb within = subsurface_light(tracer, path->worker, path->kind, crossing);
+    struct gathering gathering = { surface, within };
     struct diffuse_light diffuse =
         tracer->lighting->illuminate(tracer->lighting_state, path->worker,
                                      surface, gather_sample, &gathering);
@@ -297,7 +300,7 @@ static bool path_cross(struct path *path, struct crossing *crossing)
     }
     if (path->worker->telling)
         path_tell_meeting(path, &crossing->at);
-    rgb light = path_shade(path, &crossing->surface);
+    rgb light = path_shade(path, crossing);
     if (path->worker->telling)
         path_tell_light(path, light);
     path_gather(path, light);

@@ -1,0 +1,16 @@
+/* Light that comes out of a surface elsewhere than it went in: finish
+ * { subsurface }, in scenes whose global_settings { subsurface } turn it on.
+ * Elsewhere, and for light that goes on to other surfaces, such a finish is a
+ * diffuse one that sends back as much. */
+#ifndef TRACER_SUBSURFACE_H
+#define TRACER_SUBSURFACE_H
+
+#include "tracer/crossing.h"
+#include "tracer/tracer.h"
+
+/* Takes the diffuse light of those layers of the surface that light goes
+ * through, and leaves them without: to be called before the surface is lit. */
+rgb subsurface_light(const struct tracer *tracer, struct worker *worker,
+                     enum ray_kind kind, struct crossing *crossing);
+
+#endif
