@@ -474,6 +474,8 @@ static bool options_resolve(struct option_reader *reader)
     reader->diag->quiet_messages = !options->messages;
     reader->diag->quiet_warnings =
         !options->warnings || options->warning_level == 0;
+    if (options->action == ACTION_LANGUAGE_SERVER)
+        return permits_resolve(reader);
     if (options_answers(options))
         return true;
     if (!options_find_input(reader) || !options_resolve_picture(reader) ||

@@ -134,7 +134,8 @@ static void conf_line(struct conf *conf, struct text_piece line)
 static bool conf_read(struct option_reader *reader, const char *path)
 {
     const char *problem = NULL;
-    struct permit_list list = { .where = path };
+    struct permit_list list = { .where = path,
+                                .above = strcmp(path, system_conf) == 0 };
     struct conf conf = { .reader = reader, .list = &list };
     if (access(path, F_OK) != 0)
         return true;
@@ -157,21 +158,6 @@ static bool conf_read(struct option_reader *reader, const char *path)
     return true;
 }
 
-/* The directory above the scene's, unless it holds the homes of all users, or
- * everything. */
-static const char *folder_above(struct option_reader *reader,
-                                const char *folder)
-{
-    char real[PATH_MAX];
-    if (!realpath(folder, real))
-        return folder;
-    char *slash = strrchr(real, '/');
-    *slash = '\0';
-    return strrchr(real, '/') > real
-               ? arena_copy_text(reader->arena, real, strlen(real))
-               : folder;
-}
-
 /* What was named by who called the program is not the scene's to choose. */
 static void permits_add_named(struct option_reader *reader)
 {
@@ -182,12 +168,8 @@ static void permits_add_named(struct option_reader *reader)
                                : ".";
     for (size_t i = 0; i < reader->permits.count; i++) {
         struct permit_list *list = &reader->permits.items[i];
-        const char *top = strcmp(list->where, system_conf) == 0
-                              ? folder_above(reader, folder)
-                              : folder;
         if (scene && strcmp(scene, "-") != 0)
-            permit_add(list, reader->arena,
-                       (struct permit){ top, true, false });
+            permit_beside(list, reader->arena, folder);
         for (size_t k = 0; k < reader->library.count; k++)
             permit_add(
                 list, reader->arena,

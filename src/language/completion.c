@@ -295,7 +295,9 @@ static bool file_has_kind(const char *name, enum file_kind kind)
 static void completion_folder(struct completion *c, const char *folder,
                               int order)
 {
-    DIR *directory = opendir(folder);
+    const struct permits *permits = &c->request->server->library.permits;
+    DIR *directory =
+        permits_denier_of(permits, folder) ? NULL : opendir(folder);
     struct dirent *entry;
     struct stat status;
     while (directory && (entry = readdir(directory)) != NULL) {

@@ -28,6 +28,7 @@ struct evaluation_work {
     const char **folders;
     size_t folder_count;
     const char *const *standard;
+    struct permits permits;
     struct {
         struct unsaved *items;
         size_t count, capacity;
@@ -174,6 +175,7 @@ static void work_run(void *context)
         .include_paths = work->folders,
         .include_path_count = work->folder_count,
         .standard_paths = work->standard,
+        .permits = &work->permits,
         .image_width = 160,
         .image_height = 120,
         .memory_limit = MEMORY,
@@ -199,6 +201,20 @@ static const char *folder_of(struct arena *arena, const char *path)
                  : ".";
 }
 
+/* A copy: files that are opened meanwhile add to the lists. */
+static void work_permit(struct evaluation_work *work,
+                        const struct permits *permits)
+{
+    struct arena *arena = work->sources;
+    for (size_t i = 0; i < permits->count; i++) {
+        const struct permit_list *list = &permits->items[i];
+        struct permit_list *copy =
+            permits_begin(&work->permits, arena, list->where);
+        for (size_t k = 0; k < list->count; k++)
+            *ARRAY_PUSH(arena, copy) = list->items[k];
+    }
+}
+
 static void work_take(struct evaluation_work *work, struct library *library,
                       const struct page *main)
 {
@@ -220,6 +236,7 @@ static void work_take(struct evaluation_work *work, struct library *library,
     work->folder_count = library->folder_count + 1;
     work->folders = ARENA_ARRAY(arena, const char *, work->folder_count + 1);
     work->standard = library->standard;
+    work_permit(work, &library->permits);
     work->folders[0] = folder_of(arena, main->path);
     for (size_t i = 0; i < library->folder_count; i++)
         work->folders[i + 1] = library->folders[i];

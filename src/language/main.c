@@ -1,5 +1,7 @@
-/* glim-language-server [+LDIR ...] [+SDIR ...]: what `glim --language-server`
- * runs, with the folders that it would search itself; +S those of POV-Ray. */
+/* glim-language-server [+LDIR ...] [+SDIR ...] [+RWHO or +AWHO
+ * [+DDIR +BDIR +TDIR ...] ...]: what `glim --language-server` runs, with the
+ * folders that it would search itself, +S those of POV-Ray, and what scenes may
+ * read (cli/language.c). */
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
@@ -26,8 +28,16 @@ static void session_run(void *context)
     const char **standard =
         ARENA_ARRAY(arena, const char *, (size_t)session->argc);
     size_t standard_count = 0;
+    struct permit_list *list = NULL;
     for (int i = 1; i < session->argc; i++) {
         const char *folder = session->argv[i] + 2;
+        char letter = session->argv[i][1];
+        if (letter == 'R' || letter == 'A') {
+            list = permits_begin(&server.library.permits, arena, folder);
+            list->above = letter == 'A';
+        } else if (list && strchr("DBT", letter))
+            permit_add(list, arena,
+                       (struct permit){ folder, letter != 'D', letter == 'T' });
         if (strncmp(session->argv[i], "+L", 2) == 0)
             folders[server.library.folder_count++] = folder;
         if (strncmp(session->argv[i], "+S", 2) == 0)

@@ -179,6 +179,21 @@ static struct page *page_new(struct library *library, char *uri,
     return page;
 }
 
+/* What is beside a file that the editor has opened may be read, as beside a
+ * scene that glim is to draw. */
+static void page_permit(struct library *library, const struct page *page)
+{
+    char *folder = text_keep(page->path, strlen(page->path));
+    char *slash = strrchr(folder, '/');
+    if (slash)
+        slash[slash == folder] = '\0';
+    for (size_t i = 0; slash && i < library->permits.count &&
+                       permits_denier_of(&library->permits, folder);
+         i++)
+        permit_beside(&library->permits.items[i], library->arena, folder);
+    memory_free(folder);
+}
+
 struct page *page_add(struct library *library, const char *uri,
                       const char *text, size_t length)
 {
@@ -189,6 +204,7 @@ struct page *page_add(struct library *library, const char *uri,
             page_new(library, text_keep(uri, strlen(uri)), path ? path : uri);
     memory_free(path);
     page->open = true;
+    page_permit(library, page);
     page_replace(page, text, length);
     return page;
 }
@@ -225,7 +241,8 @@ struct page *page_of_file(struct library *library, const char *path)
     struct page *page = page_find(library, path);
     if (page && page->open)
         return page;
-    bool there = stat(path, &status) == 0 && S_ISREG(status.st_mode);
+    bool there = stat(path, &status) == 0 && S_ISREG(status.st_mode) &&
+                 !permits_denier(&library->permits, path);
     if (there && page && page->changed.tv_sec == status.st_mtim.tv_sec &&
         page->changed.tv_nsec == status.st_mtim.tv_nsec)
         return page;

@@ -7,6 +7,7 @@
 #include <jansson.h>
 #include <time.h>
 
+#include "text/permit.h"
 #include "token/lexer.h"
 
 struct place {
@@ -44,6 +45,8 @@ struct library {
     struct word_table *words;
     const char *const *folders; /* to search for files */
     size_t folder_count;
+    struct permits permits; /* what may be read; of the files that the editor
+                             * opens also what is beside them */
     const char *const *standard; /* those of them that are POV-Ray's; a NULL
                                   * ends them */
 };

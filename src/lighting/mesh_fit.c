@@ -49,6 +49,7 @@ static struct census mesh_census(const struct mesh_lighting *mesh,
         .indirect_view = mesh->indirect_view,
         .pixels = options->width > 0 ? (double)options->width * options->height
                                      : usual_pixels,
+        .stop = options->stop,
     };
 }
 
@@ -74,6 +75,11 @@ static bool mesh_crowded(const struct mesh_lighting *mesh,
     return census_crowding(&census) > 1;
 }
 
+static bool mesh_fit_stopped(const struct lighting_options *options)
+{
+    return options->stop && atomic_load(options->stop);
+}
+
 bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
               const struct interpolation *interpolation,
               const struct outlook *outlook,
@@ -83,12 +89,15 @@ bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
     int coarser = 0;
     mesh_make(mesh, scene, interpolation);
     mesh_afford(mesh, scene, interpolation, options);
-    while (coarser < SPACINGS_MOST && mesh_crowded(mesh, scene, options)) {
+    while (coarser < SPACINGS_MOST && mesh_crowded(mesh, scene, options) &&
+           !mesh_fit_stopped(options)) {
         mesh->stamp.frame =
             plan_frame(scene, outlook, &mesh->survey, ++coarser);
         mesh_make(mesh, scene, interpolation);
         mesh_afford(mesh, scene, interpolation, options);
     }
+    if (mesh_fit_stopped(options))
+        return false;
     if (!(said->density > 0) || coarser == 0)
         return true;
     double density = 1 / mesh->stamp.frame.spacing;

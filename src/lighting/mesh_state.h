@@ -38,8 +38,8 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
 void mesh_clear(struct mesh_lighting *mesh);
 
 /* Meshes whose points have room, as near to each other as the scene and the
- * picture want, or less. Returns false after an error was printed: as near as
- * was said they have none. */
+ * picture want, or less. Returns false when stopped, or after an error was
+ * printed: as near as was said they have none. */
 bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
               const struct interpolation *interpolation,
               const struct outlook *outlook,

@@ -132,12 +132,18 @@ static double tally_crowding(const struct tally *tally, double rays,
     return most;
 }
 
+static bool census_stopped(const struct tally *tally)
+{
+    const atomic_int *stop = tally->census->stop;
+    return stop && atomic_load(stop);
+}
+
 /* The tally of edge times edge rays; few: of a quarter of them. */
 static void census_take(struct tally *tally, int edge, double few[TALLIES])
 {
     /* Places with even numbers, and then all others. */
     for (int all = 0; all < 2; all++) {
-        for (int i = 0; i < edge * edge; i++) {
+        for (int i = 0; i < edge * edge && !census_stopped(tally); i++) {
             int column = i % edge, row = i / edge;
             if ((column % 2 == 0 && row % 2 == 0) == !all)
                 tally_ray(tally, (column + 0.5) / edge, (row + 0.5) / edge,

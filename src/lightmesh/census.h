@@ -3,6 +3,8 @@
 #ifndef LIGHTMESH_CENSUS_H
 #define LIGHTMESH_CENSUS_H
 
+#include <stdatomic.h>
+
 #include "lightmesh/direct.h"
 #include "lightmesh/indirect.h"
 #include "scene/scene.h"
@@ -14,6 +16,8 @@ struct census {
     const struct indirect_mesh *indirect;           /* or NULL */
     struct lattice_view direct_view, indirect_view; /* of the camera */
     double pixels;                                  /* of the picture, > 0 */
+    const atomic_int *stop; /* non-zero: leave off, and count what there is;
+                             * NULL: never */
 };
 
 /* The largest number of points for which there is room once, over the meshes:

@@ -141,13 +141,16 @@ static bool height_sample(struct parser *p, struct span span,
 {
     unsigned long left = HEIGHT_STEPS;
     size_t i = 0;
-    for (int y = 0; y < grid->height; y++)
+    for (int y = 0; y < grid->height; y++) {
+        if (stream_stopped(p))
+            return false;
         for (int x = 0; x < grid->width && left > 0; x++) {
             vec3 point = { (double)x / (grid->width - 1),
                            (double)y / (grid->height - 1), 0 };
             grid->heights[i++] =
                 height_of_value(height_value(function, point, &left));
         }
+    }
     return left > 0 || height_too_slow(p, span);
 }
 

@@ -68,12 +68,15 @@ bool parse_image_of_function(struct parser *p, const struct image **out)
     *image = (struct image){ .width = width, .height = height };
     image->pixels = ARENA_ARRAY(p->scene_arena, float, 4 * (size_t)pixels);
     bool slow = pixels * function->work > PICTURE_STEPS;
-    for (int y = 0; y < height && !slow; y++)
+    for (int y = 0; y < height && !slow; y++) {
+        if (stream_stopped(p))
+            return false;
         for (int x = 0; x < width && left > 0; x++) {
             vec3 point = { width > 1 ? (double)x / (width - 1) : 0,
                            height > 1 ? (double)y / (height - 1) : 0, 0 };
             picture_pixel(function, point, &left, image_pixel(image, x, y));
         }
+    }
     *out = image;
     return (!slow && left > 0) ||
            error_at(p, span, NULL,

@@ -17,10 +17,10 @@ const struct field rainbow_fields[] = {
     RAINBOW("angle", FIELD_FLOAT, angle, 0, 0,
             "of its radius, degrees as seen from the camera"),
     RAINBOW("width", FIELD_FLOAT, width, 0, 0, "of its band, degrees"),
-    RAINBOW("arc_angle", FIELD_FLOAT, arc, 0, 0,
-            "how much of the circle there is, 180 degrees"),
-    RAINBOW("falloff_angle", FIELD_FLOAT, falloff, 0, 0,
-            "how much of that has full colour, 180 degrees"),
+    RAINBOW("arc_angle", FIELD_FLOAT, arc, 0, 360,
+            "degrees of its circle that there are; all, and full"),
+    RAINBOW("falloff_angle", FIELD_FLOAT, falloff, 0, 360,
+            "degrees of arc_angle that have full colour; all"),
     RAINBOW("distance", FIELD_FLOAT, distance, 0, 0,
             "after which 1/e of what is behind is left"),
     RAINBOW("jitter", FIELD_FLOAT, jitter, 0, 0, "grain of its colours, 0"),
@@ -60,7 +60,7 @@ static bool rainbow_check(struct parser *p, struct rainbow *rainbow)
     if (!rainbow->map)
         return error_at(p, span, "color_map { [0 rgbt 1] [1 rgb 1] }",
                         "a rainbow needs a color_map");
-    if (rainbow->falloff > rainbow->arc)
+    if (isfinite(rainbow->falloff) && rainbow->falloff > rainbow->arc)
         return error_at(p, span, NULL,
                         "falloff_angle is %g; it can't be more than "
                         "arc_angle, %g",
@@ -72,10 +72,10 @@ static bool rainbow_check(struct parser *p, struct rainbow *rainbow)
 static bool rainbow_items(struct parser *p, struct rainbow *rainbow)
 {
     const struct value *value = accept_value(p, VALUE_RAINBOW);
-    *rainbow =
-        value
-            ? *value->rainbow
-            : (struct rainbow){ .up = { 0, 1, 0 }, .arc = 180, .falloff = 180 };
+    *rainbow = value ? *value->rainbow
+                     : (struct rainbow){ .up = { 0, 1, 0 },
+                                         .arc = HUGE_VAL,
+                                         .falloff = HUGE_VAL };
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         if (!parse_rainbow_item(p, rainbow))
             return false;

@@ -152,12 +152,18 @@ static bool stream_leave(struct parser *p, bool infix)
     return false;
 }
 
+bool stream_stopped(struct parser *p)
+{
+    bool stopped = p->options->stop && *p->options->stop;
+    if (stopped)
+        stream_abort(p);
+    return stopped;
+}
+
 static bool stream_interrupted(struct parser *p)
 {
-    if (p->options->stop && *p->options->stop) {
-        stream_abort(p);
+    if (stream_stopped(p))
         return true;
-    }
     size_t limit = arena_limit(p->arena);
     if (arena_used(p->arena) + arena_used(p->scene_arena) +
             arena_used(p->sources) <=

@@ -79,6 +79,10 @@ void stream_skip_raw(struct parser *p, size_t n);
 bool stream_round(struct parser *p, unsigned cost, struct span span);
 unsigned stream_round_limit(const struct parser *p); /* of one loop */
 
+/* Whether the parse is to be given up, quietly; then it is. For work that takes
+ * long without reading a token. */
+bool stream_stopped(struct parser *p);
+
 /* Stops the parse: from now on there is only TOKEN_END. */
 void stream_abort(struct parser *p);
 

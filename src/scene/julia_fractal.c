@@ -50,7 +50,8 @@ void julia_fractal_init(struct julia_fractal *fractal)
 
 /* What stays has |z z + c| <= limit, so that |z z| <= limit + |c| one step
  * before; |z z| is |z|^2 of a quaternion, and of a hypercomplex number between
- * |z|^2 and the root of 2 times that. Nothing is known of other functions. */
+ * |z|^2 and the root of 2 times that. Nothing is known of other functions, nor
+ * where what was larger may come back. */
 static void julia_limit(struct julia_fractal *f, double c, struct arena *arena)
 {
     bool hypercomplex = f->algebra == JULIA_HYPERCOMPLEX;
@@ -71,6 +72,18 @@ static void julia_limit(struct julia_fractal *f, double c, struct arena *arena)
                            : hypercomplex ? sqrt(2) * square + c
                                           : square + c;
     }
+}
+
+/* The radius is measured. What is larger than it, r, is at least r^2 - |c|
+ * after a step: no smaller, if |c| is at most r^2 - r. */
+static void julia_ends(struct julia_fractal *f, double c)
+{
+    bool quaternion = f->algebra == JULIA_QUATERNION;
+    double most = quaternion ? 2 : 4;
+    f->radius = quaternion ? fmin(1 + c, most) : most;
+    f->polynomial =
+        c <= most * (most - 1) &&
+        (quaternion || f->function->value == julia_function_at(0)->value);
 }
 
 /* The slice's normal is made a unit, its distance stays (measured). */
@@ -97,9 +110,7 @@ static const char *julia_prepare(void *shape, struct arena *arena,
     }
     f->w[3] = f->slice[4] * sqrt(length2) / f->slice[3];
     f->stretch = sqrt(tilt);
-    f->radius = f->algebra == JULIA_QUATERNION ? 1 + sqrt(c2) : 4;
-    f->polynomial = f->algebra == JULIA_QUATERNION ||
-                    f->function->value == julia_function_at(0)->value;
+    julia_ends(f, sqrt(c2));
     julia_limit(f, sqrt(c2), arena);
     return NULL;
 }
@@ -133,17 +144,31 @@ static double march_step(const struct march *m)
     return fmax(m->fate.distance, m->least) / m->speed;
 }
 
+/* Above 0 where the point at t is gone: julia_orbit_beyond, but for what went
+ * and came back before the last step. */
+static double march_beyond(const struct march *m, double t)
+{
+    const double little = 1e-3;
+    vec3 point = ray_point(m->ray, t);
+    double beyond = julia_orbit_beyond(m->fractal, point);
+    struct julia_fate fate;
+    if (m->fractal->polynomial)
+        return beyond;
+    julia_fate_find(m->fractal, point, &fate);
+    return fate.gone == (beyond > 0) ? beyond : fate.gone ? little : -little;
+}
+
 /* The crossing between a and b (regula falsi, the Illinois variant). */
 static double march_refine(const struct march *m, double a, double b)
 {
-    double at_a = julia_orbit_beyond(m->fractal, ray_point(m->ray, a));
-    double at_b = julia_orbit_beyond(m->fractal, ray_point(m->ray, b));
+    double at_a = march_beyond(m, a);
+    double at_b = march_beyond(m, b);
     double enough = 1e-7 * m->fractal->radius / m->speed;
     for (int i = 1; i < JULIA_ROUNDS && b - a > enough; i++) {
         double t = a - at_a * (b - a) / (at_b - at_a);
         if (i % 4 == 0 || !(t > a && t < b))
             t = 0.5 * (a + b);
-        double at_t = julia_orbit_beyond(m->fractal, ray_point(m->ray, t));
+        double at_t = march_beyond(m, t);
         if ((at_t <= 0) == (at_a <= 0)) {
             a = t;
             at_a = at_t;
@@ -154,17 +179,18 @@ static double march_refine(const struct march *m, double a, double b)
             at_a /= 2;
         }
     }
-    return 0.5 * (a + b);
+    return at_a <= 0 ? a : b; /* the one that stays: its slope is the last's */
 }
 
-/* Where the ray is in the ball around it. */
+/* Where the ray is in the ball around it, a little within: where the ball cuts
+ * through what stays there is no surface (measured). */
 static bool march_start(struct march *m, double *tmin, double *tmax)
 {
     vec3 o = m->ray->origin, d = m->ray->direction;
     double dd = vec3_dot(d, d), middle = -vec3_dot(o, d) / dd;
     vec3 nearest = vec3_along(o, d, middle);
     const struct julia_fractal *f = m->fractal;
-    double radius = f->limits[0];
+    double radius = f->limits[0] * (1 - 1e-6);
     double rest = radius * radius - vec3_dot(nearest, nearest);
     if (!(rest > 0))
         return false;

@@ -20,7 +20,7 @@ struct julia_fractal {
     enum julia_algebra algebra;
     const struct julia_function *function; /* of hypercomplex numbers */
     bool cube;                             /* of quaternions */
-    bool polynomial;                       /* sizes after a step are known */
+    bool polynomial;                       /* what is gone goes ever farther */
     double power[2];                       /* of pwr() */
     int iterations;
     double precision; /* needless */
@@ -28,7 +28,7 @@ struct julia_fractal {
     /* Made by prepare: */
     double w[4];    /* the fourth number is w . (x, y, z, 1) */
     double stretch; /* of a way in space on the slice, at most */
-    double radius;  /* a number of that size after the last step is gone */
+    double radius;  /* a number that is larger after a step is gone */
     double *limits; /* what stays is no larger after each step, JULIA_MORE
                      * beyond the last included */
 };

@@ -1,7 +1,8 @@
 /* Rainbows: see rainbow.h. Measured on POV-Ray 3.7: colour_map runs over the
  * band; like fog it hides what is behind with distance, but leaves at least
  * what its colour transmits, and its filter counts as far as it hides; from
- * `falloff` to `arc`, both halved about `up`, it fades by s^2 (3 - 2 s). */
+ * `falloff` to `arc`, both halved about `up`, it fades by s^2 (3 - 2 s); where
+ * no arc was said there is no fading. */
 #include "shade/rainbow.h"
 
 #include <string.h>
@@ -33,7 +34,7 @@ static vec3 vec3_across(vec3 a, vec3 unit)
 static double rainbow_share(const struct rainbow *rainbow, vec3 direction)
 {
     double half = rainbow->arc / 2, full = rainbow->falloff / 2;
-    if (rainbow->arc >= 360 && rainbow->falloff >= 360)
+    if (!isfinite(rainbow->arc))
         return 1;
     double away = degrees_between(vec3_across(direction, rainbow->direction),
                                   vec3_across(rainbow->up, rainbow->direction));

@@ -98,3 +98,24 @@ const struct permit_list *permits_denier(const struct permits *permits,
     return realpath(folder, at.named) ? denier(permits, &at)
                                       : &permits->items[0];
 }
+
+/* NULL: all users' homes are there, or everything. */
+static const char *folder_above(const char *folder, struct arena *arena)
+{
+    char real[PATH_MAX];
+    if (!realpath(folder, real))
+        return NULL;
+    char *slash = strrchr(real, '/');
+    *slash = '\0';
+    return strrchr(real, '/') > real
+               ? arena_copy_text(arena, real, strlen(real))
+               : NULL;
+}
+
+void permit_beside(struct permit_list *list, struct arena *arena,
+                   const char *folder)
+{
+    const char *above = list->above ? folder_above(folder, arena) : NULL;
+    permit_add(list, arena,
+               (struct permit){ above ? above : folder, true, false });
+}

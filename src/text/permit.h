@@ -16,6 +16,7 @@ struct permit {
 /* What one file or option permits. */
 struct permit_list {
     const char *where; /* that says so: a file's name, an option */
+    bool above; /* a scene may read what is in the directory above its own */
     struct permit *items;
     size_t count, capacity;
 };
@@ -34,6 +35,11 @@ struct permit_list *permits_begin(struct permits *permits, struct arena *arena,
  * one, now. One that doesn't exist is left out. */
 void permit_add(struct permit_list *list, struct arena *arena,
                 struct permit permit);
+
+/* Permits what is in the directory of a scene and deeper; if the list says so
+ * in that above it, unless that holds the homes of all users, or everything. */
+void permit_beside(struct permit_list *list, struct arena *arena,
+                   const char *folder);
 
 /* The first list that does not permit to read the file at `path`, which exists:
  * links and ".." are followed first. NULL: it may be read. `permits` may be

@@ -66,7 +66,7 @@ static void view_mouse_move(struct view *view,
     view->dirty = view->dirty || view->box || view->side == SIDE_SPLIT ||
                   view->status.shown;
     if (view->drag == DRAG_NONE || view->drag == DRAG_BOX ||
-        (across == 0 && down == 0))
+        !view_has_scene(view) || (across == 0 && down == 0))
         return;
     view->last[0] = event->x;
     view->last[1] = event->y;
@@ -95,6 +95,8 @@ static void view_mouse_up(struct view *view, const SDL_MouseButtonEvent *event)
 
 static void view_wheel(struct view *view, int steps)
 {
+    if (!view_has_scene(view))
+        return;
     fly_dolly(&view->camera, view_pivot(view), pow(0.9, steps));
     view_moved(view);
 }
@@ -227,6 +229,7 @@ static bool view_script(struct view *view)
         .first = view->status.first,
         .finished = view->status.finished,
         .shown = view->shown,
+        .worked = view->worked,
     };
     if (!view->script)
         return true;
@@ -236,8 +239,10 @@ static bool view_script(struct view *view)
 static void view_painted(struct view *view)
 {
     view->dirty = false;
-    if (view->shown == 0 && view->status.first > 0)
-        view->shown = clock_seconds();
+    if (view->shown > 0 || view->status.first == 0)
+        return;
+    view->shown = clock_seconds();
+    view->worked = clock_worked();
 }
 
 static void view_loop(struct view *view, const atomic_int *stop)

@@ -24,7 +24,8 @@ struct script {
     int count;       /* of words */
     bool waiting;    /* the line at work is not done */
     double since;    /* waited */
-    double did;      /* clock_seconds, of the last key or change of a file */
+    double did;      /* clock_seconds, of the last key or change of a file, */
+    double worked;   /* and clock_worked */
     unsigned number; /* of the picture when it began to wait */
     bool failed;
 };
@@ -210,13 +211,19 @@ static bool script_waited(struct script *script,
     return waited >= script_number(script, 1);
 }
 
+static void script_did(struct script *script)
+{
+    script->did = clock_seconds();
+    script->worked = clock_worked();
+}
+
 static bool script_append(struct script *script, struct diag *diag)
 {
     FILE *file = fopen(script->words[1], "a");
     if (!file)
         return script_fail(script, diag, "there is no such file to append to");
     fprintf(file, "%s\n", script->words[2]);
-    script->did = clock_seconds();
+    script_did(script);
     fclose(file);
     return true;
 }
@@ -227,7 +234,7 @@ static bool script_do(struct script *script, struct window *window,
 {
     const char *word = script->words[0];
     if (strcmp(word, "key") == 0 || strcmp(word, "drag") == 0)
-        script->did = clock_seconds();
+        script_did(script);
     if (strcmp(word, "key") == 0)
         return script_key(script, diag);
     if (strcmp(word, "click") == 0)
@@ -252,8 +259,10 @@ static bool script_do(struct script *script, struct window *window,
         puts(script->words[1]);
         fflush(stdout);
     } else if (strcmp(word, "times") == 0) {
-        printf("first %.3f finished %.3f shown %.3f\n", state->first,
-               state->finished, fmax(0, state->shown - script->did));
+        printf("first %.3f finished %.3f shown %.3f worked %.3f\n",
+               state->first, state->finished,
+               fmax(0, state->shown - script->did),
+               fmax(0, state->worked - script->worked));
         fflush(stdout);
     } else if (strcmp(word, "quit") == 0)
         script_quit();

@@ -28,8 +28,9 @@ struct script_state {
     bool wrong;             /* the text is wrong */
     unsigned number;        /* counts pictures that were finished or failed */
     double first, finished; /* seconds, of the last one */
-    double shown; /* clock_seconds when the window first showed something of
-                   * what was wished for last; 0: not yet */
+    double shown;  /* clock_seconds when the window first showed something of
+                    * what was wished for last; 0: not yet */
+    double worked; /* clock_worked, then */
 };
 
 /* NULL after an error was printed: a file that can't be read, or a wrong line.

@@ -107,6 +107,13 @@ void view_set(struct view *view, const char *option, const char *value)
     }
 }
 
+bool view_has_scene(struct view *view)
+{
+    if (!view->camera.kind)
+        view_say(view, false, "there is no scene yet");
+    return view->camera.kind;
+}
+
 void view_moved(struct view *view)
 {
     if (!fly_free(&view->camera)) {

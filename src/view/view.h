@@ -40,6 +40,7 @@ struct view {
     unsigned finished; /* counts pictures that were finished, or failed */
     bool busy;         /* the last one isn't yet */
     double shown;      /* clock_seconds, of something of it; 0: not yet */
+    double worked;     /* clock_worked, likewise */
 
     SDL_Rect picture;  /* where it is in the window */
     SDL_Rect slider;   /* of time; empty: no animation */
@@ -88,6 +89,9 @@ void view_set(struct view *view, const char *option, const char *value);
 
 /* Its value, or NULL: the window didn't set it. */
 const char *view_get(const struct view *view, const char *option);
+
+/* Whether there was a scene to move in; else says so. */
+bool view_has_scene(struct view *view);
 
 /* Wishes for the camera as it is now. */
 void view_moved(struct view *view);

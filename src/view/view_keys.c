@@ -35,12 +35,16 @@ static void press_save(struct view *view, int amount)
 
 static void press_orbit_across(struct view *view, int amount)
 {
+    if (!view_has_scene(view))
+        return;
     fly_orbit(&view->camera, view_pivot(view), turn_step * amount, 0);
     view_moved(view);
 }
 
 static void press_orbit_up(struct view *view, int amount)
 {
+    if (!view_has_scene(view))
+        return;
     fly_orbit(&view->camera, view_pivot(view), 0, turn_step * amount);
     view_moved(view);
 }
@@ -52,30 +56,40 @@ static double view_distance(struct view *view)
 
 static void press_pan_across(struct view *view, int amount)
 {
+    if (!view_has_scene(view))
+        return;
     fly_pan(&view->camera, view_distance(view), pan_step * amount, 0);
     view_moved(view);
 }
 
 static void press_pan_up(struct view *view, int amount)
 {
+    if (!view_has_scene(view))
+        return;
     fly_pan(&view->camera, view_distance(view), 0, pan_step * amount);
     view_moved(view);
 }
 
 static void press_dolly(struct view *view, int amount)
 {
+    if (!view_has_scene(view))
+        return;
     fly_dolly(&view->camera, view_pivot(view), pow(dolly_step, amount));
     view_moved(view);
 }
 
 static void press_walk(struct view *view, int amount)
 {
+    if (!view_has_scene(view))
+        return;
     fly_walk(&view->camera, view_distance(view) * walk_step * amount, 0);
     view_moved(view);
 }
 
 static void press_turn(struct view *view, int amount)
 {
+    if (!view_has_scene(view))
+        return;
     fly_turn(&view->camera, turn_step * amount, 0);
     view_moved(view);
 }
@@ -83,6 +97,8 @@ static void press_turn(struct view *view, int amount)
 static void press_back(struct view *view, int amount)
 {
     (void)amount;
+    if (!view_has_scene(view))
+        return;
     view->camera = view->status.camera;
     view->wish.moved = false;
     view_wish(view);
@@ -94,6 +110,8 @@ static void press_camera(struct view *view, int amount)
     char *said = NULL;
     size_t size;
     (void)amount;
+    if (!view_has_scene(view))
+        return;
     if (!fly_free(&view->camera) || view->camera.normal) {
         view_say(view, false,
                  "this camera's block can only be copied from the file");
@@ -275,7 +293,8 @@ static void press_quality(struct view *view, int amount)
 /* Shows the view of that name, by a lighting that has it; NULL: none. */
 static void view_overlay(struct view *view, const char *name)
 {
-    const char *lighting = view->status.lighting;
+    const char *lighting =
+        view->status.lighting ? view->status.lighting : lighting_at(0)->name;
     const struct lighting *now = integrator_lighting_find(lighting);
     for (size_t i = 0; name && !(now && lighting_view(now, name)); i++)
         now = lighting_at(i);
@@ -299,9 +318,11 @@ static void press_next_show(struct view *view, int amount)
 {
     enum { MOST = 16 };
     const char *names[MOST] = { NULL };
+    (void)amount;
+    if (!view_has_scene(view))
+        return;
     const struct lighting *now =
         integrator_lighting_find(view->status.lighting);
-    (void)amount;
     for (size_t i = 0; now && now->views && i < MOST - 1; i++) {
         names[i] = now->views[i].name;
         if (!names[i])

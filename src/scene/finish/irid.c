@@ -2,9 +2,9 @@
 #include "scene/finish.h"
 #include "scene/noise.h"
 
-/* Measured: 1 + amount cos(2 pi d (lamp + viewer) / wavelength), and the
- * thickness d varies by turbulence * (2 noise - 1), the noise that of the world
- * with 5 octaves. */
+/* Measured: 1 + amount cos(2 pi d (lamp + viewer) / wavelength), from behind as
+ * from in front, and the thickness d varies by turbulence * (2 noise - 1), the
+ * noise that of the world with 5 octaves. */
 static double film_depth(const struct film *film, vec3 point)
 {
     const struct turbulence noise = { { 1, 1, 1 }, 5, 0.5, 2 };
@@ -26,7 +26,7 @@ static rgb irid_tint(const void *said, vec3 point, double lamp, double viewer)
     const struct film *film = &((const struct finish *)said)->film;
     if (film->amount < 0)
         return rgb_grey(1);
-    double way = film_depth(film, point) * (lamp + viewer);
+    double way = film_depth(film, point) * (fabs(lamp) + fabs(viewer));
     return (rgb){ film_wave(film, way, film->wavelength.r),
                   film_wave(film, way, film->wavelength.g),
                   film_wave(film, way, film->wavelength.b) };
