@@ -149,8 +149,9 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
                                       .lamps = &mesh->lamps,
                                       .direct = mesh->direct };
     if (mesh->indirect && options->width > 0)
-        mesh->indirect_pixels = indirect_pixels_new(
-            mesh->indirect, &scene->camera, options->width, options->height);
+        mesh->indirect_pixels =
+            indirect_pixels_new(mesh->indirect, &scene->camera, options->width,
+                                options->height, options->threads);
     mesh_report_on(mesh);
     return mesh;
 }

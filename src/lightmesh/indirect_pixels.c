@@ -16,6 +16,8 @@ struct indirect_pixels {
     double width, height; /* of the picture, in steps of the grid */
     uint64_t columns;
     struct table *corners;
+    unsigned threads;
+    struct lone_places *lone; /* of each worker */
 };
 
 /* What is known at a corner. */
@@ -27,9 +29,21 @@ struct corner {
     struct indirect_share share; /* of a surface without bumps */
 };
 
+/* Where rays of a pixel that has several had to ask for themselves: what they
+ * got serves as corners do. The oldest gives way. */
+struct lone_places {
+    unsigned long long pixel; /* as the worker has it */
+    unsigned count;
+    struct {
+        struct corner corner;
+        int coarser; /* as of a corner's name */
+    } at[LONE_PLACES];
+};
+
 struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
                                             const struct camera *camera,
-                                            int width, int height)
+                                            int width, int height,
+                                            unsigned threads)
 {
     struct indirect_pixels *pixels = memory_new(sizeof *pixels);
     double apart = sqrt((double)width * height / indirect_pixels_most);
@@ -41,6 +55,8 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
         .height = height / apart,
         .columns = (uint64_t)(width / apart) + 4,
         .corners = table_new(sizeof(struct corner), INDIRECT_PIXELS_BYTES),
+        .threads = threads,
+        .lone = memory_new(threads * sizeof(struct lone_places)),
     };
     return pixels;
 }
@@ -50,6 +66,7 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
     if (!pixels)
         return;
     table_free(pixels->corners);
+    memory_free(pixels->lone);
     memory_free(pixels);
 }
 
@@ -65,6 +82,25 @@ struct corner_name {
     int coarser;
 };
 
+/* What a receiver gets, with so many short rays. */
+static void corner_ask(struct corner *corner,
+                       const struct indirect_pixels *pixels,
+                       struct worker *worker, const struct receiver *receiver,
+                       int rays)
+{
+    const struct lattice *lattice = &pixels->mesh->points.lattice;
+    double coarse;
+    int level =
+        lattice_level(lattice, &receiver->view, receiver->point, &coarse);
+    corner->met = true;
+    corner->point = receiver->point;
+    corner->side = receiver->side;
+    corner->reach = lattice_spacing(lattice, level);
+    corner->light = indirect_mesh_blend(pixels->mesh, worker, receiver);
+    corner->share =
+        near_field_share(pixels->mesh, worker, receiver, rays, &corner->light);
+}
+
 /* What the camera sees at the corner asks the mesh, as one of the receivers
  * around would that have its worth. */
 static void corner_fill(struct corner *corner,
@@ -72,16 +108,14 @@ static void corner_fill(struct corner *corner,
                         struct worker *worker, const struct corner_name *name,
                         const struct receiver *like)
 {
-    const struct point_mesh *points = &pixels->mesh->points;
     struct intersection at;
-    double coarse, x = name->at[0] / pixels->width,
-                   y = name->at[1] / pixels->height;
+    double x = name->at[0] / pixels->width, y = name->at[1] / pixels->height;
     corner->met = false;
     if (!camera_sees(pixels->camera, x, y))
         return;
     struct ray ray = camera_ray(pixels->camera, x, y);
-    if (!world_closest(points->world, &ray, surface_offset(ray.origin),
-                       RAY_CAMERA, &at))
+    if (!world_closest(pixels->mesh->points.world, &ray,
+                       surface_offset(ray.origin), RAY_CAMERA, &at))
         return;
     struct receiver receiver = *like;
     receiver.point = at.point;
@@ -91,15 +125,7 @@ static void corner_fill(struct corner *corner,
     receiver.from = ray.origin;
     receiver.at = NULL;
     receiver.weight = point_mesh_typical_worth(name->coarser);
-    int level =
-        lattice_level(&points->lattice, &receiver.view, at.point, &coarse);
-    corner->met = true;
-    corner->point = receiver.point;
-    corner->side = receiver.side;
-    corner->reach = lattice_spacing(&points->lattice, level);
-    corner->light = indirect_mesh_blend(pixels->mesh, worker, &receiver);
-    corner->share = near_field_share(pixels->mesh, worker, &receiver,
-                                     pixels->mesh->near, &corner->light);
+    corner_ask(corner, pixels, worker, &receiver, pixels->mesh->near);
 }
 
 static const struct corner *corner_get(const struct indirect_pixels *pixels,
@@ -253,6 +279,45 @@ static struct indirect_share corners_bumpy(const struct corners *corners,
     return indirect_light_share(&light, normal);
 }
 
+static bool receiver_is_bumpy(const struct receiver *receiver)
+{
+    return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
+}
+
+/* A place of the same pixel that serves the receiver: known, or itself. */
+static const struct corner *lone_get(const struct indirect_pixels *pixels,
+                                     struct worker *worker,
+                                     const struct receiver *receiver)
+{
+    struct lone_places *lone = &pixels->lone[worker->number];
+    int coarser = point_mesh_worth(receiver->weight);
+    if (lone->pixel != worker->pixel)
+        lone->count = 0;
+    lone->pixel = worker->pixel;
+    for (unsigned i = 0; i < lone->count && i < LONE_PLACES; i++)
+        if (lone->at[i].coarser == coarser &&
+            corner_serves(&lone->at[i].corner, receiver))
+            return &lone->at[i].corner;
+    unsigned next = lone->count++ % LONE_PLACES;
+    lone->at[next].coarser = coarser;
+    corner_ask(&lone->at[next].corner, pixels, worker, receiver,
+               pixels->mesh->near / NEAR_LONE_PART);
+    return &lone->at[next].corner;
+}
+
+static bool lone_light(const struct indirect_pixels *pixels,
+                       struct worker *worker, const struct receiver *receiver,
+                       struct indirect_share *share)
+{
+    if (!worker->pixel || worker->number >= pixels->threads)
+        return false;
+    const struct corner *corner = lone_get(pixels, worker, receiver);
+    *share = receiver_is_bumpy(receiver)
+                 ? indirect_light_share(&corner->light, receiver->normal)
+                 : corner->share;
+    return true;
+}
+
 bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            struct worker *worker,
                            const struct receiver *receiver,
@@ -264,10 +329,9 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
     corners_find(&corners, pixels, worker, receiver);
     if (corners.sum < indirect_pixels_enough ||
         !corners_see(&corners, pixels, worker, receiver))
-        return false;
-    bool bumpy =
-        vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
-    *share = bumpy ? corners_bumpy(&corners, receiver->normal)
-                   : corners_smooth(&corners);
+        return lone_light(pixels, worker, receiver, share);
+    *share = receiver_is_bumpy(receiver)
+                 ? corners_bumpy(&corners, receiver->normal)
+                 : corners_smooth(&corners);
     return true;
 }

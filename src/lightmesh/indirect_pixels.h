@@ -2,7 +2,10 @@
  * changes so slowly that pixels between share the answers of their grid's
  * corners, on the same surface (as irradiance gradients do: Ward and Heckbert
  * 1992; across the picture: Segovia et al. 2006). Each corner is asked for when
- * a pixel near it is, and is a function of its place in the picture alone. */
+ * a pixel near it is, and is a function of its place in the picture alone.
+ * Where no corner serves, the rays of a pixel that has several share among
+ * themselves.
+ */
 #ifndef LIGHTMESH_INDIRECT_PIXELS_H
 #define LIGHTMESH_INDIRECT_PIXELS_H
 
@@ -11,16 +14,17 @@
 
 struct indirect_pixels;
 
-/* Of a picture of so many pixels; mesh and camera must outlive it. Frees with
- * indirect_pixels_free, which takes NULL. */
+/* Of a picture of so many pixels, drawn by so many workers; mesh and camera
+ * must outlive it. Frees with indirect_pixels_free, which takes NULL. */
 struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
                                             const struct camera *camera,
-                                            int width, int height);
+                                            int width, int height,
+                                            unsigned threads);
 void indirect_pixels_free(struct indirect_pixels *pixels);
 
 /* The light of a receiver that the camera sees at first sight, as
  * indirect_mesh_light has it. False if the corners around it are on other
- * surfaces. */
+ * surfaces, and it is the only ray of its pixel. */
 bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            struct worker *worker,
                            const struct receiver *receiver,

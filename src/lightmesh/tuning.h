@@ -145,6 +145,7 @@ enum {
     CLOSE_RAYS = 30000,   /* between its walls */
     NEAR_RAYS = 16,       /* to what is close to a place that is seen; */
     NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
+    LONE_PLACES = 4,      /* of a pixel, that its rays share */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 

@@ -293,6 +293,7 @@ static void centre_refine(const struct sampler *sampler, struct worker *worker,
     double sum[4], jitter = sampler->options->jitter;
     for (int k = 0; k < 4; k++)
         sum[k] = (double)pixel[k];
+    worker_pixel_begin(worker);
     for (int i = 0; i < n * n; i++) {
         double u = i % n + 0.5 + jitter * sampler_jitter(x, y, 2 * i);
         double v = i / n + 0.5 + jitter * sampler_jitter(x, y, 2 * i + 1);
@@ -301,6 +302,7 @@ static void centre_refine(const struct sampler *sampler, struct worker *worker,
         for (int k = 0; k < 4; k++)
             sum[k] += (double)seen[k];
     }
+    worker_pixel_end(worker);
     for (int k = 0; k < 4; k++)
         pixel[k] = (float)(sum[k] / (n * n + 1));
 }
