@@ -10,8 +10,7 @@ static const struct field normal_names[] = {
 
 /* normal_start = bump_map | pattern [","] [float] normal_blocks .
  * The float is the bump size. Another pattern keeps the maps (measured). */
-bool parse_normal_start(struct parser *p, struct normal *normal,
-                               bool *found)
+bool parse_normal_start(struct parser *p, struct normal *normal, bool *found)
 {
     if (stream_keyword(p) == KEYWORD_BUMP_MAP) {
         normal->pattern.kind = NULL;
@@ -48,8 +47,7 @@ static bool normal_can_map(struct parser *p, const struct normal *normal)
 
 /* normal_item = normal_field | normal_map | slope_map | "no_bump_scale"
  *             | pattern_item . */
-bool parse_normal_item(struct parser *p, struct normal *normal,
-                              bool *found)
+bool parse_normal_item(struct parser *p, struct normal *normal, bool *found)
 {
     const struct field *field = accept_field(p, normal_fields);
     *found = true;

@@ -44,8 +44,7 @@ static void pigment_warn_bytes(struct parser *p, struct span span,
 /* pigment_start = colour | image_map | pattern [block_list] .
  * Measured: a pattern in place of another keeps its map, and a list of colours
  * is a map of these at 0, 1, 2. */
-bool parse_pigment_start(struct parser *p, struct pigment *pigment,
-                                bool *found)
+bool parse_pigment_start(struct parser *p, struct pigment *pigment, bool *found)
 {
     *found = true;
     if (stream_keyword(p) == KEYWORD_IMAGE_MAP) {
@@ -126,8 +125,7 @@ static bool pigment_can_map(struct parser *p, const struct pigment *pigment)
 /* pigment_item = colour_map | pigment_map | density_map
  *              | "quick_colour" colour | pattern_item .
  * A density_map only in a density. */
-bool parse_pigment_item(struct parser *p, struct pigment *pigment,
-                               bool *found)
+bool parse_pigment_item(struct parser *p, struct pigment *pigment, bool *found)
 {
     *found = true;
     switch (stream_keyword(p)) {

@@ -122,6 +122,9 @@ struct texture *texture_copy(struct parser *p, const struct texture *texture);
 /* The same, and its topmost layer. */
 struct texture *texture_top(struct parser *p, const struct texture *texture,
                             struct layer **top);
+/* A copy whose pigments filter nothing and transmit more instead. */
+const struct texture *texture_veiled(struct parser *p,
+                                     const struct texture *texture);
 /* The layers of `bottom` with those of `top` painted over. */
 const struct texture *texture_stack(struct parser *p,
                                     const struct texture *bottom,

@@ -60,6 +60,8 @@ const struct texture *texture_stack(struct parser *p,
                  TEXTURE_LAYERS);
         return bottom;
     }
+    if (p->version <= 3.1)
+        top = texture_veiled(p, top);
     both->layers = ARENA_ARRAY(p->scene_arena, struct layer, both->count);
     memcpy(both->layers, bottom->layers,
            bottom->count * sizeof *bottom->layers);
@@ -73,8 +75,7 @@ const struct texture *texture_stack(struct parser *p,
 static bool accept_texture_value(struct parser *p, const struct texture **in)
 {
     const struct value *pigment = accept_value(p, VALUE_PIGMENT);
-    const struct value *normal =
-        pigment ? NULL : accept_value(p, VALUE_NORMAL);
+    const struct value *normal = pigment ? NULL : accept_value(p, VALUE_NORMAL);
     const struct value *finish =
         pigment || normal ? NULL : accept_value(p, VALUE_FINISH);
     if (!pigment && !normal && !finish)
