@@ -13,6 +13,7 @@ struct bicubic {
     double flatness;
     double uv[4][2]; /* of the corners, by turns */
     vec3 points[PATCH_SIDE][PATCH_SIDE];
+    const affine *transform; /* its own: flatness is measured after it */
     vec3 pinched; /* the normal where a side is drawn together to a point */
 };
 
@@ -135,23 +136,25 @@ static void part_halves(const struct patch_part *part, int axis,
 
 /* Whether all its points are so near to the plane of three corners; of others
  * if one of its sides is drawn together to a point. */
-static bool part_is_flat(const struct patch_part *part, double flatness)
+static bool part_is_flat(const struct patch_part *part,
+                         const struct bicubic *patch)
 {
-    vec3 a = part->points[0][0], b = part->points[PATCH_SIDE - 1][0];
-    vec3 c = part->points[PATCH_SIDE - 1][PATCH_SIDE - 1];
-    vec3 d = part->points[0][PATCH_SIDE - 1];
-    vec3 n = vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
+    vec3 side[PATCH_SIDE][PATCH_SIDE]; /* from the first corner */
+    for (int i = 0; i < PATCH_SIDE; i++)
+        for (int j = 0; j < PATCH_SIDE; j++)
+            side[i][j] = affine_direction(
+                patch->transform,
+                vec3_sub(part->points[i][j], part->points[0][0]));
+    vec3 across = side[PATCH_SIDE - 1][PATCH_SIDE - 1];
+    vec3 n = vec3_cross(side[PATCH_SIDE - 1][0], across);
+    if (!(vec3_length(n) > 0))
+        n = vec3_cross(across, side[0][PATCH_SIDE - 1]);
     double length = vec3_length(n);
-    if (!(length > 0)) {
-        n = vec3_cross(vec3_sub(c, a), vec3_sub(d, a));
-        length = vec3_length(n);
-    }
     if (!(length > 0))
         return false;
     for (int i = 0; i < PATCH_SIDE; i++)
         for (int j = 0; j < PATCH_SIDE; j++)
-            if (fabs(vec3_dot(vec3_sub(part->points[i][j], a), n)) >
-                flatness * length)
+            if (fabs(vec3_dot(side[i][j], n)) > patch->flatness * length)
                 return false;
     return true;
 }
@@ -178,7 +181,7 @@ static void part_build(struct parser *p, struct mesh_builder *b,
     struct patch_part halves[2], quarters[2];
     bool rows = part->depth < patch->u_steps;
     bool columns = part->depth < patch->v_steps;
-    if ((!rows && !columns) || part_is_flat(part, patch->flatness)) {
+    if ((!rows && !columns) || part_is_flat(part, patch)) {
         part_emit(p, b, patch, part);
         return;
     }
@@ -282,6 +285,7 @@ bool parse_bicubic_patch(struct parser *p, struct object **out)
               parse_patch_points(p, &patch) && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;
+    patch.transform = (*out)->transform;
     patch.pinched = patch_pinched((*out)->transform);
     bicubic_surface(p, &builder, &patch);
     mesh->mapped = mesh->turned = true;

@@ -88,20 +88,26 @@ static bool parse_bare_finish(struct parser *p, const struct finish **in)
     return true;
 }
 
+static bool parse_bare_grain(struct parser *p, const struct finish **in)
+{
+    struct finish *finish = finish_begin(p, *in);
+    *in = finish;
+    return parse_float(p, &finish->crand);
+}
+
 /* bare_item = float | pigment_start | pigment_item | normal_start
  *           | normal_item | finish_item .
- * The float was grain against bands in pictures of few colours. */
+ * The float is grain, as crand is. */
 bool parse_bare_item(struct parser *p, const struct texture **in, bool *found)
 {
-    double grain;
     *found = at_bare_item(p);
     if (!*found)
         return true;
-    if (stream_peek(p)->kind == TOKEN_NUMBER)
-        return parse_float(p, &grain);
-    const struct word *word = stream_peek(p)->word;
     struct layer *top;
     *in = texture_top(p, *in, &top);
+    if (stream_peek(p)->kind == TOKEN_NUMBER)
+        return parse_bare_grain(p, &top->finish);
+    const struct word *word = stream_peek(p)->word;
     return bare_normal(word)       ? parse_bare_normal(p, &top->normal)
            : bare_pigment(p, word) ? parse_bare_pigment(p, &top->pigment)
                                    : parse_bare_finish(p, &top->finish);

@@ -1,7 +1,7 @@
 /* Up to version 3.1 only the bottom layer of a texture is a filter: those above
- * it let through as much without colouring it (measured). So what their
- * pigments filter is made what they transmit; blends stay what they are, since
- * both are linear. */
+ * it let through as much without colouring it, but for images (measured). So
+ * what their pigments filter is made what they transmit; blends stay what they
+ * are, since both are linear. */
 #include "parse/rules.h"
 
 static const struct pigment *pigment_veiled(struct parser *p,
@@ -12,37 +12,6 @@ static colour colour_veiled(colour c)
     c.transmit += c.filter;
     c.filter = 0;
     return c;
-}
-
-static bool image_filters(const struct image_map *image)
-{
-    bool filters = image->filter_all != 0;
-    for (int i = 0; image->clear && i < PALETTE_ENTRIES; i++)
-        filters |= image->clear[i].filter != 0;
-    return filters;
-}
-
-static const struct image_map *image_veiled(struct parser *p,
-                                            const struct image_map *image)
-{
-    if (!image_filters(image))
-        return image;
-    struct image_map *copy = ARENA_NEW(p->scene_arena, struct image_map);
-    *copy = *image;
-    copy->transmit_all += copy->filter_all;
-    copy->filter_all = 0;
-    if (!image->clear)
-        return copy;
-    copy->clear =
-        ARENA_ARRAY(p->scene_arena, struct entry_clear, PALETTE_ENTRIES);
-    for (int i = 0; i < PALETTE_ENTRIES; i++) {
-        struct entry_clear entry = image->clear[i];
-        double filter = isnan(entry.filter) ? image->filter_all : entry.filter;
-        double transmit =
-            isnan(entry.transmit) ? image->transmit_all : entry.transmit;
-        copy->clear[i] = (struct entry_clear){ 0, transmit + filter };
-    }
-    return copy;
 }
 
 static const struct blend_map *map_veiled(struct parser *p,
@@ -68,9 +37,7 @@ static const struct pigment *pigment_veiled(struct parser *p,
     struct pigment *copy = ARENA_NEW(p->scene_arena, struct pigment);
     *copy = *pigment;
     copy->colour = colour_veiled(copy->colour);
-    if (copy->kind == PIGMENT_IMAGE)
-        copy->image = image_veiled(p, copy->image);
-    else if (copy->kind == PIGMENT_PATTERN && copy->map)
+    if (copy->kind == PIGMENT_PATTERN && copy->map)
         copy->map = map_veiled(p, copy->map);
     return copy;
 }

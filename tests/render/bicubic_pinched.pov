@@ -17,5 +17,5 @@ light_source { <30, 40, -25>, 1 }
 #end
 Leaf(0, 0) translate -x }
 Leaf(0, 3) }
-Leaf(.06, 3) scale <-1, 1, 2> translate x }
+Leaf(.06, 3) scale <-1, 1, 1> translate x }
 Leaf(.2, 3) scale <1, -1, 1> }

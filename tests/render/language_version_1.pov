@@ -5,7 +5,7 @@
 max_trace_level 4
 #declare Rose = color red 0.9 green 0.4 blue 0.5
 #declare Veined = texture {
-    0.05
+    0
     marble turbulence 0.6
     color_map { [0 0.6 Rose color red 1] [0.6 1 color green 1 color blue 1] }
     scale 0.4 waves 0.4 frequency 4 phase 0.2
