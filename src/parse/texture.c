@@ -106,12 +106,15 @@ static bool accept_texture_value(struct parser *p, const struct texture **in)
 static void parse_texture_start(struct parser *p, const struct texture **out)
 {
     const struct value *value = accept_value(p, VALUE_TEXTURE);
-    struct texture *texture =
-        texture_copy(p, value ? value->texture : texture_from_defaults(p));
-    if (!value)
+    bool choice = value && value->texture->choice;
+    if (value) {
+        *out = value->texture;
+    } else {
+        struct texture *texture = texture_copy(p, texture_from_defaults(p));
         texture->span = p->last_span;
-    *out = texture;
-    while (!texture->choice && accept_texture_value(p, out))
+        *out = texture;
+    }
+    while (!choice && accept_texture_value(p, out))
         ;
 }
 
