@@ -100,6 +100,7 @@ bool parse_declared_texture_map(struct parser *p,
 /* pigment, normal or finish: goes into the topmost layer of a copy. */
 bool parse_texture_part(struct parser *p, const struct texture **in,
                         bool *found);
+/* What objects that say nothing have: all of them share it. */
 const struct texture *texture_from_defaults(struct parser *p);
 /* A copy of the texture whose layers may be written. */
 struct texture *texture_copy(struct parser *p, const struct texture *texture);

@@ -9,9 +9,20 @@ static const struct field texture_names[] = {
     { .name = NULL },
 };
 
+static bool layer_is_default(const struct parser *p, const struct layer *layer)
+{
+    return layer->pigment == p->defaults.pigment &&
+           layer->normal == p->defaults.normal &&
+           layer->finish == p->defaults.finish;
+}
+
+/* One for all: a scene can have millions of objects that say nothing. */
 const struct texture *texture_from_defaults(struct parser *p)
 {
-    struct texture *texture = ARENA_NEW(p->scene_arena, struct texture);
+    struct texture *texture = p->defaults.texture;
+    if (texture && layer_is_default(p, texture->layers))
+        return texture;
+    texture = ARENA_NEW(p->scene_arena, struct texture);
     texture->layers = ARENA_NEW(p->scene_arena, struct layer);
     texture->layers[0] = (struct layer){
         .pigment = p->defaults.pigment,
@@ -19,7 +30,7 @@ const struct texture *texture_from_defaults(struct parser *p)
         .finish = p->defaults.finish,
     };
     texture->count = 1;
-    texture->span = p->last_span;
+    p->defaults.texture = texture;
     return texture;
 }
 
@@ -68,8 +79,10 @@ static bool parse_texture_start(struct parser *p, const struct texture **out)
         *out = value->texture;
         return true;
     }
-    *out = texture_from_defaults(p);
-    struct layer *layer = (*out)->layers;
+    struct texture *texture = texture_copy(p, texture_from_defaults(p));
+    struct layer *layer = texture->layers;
+    texture->span = p->last_span;
+    *out = texture;
     if ((value = accept_value(p, VALUE_PIGMENT)) != NULL)
         layer->pigment = value->pigment;
     else if ((value = accept_value(p, VALUE_NORMAL)) != NULL)
