@@ -165,7 +165,7 @@ static void sights_arrive(struct sights *sights, const struct tracer_met *met,
         path_start(&sight->path, sights->tracer, sights->worker, place,
                    &met->rays[i]);
         if (hit->leaf)
-            world_describe(&sight->path.ray, hit, &sight->crossing.at);
+            world_describe(&met->rays[i], hit, &sight->crossing.at);
         if (path_arrive(&sight->path, &sight->crossing, hit->leaf)) {
             sight->out = &out[i];
             sights->count++;
@@ -225,7 +225,7 @@ static struct radiance see_one(const struct tracer *tracer,
         return (struct radiance){ rgb_grey(0), 0 };
     path_start(&path, tracer, worker, place, &met->rays[i]);
     if (hit->leaf)
-        world_describe(&path.ray, hit, &crossing.at);
+        world_describe(&met->rays[i], hit, &crossing.at);
     struct radiance seen = path_go_on(&path, &crossing, hit->leaf);
     arena_reset(worker->scratch);
     return seen;
