@@ -3,7 +3,8 @@
 
 #include "base/memory.h"
 #include "base/random.h"
-#include "lightmesh/near_field.h"
+#include "lightmesh/corner.h"
+#include "lightmesh/pixel_blocks.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 #include "shade/first_hits.h"
@@ -17,16 +18,8 @@ struct indirect_pixels {
     uint64_t columns;
     struct table *corners;
     unsigned threads;
+    struct pixel_blocks *blocks;
     struct lone_places *lone; /* of each worker */
-};
-
-/* What is known at a corner. */
-struct corner {
-    bool met; /* the camera sees a surface there: */
-    vec3 point, side;
-    double reach; /* how far it may serve, units */
-    struct indirect_light light;
-    struct indirect_share share; /* of a surface without bumps */
 };
 
 /* Where rays of a pixel that has several had to ask for themselves: what they
@@ -55,6 +48,8 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
         .height = height / apart,
         .columns = (uint64_t)(width / apart) + 4,
         .corners = table_new(sizeof(struct corner), INDIRECT_PIXELS_BYTES),
+        .blocks = pixel_blocks_new(mesh, camera, (int[]){ width, height },
+                                   apart, threads),
         .threads = threads,
         .lone = memory_new(threads * sizeof(struct lone_places)),
     };
@@ -66,6 +61,7 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
     if (!pixels)
         return;
     table_free(pixels->corners);
+    pixel_blocks_free(pixels->blocks);
     memory_free(pixels->lone);
     memory_free(pixels);
 }
@@ -81,25 +77,6 @@ struct corner_name {
     int at[2];
     int coarser;
 };
-
-/* What a receiver gets, with so many short rays. */
-static void corner_ask(struct corner *corner,
-                       const struct indirect_pixels *pixels,
-                       struct worker *worker, const struct receiver *receiver,
-                       int rays)
-{
-    const struct lattice *lattice = &pixels->mesh->points.lattice;
-    double coarse;
-    int level =
-        lattice_level(lattice, &receiver->view, receiver->point, &coarse);
-    corner->met = true;
-    corner->point = receiver->point;
-    corner->side = receiver->side;
-    corner->reach = lattice_spacing(lattice, level);
-    corner->light = indirect_mesh_blend(pixels->mesh, worker, receiver);
-    corner->share =
-        near_field_share(pixels->mesh, worker, receiver, rays, &corner->light);
-}
 
 /* What the camera sees at the corner asks the mesh, as one of the receivers
  * around would that have its worth. */
@@ -117,15 +94,9 @@ static void corner_fill(struct corner *corner,
     if (!world_closest(pixels->mesh->points.world, &ray,
                        surface_offset(ray.origin), RAY_CAMERA, &at))
         return;
-    struct receiver receiver = *like;
-    receiver.point = at.point;
-    receiver.side =
-        vec3_dot(at.face, ray.direction) > 0 ? vec3_negate(at.face) : at.face;
-    receiver.normal = receiver.side;
-    receiver.from = ray.origin;
-    receiver.at = NULL;
-    receiver.weight = point_mesh_typical_worth(name->coarser);
-    corner_ask(corner, pixels, worker, &receiver, pixels->mesh->near);
+    struct receiver receiver = corner_receiver(like, &ray, &at, name->coarser);
+    corner_place(corner, pixels->mesh, &receiver);
+    corner_ask(corner, pixels->mesh, worker, &receiver, pixels->mesh->near);
 }
 
 static const struct corner *corner_get(const struct indirect_pixels *pixels,
@@ -148,21 +119,6 @@ static const struct corner *corner_get(const struct indirect_pixels *pixels,
     if (state == TABLE_MINE)
         table_publish(pixels->corners, record);
     return record;
-}
-
-/* Whether both are on one surface, which may be bent, and near to each other.
- */
-static bool corner_serves(const struct corner *corner,
-                          const struct receiver *receiver)
-{
-    if (!corner->met ||
-        vec3_dot(corner->side, receiver->side) < indirect_pixels_bend)
-        return false;
-    vec3 between = vec3_sub(corner->point, receiver->point);
-    double apart = vec3_length(between);
-    double rise = fmax(fabs(vec3_dot(between, receiver->side)),
-                       fabs(vec3_dot(between, corner->side)));
-    return apart <= corner->reach && rise <= indirect_pixels_rise * apart;
 }
 
 /* The corners around a place that serve it, with their weights. */
@@ -247,8 +203,16 @@ static bool corners_see(const struct corners *corners,
                         const struct indirect_pixels *pixels,
                         struct worker *worker, const struct receiver *receiver)
 {
-    bool doubt = corners->missing || !corners_alike(corners);
-    for (int i = 0; i < corners->count && doubt; i++)
+    int heaviest = 0, count = corners->count;
+    if (corners_alike(corners)) {
+        for (int i = 1; i < count; i++)
+            if (corners->at[i].weight > corners->at[heaviest].weight)
+                heaviest = i;
+        return !corners->missing ||
+               corner_sees(pixels, worker, corners->at[heaviest].corner,
+                           receiver);
+    }
+    for (int i = 0; i < count; i++)
         if (!corner_sees(pixels, worker, corners->at[i].corner, receiver))
             return false;
     return true;
@@ -279,11 +243,6 @@ static struct indirect_share corners_bumpy(const struct corners *corners,
     return indirect_light_share(&light, normal);
 }
 
-static bool receiver_is_bumpy(const struct receiver *receiver)
-{
-    return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
-}
-
 /* A place of the same pixel that serves the receiver: known, or itself. */
 static const struct corner *lone_get(const struct indirect_pixels *pixels,
                                      struct worker *worker,
@@ -300,22 +259,25 @@ static const struct corner *lone_get(const struct indirect_pixels *pixels,
             return &lone->at[i].corner;
     unsigned next = lone->count++ % LONE_PLACES;
     lone->at[next].coarser = coarser;
-    corner_ask(&lone->at[next].corner, pixels, worker, receiver,
+    corner_place(&lone->at[next].corner, pixels->mesh, receiver);
+    corner_ask(&lone->at[next].corner, pixels->mesh, worker, receiver,
                pixels->mesh->near / NEAR_LONE_PART);
     return &lone->at[next].corner;
 }
 
+/* Where the grid's corners are on other surfaces: pixels of a block share, or
+ * else rays of a pixel. */
 static bool lone_light(const struct indirect_pixels *pixels,
                        struct worker *worker, const struct receiver *receiver,
                        struct indirect_share *share)
 {
-    if (!worker->pixel || worker->number >= pixels->threads)
-        return false;
-    const struct corner *corner = lone_get(pixels, worker, receiver);
-    *share = receiver_is_bumpy(receiver)
-                 ? indirect_light_share(&corner->light, receiver->normal)
-                 : corner->share;
-    return true;
+    const struct corner *corner =
+        pixel_blocks_find(pixels->blocks, worker, receiver);
+    if (!corner && worker->pixel && worker->number < pixels->threads)
+        corner = lone_get(pixels, worker, receiver);
+    if (corner)
+        *share = corner_share(corner, receiver);
+    return corner;
 }
 
 bool indirect_pixels_light(const struct indirect_pixels *pixels,

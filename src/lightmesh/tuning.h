@@ -168,6 +168,11 @@ static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
 static const double indirect_pixels_least = 0.01; /* weight of a corner asked */
 static const double indirect_pixels_enough = 0.4; /* and of all that serve */
 
+static const double block_places = 0.25; /* of the grid's step, from one place
+                                          * of a block to the next */
+static const double block_beside = 2; /* of that: what is no farther is one
+                                       * surface, or shows no difference */
+
 static const double near_field_reach = 0.75; /* spacings: what stands farther
                                               * off mesh points see [truth] */
 
