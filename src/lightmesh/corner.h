@@ -1,5 +1,5 @@
 /* A place that the camera sees and that asks the indirect mesh for places
- * around it: what it knows, and whom it serves. */
+ * around it: where it is, whom it serves, and what it knows. */
 #ifndef LIGHTMESH_CORNER_H
 #define LIGHTMESH_CORNER_H
 
@@ -7,38 +7,46 @@
 
 struct corner {
     bool met; /* the camera sees a surface there: */
-    vec3 point, side;
+    vec3 point, side, from;
     double reach; /* how far it may serve, units */
+};
+
+struct corner_light {
     struct indirect_light light;
     struct indirect_share share; /* of a surface without bumps */
 };
 
-/* Who asks where the ray met something: like the other, which is near, with a
- * weight that makes points so many levels coarser (point_mesh_worth). */
-struct receiver corner_receiver(const struct receiver *like,
-                                const struct ray *ray,
-                                const struct intersection *at, int coarser);
+/* What the ray met, which is seen as `like` is. */
+void corner_meet(struct corner *corner, const struct indirect_mesh *mesh,
+                 const struct receiver *like, const struct ray *ray,
+                 const struct intersection *at);
 
-/* Where that is; it knows nothing yet. */
-void corner_place(struct corner *corner, const struct indirect_mesh *mesh,
-                  const struct receiver *receiver);
+/* The receiver's own place. */
+void corner_here(struct corner *corner, const struct indirect_mesh *mesh,
+                 const struct receiver *receiver);
 
-/* What a receiver at its place gets, with so many short rays. */
-void corner_ask(struct corner *corner, const struct indirect_mesh *mesh,
+/* Who asks there, as `like` would, with a weight that makes mesh points so many
+ * levels coarser (point_mesh_worth). */
+struct receiver corner_receiver(const struct corner *corner,
+                                const struct receiver *like, int coarser);
+
+/* What the receiver at a corner gets, with so many short rays. */
+void corner_ask(struct corner_light *light, const struct indirect_mesh *mesh,
                 struct worker *worker, const struct receiver *receiver,
                 int rays);
 
-/* Whether both are on one surface, which may be bent, and near to each other.
- */
+/* Whether their surfaces, which may be bent, are turned the same way; and
+ * whether they are one and near to each other as well. */
+bool corner_faces(const struct corner *corner, const struct receiver *receiver);
 bool corner_serves(const struct corner *corner,
                    const struct receiver *receiver);
 
-/* What it says to who is served. */
-struct indirect_share corner_share(const struct corner *corner,
+/* What that is to who is served. */
+struct indirect_share corner_share(const struct corner_light *light,
                                    const struct receiver *receiver);
 
-/* Whether the receiver's bumps turn it from its surface: it takes what comes
- * from their own sides. */
+/* Whether bumps turn the receiver from its surface: it takes what comes from
+ * their own sides. */
 bool receiver_is_bumpy(const struct receiver *receiver);
 
 #endif

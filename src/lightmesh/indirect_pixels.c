@@ -16,7 +16,8 @@ struct indirect_pixels {
     const struct camera *camera;
     double width, height; /* of the picture, in steps of the grid */
     uint64_t columns;
-    struct table *corners;
+    struct table *corners; /* where they are, and beside, by the same keys, */
+    struct table *lights;  /* what those know that served */
     unsigned threads;
     struct pixel_blocks *blocks;
     struct lone_places *lone; /* of each worker */
@@ -29,6 +30,7 @@ struct lone_places {
     unsigned count;
     struct {
         struct corner corner;
+        struct corner_light light;
         int coarser; /* as of a corner's name */
     } at[LONE_PLACES];
 };
@@ -47,12 +49,14 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
         .width = width / apart,
         .height = height / apart,
         .columns = (uint64_t)(width / apart) + 4,
-        .corners = table_new(sizeof(struct corner), INDIRECT_PIXELS_BYTES),
         .blocks = pixel_blocks_new(mesh, camera, (int[]){ width, height },
                                    apart, threads),
         .threads = threads,
         .lone = memory_new(threads * sizeof(struct lone_places)),
     };
+    pixels->corners = table_new_beside(
+        &pixels->lights, sizeof(struct corner), INDIRECT_PIXELS_BYTES / 3,
+        sizeof(struct corner_light), 2 * INDIRECT_PIXELS_BYTES / 3);
     return pixels;
 }
 
@@ -60,6 +64,7 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
 {
     if (!pixels)
         return;
+    table_free(pixels->lights);
     table_free(pixels->corners);
     pixel_blocks_free(pixels->blocks);
     memory_free(pixels->lone);
@@ -68,7 +73,7 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
 
 size_t indirect_pixels_bytes(const struct indirect_pixels *pixels)
 {
-    return table_bytes(pixels->corners);
+    return table_bytes(pixels->corners) + table_bytes(pixels->lights);
 }
 
 /* Column and row of a corner, and how much what asks there is worth: see
@@ -78,11 +83,32 @@ struct corner_name {
     int coarser;
 };
 
-/* What the camera sees at the corner asks the mesh, as one of the receivers
- * around would that have its worth. */
-static void corner_fill(struct corner *corner,
+/* The number of its records, never 0. */
+static uint64_t corner_key(const struct indirect_pixels *pixels,
+                           const struct corner_name *name)
+{
+    uint64_t row = (uint64_t)(name->at[1] + 1),
+             column = (uint64_t)(name->at[0] + 1);
+    return 1 + (row * pixels->columns + column) * POINT_MESH_WORTHS +
+           (uint64_t)name->coarser;
+}
+
+/* A record of the table, or else the worker's: to be filled unless
+ * TABLE_READY, and published if TABLE_MINE. */
+static enum table_state corner_record(struct table *table,
+                                      struct worker *worker, uint64_t key,
+                                      void **record)
+{
+    enum table_state state = table_find(table, key, random_mix(key), record);
+    if (state == TABLE_NONE)
+        *record = arena_alloc(worker->scratch, table_record_size(table));
+    return state;
+}
+
+/* What the camera sees at the corner. */
+static void corner_look(struct corner *corner,
                         const struct indirect_pixels *pixels,
-                        struct worker *worker, const struct corner_name *name,
+                        const struct corner_name *name,
                         const struct receiver *like)
 {
     struct intersection at;
@@ -91,12 +117,9 @@ static void corner_fill(struct corner *corner,
     if (!camera_sees(pixels->camera, x, y))
         return;
     struct ray ray = camera_ray(pixels->camera, x, y);
-    if (!world_closest(pixels->mesh->points.world, &ray,
-                       surface_offset(ray.origin), RAY_CAMERA, &at))
-        return;
-    struct receiver receiver = corner_receiver(like, &ray, &at, name->coarser);
-    corner_place(corner, pixels->mesh, &receiver);
-    corner_ask(corner, pixels->mesh, worker, &receiver, pixels->mesh->near);
+    if (world_closest(pixels->mesh->points.world, &ray,
+                      surface_offset(ray.origin), RAY_CAMERA, &at))
+        corner_meet(corner, pixels->mesh, like, &ray, &at);
 }
 
 static const struct corner *corner_get(const struct indirect_pixels *pixels,
@@ -105,19 +128,31 @@ static const struct corner *corner_get(const struct indirect_pixels *pixels,
                                        const struct receiver *like)
 {
     void *record;
-    uint64_t row = (uint64_t)(name->at[1] + 1),
-             column = (uint64_t)(name->at[0] + 1);
-    uint64_t key = 1 + (row * pixels->columns + column) * POINT_MESH_WORTHS +
-                   (uint64_t)name->coarser;
-    enum table_state state =
-        table_find(pixels->corners, key, random_mix(key), &record);
+    enum table_state state = corner_record(pixels->corners, worker,
+                                           corner_key(pixels, name), &record);
     if (state == TABLE_READY)
         return record;
-    if (state == TABLE_NONE)
-        record = arena_alloc(worker->scratch, sizeof(struct corner));
-    corner_fill(record, pixels, worker, name, like);
+    corner_look(record, pixels, name, like);
     if (state == TABLE_MINE)
         table_publish(pixels->corners, record);
+    return record;
+}
+
+/* What it knows, as one of the receivers around that have its worth. */
+static const struct corner_light *
+corner_lit(const struct indirect_pixels *pixels, struct worker *worker,
+           const struct corner_name *name, const struct corner *corner,
+           const struct receiver *like)
+{
+    void *record;
+    enum table_state state = corner_record(pixels->lights, worker,
+                                           corner_key(pixels, name), &record);
+    if (state == TABLE_READY)
+        return record;
+    struct receiver receiver = corner_receiver(corner, like, name->coarser);
+    corner_ask(record, pixels->mesh, worker, &receiver, pixels->mesh->near);
+    if (state == TABLE_MINE)
+        table_publish(pixels->lights, record);
     return record;
 }
 
@@ -128,37 +163,52 @@ struct corners {
     double sum;
     struct {
         const struct corner *corner;
+        const struct corner_light *light;
         double weight;
     } at[4];
 };
 
+static void corners_add(struct corners *corners,
+                        const struct indirect_pixels *pixels,
+                        struct worker *worker, const struct corner_name *name,
+                        const struct receiver *receiver)
+{
+    const struct corner *corner = corner_get(pixels, worker, name, receiver);
+    if (!corner_serves(corner, receiver)) {
+        corners->missing = true;
+        return;
+    }
+    corners->at[corners->count].corner = corner;
+    corners->at[corners->count++].light =
+        corner_lit(pixels, worker, name, corner, receiver);
+}
+
+/* Those of every `step`th row and column of the grid. */
 static void corners_find(struct corners *corners,
                          const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver)
+                         struct worker *worker, const struct receiver *receiver,
+                         int step)
 {
-    double x = receiver->pixel->at[0] * pixels->width,
-           y = receiver->pixel->at[1] * pixels->height;
+    double x = receiver->pixel->at[0] * pixels->width / step,
+           y = receiver->pixel->at[1] * pixels->height / step;
     double across = x - floor(x), down = y - floor(y);
     int coarser = point_mesh_worth(receiver->weight);
     corners->count = 0;
     corners->sum = 0;
     corners->missing = false;
     for (int i = 0; i < 4; i++) {
-        struct corner_name name = {
-            { (int)floor(x) + i % 2, (int)floor(y) + i / 2 }, coarser
-        };
+        struct corner_name name = { { step * ((int)floor(x) + i % 2),
+                                      step * ((int)floor(y) + i / 2) },
+                                    coarser };
         double weight =
             (i % 2 ? across : 1 - across) * (i / 2 ? down : 1 - down);
+        int count = corners->count;
         if (weight < indirect_pixels_least)
             continue;
-        const struct corner *corner =
-            corner_get(pixels, worker, &name, receiver);
-        if (!corner_serves(corner, receiver)) {
-            corners->missing = true;
+        corners_add(corners, pixels, worker, &name, receiver);
+        if (corners->count == count)
             continue;
-        }
-        corners->at[corners->count].corner = corner;
-        corners->at[corners->count++].weight = weight;
+        corners->at[count].weight = weight;
         corners->sum += weight;
     }
 }
@@ -184,17 +234,17 @@ static bool corner_sees(const struct indirect_pixels *pixels,
 }
 
 /* Where they differ much something may stand between, seen from the edge. */
-static bool corners_alike(const struct corners *corners)
+static bool corners_alike(const struct corners *corners, double even)
 {
     double least = HUGE_VAL, most = 0;
     for (int i = 0; i < corners->count; i++) {
-        const struct indirect_share *share = &corners->at[i].corner->share;
+        const struct indirect_share *share = &corners->at[i].light->share;
         double amount =
             rgb_brightness(share->light) + indirect_pixels_open * share->open;
         least = fmin(least, amount);
         most = fmax(most, amount);
     }
-    return most - least <= indirect_pixels_even * most + indirect_pixels_dim;
+    return most - least <= even * (most + indirect_pixels_dim);
 }
 
 /* Where another surface is near, a wall seen from its edge may stand between
@@ -204,7 +254,7 @@ static bool corners_see(const struct corners *corners,
                         struct worker *worker, const struct receiver *receiver)
 {
     int heaviest = 0, count = corners->count;
-    if (corners_alike(corners)) {
+    if (corners_alike(corners, indirect_pixels_even)) {
         for (int i = 1; i < count; i++)
             if (corners->at[i].weight > corners->at[heaviest].weight)
                 heaviest = i;
@@ -224,10 +274,10 @@ static struct indirect_share corners_smooth(const struct corners *corners)
 {
     struct indirect_share share = { rgb_grey(0), 0 };
     for (int i = 0; i < corners->count; i++) {
-        const struct corner *corner = corners->at[i].corner;
+        const struct indirect_share *known = &corners->at[i].light->share;
         double weight = corners->at[i].weight / corners->sum;
-        share.light = rgb_add_scaled(share.light, corner->share.light, weight);
-        share.open += weight * corner->share.open;
+        share.light = rgb_add_scaled(share.light, known->light, weight);
+        share.open += weight * known->open;
     }
     return share;
 }
@@ -238,15 +288,15 @@ static struct indirect_share corners_bumpy(const struct corners *corners,
 {
     struct indirect_light light = indirect_light_none;
     for (int i = 0; i < corners->count; i++)
-        indirect_light_mix(&light, &corners->at[i].corner->light,
+        indirect_light_mix(&light, &corners->at[i].light->light,
                            (float)(corners->at[i].weight / corners->sum));
     return indirect_light_share(&light, normal);
 }
 
 /* A place of the same pixel that serves the receiver: known, or itself. */
-static const struct corner *lone_get(const struct indirect_pixels *pixels,
-                                     struct worker *worker,
-                                     const struct receiver *receiver)
+static const struct corner_light *lone_get(const struct indirect_pixels *pixels,
+                                           struct worker *worker,
+                                           const struct receiver *receiver)
 {
     struct lone_places *lone = &pixels->lone[worker->number];
     int coarser = point_mesh_worth(receiver->weight);
@@ -256,13 +306,13 @@ static const struct corner *lone_get(const struct indirect_pixels *pixels,
     for (unsigned i = 0; i < lone->count && i < LONE_PLACES; i++)
         if (lone->at[i].coarser == coarser &&
             corner_serves(&lone->at[i].corner, receiver))
-            return &lone->at[i].corner;
+            return &lone->at[i].light;
     unsigned next = lone->count++ % LONE_PLACES;
     lone->at[next].coarser = coarser;
-    corner_place(&lone->at[next].corner, pixels->mesh, receiver);
-    corner_ask(&lone->at[next].corner, pixels->mesh, worker, receiver,
+    corner_here(&lone->at[next].corner, pixels->mesh, receiver);
+    corner_ask(&lone->at[next].light, pixels->mesh, worker, receiver,
                pixels->mesh->near / NEAR_LONE_PART);
-    return &lone->at[next].corner;
+    return &lone->at[next].light;
 }
 
 /* Where the grid's corners are on other surfaces: pixels of a block share, or
@@ -271,13 +321,19 @@ static bool lone_light(const struct indirect_pixels *pixels,
                        struct worker *worker, const struct receiver *receiver,
                        struct indirect_share *share)
 {
-    const struct corner *corner =
+    const struct corner_light *light =
         pixel_blocks_find(pixels->blocks, worker, receiver);
-    if (!corner && worker->pixel && worker->number < pixels->threads)
-        corner = lone_get(pixels, worker, receiver);
-    if (corner)
-        *share = corner_share(corner, receiver);
-    return corner;
+    if (!light && worker->pixel && worker->number < pixels->threads)
+        light = lone_get(pixels, worker, receiver);
+    if (light)
+        *share = corner_share(light, receiver);
+    return light;
+}
+
+/* Whether corners twice as far apart say all that there is to say. */
+static bool corners_suffice(const struct corners *corners)
+{
+    return !corners->missing && corners_alike(corners, indirect_pixels_same);
 }
 
 bool indirect_pixels_light(const struct indirect_pixels *pixels,
@@ -288,10 +344,13 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
     struct corners corners;
     if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
-    corners_find(&corners, pixels, worker, receiver);
-    if (corners.sum < indirect_pixels_enough ||
-        !corners_see(&corners, pixels, worker, receiver))
-        return lone_light(pixels, worker, receiver, share);
+    corners_find(&corners, pixels, worker, receiver, 2);
+    if (!corners_suffice(&corners)) {
+        corners_find(&corners, pixels, worker, receiver, 1);
+        if (corners.sum < indirect_pixels_enough ||
+            !corners_see(&corners, pixels, worker, receiver))
+            return lone_light(pixels, worker, receiver, share);
+    }
     *share = receiver_is_bumpy(receiver)
                  ? corners_bumpy(&corners, receiver->normal)
                  : corners_smooth(&corners);

@@ -26,6 +26,7 @@ struct block {
         double footprint; /* distance of places there, units */
         int coarser;      /* as it was asked (point_mesh_worth); -1: not yet */
         struct corner corner;
+        struct corner_light light;
     } places[BLOCK_PLACES];
 };
 
@@ -125,26 +126,20 @@ static struct block *block_get(const struct pixel_blocks *blocks,
     return block;
 }
 
-static struct receiver place_receiver(const struct block *block, int number,
-                                      const struct receiver *like, int coarser)
-{
-    struct intersection at;
-    world_describe(&block->rays[number], &block->hits[number], &at);
-    return corner_receiver(like, &block->rays[number], &at, coarser);
-}
-
 /* Where the place is, and how far from the next on a surface that faces it. */
 static void place_find(struct block *block, const struct pixel_blocks *blocks,
                        int number, const struct receiver *like)
 {
     const struct ray *a = &block->rays[BLOCK_PLACES / 2], *b = a + 1;
+    const struct ray *ray = &block->rays[number];
     double t = block->hits[number].hit.t;
-    struct receiver receiver = place_receiver(block, number, like, 0);
+    struct intersection at;
+    world_describe(ray, &block->hits[number], &at);
+    corner_meet(&block->places[number].corner, blocks->mesh, like, ray, &at);
     block->places[number].placed = true;
     block->places[number].footprint =
         vec3_length(vec3_sub(vec3_along(a->origin, a->direction, t),
                              vec3_along(b->origin, b->direction, t)));
-    corner_place(&block->places[number].corner, blocks->mesh, &receiver);
 }
 
 /* What is close enough may be beside as well: the next blade of grass. */
@@ -156,7 +151,7 @@ static bool place_serves(const struct block *block, int number,
     if (corner_serves(corner, receiver))
         return true;
     return apart <= block_beside * block->places[number].footprint &&
-           vec3_dot(corner->side, receiver->side) >= indirect_pixels_bend;
+           corner_faces(corner, receiver);
 }
 
 static void place_ask(struct block *block, const struct pixel_blocks *blocks,
@@ -166,15 +161,16 @@ static void place_ask(struct block *block, const struct pixel_blocks *blocks,
     int coarser = point_mesh_worth(like->weight);
     if (block->places[number].coarser == coarser)
         return;
-    struct receiver receiver = place_receiver(block, number, like, coarser);
-    corner_ask(&block->places[number].corner, blocks->mesh, worker, &receiver,
+    struct receiver receiver =
+        corner_receiver(&block->places[number].corner, like, coarser);
+    corner_ask(&block->places[number].light, blocks->mesh, worker, &receiver,
                blocks->mesh->near / NEAR_LONE_PART);
     block->places[number].coarser = coarser;
 }
 
-const struct corner *pixel_blocks_find(const struct pixel_blocks *blocks,
-                                       struct worker *worker,
-                                       const struct receiver *receiver)
+const struct corner_light *pixel_blocks_find(const struct pixel_blocks *blocks,
+                                             struct worker *worker,
+                                             const struct receiver *receiver)
 {
     if (worker->number >= blocks->threads)
         return NULL;
@@ -188,7 +184,7 @@ const struct corner *pixel_blocks_find(const struct pixel_blocks *blocks,
         if (!place_serves(block, number, receiver))
             continue;
         place_ask(block, blocks, worker, number, receiver);
-        return &block->places[number].corner;
+        return &block->places[number].light;
     }
     return NULL;
 }
