@@ -176,7 +176,7 @@ static struct diffuse_light mesh_surfaces(const struct mesh_lighting *mesh,
     const struct mesh_indirect known = {
         mesh->indirect,  mesh->indirect_pixels,
         &mesh->ambience, mesh->indirect_view,
-        smooth,
+        mesh->survey.worth, smooth,
     };
     return mesh_diffuse(&known, worker, surface);
 }

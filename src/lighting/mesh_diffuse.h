@@ -11,6 +11,7 @@ struct mesh_indirect {
     const struct indirect_pixels *pixels; /* of this picture, or NULL */
     const struct ambience *ambience;
     struct lattice_view view;
+    double worth; /* of indirect light in the picture, as a survey has it */
     bool smooth; /* of surfaces without bumps */
 };
 

@@ -176,6 +176,11 @@ static const double block_places = 0.25; /* of the grid's step, from one place
 static const double block_beside = 2; /* of that: what is no farther is one
                                        * surface, or shows no difference */
 
+static const double one_point_worth = 0.02; /* what is worth no more beyond
+                                             * mirrors and glass takes one mesh
+                                             * point: neighbours differ by less
+                                             * than a fifth of that */
+
 static const double near_field_reach = 0.75; /* spacings: what stands farther
                                               * off mesh points see [truth] */
 
