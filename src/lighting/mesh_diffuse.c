@@ -32,7 +32,8 @@ struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
     if ((layer->finish->diffuse != 0 || rgb_peak(ambient) > 0) &&
         !(known->pixels &&
           indirect_pixels_light(known->pixels, worker, &receiver, &share)) &&
-        !(beyond && known->worth * receiver.weight < one_point_worth &&
+        !(beyond && !indirect_mesh_leaves(mesh, &receiver) &&
+          known->worth * receiver.weight < one_point_worth &&
           indirect_mesh_nearest(mesh, worker, &receiver, vec3_make(0, 0, 0),
                                 &share)))
         share = indirect_mesh_light(mesh, worker, &receiver);

@@ -201,6 +201,8 @@ static const double gather_coarser_most = 2; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
                                         * scene: it has no chambers */
 static const double gather_worth_least = 0.02; /* then the skeleton answers */
+static const double gather_worth_around = 0.01; /* or, in the open, what is
+                                                 * usual */
 static const double gather_worth_whole = 0.5;  /* less gathers fewer rays */
 static const double gather_least = 0.02;       /* share that is followed */
 static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
