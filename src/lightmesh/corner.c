@@ -71,15 +71,26 @@ bool corner_serves(const struct corner *corner, const struct receiver *receiver)
     return apart <= corner->reach && rise <= indirect_pixels_rise * apart;
 }
 
-bool receiver_is_bumpy(const struct receiver *receiver)
+/* No less than nothing. */
+static double turned_by(double share, double here, double turned)
 {
-    return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
+    return fmax(share + turned - here, 0);
 }
 
-struct indirect_share corner_share(const struct corner_light *light,
+struct indirect_share corner_share(const struct corner *corner,
+                                   const struct corner_light *light,
                                    const struct receiver *receiver)
 {
-    return receiver_is_bumpy(receiver)
-               ? indirect_light_share(&light->light, receiver->normal)
-               : light->share;
+    struct indirect_share share = light->share;
+    if (vec3_dot(receiver->normal, corner->side) >= indirect_pixels_flat)
+        return share;
+    const struct indirect_share here = indirect_light_share(&light->light,
+                                                            corner->side),
+                                turned = indirect_light_share(&light->light,
+                                                              receiver->normal);
+    share.light.r = turned_by(share.light.r, here.light.r, turned.light.r);
+    share.light.g = turned_by(share.light.g, here.light.g, turned.light.g);
+    share.light.b = turned_by(share.light.b, here.light.b, turned.light.b);
+    share.open = fmin(turned_by(share.open, here.open, turned.open), 1);
+    return share;
 }

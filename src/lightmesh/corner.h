@@ -41,12 +41,10 @@ bool corner_faces(const struct corner *corner, const struct receiver *receiver);
 bool corner_serves(const struct corner *corner,
                    const struct receiver *receiver);
 
-/* What that is to who is served. */
-struct indirect_share corner_share(const struct corner_light *light,
+/* What that is to who is served: by how much its surface or its bumps are
+ * turned from the corner's it gets what comes from there. */
+struct indirect_share corner_share(const struct corner *corner,
+                                   const struct corner_light *light,
                                    const struct receiver *receiver);
-
-/* Whether bumps turn the receiver from its surface: it takes what comes from
- * their own sides. */
-bool receiver_is_bumpy(const struct receiver *receiver);
 
 #endif

@@ -282,7 +282,6 @@ static struct indirect_share corners_smooth(const struct corners *corners)
     return share;
 }
 
-/* Bumps take what comes from their own sides. */
 static struct indirect_share corners_bumpy(const struct corners *corners,
                                            vec3 normal)
 {
@@ -293,10 +292,16 @@ static struct indirect_share corners_bumpy(const struct corners *corners,
     return indirect_light_share(&light, normal);
 }
 
-/* A place of the same pixel that serves the receiver: known, or itself. */
-static const struct corner_light *lone_get(const struct indirect_pixels *pixels,
-                                           struct worker *worker,
-                                           const struct receiver *receiver)
+/* Bumps take what comes from their own sides. */
+static bool receiver_is_bumpy(const struct receiver *receiver)
+{
+    return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
+}
+
+/* By a place of the same pixel that serves the receiver: known, or itself. */
+static struct indirect_share lone_share(const struct indirect_pixels *pixels,
+                                        struct worker *worker,
+                                        const struct receiver *receiver)
 {
     struct lone_places *lone = &pixels->lone[worker->number];
     int coarser = point_mesh_worth(receiver->weight);
@@ -306,13 +311,15 @@ static const struct corner_light *lone_get(const struct indirect_pixels *pixels,
     for (unsigned i = 0; i < lone->count && i < LONE_PLACES; i++)
         if (lone->at[i].coarser == coarser &&
             corner_serves(&lone->at[i].corner, receiver))
-            return &lone->at[i].light;
+            return corner_share(&lone->at[i].corner, &lone->at[i].light,
+                                receiver);
     unsigned next = lone->count++ % LONE_PLACES;
     lone->at[next].coarser = coarser;
     corner_here(&lone->at[next].corner, pixels->mesh, receiver);
     corner_ask(&lone->at[next].light, pixels->mesh, worker, receiver,
                pixels->mesh->near / NEAR_LONE_PART);
-    return &lone->at[next].light;
+    return corner_share(&lone->at[next].corner, &lone->at[next].light,
+                        receiver);
 }
 
 /* Where the grid's corners are on other surfaces: pixels of a block share, or
@@ -321,13 +328,12 @@ static bool lone_light(const struct indirect_pixels *pixels,
                        struct worker *worker, const struct receiver *receiver,
                        struct indirect_share *share)
 {
-    const struct corner_light *light =
-        pixel_blocks_find(pixels->blocks, worker, receiver);
-    if (!light && worker->pixel && worker->number < pixels->threads)
-        light = lone_get(pixels, worker, receiver);
-    if (light)
-        *share = corner_share(light, receiver);
-    return light;
+    if (pixel_blocks_light(pixels->blocks, worker, receiver, share))
+        return true;
+    if (!worker->pixel || worker->number >= pixels->threads)
+        return false;
+    *share = lone_share(pixels, worker, receiver);
+    return true;
 }
 
 /* Whether corners twice as far apart say all that there is to say. */

@@ -168,12 +168,12 @@ static void place_ask(struct block *block, const struct pixel_blocks *blocks,
     block->places[number].coarser = coarser;
 }
 
-const struct corner_light *pixel_blocks_find(const struct pixel_blocks *blocks,
-                                             struct worker *worker,
-                                             const struct receiver *receiver)
+bool pixel_blocks_light(const struct pixel_blocks *blocks,
+                        struct worker *worker, const struct receiver *receiver,
+                        struct indirect_share *share)
 {
     if (worker->number >= blocks->threads)
-        return NULL;
+        return false;
     struct block *block = block_get(blocks, worker, receiver);
     for (int i = 0; i < BLOCK_PLACES; i++) {
         int number = place_order[i];
@@ -184,7 +184,9 @@ const struct corner_light *pixel_blocks_find(const struct pixel_blocks *blocks,
         if (!place_serves(block, number, receiver))
             continue;
         place_ask(block, blocks, worker, number, receiver);
-        return &block->places[number].light;
+        *share = corner_share(&block->places[number].corner,
+                              &block->places[number].light, receiver);
+        return true;
     }
-    return NULL;
+    return false;
 }

@@ -21,10 +21,10 @@ struct pixel_blocks *pixel_blocks_new(const struct indirect_mesh *mesh,
                                       unsigned threads);
 void pixel_blocks_free(struct pixel_blocks *blocks);
 
-/* What a place knows that serves the receiver, which the camera sees at first
- * sight; NULL if there is none. Valid until the worker asks again. */
-const struct corner_light *pixel_blocks_find(const struct pixel_blocks *blocks,
-                                             struct worker *worker,
-                                             const struct receiver *receiver);
+/* The light of the receiver, which the camera sees at first sight, by a place
+ * that serves it; false if there is none. */
+bool pixel_blocks_light(const struct pixel_blocks *blocks,
+                        struct worker *worker, const struct receiver *receiver,
+                        struct indirect_share *share);
 
 #endif
