@@ -55,14 +55,10 @@ void corner_ask(struct corner_light *light, const struct indirect_mesh *mesh,
         near_field_share(mesh, worker, receiver, rays, &light->light);
 }
 
-bool corner_faces(const struct corner *corner, const struct receiver *receiver)
-{
-    return vec3_dot(corner->side, receiver->side) >= indirect_pixels_bend;
-}
-
 bool corner_serves(const struct corner *corner, const struct receiver *receiver)
 {
-    if (!corner->met || !corner_faces(corner, receiver))
+    if (!corner->met ||
+        vec3_dot(corner->side, receiver->side) < indirect_pixels_bend)
         return false;
     vec3 between = vec3_sub(corner->point, receiver->point);
     double apart = vec3_length(between);

@@ -35,9 +35,8 @@ void corner_ask(struct corner_light *light, const struct indirect_mesh *mesh,
                 struct worker *worker, const struct receiver *receiver,
                 int rays);
 
-/* Whether their surfaces, which may be bent, are turned the same way; and
- * whether they are one and near to each other as well. */
-bool corner_faces(const struct corner *corner, const struct receiver *receiver);
+/* Whether both are on one surface, which may be bent, and near to each other.
+ */
 bool corner_serves(const struct corner *corner,
                    const struct receiver *receiver);
 

@@ -148,10 +148,9 @@ static bool place_serves(const struct block *block, int number,
 {
     const struct corner *corner = &block->places[number].corner;
     double apart = vec3_length(vec3_sub(corner->point, receiver->point));
-    if (corner_serves(corner, receiver))
-        return true;
-    return apart <= block_beside * block->places[number].footprint &&
-           corner_faces(corner, receiver);
+    return vec3_dot(corner->side, receiver->side) >= block_bend &&
+           (corner_serves(corner, receiver) ||
+            apart <= block_beside * block->places[number].footprint);
 }
 
 static void place_ask(struct block *block, const struct pixel_blocks *blocks,

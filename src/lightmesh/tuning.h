@@ -162,9 +162,9 @@ static const double indirect_pixels_rise = 0.3;  /* of a corner over the plane,
 static const double indirect_pixels_lift = 0.05; /* of a corner's distance */
 static const double indirect_pixels_even = 0.2; /* share of their light by which
                                                  * corners may differ, */
-static const double indirect_pixels_same = 0.05; /* where those do between
-                                                  * which another would be, that
-                                                  * one is spared */
+static const double indirect_pixels_same = 0.05;  /* where those do between
+                                                   * which another would be, that
+                                                   * one is spared */
 static const double indirect_pixels_dim = 0.004;  /* and irradiance, */
 static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
                                                    */
@@ -173,8 +173,9 @@ static const double indirect_pixels_enough = 0.4; /* and of all that serve */
 
 static const double block_places = 0.25; /* of the grid's step, from one place
                                           * of a block to the next */
-static const double block_beside = 2; /* of that: what is no farther is one
-                                       * surface, or shows no difference */
+static const double block_bend = 0.95;   /* cosine of normals that share one */
+static const double block_beside = 1.5;  /* of that: what is no farther is one
+                                          * surface, or shows no difference */
 
 static const double one_point_worth = 0.02; /* what is worth no more beyond
                                              * mirrors and glass takes one mesh
@@ -200,11 +201,11 @@ static const double gather_chamber = 25; /* times as many where light stays */
 static const double gather_coarser_most = 2; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
                                         * scene: it has no chambers */
-static const double gather_worth_least = 0.02; /* then the skeleton answers */
+static const double gather_worth_least = 0.02;  /* then the skeleton answers */
 static const double gather_worth_around = 0.01; /* or, in the open, what is
                                                  * usual */
-static const double gather_worth_whole = 0.5;  /* less gathers fewer rays */
-static const double gather_least = 0.02;       /* share that is followed */
+static const double gather_worth_whole = 0.5;   /* less gathers fewer rays */
+static const double gather_least = 0.02;        /* share that is followed */
 static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
 static const double onward_often = 1; /* of where it goes on [truth] */
 
