@@ -258,7 +258,7 @@ static bool corners_see(const struct corners *corners,
         for (int i = 1; i < count; i++)
             if (corners->at[i].weight > corners->at[heaviest].weight)
                 heaviest = i;
-        return !corners->missing ||
+        return !corners->missing || count > 2 ||
                corner_sees(pixels, worker, corners->at[heaviest].corner,
                            receiver);
     }

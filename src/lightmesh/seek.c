@@ -70,13 +70,19 @@ static void seek_candidates(const struct seeker *seeker,
     vec3 at = lattice_units(&mesh->lattice, seeker->level, lifted);
     int count = mesh->interpolation->weights(at, seeker->receiver->side,
                                              mesh->radius, weights);
+    double least = 0;
+    for (int i = 0; i < count; i++)
+        least += seek_least * weights[i].weight;
     candidates->count = 0;
     for (int i = 0; i < count; i++) {
         struct lattice_point point;
+        if (weights[i].weight <= least)
+            continue;
         point.level = seeker->level;
         memcpy(point.at, weights[i].at, sizeof point.at);
         vec3 from = lattice_place(&mesh->lattice, &point);
-        double weight = weights[i].weight * seeker_rise(seeker, from, spacing);
+        double weight =
+            (weights[i].weight - least) * seeker_rise(seeker, from, spacing);
         if (weight <= 0)
             continue;
         candidates->at[candidates->count].point = point;

@@ -54,6 +54,8 @@ static const double kept_nearer = 3, kept_farther = 1.5; /* than wanted, factors
 static const double seek_lift = 0.3;    /* above the surface, spacings */
 static const double seek_rise = 0.2;    /* points lower than that count less,
                                          * spacings */
+static const double seek_least = 0.02;  /* of a place's points: what counts no
+                                         * more isn't asked */
 static const double nearest_rise = 0.1; /* likewise, of the nearest */
 static const double worth_fine = 0.25;  /* what is worth less is a level
                                          * coarser, share of the picture */
@@ -196,7 +198,10 @@ static const double gather_pixels = 76800;  /* of a picture of that size, and of
                                              * ones they grow as edges do */
 static const double gather_pixel = 0.4;     /* gather rays for each pixel, */
 static const double gather_pixel_worth = 3; /* more for each unit of worth, */
-static const double gather_pixel_most = 3;  /* in all */
+static const double gather_pixel_most = 3;  /* in all; */
+static const double gather_pixel_mostly = 4; /* more for the cube of worth, of
+                                              * which there may be 1.5, where
+                                              * light leaves the scene */
 static const double gather_chamber = 25; /* times as many where light stays */
 static const double gather_coarser_most = 2; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
