@@ -83,11 +83,11 @@ static double plan_rays(const struct light_mesh_settings *said,
                        gather_pixel_most);
     double finer = plan_finer(said),
            edges = sqrt(fmax(pixels, gather_pixels) * gather_pixels);
-    double mostly = fmin(survey->worth, 1.5);
     if (survey->open < open_enough)
         edges *= gather_chamber;
     else
-        each += gather_pixel_mostly * mostly * mostly * mostly;
+        each += gather_pixel_mostly *
+                fmin(fmax(survey->worth - gather_mostly, 0), 1);
     return each * edges * finer * finer;
 }
 

@@ -14,6 +14,7 @@ struct seeker {
     struct worker *worker;
     const struct receiver *receiver;
     int level, finer; /* levels that may follow it */
+    double least;     /* share of a point that isn't asked */
     struct mesh_blend *blend;
 };
 
@@ -72,7 +73,7 @@ static void seek_candidates(const struct seeker *seeker,
                                              mesh->radius, weights);
     double least = 0;
     for (int i = 0; i < count; i++)
-        least += seek_least * weights[i].weight;
+        least += seeker->least * weights[i].weight;
     candidates->count = 0;
     for (int i = 0; i < count; i++) {
         struct lattice_point point;
@@ -258,7 +259,8 @@ static struct seeker seeker_new(const struct point_mesh *mesh,
     struct seeker seeker = { .mesh = mesh,
                              .worker = worker,
                              .receiver = receiver,
-                             .finer = mesh->refinement.levels };
+                             .finer = mesh->refinement.levels,
+                             .least = seek_least };
     seeker.level =
         lattice_level(&mesh->lattice, &receiver->view, receiver->point, coarse);
     *finest = seeker.level - receiver->view.coarser;
@@ -268,14 +270,11 @@ static struct seeker seeker_new(const struct point_mesh *mesh,
     return seeker;
 }
 
-void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
-                      const struct receiver *receiver, struct mesh_blend *blend)
+/* Adds the points of the seeker's level or else of finer ones, and of the next
+ * coarser one by its share. */
+static void seek_levels(struct seeker seeker, int finest, double coarse)
 {
-    double coarse;
-    int finest;
-    struct seeker seeker = seeker_new(mesh, worker, receiver, &finest, &coarse);
-    seeker.blend = blend;
-    blend->count = 0;
+    struct mesh_blend *blend = seeker.blend;
     seek_level(seeker, 1);
     while (blend->count == 0 && seeker.level > finest) {
         seeker.level--;
@@ -288,6 +287,21 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
         if (blend->count == fine)
             coarse = 0;
         blend_share(blend, 0, fine, 1 - coarse, fine ? coarse : 1);
+    }
+}
+
+void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
+                      const struct receiver *receiver, struct mesh_blend *blend)
+{
+    double coarse;
+    int finest;
+    struct seeker seeker = seeker_new(mesh, worker, receiver, &finest, &coarse);
+    seeker.blend = blend;
+    blend->count = 0;
+    seek_levels(seeker, finest, coarse);
+    if (blend->count == 0) {
+        seeker.least = 0;
+        seek_levels(seeker, finest, coarse);
     }
     if (blend->count == 0)
         seek_here(&seeker);

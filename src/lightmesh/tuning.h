@@ -199,9 +199,11 @@ static const double gather_pixels = 76800;  /* of a picture of that size, and of
 static const double gather_pixel = 0.4;     /* gather rays for each pixel, */
 static const double gather_pixel_worth = 3; /* more for each unit of worth, */
 static const double gather_pixel_most = 3;  /* in all; */
-static const double gather_pixel_mostly = 4; /* more for the cube of worth, of
-                                              * which there may be 1.5, where
-                                              * light leaves the scene */
+static const double gather_mostly = 0.5;    /* worth beyond which most of the
+                                             * picture is what is gathered: where
+                                             * light leaves the scene, */
+static const double gather_pixel_mostly = 10; /* more for each unit of that, of
+                                               * which there may be 1 */
 static const double gather_chamber = 25; /* times as many where light stays */
 static const double gather_coarser_most = 2; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
