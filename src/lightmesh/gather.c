@@ -240,10 +240,11 @@ static rgb gathering_mirrors(const struct gathering *gathering,
         const struct surface_layer *layer = &surface->layer[i];
         rgb share = rgb_mul(layer->weight, layer->reflection);
         vec3 in = gathering->ray.direction;
-        if (rgb_peak(rgb_mul(share, gathering->share)) < gather_least)
+        double matters = rgb_peak(rgb_mul(share, gathering->share));
+        if (matters < gather_least)
             continue;
         double count =
-            gathering_chance(gathering, often_mirrored * rgb_peak(share),
+            gathering_chance(gathering, often_mirrored * matters,
                              GATHER_MIRROR + (uint32_t)gathering->mirrors);
         if (count == 0)
             continue;
