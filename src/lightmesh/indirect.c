@@ -190,6 +190,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .interpolation = options->interpolation,
         .radius = options->radius > 0 ? options->radius
                                       : options->interpolation->radius,
+        .least = seek_least,
         .payload_size = sizeof(struct indirect_light),
         .refinement = options->refinement,
         .light = harmonics_received,

@@ -260,7 +260,7 @@ static struct seeker seeker_new(const struct point_mesh *mesh,
                              .worker = worker,
                              .receiver = receiver,
                              .finer = mesh->refinement.levels,
-                             .least = seek_least };
+                             .least = mesh->least };
     seeker.level =
         lattice_level(&mesh->lattice, &receiver->view, receiver->point, coarse);
     *finest = seeker.level - receiver->view.coarser;
@@ -299,7 +299,7 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     seeker.blend = blend;
     blend->count = 0;
     seek_levels(seeker, finest, coarse);
-    if (blend->count == 0) {
+    if (blend->count == 0 && mesh->least > 0) {
         seeker.least = 0;
         seek_levels(seeker, finest, coarse);
     }

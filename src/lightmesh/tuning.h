@@ -54,8 +54,9 @@ static const double kept_nearer = 3, kept_farther = 1.5; /* than wanted, factors
 static const double seek_lift = 0.3;    /* above the surface, spacings */
 static const double seek_rise = 0.2;    /* points lower than that count less,
                                          * spacings */
-static const double seek_least = 0.02;  /* of a place's points: what counts no
-                                         * more isn't asked */
+static const double seek_least = 0.02;  /* of a place's points that gather: what
+                                         * counts no more isn't asked [pillars]
+                                         */
 static const double nearest_rise = 0.1; /* likewise, of the nearest */
 static const double worth_fine = 0.25;  /* what is worth less is a level
                                          * coarser, share of the picture */
