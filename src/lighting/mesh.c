@@ -174,9 +174,8 @@ static struct diffuse_light mesh_surfaces(const struct mesh_lighting *mesh,
                                           bool smooth)
 {
     const struct mesh_indirect known = {
-        mesh->indirect,  mesh->indirect_pixels,
-        &mesh->ambience, mesh->indirect_view,
-        mesh->survey.worth, smooth,
+        mesh->indirect,      mesh->indirect_pixels, &mesh->ambience,
+        mesh->indirect_view, mesh->survey.worth,    smooth,
     };
     return mesh_diffuse(&known, worker, surface);
 }

@@ -12,7 +12,7 @@ struct mesh_indirect {
     const struct ambience *ambience;
     struct lattice_view view;
     double worth; /* of indirect light in the picture, as a survey has it */
-    bool smooth; /* of surfaces without bumps */
+    bool smooth;  /* of surfaces without bumps */
 };
 
 /* Indirect and ambient light on the surface's first layer. */
