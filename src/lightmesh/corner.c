@@ -67,6 +67,24 @@ bool corner_serves(const struct corner *corner, const struct receiver *receiver)
     return apart <= corner->reach && rise <= indirect_pixels_rise * apart;
 }
 
+bool corner_sees(const struct corner *corner, const struct indirect_mesh *mesh,
+                 struct worker *worker, const struct receiver *receiver)
+{
+    double apart = vec3_length(vec3_sub(corner->point, receiver->point));
+    double lift = indirect_pixels_lift * apart;
+    vec3 from = vec3_along(receiver->point, receiver->side, lift);
+    vec3 to = vec3_along(corner->point, corner->side, lift);
+    vec3 between = vec3_sub(to, from);
+    double length = vec3_length(between);
+    if (!(length > 0))
+        return true;
+    struct ray ray = { from, vec3_scale(between, 1 / length) };
+    worker->counters.shadow_rays++;
+    return !world_occluded(
+        mesh->points.world,
+        &(struct occlusion){ .ray = &ray, .tmax = length, .light = -1 });
+}
+
 /* No less than nothing. */
 static double turned_by(double share, double here, double turned)
 {

@@ -40,6 +40,10 @@ void corner_ask(struct corner_light *light, const struct indirect_mesh *mesh,
 bool corner_serves(const struct corner *corner,
                    const struct receiver *receiver);
 
+/* Whether nothing stands between, a little above the surface. */
+bool corner_sees(const struct corner *corner, const struct indirect_mesh *mesh,
+                 struct worker *worker, const struct receiver *receiver);
+
 /* What that is to who is served: by how much its surface or its bumps are
  * turned from the corner's it gets what comes from there. */
 struct indirect_share corner_share(const struct corner *corner,

@@ -213,26 +213,6 @@ static void corners_find(struct corners *corners,
     }
 }
 
-/* Whether nothing stands between, a little above the surface. */
-static bool corner_sees(const struct indirect_pixels *pixels,
-                        struct worker *worker, const struct corner *corner,
-                        const struct receiver *receiver)
-{
-    double apart = vec3_length(vec3_sub(corner->point, receiver->point));
-    double lift = indirect_pixels_lift * apart;
-    vec3 from = vec3_along(receiver->point, receiver->side, lift);
-    vec3 to = vec3_along(corner->point, corner->side, lift);
-    vec3 between = vec3_sub(to, from);
-    double length = vec3_length(between);
-    if (!(length > 0))
-        return true;
-    struct ray ray = { from, vec3_scale(between, 1 / length) };
-    worker->counters.shadow_rays++;
-    return !world_occluded(
-        pixels->mesh->points.world,
-        &(struct occlusion){ .ray = &ray, .tmax = length, .light = -1 });
-}
-
 /* Where they differ much something may stand between, seen from the edge. */
 static bool corners_alike(const struct corners *corners, double even)
 {
@@ -259,11 +239,11 @@ static bool corners_see(const struct corners *corners,
             if (corners->at[i].weight > corners->at[heaviest].weight)
                 heaviest = i;
         return !corners->missing || count > 2 ||
-               corner_sees(pixels, worker, corners->at[heaviest].corner,
+               corner_sees(corners->at[heaviest].corner, pixels->mesh, worker,
                            receiver);
     }
     for (int i = 0; i < count; i++)
-        if (!corner_sees(pixels, worker, corners->at[i].corner, receiver))
+        if (!corner_sees(corners->at[i].corner, pixels->mesh, worker, receiver))
             return false;
     return true;
 }

@@ -180,7 +180,9 @@ bool pixel_blocks_light(const struct pixel_blocks *blocks,
             continue;
         if (!block->places[number].placed)
             place_find(block, blocks, number, receiver);
-        if (!place_serves(block, number, receiver))
+        if (!place_serves(block, number, receiver) ||
+            !corner_sees(&block->places[number].corner, blocks->mesh, worker,
+                         receiver))
             continue;
         place_ask(block, blocks, worker, number, receiver);
         *share = corner_share(&block->places[number].corner,
