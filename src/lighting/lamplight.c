@@ -30,9 +30,8 @@ rgb lamplight_trace_fine(struct lamplight *light, const struct lamp *lamp,
     return lamps_share_fine(light->lamps, lamp, light->worker, &target);
 }
 
-static void lamplight_visit(const struct lamplight *light,
-                            const struct lamp *lamp,
-                            const struct lamp_view *view, rgb share)
+void lamplight_visit(const struct lamplight *light, const struct lamp *lamp,
+                     const struct lamp_view *view, rgb share)
 {
     rgb whole = rgb_scale(lamp->light->colour, view->attenuation);
     struct light_sample sample = {
@@ -64,15 +63,21 @@ static void lamplight_give_area(struct lamplight *light,
                 lamplight_visit(light, lamp, &view, share);
 }
 
-/* Most lamps that give nothing are behind the surface, which needs no unit
- * vectors. */
-static bool lamplight_is_behind(const struct lamplight *light,
-                                const struct lamp *lamp, bool parallel)
+bool lamplight_is_behind(const struct lamplight *light, const struct lamp *lamp)
 {
     const struct surface *surface = light->surface;
-    vec3 way = parallel ? vec3_negate(lamp->axis)
-                        : vec3_sub(lamp->light->location, surface->point);
+    vec3 way = lamp_is_parallel(lamp)
+                   ? vec3_negate(lamp->axis)
+                   : vec3_sub(lamp->light->location, surface->point);
     return !surface_faces(surface, way);
+}
+
+void lamplight_share(struct lamplight *light, const struct lamp *lamp,
+                     const struct lamp_view *view)
+{
+    rgb share = light->share(light, lamp, view);
+    if (rgb_peak(share) > 0)
+        lamplight_visit(light, lamp, view, share);
 }
 
 void lamplight_give(struct lamplight *light, const struct lamp *lamp)
@@ -87,10 +92,7 @@ void lamplight_give(struct lamplight *light, const struct lamp *lamp)
         lamplight_give_area(light, lamp, &view);
         return;
     }
-    if (lamplight_is_behind(light, lamp, lamp_is_parallel(lamp)) ||
-        !lamp_look(lamp, location, surface->point, &view))
-        return;
-    rgb share = light->share(light, lamp, &view);
-    if (rgb_peak(share) > 0)
-        lamplight_visit(light, lamp, &view, share);
+    if (!lamplight_is_behind(light, lamp) &&
+        lamp_look(lamp, location, surface->point, &view))
+        lamplight_share(light, lamp, &view);
 }

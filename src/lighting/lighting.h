@@ -62,6 +62,13 @@ struct diffuse_light {
     rgb irradiance; /* multiplies finish diffuse */
 };
 
+/* A surface that is lit together with others. */
+struct light_asker {
+    const struct surface *surface;
+    void *context;                /* of visits */
+    struct diffuse_light diffuse; /* what `illuminate` returns */
+};
+
 /* Takes a line of --stats: what, how much, and its unit or ""; NAN: the unit
  * says all. */
 typedef void lighting_row(void *context, const char *what, double amount,
@@ -89,6 +96,14 @@ struct lighting {
     struct diffuse_light (*illuminate)(const void *state, struct worker *worker,
                                        const struct surface *surface,
                                        light_visit *visit, void *context);
+    /* The same of up to RAY_LANES surfaces, each the same to the bit: the
+     * sooner the closer together they are. NULL: one by one. */
+    void (*illuminate_many)(const void *state, struct worker *worker,
+                            struct light_asker *askers, unsigned count,
+                            light_visit *visit);
+    /* Whether surfaces may be lit in any order, those of one pixel
+     * (worker->pixel) too; asked if there is illuminate_many. */
+    bool (*in_any_order)(const void *state);
     /* The lamps, which light media as they do under `rays`. NULL where
      * illuminate is. */
     const struct lamps *(*lamps)(const void *state);

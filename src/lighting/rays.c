@@ -9,7 +9,7 @@
  * `normal on` says so. Since version 3.7 it takes the place of all ambient
  * light; before, `ambient` is light that a surface sends to others as well. */
 #include "base/memory.h"
-#include "lighting/lamplight.h"
+#include "lighting/lamplights.h"
 #include "lighting/mesh_bounced.h"
 #include "lightmesh/indirect.h"
 
@@ -75,29 +75,69 @@ static rgb rays_ambient(const struct rays_lighting *rays)
                                                : settings->ambient_light;
 }
 
-static struct diffuse_light rays_illuminate(const void *state,
-                                            struct worker *worker,
-                                            const struct surface *surface,
-                                            light_visit *visit, void *context)
+/* What all lamps have lit. */
+static struct diffuse_light rays_diffuse(const struct rays_lighting *rays,
+                                         struct worker *worker,
+                                         const struct surface *surface)
 {
-    const struct rays_lighting *rays = state;
-    const struct lamps *lamps = &rays->lamps;
     struct diffuse_light diffuse = { rays_ambient(rays), rgb_grey(0) };
-    struct lamplight light = {
-        .lamps = lamps,
+    if (rays->mesh)
+        diffuse.irradiance =
+            mesh_bounced(rays->mesh, worker, surface,
+                         !rays->lamps.scene->settings.radiosity_said.normal);
+    return diffuse;
+}
+
+static struct lamplight rays_lamplight(const struct rays_lighting *rays,
+                                       struct worker *worker,
+                                       const struct surface *surface,
+                                       light_visit *visit, void *context)
+{
+    return (struct lamplight){
+        .lamps = &rays->lamps,
         .worker = worker,
         .surface = surface,
         .visit = visit,
         .context = context,
         .share = lamplight_trace,
     };
-    for (size_t i = 0; i < lamps->count; i++)
-        lamplight_give(&light, &lamps->items[i]);
-    if (rays->mesh)
-        diffuse.irradiance =
-            mesh_bounced(rays->mesh, worker, surface,
-                         !lamps->scene->settings.radiosity_said.normal);
-    return diffuse;
+}
+
+static struct diffuse_light rays_illuminate(const void *state,
+                                            struct worker *worker,
+                                            const struct surface *surface,
+                                            light_visit *visit, void *context)
+{
+    const struct rays_lighting *rays = state;
+    struct lamplight light =
+        rays_lamplight(rays, worker, surface, visit, context);
+    for (size_t i = 0; i < rays->lamps.count; i++)
+        lamplight_give(&light, &rays->lamps.items[i]);
+    return rays_diffuse(rays, worker, surface);
+}
+
+static void rays_illuminate_many(const void *state, struct worker *worker,
+                                 struct light_asker *askers, unsigned count,
+                                 light_visit *visit)
+{
+    const struct rays_lighting *rays = state;
+    struct lamplight each[RAY_LANES];
+    struct lamplights lights;
+    for (unsigned i = 0; i < count; i++)
+        each[i] = rays_lamplight(rays, worker, askers[i].surface, visit,
+                                 askers[i].context);
+    lamplights_start(&lights, each, count);
+    for (size_t i = 0; i < rays->lamps.count; i++)
+        lamplights_give(&lights, &rays->lamps.items[i]);
+    for (unsigned i = 0; i < count; i++)
+        askers[i].diffuse = rays_diffuse(rays, worker, askers[i].surface);
+}
+
+/* Light of surfaces is shared by the rays of a pixel, as they come. */
+static bool rays_in_any_order(const void *state)
+{
+    const struct rays_lighting *rays = state;
+    return !rays->mesh;
 }
 
 static const struct lamps *rays_lamps(const void *state)
@@ -127,5 +167,7 @@ const struct lighting rays_lighting = {
     .foresees = rays_foresees,
     .prepare = rays_prepare,
     .illuminate = rays_illuminate,
+    .illuminate_many = rays_illuminate_many,
+    .in_any_order = rays_in_any_order,
     .lamps = rays_lamps,
 };

@@ -354,6 +354,10 @@ static bool parse_thing_name(struct parser *p, struct value *value, bool *found)
 bool parse_expression(struct parser *p, struct value *value)
 {
     bool found;
+    if (float_at_once(p, &value->number[0])) {
+        value->kind = VALUE_FLOAT;
+        return true;
+    }
     enum keyword keyword = stream_keyword(p);
     if (colour_begins(keyword))
         return expression_colour(p, value);

@@ -126,7 +126,8 @@ void vector_trace(struct parser *p, const struct call *call,
         point = ray_point(&ray, t);
     *result = value_vector(point);
     if (call->target) {
-        symbol_give(call->target, value_vector(normal));
+        struct value given = value_vector(normal);
+        symbol_give(call->target, &given);
         p->changes++;
     }
 }

@@ -156,7 +156,7 @@ static bool parse_clip_body(struct parser *p, struct clip_list *list,
  * declared object. */
 static bool object_add_list(struct parser *p, struct object *object,
                             const struct clip_list *list,
-                            const struct clip **items, size_t *count)
+                            const struct clip **items, unsigned *count)
 {
     struct clip *all =
         ARENA_ARRAY(p->scene_arena, struct clip, *count + list->count);
@@ -168,7 +168,7 @@ static bool object_add_list(struct parser *p, struct object *object,
             return false;
     }
     *items = all;
-    *count += list->count;
+    *count += (unsigned)list->count;
     return true;
 }
 

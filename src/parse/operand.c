@@ -243,7 +243,7 @@ static bool parse_identifier(struct parser *p, const char *wanted,
         error_expected(p, wanted);
         return operand_skip_identifier(p, value);
     }
-    *value = symbol->value;
+    value_copy(value, &symbol->value);
     switch (value->kind) {
     case VALUE_UNSUPPORTED:
         unsupported_use(p);
@@ -375,7 +375,8 @@ static bool parse_primary(struct parser *p, const char *wanted,
     bool ok;
     switch (token->kind) {
     case TOKEN_NUMBER:
-        *value = value_float(stream_next(p).number);
+        value->kind = VALUE_FLOAT;
+        value->number[0] = stream_next(p).number;
         return true;
     case TOKEN_STRING:
         *value = value_text(stream_next(p).text);

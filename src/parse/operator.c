@@ -146,9 +146,34 @@ static void operator_promote(struct value *value, const struct value *other)
         value->kind = VALUE_COLOUR;
 }
 
+/* Numbers, vectors and colours. */
+static void operator_apply_numbers(struct parser *p, enum token_kind kind,
+                                   struct span span, struct value *left,
+                                   const struct value *right)
+{
+    struct value other = *right;
+    operator_promote(left, right);
+    operator_promote(&other, left);
+    bool infinite = false;
+    for (int i = 0; i < value_size(left); i++) {
+        infinite |= kind == TOKEN_SLASH && other.number[i] == 0 &&
+                    i < value_size(right);
+        left->number[i] =
+            operator_float(kind, left->number[i], other.number[i]);
+    }
+    if (infinite)
+        warning_at(p, span, NULL, "division by zero");
+}
+
 void operator_apply(struct parser *p, enum token_kind kind, struct span span,
                     struct value *left, const struct value *right)
 {
+    if (left->kind == VALUE_FLOAT && right->kind == VALUE_FLOAT &&
+        kind != TOKEN_SLASH) {
+        left->number[0] =
+            operator_float(kind, left->number[0], right->number[0]);
+        return;
+    }
     if (value_is_poison(left) || value_is_poison(right)) {
         *left = value_poison();
         return;
@@ -165,18 +190,7 @@ void operator_apply(struct parser *p, enum token_kind kind, struct span span,
         *left = value_poison();
         return;
     }
-    struct value other = *right;
-    operator_promote(left, right);
-    operator_promote(&other, left);
-    bool infinite = false;
-    for (int i = 0; i < value_size(left); i++) {
-        infinite |= kind == TOKEN_SLASH && other.number[i] == 0 &&
-                    i < value_size(right);
-        left->number[i] =
-            operator_float(kind, left->number[i], other.number[i]);
-    }
-    if (infinite)
-        warning_at(p, span, NULL, "division by zero");
+    operator_apply_numbers(p, kind, span, left, right);
 }
 
 void operator_apply_sign(struct parser *p, enum token_kind kind,

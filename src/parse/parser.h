@@ -83,6 +83,7 @@ struct parser {
         const struct pigment *pigment;
         const struct normal *normal;
         const struct finish *finish;
+        struct texture *texture; /* of the three, or of earlier ones */
     } defaults;
     bool density; /* what is read is a pigment by the name of density */
     struct {

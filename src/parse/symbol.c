@@ -136,14 +136,14 @@ struct symbol *symbol_make(struct parser *p, const struct word *word,
 void symbol_set(struct parser *p, const struct word *word, struct value value,
                 bool local)
 {
-    symbol_give(symbol_make(p, word, local), value);
+    symbol_give(symbol_make(p, word, local), &value);
 }
 
-void symbol_give(struct symbol *symbol, struct value value)
+void symbol_give(struct symbol *symbol, const struct value *value)
 {
-    symbol->value = value;
+    value_copy(&symbol->value, value);
     if (symbol->element)
-        *symbol->element = value;
+        value_copy(symbol->element, value);
 }
 
 /* The symbol stays in its scope's list and is freed with it. */

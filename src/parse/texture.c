@@ -9,9 +9,20 @@ static const struct field texture_names[] = {
     { .name = NULL },
 };
 
+static bool layer_is_default(const struct parser *p, const struct layer *layer)
+{
+    return layer->pigment == p->defaults.pigment &&
+           layer->normal == p->defaults.normal &&
+           layer->finish == p->defaults.finish;
+}
+
+/* One for all: a scene can have millions of objects that say nothing. */
 const struct texture *texture_from_defaults(struct parser *p)
 {
-    struct texture *texture = ARENA_NEW(p->scene_arena, struct texture);
+    struct texture *texture = p->defaults.texture;
+    if (texture && layer_is_default(p, texture->layers))
+        return texture;
+    texture = ARENA_NEW(p->scene_arena, struct texture);
     texture->layers = ARENA_NEW(p->scene_arena, struct layer);
     texture->layers[0] = (struct layer){
         .pigment = p->defaults.pigment,
@@ -19,7 +30,7 @@ const struct texture *texture_from_defaults(struct parser *p)
         .finish = p->defaults.finish,
     };
     texture->count = 1;
-    texture->span = p->last_span;
+    p->defaults.texture = texture;
     return texture;
 }
 
@@ -32,6 +43,14 @@ struct texture *texture_copy(struct parser *p, const struct texture *texture)
            texture->count * sizeof *texture->layers);
     copy->choice = texture->choice;
     copy->span = texture->span;
+    return copy;
+}
+
+struct texture *texture_top(struct parser *p, const struct texture *texture,
+                            struct layer **top)
+{
+    struct texture *copy = texture_copy(p, texture);
+    *top = &copy->layers[copy->count - 1];
     return copy;
 }
 
@@ -52,6 +71,8 @@ const struct texture *texture_stack(struct parser *p,
                  TEXTURE_LAYERS);
         return bottom;
     }
+    if (p->version <= 3.1)
+        top = texture_veiled(p, top);
     both->layers = ARENA_ARRAY(p->scene_arena, struct layer, both->count);
     memcpy(both->layers, bottom->layers,
            bottom->count * sizeof *bottom->layers);
@@ -60,23 +81,41 @@ const struct texture *texture_stack(struct parser *p,
     return both;
 }
 
-/* texture_start = TEXTURE | PIGMENT | NORMAL | FINISH . */
-static bool parse_texture_start(struct parser *p, const struct texture **out)
+/* The declared pigment, normal or finish that is next goes into the topmost
+ * layer. */
+static bool accept_texture_value(struct parser *p, const struct texture **in)
+{
+    const struct value *pigment = accept_value(p, VALUE_PIGMENT);
+    const struct value *normal = pigment ? NULL : accept_value(p, VALUE_NORMAL);
+    const struct value *finish =
+        pigment || normal ? NULL : accept_value(p, VALUE_FINISH);
+    if (!pigment && !normal && !finish)
+        return false;
+    struct layer *layer;
+    *in = texture_top(p, *in, &layer);
+    if (pigment)
+        layer->pigment = pigment->pigment;
+    else if (normal)
+        layer->normal = normal->normal;
+    else
+        layer->finish = finish->finish;
+    return true;
+}
+
+/* texture_start = [TEXTURE] {PIGMENT | NORMAL | FINISH} . */
+static void parse_texture_start(struct parser *p, const struct texture **out)
 {
     const struct value *value = accept_value(p, VALUE_TEXTURE);
+    bool choice = value && value->texture->choice;
     if (value) {
         *out = value->texture;
-        return true;
+    } else {
+        struct texture *texture = texture_copy(p, texture_from_defaults(p));
+        texture->span = p->last_span;
+        *out = texture;
     }
-    *out = texture_from_defaults(p);
-    struct layer *layer = (*out)->layers;
-    if ((value = accept_value(p, VALUE_PIGMENT)) != NULL)
-        layer->pigment = value->pigment;
-    else if ((value = accept_value(p, VALUE_NORMAL)) != NULL)
-        layer->normal = value->normal;
-    else if ((value = accept_value(p, VALUE_FINISH)) != NULL)
-        layer->finish = value->finish;
-    return true;
+    while (!choice && accept_texture_value(p, out))
+        ;
 }
 
 /* A surface's own normal: nothing else will begin with it. */
@@ -100,8 +139,8 @@ bool parse_texture_part(struct parser *p, const struct texture **in,
              keyword == KEYWORD_FINISH;
     if (!*found)
         return true;
-    struct texture *texture = texture_copy(p, *in);
-    struct layer *top = &texture->layers[texture->count - 1];
+    struct layer *top;
+    struct texture *texture = texture_top(p, *in, &top);
     if (keyword == KEYWORD_PIGMENT || !texture->span.source)
         texture->span = stream_span(p);
     *in = texture;
@@ -127,13 +166,15 @@ static const struct texture *texture_levelled(struct parser *p,
     return level;
 }
 
-/* texture_item = texture_part | "no_bump_scale" | transformation . */
+/* texture_item = texture_part | bare_item | "no_bump_scale"
+ *              | transformation . */
 static bool parse_texture_item(struct parser *p, const struct texture **in)
 {
     affine step = affine_identity();
     bool found;
     struct span span = stream_span(p);
-    if (!parse_texture_part(p, in, &found))
+    if (!parse_texture_part(p, in, &found) ||
+        (!found && !parse_bare_item(p, in, &found)))
         return false;
     if (found)
         return !(*in)->choice ||
@@ -154,15 +195,14 @@ static bool parse_texture_item(struct parser *p, const struct texture **in)
 
 static bool texture_content(struct parser *p, const struct texture **in)
 {
-    bool found;
-    if (!parse_texture_choice(p, in, &found))
+    bool found = false;
+    if (!at_bare_item(p) && !parse_texture_choice(p, in, &found))
         return false;
     if (!found && !parse_material_map(p, in, &found))
         return false;
     if (found)
         return true;
-    if (!parse_texture_start(p, in))
-        return false;
+    parse_texture_start(p, in);
     while (!at_body_end(p))
         if (!parse_texture_item(p, in))
             return false;
@@ -171,7 +211,7 @@ static bool texture_content(struct parser *p, const struct texture **in)
 
 /* texture_body = ["uv_mapping"]
  *                ( texture_choice | texture_by_picture
- *                | [texture_start] {texture_item} ) . */
+ *                | texture_start {texture_item} ) . */
 bool parse_texture_body(struct parser *p, const struct texture **in)
 {
     bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING);

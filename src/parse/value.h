@@ -83,6 +83,18 @@ struct value {
     };
 };
 
+/* As an assignment, which would wait for what was just written in parts: most
+ * values are numbers. */
+static inline void value_copy(struct value *to, const struct value *from)
+{
+    if (from->kind == VALUE_FLOAT) {
+        to->kind = VALUE_FLOAT;
+        to->number[0] = from->number[0];
+    } else {
+        *to = *from;
+    }
+}
+
 /* "a float", "a texture": for messages. */
 const char *value_kind_name(enum value_kind kind);
 

@@ -125,15 +125,21 @@ static double sampler_middle(const struct sampler *sampler)
     return sampler_corners(sampler) ? 0 : 0.5;
 }
 
-/* What the camera sees at (x, y) in pixels from the top left. */
-static void sampler_see(const struct sampler *sampler, struct worker *worker,
-                        double x, double y, float out[4])
+/* (x, y) in pixels from the top left. */
+static struct picture_place sampler_at(const struct sampler *sampler, double x,
+                                       double y)
 {
     const struct render_options *options = sampler->options;
     double middle = sampler_middle(sampler);
-    const struct picture_place place = {
-        { x / options->width, y / options->height }, { x - middle, y - middle }
-    };
+    return (struct picture_place){ { x / options->width, y / options->height },
+                                   { x - middle, y - middle } };
+}
+
+/* What the camera sees there. */
+static void sampler_see(const struct sampler *sampler, struct worker *worker,
+                        double x, double y, float out[4])
+{
+    const struct picture_place place = sampler_at(sampler, x, y);
     struct radiance seen = tracer_camera(sampler->tracer, worker, &place);
     arena_reset(worker->scratch);
     sampler_take(&seen, out);
@@ -175,13 +181,24 @@ struct first_hits sampler_grid(const struct sampler *sampler)
     };
 }
 
-/* Places of the grid close together. */
+enum { BLOCK_MOST = SAMPLER_BLOCK * SAMPLER_BLOCK };
+
+/* Places close together. */
 struct sampler_block {
     unsigned count;
-    struct picture_place places[SAMPLER_BLOCK * SAMPLER_BLOCK];
-    struct ray rays[SAMPLER_BLOCK * SAMPLER_BLOCK];
-    struct world_hit hits[SAMPLER_BLOCK * SAMPLER_BLOCK];
+    struct picture_place places[BLOCK_MOST];
+    struct ray rays[BLOCK_MOST];
+    struct world_hit hits[BLOCK_MOST];
 };
+
+static void block_add(const struct sampler *sampler,
+                      struct sampler_block *block,
+                      const struct picture_place *place)
+{
+    _Static_assert((int)BLOCK_MOST <= (int)WORLD_RAYS, "a packet");
+    block->places[block->count] = *place;
+    block->rays[block->count++] = tracer_ray(sampler->tracer, place);
+}
 
 /* With `needed` only those that are. Returns whether there are any. */
 static bool block_start(const struct sampler *sampler,
@@ -189,18 +206,14 @@ static bool block_start(const struct sampler *sampler,
                         const struct first_hits *grid, struct area area,
                         bool needed)
 {
-    _Static_assert(SAMPLER_BLOCK * SAMPLER_BLOCK <= (int)WORLD_RAYS,
-                   "a packet");
     block->count = 0;
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++) {
             if (needed && !sampler_needs(sampler, x, y))
                 continue;
-            struct picture_place *place = &block->places[block->count];
-            first_hits_place(grid, x, y, place->at);
-            place->grid[0] = x;
-            place->grid[1] = y;
-            block->rays[block->count++] = tracer_ray(sampler->tracer, place);
+            struct picture_place place = { .grid = { x, y } };
+            first_hits_place(grid, x, y, place.at);
+            block_add(sampler, block, &place);
         }
     return block->count > 0;
 }
@@ -209,6 +222,15 @@ static void block_meet(const struct sampler *sampler,
                        struct sampler_block *block)
 {
     tracer_meet_many(sampler->tracer, block->rays, block->count, block->hits);
+}
+
+/* What the camera sees there, of what is met first. */
+static void block_see(const struct sampler *sampler, struct worker *worker,
+                      const struct sampler_block *block, struct radiance *seen)
+{
+    const struct tracer_met met = { block->places, block->rays, block->hits,
+                                    block->count };
+    tracer_see_many(sampler->tracer, worker, &met, seen);
 }
 
 /* Whether what is met there can decide about a place that is needed, if that
@@ -245,7 +267,7 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
 {
     struct first_hits grid = sampler_grid(sampler);
     struct sampler_block block;
-    struct radiance seen[SAMPLER_BLOCK * SAMPLER_BLOCK];
+    struct radiance seen[BLOCK_MOST];
     if (!block_start(sampler, &block, &grid, area, true))
         return;
     if (!sampler->hits)
@@ -254,9 +276,7 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
         block.hits[i] =
             *first_hits_at(sampler->hits, (int)block.places[i].grid[0],
                            (int)block.places[i].grid[1]);
-    const struct tracer_met met = { block.places, block.rays, block.hits,
-                                    block.count };
-    tracer_see_many(sampler->tracer, worker, &met, seen);
+    block_see(sampler, worker, &block, seen);
     if (worker_stopped(worker)) /* while it was looked at */
         return;
     for (unsigned i = 0; i < block.count; i++) {
@@ -285,22 +305,40 @@ static double sampler_jitter(int x, int y, int number)
     return random_unit(random_key(key, (uint64_t)(unsigned)number)) - 0.5;
 }
 
+/* Adds up what is seen at places of a pixel. */
+static void block_sum(const struct sampler *sampler, struct worker *worker,
+                      struct sampler_block *block, double sum[4])
+{
+    struct radiance seen[BLOCK_MOST];
+    block_meet(sampler, block);
+    block_see(sampler, worker, block, seen);
+    for (unsigned i = 0; i < block->count; i++) {
+        float value[4];
+        sampler_take(&seen[i], value);
+        for (int k = 0; k < 4; k++)
+            sum[k] += (double)value[k];
+    }
+    block->count = 0;
+}
+
 /* Method 1: the mean of the centre and R x R samples. */
 static void centre_refine(const struct sampler *sampler, struct worker *worker,
                           int x, int y, float pixel[4])
 {
     int n = sampler_depth(sampler);
     double sum[4], jitter = sampler->options->jitter;
+    struct sampler_block block;
+    block.count = 0;
     for (int k = 0; k < 4; k++)
         sum[k] = (double)pixel[k];
     worker_pixel_begin(worker);
     for (int i = 0; i < n * n; i++) {
         double u = i % n + 0.5 + jitter * sampler_jitter(x, y, 2 * i);
         double v = i / n + 0.5 + jitter * sampler_jitter(x, y, 2 * i + 1);
-        float seen[4];
-        sampler_see(sampler, worker, x + u / n, y + v / n, seen);
-        for (int k = 0; k < 4; k++)
-            sum[k] += (double)seen[k];
+        struct picture_place place = sampler_at(sampler, x + u / n, y + v / n);
+        block_add(sampler, &block, &place);
+        if (block.count == BLOCK_MOST || i == n * n - 1)
+            block_sum(sampler, worker, &block, sum);
     }
     worker_pixel_end(worker);
     for (int k = 0; k < 4; k++)

@@ -34,21 +34,21 @@ struct clip {
     affine transform; /* clip's parent space to the node's parent space */
 };
 
+/* Scenes have millions of these: what is small stands together. */
 struct object {
-    enum object_kind kind;
     struct span span; /* the keyword, for late errors */
+    enum object_kind kind;
+    unsigned child_count, clip_count, bound_count;
     const struct primitive *primitive;
     const void *shape;
     const struct mesh *mesh;
     const struct light *light;
     const struct object **children;
-    size_t child_count;
 
     /* Of the tree below, clips included: a declared object may be used by one
      * that is used by another, and so on. The parser limits both. */
     unsigned depth; /* levels, 1 for a shape */
-    size_t parts;   /* shapes, each counted as often as it is used */
-    bool patch;     /* some part has no inside */
+    unsigned parts; /* shapes, each counted as often as it is used */
 
     /* None is NULL; most are affine_unmoved, or the same. */
     const affine *transform;
@@ -60,21 +60,20 @@ struct object {
     const affine *interior_transform; /* its media's space to the parent's */
 
     const struct clip *clips;
-    size_t clip_count;
-
     /* bounded_by: a ray that misses one of these misses the node, if that is
      * CSG or a shape that POV-Ray doesn't bound by itself. */
     const struct clip *bounds;
-    size_t bound_count;
 
+    const struct photon_flags *photons; /* NULL: the parent's */
+
+    unsigned light_group;  /* whose lamps light it; 0: none, or the parent's */
+    bool no_global_lights; /* and no others do */
+    bool patch;            /* some part has no inside */
     bool inverse;
     bool hollow, has_hollow; /* has_: said at all, else the parent's */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
-    unsigned light_group;  /* whose lamps light it; 0: none, or the parent's */
-    bool no_global_lights; /* and no others do */
-    bool uv_mapping;       /* the texture is of the surface's own coordinates */
-    const struct photon_flags *photons; /* NULL: the parent's */
+    bool uv_mapping; /* the texture is of the surface's own coordinates */
 };
 
 /* A new node of this kind with identity transformations. */

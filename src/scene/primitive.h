@@ -12,7 +12,7 @@
 #include "base/field.h"
 #include "scene/cell.h"
 #include "scene/patch.h"
-#include "scene/ray.h"
+#include "scene/rays.h"
 
 /* What bounded_by does to a shape that is no part of CSG (measured). */
 enum primitive_bounds {
@@ -64,6 +64,12 @@ struct primitive {
     /* The same, and where it does first; NULL likewise. */
     bool (*first)(const void *shape, const struct ray *ray, double tmin,
                   double tmax, struct hit *hit);
+    /* crosses and first of rays side by side, each as those have it to the
+     * bit. NULL: one by one. */
+    void (*crosses_many)(const void *shape, const struct rays *rays,
+                         const struct rays_span *span, lane_flag *met);
+    void (*first_many)(const void *shape, const struct rays *rays,
+                       const struct rays_span *span, struct rays_met *met);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */
     vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
     /* The same where normals depend on how the shape stands, to which

@@ -14,10 +14,6 @@
 
 enum { CROSSINGS_MAX = 128 }; /* more than these only filter */
 
-/* Shadow rays see nothing closer than this to the lamp, the surface, or the
- * filter before. */
-static const double shadow_margin = 1e-3;
-
 struct shadow_crossing {
     double t;
     const struct leaf *leaf;
@@ -142,7 +138,7 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         const struct shadow_crossing *crossing = &shadow->at[i];
         const struct leaf *leaf = crossing->leaf;
         double distance = crossing->t - from;
-        if (distance < shadow_margin)
+        if (distance < SHADOW_MARGIN)
             continue;
         share = rgb_mul(share, crossing->through);
         share =
@@ -164,14 +160,14 @@ static rgb shadow_share(const struct shadow_ray *shadow,
 double shadow_start(vec3 point)
 {
     double offset = surface_offset(point);
-    return offset > shadow_margin ? offset : shadow_margin;
+    return offset > SHADOW_MARGIN ? offset : SHADOW_MARGIN;
 }
 
 bool shadow_is_whole(const struct shaft *shaft, const double place[2],
                      vec3 point, vec3 way)
 {
     double part = 1 / vec3_length(way);
-    double from = shadow_start(point) * part, to = 1 - shadow_margin * part;
+    double from = shadow_start(point) * part, to = 1 - SHADOW_MARGIN * part;
     return to > from && shaft_hides(shaft, place, point, way, from, to);
 }
 
@@ -211,7 +207,7 @@ static bool shadow_begins(const struct world *world,
     struct ray ray = { path->point, path->direction };
     double pane = world_pane(world, path->light, &ray, from, *to);
     if (pane < *to)
-        *to = pane - shadow_margin;
+        *to = pane - SHADOW_MARGIN;
     return pane >= 0;
 }
 
@@ -221,7 +217,7 @@ bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
     const struct ray ray = { point, direction };
     const struct occlusion way = { .ray = &ray,
                                    .tmin = shadow_start(point),
-                                   .tmax = distance - shadow_margin,
+                                   .tmax = shadow_end(distance),
                                    .light = light };
     if (!(way.tmax > way.tmin))
         return false;
@@ -229,11 +225,31 @@ bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
     return world_occluded(world, &way);
 }
 
+/* Whether there is room for anything on them. */
+CLONES static void ways_have_room(const struct rays_span *restrict span,
+                                  lane_flag *restrict room)
+{
+    for (int i = 0; i < RAY_LANES; i++)
+        room[i] = span->far[i] > span->near[i] ? -1 : 0;
+}
+
+unsigned shadow_falls_many(const struct world *world, struct worker *worker,
+                           const struct occlusions *ways, unsigned lanes)
+{
+    lane_flag room[RAY_LANES];
+    ways_have_room(&ways->span, room);
+    lanes &= rays_bits(room);
+    if (!lanes)
+        return 0;
+    worker->counters.shadow_rays += (unsigned)__builtin_popcount(lanes);
+    return world_occluded_many(world, ways, lanes);
+}
+
 rgb shadow_visibility(const struct world *world, struct worker *worker,
                       const struct shadow_path *path)
 {
     double from = shadow_start(path->point);
-    double to = path->distance - shadow_margin;
+    double to = shadow_end(path->distance);
     if (!(to > from))
         return rgb_grey(1);
     if (!shadow_begins(world, path, from, &to))

@@ -38,13 +38,28 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
 bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
                   vec3 direction, double distance, int light);
 
+/* The same of the ways to one lamp that the bits `lanes` stand for, which must
+ * set out at shadow_start and end at shadow_end: for which it is so. */
+unsigned shadow_falls_many(const struct world *world, struct worker *worker,
+                           const struct occlusions *ways, unsigned lanes);
+
 /* Whether none does of a lamp's place that is `way` from the point: what is in
  * the shaft must be plain. `place` are its coordinates there. */
 bool shadow_is_whole(const struct shaft *shaft, const double place[2],
                      vec3 point, vec3 way);
 
-/* How far from its point such a way begins to meet anything. */
+/* Shadow rays see nothing closer than this to the lamp, the surface, or the
+ * filter before. */
+#define SHADOW_MARGIN 1e-3
+
+/* How far from its point such a way begins to meet anything, and, of one that
+ * is so long, ends to. */
 double shadow_start(vec3 point);
+
+static inline double shadow_end(double distance)
+{
+    return distance - SHADOW_MARGIN;
+}
 
 /* How far from a surface point the next ray begins to see: POV-Ray's 1e-4
  * (measured), and what single precision needs far from the origin. */

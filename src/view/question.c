@@ -36,7 +36,9 @@ void question_place(struct span span, char *text, size_t size)
 
 struct span question_span(const struct question_hit *hit, bool texture)
 {
-    return texture ? hit->at.texture->span : hit->at.leaf->object->span;
+    /* The texture that objects have by default was written nowhere. */
+    return texture && hit->at.texture->span.source ? hit->at.texture->span
+                                                   : hit->at.leaf->object->span;
 }
 
 void question_tell(const struct question_hit *hit, FILE *out)

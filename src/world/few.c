@@ -62,3 +62,20 @@ void few_trace(const struct few *few, struct query *query)
             return;
     }
 }
+
+static struct box3 pair_box(const struct few_pair *boxes, size_t i)
+{
+    const pair(*side)[3] = boxes->side;
+    return (struct box3){ { side[0][0][i], side[0][1][i], side[0][2][i] },
+                          { side[1][0][i], side[1][1][i], side[1][2][i] } };
+}
+
+void few_look(const struct few *few, struct packet *packet)
+{
+    for (size_t i = 0; i < few->solids->count; i++) {
+        struct box3 box = pair_box(&few->pairs[i / PAIR], i % PAIR);
+        unsigned lanes = packet_meets(packet, &box);
+        if (packet_look(packet, few->solids->items[i], lanes))
+            return;
+    }
+}

@@ -4,7 +4,7 @@
 #define WORLD_FEW_H
 
 #include "world/flatten.h"
-#include "world/query.h"
+#include "world/packet.h"
 
 struct few {
     const struct solid_list *solids; /* NULL: there are not few */
@@ -18,5 +18,8 @@ struct few few_new(struct arena *arena, const struct solid_list *solids,
 
 /* As geometry_trace (geometry.h). */
 void few_trace(const struct few *few, struct query *query);
+
+/* As geometry_look. */
+void few_look(const struct few *few, struct packet *packet);
 
 #endif

@@ -45,31 +45,86 @@ static void solid_bounds(const struct RTCBoundsFunctionArguments *a)
 }
 
 /* Embree's t for ours, not smaller. */
-static float embree_far(const struct query *query, double t)
+static inline double embree_far(double t, double shift, double doubt)
 {
-    double far = (t + query->shift) * (1 + 1e-6) + query->doubt;
-    return triangles_float(far);
+    return embree_number((t + shift) * (1 + 1e-6) + doubt);
+}
+
+/* Which of Embree's rays are asked about, as bits of their numbers. */
+static unsigned lanes_of(const int *valid, const unsigned *id, unsigned n)
+{
+    unsigned lanes = 0;
+    for (unsigned i = 0; i < n; i++)
+        lanes |= valid[i] == -1 ? 1u << id[i] : 0;
+    return lanes;
+}
+
+/* Of a packet. */
+static void packet_intersect(const struct RTCIntersectFunctionNArguments *a,
+                             struct packet *packet)
+{
+    const struct geometry *geometry = a->geometryUserPtr;
+    float *tfar = (float *)a->rayhit + LANE_TFAR * a->N;
+    const unsigned *id = (const unsigned *)a->rayhit + LANE_ID * a->N;
+    unsigned *hit = (unsigned *)a->rayhit + LANE_HIT * a->N;
+    double before[RAY_LANES];
+    memcpy(before, packet->span.far, sizeof before);
+    packet_look(packet, geometry->solids.items[a->primID],
+                lanes_of(a->valid, id, a->N));
+    for (unsigned i = 0; i < a->N; i++) {
+        if (a->valid[i] != -1)
+            continue;
+        double now = packet->span.far[id[i]];
+        a->valid[i] = now < before[id[i]] ? -1 : 0;
+        if (!a->valid[i])
+            continue;
+        float far = (float)embree_far(now, packet->shift[id[i]], packet->doubt);
+        if (far < tfar[i])
+            tfar[i] = far;
+        hit[LANE_GEOMETRY * a->N + i] = a->geomID;
+        hit[LANE_PRIMITIVE * a->N + i] = a->primID;
+    }
 }
 
 static void solid_intersect(const struct RTCIntersectFunctionNArguments *a)
 {
     const struct geometry *geometry = a->geometryUserPtr;
-    float *tfar = (float *)a->rayhit + LANE_TFAR * a->N;
-    unsigned *hit = (unsigned *)a->rayhit + LANE_HIT * a->N;
+    struct query *query = (struct query *)a->context;
+    struct RTCRayHit *rayhit = (struct RTCRayHit *)a->rayhit;
+    double before = query->tmax;
+    if (query->packet) {
+        packet_intersect(a, query->packet);
+        return;
+    }
+    if (a->valid[0] != -1)
+        return;
+    query_solid(query, geometry->solids.items[a->primID]);
+    a->valid[0] = query->tmax < before ? -1 : 0;
+    if (!a->valid[0])
+        return;
+    float far = (float)embree_far(query->tmax, query->shift, query->doubt);
+    if (far < rayhit->ray.tfar)
+        rayhit->ray.tfar = far;
+    rayhit->hit.geomID = a->geomID;
+    rayhit->hit.primID = a->primID;
+}
+
+/* Rays of a packet. */
+static void packet_occluded(const struct RTCOccludedFunctionNArguments *a,
+                            struct packet *packet)
+{
+    const struct geometry *geometry = a->geometryUserPtr;
+    float *tfar = (float *)a->ray + LANE_TFAR * a->N;
+    const unsigned *id = (const unsigned *)a->ray + LANE_ID * a->N;
+    packet_look(packet, geometry->solids.items[a->primID],
+                lanes_of(a->valid, id, a->N));
     for (unsigned i = 0; i < a->N; i++) {
         if (a->valid[i] != -1)
             continue;
-        struct query *query = query_lane(a->context, a->rayhit, a->N, i);
-        double before = query->tmax;
-        query_solid(query, geometry->solids.items[a->primID]);
-        a->valid[i] = query->tmax < before ? -1 : 0;
-        if (a->valid[i]) {
-            float far = embree_far(query, query->tmax);
-            if (far < tfar[i])
-                tfar[i] = far;
-            hit[LANE_GEOMETRY * a->N + i] = a->geomID;
-            hit[LANE_PRIMITIVE * a->N + i] = a->primID;
-        }
+        if (packet->open >> id[i] & 1)
+            a->valid[i] = 0;
+        else
+            tfar[i] = -HUGE_VALF;
     }
 }
 
@@ -77,8 +132,10 @@ static void solid_occluded(const struct RTCOccludedFunctionNArguments *a)
 {
     const struct geometry *geometry = a->geometryUserPtr;
     struct query *query = (struct query *)a->context;
-    if (a->valid[0] == -1 &&
-        query_solid(query, geometry->solids.items[a->primID]))
+    if (query->packet)
+        packet_occluded(a, query->packet);
+    else if (a->valid[0] == -1 &&
+             query_solid(query, geometry->solids.items[a->primID]))
         ((struct RTCRay *)a->ray)->tfar = -HUGE_VALF;
     else
         a->valid[0] = 0;
@@ -230,8 +287,7 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
     }
     rtcSetDeviceErrorFunction(geometry->device, embree_error, geometry);
     geometry->scene = rtcNewScene(geometry->device);
-    /* Solids are looked at ray by ray all the same. */
-    geometry->packets = flat->triangle_count > geometry->solids.count;
+    geometry->coherent = flat->triangle_count > geometry->solids.count;
     choose_build(geometry, flat->triangle_count, camera_rays);
     add_solids(geometry);
     bool good = triangles_add(&geometry->triangles, flat, geometry->device,
@@ -251,36 +307,61 @@ void geometry_free(struct geometry *geometry, struct flat *flat)
     rtcReleaseDevice(geometry->device);
 }
 
-/* The ray in floats, begun where it enters the bounds, a little before: its
- * numbers are then no larger than the scene, and what lies at tmin is not
+/* What a ray sets out with: begun where it enters the bounds, a little before,
+ * its numbers are no larger than the scene, and what lies at its end is not
  * lost to rounding. */
+struct setting_out {
+    double shift; /* Embree's t minus ours */
+    vec3 origin;  /* from the centre */
+    bool meets;   /* the bounds */
+};
+
+static inline double geometry_margin(const struct geometry *geometry)
+{
+    return 1e-5 * geometry->scale;
+}
+
+/* How far Embree's t may be off. */
+static inline double geometry_doubt(const struct geometry *geometry)
+{
+    return 10 * geometry_margin(geometry);
+}
+
+static inline struct setting_out set_out(const struct geometry *geometry,
+                                         const struct ray *ray, vec3 inverse,
+                                         double enter, double leave)
+{
+    const struct box3 *box = &geometry->bounds;
+    vec3 o = ray->origin;
+    slab_clip(box->low.x, box->high.x, o.x, inverse.x, &enter, &leave);
+    slab_clip(box->low.y, box->high.y, o.y, inverse.y, &enter, &leave);
+    slab_clip(box->low.z, box->high.z, o.z, inverse.z, &enter, &leave);
+    double margin = geometry_margin(geometry), shift = margin - enter;
+    return (struct setting_out){
+        shift, vec3_sub(ray_point(ray, -shift), geometry->centre),
+        enter <= leave + margin
+    };
+}
+
+/* In floats. */
 static bool embree_ray(const struct geometry *geometry, struct query *query,
                        struct RTCRay *out)
 {
-    double enter = query->tmin, leave = query->tmax;
-    struct slabs *slabs = &query->slabs;
-    struct box3 box = geometry->bounds;
-    slab_clip(box.low.x, box.high.x, slabs->origin.x, slabs->inverse.x, &enter,
-              &leave);
-    slab_clip(box.low.y, box.high.y, slabs->origin.y, slabs->inverse.y, &enter,
-              &leave);
-    slab_clip(box.low.z, box.high.z, slabs->origin.z, slabs->inverse.z, &enter,
-              &leave);
-    double margin = 1e-5 * geometry->scale;
-    if (!(enter <= leave + margin))
-        return false;
-    query->shift = margin - enter;
-    query->doubt = 10 * margin;
-    vec3 o = vec3_sub(ray_point(&query->ray, -query->shift), geometry->centre);
+    struct setting_out start = set_out(
+        geometry, &query->ray, query->slabs.inverse, query->tmin, query->tmax);
     vec3 d = query->ray.direction;
+    if (!start.meets)
+        return false;
+    query->shift = start.shift;
+    query->doubt = geometry_doubt(geometry);
     *out = (struct RTCRay){
-        .org_x = triangles_float(o.x),
-        .org_y = triangles_float(o.y),
-        .org_z = triangles_float(o.z),
+        .org_x = triangles_float(start.origin.x),
+        .org_y = triangles_float(start.origin.y),
+        .org_z = triangles_float(start.origin.z),
         .dir_x = (float)d.x,
         .dir_y = (float)d.y,
         .dir_z = (float)d.z,
-        .tfar = embree_far(query, query->tmax),
+        .tfar = (float)embree_far(query->tmax, query->shift, query->doubt),
         .mask = 0xffffffff,
     };
     return true;
@@ -300,25 +381,95 @@ void geometry_trace_scene(const struct geometry *geometry, struct query *query)
     embree_nearest(geometry->scene, &query->embree, &rayhit);
 }
 
-void geometry_trace_many(const struct geometry *geometry, struct query *queries,
-                         const bool *wanted, unsigned count)
+/* A packet's rays on their way to Embree, not yet in floats. */
+struct setting_outs {
+    double shift[RAY_LANES], origin[3][RAY_LANES], far[RAY_LANES];
+    lane_flag meets[RAY_LANES];
+};
+
+CLONES static void set_out_many(const struct geometry *geometry,
+                                const struct packet *restrict packet,
+                                struct setting_outs *restrict starts)
 {
-    _Alignas(64) float packet[sizeof(struct RTCRayHit16) / sizeof(float)];
-    _Alignas(64) int valid[GEOMETRY_RAYS] = { 0 };
-    unsigned *hit = (unsigned *)packet + LANE_HIT * GEOMETRY_RAYS;
-    memset(packet, 0, sizeof packet);
-    for (unsigned i = 0; i < count; i++) {
-        struct RTCRay ray;
-        if (!wanted[i] || !embree_ray(geometry, &queries[i], &ray))
-            continue;
-        ray.id = i;
-        valid[i] = -1;
-        for (unsigned k = 0; k < LANE_HIT; k++)
-            memcpy(packet + k * GEOMETRY_RAYS + i, (const float *)&ray + k,
-                   sizeof *packet);
-        hit[LANE_GEOMETRY * GEOMETRY_RAYS + i] = RTC_INVALID_GEOMETRY_ID;
-        hit[LANE_INSTANCE * GEOMETRY_RAYS + i] = RTC_INVALID_GEOMETRY_ID;
+    const struct geometry here = { .bounds = geometry->bounds,
+                                   .centre = geometry->centre,
+                                   .scale = geometry->scale };
+    const struct rays *rays = packet->rays;
+    const double doubt = geometry_doubt(&here);
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct ray ray = rays_at(rays, i);
+        vec3 inverse = { packet->inverse[0][i], packet->inverse[1][i],
+                         packet->inverse[2][i] };
+        double far = packet->span.far[i];
+        struct setting_out start =
+            set_out(&here, &ray, inverse, packet->span.near[i], far);
+        starts->meets[i] = start.meets ? -1 : 0;
+        starts->shift[i] = start.shift;
+        starts->origin[0][i] = embree_number(start.origin.x);
+        starts->origin[1][i] = embree_number(start.origin.y);
+        starts->origin[2][i] = embree_number(start.origin.z);
+        starts->far[i] = embree_far(far, start.shift, doubt);
     }
-    embree_nearest16(valid, geometry->scene, &queries->embree,
-                     (struct RTCRayHit16 *)packet);
+}
+
+/* Of what is nearly 0 Embree's packets lose the sign, with which they choose
+ * the near sides of boxes: the ray would miss them. */
+static inline float embree_component(double d)
+{
+    const double least = 1e-15;
+    return (float)(fabs(d) < least ? copysign(least, d) : d);
+}
+
+CLONES static void embree_rays(const struct rays *restrict rays,
+                               const struct setting_outs *restrict starts,
+                               struct RTCRay16 *restrict out)
+{
+    for (int i = 0; i < RAY_LANES; i++) {
+        out->org_x[i] = (float)starts->origin[0][i];
+        out->org_y[i] = (float)starts->origin[1][i];
+        out->org_z[i] = (float)starts->origin[2][i];
+        out->dir_x[i] = embree_component(rays->direction[0][i]);
+        out->dir_y[i] = embree_component(rays->direction[1][i]);
+        out->dir_z[i] = embree_component(rays->direction[2][i]);
+        out->tfar[i] = (float)starts->far[i];
+        out->tnear[i] = out->time[i] = 0;
+        out->mask[i] = 0xffffffff;
+        out->id[i] = (unsigned)i;
+        out->flags[i] = 0;
+    }
+}
+
+static void look_scene(const struct geometry *geometry, struct packet *packet)
+{
+    struct RTCRayHit16 rays;
+    _Alignas(64) int valid[RAY_LANES];
+    struct setting_outs starts;
+    set_out_many(geometry, packet, &starts);
+    unsigned lanes = rays_bits(starts.meets) & packet->open;
+    if (!lanes)
+        return;
+    packet_set_out(packet, starts.shift, geometry_doubt(geometry));
+    embree_rays(packet->rays, &starts, &rays.ray);
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        valid[i] = lanes >> i & 1 ? -1 : 0;
+        rays.hit.geomID[i] = rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    embree_context *context = &packet->query[0].embree;
+    if (!packet->occlusion) {
+        embree_nearest16(valid, geometry->scene, context, geometry->coherent,
+                         &rays);
+        return;
+    }
+    embree_any16(valid, geometry->scene, context, &rays.ray);
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        if (lanes >> i & 1 && rays.ray.tfar[i] < 0)
+            packet->open &= ~(1u << i);
+}
+
+void geometry_look(const struct geometry *geometry, struct packet *packet)
+{
+    if (geometry->few.solids)
+        few_look(&geometry->few, packet);
+    else
+        look_scene(geometry, packet);
 }

@@ -15,7 +15,8 @@ struct geometry {
     struct box3 bounds;       /* of all there is; empty: nothing */
     double scale;   /* the largest coordinate of a triangle, from the centre */
     struct few few; /* solids, and no triangles: no scene of Embree's */
-    bool packets;   /* rays close together are worth tracing together */
+    bool coherent;  /* rays that are traced together are so to Embree: there are
+                     * triangles mostly (measured) */
     struct diag *diag; /* while building */
     bool failed;
 };
@@ -41,11 +42,7 @@ static inline void geometry_trace(const struct geometry *geometry,
         geometry_trace_scene(geometry, query);
 }
 
-enum { GEOMETRY_RAYS = 16 };
-
-/* The same for up to so many rays close together, those that are `wanted`, if
- * there are triangles; none may be an occlusion. */
-void geometry_trace_many(const struct geometry *geometry, struct query *queries,
-                         const bool *wanted, unsigned count);
+/* The same of a packet's open rays. */
+void geometry_look(const struct geometry *geometry, struct packet *packet);
 
 #endif

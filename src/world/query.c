@@ -58,8 +58,7 @@ static bool tie_is_won(const struct leaf *leaf, const struct leaf *other)
                                                 : leaf->number < other->number;
 }
 
-static bool query_wants(const struct query *query, const struct leaf *leaf,
-                        double t)
+bool query_wants(const struct query *query, const struct leaf *leaf, double t)
 {
     if (!(t > query->tmin))
         return false;
@@ -232,8 +231,8 @@ bool query_simple(struct query *query, const struct solid *solid)
         local = ray_into(solid->to_shape, ray);
         ray = &local;
     }
-    double far = query->tmax * (1 + 0x1p-52);
-    return primitive->first(object->shape, ray, query->tmin, far, &hit) &&
+    return primitive->first(object->shape, ray, query->tmin, query_reach(query),
+                            &hit) &&
            query_wants(query, solid->leaf, hit.t) &&
            query_take(query, solid->leaf, &hit);
 }

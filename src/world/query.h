@@ -12,8 +12,11 @@
 
 enum { QUERY_RECENT = 16 };
 
+struct packet;
+
 struct query {
     embree_context embree; /* first: Embree gives this pointer */
+    struct packet *packet; /* that it is the first of (packet.h), or NULL */
     struct ray ray;
     struct slabs slabs;
     double tmin, tmax; /* tmax: the best crossing so far */
@@ -43,24 +46,49 @@ struct query {
 enum { LANE_TFAR = 8, LANE_ID = 10, LANE_HIT = 12 }; /* of a ray */
 enum { LANE_PRIMITIVE = 5, LANE_GEOMETRY = 6, LANE_INSTANCE = 7 }; /* a hit */
 
+/* That of ray i of the packet, filled in. */
+struct query *packet_query(struct packet *packet, unsigned i);
+
 /* The query of ray i of N. */
 static inline struct query *query_lane(embree_context *context,
                                        const void *rays, unsigned n, unsigned i)
 {
-    return (struct query *)context + ((const unsigned *)rays)[LANE_ID * n + i];
+    struct query *first = (struct query *)context;
+    unsigned id = ((const unsigned *)rays)[LANE_ID * n + i];
+    return first->packet ? packet_query(first->packet, id) : first + id;
+}
+
+/* Whether a leaf stands in the way of the light of lamp number `light`. */
+static inline bool leaf_casts(const struct leaf *leaf, int light)
+{
+    return !leaf->no_shadow &&
+           (leaf->looks_like < 0 || leaf->looks_like != light);
+}
+
+/* Whether a ray of that kind that looks for the nearest sees it. */
+static inline bool leaf_is_seen(const struct leaf *leaf, enum ray_kind kind)
+{
+    if (kind == RAY_OBSTACLE)
+        return !leaf->no_shadow;
+    return kind == RAY_CAMERA ? !leaf->no_image : !leaf->no_reflection;
 }
 
 /* Whether the ray sees the leaf at all. */
 static inline bool query_sees(const struct query *query,
                               const struct leaf *leaf)
 {
-    if (query->occlusion)
-        return !leaf->no_shadow &&
-               (leaf->looks_like < 0 || leaf->looks_like != query->light);
-    if (query->kind == RAY_OBSTACLE)
-        return !leaf->no_shadow;
-    return query->kind == RAY_CAMERA ? !leaf->no_image : !leaf->no_reflection;
+    return query->occlusion ? leaf_casts(leaf, query->light)
+                            : leaf_is_seen(leaf, query->kind);
 }
+
+/* Up to where a crossing may win, be it in a tie. */
+static inline double query_reach(const struct query *query)
+{
+    return query->tmax * (1 + 0x1p-52);
+}
+
+/* Whether a crossing at t counts. */
+bool query_wants(const struct query *query, const struct leaf *leaf, double t);
 
 /* Takes a crossing that counts, within tmin and tmax. Returns true when the
  * search is over. */

@@ -5,6 +5,8 @@
 #ifndef WORLD_RTCORE_H
 #define WORLD_RTCORE_H
 
+#include <stdbool.h>
+
 #if GLIM_EMBREE == 4
 #include <embree4/rtcore.h>
 typedef struct RTCRayQueryContext embree_context;
@@ -13,7 +15,7 @@ typedef struct RTCRayQueryContext embree_context;
 typedef struct RTCIntersectContext embree_context;
 #endif
 
-/* These three hand `context`, whatever it is the beginning of, to the callbacks
+/* These hand `context`, whatever it is the beginning of, to the callbacks
  * and fill it in first. The nearest crossing: */
 static inline void embree_nearest(RTCScene scene, embree_context *context,
                                   struct RTCRayHit *rayhit)
@@ -47,9 +49,9 @@ static inline void embree_any(RTCScene scene, embree_context *context,
 }
 
 /* The nearest crossings of those of 16 rays close together that are `valid`
- * (-1, else 0): */
+ * (-1, else 0). `coherent`: on their way they meet the same things mostly. */
 static inline void embree_nearest16(const int *valid, RTCScene scene,
-                                    embree_context *context,
+                                    embree_context *context, bool coherent,
                                     struct RTCRayHit16 *rayhit)
 {
 #if GLIM_EMBREE == 4
@@ -57,12 +59,34 @@ static inline void embree_nearest16(const int *valid, RTCScene scene,
     rtcInitRayQueryContext(context);
     rtcInitIntersectArguments(&arguments);
     arguments.context = context;
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    arguments.flags =
+        coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
     rtcIntersect16(valid, scene, rayhit, &arguments);
 #else
     rtcInitIntersectContext(context);
-    context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context->flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                              : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     rtcIntersect16(valid, scene, context, rayhit);
+#endif
+}
+
+/* Any crossings of such rays. Not said to be coherent: then Embree 3.13 does
+ * not return from some packets among instances. */
+static inline void embree_any16(const int *valid, RTCScene scene,
+                                embree_context *context, struct RTCRay16 *rays)
+{
+#if GLIM_EMBREE == 4
+    struct RTCOccludedArguments arguments;
+    rtcInitRayQueryContext(context);
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = context;
+    arguments.flags =
+        coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    rtcOccluded16(valid, scene, rays, &arguments);
+#else
+    rtcInitIntersectContext(context);
+    context->flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    rtcOccluded16(valid, scene, context, rays);
 #endif
 }
 

@@ -34,28 +34,28 @@ struct leaf {
     const affine *to_object, *to_world; /* points; many leaves share these */
     const struct texture *texture;      /* never NULL */
     const affine *to_texture, *from_texture; /* world <-> the texture's space */
-    const struct leaf_inner *inner;  /* seen from inside; NULL: the same */
-    const struct interior *interior; /* NULL: none */
+    const struct leaf_inner *inner;     /* seen from inside; NULL: the same */
+    const struct interior *interior;    /* NULL: none */
+    const struct photon_flags *photons; /* never NULL */
     /* What a ray that enters is inside of: the same number for all leaves
      * below one use of an object at the top level, but a new one below every
      * node that has an interior of its own. A ray that meets the same body
      * once more has left it, so overlapping parts of one union cancel
      * (measured on POV-Ray). */
     unsigned body;
-    bool opaque; /* no texture of it lets light pass */
-    bool moved;  /* to_object is not the identity */
+    unsigned light_group; /* 0: none */
+    unsigned target; /* of photons: the same for all parts of one; 0: none */
+    int looks_like;  /* number of the light it stands for, or -1 */
+    unsigned number; /* 0..leaf_count-1 */
+    bool opaque;     /* no texture of it lets light pass */
+    bool moved;      /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
     bool uv_mapping;       /* the texture is of the surface's own coordinates */
-    unsigned light_group;  /* 0: none */
     bool no_global_lights; /* only those of its group */
     bool hollow;  /* as its interior is, or, without one, the object at the top
                    * level, whatever its parts say */
     bool inverse; /* turned inside out, all its ancestors considered */
-    const struct photon_flags *photons; /* never NULL */
-    unsigned target; /* of photons: the same for all parts of one; 0: none */
-    int looks_like;  /* number of the light it stands for, or -1 */
-    unsigned number; /* 0..leaf_count-1 */
 };
 
 /* A corner, 0 to 2, of a mesh's triangle in the world. */
@@ -76,17 +76,15 @@ struct frame {
  * what it clips); everything below a root with a frame is in the frame. */
 struct solid {
     enum object_kind kind; /* shape, mesh, union, merge or intersection */
-    bool simple;           /* a leaf without parent, frame, clips and bounds */
-    bool boxed;            /* rays must meet the box of the surface */
-    bool moved;            /* to_shape is not the identity */
+    unsigned child_count, clip_count, gate_count;
+    bool simple; /* a leaf without parent, frame, clips and bounds */
+    bool boxed;  /* rays must meet the box of the surface */
+    bool moved;  /* to_shape is not the identity */
     const struct frame *frame; /* only of a root; NULL: none */
     const struct solid *parent;
     struct solid **children;
-    size_t child_count;
-    const struct solid **clips; /* outside the frame, as are the gates */
-    size_t clip_count;
-    const struct solid **gates; /* rays that miss one miss the solid */
-    size_t gate_count;
+    const struct solid **clips;   /* outside the frame, as are the gates */
+    const struct solid **gates;   /* rays that miss one miss the solid */
     const struct leaf *leaf;      /* shape, mesh */
     const affine *to_shape;       /* of a leaf: from the space it is in */
     const struct mesh_tree *tree; /* mesh */

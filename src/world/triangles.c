@@ -3,6 +3,7 @@
 #include "world/triangles.h"
 
 #include "scene/mesh.h"
+#include "world/packet.h"
 
 /* What ray i of the packet hits. */
 static struct triangle_ref locate(const struct RTCFilterFunctionNArguments *a,
@@ -25,49 +26,66 @@ static void nearest_filter(const struct RTCFilterFunctionNArguments *a)
         struct query *query = query_lane(a->context, a->ray, a->N, i);
         struct triangle_ref ref = locate(a, i);
         double t;
-        if (query_sees(query, ref.leaf) &&
-            query_triangle(query, ref.leaf, ref.triangle, &t))
-            query_take_triangle(query, ref.leaf, ref.triangle, t);
-        else
+        if (!query_sees(query, ref.leaf) ||
+            !query_triangle(query, ref.leaf, ref.triangle, &t)) {
             a->valid[i] = 0;
+            continue;
+        }
+        query_take_triangle(query, ref.leaf, ref.triangle, t);
+        packet_met_lane(a->context, query);
     }
 }
 
-/* Rays that look for any crossing are single. */
-
-/* Whether Embree's t is clear of both ends of the ray. */
+/* Whether Embree's t of ray i is clear of both ends of the ray. */
 static bool surely_between(const struct query *query,
-                           const struct RTCFilterFunctionNArguments *a)
+                           const struct RTCFilterFunctionNArguments *a,
+                           unsigned i)
 {
-    const struct RTCRay *ray = (const struct RTCRay *)a->ray;
-    double t = (double)ray->tfar - query->shift;
+    const float *tfar = (const float *)a->ray + LANE_TFAR * a->N;
+    double t = (double)tfar[i] - query->shift;
     return t > query->tmin + query->doubt && t < query->tmax - query->doubt;
+}
+
+static bool blocks_plainly(struct query *query,
+                           const struct RTCFilterFunctionNArguments *a,
+                           unsigned i)
+{
+    double t;
+    if (surely_between(query, a, i))
+        return true;
+    struct triangle_ref ref = locate(a, i);
+    return query_triangle(query, ref.leaf, ref.triangle, &t);
 }
 
 static void plain_shadow_filter(const struct RTCFilterFunctionNArguments *a)
 {
-    struct query *query = (struct query *)a->context;
-    double t;
-    if (surely_between(query, a)) {
-        query->blocked = true;
-        return;
+    for (unsigned i = 0; i < a->N; i++) {
+        if (a->valid[i] != -1)
+            continue;
+        struct query *query = query_lane(a->context, a->ray, a->N, i);
+        query->blocked = blocks_plainly(query, a, i);
+        if (!query->blocked)
+            a->valid[i] = 0;
     }
-    struct triangle_ref ref = locate(a, 0);
-    if (query_triangle(query, ref.leaf, ref.triangle, &t))
-        query->blocked = true;
-    else
-        a->valid[0] = 0;
+}
+
+static bool blocks(struct query *query, struct triangle_ref ref)
+{
+    double t;
+    return query_sees(query, ref.leaf) &&
+           query_triangle(query, ref.leaf, ref.triangle, &t) &&
+           query_take_triangle(query, ref.leaf, ref.triangle, t);
 }
 
 static void shadow_filter(const struct RTCFilterFunctionNArguments *a)
 {
-    struct query *query = (struct query *)a->context;
-    struct triangle_ref ref = locate(a, 0);
-    double t;
-    if (!query_sees(query, ref.leaf) ||
-        !query_triangle(query, ref.leaf, ref.triangle, &t) ||
-        !query_take_triangle(query, ref.leaf, ref.triangle, t))
-        a->valid[0] = 0;
+    for (unsigned i = 0; i < a->N; i++) {
+        if (a->valid[i] != -1)
+            continue;
+        struct query *query = query_lane(a->context, a->ray, a->N, i);
+        if (!blocks(query, locate(a, i)))
+            a->valid[i] = 0;
+    }
 }
 
 static bool leaf_is_plain(const struct leaf *leaf)

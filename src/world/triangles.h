@@ -44,10 +44,15 @@ bool triangles_add(struct triangles *triangles, struct flat *flat,
 void triangles_free(struct flat *flat);
 
 /* Saturating: Embree ignores what is beyond 1.8e18. */
-static inline float triangles_float(double value)
+static inline double embree_number(double value)
 {
     value = 1e30 < value ? 1e30 : value;
-    return (float)(-1e30 > value ? -1e30 : value);
+    return -1e30 > value ? -1e30 : value;
+}
+
+static inline float triangles_float(double value)
+{
+    return (float)embree_number(value);
 }
 
 #endif

@@ -4,7 +4,10 @@
 
 #include "base/memory.h"
 #include "world/geometry.h"
+#include "world/packet.h"
 #include "world/shaft_tree.h"
+
+enum { PACKET_LEAST = 4 }; /* rays */
 
 /* POV-Ray sees nothing farther than this. */
 static const double world_limit = 1e7;
@@ -118,6 +121,7 @@ static inline bool query_begin(const struct world *world, struct query *query,
         query->slabs = slabs_of(ray);
     query->tmin = tmin;
     query->tmax = tmax;
+    query->packet = NULL;
     query->leaf = NULL;
     query->rough = false;
     query->blocked = false;
@@ -146,42 +150,33 @@ bool world_closest(const struct world *world, const struct ray *ray,
     return world_within(world, ray, tmin, world_limit, kind, out);
 }
 
-/* Rays that are one packet on their way. */
-static void closest_packet(const struct world *world, const struct ray *rays,
-                           const double *tmin, unsigned count,
-                           enum ray_kind kind, struct world_hit *out)
+/* Looks at what is infinite. Returns whether no ray is left open. */
+static bool look_unbounded(const struct world *world, struct packet *packet,
+                           size_t first, size_t end)
 {
-    struct query queries[WORLD_RAYS];
-    bool good[WORLD_RAYS] = { false };
-    size_t solids = world->flat.solids.count;
-    _Static_assert((int)WORLD_RAYS == (int)GEOMETRY_RAYS, "one packet");
-    for (unsigned i = 0; i < count; i++) {
-        queries[i].occlusion = false;
-        queries[i].kind = kind;
-        good[i] =
-            query_begin(world, &queries[i], &rays[i], tmin[i], world_limit);
-        if (good[i])
-            trace_unbounded(world, &queries[i], 0, world->shape_count);
-    }
-    geometry_trace_many(&world->geometry, queries, good, count);
-    for (unsigned i = 0; i < count; i++) {
-        struct query *query = &queries[i];
-        if (good[i])
-            trace_unbounded(world, query, world->shape_count, solids);
-        out[i].leaf = good[i] ? query->leaf : NULL;
-        out[i].hit = query->hit;
-    }
+    for (size_t i = first; i < end; i++)
+        if (packet_look(packet, world->flat.solids.items[i], packet->open))
+            return true;
+    return false;
 }
 
-void world_closest_many(const struct world *world, const struct ray *rays,
-                        const double *tmin, unsigned count, enum ray_kind kind,
-                        struct world_hit *out)
+/* Looks at everything. */
+static void packet_trace(const struct world *world, struct packet *packet)
+{
+    size_t shapes = world->shape_count, count = world->flat.solids.count;
+    if (look_unbounded(world, packet, 0, shapes))
+        return;
+    if (world->bounded)
+        geometry_look(&world->geometry, packet);
+    look_unbounded(world, packet, shapes, count);
+}
+
+/* Rays that are too few to be a packet. */
+static void closest_each(const struct world *world, const struct ray *rays,
+                         const double *tmin, unsigned count, enum ray_kind kind,
+                         struct world_hit *out)
 {
     struct query query;
-    if (world->geometry.packets) {
-        closest_packet(world, rays, tmin, count, kind, out);
-        return;
-    }
     query.occlusion = false;
     query.kind = kind;
     for (unsigned i = 0; i < count; i++) {
@@ -191,6 +186,31 @@ void world_closest_many(const struct world *world, const struct ray *rays,
         trace_nearest(world, &query);
         out[i].leaf = query.leaf;
         out[i].hit = query.hit;
+    }
+}
+
+void world_closest_many(const struct world *world, const struct ray *rays,
+                        const double *tmin, unsigned count, enum ray_kind kind,
+                        struct world_hit *out)
+{
+    struct packet packet;
+    struct nearest asked = { .kind = kind };
+    if (count < PACKET_LEAST) {
+        closest_each(world, rays, tmin, count, kind, out);
+        return;
+    }
+    for (unsigned i = 0; i < count; i++) {
+        rays_set(&asked.rays, (int)i, rays[i].origin, rays[i].direction);
+        asked.near[i] = tmin[i];
+    }
+    packet_to_nearest(&packet, &asked, (1u << count) - 1, world_limit,
+                      world->boxed);
+    packet_trace(world, &packet);
+    for (unsigned i = 0; i < count; i++) {
+        const struct query *query = &packet.query[i];
+        out[i].leaf = packet.begun >> i & 1 ? query->leaf : NULL;
+        if (out[i].leaf)
+            out[i].hit = query->hit;
     }
 }
 
@@ -241,6 +261,36 @@ bool world_occluded(const struct world *world,
         geometry_trace(&world->geometry, &query);
     return query.blocked ||
            trace_unbounded(world, &query, world->shape_count, count);
+}
+
+/* Rays that are too few to be a packet. */
+static unsigned occluded_each(const struct world *world,
+                              const struct occlusions *asked, unsigned lanes)
+{
+    unsigned blocked = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        int i = __builtin_ctz(lanes);
+        const struct ray ray = rays_at(&asked->rays, i);
+        const struct occlusion one = { .ray = &ray,
+                                       .tmin = asked->span.near[i],
+                                       .tmax = asked->span.far[i],
+                                       .light = asked->light };
+        if (world_occluded(world, &one))
+            blocked |= 1u << i;
+    }
+    return blocked;
+}
+
+unsigned world_occluded_many(const struct world *world,
+                             const struct occlusions *asked, unsigned lanes)
+{
+    struct packet packet;
+    if (__builtin_popcount(lanes) < PACKET_LEAST)
+        return occluded_each(world, asked, lanes);
+    packet_to_lamp(&packet, asked, lanes, world_limit, world->boxed);
+    unsigned started = packet.open;
+    packet_trace(world, &packet);
+    return started & ~packet.open;
 }
 
 void world_shaft(const struct world *world, const struct shaft_rays *rays,

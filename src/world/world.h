@@ -7,6 +7,7 @@
 #include "world/shaft.h"
 #include "world/solid.h"
 #include "scene/light.h"
+#include "scene/rays.h"
 #include "scene/scene.h"
 #include "text/diag.h"
 
@@ -64,7 +65,7 @@ struct world_hit {
     struct hit hit;          /* u and v of a shape, not of a triangle */
 };
 
-enum { WORLD_RAYS = 16 };
+enum { WORLD_RAYS = RAY_LANES };
 
 /* The same for up to WORLD_RAYS rays, which is twice as quick if they begin
  * and go close together, as those of neighbouring pixels do. */
@@ -99,6 +100,18 @@ struct occlusion {
  */
 bool world_occluded(const struct world *world,
                     const struct occlusion *occlusion);
+
+/* Ways to one lamp, as above; there is no filter. */
+struct occlusions {
+    struct rays rays;
+    struct rays_span span;
+    int light;
+};
+
+/* The same of several, those of the bits `lanes`: for which it is so. Several
+ * times as quick if they begin and go close together. */
+unsigned world_occluded_many(const struct world *world,
+                             const struct occlusions *asked, unsigned lanes);
 
 /* How far a ray to light number `light` goes until it meets what that light
  * shines through alone; tmax if it shines through nothing, negative if it

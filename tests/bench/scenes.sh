@@ -17,7 +17,9 @@ draw() {
     shift 3
     (cd "${scene%/*}" 2> /dev/null && ulimit -t 300 &&
         "$measure" "$picture.log" "$program" "+I${scene##*/}" "+O$picture.png" \
-            +FN -D -V -P -J +WT1 "+L$INCLUDES" "$@")
+            +FN -D -V -P -J +WT1 "+L$INCLUDES" "$@") || return
+    # A frame has a number in its name.
+    [ ! -f "${picture}01.png" ] || mv "${picture}01.png" "$picture.png"
 }
 
 # show_copy NAME: the scene of povray-examples in a folder of its own, since some

@@ -41,6 +41,65 @@ static void shape_crossings_agree(void *context, const struct solid *solid)
     }
 }
 
+/* Rays side by side find to the bit what each finds alone, up to just that
+ * place and just not. */
+static void rays_side_by_side_agree(void *context, const struct solid *solid)
+{
+    const struct object *object = solid->leaf->object;
+    const struct primitive *primitive = object->primitive;
+    struct dice dice = { 6 };
+    int *met = context;
+    for (int i = 0; i < 500; i++) {
+        struct rays rays;
+        struct rays_span span;
+        struct rays_met first;
+        lane_flag crosses[RAY_LANES];
+        for (int k = 0; k < RAY_LANES; k++) {
+            struct ray ray = { dice_point(&dice, 1.5), dice_point(&dice, 1.5) };
+            struct hit hit;
+            if (k % 5 == 0)
+                ray.direction.y = 0;
+            rays_set(&rays, k, ray.origin, ray.direction);
+            span.near[k] = dice_between(&dice, -1, 1);
+            span.far[k] = span.near[k] + dice_between(&dice, 0, 4);
+            if (k % 3 && primitive->first(object->shape, &ray, span.near[k],
+                                          span.far[k], &hit))
+                span.far[k] = k % 3 == 1 ? hit.t : nextafter(hit.t, HUGE_VAL);
+        }
+        primitive->crosses_many(object->shape, &rays, &span, crosses);
+        primitive->first_many(object->shape, &rays, &span, &first);
+        for (int k = 0; k < RAY_LANES; k++) {
+            struct ray ray = rays_at(&rays, k);
+            struct hit hit = { .t = (double)INFINITY };
+            bool is = primitive->crosses(object->shape, &ray, span.near[k],
+                                         span.far[k]);
+            assert_true(crosses[k] == (is ? -1 : 0));
+            is = primitive->first(object->shape, &ray, span.near[k],
+                                  span.far[k], &hit);
+            assert_true(first.t[k] == (is ? hit.t : (double)INFINITY));
+            assert_true(!is || first.part[k] == hit.part);
+            *met += is;
+        }
+    }
+}
+
+static void shapes_agree_on_rays_side_by_side(void **state)
+{
+    static const char *const shapes[] = {
+        "sphere { <.1,.2,0>, 1 }",
+        "plane { <.3,1,.2>, .1 }",
+        "plane { y, .1 }",
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+        struct scene_world *all = scene_world_new(shapes[i]);
+        int met = 0;
+        world_visit(all->world, rays_side_by_side_agree, NULL, &met);
+        assert_true(met > 400);
+        scene_world_free(all);
+    }
+}
+
 static void crossings_asked_for_alone_agree(void **state)
 {
     static const char *const shapes[] = {
@@ -102,6 +161,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(crossings_asked_for_alone_agree),
+        cmocka_unit_test(shapes_agree_on_rays_side_by_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

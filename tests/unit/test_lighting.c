@@ -387,13 +387,92 @@ static void test_closed_form(void **state)
         fail_msg("%.15f, not 0.5", seen.g);
 }
 
+/* Rays that are followed together see to the bit what each sees alone. */
+static void expect_together_as_alone(const char *scene)
+{
+    struct pixel_tracer pixel;
+    pixel_start(&pixel, scene, (struct pixel_options){ .quality = 9 });
+    for (int block = 0; block < 64; block++) {
+        struct picture_place places[WORLD_RAYS];
+        struct ray rays[WORLD_RAYS];
+        struct world_hit hits[WORLD_RAYS];
+        struct radiance seen[WORLD_RAYS];
+        unsigned count = block == 5 ? 3 : block == 6 ? 9 : WORLD_RAYS;
+        for (unsigned i = 0; i < count; i++) {
+            places[i].at[0] = (block % 8 * 4 + i % 4) / 32.0;
+            places[i].at[1] = (block / 8 * 4 + i / 4) / 32.0;
+            rays[i] = tracer_ray(&pixel.tracer, &places[i]);
+        }
+        const struct tracer_met met = { places, rays, hits, count };
+        tracer_meet_many(&pixel.tracer, rays, count, hits);
+        tracer_see_many(&pixel.tracer, &pixel.worker, &met, seen);
+        for (unsigned i = 0; i < count; i++) {
+            struct radiance alone =
+                tracer_camera(&pixel.tracer, &pixel.worker, &places[i]);
+            assert_memory_equal(&alone, &seen[i], sizeof alone);
+        }
+    }
+    pixel_end(&pixel);
+}
+
+static void rays_lit_together_are_as_alone(void **state)
+{
+    static const char *const lamps[] = {
+        "light_source { <-6, 8, -9> rgb .7 }"
+        "light_source { <7, 3, -9> rgb .4 fade_distance 9 fade_power 2 }",
+        "light_source { <-2, 6, -5> rgb .9 spotlight point_at <-1, -1, 0> "
+        "radius 10 falloff 20 tightness 3 }"
+        "light_source { <0, 6, -5> rgb .8 cylinder point_at -y radius 1 "
+        "falloff 2 }"
+        "light_source { <3, 9, -2> rgb .4 parallel point_at 0 }",
+        "light_source { <3, 9, -2> rgb .4 area_light x, z, 3, 3 }"
+        "light_source { <-3, 5, -2> rgb .4 area_light x, z, 3, 3 "
+        "area_illumination }"
+        "light_source { <-3, 5, 4> rgb .4 shadowless }"
+        "light_source { <1, 3, 0> rgb .4 looks_like { sphere { 0, .2 } } }",
+        "light_group { light_source { <-6, 8, -9> rgb .7 } "
+        "sphere { <1.3, 0, -2>, .3 } global_lights off }"
+        "light_source { <2, 4, -6> rgb .5 }",
+    };
+    static const char *const things[] = {
+        "",
+        "sphere { <.2, .6, -.5>, .5 pigment { rgb .7 } normal { bumps .5 } "
+        "finish { phong .6 crand .1 } }"
+        "box { <-1.5, -1, -1>, <-.7, .6, 0> texture { pigment { rgb .6 } } "
+        "texture { pigment { rgbt <.9, .2, .1, .5> } "
+        "finish { specular .5 metallic } } finish { reflection .3 } }"
+        "mesh { triangle { <1, -1, 0>, <2, -1, 0>, <1.5, 1, 0> } "
+        "pigment { rgb 1 } double_illuminate finish { diffuse .4, .2 } }",
+        "sphere { <.2, .6, -.5>, .5 pigment { rgbf .8 } "
+        "interior { ior 1.4 } finish { reflection .1 } }"
+        "fog { distance 20 rgb .5 }",
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof lamps / sizeof *lamps; i++)
+        for (size_t k = 0; k < sizeof things / sizeof *things; k++) {
+            char scene[4096];
+            snprintf(scene, sizeof scene,
+                     "camera { location <0, 2, -7> look_at 0 angle 45 }"
+                     "plane { y, -1 pigment { checker rgb .8 rgb .3 } }"
+                     "sphere { <-.4, -.4, -1>, .6 pigment { rgb .9 } }"
+                     "%s%s",
+                     lamps[i], things[k]);
+            expect_together_as_alone(scene);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surface), cmocka_unit_test(test_ray),
-        cmocka_unit_test(test_fade),    cmocka_unit_test(test_shadow),
-        cmocka_unit_test(test_air),     cmocka_unit_test(test_alpha),
-        cmocka_unit_test(test_quality), cmocka_unit_test(test_closed_form),
+        cmocka_unit_test(test_surface),
+        cmocka_unit_test(test_ray),
+        cmocka_unit_test(test_fade),
+        cmocka_unit_test(test_shadow),
+        cmocka_unit_test(test_air),
+        cmocka_unit_test(test_alpha),
+        cmocka_unit_test(test_quality),
+        cmocka_unit_test(test_closed_form),
+        cmocka_unit_test(rays_lit_together_are_as_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

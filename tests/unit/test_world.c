@@ -5,10 +5,10 @@
 #include "shapes.h"
 
 #include "base/array.h"
+#include "scene/mesh.h"
 #include "world/flatten.h"
 #include "world/halfspace.h"
 #include "world/world.h"
-#include "scene/mesh.h"
 
 static struct object *shape_object(struct scene *scene, const char *name,
                                    const double *numbers, int count)
@@ -688,6 +688,7 @@ static int expect_the_same(const struct world *world, struct dice *dice)
             vec3_normalise(vec3_add(first.direction, dice_point(dice, 0.05)));
     }
     rays[count / 2].direction.x = NAN;
+    rays[count / 3].direction.y = -1e-30;
     world_closest_many(world, rays, tmin, count, RAY_CAMERA, hit);
     for (unsigned i = 0; i < count; i++) {
         bool met = world_closest(world, &rays[i], tmin[i], RAY_CAMERA, &alone);
@@ -700,6 +701,33 @@ static int expect_the_same(const struct world *world, struct dice *dice)
                     at.normal.x == alone.normal.x);
     }
     return hits;
+}
+
+/* The same on the way to a lamp, for those of random bits. */
+static void expect_the_same_shadows(const struct world *world,
+                                    struct dice *dice)
+{
+    struct occlusions ways = { .light = -1 };
+    struct ray first = random_ray(dice);
+    unsigned lanes = (unsigned)dice_between(dice, 0, 0x10000 - 1e-9);
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 to = vec3_add(first.direction, dice_point(dice, 0.05));
+        if (i == 3)
+            to.x = -1e-30;
+        rays_set(&ways.rays, i, first.origin, vec3_normalise(to));
+        ways.span.near[i] = dice_between(dice, 0, 1);
+        ways.span.far[i] = dice_between(dice, 0, 20);
+    }
+    unsigned blocked = world_occluded_many(world, &ways, lanes);
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct ray ray = rays_at(&ways.rays, i);
+        const struct occlusion way = { .ray = &ray,
+                                       .tmin = ways.span.near[i],
+                                       .tmax = ways.span.far[i],
+                                       .light = -1 };
+        bool alone = (lanes >> i & 1) && world_occluded(world, &way);
+        assert_int_equal(blocked >> i & 1, alone);
+    }
 }
 
 static void rays_together_are_as_alone(void **state)
@@ -725,6 +753,8 @@ static void rays_together_are_as_alone(void **state)
         for (int i = 0; i < 500; i++)
             hits += expect_the_same(world, &dice);
         assert_true(hits > 500);
+        for (int i = 0; i < 500; i++)
+            expect_the_same_shadows(world, &dice);
         world_free(world);
         scene_free(scene);
     }

@@ -196,7 +196,7 @@ static bool declare_read(struct parser *p, bool local)
         p->scope = scope;
         struct symbol *symbol = symbol_make(p, head.name, local);
         p->scope = inner;
-        symbol_give(symbol, value);
+        symbol_give(symbol, &value);
         symbol->deprecated = head.deprecated;
         symbol->deprecated_once = head.once;
         declare_tell(p, &head, &value);

@@ -61,14 +61,20 @@ static void plane_intersect(const void *shape, const struct ray *ray,
     hits_add(hits, -height / slope, 0);
 }
 
+/* Of a ray along the plane it is no number, or infinite. */
+static inline double plane_distance(const struct plane *plane, vec3 origin,
+                                    vec3 direction)
+{
+    double height = vec3_dot(plane->normal, origin) - plane->distance;
+    return -height / vec3_dot(plane->normal, direction);
+}
+
 static bool plane_first(const void *shape, const struct ray *ray, double tmin,
                         double tmax, struct hit *hit)
 {
-    const struct plane *plane = shape;
-    double height = vec3_dot(plane->normal, ray->origin) - plane->distance;
-    *hit = (struct hit){ -height / vec3_dot(plane->normal, ray->direction), 0,
-                         0, 0 };
-    return hit->t > tmin && hit->t < tmax;
+    double t = plane_distance(shape, ray->origin, ray->direction);
+    *hit = (struct hit){ t, 0, 0, 0 };
+    return t > tmin && t < tmax;
 }
 
 static bool plane_crosses(const void *shape, const struct ray *ray, double tmin,
@@ -76,6 +82,34 @@ static bool plane_crosses(const void *shape, const struct ray *ray, double tmin,
 {
     struct hit hit;
     return plane_first(shape, ray, tmin, tmax, &hit);
+}
+
+CLONES static void plane_crosses_many(const void *shape,
+                                      const struct rays *restrict rays,
+                                      const struct rays_span *restrict span,
+                                      lane_flag *restrict met)
+{
+    const struct plane plane = *(const struct plane *)shape;
+    for (int i = 0; i < RAY_LANES; i++) {
+        double t = plane_distance(&plane, rays_origin(rays, i),
+                                  rays_direction(rays, i));
+        met[i] = (t > span->near[i]) & (t < span->far[i]) ? -1 : 0;
+    }
+}
+
+CLONES static void plane_first_many(const void *shape,
+                                    const struct rays *restrict rays,
+                                    const struct rays_span *restrict span,
+                                    struct rays_met *restrict met)
+{
+    const struct plane plane = *(const struct plane *)shape;
+    for (int i = 0; i < RAY_LANES; i++) {
+        double t = plane_distance(&plane, rays_origin(rays, i),
+                                  rays_direction(rays, i));
+        bool is = (t > span->near[i]) & (t < span->far[i]);
+        met->t[i] = is ? t : (double)INFINITY;
+        met->part[i] = 0;
+    }
 }
 
 static vec3 plane_normal(const void *shape, vec3 point, const struct hit *hit)
@@ -114,6 +148,8 @@ const struct primitive plane_primitive = {
     .intersect = plane_intersect,
     .crosses = plane_crosses,
     .first = plane_first,
+    .crosses_many = plane_crosses_many,
+    .first_many = plane_first_many,
     .normal = plane_normal,
     .inside = plane_inside,
     .meets = plane_meets,

@@ -31,20 +31,39 @@ static struct box3 sphere_bounds(const void *shape)
 /* With the vector from the centre to the point where the ray passes nearest
  * nothing cancels, however far the ray comes from (Haines, Gunther and
  * Akenine-Moller, Ray Tracing Gems, 2019, chapter 7). */
+struct passing {
+    double oo, dd, b, inverse; /* of the origin, from the centre */
+    double rest;               /* of the radius's square, there */
+};
+
+static inline struct passing sphere_passing(const struct sphere *sphere,
+                                            vec3 origin, vec3 direction)
+{
+    vec3 o = vec3_sub(origin, sphere->centre);
+    double dd = vec3_dot(direction, direction);
+    double b = -vec3_dot(o, direction), inverse = 1 / dd;
+    vec3 nearest = vec3_along(o, direction, b * inverse);
+    double r2 = sphere->radius * sphere->radius;
+    return (struct passing){ vec3_dot(o, o) - r2, dd, b, inverse,
+                             r2 - vec3_dot(nearest, nearest) };
+}
+
+static inline void passing_roots(const struct passing *passing, double t[2])
+{
+    double b = passing->b;
+    double q = b + copysign(sqrt(passing->dd * passing->rest), b);
+    t[0] = q * passing->inverse;
+    t[1] = passing->oo / q;
+}
+
 static bool sphere_roots(const struct sphere *sphere, const struct ray *ray,
                          double t[2])
 {
-    vec3 o = vec3_sub(ray->origin, sphere->centre);
-    double dd = vec3_dot(ray->direction, ray->direction);
-    double b = -vec3_dot(o, ray->direction), inverse = 1 / dd;
-    vec3 nearest = vec3_along(o, ray->direction, b * inverse);
-    double r2 = sphere->radius * sphere->radius;
-    double rest = r2 - vec3_dot(nearest, nearest);
-    if (!(rest > 0) || !(dd > 0))
+    struct passing passing =
+        sphere_passing(sphere, ray->origin, ray->direction);
+    if (!(passing.rest > 0) || !(passing.dd > 0))
         return false;
-    double q = b + copysign(sqrt(dd * rest), b);
-    t[0] = q * inverse;
-    t[1] = (vec3_dot(o, o) - r2) / q;
+    passing_roots(&passing, t);
     return true;
 }
 
@@ -75,6 +94,44 @@ static bool sphere_first(const void *shape, const struct ray *ray, double tmin,
     double near = t[0] < t[1] ? t[0] : t[1], far = t[0] < t[1] ? t[1] : t[0];
     *hit = (struct hit){ near > tmin ? near : far, 0, 0, 0 };
     return hit->t > tmin && hit->t < tmax;
+}
+
+CLONES static void sphere_crosses_many(const void *shape,
+                                       const struct rays *restrict rays,
+                                       const struct rays_span *restrict span,
+                                       lane_flag *restrict met)
+{
+    const struct sphere sphere = *(const struct sphere *)shape;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct passing passing = sphere_passing(&sphere, rays_origin(rays, i),
+                                                rays_direction(rays, i));
+        double near = span->near[i], far = span->far[i], t[2];
+        passing_roots(&passing, t);
+        bool either =
+            ((t[0] > near) & (t[0] < far)) | ((t[1] > near) & (t[1] < far));
+        met[i] = (passing.rest > 0) & (passing.dd > 0) & either ? -1 : 0;
+    }
+}
+
+CLONES static void sphere_first_many(const void *shape,
+                                     const struct rays *restrict rays,
+                                     const struct rays_span *restrict span,
+                                     struct rays_met *restrict met)
+{
+    const struct sphere sphere = *(const struct sphere *)shape;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct passing passing = sphere_passing(&sphere, rays_origin(rays, i),
+                                                rays_direction(rays, i));
+        double near = span->near[i], far = span->far[i], t[2];
+        passing_roots(&passing, t);
+        double least = t[0] < t[1] ? t[0] : t[1];
+        double most = t[0] < t[1] ? t[1] : t[0];
+        double first = least > near ? least : most;
+        bool is = (passing.rest > 0) & (passing.dd > 0) & (first > near) &
+                  (first < far);
+        met->t[i] = is ? first : (double)INFINITY;
+        met->part[i] = 0;
+    }
 }
 
 /* A negative radius turns the normal, as in POV-Ray. */
@@ -131,6 +188,8 @@ const struct primitive sphere_primitive = {
     .intersect = sphere_intersect,
     .crosses = sphere_crosses,
     .first = sphere_first,
+    .crosses_many = sphere_crosses_many,
+    .first_many = sphere_first_many,
     .normal = sphere_normal,
     .uv = sphere_uv,
     .inside = sphere_inside,

@@ -10,46 +10,22 @@
  * - Total reflection takes the place of all that is transmitted and mirrored,
  *   at full weight.
  * - Fading in an interior weakens what passes where the ray leaves it. */
-#include <string.h>
-
-#include "base/draw.h"
 #include "base/parallel.h"
-#include "base/random.h"
 #include "base/telling.h"
-#include "scene/lens.h"
+#include "shade/background.h"
 #include "shade/finish.h"
 #include "shade/interior.h"
 #include "shade/media.h"
 #include "shade/rainbow.h"
 #include "shade/shadow.h"
 #include "shade/spectrum.h"
-#include "shade/background.h"
-#include "tracer/crossing.h"
+#include "tracer/branch.h"
 #include "tracer/integrator.h"
 #include "tracer/photons.h"
 #include "tracer/subsurface.h"
 
 enum {
     SURFACES_MAX = 1000 * 1000, /* a ray passes straight through */
-    BLUR_LEAST = 4,             /* rays through a lens, for a variance */
-};
-
-/* A ray on its way, and what it has gathered. */
-struct path {
-    const struct tracer *tracer;
-    struct worker *worker;
-    struct ray ray;
-    enum ray_kind kind;
-    int level;     /* 1 for camera rays */
-    double weight; /* in the pixel, for adc_bailout */
-    bool straight; /* the camera's line of sight: its opacity counts */
-    struct interiors inside;
-    const struct picture_place *place; /* of a camera ray that has met nothing
-                                        * yet; else NULL */
-
-    rgb share;    /* of what the ray meets next, in its radiance */
-    double clear; /* 1 - opacity so far */
-    rgb light;    /* gathered */
 };
 
 /* Mirrors recurse: that they do so on the stack of a thread bounds their depth.
@@ -58,8 +34,6 @@ _Static_assert(4 * SETTINGS_LEVELS_MAX *
                        (sizeof(struct path) + sizeof(struct crossing)) <
                    PARALLEL_STACK,
                "max_trace_level fits into the stack");
-
-static struct radiance path_follow(struct path *path);
 
 static void path_gather(struct path *path, rgb light)
 {
@@ -110,37 +84,44 @@ static void path_air(struct path *path, double distance)
         path_media(path, distance);
 }
 
-/* Sums the light of all lamps over the layers. */
-struct gathering {
-    const struct surface *surface;
-    rgb light;
-};
+struct gathering path_gathering(const struct path *path,
+                                struct crossing *crossing)
+{
+    rgb within =
+        subsurface_light(path->tracer, path->worker, path->kind, crossing);
+    return (struct gathering){ &crossing->surface, within };
+}
 
-static void gather_sample(void *context, const struct light_sample *sample)
+void gather_sample(void *context, const struct light_sample *sample)
 {
     struct gathering *gathering = context;
     surface_add_light(gathering->surface, sample, &gathering->light);
 }
 
-/* The light that the surface itself sends to the viewer. */
-static rgb path_shade(const struct path *path, struct crossing *crossing)
+rgb path_shade(const struct path *path, struct gathering *gathering,
+               const struct diffuse_light *diffuse)
 {
-    const struct tracer *tracer = path->tracer;
-    const struct surface *surface = &crossing->surface;
-    rgb within = subsurface_light(tracer, path->worker, path->kind, crossing);
-    struct gathering gathering = { surface, within };
-    struct diffuse_light diffuse =
-        tracer->lighting->illuminate(tracer->lighting_state, path->worker,
-                                     surface, gather_sample, &gathering);
-    photons_light(tracer, path->worker, surface, gather_sample, &gathering);
+    const struct surface *surface = gathering->surface;
+    photons_light(path->tracer, path->worker, surface, gather_sample,
+                  gathering);
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
-        rgb glow = finish_glow(layer, diffuse.ambient, diffuse.irradiance);
+        rgb glow = finish_glow(layer, diffuse->ambient, diffuse->irradiance);
         glow = rgb_add(glow, finish_shine(layer));
-        gathering.light =
-            rgb_add(gathering.light, rgb_mul(layer->weight, glow));
+        gathering->light =
+            rgb_add(gathering->light, rgb_mul(layer->weight, glow));
     }
-    return gathering.light;
+    return gathering->light;
+}
+
+static rgb path_light(const struct path *path, struct crossing *crossing)
+{
+    const struct tracer *tracer = path->tracer;
+    struct gathering gathering = path_gathering(path, crossing);
+    struct diffuse_light diffuse = tracer->lighting->illuminate(
+        tracer->lighting_state, path->worker, &crossing->surface, gather_sample,
+        &gathering);
+    return path_shade(path, &gathering, &diffuse);
 }
 
 /* One layer's mirror. */
@@ -284,11 +265,18 @@ static void path_tell_light(const struct path *path, rgb light)
                 light.b);
 }
 
-/* At the surface: returns false if the ray ends here. */
-static bool path_cross(struct path *path, struct crossing *crossing)
+bool path_arrive(struct path *path, struct crossing *crossing, bool met)
 {
     const struct tracer *tracer = path->tracer;
     const struct settings *settings = &tracer->scene->settings;
+    path_air(path, met ? crossing->at.t : (double)INFINITY);
+    if (!met) {
+        double clear;
+        path_gather(path, tracer_background(tracer, path->ray.direction,
+                                            path->straight, &clear));
+        path->opacity = 1 - path->clear * clear;
+        return false;
+    }
     crossing_fill(crossing, tracer, path->ray.direction, &path->inside,
                   settings->adc_bailout, false);
     crossing->surface.place = path->place;
@@ -300,54 +288,60 @@ static bool path_cross(struct path *path, struct crossing *crossing)
     }
     if (path->worker->telling)
         path_tell_meeting(path, &crossing->at);
-    rgb light = path_shade(path, crossing);
+    return true;
+}
+
+bool path_leave(struct path *path, const struct crossing *crossing, rgb light)
+{
     if (path->worker->telling)
         path_tell_light(path, light);
     path_gather(path, light);
-    return path->level < tracer_levels(tracer) && path_pass(path, crossing);
+    return path->level < tracer_levels(path->tracer) &&
+           path_pass(path, crossing);
 }
 
-static bool path_meet(struct path *path, struct intersection *at)
+bool path_meet(struct path *path, struct intersection *at)
 {
     return world_closest(path->tracer->world, &path->ray,
                          surface_offset(path->ray.origin), path->kind, at);
 }
 
-/* Follows the ray to its end, from what it meets first, which is known. */
-static struct radiance path_go_on(struct path *path, struct crossing *crossing,
-                                  bool met)
+static void path_begin(struct path *path)
 {
-    const struct tracer *tracer = path->tracer;
     path->share = rgb_grey(1);
     path->clear = 1;
     path->light = rgb_grey(0);
+    path->opacity = 1;
+}
+
+struct radiance path_seen(const struct path *path)
+{
+    return (struct radiance){ path->light, path->opacity };
+}
+
+struct radiance path_go_on(struct path *path, struct crossing *crossing,
+                           bool met)
+{
     for (int i = 0; i < SURFACES_MAX; i++) {
-        if (worker_stopped(path->worker))
-            break;
-        path_air(path, met ? crossing->at.t : (double)INFINITY);
-        if (!met) {
-            double clear;
-            path_gather(path, tracer_background(tracer, path->ray.direction,
-                                                path->straight, &clear));
-            return (struct radiance){ path->light, 1 - path->clear * clear };
-        }
-        if (!path_cross(path, crossing))
+        if (worker_stopped(path->worker) || !path_arrive(path, crossing, met) ||
+            !path_leave(path, crossing, path_light(path, crossing)))
             break;
         met = path_meet(path, &crossing->at);
     }
-    return (struct radiance){ path->light, 1 };
+    return path_seen(path);
 }
 
-static struct radiance path_follow(struct path *path)
+struct radiance path_follow(struct path *path)
 {
     struct crossing crossing;
+    path_begin(path);
     bool met = path_meet(path, &crossing.at);
     return path_go_on(path, &crossing, met);
 }
 
-static void path_start(struct path *path, const struct tracer *tracer,
-                       struct worker *worker, const struct picture_place *place,
-                       const struct ray *ray)
+void path_start(struct path *path, const struct tracer *tracer,
+                struct worker *worker, const struct picture_place *place,
+                const struct ray *ray)
 {
     path->tracer = tracer;
     path->worker = worker;
@@ -357,154 +351,8 @@ static void path_start(struct path *path, const struct tracer *tracer,
     path->level = 1;
     path->weight = 1;
     path->straight = true;
+    path_begin(path);
     tracer_enter(tracer, worker, path->ray.origin, &path->inside);
-}
-
-/* Rays through the lens, and their squares. */
-struct blur {
-    rgb sum, squares;
-    double opacity;
-    int count;
-};
-
-static void blur_add(struct blur *blur, struct radiance seen)
-{
-    blur->sum = rgb_add(blur->sum, seen.colour);
-    blur->squares = rgb_add(blur->squares, rgb_mul(seen.colour, seen.colour));
-    blur->opacity += seen.opacity;
-    blur->count++;
-}
-
-static struct radiance blur_mean(const struct blur *blur)
-{
-    double share = blur->count ? 1.0 / blur->count : 0;
-    return (struct radiance){ rgb_scale(blur->sum, share),
-                              blur->opacity * share };
-}
-
-/* Whether the mean's variance is, with the confidence asked for, small enough.
- * The logistic distribution stands for the normal one. */
-static bool blur_settled(const struct blur *blur, const struct camera *camera)
-{
-    double n = blur->count;
-    double sure = fmin(fmax(camera->confidence, 0), 0.999999);
-    double width = log((1 + sure) / (1 - sure)) / 1.702;
-    rgb mean = rgb_scale(blur->sum, 1 / n);
-    rgb spread = rgb_sub(rgb_scale(blur->squares, 1 / n), rgb_mul(mean, mean));
-    return n >= BLUR_LEAST && n >= camera->blur_samples[0] &&
-           rgb_peak(spread) * width * width <= n * camera->variance;
-}
-
-/* Each ray is of another place of the pixel, whatever antialiasing does beside
- * it (measured). */
-static void blur_spread(const struct camera *camera, struct draws draws,
-                        double at[2])
-{
-    draw_pair(&draws, 0, at);
-    for (int i = 0; i < 2; i++)
-        at[i] = camera->pixels[i] > 0 ? (at[i] - 0.5) / camera->pixels[i] : 0;
-}
-
-static struct radiance tracer_blurred(const struct tracer *tracer,
-                                      struct worker *worker,
-                                      const struct picture_place *place)
-{
-    const struct camera *camera = &tracer->scene->camera;
-    double x = place->at[0], y = place->at[1];
-    int most = (int)camera->blur_samples[1];
-    struct blur blur = { .count = 0 };
-    uint64_t bits[2];
-    memcpy(bits, (const double[]){ x, y }, sizeof bits);
-    uint64_t key = random_key(bits[0], bits[1]);
-    for (int i = 0; i < most && !worker_stopped(worker); i++) {
-        struct path path;
-        double lens[2], at[2];
-        blur_spread(camera, (struct draws){ key, (uint32_t)i }, at);
-        lens_point(most, i, key, lens);
-        struct ray ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
-        path_start(&path, tracer, worker, NULL, &ray);
-        blur_add(&blur, path_follow(&path));
-        arena_reset(worker->scratch);
-        if (blur_settled(&blur, camera))
-            break;
-    }
-    return blur_mean(&blur);
-}
-
-/* The mean of the pixel's rays; those that lead nowhere don't count. */
-static struct radiance tracer_several(const struct tracer *tracer,
-                                      struct worker *worker,
-                                      const struct picture_place *place)
-{
-    const struct camera *camera = &tracer->scene->camera;
-    struct blur blur = { .count = 0 };
-    for (int i = 0; i < camera->rays && !worker_stopped(worker); i++) {
-        struct path path;
-        struct ray ray;
-        if (!camera_pixel_ray(camera, place->at[0], place->at[1], i, &ray))
-            continue;
-        path_start(&path, tracer, worker, NULL, &ray);
-        blur_add(&blur, path_follow(&path));
-        arena_reset(worker->scratch);
-    }
-    return blur_mean(&blur);
-}
-
-struct radiance tracer_camera(const struct tracer *tracer,
-                              struct worker *worker,
-                              const struct picture_place *place)
-{
-    struct path path;
-    const struct camera *camera = &tracer->scene->camera;
-    if (!camera_sees(camera, place->at[0], place->at[1]))
-        return (struct radiance){ rgb_grey(0), 0 };
-    if (camera_blurs(camera))
-        return tracer_blurred(tracer, worker, place);
-    if (camera->rays > 1)
-        return tracer_several(tracer, worker, place);
-    struct ray ray = camera_ray(camera, place->at[0], place->at[1]);
-    path_start(&path, tracer, worker, place, &ray);
-    return path_follow(&path);
-}
-
-struct ray tracer_ray(const struct tracer *tracer,
-                      const struct picture_place *place)
-{
-    return camera_ray(&tracer->scene->camera, place->at[0], place->at[1]);
-}
-
-void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
-                      unsigned count, struct world_hit *hits)
-{
-    double offsets[WORLD_RAYS];
-    for (unsigned i = 0; i < count; i++)
-        offsets[i] = surface_offset(rays[i].origin);
-    world_closest_many(tracer->world, rays, offsets, count, RAY_CAMERA, hits);
-}
-
-void tracer_see_many(const struct tracer *tracer, struct worker *worker,
-                     const struct tracer_met *met, struct radiance *out)
-{
-    const struct camera *camera = &tracer->scene->camera;
-    bool single = camera->rays <= 1 && !camera_blurs(camera);
-    for (unsigned i = 0; i < met->count; i++) {
-        const struct picture_place *place = &met->places[i];
-        const struct world_hit *hit = &met->hits[i];
-        struct path path;
-        struct crossing crossing;
-        if (!single) {
-            out[i] = tracer_camera(tracer, worker, place);
-            continue;
-        }
-        out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(camera, place->at[0], place->at[1]))
-            continue;
-        path_start(&path, tracer, worker, place, &met->rays[i]);
-        if (hit->leaf)
-            world_describe(&path.ray, hit, &crossing.at);
-        out[i] = path_go_on(&path, &crossing, hit->leaf);
-        arena_reset(worker->scratch);
-    }
 }
 
 const struct integrator recursive_integrator = { .name = "recursive" };

@@ -1,0 +1,69 @@
+/* Rays side by side, coordinate by coordinate, so that one instruction works on
+ * several of them. Those of a packet begin and go close together. */
+#ifndef SCENE_RAYS_H
+#define SCENE_RAYS_H
+
+#include "base/affine.h"
+#include "base/clones.h"
+#include "scene/ray.h"
+
+enum { RAY_LANES = 16 };
+
+/* In all lanes there is something, and be it zero. */
+struct rays {
+    double origin[3][RAY_LANES], direction[3][RAY_LANES];
+};
+
+/* The part of each ray that counts; of a ray that doesn't take part there is
+ * none: `far` is -INFINITY. */
+struct rays_span {
+    double near[RAY_LANES], far[RAY_LANES];
+};
+
+/* Where each of them first meets a shape: INFINITY if it doesn't. */
+struct rays_met {
+    double t[RAY_LANES];
+    int64_t part[RAY_LANES]; /* as of a hit; u and v of shapes met so are 0 */
+};
+
+static inline vec3 rays_origin(const struct rays *rays, int i)
+{
+    return (vec3){ rays->origin[0][i], rays->origin[1][i], rays->origin[2][i] };
+}
+
+static inline vec3 rays_direction(const struct rays *rays, int i)
+{
+    return (vec3){ rays->direction[0][i], rays->direction[1][i],
+                   rays->direction[2][i] };
+}
+
+static inline void rays_set(struct rays *rays, int i, vec3 origin,
+                            vec3 direction)
+{
+    rays->origin[0][i] = origin.x;
+    rays->origin[1][i] = origin.y;
+    rays->origin[2][i] = origin.z;
+    rays->direction[0][i] = direction.x;
+    rays->direction[1][i] = direction.y;
+    rays->direction[2][i] = direction.z;
+}
+
+static inline struct ray rays_at(const struct rays *rays, int i)
+{
+    return (struct ray){ rays_origin(rays, i), rays_direction(rays, i) };
+}
+
+/* All of them in another space, as ray_into takes one there. */
+void rays_into(const affine *transform, const struct rays *rays,
+               struct rays *out);
+
+/* Bit by bit what the flags of all lanes say. */
+static inline unsigned rays_bits(const lane_flag flags[RAY_LANES])
+{
+    unsigned bits = 0;
+    for (int i = 0; i < RAY_LANES; i++)
+        bits |= (unsigned)flags[i] & 1u << i;
+    return bits;
+}
+
+#endif

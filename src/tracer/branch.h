@@ -1,0 +1,67 @@
+/* A ray of the recursive tracer on its way: shared by its files. */
+#ifndef TRACER_BRANCH_H
+#define TRACER_BRANCH_H
+
+#include "tracer/crossing.h"
+#include "tracer/tracer.h"
+
+/* A ray on its way, and what it has gathered. */
+struct path {
+    const struct tracer *tracer;
+    struct worker *worker;
+    struct ray ray;
+    enum ray_kind kind;
+    int level;     /* 1 for camera rays */
+    double weight; /* in the pixel, for adc_bailout */
+    bool straight; /* the camera's line of sight: its opacity counts */
+    struct interiors inside;
+    const struct picture_place *place; /* of a camera ray that has met nothing
+                                        * yet; else NULL */
+
+    rgb share;      /* of what the ray meets next, in its radiance */
+    double clear;   /* 1 - opacity so far */
+    rgb light;      /* gathered */
+    double opacity; /* once it has ended */
+};
+
+/* Sums the light of all lamps over the layers. */
+struct gathering {
+    const struct surface *surface;
+    rgb light;
+};
+
+/* A camera ray sets out; `place` may be NULL. */
+void path_start(struct path *path, const struct tracer *tracer,
+                struct worker *worker, const struct picture_place *place,
+                const struct ray *ray);
+
+/* What it meets next: false if nothing. */
+bool path_meet(struct path *path, struct intersection *at);
+
+/* To the surface that it meets, or into the sky: false if the ray ends there.
+ */
+bool path_arrive(struct path *path, struct crossing *crossing, bool met);
+
+/* The sum begins with light from within. gather_sample takes a lamp's. */
+struct gathering path_gathering(const struct path *path,
+                                struct crossing *crossing);
+void gather_sample(void *context, const struct light_sample *sample);
+
+/* The light that the surface itself sends to the viewer, once lamps have lit
+ * it. */
+rgb path_shade(const struct path *path, struct gathering *gathering,
+               const struct diffuse_light *diffuse);
+
+/* From a surface that sends so much light: false if the ray ends here. */
+bool path_leave(struct path *path, const struct crossing *crossing, rgb light);
+
+/* Follows the ray to its end, from what it meets next, which is known or not
+ * yet. */
+struct radiance path_go_on(struct path *path, struct crossing *crossing,
+                           bool met);
+struct radiance path_follow(struct path *path);
+
+/* Once it has ended. */
+struct radiance path_seen(const struct path *path);
+
+#endif

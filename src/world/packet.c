@@ -1,0 +1,217 @@
+/* Rays that are on their way together: see packet.h. */
+#include "world/packet.h"
+
+#include <string.h>
+
+#include "scene/primitive.h"
+
+/* Which rays there are: those whose six numbers are finite, for 0 times a
+ * finite one is 0, and that have a direction and a length. */
+CLONES static void find_rays(const struct rays *restrict rays,
+                             const struct rays_span *restrict span,
+                             lane_flag *restrict good)
+{
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 o = rays_origin(rays, i), d = rays_direction(rays, i);
+        double zero = (o.x + o.y + o.z) * 0 + (d.x + d.y + d.z) * 0;
+        bool is =
+            (zero == 0) & (vec3_dot(d, d) > 0) & (span->near[i] < span->far[i]);
+        good[i] = is ? -1 : 0;
+    }
+}
+
+CLONES static void find_inverse(const struct rays *restrict rays,
+                                double inverse[restrict 3][RAY_LANES])
+{
+    for (int axis = 0; axis < 3; axis++)
+        for (int i = 0; i < RAY_LANES; i++)
+            inverse[axis][i] = slab_inverse(rays->direction[axis][i]);
+}
+
+/* The span is there. */
+static void packet_start(struct packet *packet, const struct rays *rays,
+                         unsigned lanes, bool boxed)
+{
+    lane_flag good[RAY_LANES];
+    find_rays(rays, &packet->span, good);
+    packet->query[0].packet = packet;
+    packet->rays = rays;
+    packet->open = rays_bits(good) & lanes;
+    packet->begun = 0;
+    if (boxed)
+        find_inverse(rays, packet->inverse);
+}
+
+void packet_to_lamp(struct packet *packet, const struct occlusions *asked,
+                    unsigned lanes, double limit, bool boxed)
+{
+    packet->occlusion = true;
+    packet->light = asked->light;
+    packet->kind = RAY_OBSTACLE;
+    for (int i = 0; i < RAY_LANES; i++) {
+        packet->span.near[i] = asked->span.near[i];
+        packet->span.far[i] = slab_min(asked->span.far[i], limit);
+    }
+    packet_start(packet, &asked->rays, lanes, boxed);
+}
+
+void packet_to_nearest(struct packet *packet, const struct nearest *asked,
+                       unsigned lanes, double limit, bool boxed)
+{
+    packet->occlusion = false;
+    packet->light = -1;
+    packet->kind = asked->kind;
+    for (int i = 0; i < RAY_LANES; i++) {
+        packet->span.near[i] = asked->near[i];
+        packet->span.far[i] = limit;
+    }
+    packet_start(packet, &asked->rays, lanes, boxed);
+}
+
+struct query *packet_query(struct packet *packet, unsigned i)
+{
+    struct query *query = &packet->query[i];
+    if (packet->begun >> i & 1)
+        return query;
+    packet->begun |= 1u << i;
+    query->ray = rays_at(packet->rays, (int)i);
+    query->slabs.origin = query->ray.origin;
+    query->slabs.inverse = (vec3){ packet->inverse[0][i], packet->inverse[1][i],
+                                   packet->inverse[2][i] };
+    query->tmin = packet->span.near[i];
+    query->tmax = packet->span.far[i];
+    query->shift = packet->shift[i];
+    query->doubt = packet->doubt;
+    query->occlusion = packet->occlusion;
+    query->kind = packet->kind;
+    query->leaf = NULL;
+    query->rough = false;
+    query->light = packet->light;
+    query->filter = NULL;
+    query->blocked = false;
+    query->recent_count = 0;
+    return query;
+}
+
+void packet_set_out(struct packet *packet, const double shift[RAY_LANES],
+                    double doubt)
+{
+    memcpy(packet->shift, shift, sizeof packet->shift);
+    packet->doubt = doubt;
+    for (unsigned begun = packet->begun; begun; begun &= begun - 1) {
+        unsigned i = (unsigned)__builtin_ctz(begun);
+        packet->query[i].shift = shift[i];
+        packet->query[i].doubt = doubt;
+    }
+}
+
+/* Takes the nearest crossings of the shape. */
+static void packet_first(struct packet *packet, const struct solid *solid,
+                         const struct rays *rays, unsigned lanes)
+{
+    const struct object *object = solid->leaf->object;
+    struct rays_met met;
+    object->primitive->first_many(object->shape, rays, &packet->span, &met);
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        if (!(met.t[i] <= packet->span.far[i]))
+            continue;
+        const struct hit hit = { met.t[i], (int)met.part[i], 0, 0 };
+        struct query *query = packet_query(packet, i);
+        if (!query_wants(query, solid->leaf, hit.t))
+            continue;
+        query_take(query, solid->leaf, &hit);
+        packet_met(packet, i);
+    }
+}
+
+/* Those to a lamp that the shape is in the way of. */
+static unsigned packet_crosses(const struct packet *packet,
+                               const struct solid *solid,
+                               const struct rays *rays, unsigned lanes)
+{
+    const struct object *object = solid->leaf->object;
+    lane_flag met[RAY_LANES];
+    object->primitive->crosses_many(object->shape, rays, &packet->span, met);
+    return rays_bits(met) & lanes;
+}
+
+/* All rays at once. Returns those that need not look any more. */
+static unsigned packet_together(struct packet *packet,
+                                const struct solid *solid, unsigned lanes)
+{
+    const struct rays *rays = packet->rays;
+    struct rays local;
+    if (packet->occlusion ? !leaf_casts(solid->leaf, packet->light)
+                          : !leaf_is_seen(solid->leaf, packet->kind))
+        return 0;
+    if (solid->moved) {
+        rays_into(solid->to_shape, rays, &local);
+        rays = &local;
+    }
+    if (packet->occlusion)
+        return packet_crosses(packet, solid, rays, lanes);
+    packet_first(packet, solid, rays, lanes);
+    return 0;
+}
+
+/* One after the other. */
+static unsigned packet_each(struct packet *packet, const struct solid *solid,
+                            unsigned lanes)
+{
+    unsigned over = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        if (query_solid(packet_query(packet, i), solid))
+            over |= 1u << i;
+        if (!packet->occlusion)
+            packet_met(packet, i);
+    }
+    return over;
+}
+
+static bool solid_has_routine(const struct solid *solid, bool occlusion)
+{
+    if (!solid->simple || solid->kind != OBJECT_SHAPE)
+        return false;
+    const struct primitive *primitive = solid->leaf->object->primitive;
+    return occlusion ? primitive->crosses_many != NULL
+                     : primitive->first_many != NULL;
+}
+
+bool packet_look(struct packet *packet, const struct solid *solid,
+                 unsigned lanes)
+{
+    lanes &= packet->open;
+    if (!lanes)
+        return packet->open == 0;
+    unsigned over = solid_has_routine(solid, packet->occlusion)
+                        ? packet_together(packet, solid, lanes)
+                        : packet_each(packet, solid, lanes);
+    packet->open &= ~over;
+    return packet->open == 0;
+}
+
+CLONES static void box_meets(const struct packet *restrict packet,
+                             const struct box3 *box, lane_flag *restrict met)
+{
+    const vec3 low = box->low, high = box->high;
+    const struct rays *rays = packet->rays;
+    for (int i = 0; i < RAY_LANES; i++) {
+        double enter = packet->span.near[i], leave = packet->span.far[i];
+        slab_clip(low.x, high.x, rays->origin[0][i], packet->inverse[0][i],
+                  &enter, &leave);
+        slab_clip(low.y, high.y, rays->origin[1][i], packet->inverse[1][i],
+                  &enter, &leave);
+        slab_clip(low.z, high.z, rays->origin[2][i], packet->inverse[2][i],
+                  &enter, &leave);
+        met[i] = enter <= leave ? -1 : 0;
+    }
+}
+
+unsigned packet_meets(const struct packet *packet, const struct box3 *box)
+{
+    lane_flag met[RAY_LANES];
+    box_meets(packet, box, met);
+    return rays_bits(met) & packet->open;
+}

@@ -1,0 +1,66 @@
+/* Rays that are on their way together: where each first meets something or,
+ * on the way to a lamp, whether it does. They begin and go close together, as
+ * those of neighbouring pixels do, so that what one may meet the others may
+ * meet too. */
+#ifndef WORLD_PACKET_H
+#define WORLD_PACKET_H
+
+#include "world/query.h"
+
+/* Bits stand for rays. */
+struct packet {
+    struct query query[RAY_LANES]; /* first, for Embree; those that are begun */
+    const struct rays *rays;
+    struct rays_span span; /* of nearest crossings a little more, for ties */
+    double inverse[3][RAY_LANES]; /* of the directions, if there are boxes */
+    double shift[RAY_LANES];      /* as in a query, and doubt */
+    double doubt;
+    bool occlusion;     /* to a lamp, with nothing that lets light pass: */
+    int light;          /* number of the lamp */
+    enum ray_kind kind; /* else */
+    unsigned open;      /* rays that look for something still */
+    unsigned begun;     /* whose queries are filled in */
+};
+
+/* Rays that look for what is nearest. */
+struct nearest {
+    struct rays rays;
+    double near[RAY_LANES];
+    enum ray_kind kind;
+};
+
+/* Begins with those of `lanes` that are rays at all and have any length, up to
+ * `limit`. `boxed`: they will be clipped by boxes. */
+void packet_to_lamp(struct packet *packet, const struct occlusions *asked,
+                    unsigned lanes, double limit, bool boxed);
+void packet_to_nearest(struct packet *packet, const struct nearest *asked,
+                       unsigned lanes, double limit, bool boxed);
+
+/* Looks at the solid with the open ones of `lanes`. Rays to a lamp that meet it
+ * are no longer open. Returns whether none is left open of all. */
+bool packet_look(struct packet *packet, const struct solid *solid,
+                 unsigned lanes);
+
+/* Tells the queries that are begun how Embree's rays differ from theirs. */
+void packet_set_out(struct packet *packet, const double shift[RAY_LANES],
+                    double doubt);
+
+/* To be called once a ray's query has met something nearer. */
+static inline void packet_met(struct packet *packet, unsigned i)
+{
+    packet->span.far[i] = query_reach(&packet->query[i]);
+}
+
+/* The same of a query that may be no packet's; Embree's context says. */
+static inline void packet_met_lane(embree_context *context,
+                                   const struct query *query)
+{
+    const struct query *first = (const struct query *)context;
+    if (first->packet)
+        packet_met(first->packet, (unsigned)(query - first));
+}
+
+/* Which open rays may meet the box. */
+unsigned packet_meets(const struct packet *packet, const struct box3 *box);
+
+#endif
