@@ -13,6 +13,8 @@ struct bicubic {
     double flatness;
     double uv[4][2]; /* of the corners, by turns */
     vec3 points[PATCH_SIDE][PATCH_SIDE];
+    const affine *transform; /* its own: flatness is measured after it */
+    vec3 pinched; /* the normal where a side is drawn together to a point */
 };
 
 const struct field bicubic_fields[] = {
@@ -50,13 +52,20 @@ static void bicubic_vertex(struct parser *p, struct mesh_builder *b,
     for (int k = 0; k < 2; k++)
         uv[k] = (1 - u) * ((1 - v) * patch->uv[0][k] + v * patch->uv[1][k]) +
                 u * (v * patch->uv[2][k] + (1 - v) * patch->uv[3][k]);
+    vec3 normal = vec3_cross(along, across);
+    if (!(vec3_length(normal) > 0))
+        normal = patch->pinched;
     *ARRAY_PUSH(p->scene_arena, &b->vertices) = point;
-    *ARRAY_PUSH(p->scene_arena, &b->normals) = vec3_cross(along, across);
+    *ARRAY_PUSH(p->scene_arena, &b->normals) = normal;
 }
 
+/* Where a side is drawn together to a point every other one is none. */
 static void bicubic_triangle(struct parser *p, struct mesh_builder *b,
                              const uint32_t corners[3])
 {
+    const vec3 *at = b->vertices.items;
+    if (mesh_degenerate(at[corners[0]], at[corners[1]], at[corners[2]]))
+        return;
     struct mesh_triangle t = { .texture = MESH_NONE };
     memcpy(t.vertex, corners, sizeof t.vertex);
     memcpy(t.normal, corners, sizeof t.normal);
@@ -125,19 +134,27 @@ static void part_halves(const struct patch_part *part, int axis,
     }
 }
 
-/* Whether all its points are so near to the plane of three corners. */
-static bool part_is_flat(const struct patch_part *part, double flatness)
+/* Whether all its points are so near to the plane of three corners; of others
+ * if one of its sides is drawn together to a point. */
+static bool part_is_flat(const struct patch_part *part,
+                         const struct bicubic *patch)
 {
-    vec3 a = part->points[0][0], b = part->points[PATCH_SIDE - 1][0];
-    vec3 c = part->points[PATCH_SIDE - 1][PATCH_SIDE - 1];
-    vec3 n = vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
+    vec3 side[PATCH_SIDE][PATCH_SIDE]; /* from the first corner */
+    for (int i = 0; i < PATCH_SIDE; i++)
+        for (int j = 0; j < PATCH_SIDE; j++)
+            side[i][j] = affine_direction(
+                patch->transform,
+                vec3_sub(part->points[i][j], part->points[0][0]));
+    vec3 across = side[PATCH_SIDE - 1][PATCH_SIDE - 1];
+    vec3 n = vec3_cross(side[PATCH_SIDE - 1][0], across);
+    if (!(vec3_length(n) > 0))
+        n = vec3_cross(across, side[0][PATCH_SIDE - 1]);
     double length = vec3_length(n);
     if (!(length > 0))
         return false;
     for (int i = 0; i < PATCH_SIDE; i++)
         for (int j = 0; j < PATCH_SIDE; j++)
-            if (fabs(vec3_dot(vec3_sub(part->points[i][j], a), n)) >
-                flatness * length)
+            if (fabs(vec3_dot(side[i][j], n)) > patch->flatness * length)
                 return false;
     return true;
 }
@@ -164,7 +181,7 @@ static void part_build(struct parser *p, struct mesh_builder *b,
     struct patch_part halves[2], quarters[2];
     bool rows = part->depth < patch->u_steps;
     bool columns = part->depth < patch->v_steps;
-    if ((!rows && !columns) || part_is_flat(part, patch->flatness)) {
+    if ((!rows && !columns) || part_is_flat(part, patch)) {
         part_emit(p, b, patch, part);
         return;
     }
@@ -179,6 +196,14 @@ static void part_build(struct parser *p, struct mesh_builder *b,
         part_build(p, b, patch, &quarters[0]);
         part_build(p, b, patch, &quarters[1]);
     }
+}
+
+/* x, once the patch is where it will be; other normals are those of turned
+ * points, which point to the other side if it is mirrored (measured). */
+static vec3 patch_pinched(const affine *transform)
+{
+    vec3 x = affine_normal(transform, vec3_make(1, 0, 0));
+    return affine_determinant(*transform) < 0 ? vec3_negate(x) : x;
 }
 
 /* Without flatness all parts are as small, and share their corners. */
@@ -260,6 +285,8 @@ bool parse_bicubic_patch(struct parser *p, struct object **out)
               parse_patch_points(p, &patch) && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;
+    patch.transform = (*out)->transform;
+    patch.pinched = patch_pinched((*out)->transform);
     bicubic_surface(p, &builder, &patch);
     mesh->mapped = mesh->turned = true;
     mesh_take(p, mesh, &builder);

@@ -232,7 +232,7 @@ static bool parse_finish_value(struct parser *p, struct finish *finish)
 /* finish_item = finish_value | diffuse | phong | specular | metallic
  *             | reflection | "reflection_exponent" float | film
  *             | translucency | old_refraction . */
-static bool parse_finish_item(struct parser *p, struct finish *finish)
+bool parse_finish_item(struct parser *p, struct finish *finish)
 {
     switch (stream_keyword(p)) {
     case KEYWORD_DIFFUSE:
@@ -262,7 +262,7 @@ static bool parse_finish_item(struct parser *p, struct finish *finish)
 }
 
 /* Amounts below 0 count as 0; a roughness of 0 is a highlight everywhere. */
-static void finish_limit(struct parser *p, struct finish *finish)
+void finish_limit(struct parser *p, struct finish *finish)
 {
     finish->diffuse = fmax(finish->diffuse, 0);
     finish->diffuse_back = fmax(finish->diffuse_back, 0);
@@ -275,6 +275,14 @@ static void finish_limit(struct parser *p, struct finish *finish)
     }
 }
 
+struct finish *finish_begin(struct parser *p, const struct finish *from)
+{
+    struct finish *finish = ARENA_NEW(p->scene_arena, struct finish);
+    *finish = *from;
+    *ARRAY_PUSH(p->arena, &p->finishes) = finish;
+    return finish;
+}
+
 static bool finish_items(struct parser *p, const struct finish **in)
 {
     const struct value *value = accept_value(p, VALUE_FINISH);
@@ -282,10 +290,8 @@ static bool finish_items(struct parser *p, const struct finish **in)
         *in = value->finish;
     if (value && stream_peek(p)->kind == TOKEN_RBRACE)
         return true;
-    struct finish *finish = ARENA_NEW(p->scene_arena, struct finish);
-    *finish = **in;
+    struct finish *finish = finish_begin(p, *in);
     *in = finish;
-    *ARRAY_PUSH(p->arena, &p->finishes) = finish;
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_finish_item(p, finish))
             return false;

@@ -10,8 +10,7 @@ static const struct field normal_names[] = {
 
 /* normal_start = bump_map | pattern [","] [float] normal_blocks .
  * The float is the bump size. Another pattern keeps the maps (measured). */
-static bool parse_normal_start(struct parser *p, struct normal *normal,
-                               bool *found)
+bool parse_normal_start(struct parser *p, struct normal *normal, bool *found)
 {
     if (stream_keyword(p) == KEYWORD_BUMP_MAP) {
         normal->pattern.kind = NULL;
@@ -48,8 +47,7 @@ static bool normal_can_map(struct parser *p, const struct normal *normal)
 
 /* normal_item = normal_field | normal_map | slope_map | "no_bump_scale"
  *             | pattern_item . */
-static bool parse_normal_item(struct parser *p, struct normal *normal,
-                              bool *found)
+bool parse_normal_item(struct parser *p, struct normal *normal, bool *found)
 {
     const struct field *field = accept_field(p, normal_fields);
     *found = true;
@@ -82,6 +80,20 @@ static bool normal_items(struct parser *p, struct normal *normal)
     return normal_count(p, normal);
 }
 
+struct normal *normal_begin(struct parser *p, const struct normal *from)
+{
+    struct normal *normal = ARENA_NEW(p->scene_arena, struct normal);
+    if (from)
+        *normal = *from;
+    else
+        *normal = (struct normal){
+            .pattern = pattern_new(p->scene_arena, NULL),
+            .amount = 0.5,
+            .accuracy = 0.02,
+        };
+    return normal;
+}
+
 /* normal_body = ["uv_mapping"] [NORMAL] [normal_start] {normal_item} .
  * Without a pattern it is still what others begin with: their bump_size. */
 bool parse_normal_body(struct parser *p, const struct normal **in)
@@ -92,15 +104,7 @@ bool parse_normal_body(struct parser *p, const struct normal **in)
         *in = value->normal;
     if (value && !mapped && at_body_end(p))
         return true;
-    struct normal *normal = ARENA_NEW(p->scene_arena, struct normal);
-    if (*in)
-        *normal = **in;
-    else
-        *normal = (struct normal){
-            .pattern = pattern_new(p->scene_arena, NULL),
-            .amount = 0.5,
-            .accuracy = 0.02,
-        };
+    struct normal *normal = normal_begin(p, *in);
     *in = normal;
     normal->pattern.uv |= mapped;
     if (!parse_normal_start(p, normal, &found) || !normal_items(p, normal))

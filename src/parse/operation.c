@@ -138,13 +138,20 @@ static bool operation_apply(struct parser *p, enum precedence precedence,
     return true;
 }
 
+/* Whether no operator stands here: before version 1.5 they are for parentheses
+ * alone, and <0 -1 2> has three components. */
+static bool operators_absent(const struct parser *p, enum precedence lowest)
+{
+    return p->version < 1.5 && lowest >= PRECEDENCE_WHOLE;
+}
+
 /* Goes on after the value `left`, which began at `start`, with operators that
  * bind at least as tightly as `lowest`. */
 static bool operation_continue(struct parser *p, enum precedence lowest,
                                struct span start, const char *wanted,
                                struct value *left)
 {
-    for (;;) {
+    while (!operators_absent(p, lowest)) {
         enum token_kind kind = stream_peek_infix(p)->kind;
         enum precedence precedence = operator_precedence(kind);
         if (kind == TOKEN_OTHER && operator_unknown(p))
@@ -160,6 +167,7 @@ static bool operation_continue(struct parser *p, enum precedence lowest,
         if (!ok)
             return false;
     }
+    return true;
 }
 
 /* The operators and how they bind: operator_precedence.

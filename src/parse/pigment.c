@@ -44,8 +44,7 @@ static void pigment_warn_bytes(struct parser *p, struct span span,
 /* pigment_start = colour | image_map | pattern [block_list] .
  * Measured: a pattern in place of another keeps its map, and a list of colours
  * is a map of these at 0, 1, 2. */
-static bool parse_pigment_start(struct parser *p, struct pigment *pigment,
-                                bool *found)
+bool parse_pigment_start(struct parser *p, struct pigment *pigment, bool *found)
 {
     *found = true;
     if (stream_keyword(p) == KEYWORD_IMAGE_MAP) {
@@ -73,7 +72,7 @@ static bool parse_pigment_start(struct parser *p, struct pigment *pigment,
 }
 
 /* A pigment_map in a pigment_map ... costs twice as much at each level. */
-static bool pigment_count(struct parser *p, struct pigment *pigment)
+bool pigment_count(struct parser *p, struct pigment *pigment)
 {
     pigment->depth = 0;
     pigment->parts = 1;
@@ -126,8 +125,7 @@ static bool pigment_can_map(struct parser *p, const struct pigment *pigment)
 /* pigment_item = colour_map | pigment_map | density_map
  *              | "quick_colour" colour | pattern_item .
  * A density_map only in a density. */
-static bool parse_pigment_item(struct parser *p, struct pigment *pigment,
-                               bool *found)
+bool parse_pigment_item(struct parser *p, struct pigment *pigment, bool *found)
 {
     *found = true;
     switch (stream_keyword(p)) {

@@ -75,6 +75,22 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in);
 bool parse_normal_body(struct parser *p, const struct normal **in);
 bool parse_normal_block(struct parser *p, const struct normal **in);
 bool parse_finish_block(struct parser *p, const struct finish **in);
+/* Their parts, for texture_bare.c: what a block's content is written into, an
+ * item of it, and the checks at its end. */
+bool parse_pigment_start(struct parser *p, struct pigment *pigment,
+                         bool *found);
+bool parse_pigment_item(struct parser *p, struct pigment *pigment, bool *found);
+bool pigment_count(struct parser *p, struct pigment *pigment);
+struct normal *normal_begin(struct parser *p, const struct normal *from);
+bool parse_normal_start(struct parser *p, struct normal *normal, bool *found);
+bool parse_normal_item(struct parser *p, struct normal *normal, bool *found);
+struct finish *finish_begin(struct parser *p, const struct finish *from);
+bool parse_finish_item(struct parser *p, struct finish *finish);
+void finish_limit(struct parser *p, struct finish *finish);
+/* Whether one of the items is next that stood in a texture without a block of
+ * their own before version 3. */
+bool at_bare_item(struct parser *p);
+bool parse_bare_item(struct parser *p, const struct texture **in, bool *found);
 /* The inside of texture { } or of an entry of a texture_map. */
 bool parse_interior_texture(struct parser *p, const struct texture *outer,
                             const struct texture **inner);
@@ -104,6 +120,12 @@ bool parse_texture_part(struct parser *p, const struct texture **in,
 const struct texture *texture_from_defaults(struct parser *p);
 /* A copy of the texture whose layers may be written. */
 struct texture *texture_copy(struct parser *p, const struct texture *texture);
+/* The same, and its topmost layer. */
+struct texture *texture_top(struct parser *p, const struct texture *texture,
+                            struct layer **top);
+/* A copy whose pigments filter nothing and transmit more instead. */
+const struct texture *texture_veiled(struct parser *p,
+                                     const struct texture *texture);
 /* The layers of `bottom` with those of `top` painted over. */
 const struct texture *texture_stack(struct parser *p,
                                     const struct texture *bottom,
@@ -259,6 +281,8 @@ bool parse_photon_flags(struct parser *p, struct photon_flags *flags);
 
 bool parse_noise_generator(struct parser *p, int *generator);
 bool parse_default_block(struct parser *p);
+
+bool parse_global_setting(struct parser *p);
 
 /* What depends on #version, if the scene doesn't say it. */
 void settings_follow_version(struct parser *p);

@@ -300,6 +300,18 @@ static bool at_declarable(struct parser *p)
     }
 }
 
+/* Scenes older than version 3 have no global_settings.
+ * scene_setting = "max_trace_level" float | "max_intersections" float . */
+static bool scene_setting(struct parser *p)
+{
+    if (p->version >= 3)
+        warning_at(p, stream_span(p),
+                   arena_printf(p->arena, "global_settings { %s ... }",
+                                stream_peek(p)->word->text),
+                   "this belongs into 'global_settings'");
+    return parse_global_setting(p);
+}
+
 static bool scene_unknown(struct parser *p)
 {
     struct span open;
@@ -309,6 +321,8 @@ static bool scene_unknown(struct parser *p)
         return skip_unsupported(p, unsupported);
     if (mistaken_statement(p))
         return true; /* and read on right behind it */
+    if (at_word(p, "max_trace_level") || at_word(p, "max_intersections"))
+        return scene_setting(p);
     enum token_kind kind = stream_peek(p)->kind;
     if (at_word(p, "light_mesh") || at_word(p, "skeleton"))
         error_at(p, stream_span(p),
@@ -337,7 +351,8 @@ static bool scene_unknown(struct parser *p)
 }
 
 /* scene_item = camera | background | sky_sphere | fog | rainbow | media
- *            | light_group | global_settings | default_block | object . */
+ *            | light_group | global_settings | default_block | object
+ *            | scene_setting . */
 bool parse_scene_item(struct parser *p)
 {
     bool ok;

@@ -193,7 +193,7 @@ static bool parse_light_setting(struct parser *p, bool *found)
 
 /* global_setting = setting_value | assumed_gamma | noise_setting
  *                | light_setting | setting_without_effect . */
-static bool parse_global_setting(struct parser *p)
+bool parse_global_setting(struct parser *p)
 {
     bool found;
     enum keyword keyword = stream_keyword(p);

@@ -3,10 +3,10 @@
 
 #include "parse/rules.h"
 
-/* slope_range = "," float "," float . */
+/* slope_range = [","] float "," float . */
 static bool parse_slope_range(struct parser *p, double range[2])
 {
-    if (!accept(p, TOKEN_COMMA))
+    if (!accept(p, TOKEN_COMMA) && !at_number(p))
         return true;
     return parse_float(p, &range[0]) && expect(p, TOKEN_COMMA, span_none()) &&
            parse_float(p, &range[1]);

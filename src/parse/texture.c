@@ -46,6 +46,14 @@ struct texture *texture_copy(struct parser *p, const struct texture *texture)
     return copy;
 }
 
+struct texture *texture_top(struct parser *p, const struct texture *texture,
+                            struct layer **top)
+{
+    struct texture *copy = texture_copy(p, texture);
+    *top = &copy->layers[copy->count - 1];
+    return copy;
+}
+
 const struct texture *texture_stack(struct parser *p,
                                     const struct texture *bottom,
                                     const struct texture *top)
@@ -63,6 +71,8 @@ const struct texture *texture_stack(struct parser *p,
                  TEXTURE_LAYERS);
         return bottom;
     }
+    if (p->version <= 3.1)
+        top = texture_veiled(p, top);
     both->layers = ARENA_ARRAY(p->scene_arena, struct layer, both->count);
     memcpy(both->layers, bottom->layers,
            bottom->count * sizeof *bottom->layers);
@@ -71,25 +81,41 @@ const struct texture *texture_stack(struct parser *p,
     return both;
 }
 
-/* texture_start = TEXTURE | PIGMENT | NORMAL | FINISH . */
-static bool parse_texture_start(struct parser *p, const struct texture **out)
+/* The declared pigment, normal or finish that is next goes into the topmost
+ * layer. */
+static bool accept_texture_value(struct parser *p, const struct texture **in)
+{
+    const struct value *pigment = accept_value(p, VALUE_PIGMENT);
+    const struct value *normal = pigment ? NULL : accept_value(p, VALUE_NORMAL);
+    const struct value *finish =
+        pigment || normal ? NULL : accept_value(p, VALUE_FINISH);
+    if (!pigment && !normal && !finish)
+        return false;
+    struct layer *layer;
+    *in = texture_top(p, *in, &layer);
+    if (pigment)
+        layer->pigment = pigment->pigment;
+    else if (normal)
+        layer->normal = normal->normal;
+    else
+        layer->finish = finish->finish;
+    return true;
+}
+
+/* texture_start = [TEXTURE] {PIGMENT | NORMAL | FINISH} . */
+static void parse_texture_start(struct parser *p, const struct texture **out)
 {
     const struct value *value = accept_value(p, VALUE_TEXTURE);
+    bool choice = value && value->texture->choice;
     if (value) {
         *out = value->texture;
-        return true;
+    } else {
+        struct texture *texture = texture_copy(p, texture_from_defaults(p));
+        texture->span = p->last_span;
+        *out = texture;
     }
-    struct texture *texture = texture_copy(p, texture_from_defaults(p));
-    struct layer *layer = texture->layers;
-    texture->span = p->last_span;
-    *out = texture;
-    if ((value = accept_value(p, VALUE_PIGMENT)) != NULL)
-        layer->pigment = value->pigment;
-    else if ((value = accept_value(p, VALUE_NORMAL)) != NULL)
-        layer->normal = value->normal;
-    else if ((value = accept_value(p, VALUE_FINISH)) != NULL)
-        layer->finish = value->finish;
-    return true;
+    while (!choice && accept_texture_value(p, out))
+        ;
 }
 
 /* A surface's own normal: nothing else will begin with it. */
@@ -113,8 +139,8 @@ bool parse_texture_part(struct parser *p, const struct texture **in,
              keyword == KEYWORD_FINISH;
     if (!*found)
         return true;
-    struct texture *texture = texture_copy(p, *in);
-    struct layer *top = &texture->layers[texture->count - 1];
+    struct layer *top;
+    struct texture *texture = texture_top(p, *in, &top);
     if (keyword == KEYWORD_PIGMENT || !texture->span.source)
         texture->span = stream_span(p);
     *in = texture;
@@ -140,13 +166,15 @@ static const struct texture *texture_levelled(struct parser *p,
     return level;
 }
 
-/* texture_item = texture_part | "no_bump_scale" | transformation . */
+/* texture_item = texture_part | bare_item | "no_bump_scale"
+ *              | transformation . */
 static bool parse_texture_item(struct parser *p, const struct texture **in)
 {
     affine step = affine_identity();
     bool found;
     struct span span = stream_span(p);
-    if (!parse_texture_part(p, in, &found))
+    if (!parse_texture_part(p, in, &found) ||
+        (!found && !parse_bare_item(p, in, &found)))
         return false;
     if (found)
         return !(*in)->choice ||
@@ -167,15 +195,14 @@ static bool parse_texture_item(struct parser *p, const struct texture **in)
 
 static bool texture_content(struct parser *p, const struct texture **in)
 {
-    bool found;
-    if (!parse_texture_choice(p, in, &found))
+    bool found = false;
+    if (!at_bare_item(p) && !parse_texture_choice(p, in, &found))
         return false;
     if (!found && !parse_material_map(p, in, &found))
         return false;
     if (found)
         return true;
-    if (!parse_texture_start(p, in))
-        return false;
+    parse_texture_start(p, in);
     while (!at_body_end(p))
         if (!parse_texture_item(p, in))
             return false;
@@ -184,7 +211,7 @@ static bool texture_content(struct parser *p, const struct texture **in)
 
 /* texture_body = ["uv_mapping"]
  *                ( texture_choice | texture_by_picture
- *                | [texture_start] {texture_item} ) . */
+ *                | texture_start {texture_item} ) . */
 bool parse_texture_body(struct parser *p, const struct texture **in)
 {
     bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING);

@@ -109,6 +109,19 @@ vec3 camera_sum(const struct camera *camera, double right, double up,
     return vec3_along(sum, camera->direction, direction);
 }
 
+void camera_turned(const struct camera *camera, double x, double y,
+                   double at[2])
+{
+    at[0] = x * camera->turn;
+    at[1] = y * camera->turn_up;
+}
+
+double camera_around(double x, double y)
+{
+    double angle = atan2(y, x);
+    return angle < -M_PI / 2 ? angle + 2 * M_PI : angle;
+}
+
 bool camera_sees(const struct camera *camera, double x, double y)
 {
     return !camera->kind->sees || camera->kind->sees(camera, x - 0.5, 0.5 - y);
@@ -119,8 +132,11 @@ bool camera_sees(const struct camera *camera, double x, double y)
 static vec3 camera_bent(const struct camera *camera, double x, double y,
                         vec3 direction)
 {
+    double at[2] = { x - 0.5, 0.5 - y };
+    if (camera->kind->bend_at)
+        camera->kind->bend_at(camera, at[0], at[1], at);
     return vec3_normalise(normal_perturbed(
-        camera->normal, vec3_make(x - 0.5, 0.5 - y, 0), direction));
+        camera->normal, vec3_make(at[0], at[1], 0), direction));
 }
 
 static inline struct ray camera_finished(const struct camera *camera, double x,

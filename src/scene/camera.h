@@ -31,6 +31,10 @@ struct camera_kind {
     bool (*sees)(const struct camera *camera, double x, double y);
     /* Its ray there, of any length. */
     struct ray (*ray)(const struct camera *camera, double x, double y);
+    /* What the normal's pattern is asked at there; NULL: x and y themselves.
+     * Kinds that turn ask it at angles, in radians (measured). */
+    void (*bend_at)(const struct camera *camera, double x, double y,
+                    double at[2]);
     /* The rays of one pixel, number 0 to camera->rays - 1. False: there is not
      * this one. NULL: there is only `ray`. */
     bool (*pixel_ray)(const struct camera *camera, double x, double y, int i,
@@ -92,6 +96,14 @@ vec3 camera_sum(const struct camera *camera, double right, double up,
 /* For kinds that turn: angles are put into turn and turn_up, `usual` if none
  * is said, and the direction is made a unit. */
 void camera_turns(struct camera *camera, double usual);
+
+/* The angles of a place, in radians, of kinds that turn evenly. */
+void camera_turned(const struct camera *camera, double x, double y,
+                   double at[2]);
+
+/* The angle of a place around the middle of a disc, from a quarter turn below
+ * to three above. */
+double camera_around(double x, double y);
 
 /* Whether its lens blurs what is out of focus. */
 static inline bool camera_blurs(const struct camera *camera)

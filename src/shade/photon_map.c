@@ -27,7 +27,7 @@ static const float flatness = 0.5F;
 struct photon_map {
     struct photon *photons;
     size_t count;
-    unsigned most;
+    unsigned least, most;
     float reach; /* square of the largest radius */
 };
 
@@ -280,6 +280,27 @@ static void search_start(struct search *search, const struct photon_map *map,
     search->reach = map->reach;
 }
 
+static int near_order(const void *a, const void *b)
+{
+    const struct near *x = a, *y = b;
+    return (x->square > y->square) - (x->square < y->square);
+}
+
+/* Once more where photons are sparse, so far that there are `least` of them,
+ * but at most twice as far: else each would be a speck of its own. */
+static void search_widen(struct search *search)
+{
+    unsigned least = search->map->least;
+    search->count = 0;
+    search->reach = 4 * search->map->reach;
+    search_run(search);
+    if (search->count <= least)
+        return;
+    qsort(search->near, search->count, sizeof *search->near, near_order);
+    search->reach = search->near[least].square;
+    search->count = least;
+}
+
 void photon_map_visit(const struct photon_map *map, struct worker *worker,
                       vec3 point, vec3 normal, photon_visit *visit,
                       void *context)
@@ -294,6 +315,8 @@ void photon_map_visit(const struct photon_map *map, struct worker *worker,
     search.normal[1] = (float)normal.y;
     search.normal[2] = (float)normal.z;
     search_run(&search);
+    if (search.count < map->least)
+        search_widen(&search);
     double reach = (double)search.reach;
     if (!(reach > 0))
         return;
@@ -340,7 +363,7 @@ struct photon_map *photon_map_new(struct photon *photons, size_t count,
     struct photon_map *map = memory_new(sizeof *map);
     struct building building = { .photons = photons };
     *map =
-        (struct photon_map){ photons, count,
+        (struct photon_map){ photons, count, gather->least,
                              gather->most > 1 ? gather->most : 2, HUGE_VALF };
     build_top(&building, (struct photon_range){ 0, count }, PARTS_LEVEL);
     parallel_run(threads, building.count, NULL, build_part, &building);

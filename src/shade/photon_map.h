@@ -32,10 +32,11 @@ vec3 photon_unpack(const int16_t packed[2]);
 
 /* How a place looks for photons. */
 struct photon_gather {
-    unsigned most; /* photons, at least 1; of 1 the next one tells how much
-                    * room it has, so that 2 are looked at */
-    double radius; /* of where they may lie; 0: by how dense they are */
-    double share;  /* multiplies either */
+    unsigned least; /* where fewer lie in the radius, up to twice as far */
+    unsigned most;  /* photons, at least 1; of 1 the next one tells how much
+                     * room it has, so that 2 are looked at */
+    double radius;  /* of where they may lie; 0: by how dense they are */
+    double share;   /* multiplies either */
 };
 
 struct photon_map;
@@ -58,7 +59,8 @@ typedef void photon_visit(void *context, const struct photon *photon,
 /* Visits the nearest photons around a point of a surface of this unit normal,
  * of those that came to that side. The weights are Epanechnikov's kernel, 2 (1
  * - d^2/r^2) / (pi r^2), with r the distance of the farthest of them; where the
- * largest radius holds fewer than it looks for, with that radius. */
+ * largest radius holds fewer than it looks for, with that radius; where it does
+ * not even hold the least, with as much more as these need, up to twice. */
 void photon_map_visit(const struct photon_map *map, struct worker *worker,
                       vec3 point, vec3 normal, photon_visit *visit,
                       void *context);

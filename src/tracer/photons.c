@@ -48,8 +48,9 @@ struct flight {
     struct photon_row *row;
     struct worker *worker;
     struct ray ray;
-    rgb share;     /* of the lamp's colour */
-    double gone;   /* from the lamp */
+    rgb share;   /* of the lamp's colour */
+    rgb weight;  /* held against adc_bailout: mirrors count twice (measured) */
+    double gone; /* from the lamp */
     size_t number; /* in its row */
     int level;     /* 1 until the target bends it */
     bool bent;     /* it has met its target */
@@ -113,20 +114,31 @@ static void flight_land(const struct flight *flight,
 
 /* ---- surfaces ---- */
 
+static void flight_dim(struct flight *flight, rgb through)
+{
+    flight->share = rgb_mul(flight->share, through);
+    flight->weight = rgb_mul(flight->weight, through);
+}
+
+/* Whether so much of it is left that it goes on. */
+static bool flight_counts(const struct flight *flight)
+{
+    return rgb_peak(flight->weight) >= flight->sending->bailout;
+}
+
 /* What a clear thing before the target leaves of it. False if that is
  * nothing. */
 static bool flight_pass_clear(struct flight *flight,
                               const struct intersection *at)
 {
     rgb through = at->leaf->opaque ? rgb_grey(0) : surface_transmittance(at);
-    flight->share = rgb_mul(flight->share, through);
+    flight_dim(flight, through);
     if (interiors_find(&flight->inside, at->leaf->body) >= 0 &&
         interior_dims_shadows(at->leaf->interior))
-        flight->share =
-            rgb_mul(flight->share, interior_fade(at->leaf->interior, at->t));
+        flight_dim(flight, interior_fade(at->leaf->interior, at->t));
     interiors_cross(&flight->inside, at->leaf);
     flight->ray.origin = at->point;
-    return rgb_peak(flight->share) >= flight->sending->bailout;
+    return flight_counts(flight);
 }
 
 static void flight_mirror(const struct flight *flight,
@@ -134,9 +146,9 @@ static void flight_mirror(const struct flight *flight,
                           const struct surface_layer *layer)
 {
     struct flight branch = *flight;
-    branch.share =
-        rgb_mul(flight->share, rgb_mul(layer->weight, layer->reflection));
-    if (rgb_peak(branch.share) < flight->sending->bailout)
+    flight_dim(&branch, rgb_mul(layer->weight, layer->reflection));
+    branch.weight = rgb_mul(branch.weight, layer->reflection);
+    if (!flight_counts(&branch))
         return;
     branch.ray.origin = crossing->at.point;
     branch.ray.direction =
@@ -168,31 +180,36 @@ static rgb flight_divide(struct flight *flight, struct crossing *crossing)
     return rgb_scale(spectrum_part(number, parts), parts);
 }
 
-/* On behind the surface, or back from it in total reflection. */
-static bool flight_pass(struct flight *flight, struct crossing *crossing)
+/* On behind the surface, or back from it in total reflection: then the mirror
+ * has no part in it. */
+static bool flight_pass(struct flight *flight, struct crossing *crossing,
+                        bool mirrors)
 {
     const struct surface *surface = &crossing->surface;
     vec3 normal = surface->layer[0].normal, direction = flight->ray.direction;
-    if (rgb_peak(surface->through) == 0)
-        return false;
-    if (crossing->ior != 1)
-        flight->share = rgb_mul(flight->share, flight_divide(flight, crossing));
+    rgb part = rgb_grey(1);
+    bool inward = false;
+    if (crossing->ior != 1) {
+        part = flight_divide(flight, crossing);
+        inward = !crossing_refracted(crossing, direction, normal, &direction);
+    }
+    if (mirrors && !inward)
+        flight_mirrors(flight, crossing);
+    flight->share = rgb_mul(flight->share, part);
     if (crossing->leaving)
-        flight->share =
-            rgb_mul(flight->share,
-                    interior_fade(crossing->at.leaf->interior, crossing->at.t));
-    if (crossing->ior != 1 &&
-        !crossing_refracted(crossing, direction, normal, &direction)) {
+        flight_dim(flight,
+                   interior_fade(crossing->at.leaf->interior, crossing->at.t));
+    if (inward) {
         flight->ray.direction =
             crossing_mirrored(crossing, flight->ray.direction, normal);
     } else {
         flight->ray.direction = direction;
-        flight->share = rgb_mul(flight->share, surface->through);
+        flight_dim(flight, surface->through);
         interiors_copy(&flight->inside, &crossing->beyond);
     }
     flight->ray.origin = crossing->at.point;
     flight->level += crossing->ior != 1;
-    return rgb_peak(flight->share) >= flight->sending->bailout;
+    return flight_counts(flight);
 }
 
 /* False if it ends there. */
@@ -207,10 +224,13 @@ static bool flight_meet(struct flight *flight, struct crossing *crossing,
         flight_land(flight, &crossing->surface);
     if (flight->level >= flight->sending->levels)
         return false;
-    if (photon_happens(lamp->reflection, object->reflection))
+    bool mirrors = photon_happens(lamp->reflection, object->reflection);
+    if (photon_happens(lamp->refraction, object->refraction) &&
+        rgb_peak(crossing->surface.through) != 0)
+        return flight_pass(flight, crossing, mirrors);
+    if (mirrors)
         flight_mirrors(flight, crossing);
-    return photon_happens(lamp->refraction, object->refraction) &&
-           flight_pass(flight, crossing);
+    return false;
 }
 
 /* False if the photon is not for what it meets. */
@@ -277,6 +297,7 @@ static void row_send(struct sending *sending, struct photon_row *row,
                              .number = place,
                              .ray = start.ray,
                              .share = rgb_grey(share),
+                             .weight = rgb_grey(1),
                              .level = 1,
                              .meetings = &meetings,
                              .extent = start.extent };
@@ -419,7 +440,8 @@ bool photons_send(const struct tracer *tracer, unsigned threads,
     bool done = sending_fits(&sending, diag) &&
                 sending_run(&sending, threads) && sending_kept(&sending, diag);
     if (done) {
-        struct photon_gather gather = { (unsigned)said->gather[1], said->radius,
+        struct photon_gather gather = { (unsigned)said->gather[0],
+                                        (unsigned)said->gather[1], said->radius,
                                         said->radius_share };
         *map = photon_map_new(sending_join(&sending),
                               atomic_load(&sending.kept), &gather, threads);

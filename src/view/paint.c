@@ -93,22 +93,40 @@ static void paint_slider(struct view *view, SDL_Rect all)
     }
 }
 
+/* How many lines of the window the text takes. */
+static int paint_lines(const struct window *window, const char *text, int width)
+{
+    int lines = 1;
+    for (text += window_fit(window, text, width); *text; lines++)
+        text += window_fit(window, text, width);
+    return lines;
+}
+
+/* What it does and what was said last. In a narrow window that may take more
+ * lines, over the picture. */
 static void paint_status(struct view *view, SDL_Rect all)
 {
     char text[VIEW_NOTICE];
     struct window *window = view->window;
-    int top = all.h - PAINT_STATUS, line = window_line(window);
-    SDL_Rect strip = { 0, top, all.w, PAINT_STATUS };
-    SDL_Rect bar = { 0, top, (int)(all.w * view->status.share), 2 };
+    const char *notice = view->notice[0] ? view->notice : "? lists the keys";
+    int line = window_line(window), width = all.w - 2 * EDGE;
+    int more = line * (paint_lines(window, notice, width) - 1);
+    int y = all.h - PAINT_STATUS - more;
+    SDL_Rect strip = { 0, y, all.w, PAINT_STATUS + more };
+    SDL_Rect bar = { 0, y, (int)(all.w * view->status.share), 2 };
     window_fill(window, &strip, STATUS, 255);
     if (view->status.stage == ENGINE_DRAWING)
         window_fill(window, &bar, BAR, 255);
     paint_stage(view, text, sizeof text);
     bool wrong = view->status.stage == ENGINE_WRONG;
-    window_text(window, EDGE, top + 4, all.w - EDGE, wrong ? WRONG : QUIET,
-                text);
-    window_text(window, EDGE, top + 4 + line, all.w - EDGE, TEXT,
-                view->notice[0] ? view->notice : "? lists the keys");
+    y += 4;
+    window_text(window, EDGE, y, all.w - EDGE, wrong ? WRONG : QUIET, text);
+    while (*notice) {
+        size_t length = window_fit(window, notice, width);
+        snprintf(text, sizeof text, "%.*s", (int)length, notice);
+        window_text(window, EDGE, y += line, all.w - EDGE, TEXT, text);
+        notice += length;
+    }
 }
 
 /* What is wrong, over the picture, which is old. */

@@ -206,6 +206,24 @@ int window_text(struct window *window, int x, int y, int right, unsigned tint,
     return x + from.w;
 }
 
+size_t window_fit(const struct window *window, const char *text, int width)
+{
+    int wide = 0, letters = 0;
+    char line[LINE_LIMIT];
+    snprintf(line, sizeof line, "%s", text);
+    TTF_MeasureUTF8(window->font, line, width, &wide, &letters);
+    size_t bytes = 0, word = 0;
+    for (letters = letters > 1 ? letters : 1; line[bytes] && letters > 0;
+         letters--) {
+        bytes++;
+        while ((line[bytes] & 0xc0) == 0x80) /* the rest of the letter */
+            bytes++;
+        if (line[bytes - 1] == ' ')
+            word = bytes;
+    }
+    return line[bytes] && word ? word : bytes;
+}
+
 /* The next line of a text, without its end; NULL after the last. */
 static const char *text_line(const char *text, char line[LINE_LIMIT])
 {

@@ -48,6 +48,11 @@ void window_frame(struct window *window, const SDL_Rect *area, unsigned tint);
 int window_text(struct window *window, int x, int y, int right, unsigned tint,
                 const char *text);
 
+/* How many bytes of the text fit beside each other in `width` pixels: whole
+ * words, and what parts them from the next, if one fits; at least one letter.
+ */
+size_t window_fit(const struct window *window, const char *text, int width);
+
 /* Several, wrapped nowhere, on a dark box with its top left at (x, y). */
 void window_box(struct window *window, int x, int y, unsigned tint,
                 const char *text);

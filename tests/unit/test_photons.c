@@ -93,7 +93,7 @@ static void map_finds_the_nearest(void **state)
     enum { COUNT = 3000, MOST = 60 };
     struct worker worker = { .scratch = arena_new(0) };
     struct photon *photons = floor_photons(COUNT), *copy = floor_photons(COUNT);
-    struct photon_gather gather = { MOST, 0.2, 1 };
+    struct photon_gather gather = { 1, MOST, 0.2, 1 };
     struct photon_map *map = photon_map_new(copy, COUNT, &gather, 2);
     (void)state;
     for (uint64_t i = 0; i < 50; i++) {
@@ -116,7 +116,7 @@ static void one_photon_is_light(void **state)
 {
     enum { COUNT = 300 };
     struct worker worker = { .scratch = arena_new(0) };
-    struct photon_gather gather = { 1, 0, 1 };
+    struct photon_gather gather = { 1, 1, 0, 1 };
     struct photon_map *map =
         photon_map_new(floor_photons(COUNT), COUNT, &gather, 1);
     struct found found = { 0, 0 };
@@ -131,7 +131,7 @@ static void one_photon_is_light(void **state)
 static void map_of_none(void **state)
 {
     struct worker worker = { .scratch = arena_new(0) };
-    struct photon_gather gather = { 100, 0, 1 };
+    struct photon_gather gather = { 20, 100, 0, 1 };
     struct photon_map *map = photon_map_new(NULL, 0, &gather, 1);
     struct found found = { 0, 0 };
     (void)state;

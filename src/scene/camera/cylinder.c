@@ -40,6 +40,16 @@ static struct ray cylinder_ray(const struct camera *camera, double x, double y)
     return ray;
 }
 
+static void cylinder_bend_at(const struct camera *camera, double x, double y,
+                             double at[2])
+{
+    camera_turned(camera, x, y, at);
+    if (cylinder_stands(camera))
+        at[1] = y * vec3_length(camera->up);
+    else
+        at[0] = x * vec3_length(camera->right);
+}
+
 const struct camera_kind cylinder_camera = {
     .name = "cylinder",
     .help = "rolled, 1 and 3 upright, 2 and 4 lying",
@@ -47,4 +57,5 @@ const struct camera_kind cylinder_camera = {
     .lines = CAMERA_BENT,
     .finish = cylinder_finish,
     .ray = cylinder_ray,
+    .bend_at = cylinder_bend_at,
 };

@@ -27,6 +27,15 @@ static struct ray fisheye_ray(const struct camera *camera, double x, double y)
                          camera_sum(camera, side * x, side * y, cos(angle)) };
 }
 
+/* Around the disc, and from the direction. */
+static void fisheye_bend_at(const struct camera *camera, double x, double y,
+                            double at[2])
+{
+    at[1] = fisheye_disc(camera, x, y) * camera->turn / 2;
+    at[0] = camera_around(x * vec3_length(camera->right),
+                          y * vec3_length(camera->up));
+}
+
 const struct camera_kind fisheye_camera = {
     .name = "fisheye",
     .help = "a disc",
@@ -34,4 +43,5 @@ const struct camera_kind fisheye_camera = {
     .finish = fisheye_finish,
     .sees = fisheye_sees,
     .ray = fisheye_ray,
+    .bend_at = fisheye_bend_at,
 };

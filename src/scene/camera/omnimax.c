@@ -47,6 +47,16 @@ static bool omnimax_sees(const struct camera *camera, double x, double y)
     return r <= 1 && disc[1] * sin(angle) >= -r * cos(angle);
 }
 
+/* Around the disc, and from the direction. */
+static void omnimax_bend_at(const struct camera *camera, double x, double y,
+                            double at[2])
+{
+    double disc[2];
+    omnimax_place(camera, x, y, disc);
+    at[0] = camera_around(disc[0], disc[1]);
+    at[1] = omnimax_angle(hypot(disc[0], disc[1]));
+}
+
 const struct camera_kind omnimax_camera = {
     .name = "omnimax",
     .help = "a disc, cut off below: a dome's film",
@@ -54,4 +64,5 @@ const struct camera_kind omnimax_camera = {
     .finish = omnimax_finish,
     .sees = omnimax_sees,
     .ray = omnimax_ray,
+    .bend_at = omnimax_bend_at,
 };

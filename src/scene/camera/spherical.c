@@ -12,10 +12,11 @@ static void spherical_finish(struct camera *camera)
 
 static struct ray spherical_ray(const struct camera *camera, double x, double y)
 {
-    double a = x * camera->turn, b = y * camera->turn_up;
+    double at[2];
+    camera_turned(camera, x, y, at);
     return (struct ray){ camera->location,
-                         camera_sum(camera, sin(a) * cos(b), sin(b),
-                                    cos(a) * cos(b)) };
+                         camera_sum(camera, sin(at[0]) * cos(at[1]), sin(at[1]),
+                                    cos(at[0]) * cos(at[1])) };
 }
 
 const struct camera_kind spherical_camera = {
@@ -24,4 +25,5 @@ const struct camera_kind spherical_camera = {
     .lines = CAMERA_BENT,
     .finish = spherical_finish,
     .ray = spherical_ray,
+    .bend_at = camera_turned,
 };

@@ -12,9 +12,11 @@ static void ultra_wide_angle_finish(struct camera *camera)
 static struct ray ultra_wide_angle_ray(const struct camera *camera, double x,
                                        double y)
 {
-    double a = x * camera->turn, b = y * camera->turn_up;
+    double at[2];
+    camera_turned(camera, x, y, at);
     return (struct ray){ camera->location,
-                         camera_sum(camera, sin(a), sin(b), cos(a) * cos(b)) };
+                         camera_sum(camera, sin(at[0]), sin(at[1]),
+                                    cos(at[0]) * cos(at[1])) };
 }
 
 const struct camera_kind ultra_wide_angle_camera = {
@@ -23,4 +25,5 @@ const struct camera_kind ultra_wide_angle_camera = {
     .lines = CAMERA_BENT,
     .finish = ultra_wide_angle_finish,
     .ray = ultra_wide_angle_ray,
+    .bend_at = camera_turned,
 };

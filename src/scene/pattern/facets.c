@@ -1,6 +1,6 @@
 /* facets: normals that are the same all over a facet. Of a size: the facets are
  * the crackle cells of the sphere of normals; by coords: those of space, each
- * tilted at random (measured). */
+ * tilted to a side at random (measured). */
 #include "scene/crackle.h"
 #include "scene/noise.h"
 
@@ -12,21 +12,21 @@ static const struct facets facets_defaults = { 0.1, 0 };
 
 static const struct field facets_items[] = {
     { "size", FIELD_FLOAT, offsetof(struct facets, size), 0, 0,
-      "of facets that are where normals are alike, 0.1" },
+      "of facets, 0.1: where normals are alike, or of cells of space" },
     { "coords", FIELD_FLOAT, offsetof(struct facets, coords), 0, 0,
-      "how much facets tilt that are cells of space, whose size is 1/10" },
+      "how much facets tilt that are cells of space" },
     { .name = NULL },
 };
-
-static const double facets_per_unit = 10;
 
 static vec3 facets_perturbation(const struct pattern *pattern, vec3 point,
                                 vec3 normal)
 {
     const struct facets *facets = pattern->parameters;
     if (facets->coords != 0) {
-        vec3 cell = crackle_centre(vec3_scale(point, facets_per_unit));
-        return vec3_scale(noise_vector(cell), facets->coords);
+        vec3 cell = crackle_centre(vec3_scale(point, 1 / facets->size));
+        vec3 tilt = noise_vector(cell);
+        tilt = vec3_along(tilt, normal, -vec3_dot(tilt, normal));
+        return vec3_scale(tilt, facets->coords);
     }
     vec3 facet =
         vec3_normalise(crackle_centre(vec3_scale(normal, 1 / facets->size)));
