@@ -190,6 +190,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .interpolation = options->interpolation,
         .radius = options->radius > 0 ? options->radius
                                       : options->interpolation->radius,
+        .least = seek_least,
         .payload_size = sizeof(struct indirect_light),
         .refinement = options->refinement,
         .light = harmonics_received,
@@ -242,15 +243,19 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
 bool indirect_mesh_leaves(const struct indirect_mesh *mesh,
                           const struct receiver *receiver)
 {
-    return receiver->weight < gather_worth_least && mesh->gather.close;
+    const struct gather *gather = &mesh->gather;
+    return (gather->close && receiver->weight < gather_worth_least) ||
+           (gather->onward && receiver->weight < gather_worth_around);
 }
 
 const char *indirect_mesh_source(const struct indirect_mesh *mesh,
                                  const struct receiver *receiver)
 {
-    return indirect_mesh_leaves(mesh, receiver)
+    if (!indirect_mesh_leaves(mesh, receiver))
+        return "mesh points around";
+    return mesh->gather.close
                ? "the skeleton: the picture shows too little of it"
-               : "mesh points around";
+               : "what is usual: the picture shows too little of it";
 }
 
 struct indirect_light indirect_mesh_blend(const struct indirect_mesh *mesh,
@@ -271,6 +276,8 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           const struct receiver *receiver)
 {
     const struct gather *gather = &mesh->gather;
+    if (indirect_mesh_leaves(mesh, receiver) && !gather->close)
+        return gather->around;
     if (indirect_mesh_leaves(mesh, receiver))
         return (struct indirect_share){
             gather->close(gather->close_context, worker, receiver->point,

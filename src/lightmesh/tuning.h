@@ -54,6 +54,9 @@ static const double kept_nearer = 3, kept_farther = 1.5; /* than wanted, factors
 static const double seek_lift = 0.3;    /* above the surface, spacings */
 static const double seek_rise = 0.2;    /* points lower than that count less,
                                          * spacings */
+static const double seek_least = 0.02;  /* of a place's points that gather: what
+                                         * counts no more isn't asked [pillars]
+                                         */
 static const double nearest_rise = 0.1; /* likewise, of the nearest */
 static const double worth_fine = 0.25;  /* what is worth less is a level
                                          * coarser, share of the picture */
@@ -162,11 +165,25 @@ static const double indirect_pixels_rise = 0.3;  /* of a corner over the plane,
 static const double indirect_pixels_lift = 0.05; /* of a corner's distance */
 static const double indirect_pixels_even = 0.2; /* share of their light by which
                                                  * corners may differ, */
+static const double indirect_pixels_same = 0.05;  /* where those do between
+                                                   * which another would be, that
+                                                   * one is spared */
 static const double indirect_pixels_dim = 0.004;  /* and irradiance, */
 static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
                                                    */
 static const double indirect_pixels_least = 0.01; /* weight of a corner asked */
 static const double indirect_pixels_enough = 0.4; /* and of all that serve */
+
+static const double block_places = 0.25; /* of the grid's step, from one place
+                                          * of a block to the next */
+static const double block_bend = 0.95;   /* cosine of normals that share one */
+static const double block_beside = 1.5;  /* of that: what is no farther is one
+                                          * surface, or shows no difference */
+
+static const double one_point_worth = 0.02; /* what is worth no more beyond
+                                             * mirrors and glass takes one mesh
+                                             * point: neighbours differ by less
+                                             * than a fifth of that */
 
 static const double near_field_reach = 0.75; /* spacings: what stands farther
                                               * off mesh points see [truth] */
@@ -182,14 +199,21 @@ static const double gather_pixels = 76800;  /* of a picture of that size, and of
                                              * ones they grow as edges do */
 static const double gather_pixel = 0.4;     /* gather rays for each pixel, */
 static const double gather_pixel_worth = 3; /* more for each unit of worth, */
-static const double gather_pixel_most = 3;  /* in all */
+static const double gather_pixel_most = 3;  /* in all; */
+static const double gather_mostly = 0.5;    /* worth beyond which most of the
+                                             * picture is what is gathered: where
+                                             * light leaves the scene, */
+static const double gather_pixel_mostly = 10; /* more for each unit of that, of
+                                               * which there may be 1 */
 static const double gather_chamber = 25; /* times as many where light stays */
 static const double gather_coarser_most = 2; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
                                         * scene: it has no chambers */
-static const double gather_worth_least = 0.02; /* then the skeleton answers */
-static const double gather_worth_whole = 0.5;  /* less gathers fewer rays */
-static const double gather_least = 0.02;       /* share that is followed */
+static const double gather_worth_least = 0.02;  /* then the skeleton answers */
+static const double gather_worth_around = 0.01; /* or, in the open, what is
+                                                 * usual */
+static const double gather_worth_whole = 0.5;   /* less gathers fewer rays */
+static const double gather_least = 0.02;        /* share that is followed */
 static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
 static const double onward_often = 1; /* of where it goes on [truth] */
 

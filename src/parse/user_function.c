@@ -410,6 +410,7 @@ bool parse_function(struct parser *p, struct value *value)
     if (!parse_parameters(&c) || !block_begin(p, &open) ||
         !block_end(p, open, compile_body(&c)))
         return false;
+    c.function->even = function_is_even(c.function);
     *value = (struct value){ .kind = VALUE_FUNCTION, .function = c.function };
     return !c.unsupported;
 }

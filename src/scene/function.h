@@ -36,9 +36,14 @@ enum step_kind {
     STEP_PRODUCT, /* with the loop variable from first to last */
 };
 
+struct spots;
+
 /* A pattern, a pigment ...: a value for each point of space. */
 struct function_field {
     double (*value)(const struct function_field *field, vec3 point);
+    /* The same at several, or NULL. */
+    void (*values)(const struct function_field *field,
+                   const struct spots *spots, double *values);
     const void *thing;
     int part; /* of several values: 0 to 4, or one of enum field_part */
 };
@@ -69,6 +74,7 @@ struct step {
 struct function {
     int parameter_count;
     int slots;       /* parameters and loop variables */
+    bool even;       /* is function_is_even */
     unsigned depth;  /* of functions that call functions */
     unsigned height; /* doubles of stack, callees included */
     double work;     /* steps of one evaluation, those of callees and of what
@@ -97,6 +103,14 @@ enum { FUNCTION_STEP_LIMIT = 50000000 };
 /* Of a function of x, y and z; 0 where it takes more steps than a picture has
  * time for. Never NaN. */
 double function_at(const struct function *function, vec3 point);
+
+/* The same at several points. */
+void function_values_at(const struct function *function,
+                        const struct spots *spots, double *values);
+
+/* Whether values at several points take hardly longer than at one: its steps
+ * are worked out for all of them at once. Where it calls others, they know. */
+bool function_is_even(const struct function *function);
 
 /* The same for samples, which are taken while the scene is read: few steps. */
 double function_sample(const struct function *function, vec3 point);

@@ -16,7 +16,7 @@ const struct function_field *field_of_pattern(struct arena *arena,
     struct function_field *field = ARENA_NEW(arena, struct function_field);
     struct pattern *kept = ARENA_NEW(arena, struct pattern);
     *kept = *pattern;
-    *field = (struct function_field){ pattern_field, kept, 0 };
+    *field = (struct function_field){ .value = pattern_field, .thing = kept };
     return field;
 }
 
@@ -26,11 +26,21 @@ static double noise_field(const struct function_field *field, vec3 point)
     return vec3_finite(point) ? noise_value(settings->generator, point) : 0;
 }
 
+static void noise_field_values(const struct function_field *field,
+                               const struct spots *spots, double *values)
+{
+    const struct noise_settings *settings = field->thing;
+    noise_values(settings->generator, spots, values);
+    for (int i = 0; i < spots->count; i++)
+        values[i] = vec3_finite(spots_at(spots, i)) ? values[i] : 0;
+}
+
 const struct function_field *field_of_noise(struct arena *arena,
                                             const struct noise_settings *noise)
 {
     struct function_field *field = ARENA_NEW(arena, struct function_field);
-    *field = (struct function_field){ noise_field, noise, 0 };
+    *field =
+        (struct function_field){ noise_field, noise_field_values, noise, 0 };
     return field;
 }
 
@@ -53,7 +63,9 @@ field_of_values(struct arena *arena, const struct function_values *values,
                 int part)
 {
     struct function_field *field = ARENA_NEW(arena, struct function_field);
-    *field = (struct function_field){ values_part, values, part };
+    *field = (struct function_field){ .value = values_part,
+                                      .thing = values,
+                                      .part = part };
     return field;
 }
 

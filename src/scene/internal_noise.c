@@ -6,7 +6,7 @@
 
 #include "scene/noise.h"
 
-enum { OCTAVES_MAX = 100 }; /* more add nothing that is seen */
+enum { MUSGRAVE_OCTAVES_MAX = 100 }; /* more add nothing that is seen */
 
 static double noise_at(const double *a, double generator, double scale)
 {
@@ -30,7 +30,7 @@ static double internal_noise_generator(const double *a)
 static double internal_hetero_mf(const double *a)
 {
     double h = a[3], lacunarity = a[4], offset = a[6], t = trunc(a[7]);
-    double octaves = fmin(a[5], OCTAVES_MAX), scale = 1;
+    double octaves = fmin(a[5], MUSGRAVE_OCTAVES_MAX), scale = 1;
     double value = signed_noise(a, a[8], scale) + offset;
     for (int i = 1; i < octaves; i++) {
         scale *= lacunarity;
@@ -56,7 +56,7 @@ static double ridged_signal(const double *a, double scale)
 static double internal_ridged_mf(const double *a)
 {
     double h = a[3], lacunarity = a[4], gain = a[7], scale = 1;
-    double octaves = fmin(a[5], OCTAVES_MAX);
+    double octaves = fmin(a[5], MUSGRAVE_OCTAVES_MAX);
     double signal = ridged_signal(a, scale), value = signal;
     for (int i = 1; i < octaves; i++) {
         scale *= lacunarity;
@@ -77,7 +77,7 @@ static double ridge_noise(const double *a, double scale)
 static double internal_ridge(const double *a)
 {
     double lambda = a[3], omega = a[5], offset = a[6];
-    double octaves = fmin(a[4], OCTAVES_MAX), scale = 1, strength = 1;
+    double octaves = fmin(a[4], MUSGRAVE_OCTAVES_MAX), scale = 1, strength = 1;
     double sum = ridge_noise(a, 1), total = 1;
     for (int i = 1; i < (int)octaves; i++) {
         scale *= lambda;

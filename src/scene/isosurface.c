@@ -1,15 +1,9 @@
-/* Isosurfaces: see isosurface.h. A stretch of a ray is left out if the values
- * at its ends are too large for the function to reach its threshold between
- * them, by the largest gradient it is said to have; else it is halved, until it
- * is as short as the accuracy. */
+/* Isosurfaces: see isosurface.h. How rays meet them: isosurface_search.c. */
 #include "scene/isosurface.h"
 
 #include "scene/function.h"
-
-enum {
-    ISOSURFACE_STEPS = 200000, /* function calls for one ray */
-    ISOSURFACE_ROUNDS = 60,    /* for one crossing */
-};
+#include "scene/isosurface_search.h"
+#include "scene/spots.h"
 
 static const struct field isosurface_arguments[] = {
     { "samples", FIELD_TERMS, offsetof(struct isosurface, samples), 0, 0,
@@ -59,75 +53,17 @@ static struct box3 isosurface_bounds(const void *shape)
     return s->container.box;
 }
 
-enum { PART_FUNCTION, PART_CONTAINER };
-
-/* ---- the function along a ray ---- */
-
-struct search {
-    const struct isosurface *surface;
-    const struct ray *ray;
-    struct hits *hits;
-    double gradient; /* of the function by t, at most */
-    double accuracy; /* in t */
-    int left;        /* calls */
-    int wanted;      /* crossings, at most: the nearest */
-};
-
-static double surface_value(const struct isosurface *s, vec3 point)
+double isosurface_value(const struct isosurface *s, vec3 point)
 {
     return function_at(s->function, point) - s->threshold;
 }
 
-static double search_value(struct search *search, double t)
+void isosurface_values(const struct isosurface *s, const struct spots *spots,
+                       double *values)
 {
-    search->left--;
-    return surface_value(search->surface, ray_point(search->ray, t));
-}
-
-/* The crossing between a and b, where signs differ: by the secant, an end that
- * stays counting half (the Illinois method), now and then by halving, which
- * jumps need. */
-static void search_refine(struct search *search, double a, double at_a,
-                          double b, double at_b)
-{
-    double enough = 1e-6 * search->accuracy;
-    for (int i = 1; i < ISOSURFACE_ROUNDS && b - a > enough; i++) {
-        double t = a - at_a * (b - a) / (at_b - at_a);
-        if (i % 4 == 0 || !(t > a && t < b))
-            t = 0.5 * (a + b);
-        if (!(t > a && t < b))
-            break;
-        double at_t = search_value(search, t);
-        if ((at_t < 0) == (at_a < 0)) {
-            a = t;
-            at_a = at_t;
-            at_b /= 2;
-        } else {
-            b = t;
-            at_b = at_t;
-            at_a /= 2;
-        }
-    }
-    hits_add(search->hits, 0.5 * (a + b), PART_FUNCTION);
-}
-
-static void search_stretch(struct search *search, double a, double at_a,
-                           double b, double at_b)
-{
-    bool differ = (at_a < 0) != (at_b < 0);
-    if (search->left <= 0 || search->hits->count >= search->wanted)
-        return;
-    if (!differ && fabs(at_a) + fabs(at_b) > search->gradient * (b - a))
-        return;
-    double middle = 0.5 * (a + b);
-    if (b - a < search->accuracy || middle <= a || middle >= b) {
-        if (differ)
-            search_refine(search, a, at_a, b, at_b);
-        return;
-    }
-    double at_middle = search_value(search, middle);
-    search_stretch(search, a, at_a, middle, at_middle);
-    search_stretch(search, middle, at_middle, b, at_b);
+    function_values_at(s->function, spots, values);
+    for (int i = 0; i < spots->count; i++)
+        values[i] -= s->threshold;
 }
 
 /* The part of a ray in the container. False: none. */
@@ -141,10 +77,18 @@ static bool search_start(struct search *search, const struct isosurface *s,
                                .hits = hits,
                                .gradient = s->max_gradient * speed,
                                .accuracy = s->accuracy / speed,
-                               .left = ISOSURFACE_STEPS,
                                .wanted = HITS_MAX - 2 };
     return speed > 0 &&
-           container_interval(&s->container, ray, PART_CONTAINER, ends);
+           container_interval(&s->container, ray, ISOSURFACE_CONTAINER, ends);
+}
+
+/* The values where a search begins and ends. */
+static inline void search_ends(const struct search *search, double a, double b,
+                               double at[2])
+{
+    struct spots ends = spots_of(ray_point(search->ray, a));
+    spots_add(&ends, ray_point(search->ray, b));
+    isosurface_values(search->surface, &ends, at);
 }
 
 /* Where the container cuts through the inside, it is the surface. */
@@ -156,12 +100,12 @@ static void isosurface_intersect(const void *shape, const struct ray *ray,
     struct search search;
     if (!search_start(&search, s, ray, hits, ends))
         return;
-    double first = search_value(&search, ends[0].t);
-    double last = search_value(&search, ends[1].t);
-    if (first < 0 && !s->open)
+    double at[2];
+    search_ends(&search, ends[0].t, ends[1].t, at);
+    if (at[0] < 0 && !s->open)
         hits->at[hits->count++] = ends[0];
-    search_stretch(&search, ends[0].t, first, ends[1].t, last);
-    if (last < 0 && !s->open)
+    search_crossings(&search, ends[0].t, at[0], ends[1].t, at[1]);
+    if (at[1] < 0 && !s->open)
         hits->at[hits->count++] = ends[1];
 }
 
@@ -179,17 +123,17 @@ static bool isosurface_first(const void *shape, const struct ray *ray,
     double from = fmax(ends[0].t, tmin), to = fmin(ends[1].t, tmax);
     if (!(from < to))
         return false;
-    double first = search_value(&search, from),
-           last = search_value(&search, to);
-    if (from > tmin && first < 0 && !s->open) {
+    double at[2];
+    search_ends(&search, from, to, at);
+    if (from > tmin && at[0] < 0 && !s->open) {
         *hit = ends[0];
         return true;
     }
     search.wanted = 1;
-    search_stretch(&search, from, first, to, last);
+    search_crossings(&search, from, at[0], to, at[1]);
     if (hits.count > 0)
         *hit = hits.at[0];
-    else if (to < tmax && last < 0 && !s->open)
+    else if (to < tmax && at[1] < 0 && !s->open)
         *hit = ends[1];
     else
         return false;
@@ -208,15 +152,17 @@ static vec3 isosurface_normal(const void *shape, vec3 point,
 {
     const struct isosurface *s = shape;
     double e = s->accuracy;
-    if (hit->part >= PART_CONTAINER)
+    if (hit->part >= ISOSURFACE_CONTAINER)
         return container_normal(&s->container, point,
-                                hit->part - PART_CONTAINER);
-    double here = surface_value(s, point);
-    vec3 n = {
-        surface_value(s, vec3_make(point.x + e, point.y, point.z)) - here,
-        surface_value(s, vec3_make(point.x, point.y + e, point.z)) - here,
-        surface_value(s, vec3_make(point.x, point.y, point.z + e)) - here
-    };
+                                hit->part - ISOSURFACE_CONTAINER);
+    struct spots spots = spots_of(point);
+    double values[4];
+    spots_add(&spots, vec3_make(point.x + e, point.y, point.z));
+    spots_add(&spots, vec3_make(point.x, point.y + e, point.z));
+    spots_add(&spots, vec3_make(point.x, point.y, point.z + e));
+    isosurface_values(s, &spots, values);
+    vec3 n = { values[1] - values[0], values[2] - values[0],
+               values[3] - values[0] };
     double length = vec3_length(n);
     return length > 0 && isfinite(length) ? n : vec3_make(1, 0, 0);
 }
@@ -224,7 +170,8 @@ static vec3 isosurface_normal(const void *shape, vec3 point,
 static bool isosurface_inside(const void *shape, vec3 point)
 {
     const struct isosurface *s = shape;
-    return container_holds(&s->container, point) && surface_value(s, point) < 0;
+    return container_holds(&s->container, point) &&
+           isosurface_value(s, point) < 0;
 }
 
 /* Nothing of the surface is nearer to the middle than the value there and the
@@ -232,7 +179,7 @@ static bool isosurface_inside(const void *shape, vec3 point)
 static unsigned isosurface_meets(const void *shape, const struct cell *cell)
 {
     const struct isosurface *s = shape;
-    double value = surface_value(s, cell->centre);
+    double value = isosurface_value(s, cell->centre);
     double reach = s->max_gradient * cell->radius;
     if (value > reach || !container_meets(&s->container, cell))
         return 0;

@@ -7,6 +7,10 @@
 #include "scene/primitive.h"
 
 struct function;
+struct spots;
+
+/* Of hits: of the function, and of the container from there on. */
+enum { ISOSURFACE_FUNCTION, ISOSURFACE_CONTAINER };
 
 struct isosurface {
     const struct function *function;
@@ -19,6 +23,11 @@ struct isosurface {
 };
 
 extern const struct primitive isosurface_primitive;
+
+/* How far the function is from the threshold. */
+double isosurface_value(const struct isosurface *surface, vec3 point);
+void isosurface_values(const struct isosurface *surface,
+                       const struct spots *spots, double *values);
 
 /* With POV-Ray's defaults. */
 void isosurface_init(struct isosurface *surface);

@@ -6,6 +6,7 @@
 
 #include "base/vec.h"
 #include "scene/pattern.h"
+#include "scene/spots.h"
 
 /* POV-Ray's three, by their numbers. They differ in the scalar noise only. */
 enum noise_generator {
@@ -26,20 +27,37 @@ extern const struct noise_settings noise_settings_default;
 /* Smooth noise in [0,1], one feature per unit. */
 double noise_value(enum noise_generator generator, vec3 point);
 
-/* The same as wide as NOISE_CLIPPED, but not cut: what granite, wrinkles and
- * turbulence are made of. */
-double noise_wide(enum noise_generator generator, vec3 point);
+/* The same at several spots. */
+void noise_values(enum noise_generator generator, const struct spots *spots,
+                  double *values);
+
+/* Noise of several sizes: each octave is looked up at lambda times the place of
+ * the one before; the first one's place is the point. */
+enum { OCTAVES_MAX = 10 };
+struct octaves {
+    int count;
+    double lambda;
+};
+
+/* As wide as NOISE_CLIPPED, but not cut: what granite, wrinkles and turbulence
+ * are made of. Values of all spots, octave by octave. */
+void noise_octaves(enum noise_generator generator, const struct spots *spots,
+                   struct octaves octaves, double *values);
 
 /* A smooth random vector field, components about [-1,1] and mostly within
  * +-0.5: the step of a `turbulence` with one octave. */
 vec3 noise_vector(vec3 point);
+void noise_vector_octaves(vec3 point, struct octaves octaves, vec3 *vectors);
 
-/* The octaves POV-Ray would use: 1 to 10. */
+/* The octaves POV-Ray would use: 1 to OCTAVES_MAX. */
 int turbulence_octaves(const struct turbulence *turbulence);
 
 /* Sums of octaves: frequency times lambda, weight times omega each. The scalar
  * is about 1 for the defaults and never says `amount`: marble and agate
  * multiply it themselves. Neither does the vector. */
+void noise_turbulences(enum noise_generator generator,
+                       const struct spots *spots,
+                       const struct turbulence *turbulence, double *sums);
 double noise_turbulence(enum noise_generator generator, vec3 point,
                         const struct turbulence *turbulence);
 vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence);

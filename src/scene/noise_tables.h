@@ -6,6 +6,7 @@
 
 #include "base/vec.h"
 #include "scene/noise.h"
+#include "scene/noise_cell.h"
 
 enum {
     LATTICE_PERIOD = 4096,
@@ -33,6 +34,12 @@ const struct noise_tables *noise_tables(void);
 static inline uint32_t lattice_plane(int64_t plane)
 {
     return (uint32_t)(plane + 10000) & LATTICE_MASK;
+}
+
+/* The same of four. */
+static inline planes lattice_planes(planes below)
+{
+    return (below + 10000) & LATTICE_MASK;
 }
 
 /* In [0, LATTICE_PERIOD) for three numbers in that range. */

@@ -3,6 +3,7 @@
  * bumps grow with it when it is scaled. */
 #include "scene/image_map.h"
 #include "scene/material.h"
+#include "scene/spots.h"
 
 /* Between two entries a cubic with their heights and slopes at its ends. */
 static double slope_height(const struct slope_map *map, double value)
@@ -22,12 +23,6 @@ static double slope_height(const struct slope_map *map, double value)
            s * t * (s * a->slope - t * b->slope);
 }
 
-static double normal_value(const struct normal *normal, vec3 located)
-{
-    double value = pattern_value_at(&normal->pattern, located);
-    return normal->slopes ? slope_height(normal->slopes, value) : value;
-}
-
 /* The value's slope by differences along the corners of a tetrahedron; where
  * the value is linear this is 2/15 of its gradient for whatever accuracy. */
 static vec3 normal_slope(const struct normal *normal, vec3 point)
@@ -38,11 +33,17 @@ static vec3 normal_slope(const struct normal *normal, vec3 point)
         { -0.47140452079103168, -1.0 / 3, -0.81649658092772603 },
         { 0, 1, 0 },
     };
+    struct spots at;
+    double value[4];
     vec3 sum = { 0, 0, 0 };
-    for (int i = 0; i < 4; i++) {
-        vec3 at = vec3_along(point, corners[i], normal->accuracy);
-        sum = vec3_along(sum, corners[i], normal_value(normal, at));
-    }
+    at.count = 0;
+    for (int i = 0; i < 4; i++)
+        spots_add(&at, vec3_along(point, corners[i], normal->accuracy));
+    pattern_values_at(&normal->pattern, &at, value);
+    for (int i = 0; i < 4; i++)
+        sum = vec3_along(sum, corners[i],
+                         normal->slopes ? slope_height(normal->slopes, value[i])
+                                        : value[i]);
     return vec3_scale(sum, 0.1 / normal->accuracy);
 }
 

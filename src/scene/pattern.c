@@ -7,6 +7,7 @@
 #include "scene/material.h"
 #include "scene/noise.h"
 #include "scene/object.h"
+#include "scene/spots.h"
 #include "scene/samples.h"
 #include "scene/warp.h"
 
@@ -185,6 +186,40 @@ double pattern_value_at(const struct pattern *pattern, vec3 located)
     return pattern_value_seen(pattern, located, NULL);
 }
 
+/* From the value of a kind's pattern to that of this one. */
+static double pattern_finish(const struct pattern *pattern, double value)
+{
+    if (pattern->kind->blocks == 0)
+        value = pattern_fold(pattern, value);
+    return isfinite(value) ? value : 0;
+}
+
+void pattern_values_at(const struct pattern *pattern,
+                       const struct spots *located, double *values)
+{
+    if (!pattern->kind || !pattern->kind->values) {
+        for (int i = 0; i < located->count; i++)
+            values[i] = pattern_value_at(pattern, spots_at(located, i));
+        return;
+    }
+    pattern->kind->values(pattern, located, values);
+    for (int i = 0; i < located->count; i++)
+        values[i] = vec3_finite(spots_at(located, i))
+                        ? pattern_finish(pattern, values[i])
+                        : 0;
+}
+
+static double pattern_raw(const struct pattern *pattern, vec3 located)
+{
+    const struct pattern_kind *kind = pattern->kind;
+    if (kind->value)
+        return kind->value(pattern, located);
+    struct spots spots = spots_of(located);
+    double value;
+    kind->values(pattern, &spots, &value);
+    return value;
+}
+
 double pattern_value_seen(const struct pattern *pattern, vec3 located,
                           const struct uv_source *surface)
 {
@@ -192,10 +227,8 @@ double pattern_value_seen(const struct pattern *pattern, vec3 located,
         return 0;
     double value = surface && pattern->kind->seen
                        ? pattern->kind->seen(pattern, located, surface)
-                       : pattern->kind->value(pattern, located);
-    if (pattern->kind->blocks == 0)
-        value = pattern_fold(pattern, value);
-    return isfinite(value) ? value : 0;
+                       : pattern_raw(pattern, located);
+    return pattern_finish(pattern, value);
 }
 
 double pattern_value(const struct pattern *pattern, vec3 point)

@@ -27,6 +27,7 @@ struct turbulence {
 };
 
 struct pattern_kind;
+struct spots;
 struct noise_settings;
 struct warp;
 struct blend_map; /* scene/material.h */
@@ -116,6 +117,9 @@ struct pattern_kind {
     /* The raw value at a point of the pattern's space, before frequency,
      * phase and wave. */
     double (*value)(const struct pattern *pattern, vec3 point);
+    /* The same at several points, instead of it or as well. */
+    void (*values)(const struct pattern *pattern, const struct spots *spots,
+                   double *values);
     /* The same of patterns of the surface, where there is one; or NULL. */
     double (*seen)(const struct pattern *pattern, vec3 point,
                    const struct uv_source *surface);
@@ -153,6 +157,10 @@ double pattern_value(const struct pattern *pattern, vec3 point);
 
 /* The same for a point that pattern_locate gave. */
 double pattern_value_at(const struct pattern *pattern, vec3 located);
+
+/* The same for several, each of its own. */
+void pattern_values_at(const struct pattern *pattern,
+                       const struct spots *located, double *values);
 
 /* The same on a surface; NULL: off any. */
 double pattern_value_seen(const struct pattern *pattern, vec3 located,

@@ -123,6 +123,61 @@ static void noise_is_continuous(void **state)
         }
 }
 
+/* What is worked out at several places is what it is at each of them. */
+static void several_are_as_one(void **state)
+{
+    (void)state;
+    const vec3 odd[] = { { -0.0, 1e-300, -1e-300 },
+                         { 3e9, -3e9, 0.5 },
+                         { 0x1p31, -0x1p31, -0x1.00000001p31 },
+                         { 1e12, -1e13, 1e300 },
+                         { INFINITY, NAN, -INFINITY },
+                         { 0x1p30, 0x1.fffffffep30, -0x1.ffffffffp30 } };
+    for (int i = 0; i < 1000; i++) {
+        struct spots spots = { 0 };
+        double values[SPOTS_MAX], octaves[3 * SPOTS_MAX];
+        for (int k = 0; k <= i % SPOTS_MAX; k++)
+            spots_add(&spots, i % 7 ? vec3_make(sin(i) * i, i * 0.37, k - i)
+                                    : odd[(i / 7 + k) % 6]);
+        for (int g = NOISE_CLIPPED; g <= NOISE_PERLIN; g++) {
+            enum noise_generator generator = (enum noise_generator)g;
+            noise_values(generator, &spots, values);
+            noise_octaves(generator, &spots, (struct octaves){ 3, 1.7 },
+                          octaves);
+            for (int k = 0; k < spots.count; k++) {
+                vec3 p = spots_at(&spots, k);
+                assert_true(values[k] == noise_value(generator, p));
+                p = vec3_scale(vec3_scale(p, 1.7), 1.7);
+                double third = noise_value(generator, p);
+                assert_true(octaves[2 * spots.count + k] ==
+                            (g == NOISE_CLIPPED ? third : 2 * third - 0.5));
+            }
+        }
+        vec3 vectors[3], p = spots_at(&spots, 0);
+        noise_vector_octaves(p, (struct octaves){ 3, 1.7 }, vectors);
+        vec3 second = noise_vector(vec3_scale(p, 1.7));
+        assert_true(vectors[1].x == second.x && vectors[1].y == second.y &&
+                    vectors[1].z == second.z);
+    }
+}
+
+/* The lattice begins anew after 4096 planes, also where a plane's number has
+ * more than 32 bits. */
+static void lattice_is_periodic(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 400; i++) {
+        vec3 p = { i / 64.0, 40 - i / 32.0, (i * 37 % 400) / 16.0 };
+        double value = noise_value(NOISE_SCALED, p);
+        for (int bits = 12; bits < 40; bits++) {
+            double period = ldexp(i % 2 ? 1 : -1, bits);
+            vec3 q = { p.x + period, p.y - period, p.z + 4096 };
+            if (q.x - period == p.x && q.y + period == p.y)
+                assert_true(noise_value(NOISE_SCALED, q) == value);
+        }
+    }
+}
+
 static void turbulence_octaves_are_limited(void **state)
 {
     (void)state;
@@ -168,6 +223,8 @@ int main(void)
         cmocka_unit_test(patterns_are_povrays),
         cmocka_unit_test(turbulence_is_povrays),
         cmocka_unit_test(noise_is_continuous),
+        cmocka_unit_test(several_are_as_one),
+        cmocka_unit_test(lattice_is_periodic),
         cmocka_unit_test(turbulence_octaves_are_limited),
         cmocka_unit_test(cubes_are_all_looked_at),
     };

@@ -15,13 +15,17 @@ static const struct field agate_items[] = {
 };
 
 /* Measured: exponent 0.77, 1.1 bands per unit, 1.3 bands per turbulence. */
-static double agate_value(const struct pattern *pattern, vec3 point)
+static void agate_values(const struct pattern *pattern,
+                         const struct spots *spots, double *values)
 {
     const struct agate *agate = pattern->parameters;
-    double bend = noise_turbulence(pattern_generator(pattern), point,
-                                   &pattern->turbulence);
-    double bands = 1.3 * agate->turbulence * bend + 1.1 * point.z;
-    return pow(0.5 * (1 + sin(2 * M_PI * bands)), 0.77);
+    double bend[SPOTS_MAX];
+    noise_turbulences(pattern_generator(pattern), spots, &pattern->turbulence,
+                      bend);
+    for (int i = 0; i < spots->count; i++) {
+        double bands = 1.3 * agate->turbulence * bend[i] + 1.1 * spots->z[i];
+        values[i] = pow(0.5 * (1 + sin(2 * M_PI * bands)), 0.77);
+    }
 }
 
 static const struct blend_entry agate_colours[] = {
@@ -42,5 +46,5 @@ const struct pattern_kind agate_pattern = {
     .defaults = &agate_defaults,
     .items = agate_items,
     .map = &agate_map,
-    .value = agate_value,
+    .values = agate_values,
 };

@@ -6,6 +6,12 @@ static double bumps_value(const struct pattern *pattern, vec3 point)
     return noise_value(pattern_generator(pattern), point);
 }
 
+static void bumps_values(const struct pattern *pattern,
+                         const struct spots *spots, double *values)
+{
+    noise_values(pattern_generator(pattern), spots, values);
+}
+
 static vec3 bumps_perturbation(const struct pattern *pattern, vec3 point,
                                vec3 normal)
 {
@@ -18,5 +24,6 @@ const struct pattern_kind bumps_pattern = {
     .name = "bumps",
     .help = "smooth noise; as a normal, smooth bumps",
     .value = bumps_value,
+    .values = bumps_values,
     .perturbation = bumps_perturbation,
 };

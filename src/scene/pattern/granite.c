@@ -4,19 +4,26 @@
 
 /* Measured: |1/2 - n| with n noise cut to its middle half, from 4 features
  * per unit on. */
-static double granite_value(const struct pattern *pattern, vec3 point)
+static void granite_values(const struct pattern *pattern,
+                           const struct spots *spots, double *values)
 {
-    double sum = 0, frequency = 1;
-    enum noise_generator generator = pattern_generator(pattern);
-    for (int i = 0; i < 6; i++, frequency *= 2) {
-        double noise = noise_wide(generator, vec3_scale(point, 4 * frequency));
-        sum += slab_min(fabs(0.5 - noise), 0.5) / frequency;
-    }
-    return slab_min(sum, 1);
+    enum { GRANITE_OCTAVES = 6 };
+    double noise[GRANITE_OCTAVES * SPOTS_MAX], sum[SPOTS_MAX] = { 0 };
+    int count = spots->count;
+    struct spots scaled = spots_scaled(spots, 4);
+    noise_octaves(pattern_generator(pattern), &scaled,
+                  (struct octaves){ GRANITE_OCTAVES, 2 }, noise);
+    double weight = 1;
+    for (int octave = 0; octave < GRANITE_OCTAVES; octave++, weight /= 2)
+        for (int i = 0; i < count; i++)
+            sum[i] +=
+                weight * slab_min(fabs(0.5 - noise[octave * count + i]), 0.5);
+    for (int i = 0; i < count; i++)
+        values[i] = slab_min(sum[i], 1);
 }
 
 const struct pattern_kind granite_pattern = {
     .name = "granite",
     .help = "rough stone, four spots per unit",
-    .value = granite_value,
+    .values = granite_values,
 };

@@ -2,14 +2,15 @@
 #include "scene/material.h"
 #include "scene/noise.h"
 
-static double marble_value(const struct pattern *pattern, vec3 point)
+static void marble_values(const struct pattern *pattern,
+                          const struct spots *spots, double *values)
 {
-    double shift = 0;
+    double shift[SPOTS_MAX] = { 0 };
     if (pattern->turbulent)
-        shift = pattern->turbulence.amount.x *
-                noise_turbulence(pattern_generator(pattern), point,
-                                 &pattern->turbulence);
-    return point.x + shift;
+        noise_turbulences(pattern_generator(pattern), spots,
+                          &pattern->turbulence, shift);
+    for (int i = 0; i < spots->count; i++)
+        values[i] = spots->x[i] + pattern->turbulence.amount.x * shift[i];
 }
 
 static const struct blend_entry marble_colours[] = {
@@ -26,5 +27,5 @@ const struct pattern_kind marble_pattern = {
     .wave = WAVE_TRIANGLE,
     .own_turbulence = true,
     .map = &marble_map,
-    .value = marble_value,
+    .values = marble_values,
 };

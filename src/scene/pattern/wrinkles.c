@@ -1,29 +1,35 @@
 /* wrinkles: ten octaves of noise, each half as strong as the one before. */
 #include "scene/noise.h"
+#include "scene/slab.h"
 
-static double wrinkles_value(const struct pattern *pattern, vec3 point)
+static const struct octaves wrinkles_octaves = { OCTAVES_MAX, 2 };
+
+static void wrinkles_values(const struct pattern *pattern,
+                            const struct spots *spots, double *values)
 {
-    double sum = 0, weight = 0.5, frequency = 1;
-    enum noise_generator generator = pattern_generator(pattern);
-    for (int i = 0; i < 10; i++, frequency *= 2, weight /= 2) {
-        double noise = noise_wide(generator, vec3_scale(point, frequency));
-        sum += weight * fmin(fmax(noise, 0), 1);
-    }
-    return sum;
+    double noise[OCTAVES_MAX * SPOTS_MAX], weight = 0.5;
+    int count = spots->count;
+    noise_octaves(pattern_generator(pattern), spots, wrinkles_octaves, noise);
+    for (int i = 0; i < count; i++)
+        values[i] = 0;
+    for (int octave = 0; octave < OCTAVES_MAX; octave++, weight /= 2)
+        for (int i = 0; i < count; i++)
+            values[i] +=
+                weight * slab_min(slab_max(noise[octave * count + i], 0), 1);
 }
 
 /* Measured: the components' magnitudes, so wrinkles lean to one side. */
 static vec3 wrinkles_perturbation(const struct pattern *pattern, vec3 point,
                                   vec3 normal)
 {
-    vec3 sum = { 0, 0, 0 };
-    double frequency = 1;
+    vec3 sum = { 0, 0, 0 }, noise[OCTAVES_MAX];
+    double weight = 1;
     (void)pattern;
     (void)normal;
-    for (int i = 0; i < 10; i++, frequency *= 2) {
-        vec3 noise = noise_vector(vec3_scale(point, frequency));
-        vec3 size = { fabs(noise.x), fabs(noise.y), fabs(noise.z) };
-        sum = vec3_along(sum, size, 1 / frequency);
+    noise_vector_octaves(point, wrinkles_octaves, noise);
+    for (int i = 0; i < OCTAVES_MAX; i++, weight /= 2) {
+        vec3 size = { fabs(noise[i].x), fabs(noise[i].y), fabs(noise[i].z) };
+        sum = vec3_along(sum, size, weight);
     }
     return sum;
 }
@@ -31,6 +37,6 @@ static vec3 wrinkles_perturbation(const struct pattern *pattern, vec3 point,
 const struct pattern_kind wrinkles_pattern = {
     .name = "wrinkles",
     .help = "noise of all sizes; as a normal, wrinkled",
-    .value = wrinkles_value,
+    .values = wrinkles_values,
     .perturbation = wrinkles_perturbation,
 };

@@ -1,0 +1,49 @@
+/* Some points side by side, coordinate by coordinate: what is asked for at all
+ * of them is worked out for several at a time. */
+#ifndef SCENE_SPOTS_H
+#define SCENE_SPOTS_H
+
+#include "base/vec.h"
+
+enum { SPOTS_MAX = 4 }; /* as a normal asks for */
+
+struct spots {
+    int count;
+    double x[SPOTS_MAX], y[SPOTS_MAX], z[SPOTS_MAX];
+};
+
+static inline void spots_add(struct spots *spots, vec3 point)
+{
+    int i = spots->count++;
+    spots->x[i] = point.x;
+    spots->y[i] = point.y;
+    spots->z[i] = point.z;
+}
+
+static inline vec3 spots_at(const struct spots *spots, int i)
+{
+    return vec3_make(spots->x[i], spots->y[i], spots->z[i]);
+}
+
+static inline struct spots spots_of(vec3 point)
+{
+    struct spots spots; /* no more of it than is needed */
+    spots.count = 0;
+    spots_add(&spots, point);
+    return spots;
+}
+
+static inline struct spots spots_scaled(const struct spots *spots,
+                                        double factor)
+{
+    struct spots scaled;
+    scaled.count = spots->count;
+    for (int i = 0; i < spots->count; i++) {
+        scaled.x[i] = spots->x[i] * factor;
+        scaled.y[i] = spots->y[i] * factor;
+        scaled.z[i] = spots->z[i] * factor;
+    }
+    return scaled;
+}
+
+#endif
