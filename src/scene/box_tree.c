@@ -2,6 +2,8 @@
  * over the middles; nodes in an array, a node's first child after it. */
 #include "scene/box_tree.h"
 
+#include "scene/slab.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -114,9 +116,8 @@ static bool slab(double origin, double inverse, double low, double high,
                  double *near, double *far)
 {
     double a = (low - origin) * inverse, b = (high - origin) * inverse;
-    /* A ray in a side's plane makes NaN, which fmin and fmax leave out. */
-    *near = fmax(*near, fmin(a, b));
-    *far = fmin(*far, fmax(a, b));
+    *near = slab_max(*near, slab_min(a, b));
+    *far = slab_min(*far, slab_max(a, b));
     return *near <= *far;
 }
 
@@ -135,7 +136,7 @@ void box_tree_ray(const struct box_tree *tree, const struct ray *ray,
                   void *context)
 {
     uint32_t stack[TREE_DEPTH + 1];
-    vec3 d = ray->direction, inverse = { 1 / d.x, 1 / d.y, 1 / d.z };
+    vec3 d = ray->direction, inverse = slabs_of(ray).inverse;
     int depth = 0;
     if (tree->node_count > 0)
         stack[depth++] = 0;

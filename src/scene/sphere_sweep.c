@@ -198,8 +198,10 @@ struct stretch {
 
 static void stretch_take(struct stretch *stretch, double t)
 {
-    stretch->ends[0].t = fmin(stretch->ends[0].t, t);
-    stretch->ends[1].t = fmax(stretch->ends[1].t, t);
+    if (t < stretch->ends[0].t)
+        stretch->ends[0].t = t;
+    if (t > stretch->ends[1].t)
+        stretch->ends[1].t = t;
 }
 
 /* The ray through a ball. */
@@ -216,34 +218,53 @@ static void stretch_ball(struct stretch *stretch, const struct ball *ball,
     stretch_take(stretch, roots[1]);
 }
 
+/* What a cone tells of its piece, which is convex, and lies in it. */
+enum cone_met {
+    CONE_UNKNOWN,
+    CONE_MISSED,  /* so is the piece */
+    CONE_CROSSED, /* between its balls: the ray meets nothing else of it */
+    CONE_BEFORE,  /* the first ball: it is the last one of the piece before */
+};
+
 /* All balls between the ends of a piece touch a cone. That of the share s at
  * which |p - c(s)|^2 - r(s)^2 is least touches it nearest to p: s is
  * (w axis + r0 dr) / a, w from the first ball's middle. */
-static void stretch_cone(struct stretch *stretch,
-                         const struct sweep_piece *piece, vec3 o, vec3 d)
+static enum cone_met stretch_cone(struct stretch *stretch,
+                                  const struct sweep_piece *piece, vec3 o,
+                                  vec3 d)
 {
     vec3 axis = vec3_sub(piece->to.at, piece->from.at);
     double growth = piece->to.radius - piece->from.radius;
     double a = vec3_dot(axis, axis) - growth * growth, roots[2];
     if (!(a > 0))
-        return;
+        return CONE_UNKNOWN;
     vec3 w = vec3_sub(o, piece->from.at);
     double along = vec3_dot(w, axis) + piece->from.radius * growth;
     double speed = vec3_dot(d, axis);
-    int count = quadratic_roots(
-        vec3_dot(d, d) - speed * speed / a, vec3_dot(w, d) - along * speed / a,
-        vec3_dot(w, w) - piece->from.radius * piece->from.radius -
-            along * along / a,
-        roots);
+    double square = vec3_dot(d, d) - speed * speed / a;
+    int count = quadratic_roots(square, vec3_dot(w, d) - along * speed / a,
+                                vec3_dot(w, w) -
+                                    piece->from.radius * piece->from.radius -
+                                    along * along / a,
+                                roots);
+    int before = 0, on = 0;
     for (int i = 0; i < count; i++) {
         double s = (along + roots[i] * speed) / a;
+        before += s < 0;
+        on += s >= 0 && s <= 1;
         if (s >= 0 && s <= 1)
             stretch_take(stretch, roots[i]);
     }
+    if (!(square > 0) || count == 1)
+        return CONE_UNKNOWN;
+    return count == 0    ? CONE_MISSED
+           : on == 2     ? CONE_CROSSED
+           : before == 2 ? CONE_BEFORE
+                         : CONE_UNKNOWN;
 }
 
 /* Where the ray is in the piece, from near it, where numbers are small. */
-static bool piece_stretch(const struct sweep_piece *piece,
+static bool piece_stretch(const struct sweep_piece *piece, bool first,
                           const struct ray *ray, struct stretch *stretch)
 {
     vec3 d = ray->direction;
@@ -252,9 +273,13 @@ static bool piece_stretch(const struct sweep_piece *piece,
     vec3 o = ray_point(ray, shift);
     stretch->ends[0].t = HUGE_VAL;
     stretch->ends[1].t = -HUGE_VAL;
-    stretch_ball(stretch, &piece->from, o, d);
-    stretch_ball(stretch, &piece->to, o, d);
-    stretch_cone(stretch, piece, o, d);
+    enum cone_met met = stretch_cone(stretch, piece, o, d);
+    if (met == CONE_MISSED || (met == CONE_BEFORE && !first))
+        return false;
+    if (met != CONE_CROSSED) {
+        stretch_ball(stretch, &piece->from, o, d);
+        stretch_ball(stretch, &piece->to, o, d);
+    }
     stretch->ends[0].t += shift;
     stretch->ends[1].t += shift;
     return stretch->ends[0].t < stretch->ends[1].t;
@@ -274,7 +299,8 @@ static bool search_piece(void *context, size_t number)
 {
     struct sweep_search *search = context;
     struct stretch *all = search->stretches, one;
-    if (!piece_stretch(&search->sweep->pieces[number], search->ray, &one))
+    if (!piece_stretch(&search->sweep->pieces[number], number == 0, search->ray,
+                       &one))
         return false;
     one.ends[0].piece = one.ends[1].piece = number;
     int first = 0, kept;

@@ -22,9 +22,9 @@ static bool triangles_follow(const struct token *end, size_t count)
 bool bulk_cut(struct bulk *bulk, const struct token *tokens, size_t count,
               const char *text, struct token *token, size_t *length)
 {
-    const struct token *end = tokens + count;
     if (count == 0)
         return false;
+    const struct token *end = tokens + count;
     if (*text == '{' && end[-1].kind == TOKEN_WORD &&
         word_begins_numbers(end[-1].word)) {
         token->kind = TOKEN_NUMBERS;
