@@ -74,12 +74,13 @@ static size_t cells_join(struct cell *cells, const struct bright_hit *hits,
     return joined;
 }
 
-/* The brightest cells, if they are brighter by far than others and send a good
- * part of all light. */
+/* The brightest cells, if they are brighter by far than others and send much of
+ * all light along few of the ways: what is sent everywhere would have that much
+ * more variance, and else is spread more evenly. */
 static void bright_choose(struct bright *bright, struct cell *cells,
                           size_t joined, double side)
 {
-    double total = 0, chosen = 0, hits = 0;
+    double total = 0, chosen = 0, hits = 0, few = 0;
     for (size_t i = 0; i < joined; i++) {
         total += cells[i].light;
         hits += cells[i].count;
@@ -91,12 +92,14 @@ static void bright_choose(struct bright *bright, struct cell *cells,
         if (light <= bright_times * total / hits)
             continue;
         chosen += cell->light;
+        few += cell->count;
         bright->at[bright->count].light = light;
         bright->at[bright->count++].centre = vec3_scale(
             vec3_make(cell->at[0] + 0.5, cell->at[1] + 0.5, cell->at[2] + 0.5),
             side);
     }
-    if (!(chosen >= bright_part * total))
+    double part = chosen / total;
+    if (!(part * part >= bright_gain * few / hits))
         bright->count = 0;
 }
 

@@ -190,8 +190,9 @@ static const double near_field_reach = 0.75; /* spacings: what stands farther
                                               * off mesh points see [truth] */
 
 static const double bright_times = 4;  /* as bright as the mean is bright; */
-static const double bright_part = 0.5; /* of all light, from bright places, is
-                                        * worth aiming at them */
+static const double bright_gain = 15;  /* square of their part of the light over
+                                        * that of the ways: less is not worth
+                                        * aiming at them [maze, pillars] */
 static const double bright_cells = 20; /* along what was met, at least */
 static const double bright_ball = 0.8; /* radius around a cell, sides of it */
 
