@@ -676,7 +676,7 @@ static void endless_scenes_are_refused(void **state)
 static int expect_the_same(const struct world *world, struct dice *dice)
 {
     struct ray rays[WORLD_RAYS], first = random_ray(dice);
-    struct rays together;
+    struct rays together = { { { 0 } }, { { 0 } } };
     struct world_hit hit[WORLD_RAYS];
     struct intersection at, alone;
     double tmin[WORLD_RAYS] = { 0 };
