@@ -30,8 +30,9 @@ rgb lamplight_trace_fine(struct lamplight *light, const struct lamp *lamp,
     return lamps_share_fine(light->lamps, lamp, light->worker, &target);
 }
 
-void lamplight_visit(const struct lamplight *light, const struct lamp *lamp,
-                     const struct lamp_view *view, rgb share)
+static void lamplight_visit(const struct lamplight *light,
+                            const struct lamp *lamp,
+                            const struct lamp_view *view, rgb share)
 {
     rgb whole = rgb_scale(lamp->light->colour, view->attenuation);
     struct light_sample sample = {
@@ -72,14 +73,6 @@ bool lamplight_is_behind(const struct lamplight *light, const struct lamp *lamp)
     return !surface_faces(surface, way);
 }
 
-void lamplight_share(struct lamplight *light, const struct lamp *lamp,
-                     const struct lamp_view *view)
-{
-    rgb share = light->share(light, lamp, view);
-    if (rgb_peak(share) > 0)
-        lamplight_visit(light, lamp, view, share);
-}
-
 void lamplight_give(struct lamplight *light, const struct lamp *lamp)
 {
     const struct surface *surface = light->surface;
@@ -92,7 +85,10 @@ void lamplight_give(struct lamplight *light, const struct lamp *lamp)
         lamplight_give_area(light, lamp, &view);
         return;
     }
-    if (!lamplight_is_behind(light, lamp) &&
-        lamp_look(lamp, location, surface->point, &view))
-        lamplight_share(light, lamp, &view);
+    if (lamplight_is_behind(light, lamp) ||
+        !lamp_look(lamp, location, surface->point, &view))
+        return;
+    rgb share = light->share(light, lamp, &view);
+    if (rgb_peak(share) > 0)
+        lamplight_visit(light, lamp, &view, share);
 }

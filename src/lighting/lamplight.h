@@ -22,15 +22,10 @@ struct lamplight {
  * the picture. */
 void lamplight_give(struct lamplight *light, const struct lamp *lamp);
 
-/* In parts. Whether the lamp is behind the surface, as most that give nothing
- * are, which needs no unit vectors; then, of one that is looked at, what its
- * share gives; and what a known share does. */
+/* Whether the lamp is behind the surface, as most that give nothing are, which
+ * needs no unit vectors. */
 bool lamplight_is_behind(const struct lamplight *light,
                          const struct lamp *lamp);
-void lamplight_share(struct lamplight *light, const struct lamp *lamp,
-                     const struct lamp_view *view);
-void lamplight_visit(const struct lamplight *light, const struct lamp *lamp,
-                     const struct lamp_view *view, rgb share);
 
 /* A share found by shadow rays at the surface itself. */
 rgb lamplight_trace(struct lamplight *light, const struct lamp *lamp,

@@ -1,77 +1,68 @@
 /* Lamps' light at several surfaces: see lamplights.h. */
 #include "lighting/lamplights.h"
 
-#include "shade/finish.h"
+#include <string.h>
 
-/* The lamp at hand as all of them see it. */
+/* The lamp at hand as all of them see it; the directions are those of the
+ * ways. */
 struct lamp_looks {
-    struct lamp_view view[RAY_LANES];
+    double distance[RAY_LANES], attenuation[RAY_LANES];
     unsigned lit; /* by it, if nothing is between */
 };
 
-static lane_flag flag(bool is)
+static void lamplights_set(struct lamplights *lights, unsigned i,
+                           const struct light_asker *asker)
 {
-    return is ? -1 : 0;
+    const struct surface *surface = asker->surface;
+    vec3 point = surface->point;
+    facets_set(&lights->facets, i, surface, asker->light);
+    rays_set(&lights->ways.rays, (int)i, point, vec3_make(0, 0, 0));
+    lights->ways.span.near[i] = shadow_start(point);
+    lights->ways.span.far[i] = 0;
+    lights->global |= (unsigned)!surface->at->leaf->no_global_lights << i;
 }
 
-/* One of several layers may face any lamp. */
-static void facet_set(struct lamplights *lights, unsigned i)
+static void lamplights_clear(struct lamplights *lights, unsigned i)
 {
-    const struct surface *surface = lights->each[i].surface;
-    struct facets *facets = &lights->facets;
-    bool layered = surface->count != 1;
-    bool twice = surface->at->leaf->double_illuminate || layered;
-    const struct finish *finish = surface->layer[0].finish;
-    vec3 normal = layered ? surface->normal : surface->layer[0].normal;
-    for (int k = 0; k < 3; k++) {
-        facets->point[k][i] = vec3_component(surface->point, k);
-        facets->normal[k][i] = vec3_component(normal, k);
-    }
-    facets->twice[i] = flag(twice);
-    facets->front[i] = flag(layered || finish_lit_by(finish, 1, twice));
-    facets->back[i] = flag(layered || finish_lit_by(finish, -1, twice));
-    lights->layered |= layered ? 1u << i : 0;
-    lights->ways.span.near[i] = shadow_start(surface->point);
+    const vec3 zero = { 0, 0, 0 };
+    facets_clear(&lights->facets, i);
+    rays_set(&lights->ways.rays, (int)i, zero, zero);
+    lights->ways.span.near[i] = lights->ways.span.far[i] = 0;
 }
 
-/* Where there is no surface: it faces nothing. */
-static void facet_clear(struct lamplights *lights, unsigned i)
+void lamplights_start(struct lamplights *lights,
+                      const struct light_asker *askers, unsigned count)
 {
     struct facets *facets = &lights->facets;
-    for (int k = 0; k < 3; k++)
-        facets->point[k][i] = facets->normal[k][i] = 0;
-    facets->twice[i] = facets->front[i] = facets->back[i] = 0;
-    lights->ways.span.near[i] = 0;
+    lights->all = (1u << count) - 1;
+    lights->global = 0;
+    facets->layered = facets->matt = facets->shining = 0;
+    for (unsigned i = 0; i < count; i++)
+        lamplights_set(lights, i, &askers[i]);
+    for (unsigned i = count; i < RAY_LANES; i++)
+        lamplights_clear(lights, i);
 }
 
-void lamplights_start(struct lamplights *lights, struct lamplight *each,
-                      unsigned count)
+void lamplights_end(const struct lamplights *lights, struct light_asker *askers,
+                    unsigned count)
 {
-    struct rays *rays = &lights->ways.rays;
-    lights->each = each;
-    lights->count = count;
-    lights->layered = 0;
-    for (unsigned i = 0; i < RAY_LANES; i++)
-        if (i < count)
-            facet_set(lights, i);
-        else
-            facet_clear(lights, i);
-    memcpy(rays->origin, lights->facets.point, sizeof rays->origin);
+    for (unsigned i = 0; i < count; i++)
+        askers[i].light = facets_light(&lights->facets, i);
 }
 
-/* What lamp_look finds of a lamp that stands at a place, and the ways there.
- * `faces`: it is before the surface and not at it. */
-struct standing {
-    double direction[3][RAY_LANES], distance[RAY_LANES], end[RAY_LANES];
-    lane_flag faces[RAY_LANES];
-};
-
+/* What lamp_look finds of a lamp that stands at a place, and its ways; `faces`:
+ * it is before the surface and not at it. */
 CLONES static void look_many(const struct facets *restrict facets,
-                             vec3 location, struct standing *restrict seen)
+                             vec3 location, struct occlusions *ways,
+                             double *restrict distances,
+                             lane_flag *restrict faces)
 {
+    const double(*restrict points)[RAY_LANES] =
+        (const double(*)[RAY_LANES])ways->rays.origin;
+    double(*restrict directions)[RAY_LANES] = ways->rays.direction;
+    double *restrict far = ways->span.far;
     for (int i = 0; i < RAY_LANES; i++) {
-        vec3 point = { facets->point[0][i], facets->point[1][i],
-                       facets->point[2][i] };
+        vec3 point = { points[0][i], points[1][i], points[2][i] };
         vec3 normal = { facets->normal[0][i], facets->normal[1][i],
                         facets->normal[2][i] };
         double cosine = vec3_dot(normal, vec3_sub(location, point));
@@ -80,83 +71,48 @@ CLONES static void look_many(const struct facets *restrict facets,
         vec3 direction = vec3_scale(offset, -1 / distance);
         lane_flag before = (cosine > 0 ? -1 : 0) | facets->twice[i];
         lane_flag behind = cosine < 0 ? -1 : 0;
-        seen->direction[0][i] = direction.x;
-        seen->direction[1][i] = direction.y;
-        seen->direction[2][i] = direction.z;
-        seen->distance[i] = distance;
-        seen->end[i] = shadow_end(distance);
-        seen->faces[i] = ((before & facets->front[i]) |
-                          (~before & behind & facets->back[i])) &
-                         (distance > 0 ? -1 : 0);
+        directions[0][i] = direction.x;
+        directions[1][i] = direction.y;
+        directions[2][i] = direction.z;
+        distances[i] = distance;
+        far[i] = shadow_end(distance);
+        faces[i] = ((before & facets->front[i]) |
+                    (~before & behind & facets->back[i])) &
+                   (distance > 0 ? -1 : 0);
     }
 }
 
 /* Whether the spot's cone has no light for them. */
-CLONES static void beside_spot(const struct standing *restrict seen, vec3 axis,
+CLONES static void beside_spot(const struct rays *restrict ways, vec3 axis,
                                double cosine_radius, double cosine_falloff,
                                lane_flag *restrict beside)
 {
     for (int i = 0; i < RAY_LANES; i++) {
-        vec3 direction = { seen->direction[0][i], seen->direction[1][i],
-                           seen->direction[2][i] };
-        double cosine = -vec3_dot(direction, axis);
+        double cosine = -vec3_dot(rays_direction(ways, i), axis);
         bool outside = (cosine < cosine_radius) & (cosine <= cosine_falloff);
         beside[i] = (cosine <= 0) | outside ? -1 : 0;
     }
 }
 
-static void standing_view(const struct standing *seen, unsigned i,
-                          struct lamp_view *view)
+/* One of them, as it asks by itself. */
+static struct lamplight lamplights_at(const struct lamplights *lights,
+                                      unsigned i)
 {
-    view->direction = (vec3){ seen->direction[0][i], seen->direction[1][i],
-                              seen->direction[2][i] };
-    view->distance = seen->distance[i];
-    view->attenuation = 1;
+    return (struct lamplight){ .lamps = lights->lamps,
+                               .worker = lights->worker,
+                               .surface = lights->facets.surface[i] };
 }
 
-/* Of a lamp that shines as brightly everywhere: no more is to be asked. */
-static void look_at_even(struct lamplights *lights, unsigned lit,
-                         const struct standing *seen, struct lamp_looks *looks)
-{
-    struct occlusions *ways = &lights->ways;
-    memcpy(ways->rays.direction, seen->direction, sizeof seen->direction);
-    memcpy(ways->span.far, seen->end, sizeof seen->end);
-    looks->lit = lit;
-    for (; lit; lit &= lit - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lit);
-        standing_view(seen, i, &looks->view[i]);
-    }
-}
-
-static void look_at_uneven(struct lamplights *lights, const struct lamp *lamp,
-                           unsigned lit, struct lamp_looks *looks)
-{
-    struct occlusions *ways = &lights->ways;
-    vec3 location = lamp->light->location;
-    looks->lit = 0;
-    memset(ways->rays.direction, 0, sizeof ways->rays.direction);
-    memset(ways->span.far, 0, sizeof ways->span.far);
-    for (; lit; lit &= lit - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lit);
-        struct lamp_view *view = &looks->view[i];
-        vec3 point = lights->each[i].surface->point;
-        if (!lamp_look(lamp, location, point, view))
-            continue;
-        rays_set(&ways->rays, (int)i, point, view->direction);
-        ways->span.far[i] = shadow_end(view->distance);
-        looks->lit |= 1u << i;
-    }
-}
-
-/* Those of them that face the lamp by what each says for itself. */
+/* Of those that face the lamp or may do so those that do. */
 static unsigned lamplights_before(const struct lamplights *lights,
                                   const struct lamp *lamp, unsigned asked)
 {
-    unsigned faced = 0;
+    unsigned faced = asked;
     for (; asked; asked &= asked - 1) {
         unsigned i = (unsigned)__builtin_ctz(asked);
-        if (!lamplight_is_behind(&lights->each[i], lamp))
-            faced |= 1u << i;
+        struct lamplight one = lamplights_at(lights, i);
+        if (lamplight_is_behind(&one, lamp))
+            faced &= ~(1u << i);
     }
     return faced;
 }
@@ -165,72 +121,143 @@ static unsigned lamplights_before(const struct lamplights *lights,
 static unsigned lamplights_for(const struct lamplights *lights,
                                const struct lamp *lamp)
 {
-    unsigned lanes = 0;
-    for (unsigned i = 0; i < lights->count; i++)
-        lanes |=
-            lamp_is_for(lamp, lights->each[i].surface->at->leaf) ? 1u << i : 0;
+    unsigned lanes = lights->all;
+    if (!lamp->light->group)
+        return lights->global;
+    for (unsigned i = 0; lanes >> i; i++)
+        if (!lamp_is_for(lamp, lights->facets.surface[i]->at->leaf))
+            lanes &= ~(1u << i);
     return lanes;
+}
+
+/* At one that shines differently from place to place. */
+static void look_at_uneven(struct lamplights *lights, const struct lamp *lamp,
+                           unsigned lanes, struct lamp_looks *looks)
+{
+    struct occlusions *ways = &lights->ways;
+    vec3 location = lamp->light->location;
+    looks->lit = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        vec3 point = lights->facets.surface[i]->point;
+        struct lamp_view view;
+        if (!lamp_look(lamp, location, point, &view))
+            continue;
+        rays_set(&ways->rays, (int)i, point, view.direction);
+        ways->span.far[i] = shadow_end(view.distance);
+        looks->distance[i] = view.distance;
+        looks->attenuation[i] = view.attenuation;
+        looks->lit |= 1u << i;
+    }
 }
 
 static void lamplights_look(struct lamplights *lights, const struct lamp *lamp,
                             struct lamp_looks *looks)
 {
     unsigned lit = lamplights_for(lights, lamp);
-    struct standing seen;
-    lane_flag beside[RAY_LANES];
+    unsigned layered = lights->facets.layered;
+    lane_flag flags[RAY_LANES];
+    for (int i = 0; i < RAY_LANES; i++)
+        looks->attenuation[i] = 1;
     if (lamp_is_parallel(lamp)) {
         lit = lamplights_before(lights, lamp, lit);
         look_at_uneven(lights, lamp, lit, looks);
         return;
     }
-    look_many(&lights->facets, lamp->light->location, &seen);
-    lit &= rays_bits(seen.faces);
-    if (lit & lights->layered)
-        lit &= ~lights->layered |
-               lamplights_before(lights, lamp, lit & lights->layered);
+    look_many(&lights->facets, lamp->light->location, &lights->ways,
+              looks->distance, flags);
+    lit &= rays_bits(flags);
+    lit = (lit & ~layered) | lamplights_before(lights, lamp, lit & layered);
     if (lamp->light->kind == LIGHT_SPOT) {
-        beside_spot(&seen, lamp->axis, lamp->cosine_radius,
-                    lamp->cosine_falloff, beside);
-        lit &= ~rays_bits(beside);
+        beside_spot(&lights->ways.rays, lamp->axis, lamp->cosine_radius,
+                    lamp->cosine_falloff, flags);
+        lit &= ~rays_bits(flags);
     }
-    if (lamp->even)
-        look_at_even(lights, lit, &seen, looks);
-    else
+    looks->lit = lit;
+    if (!lamp->even)
         look_at_uneven(lights, lamp, lit, looks);
 }
 
-/* Where all or nothing of the light arrives. */
-static void lamplights_give_plain(struct lamplights *lights,
-                                  const struct lamp *lamp,
-                                  const struct lamp_looks *looks)
+CLONES static void colours_whole(rgb light, const double *restrict attenuation,
+                                 double (*restrict colours)[RAY_LANES])
 {
-    const struct lamplight *first = lights->each;
-    lights->ways.light = lamp->number;
-    unsigned lit = looks->lit;
-    lit &= ~shadow_falls_many(first->lamps->world, first->worker, &lights->ways,
-                              lit);
-    for (; lit; lit &= lit - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lit);
-        lamplight_visit(&lights->each[i], lamp, &looks->view[i], rgb_grey(1));
+    for (int i = 0; i < RAY_LANES; i++) {
+        rgb whole = rgb_scale(light, attenuation[i]);
+        colours[0][i] = whole.r;
+        colours[1][i] = whole.g;
+        colours[2][i] = whole.b;
+    }
+}
+
+/* The share of each of `lanes` by itself. Returns those that are not dark. */
+static unsigned lamplights_shares(const struct lamplights *lights,
+                                  const struct lamp *lamp,
+                                  const struct lamp_looks *looks,
+                                  struct facets_lit *lit)
+{
+    unsigned left = looks->lit;
+    for (unsigned lanes = left; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        struct lamplight one = lamplights_at(lights, i);
+        const struct lamp_view view = {
+            rays_direction(&lights->ways.rays, (int)i), looks->distance[i],
+            looks->attenuation[i]
+        };
+        rgb share = lamplight_trace(&one, lamp, &view);
+        if (!(rgb_peak(share) > 0))
+            left &= ~(1u << i);
+        lit->colour[0][i] *= share.r;
+        lit->colour[1][i] *= share.g;
+        lit->colour[2][i] *= share.b;
+    }
+    return left;
+}
+
+/* A surface that a lamp lights by itself. */
+struct alone {
+    struct facets *facets;
+    unsigned i;
+};
+
+static void alone_visit(void *context, const struct light_sample *sample)
+{
+    const struct alone *alone = context;
+    facets_add_one(alone->facets, alone->i, sample);
+}
+
+static void lamplights_give_each(struct lamplights *lights,
+                                 const struct lamp *lamp)
+{
+    for (unsigned i = 0; lights->all >> i; i++) {
+        struct alone alone = { &lights->facets, i };
+        struct lamplight one = lamplights_at(lights, i);
+        one.visit = alone_visit;
+        one.context = &alone;
+        one.share = lamplight_trace;
+        lamplight_give(&one, lamp);
     }
 }
 
 void lamplights_give(struct lamplights *lights, const struct lamp *lamp)
 {
-    const struct lamps *lamps = lights->each->lamps;
+    const struct lamps *lamps = lights->lamps;
     struct lamp_looks looks;
+    struct facets_lit lit;
     if (lamp->light->area_illumination && lamps_soft(lamps, lamp)) {
-        for (unsigned i = 0; i < lights->count; i++)
-            lamplight_give(&lights->each[i], lamp);
+        lamplights_give_each(lights, lamp);
         return;
     }
     lamplights_look(lights, lamp, &looks);
-    if (looks.lit && lamps_plain(lamps, lamp)) {
-        lamplights_give_plain(lights, lamp, &looks);
+    if (!looks.lit)
         return;
-    }
-    for (unsigned lit = looks.lit; lit; lit &= lit - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lit);
-        lamplight_share(&lights->each[i], lamp, &looks.view[i]);
-    }
+    lights->ways.light = lamp->number;
+    lit.direction = (const double(*)[RAY_LANES])lights->ways.rays.direction;
+    lit.highlights = !lamp->light->shadowless;
+    colours_whole(lamp->light->colour, looks.attenuation, lit.colour);
+    if (lamps_plain(lamps, lamp))
+        looks.lit &= ~shadow_falls_many(lamps->world, lights->worker,
+                                        &lights->ways, looks.lit);
+    else
+        looks.lit = lamplights_shares(lights, lamp, &looks, &lit);
+    facets_add(&lights->facets, &lit, looks.lit);
 }

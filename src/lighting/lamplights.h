@@ -4,30 +4,27 @@
 #define LIGHTING_LAMPLIGHTS_H
 
 #include "lighting/lamplight.h"
-
-/* How surfaces that stand side by side face lamps. */
-struct facets {
-    double point[3][RAY_LANES];
-    double normal[3][RAY_LANES]; /* of the only layer */
-    /* Whether light from its front and its back does anything to it, and
-     * whether both sides are its front. */
-    lane_flag front[RAY_LANES], back[RAY_LANES], twice[RAY_LANES];
-};
+#include "shade/facets.h"
 
 /* Bits stand for surfaces. */
 struct lamplights {
-    struct lamplight *each;
-    unsigned count;
-    unsigned layered; /* of other than one layer, which face as all those do */
+    const struct lamps *lamps;
+    struct worker *worker;
+    unsigned all;
+    unsigned global; /* that lamps outside of light_groups are for */
     struct facets facets;
     struct occlusions ways; /* from them to the lamp at hand */
 };
 
-/* Of up to RAY_LANES, which must stay. */
-void lamplights_start(struct lamplights *lights, struct lamplight *each,
-                      unsigned count);
+/* Up to RAY_LANES surfaces, which must stay. */
+void lamplights_start(struct lamplights *lights,
+                      const struct light_asker *askers, unsigned count);
 
-/* Visits the samples of one lamp. */
+/* Adds the light of one lamp. */
 void lamplights_give(struct lamplights *lights, const struct lamp *lamp);
+
+/* What all that were asked have given. */
+void lamplights_end(const struct lamplights *lights, struct light_asker *askers,
+                    unsigned count);
 
 #endif

@@ -65,7 +65,7 @@ struct diffuse_light {
 /* A surface that is lit together with others. */
 struct light_asker {
     const struct surface *surface;
-    void *context;                /* of visits */
+    rgb light; /* to which that of known directions is added */
     struct diffuse_light diffuse; /* what `illuminate` returns */
 };
 
@@ -99,8 +99,7 @@ struct lighting {
     /* The same of up to RAY_LANES surfaces, each the same to the bit: the
      * sooner the closer together they are. NULL: one by one. */
     void (*illuminate_many)(const void *state, struct worker *worker,
-                            struct light_asker *askers, unsigned count,
-                            light_visit *visit);
+                            struct light_asker *askers, unsigned count);
     /* Whether surfaces may be lit in any order, those of one pixel
      * (worker->pixel) too; asked if there is illuminate_many. */
     bool (*in_any_order)(const void *state);

@@ -148,7 +148,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     mesh->knowers = (struct knowers){ .plan = &mesh->plan,
                                       .lamps = &mesh->lamps,
                                       .direct = mesh->direct };
-    if (mesh->indirect && options->width > 0)
+    if (mesh->indirect && options->width > 0 && !options->numbers)
         mesh->indirect_pixels =
             indirect_pixels_new(mesh->indirect, &scene->camera, options->width,
                                 options->height, options->threads);
@@ -174,9 +174,8 @@ static struct diffuse_light mesh_surfaces(const struct mesh_lighting *mesh,
                                           bool smooth)
 {
     const struct mesh_indirect known = {
-        mesh->indirect,  mesh->indirect_pixels,
-        &mesh->ambience, mesh->indirect_view,
-        smooth,
+        mesh->indirect,      mesh->indirect_pixels, &mesh->ambience,
+        mesh->indirect_view, mesh->survey.worth,    smooth,
     };
     return mesh_diffuse(&known, worker, surface);
 }

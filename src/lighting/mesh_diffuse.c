@@ -2,6 +2,7 @@
 #include "lighting/mesh_diffuse.h"
 
 #include "base/telling.h"
+#include "lightmesh/tuning.h"
 #include "shade/finish.h"
 
 struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
@@ -15,7 +16,7 @@ struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
     rgb ambient = rgb_mul(surface_ambient(surface), ambience->light);
     double most = fmax(rgb_peak(albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
-    const struct receiver receiver = {
+    struct receiver receiver = {
         .point = surface->point,
         .side = surface->side,
         .normal = known->smooth ? surface->normal : layer->normal,
@@ -24,10 +25,17 @@ struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
         .view = known->view,
         .weight = surface->weight * most,
     };
+    bool beyond = known->pixels && !surface->place;
+    if (beyond)
+        receiver.view.coarser++;
     unsigned long long rays = worker->counters.shadow_rays;
     if ((layer->finish->diffuse != 0 || rgb_peak(ambient) > 0) &&
         !(known->pixels &&
-          indirect_pixels_light(known->pixels, worker, &receiver, &share)))
+          indirect_pixels_light(known->pixels, worker, &receiver, &share)) &&
+        !(beyond && !indirect_mesh_leaves(mesh, &receiver) &&
+          known->worth * receiver.weight < one_point_worth &&
+          indirect_mesh_nearest(mesh, worker, &receiver, vec3_make(0, 0, 0),
+                                &share)))
         share = indirect_mesh_light(mesh, worker, &receiver);
     if (worker->telling)
         telling_say(worker->telling,

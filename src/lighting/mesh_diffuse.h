@@ -11,7 +11,8 @@ struct mesh_indirect {
     const struct indirect_pixels *pixels; /* of this picture, or NULL */
     const struct ambience *ambience;
     struct lattice_view view;
-    bool smooth; /* of surfaces without bumps */
+    double worth; /* of indirect light in the picture, as a survey has it */
+    bool smooth;  /* of surfaces without bumps */
 };
 
 /* Indirect and ambient light on the surface's first layer. */

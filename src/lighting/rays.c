@@ -88,47 +88,38 @@ static struct diffuse_light rays_diffuse(const struct rays_lighting *rays,
     return diffuse;
 }
 
-static struct lamplight rays_lamplight(const struct rays_lighting *rays,
-                                       struct worker *worker,
-                                       const struct surface *surface,
-                                       light_visit *visit, void *context)
-{
-    return (struct lamplight){
-        .lamps = &rays->lamps,
-        .worker = worker,
-        .surface = surface,
-        .visit = visit,
-        .context = context,
-        .share = lamplight_trace,
-    };
-}
-
 static struct diffuse_light rays_illuminate(const void *state,
                                             struct worker *worker,
                                             const struct surface *surface,
                                             light_visit *visit, void *context)
 {
     const struct rays_lighting *rays = state;
-    struct lamplight light =
-        rays_lamplight(rays, worker, surface, visit, context);
-    for (size_t i = 0; i < rays->lamps.count; i++)
-        lamplight_give(&light, &rays->lamps.items[i]);
+    const struct lamps *lamps = &rays->lamps;
+    struct lamplight light = {
+        .lamps = lamps,
+        .worker = worker,
+        .surface = surface,
+        .visit = visit,
+        .context = context,
+        .share = lamplight_trace,
+    };
+    for (size_t i = 0; i < lamps->count; i++)
+        lamplight_give(&light, &lamps->items[i]);
     return rays_diffuse(rays, worker, surface);
 }
 
 static void rays_illuminate_many(const void *state, struct worker *worker,
-                                 struct light_asker *askers, unsigned count,
-                                 light_visit *visit)
+                                 struct light_asker *askers, unsigned count)
 {
     const struct rays_lighting *rays = state;
-    struct lamplight each[RAY_LANES];
+    const struct lamps *lamps = &rays->lamps;
     struct lamplights lights;
-    for (unsigned i = 0; i < count; i++)
-        each[i] = rays_lamplight(rays, worker, askers[i].surface, visit,
-                                 askers[i].context);
-    lamplights_start(&lights, each, count);
-    for (size_t i = 0; i < rays->lamps.count; i++)
-        lamplights_give(&lights, &rays->lamps.items[i]);
+    lights.lamps = lamps;
+    lights.worker = worker;
+    lamplights_start(&lights, askers, count);
+    for (size_t i = 0; i < lamps->count; i++)
+        lamplights_give(&lights, &lamps->items[i]);
+    lamplights_end(&lights, askers, count);
     for (unsigned i = 0; i < count; i++)
         askers[i].diffuse = rays_diffuse(rays, worker, askers[i].surface);
 }

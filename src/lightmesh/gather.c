@@ -20,6 +20,7 @@ struct gathering {
     int mirrors;
     uint32_t met; /* surfaces */
     int before;   /* surfaces that scattered what it brings */
+    bool known;   /* what it meets next has been found */
 };
 
 static rgb gathering_follow(struct gathering *gathering,
@@ -239,10 +240,11 @@ static rgb gathering_mirrors(const struct gathering *gathering,
         const struct surface_layer *layer = &surface->layer[i];
         rgb share = rgb_mul(layer->weight, layer->reflection);
         vec3 in = gathering->ray.direction;
-        if (rgb_peak(rgb_mul(share, gathering->share)) < gather_least)
+        double matters = rgb_peak(rgb_mul(share, gathering->share));
+        if (matters < gather_least)
             continue;
         double count =
-            gathering_chance(gathering, often_mirrored * rgb_peak(share),
+            gathering_chance(gathering, often_mirrored * matters,
                              GATHER_MIRROR + (uint32_t)gathering->mirrors);
         if (count == 0)
             continue;
@@ -308,19 +310,29 @@ static rgb gathering_beyond(struct gathering *gathering)
     return rgb_mul(gathering->share, sky);
 }
 
+/* What it meets next. */
+static bool gathering_trace(struct gathering *gathering,
+                            struct intersection *at)
+{
+    bool known = gathering->known;
+    double offset = surface_offset(gathering->ray.origin);
+    gathering->known = false;
+    if (known)
+        return true;
+    gathering->worker->counters.shadow_rays++;
+    return world_closest(gathering->gather->lamps->world, &gathering->ray,
+                         offset, RAY_REFLECTION, at);
+}
+
 /* All light. What is met first into *first, and that one's own light into
  * *glow, where these are wanted. */
 static rgb gathering_follow(struct gathering *gathering,
                             struct intersection *first, rgb *glow)
 {
-    const struct lamps *lamps = gathering->gather->lamps;
     rgb light = rgb_grey(0);
     struct intersection next, *at = first ? first : &next;
     for (int i = 0; i < GATHER_PANES; i++) {
-        double offset = surface_offset(gathering->ray.origin);
-        gathering->worker->counters.shadow_rays++;
-        bool met = world_closest(lamps->world, &gathering->ray, offset,
-                                 RAY_REFLECTION, at);
+        bool met = gathering_trace(gathering, at);
         gathering_fog(gathering, met ? at->t : (double)INFINITY, &light);
         if (!met)
             return rgb_add(light, gathering_beyond(gathering));
@@ -335,9 +347,16 @@ void gather_radiance(const struct gather *gather, struct worker *worker,
                      const struct ray *ray, const struct draws *draws,
                      struct gathered_ray *gathered)
 {
+    gathered->at.leaf = NULL;
+    gather_met(gather, worker, ray, draws, gathered);
+}
+
+void gather_met(const struct gather *gather, struct worker *worker,
+                const struct ray *ray, const struct draws *draws,
+                struct gathered_ray *gathered)
+{
     gathered->open = 0;
     gathered->glow = rgb_grey(0);
-    gathered->at.leaf = NULL;
     struct gathering gathering = {
         .gather = gather,
         .worker = worker,
@@ -345,6 +364,7 @@ void gather_radiance(const struct gather *gather, struct worker *worker,
         .ray = *ray,
         .share = rgb_grey(1),
         .open = &gathered->open,
+        .known = gathered->at.leaf,
     };
     gathered->light =
         gathering_follow(&gathering, &gathered->at, &gathered->glow);

@@ -76,6 +76,11 @@ void gather_radiance(const struct gather *gather, struct worker *worker,
                      const struct ray *ray, const struct draws *draws,
                      struct gathered_ray *gathered);
 
+/* The same of a ray of which is known where it ends, in gathered->at. */
+void gather_met(const struct gather *gather, struct worker *worker,
+                const struct ray *ray, const struct draws *draws,
+                struct gathered_ray *gathered);
+
 /* Of what comes along the ray, which was drawn with that density per solid
  * angle, what counts beside gather_pick (balance heuristic, Veach 1997, section
  * 9.2): its first surface's glow only in part. */

@@ -3,7 +3,8 @@
 
 #include "base/memory.h"
 #include "base/random.h"
-#include "lightmesh/near_field.h"
+#include "lightmesh/corner.h"
+#include "lightmesh/pixel_blocks.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 #include "shade/first_hits.h"
@@ -15,18 +16,11 @@ struct indirect_pixels {
     const struct camera *camera;
     double width, height; /* of the picture, in steps of the grid */
     uint64_t columns;
-    struct table *corners;
+    struct table *corners; /* where they are, and beside, by the same keys, */
+    struct table *lights;  /* what those know that served */
     unsigned threads;
+    struct pixel_blocks *blocks;
     struct lone_places *lone; /* of each worker */
-};
-
-/* What is known at a corner. */
-struct corner {
-    bool met; /* the camera sees a surface there: */
-    vec3 point, side;
-    double reach; /* how far it may serve, units */
-    struct indirect_light light;
-    struct indirect_share share; /* of a surface without bumps */
 };
 
 /* Where rays of a pixel that has several had to ask for themselves: what they
@@ -36,6 +30,7 @@ struct lone_places {
     unsigned count;
     struct {
         struct corner corner;
+        struct corner_light light;
         int coarser; /* as of a corner's name */
     } at[LONE_PLACES];
 };
@@ -54,10 +49,14 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
         .width = width / apart,
         .height = height / apart,
         .columns = (uint64_t)(width / apart) + 4,
-        .corners = table_new(sizeof(struct corner), INDIRECT_PIXELS_BYTES),
+        .blocks = pixel_blocks_new(mesh, camera, (int[]){ width, height },
+                                   apart, threads),
         .threads = threads,
         .lone = memory_new(threads * sizeof(struct lone_places)),
     };
+    pixels->corners = table_new_beside(
+        &pixels->lights, sizeof(struct corner), INDIRECT_PIXELS_BYTES / 3,
+        sizeof(struct corner_light), 2 * INDIRECT_PIXELS_BYTES / 3);
     return pixels;
 }
 
@@ -65,14 +64,16 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
 {
     if (!pixels)
         return;
+    table_free(pixels->lights);
     table_free(pixels->corners);
+    pixel_blocks_free(pixels->blocks);
     memory_free(pixels->lone);
     memory_free(pixels);
 }
 
 size_t indirect_pixels_bytes(const struct indirect_pixels *pixels)
 {
-    return table_bytes(pixels->corners);
+    return table_bytes(pixels->corners) + table_bytes(pixels->lights);
 }
 
 /* Column and row of a corner, and how much what asks there is worth: see
@@ -82,30 +83,32 @@ struct corner_name {
     int coarser;
 };
 
-/* What a receiver gets, with so many short rays. */
-static void corner_ask(struct corner *corner,
-                       const struct indirect_pixels *pixels,
-                       struct worker *worker, const struct receiver *receiver,
-                       int rays)
+/* The number of its records, never 0. */
+static uint64_t corner_key(const struct indirect_pixels *pixels,
+                           const struct corner_name *name)
 {
-    const struct lattice *lattice = &pixels->mesh->points.lattice;
-    double coarse;
-    int level =
-        lattice_level(lattice, &receiver->view, receiver->point, &coarse);
-    corner->met = true;
-    corner->point = receiver->point;
-    corner->side = receiver->side;
-    corner->reach = lattice_spacing(lattice, level);
-    corner->light = indirect_mesh_blend(pixels->mesh, worker, receiver);
-    corner->share =
-        near_field_share(pixels->mesh, worker, receiver, rays, &corner->light);
+    uint64_t row = (uint64_t)(name->at[1] + 1),
+             column = (uint64_t)(name->at[0] + 1);
+    return 1 + (row * pixels->columns + column) * POINT_MESH_WORTHS +
+           (uint64_t)name->coarser;
 }
 
-/* What the camera sees at the corner asks the mesh, as one of the receivers
- * around would that have its worth. */
-static void corner_fill(struct corner *corner,
+/* A record of the table, or else the worker's: to be filled unless
+ * TABLE_READY, and published if TABLE_MINE. */
+static enum table_state corner_record(struct table *table,
+                                      struct worker *worker, uint64_t key,
+                                      void **record)
+{
+    enum table_state state = table_find(table, key, random_mix(key), record);
+    if (state == TABLE_NONE)
+        *record = arena_alloc(worker->scratch, table_record_size(table));
+    return state;
+}
+
+/* What the camera sees at the corner. */
+static void corner_look(struct corner *corner,
                         const struct indirect_pixels *pixels,
-                        struct worker *worker, const struct corner_name *name,
+                        const struct corner_name *name,
                         const struct receiver *like)
 {
     struct intersection at;
@@ -114,18 +117,9 @@ static void corner_fill(struct corner *corner,
     if (!camera_sees(pixels->camera, x, y))
         return;
     struct ray ray = camera_ray(pixels->camera, x, y);
-    if (!world_closest(pixels->mesh->points.world, &ray,
-                       surface_offset(ray.origin), RAY_CAMERA, &at))
-        return;
-    struct receiver receiver = *like;
-    receiver.point = at.point;
-    receiver.side =
-        vec3_dot(at.face, ray.direction) > 0 ? vec3_negate(at.face) : at.face;
-    receiver.normal = receiver.side;
-    receiver.from = ray.origin;
-    receiver.at = NULL;
-    receiver.weight = point_mesh_typical_worth(name->coarser);
-    corner_ask(corner, pixels, worker, &receiver, pixels->mesh->near);
+    if (world_closest(pixels->mesh->points.world, &ray,
+                      surface_offset(ray.origin), RAY_CAMERA, &at))
+        corner_meet(corner, pixels->mesh, like, &ray, &at);
 }
 
 static const struct corner *corner_get(const struct indirect_pixels *pixels,
@@ -134,35 +128,32 @@ static const struct corner *corner_get(const struct indirect_pixels *pixels,
                                        const struct receiver *like)
 {
     void *record;
-    uint64_t row = (uint64_t)(name->at[1] + 1),
-             column = (uint64_t)(name->at[0] + 1);
-    uint64_t key = 1 + (row * pixels->columns + column) * POINT_MESH_WORTHS +
-                   (uint64_t)name->coarser;
-    enum table_state state =
-        table_find(pixels->corners, key, random_mix(key), &record);
+    enum table_state state = corner_record(pixels->corners, worker,
+                                           corner_key(pixels, name), &record);
     if (state == TABLE_READY)
         return record;
-    if (state == TABLE_NONE)
-        record = arena_alloc(worker->scratch, sizeof(struct corner));
-    corner_fill(record, pixels, worker, name, like);
+    corner_look(record, pixels, name, like);
     if (state == TABLE_MINE)
         table_publish(pixels->corners, record);
     return record;
 }
 
-/* Whether both are on one surface, which may be bent, and near to each other.
- */
-static bool corner_serves(const struct corner *corner,
-                          const struct receiver *receiver)
+/* What it knows, as one of the receivers around that have its worth. */
+static const struct corner_light *
+corner_lit(const struct indirect_pixels *pixels, struct worker *worker,
+           const struct corner_name *name, const struct corner *corner,
+           const struct receiver *like)
 {
-    if (!corner->met ||
-        vec3_dot(corner->side, receiver->side) < indirect_pixels_bend)
-        return false;
-    vec3 between = vec3_sub(corner->point, receiver->point);
-    double apart = vec3_length(between);
-    double rise = fmax(fabs(vec3_dot(between, receiver->side)),
-                       fabs(vec3_dot(between, corner->side)));
-    return apart <= corner->reach && rise <= indirect_pixels_rise * apart;
+    void *record;
+    enum table_state state = corner_record(pixels->lights, worker,
+                                           corner_key(pixels, name), &record);
+    if (state == TABLE_READY)
+        return record;
+    struct receiver receiver = corner_receiver(corner, like, name->coarser);
+    corner_ask(record, pixels->mesh, worker, &receiver, pixels->mesh->near);
+    if (state == TABLE_MINE)
+        table_publish(pixels->lights, record);
+    return record;
 }
 
 /* The corners around a place that serve it, with their weights. */
@@ -172,73 +163,68 @@ struct corners {
     double sum;
     struct {
         const struct corner *corner;
+        const struct corner_light *light;
         double weight;
     } at[4];
 };
 
+static void corners_add(struct corners *corners,
+                        const struct indirect_pixels *pixels,
+                        struct worker *worker, const struct corner_name *name,
+                        const struct receiver *receiver)
+{
+    const struct corner *corner = corner_get(pixels, worker, name, receiver);
+    if (!corner_serves(corner, receiver)) {
+        corners->missing = true;
+        return;
+    }
+    corners->at[corners->count].corner = corner;
+    corners->at[corners->count++].light =
+        corner_lit(pixels, worker, name, corner, receiver);
+}
+
+/* Those of every `step`th row and column of the grid. */
 static void corners_find(struct corners *corners,
                          const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver)
+                         struct worker *worker, const struct receiver *receiver,
+                         int step)
 {
-    double x = receiver->pixel->at[0] * pixels->width,
-           y = receiver->pixel->at[1] * pixels->height;
+    double x = receiver->pixel->at[0] * pixels->width / step,
+           y = receiver->pixel->at[1] * pixels->height / step;
     double across = x - floor(x), down = y - floor(y);
     int coarser = point_mesh_worth(receiver->weight);
     corners->count = 0;
     corners->sum = 0;
     corners->missing = false;
     for (int i = 0; i < 4; i++) {
-        struct corner_name name = {
-            { (int)floor(x) + i % 2, (int)floor(y) + i / 2 }, coarser
-        };
+        struct corner_name name = { { step * ((int)floor(x) + i % 2),
+                                      step * ((int)floor(y) + i / 2) },
+                                    coarser };
         double weight =
             (i % 2 ? across : 1 - across) * (i / 2 ? down : 1 - down);
+        int count = corners->count;
         if (weight < indirect_pixels_least)
             continue;
-        const struct corner *corner =
-            corner_get(pixels, worker, &name, receiver);
-        if (!corner_serves(corner, receiver)) {
-            corners->missing = true;
+        corners_add(corners, pixels, worker, &name, receiver);
+        if (corners->count == count)
             continue;
-        }
-        corners->at[corners->count].corner = corner;
-        corners->at[corners->count++].weight = weight;
+        corners->at[count].weight = weight;
         corners->sum += weight;
     }
 }
 
-/* Whether nothing stands between, a little above the surface. */
-static bool corner_sees(const struct indirect_pixels *pixels,
-                        struct worker *worker, const struct corner *corner,
-                        const struct receiver *receiver)
-{
-    double apart = vec3_length(vec3_sub(corner->point, receiver->point));
-    double lift = indirect_pixels_lift * apart;
-    vec3 from = vec3_along(receiver->point, receiver->side, lift);
-    vec3 to = vec3_along(corner->point, corner->side, lift);
-    vec3 between = vec3_sub(to, from);
-    double length = vec3_length(between);
-    if (!(length > 0))
-        return true;
-    struct ray ray = { from, vec3_scale(between, 1 / length) };
-    worker->counters.shadow_rays++;
-    return !world_occluded(
-        pixels->mesh->points.world,
-        &(struct occlusion){ .ray = &ray, .tmax = length, .light = -1 });
-}
-
 /* Where they differ much something may stand between, seen from the edge. */
-static bool corners_alike(const struct corners *corners)
+static bool corners_alike(const struct corners *corners, double even)
 {
     double least = HUGE_VAL, most = 0;
     for (int i = 0; i < corners->count; i++) {
-        const struct indirect_share *share = &corners->at[i].corner->share;
+        const struct indirect_share *share = &corners->at[i].light->share;
         double amount =
             rgb_brightness(share->light) + indirect_pixels_open * share->open;
         least = fmin(least, amount);
         most = fmax(most, amount);
     }
-    return most - least <= indirect_pixels_even * most + indirect_pixels_dim;
+    return most - least <= even * (most + indirect_pixels_dim);
 }
 
 /* Where another surface is near, a wall seen from its edge may stand between
@@ -247,9 +233,17 @@ static bool corners_see(const struct corners *corners,
                         const struct indirect_pixels *pixels,
                         struct worker *worker, const struct receiver *receiver)
 {
-    bool doubt = corners->missing || !corners_alike(corners);
-    for (int i = 0; i < corners->count && doubt; i++)
-        if (!corner_sees(pixels, worker, corners->at[i].corner, receiver))
+    int heaviest = 0, count = corners->count;
+    if (corners_alike(corners, indirect_pixels_even)) {
+        for (int i = 1; i < count; i++)
+            if (corners->at[i].weight > corners->at[heaviest].weight)
+                heaviest = i;
+        return !corners->missing || count > 2 ||
+               corner_sees(corners->at[heaviest].corner, pixels->mesh, worker,
+                           receiver);
+    }
+    for (int i = 0; i < count; i++)
+        if (!corner_sees(corners->at[i].corner, pixels->mesh, worker, receiver))
             return false;
     return true;
 }
@@ -260,34 +254,34 @@ static struct indirect_share corners_smooth(const struct corners *corners)
 {
     struct indirect_share share = { rgb_grey(0), 0 };
     for (int i = 0; i < corners->count; i++) {
-        const struct corner *corner = corners->at[i].corner;
+        const struct indirect_share *known = &corners->at[i].light->share;
         double weight = corners->at[i].weight / corners->sum;
-        share.light = rgb_add_scaled(share.light, corner->share.light, weight);
-        share.open += weight * corner->share.open;
+        share.light = rgb_add_scaled(share.light, known->light, weight);
+        share.open += weight * known->open;
     }
     return share;
 }
 
-/* Bumps take what comes from their own sides. */
 static struct indirect_share corners_bumpy(const struct corners *corners,
                                            vec3 normal)
 {
     struct indirect_light light = indirect_light_none;
     for (int i = 0; i < corners->count; i++)
-        indirect_light_mix(&light, &corners->at[i].corner->light,
+        indirect_light_mix(&light, &corners->at[i].light->light,
                            (float)(corners->at[i].weight / corners->sum));
     return indirect_light_share(&light, normal);
 }
 
+/* Bumps take what comes from their own sides. */
 static bool receiver_is_bumpy(const struct receiver *receiver)
 {
     return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
 }
 
-/* A place of the same pixel that serves the receiver: known, or itself. */
-static const struct corner *lone_get(const struct indirect_pixels *pixels,
-                                     struct worker *worker,
-                                     const struct receiver *receiver)
+/* By a place of the same pixel that serves the receiver: known, or itself. */
+static struct indirect_share lone_share(const struct indirect_pixels *pixels,
+                                        struct worker *worker,
+                                        const struct receiver *receiver)
 {
     struct lone_places *lone = &pixels->lone[worker->number];
     int coarser = point_mesh_worth(receiver->weight);
@@ -297,25 +291,35 @@ static const struct corner *lone_get(const struct indirect_pixels *pixels,
     for (unsigned i = 0; i < lone->count && i < LONE_PLACES; i++)
         if (lone->at[i].coarser == coarser &&
             corner_serves(&lone->at[i].corner, receiver))
-            return &lone->at[i].corner;
+            return corner_share(&lone->at[i].corner, &lone->at[i].light,
+                                receiver);
     unsigned next = lone->count++ % LONE_PLACES;
     lone->at[next].coarser = coarser;
-    corner_ask(&lone->at[next].corner, pixels, worker, receiver,
+    corner_here(&lone->at[next].corner, pixels->mesh, receiver);
+    corner_ask(&lone->at[next].light, pixels->mesh, worker, receiver,
                pixels->mesh->near / NEAR_LONE_PART);
-    return &lone->at[next].corner;
+    return corner_share(&lone->at[next].corner, &lone->at[next].light,
+                        receiver);
 }
 
+/* Where the grid's corners are on other surfaces: pixels of a block share, or
+ * else rays of a pixel. */
 static bool lone_light(const struct indirect_pixels *pixels,
                        struct worker *worker, const struct receiver *receiver,
                        struct indirect_share *share)
 {
+    if (pixel_blocks_light(pixels->blocks, worker, receiver, share))
+        return true;
     if (!worker->pixel || worker->number >= pixels->threads)
         return false;
-    const struct corner *corner = lone_get(pixels, worker, receiver);
-    *share = receiver_is_bumpy(receiver)
-                 ? indirect_light_share(&corner->light, receiver->normal)
-                 : corner->share;
+    *share = lone_share(pixels, worker, receiver);
     return true;
+}
+
+/* Whether corners twice as far apart say all that there is to say. */
+static bool corners_suffice(const struct corners *corners)
+{
+    return !corners->missing && corners_alike(corners, indirect_pixels_same);
 }
 
 bool indirect_pixels_light(const struct indirect_pixels *pixels,
@@ -326,10 +330,13 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
     struct corners corners;
     if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
-    corners_find(&corners, pixels, worker, receiver);
-    if (corners.sum < indirect_pixels_enough ||
-        !corners_see(&corners, pixels, worker, receiver))
-        return lone_light(pixels, worker, receiver, share);
+    corners_find(&corners, pixels, worker, receiver, 2);
+    if (!corners_suffice(&corners)) {
+        corners_find(&corners, pixels, worker, receiver, 1);
+        if (corners.sum < indirect_pixels_enough ||
+            !corners_see(&corners, pixels, worker, receiver))
+            return lone_light(pixels, worker, receiver, share);
+    }
     *share = receiver_is_bumpy(receiver)
                  ? corners_bumpy(&corners, receiver->normal)
                  : corners_smooth(&corners);

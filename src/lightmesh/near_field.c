@@ -47,15 +47,15 @@ static bool nearby_look(struct nearby *nearby, const struct ray *ray,
                         const struct draws *draws)
 {
     const struct world *world = nearby->mesh->points.world;
-    struct intersection at;
     struct gathered_ray found;
     double density = vec3_dot(ray->direction, nearby->receiver->side) / WARP_PI;
     double count = nearby->rays;
     nearby->worker->counters.shadow_rays++;
-    if (!(density > 0) || !world_within(world, ray, surface_offset(ray->origin),
-                                        nearby->reach, RAY_REFLECTION, &at))
+    if (!(density > 0) ||
+        !world_within(world, ray, surface_offset(ray->origin), nearby->reach,
+                      RAY_REFLECTION, &found.at))
         return false;
-    gather_radiance(&nearby->gather, nearby->worker, ray, draws, &found);
+    gather_met(&nearby->gather, nearby->worker, ray, draws, &found);
     if (rgb_peak(found.glow) > 0)
         return false;
     indirect_light_add(&nearby->met, ray->direction, found.light, found.open,

@@ -85,6 +85,9 @@ static double plan_rays(const struct light_mesh_settings *said,
            edges = sqrt(fmax(pixels, gather_pixels) * gather_pixels);
     if (survey->open < open_enough)
         edges *= gather_chamber;
+    else
+        each += gather_pixel_mostly *
+                fmin(fmax(survey->worth - gather_mostly, 0), 1);
     return each * edges * finer * finer;
 }
 

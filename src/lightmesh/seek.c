@@ -14,6 +14,7 @@ struct seeker {
     struct worker *worker;
     const struct receiver *receiver;
     int level, finer; /* levels that may follow it */
+    double least;     /* share of a point that isn't asked */
     struct mesh_blend *blend;
 };
 
@@ -70,13 +71,19 @@ static void seek_candidates(const struct seeker *seeker,
     vec3 at = lattice_units(&mesh->lattice, seeker->level, lifted);
     int count = mesh->interpolation->weights(at, seeker->receiver->side,
                                              mesh->radius, weights);
+    double least = 0;
+    for (int i = 0; i < count; i++)
+        least += seeker->least * weights[i].weight;
     candidates->count = 0;
     for (int i = 0; i < count; i++) {
         struct lattice_point point;
+        if (weights[i].weight <= least)
+            continue;
         point.level = seeker->level;
         memcpy(point.at, weights[i].at, sizeof point.at);
         vec3 from = lattice_place(&mesh->lattice, &point);
-        double weight = weights[i].weight * seeker_rise(seeker, from, spacing);
+        double weight =
+            (weights[i].weight - least) * seeker_rise(seeker, from, spacing);
         if (weight <= 0)
             continue;
         candidates->at[candidates->count].point = point;
@@ -252,7 +259,8 @@ static struct seeker seeker_new(const struct point_mesh *mesh,
     struct seeker seeker = { .mesh = mesh,
                              .worker = worker,
                              .receiver = receiver,
-                             .finer = mesh->refinement.levels };
+                             .finer = mesh->refinement.levels,
+                             .least = mesh->least };
     seeker.level =
         lattice_level(&mesh->lattice, &receiver->view, receiver->point, coarse);
     *finest = seeker.level - receiver->view.coarser;
@@ -262,14 +270,11 @@ static struct seeker seeker_new(const struct point_mesh *mesh,
     return seeker;
 }
 
-void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
-                      const struct receiver *receiver, struct mesh_blend *blend)
+/* Adds the points of the seeker's level or else of finer ones, and of the next
+ * coarser one by its share. */
+static void seek_levels(struct seeker seeker, int finest, double coarse)
 {
-    double coarse;
-    int finest;
-    struct seeker seeker = seeker_new(mesh, worker, receiver, &finest, &coarse);
-    seeker.blend = blend;
-    blend->count = 0;
+    struct mesh_blend *blend = seeker.blend;
     seek_level(seeker, 1);
     while (blend->count == 0 && seeker.level > finest) {
         seeker.level--;
@@ -282,6 +287,21 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
         if (blend->count == fine)
             coarse = 0;
         blend_share(blend, 0, fine, 1 - coarse, fine ? coarse : 1);
+    }
+}
+
+void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
+                      const struct receiver *receiver, struct mesh_blend *blend)
+{
+    double coarse;
+    int finest;
+    struct seeker seeker = seeker_new(mesh, worker, receiver, &finest, &coarse);
+    seeker.blend = blend;
+    blend->count = 0;
+    seek_levels(seeker, finest, coarse);
+    if (blend->count == 0 && mesh->least > 0) {
+        seeker.least = 0;
+        seek_levels(seeker, finest, coarse);
     }
     if (blend->count == 0)
         seek_here(&seeker);

@@ -54,6 +54,9 @@ static const double kept_nearer = 3, kept_farther = 1.5; /* than wanted, factors
 static const double seek_lift = 0.3;    /* above the surface, spacings */
 static const double seek_rise = 0.2;    /* points lower than that count less,
                                          * spacings */
+static const double seek_least = 0.02;  /* of a place's points that gather: what
+                                         * counts no more isn't asked [pillars]
+                                         */
 static const double nearest_rise = 0.1; /* likewise, of the nearest */
 static const double worth_fine = 0.25;  /* what is worth less is a level
                                          * coarser, share of the picture */
@@ -133,19 +136,20 @@ enum {
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
     GATHER_FEW = 32,    /* and else */
     GATHER_MOST = 1024,
-    LONE_SAMPLES = 32,    /* of places that are their own mesh point */
-    LONE_PART = 8,        /* of later bounces one in so many */
-    LATER_SAMPLES = 16,   /* of kept points of later bounces, at most */
-    HIT_LEVELS = 1,       /* direct light on what they meet is coarser */
-    WALL_PART = 4,        /* of ways into the only wall one in so many */
-    WAYS_MOST = 65536,    /* directions that are kept */
-    GATHER_PANES = 64,    /* that a ray passes */
-    GATHER_MIRRORS = 3,   /* on one way */
-    CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
-    CLOSE_RAYS = 30000,   /* between its walls */
-    NEAR_RAYS = 16,       /* to what is close to a place that is seen; */
-    NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
-    LONE_PLACES = 4,      /* of a pixel, that its rays share */
+    LONE_SAMPLES = 32,  /* of places that are their own mesh point */
+    LONE_PART = 8,      /* of later bounces one in so many */
+    LATER_SAMPLES = 16, /* of kept points of later bounces, at most */
+    HIT_LEVELS = 1,     /* direct light on what they meet is coarser */
+    WALL_PART = 4,      /* of ways into the only wall one in so many */
+    BRIGHT_RAYS = 1,    /* of each WALL_PART rays so many go to bright places */
+    WAYS_MOST = 65536,  /* directions that are kept */
+    GATHER_PANES = 64,  /* that a ray passes */
+    GATHER_MIRRORS = 3, /* on one way */
+    CLOSE_VOXELS = 48,  /* of the closing skeleton, along the longest side */
+    CLOSE_RAYS = 30000, /* between its walls */
+    NEAR_RAYS = 16,     /* to what is close to a place that is seen; */
+    NEAR_LONE_PART = 2, /* one in so many where only a pixel shares them */
+    LONE_PLACES = 4,    /* of a pixel, that its rays share */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 
@@ -162,14 +166,35 @@ static const double indirect_pixels_rise = 0.3;  /* of a corner over the plane,
 static const double indirect_pixels_lift = 0.05; /* of a corner's distance */
 static const double indirect_pixels_even = 0.2; /* share of their light by which
                                                  * corners may differ, */
+static const double indirect_pixels_same = 0.05;  /* where those do between
+                                                   * which another would be, that
+                                                   * one is spared */
 static const double indirect_pixels_dim = 0.004;  /* and irradiance, */
 static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
                                                    */
 static const double indirect_pixels_least = 0.01; /* weight of a corner asked */
 static const double indirect_pixels_enough = 0.4; /* and of all that serve */
 
+static const double block_places = 0.25; /* of the grid's step, from one place
+                                          * of a block to the next */
+static const double block_bend = 0.95;   /* cosine of normals that share one */
+static const double block_beside = 1.5;  /* of that: what is no farther is one
+                                          * surface, or shows no difference */
+
+static const double one_point_worth = 0.02; /* what is worth no more beyond
+                                             * mirrors and glass takes one mesh
+                                             * point: neighbours differ by less
+                                             * than a fifth of that */
+
 static const double near_field_reach = 0.75; /* spacings: what stands farther
                                               * off mesh points see [truth] */
+
+static const double bright_times = 4;  /* as bright as the mean is bright; */
+static const double bright_gain = 15;  /* square of their part of the light over
+                                        * that of the ways: less is not worth
+                                        * aiming at them [maze, pillars] */
+static const double bright_cells = 20; /* along what was met, at least */
+static const double bright_ball = 0.8; /* radius around a cell, sides of it */
 
 static const double gather_noise = 0.02; /* of the picture, by a point's rays:
                                           * what is seen of it is a third */
@@ -182,14 +207,21 @@ static const double gather_pixels = 76800;  /* of a picture of that size, and of
                                              * ones they grow as edges do */
 static const double gather_pixel = 0.4;     /* gather rays for each pixel, */
 static const double gather_pixel_worth = 3; /* more for each unit of worth, */
-static const double gather_pixel_most = 3;  /* in all */
+static const double gather_pixel_most = 3;  /* in all; */
+static const double gather_mostly = 0.5;    /* worth beyond which most of the
+                                             * picture is what is gathered: where
+                                             * light leaves the scene, */
+static const double gather_pixel_mostly = 10; /* more for each unit of that, of
+                                               * which there may be 1 */
 static const double gather_chamber = 25; /* times as many where light stays */
 static const double gather_coarser_most = 2; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
                                         * scene: it has no chambers */
-static const double gather_worth_least = 0.02; /* then the skeleton answers */
-static const double gather_worth_whole = 0.5;  /* less gathers fewer rays */
-static const double gather_least = 0.02;       /* share that is followed */
+static const double gather_worth_least = 0.02;  /* then the skeleton answers */
+static const double gather_worth_around = 0.01; /* or, in the open, what is
+                                                 * usual */
+static const double gather_worth_whole = 0.5;   /* less gathers fewer rays */
+static const double gather_least = 0.02;        /* share that is followed */
 static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
 static const double onward_often = 1; /* of where it goes on [truth] */
 

@@ -47,7 +47,7 @@ struct wall {
 };
 
 /* The origin `o` is from the base. */
-static struct wall wall_along(const struct conic *conic, vec3 o, vec3 d)
+static inline struct wall wall_along(const struct conic *conic, vec3 o, vec3 d)
 {
     struct wall wall;
     vec3 middle = vec3_scale(conic->axis, conic->height / 2);
@@ -155,6 +155,73 @@ bool conic_crosses(const void *shape, const struct ray *ray, double tmin,
     leave += wall.shift;
     return enter <= leave &&
            ((enter > tmin && enter < tmax) || (leave > tmin && leave < tmax));
+}
+
+/* The same side by side, of what is closed. `doubtful`: steeper than the ray.
+ */
+struct piece {
+    double enter, leave;
+    bool doubtful, missed;
+};
+
+static inline struct piece piece_of(const struct conic *conic, vec3 origin,
+                                    vec3 direction)
+{
+    struct wall wall =
+        wall_along(conic, vec3_sub(origin, conic->base), direction);
+    double rest = wall.b * wall.b - wall.a * wall.c, root = sqrt(rest);
+    double enter = (-wall.b - root) / wall.a;
+    double leave = (-wall.b + root) / wall.a;
+    double base = -wall.s / wall.ds;
+    double apex = (conic->height - wall.s) / wall.ds;
+    double first = base < apex ? base : apex;
+    double last = base < apex ? apex : base;
+    bool along = wall.ds == 0;
+    bool beside = along & !((wall.s >= 0) & (wall.s <= conic->height));
+    enter = along | (enter > first) ? enter : first;
+    leave = along | (leave < last) ? leave : last;
+    enter += wall.shift;
+    leave += wall.shift;
+    return (struct piece){ enter, leave, !(wall.a > 0),
+                           !(rest >= 0) | beside | !(enter <= leave) };
+}
+
+CLONES static void pieces_cross(const struct conic *shape,
+                                const struct rays *restrict rays,
+                                const struct rays_span *restrict span,
+                                lane_flag *restrict met,
+                                lane_flag *restrict doubtful)
+{
+    const struct conic conic = *shape;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct piece piece =
+            piece_of(&conic, rays_origin(rays, i), rays_direction(rays, i));
+        double near = span->near[i], far = span->far[i];
+        bool either = ((piece.enter > near) & (piece.enter < far)) |
+                      ((piece.leave > near) & (piece.leave < far));
+        met[i] = !piece.missed & either ? -1 : 0;
+        doubtful[i] = piece.doubtful ? -1 : 0;
+    }
+}
+
+void conic_crosses_many(const void *shape, const struct rays *rays,
+                        const struct rays_span *span, lane_flag *met)
+{
+    const struct conic *conic = shape;
+    lane_flag doubtful[RAY_LANES];
+    bool whole =
+        !conic->open && conic->base_radius >= 0 && conic->apex_radius >= 0;
+    unsigned left = (1u << RAY_LANES) - 1;
+    if (whole) {
+        pieces_cross(conic, rays, span, met, doubtful);
+        left = rays_bits(doubtful);
+    }
+    for (; left; left &= left - 1) {
+        int i = __builtin_ctz(left);
+        struct ray ray = rays_at(rays, i);
+        met[i] =
+            conic_crosses(conic, &ray, span->near[i], span->far[i]) ? -1 : 0;
+    }
 }
 
 vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit)

@@ -23,7 +23,7 @@ struct rays_span {
 /* Where each of them first meets a shape: INFINITY if it doesn't. */
 struct rays_met {
     double t[RAY_LANES];
-    int64_t part[RAY_LANES]; /* as of a hit; u and v of shapes met so are 0 */
+    double part[RAY_LANES]; /* as of a hit; u and v of shapes met so are 0 */
 };
 
 static inline vec3 rays_origin(const struct rays *rays, int i)

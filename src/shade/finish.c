@@ -38,9 +38,9 @@ static double finish_grain(const struct finish *finish, vec3 point, vec3 light)
     return finish->crand * random_unit(key);
 }
 
-static rgb finish_highlights(const struct surface *surface,
-                             const struct surface_layer *layer, vec3 light,
-                             double cosine)
+rgb finish_highlights(const struct surface *surface,
+                      const struct surface_layer *layer, vec3 light,
+                      double cosine)
 {
     const struct finish *finish = layer->finish;
     const struct finish_meeting meeting = { layer->normal, surface->view,
@@ -51,15 +51,6 @@ static rgb finish_highlights(const struct surface *surface,
     rgb tint =
         finish_metallic(finish->metallic, cosine, colour_rgb(layer->pigment));
     return rgb_scale(tint, share);
-}
-
-/* In scenes before version 3.7 a filter takes from the surface's own light only
- * what its brightest colour lets through (measured). */
-static double layer_opacity(const struct surface_layer *layer)
-{
-    colour c = layer->pigment;
-    double peak = layer->finish->old_filter ? fmax(c.r, fmax(c.g, c.b)) : 1;
-    return 1 - c.filter * peak - c.transmit;
 }
 
 /* What one layer sends of it, before the layer's weight: diffuse, phong and

@@ -10,6 +10,22 @@
 void surface_add_light(const struct surface *surface,
                        const struct light_sample *sample, rgb *sum);
 
+/* The highlights of one layer's in it: a share of its light. `cosine` to the
+ * layer's normal. */
+rgb finish_highlights(const struct surface *surface,
+                      const struct surface_layer *layer, vec3 light,
+                      double cosine);
+
+/* The part of a layer that is no pane. In scenes before version 3.7 a filter
+ * takes from the surface's own light only what its brightest colour lets
+ * through (measured). */
+static inline double layer_opacity(const struct surface_layer *layer)
+{
+    colour c = layer->pigment;
+    double peak = layer->finish->old_filter ? fmax(c.r, fmax(c.g, c.b)) : 1;
+    return 1 - c.filter * peak - c.transmit;
+}
+
 /* What one layer makes of light without a direction: ambient, emission, and
  * irradiance (Lambert is diffuse * pigment * irradiance). The layer's weight is
  * not applied. */

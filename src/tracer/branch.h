@@ -24,12 +24,6 @@ struct path {
     double opacity; /* once it has ended */
 };
 
-/* Sums the light of all lamps over the layers. */
-struct gathering {
-    const struct surface *surface;
-    rgb light;
-};
-
 /* A camera ray sets out; `place` may be NULL. */
 void path_start(struct path *path, const struct tracer *tracer,
                 struct worker *worker, const struct picture_place *place,
@@ -42,15 +36,14 @@ bool path_meet(struct path *path, struct intersection *at);
  */
 bool path_arrive(struct path *path, struct crossing *crossing, bool met);
 
-/* The sum begins with light from within. gather_sample takes a lamp's. */
-struct gathering path_gathering(const struct path *path,
-                                struct crossing *crossing);
-void gather_sample(void *context, const struct light_sample *sample);
+/* Light that comes from within the body: before lamps light the surface, which
+ * it changes. */
+rgb path_within(const struct path *path, struct crossing *crossing);
 
-/* The light that the surface itself sends to the viewer, once lamps have lit
- * it. */
-rgb path_shade(const struct path *path, struct gathering *gathering,
-               const struct diffuse_light *diffuse);
+/* The light that the surface itself sends to the viewer, once lamps and what is
+ * within have given it so much. */
+rgb path_shade(const struct path *path, const struct crossing *crossing,
+               rgb light, const struct diffuse_light *diffuse);
 
 /* From a surface that sends so much light: false if the ray ends here. */
 bool path_leave(struct path *path, const struct crossing *crossing, rgb light);

@@ -138,7 +138,6 @@ void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
 struct sight {
     struct path path;
     struct crossing crossing;
-    struct gathering gathering;
     struct radiance *out;
 };
 
@@ -166,7 +165,7 @@ static void sights_arrive(struct sights *sights, const struct tracer_met *met,
         path_start(&sight->path, sights->tracer, sights->worker, place,
                    &met->rays[i]);
         if (hit->leaf)
-            world_describe(&sight->path.ray, hit, &sight->crossing.at);
+            world_describe(&met->rays[i], hit, &sight->crossing.at);
         if (path_arrive(&sight->path, &sight->crossing, hit->leaf)) {
             sight->out = &out[i];
             sights->count++;
@@ -181,22 +180,20 @@ static void sights_light(struct sights *sights, struct light_asker *askers)
     const struct tracer *tracer = sights->tracer;
     for (unsigned i = 0; i < sights->count; i++) {
         struct sight *sight = &sights->at[i];
-        sight->gathering = path_gathering(&sight->path, &sight->crossing);
+        askers[i].light = path_within(&sight->path, &sight->crossing);
         askers[i].surface = &sight->crossing.surface;
-        askers[i].context = &sight->gathering;
     }
     tracer->lighting->illuminate_many(tracer->lighting_state, sights->worker,
-                                      askers, sights->count, gather_sample);
+                                      askers, sights->count);
 }
 
-static void sight_go_on(struct sight *sight,
-                        const struct diffuse_light *diffuse)
+static void sight_go_on(struct sight *sight, const struct light_asker *asker)
 {
     struct path *path = &sight->path;
-    rgb light = path_shade(path, &sight->gathering, diffuse);
-    if (path_leave(path, &sight->crossing, light))
-        path_go_on(path, &sight->crossing,
-                   path_meet(path, &sight->crossing.at));
+    struct crossing *crossing = &sight->crossing;
+    rgb light = path_shade(path, crossing, asker->light, &asker->diffuse);
+    if (path_leave(path, crossing, light))
+        path_go_on(path, crossing, path_meet(path, &crossing->at));
     *sight->out = path_seen(path);
 }
 
@@ -211,7 +208,7 @@ static void see_together(const struct tracer *tracer, struct worker *worker,
     if (sights.count > 0)
         sights_light(&sights, askers);
     for (unsigned i = 0; i < sights.count; i++)
-        sight_go_on(&sights.at[i], &askers[i].diffuse);
+        sight_go_on(&sights.at[i], &askers[i]);
     arena_reset(worker->scratch);
 }
 
@@ -228,7 +225,7 @@ static struct radiance see_one(const struct tracer *tracer,
         return (struct radiance){ rgb_grey(0), 0 };
     path_start(&path, tracer, worker, place, &met->rays[i]);
     if (hit->leaf)
-        world_describe(&path.ray, hit, &crossing.at);
+        world_describe(&met->rays[i], hit, &crossing.at);
     struct radiance seen = path_go_on(&path, &crossing, hit->leaf);
     arena_reset(worker->scratch);
     return seen;

@@ -397,9 +397,6 @@ rgb subsurface_light(const struct tracer *tracer, struct worker *worker,
                               .surface = surface,
                               .normal = surface->normal,
                               .ior = fmax(crossing->ior, 1) };
-    if (!tracer->scene->settings.subsurface.on || crossing->leaving ||
-        tracer->quality < QUALITY_FOG)
-        return light;
     for (int i = 0; i < surface->count; i++) {
         struct surface_layer *layer = &surface->layer[i];
         if (rgb_peak(layer->finish->translucency) <= 0 ||

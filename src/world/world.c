@@ -194,14 +194,16 @@ void world_closest_many(const struct world *world, const struct ray *rays,
                         struct world_hit *out)
 {
     struct packet packet;
-    struct nearest asked = { .kind = kind };
+    struct nearest asked;
     if (count < PACKET_LEAST) {
         closest_each(world, rays, tmin, count, kind, out);
         return;
     }
-    for (unsigned i = 0; i < count; i++) {
-        rays_set(&asked.rays, (int)i, rays[i].origin, rays[i].direction);
-        asked.near[i] = tmin[i];
+    asked.kind = kind;
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        unsigned from = i < count ? i : 0;
+        rays_set(&asked.rays, (int)i, rays[from].origin, rays[from].direction);
+        asked.near[i] = tmin[from];
     }
     packet_to_nearest(&packet, &asked, (1u << count) - 1, world_limit,
                       world->boxed);

@@ -106,6 +106,73 @@ static bool box_first(const void *shape, const struct ray *ray, double tmin,
     return hit->t > tmin && hit->t < tmax;
 }
 
+/* The same side by side. `missed`: it is along a slab that it is outside of. */
+struct interval_lane {
+    double enter, leave;
+    double enter_part, leave_part; /* as wide as the others */
+    bool missed;
+};
+
+static inline void lane_to_slab(struct interval_lane *in, double origin,
+                                double direction, double low, double high,
+                                double part)
+{
+    double a = (low - origin) / direction, b = (high - origin) / direction;
+    bool along = direction == 0, swap = a > b;
+    double enter = swap ? b : a, leave = swap ? a : b;
+    bool later = !along & (enter > in->enter);
+    bool sooner = !along & (leave < in->leave);
+    in->missed |= along & !((origin >= low) & (origin <= high));
+    in->enter = later ? enter : in->enter;
+    in->leave = sooner ? leave : in->leave;
+    in->enter_part = later ? (swap ? part + 1 : part) : in->enter_part;
+    in->leave_part = sooner ? (swap ? part : part + 1) : in->leave_part;
+}
+
+static inline struct interval_lane lane_clip(const struct box *box,
+                                             const struct rays *rays, int i)
+{
+    vec3 o = rays_origin(rays, i), d = rays_direction(rays, i);
+    vec3 a = box->low, b = box->high;
+    struct interval_lane in = { -HUGE_VAL, HUGE_VAL, 0, 0, false };
+    lane_to_slab(&in, o.x, d.x, a.x, b.x, 0);
+    lane_to_slab(&in, o.y, d.y, a.y, b.y, 2);
+    lane_to_slab(&in, o.z, d.z, a.z, b.z, 4);
+    in.missed |= !(in.enter <= in.leave);
+    return in;
+}
+
+CLONES static void box_crosses_many(const void *shape,
+                                    const struct rays *restrict rays,
+                                    const struct rays_span *restrict span,
+                                    lane_flag *restrict met)
+{
+    const struct box box = *(const struct box *)shape;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct interval_lane in = lane_clip(&box, rays, i);
+        double near = span->near[i], far = span->far[i];
+        bool either = ((in.enter > near) & (in.enter < far)) |
+                      ((in.leave > near) & (in.leave < far));
+        met[i] = !in.missed & either ? -1 : 0;
+    }
+}
+
+CLONES static void box_first_many(const void *shape,
+                                  const struct rays *restrict rays,
+                                  const struct rays_span *restrict span,
+                                  struct rays_met *restrict met)
+{
+    const struct box box = *(const struct box *)shape;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct interval_lane in = lane_clip(&box, rays, i);
+        bool before = in.enter > span->near[i];
+        double t = before ? in.enter : in.leave;
+        bool is = !in.missed & (t > span->near[i]) & (t < span->far[i]);
+        met->t[i] = is ? t : (double)INFINITY;
+        met->part[i] = before ? in.enter_part : in.leave_part;
+    }
+}
+
 static vec3 box_normal(const void *shape, vec3 point, const struct hit *hit)
 {
     static const vec3 sides[6] = { { -1, 0, 0 }, { 1, 0, 0 },  { 0, -1, 0 },
@@ -182,6 +249,8 @@ const struct primitive box_primitive = {
     .intersect = box_intersect,
     .crosses = box_crosses,
     .first = box_first,
+    .crosses_many = box_crosses_many,
+    .first_many = box_first_many,
     .normal = box_normal,
     .uv = box_uv,
     .inside = box_inside,

@@ -39,6 +39,7 @@ const struct primitive cone_primitive = {
     .bounds = conic_bounds,
     .intersect = conic_intersect,
     .crosses = conic_crosses,
+    .crosses_many = conic_crosses_many,
     .normal = conic_normal,
     .inside = conic_inside,
     .meets = conic_meets,

@@ -40,6 +40,7 @@ const struct primitive cylinder_primitive = {
     .bounds = conic_bounds,
     .intersect = conic_intersect,
     .crosses = conic_crosses,
+    .crosses_many = conic_crosses_many,
     .normal = conic_normal,
     .inside = conic_inside,
     .meets = conic_meets,

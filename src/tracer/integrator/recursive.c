@@ -84,44 +84,53 @@ static void path_air(struct path *path, double distance)
         path_media(path, distance);
 }
 
-struct gathering path_gathering(const struct path *path,
-                                struct crossing *crossing)
-{
-    rgb within =
-        subsurface_light(path->tracer, path->worker, path->kind, crossing);
-    return (struct gathering){ &crossing->surface, within };
-}
+/* Sums the light of all lamps over the layers. */
+struct gathering {
+    const struct surface *surface;
+    rgb light;
+};
 
-void gather_sample(void *context, const struct light_sample *sample)
+static void gather_sample(void *context, const struct light_sample *sample)
 {
     struct gathering *gathering = context;
     surface_add_light(gathering->surface, sample, &gathering->light);
 }
 
-rgb path_shade(const struct path *path, struct gathering *gathering,
-               const struct diffuse_light *diffuse)
+rgb path_within(const struct path *path, struct crossing *crossing)
 {
-    const struct surface *surface = gathering->surface;
-    photons_light(path->tracer, path->worker, surface, gather_sample,
-                  gathering);
+    return subsurface_happens(path->tracer, crossing)
+               ? subsurface_light(path->tracer, path->worker, path->kind,
+                                  crossing)
+               : rgb_grey(0);
+}
+
+rgb path_shade(const struct path *path, const struct crossing *crossing,
+               rgb light, const struct diffuse_light *diffuse)
+{
+    const struct surface *surface = &crossing->surface;
+    struct gathering gathering = { surface, light };
+    if (path->tracer->photons)
+        photons_light(path->tracer, path->worker, surface, gather_sample,
+                      &gathering);
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         rgb glow = finish_glow(layer, diffuse->ambient, diffuse->irradiance);
         glow = rgb_add(glow, finish_shine(layer));
-        gathering->light =
-            rgb_add(gathering->light, rgb_mul(layer->weight, glow));
+        gathering.light =
+            rgb_add(gathering.light, rgb_mul(layer->weight, glow));
     }
-    return gathering->light;
+    return gathering.light;
 }
 
 static rgb path_light(const struct path *path, struct crossing *crossing)
 {
     const struct tracer *tracer = path->tracer;
-    struct gathering gathering = path_gathering(path, crossing);
-    struct diffuse_light diffuse = tracer->lighting->illuminate(
-        tracer->lighting_state, path->worker, &crossing->surface, gather_sample,
-        &gathering);
-    return path_shade(path, &gathering, &diffuse);
+    const struct surface *surface = &crossing->surface;
+    struct gathering gathering = { surface, path_within(path, crossing) };
+    struct diffuse_light diffuse =
+        tracer->lighting->illuminate(tracer->lighting_state, path->worker,
+                                     surface, gather_sample, &gathering);
+    return path_shade(path, crossing, gathering.light, &diffuse);
 }
 
 /* One layer's mirror. */

@@ -1,0 +1,110 @@
+/* Places that ask for others: see corner.h. */
+#include "lightmesh/corner.h"
+
+#include "lightmesh/near_field.h"
+#include "lightmesh/tuning.h"
+
+void corner_here(struct corner *corner, const struct indirect_mesh *mesh,
+                 const struct receiver *receiver)
+{
+    const struct lattice *lattice = &mesh->points.lattice;
+    double coarse;
+    int level =
+        lattice_level(lattice, &receiver->view, receiver->point, &coarse);
+    *corner = (struct corner){
+        .met = true,
+        .point = receiver->point,
+        .side = receiver->side,
+        .from = receiver->from,
+        .reach = lattice_spacing(lattice, level),
+    };
+}
+
+void corner_meet(struct corner *corner, const struct indirect_mesh *mesh,
+                 const struct receiver *like, const struct ray *ray,
+                 const struct intersection *at)
+{
+    struct receiver receiver = *like;
+    receiver.point = at->point;
+    receiver.side = vec3_dot(at->face, ray->direction) > 0
+                        ? vec3_negate(at->face)
+                        : at->face;
+    receiver.from = ray->origin;
+    corner_here(corner, mesh, &receiver);
+}
+
+struct receiver corner_receiver(const struct corner *corner,
+                                const struct receiver *like, int coarser)
+{
+    struct receiver receiver = *like;
+    receiver.point = corner->point;
+    receiver.side = corner->side;
+    receiver.normal = corner->side;
+    receiver.from = corner->from;
+    receiver.at = NULL;
+    receiver.weight = point_mesh_typical_worth(coarser);
+    return receiver;
+}
+
+void corner_ask(struct corner_light *light, const struct indirect_mesh *mesh,
+                struct worker *worker, const struct receiver *receiver,
+                int rays)
+{
+    light->light = indirect_mesh_blend(mesh, worker, receiver);
+    light->share =
+        near_field_share(mesh, worker, receiver, rays, &light->light);
+}
+
+bool corner_serves(const struct corner *corner, const struct receiver *receiver)
+{
+    if (!corner->met ||
+        vec3_dot(corner->side, receiver->side) < indirect_pixels_bend)
+        return false;
+    vec3 between = vec3_sub(corner->point, receiver->point);
+    double apart = vec3_length(between);
+    double rise = fmax(fabs(vec3_dot(between, receiver->side)),
+                       fabs(vec3_dot(between, corner->side)));
+    return apart <= corner->reach && rise <= indirect_pixels_rise * apart;
+}
+
+bool corner_sees(const struct corner *corner, const struct indirect_mesh *mesh,
+                 struct worker *worker, const struct receiver *receiver)
+{
+    double apart = vec3_length(vec3_sub(corner->point, receiver->point));
+    double lift = indirect_pixels_lift * apart;
+    vec3 from = vec3_along(receiver->point, receiver->side, lift);
+    vec3 to = vec3_along(corner->point, corner->side, lift);
+    vec3 between = vec3_sub(to, from);
+    double length = vec3_length(between);
+    if (!(length > 0))
+        return true;
+    struct ray ray = { from, vec3_scale(between, 1 / length) };
+    worker->counters.shadow_rays++;
+    return !world_occluded(
+        mesh->points.world,
+        &(struct occlusion){ .ray = &ray, .tmax = length, .light = -1 });
+}
+
+/* No less than nothing. */
+static double turned_by(double share, double here, double turned)
+{
+    return fmax(share + turned - here, 0);
+}
+
+struct indirect_share corner_share(const struct corner *corner,
+                                   const struct corner_light *light,
+                                   const struct receiver *receiver)
+{
+    struct indirect_share share = light->share;
+    if (vec3_dot(receiver->normal, corner->side) >= indirect_pixels_flat)
+        return share;
+    const struct indirect_share here = indirect_light_share(&light->light,
+                                                            corner->side),
+                                turned = indirect_light_share(&light->light,
+                                                              receiver->normal);
+    share.light.r = turned_by(share.light.r, here.light.r, turned.light.r);
+    share.light.g = turned_by(share.light.g, here.light.g, turned.light.g);
+    share.light.b = turned_by(share.light.b, here.light.b, turned.light.b);
+    share.open = fmin(turned_by(share.open, here.open, turned.open), 1);
+    return share;
+}

@@ -1,0 +1,193 @@
+/* Places that the pixels of a block share: see pixel_blocks.h. */
+#include "lightmesh/pixel_blocks.h"
+
+#include "base/memory.h"
+#include "lightmesh/tuning.h"
+#include "shade/first_hits.h"
+#include "shade/shadow.h"
+
+enum {
+    BLOCK_EDGE = 3, /* places along the edge of a block */
+    BLOCK_PLACES = BLOCK_EDGE * BLOCK_EDGE,
+    KEPT_ACROSS = 16, /* blocks that a worker keeps: those of a few rows */
+    KEPT_DOWN = 4,
+};
+
+/* The middle serves most; corners last. */
+static const int place_order[BLOCK_PLACES] = { 4, 1, 3, 5, 7, 0, 2, 6, 8 };
+
+struct block {
+    bool looked;
+    int at[2]; /* column and row of blocks */
+    struct ray rays[BLOCK_PLACES];
+    struct world_hit hits[BLOCK_PLACES];
+    struct {
+        bool placed;
+        double footprint; /* distance of places there, units */
+        int coarser;      /* as it was asked (point_mesh_worth); -1: not yet */
+        struct corner corner;
+        struct corner_light light;
+    } places[BLOCK_PLACES];
+};
+
+struct pixel_blocks {
+    const struct indirect_mesh *mesh;
+    const struct camera *camera;
+    int size[2]; /* of the picture, pixels */
+    int step;    /* pixels from place to place */
+    unsigned threads;
+    struct block *kept; /* of each worker */
+};
+
+struct pixel_blocks *pixel_blocks_new(const struct indirect_mesh *mesh,
+                                      const struct camera *camera,
+                                      const int size[2], double apart,
+                                      unsigned threads)
+{
+    struct pixel_blocks *blocks = memory_new(sizeof *blocks);
+    size_t kept = (size_t)threads * KEPT_ACROSS * KEPT_DOWN;
+    *blocks = (struct pixel_blocks){
+        .mesh = mesh,
+        .camera = camera,
+        .size = { size[0], size[1] },
+        .step = (int)fmax(apart * block_places, 1),
+        .threads = threads,
+        .kept = memory_new(kept * sizeof *blocks->kept),
+    };
+    return blocks;
+}
+
+void pixel_blocks_free(struct pixel_blocks *blocks)
+{
+    if (!blocks)
+        return;
+    memory_free(blocks->kept);
+    memory_free(blocks);
+}
+
+/* The ray through a place of the block, in the middle of a pixel. False: the
+ * picture shows nothing there. */
+static bool block_ray(struct block *block, const struct pixel_blocks *blocks,
+                      int number)
+{
+    double place[2];
+    int inside[2] = { number % BLOCK_EDGE, number / BLOCK_EDGE };
+    for (int axis = 0; axis < 2; axis++) {
+        int pixel =
+            (block->at[axis] * BLOCK_EDGE + inside[axis]) * blocks->step;
+        place[axis] = (pixel + blocks->step / 2 + 0.5) / blocks->size[axis];
+    }
+    block->rays[number] = camera_ray(blocks->camera, place[0], place[1]);
+    return camera_sees(blocks->camera, place[0], place[1]);
+}
+
+/* What the camera sees through the block. */
+static void block_look(struct block *block, const struct pixel_blocks *blocks)
+{
+    struct ray rays[BLOCK_PLACES];
+    struct world_hit hits[BLOCK_PLACES];
+    double tmin[BLOCK_PLACES];
+    int number[BLOCK_PLACES];
+    unsigned count = 0;
+    for (int i = 0; i < BLOCK_PLACES; i++) {
+        block->hits[i].leaf = NULL;
+        block->places[i].placed = false;
+        block->places[i].coarser = -1;
+        if (!block_ray(block, blocks, i))
+            continue;
+        rays[count] = block->rays[i];
+        tmin[count] = surface_offset(rays[count].origin);
+        number[count++] = i;
+    }
+    world_closest_many(blocks->mesh->points.world, rays, tmin, count,
+                       RAY_CAMERA, hits);
+    for (unsigned i = 0; i < count; i++)
+        block->hits[number[i]] = hits[i];
+}
+
+static struct block *block_get(const struct pixel_blocks *blocks,
+                               const struct worker *worker,
+                               const struct receiver *receiver)
+{
+    int at[2];
+    for (int axis = 0; axis < 2; axis++)
+        at[axis] = (int)floor(receiver->pixel->at[axis] * blocks->size[axis] /
+                              (BLOCK_EDGE * blocks->step));
+    size_t kept =
+        (size_t)worker->number * KEPT_DOWN + (unsigned)at[1] % KEPT_DOWN;
+    struct block *block =
+        &blocks->kept[kept * KEPT_ACROSS + (unsigned)at[0] % KEPT_ACROSS];
+    if (block->looked && block->at[0] == at[0] && block->at[1] == at[1])
+        return block;
+    block->looked = true;
+    block->at[0] = at[0];
+    block->at[1] = at[1];
+    block_look(block, blocks);
+    return block;
+}
+
+/* Where the place is, and how far from the next on a surface that faces it. */
+static void place_find(struct block *block, const struct pixel_blocks *blocks,
+                       int number, const struct receiver *like)
+{
+    const struct ray *a = &block->rays[BLOCK_PLACES / 2], *b = a + 1;
+    const struct ray *ray = &block->rays[number];
+    double t = block->hits[number].hit.t;
+    struct intersection at;
+    world_describe(ray, &block->hits[number], &at);
+    corner_meet(&block->places[number].corner, blocks->mesh, like, ray, &at);
+    block->places[number].placed = true;
+    block->places[number].footprint =
+        vec3_length(vec3_sub(vec3_along(a->origin, a->direction, t),
+                             vec3_along(b->origin, b->direction, t)));
+}
+
+/* What is close enough may be beside as well: the next blade of grass. */
+static bool place_serves(const struct block *block, int number,
+                         const struct receiver *receiver)
+{
+    const struct corner *corner = &block->places[number].corner;
+    double apart = vec3_length(vec3_sub(corner->point, receiver->point));
+    return vec3_dot(corner->side, receiver->side) >= block_bend &&
+           (corner_serves(corner, receiver) ||
+            apart <= block_beside * block->places[number].footprint);
+}
+
+static void place_ask(struct block *block, const struct pixel_blocks *blocks,
+                      struct worker *worker, int number,
+                      const struct receiver *like)
+{
+    int coarser = point_mesh_worth(like->weight);
+    if (block->places[number].coarser == coarser)
+        return;
+    struct receiver receiver =
+        corner_receiver(&block->places[number].corner, like, coarser);
+    corner_ask(&block->places[number].light, blocks->mesh, worker, &receiver,
+               blocks->mesh->near / NEAR_LONE_PART);
+    block->places[number].coarser = coarser;
+}
+
+bool pixel_blocks_light(const struct pixel_blocks *blocks,
+                        struct worker *worker, const struct receiver *receiver,
+                        struct indirect_share *share)
+{
+    if (worker->number >= blocks->threads)
+        return false;
+    struct block *block = block_get(blocks, worker, receiver);
+    for (int i = 0; i < BLOCK_PLACES; i++) {
+        int number = place_order[i];
+        if (!block->hits[number].leaf)
+            continue;
+        if (!block->places[number].placed)
+            place_find(block, blocks, number, receiver);
+        if (!place_serves(block, number, receiver) ||
+            !corner_sees(&block->places[number].corner, blocks->mesh, worker,
+                         receiver))
+            continue;
+        place_ask(block, blocks, worker, number, receiver);
+        *share = corner_share(&block->places[number].corner,
+                              &block->places[number].light, receiver);
+        return true;
+    }
+    return false;
+}

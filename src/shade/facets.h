@@ -1,0 +1,45 @@
+/* Surfaces side by side, as light of lamps meets them: what finish.h has of one
+ * surface at a time, the same to the bit. Bits stand for surfaces. */
+#ifndef SHADE_FACETS_H
+#define SHADE_FACETS_H
+
+#include "scene/rays.h"
+#include "shade/surface.h"
+
+struct facets {
+    const struct surface *surface[RAY_LANES];
+    unsigned layered; /* of other than one layer: they face any lamp */
+    unsigned matt;    /* with diffuse light that a loop can work out, */
+    unsigned shining; /* and of these with highlights */
+    /* Of the layer; whether light from its front and its back does anything to
+     * it, and whether both sides are its front. */
+    double normal[3][RAY_LANES];
+    lane_flag front[RAY_LANES], back[RAY_LANES], twice[RAY_LANES];
+    double diffuse[RAY_LANES], diffuse_back[RAY_LANES], opacity[RAY_LANES];
+    double pigment[3][RAY_LANES], weight[3][RAY_LANES];
+    double light[3][RAY_LANES]; /* the sum of what they send to the viewer */
+};
+
+/* Number i, whose light so far is given; or none, which faces nothing. */
+void facets_set(struct facets *facets, unsigned i,
+                const struct surface *surface, rgb light);
+void facets_clear(struct facets *facets, unsigned i);
+
+rgb facets_light(const struct facets *facets, unsigned i);
+
+/* A lamp's light as it arrives at them. */
+struct facets_lit {
+    const double (*direction)[RAY_LANES]; /* to the lamp, unit */
+    double colour[3][RAY_LANES];
+    bool highlights;
+};
+
+/* Adds the light that `lanes` send on, as surface_add_light. */
+void facets_add(struct facets *facets, const struct facets_lit *lit,
+                unsigned lanes);
+
+/* The same of one. */
+void facets_add_one(struct facets *facets, unsigned i,
+                    const struct light_sample *sample);
+
+#endif
