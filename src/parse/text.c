@@ -80,19 +80,19 @@ static uint32_t text_next(const char **text)
     return character;
 }
 
-/* A letter at its place in the line; nothing for a space. */
+/* A letter at its place in the line. A space is a point there, which counts for
+ * how long the text is (measured). */
 static bool text_letter(struct parser *p, struct object *text,
                         struct letter letter, double thickness, vec3 place)
 {
     const char *warning = NULL;
-    if (letter.count == 0)
-        return true;
     struct extrusion *shape = ARENA_NEW(p->scene_arena, struct extrusion);
     shape->segments = (struct terms){ (double *)letter.segments,
                                       letter.count * SEGMENT_NUMBERS };
     shape->high = thickness;
     shape->axis = 2;
-    extrusion_prepare(shape, p->scene_arena, &warning);
+    if (letter.count > 0)
+        extrusion_prepare(shape, p->scene_arena, &warning);
     if (warning)
         return true;
     struct object *object =

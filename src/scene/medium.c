@@ -23,7 +23,8 @@ struct medium medium_default(void)
 rgb medium_density(const struct medium *medium, vec3 point)
 {
     rgb density = rgb_grey(1);
-    for (size_t i = 0; i < medium->density_count; i++) {
+    for (size_t i = 0; i < medium->density_count && !rgb_is_black(density);
+         i++) {
         rgb d = colour_rgb(pigment_colour(medium->densities[i], point));
         density = rgb_mul(density, d);
     }

@@ -119,8 +119,8 @@ struct march {
     const struct medium *how;
     struct veil veil;
     double from, length;
-    bool lit;
-    uint64_t key; /* of random numbers */
+    bool lit, even; /* even: of no densities, the same all along */
+    uint64_t key;   /* of random numbers */
 };
 
 static double march_random(struct march *march)
@@ -179,10 +179,35 @@ static rgb depth_through(rgb depth, double length)
                   exp(-depth.b * length) };
 }
 
-static void march_refining(struct march *march)
+/* Of places that are looked at. */
+static int refining_count(const struct march *march)
 {
     int count = march->how->samples / 2 + 2;
-    count = count < 3 ? 3 : count;
+    return count < 3 ? 3 : count;
+}
+
+/* Where all places are alike one tells what the others would. False if they
+ * have to be asked. */
+static bool march_alike(struct march *march)
+{
+    if (march->lit || !march->even)
+        return false;
+    struct media_sample sample = march_sample(march, 0);
+    int count = march->how->method == 3 ? refining_count(march) - 1 : 1;
+    if (march->how->method != 3 && !rgb_is_black(sample.light))
+        return false;
+    double length = march->length / count;
+    rgb through = depth_through(sample.depth, length);
+    for (int i = 0; i < count; i++) {
+        veil_add(&march->veil, rgb_scale(sample.light, length));
+        march->veil.through = rgb_mul(march->veil.through, through);
+    }
+    return true;
+}
+
+static void march_refining(struct march *march)
+{
+    int count = refining_count(march);
     double length = march->length / (count - 1);
     /* Measured: all are moved together, forwards more than back. */
     double moved =
@@ -270,7 +295,9 @@ static void march_part(struct march *march, const struct media_part *part,
     march->length = (part->to - part->from) / intervals;
     for (int i = 0; i < intervals; i++) {
         march->from = part->from + i * march->length;
-        if (march->how->method == 3)
+        if (march_alike(march))
+            ;
+        else if (march->how->method == 3)
             march_refining(march);
         else
             march_averaging(march);
@@ -337,11 +364,12 @@ struct veil media_veil(const struct media_way *way)
     if (way->media->count == 0 || !(finite.length > 0))
         return march.veil;
     march.key = way_key(way);
+    march.even = media_even(way->media);
     for (int i = 0; i < way->media->count; i++)
         if (way->media->at[i]->intervals > intervals)
             intervals = way->media->at[i]->intervals;
     int count = media_parts(&finite, parts);
-    if (count == 1 && !parts[0].lit && media_even(way->media))
+    if (count == 1 && !parts[0].lit && march.even)
         intervals = 1;
     march_parts(&march, parts, count, intervals);
     return march.veil;

@@ -16,9 +16,6 @@ enum {
     SPLITS_WORTH = 100,     /* rays of the camera for each triangle */
 };
 
-/* Beyond this a bound counts as infinite; crossings end at 1e7 anyway. */
-static const double bounded_limit = 1e9;
-
 /* Rays come in floats: allow for their rounding at the box's distance. */
 static struct box3 embree_box(struct box3 box, vec3 centre)
 {
@@ -141,14 +138,6 @@ static void solid_occluded(const struct RTCOccludedFunctionNArguments *a)
         a->valid[0] = 0;
 }
 
-static bool box_is_bounded(struct box3 box)
-{
-    vec3 low = box.low, high = box.high;
-    return low.x > -bounded_limit && low.y > -bounded_limit &&
-           low.z > -bounded_limit && high.x < bounded_limit &&
-           high.y < bounded_limit && high.z < bounded_limit;
-}
-
 /* Takes the bounded solids out of flat->solids. */
 static void take_bounded(struct geometry *geometry, struct flat *flat)
 {
@@ -157,7 +146,7 @@ static void take_bounded(struct geometry *geometry, struct flat *flat)
         struct solid *solid = flat->solids.items[i];
         if (box3_is_empty(solid->surface))
             continue;
-        if (!box_is_bounded(solid->surface)) {
+        if (!solid_is_bounded(solid)) {
             flat->solids.items[kept++] = solid;
             continue;
         }
@@ -186,7 +175,7 @@ static void find_place(struct geometry *geometry, const struct flat *flat)
     if (box3_is_empty(box))
         return;
     geometry->bounds = box3_union(geometry->bounds, box);
-    vec3 limit = { bounded_limit, bounded_limit, bounded_limit };
+    vec3 limit = { solid_limit, solid_limit, solid_limit };
     box = box3_intersection(box, (struct box3){ vec3_negate(limit), limit });
     if (box3_is_empty(box))
         return;

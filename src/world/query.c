@@ -49,13 +49,23 @@ static bool leaves_are_cut_together(const struct leaf *a, const struct leaf *b)
     return false;
 }
 
-/* Of two crossings at the same place the one of the earlier leaf is seen, but
- * in an intersection, a merge or a clipped union that of the later (measured),
- * whatever the order they are found in. */
+static bool leaf_is_endless(const struct leaf *leaf)
+{
+    const struct solid *root = leaf_root(leaf);
+    return root && !solid_is_bounded(root);
+}
+
+/* Of two crossings at the same place that of a plane is seen, or of another
+ * thing without end; else that of the earlier leaf, but in an intersection, a
+ * merge or a clipped union that of the later (measured), whatever the order
+ * they are found in. */
 static bool tie_is_won(const struct leaf *leaf, const struct leaf *other)
 {
-    return leaves_are_cut_together(leaf, other) ? leaf->number > other->number
-                                                : leaf->number < other->number;
+    if (leaves_are_cut_together(leaf, other))
+        return leaf->number > other->number;
+    bool endless = leaf_is_endless(leaf);
+    return endless == leaf_is_endless(other) ? leaf->number < other->number
+                                             : endless;
 }
 
 bool query_wants(const struct query *query, const struct leaf *leaf, double t)

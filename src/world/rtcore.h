@@ -80,8 +80,7 @@ static inline void embree_any16(const int *valid, RTCScene scene,
     rtcInitRayQueryContext(context);
     rtcInitOccludedArguments(&arguments);
     arguments.context = context;
-    arguments.flags =
-        coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
     rtcOccluded16(valid, scene, rays, &arguments);
 #else
     rtcInitIntersectContext(context);

@@ -5,6 +5,16 @@
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
+const double solid_limit = 1e9;
+
+bool solid_is_bounded(const struct solid *solid)
+{
+    vec3 low = solid->surface.low, high = solid->surface.high;
+    return low.x > -solid_limit && low.y > -solid_limit &&
+           low.z > -solid_limit && high.x < solid_limit &&
+           high.y < solid_limit && high.z < solid_limit;
+}
+
 static bool leaf_inside(const struct solid *solid, vec3 point)
 {
     const struct leaf *leaf = solid->leaf;

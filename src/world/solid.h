@@ -102,6 +102,11 @@ extern const struct box3 solid_nothing, solid_everything;
 void solid_set_boxes(struct arena *arena, struct solid *solid,
                      struct box3 region, struct box3 holes);
 
+/* Beyond this a bound counts as infinite; crossings end at 1e7 anyway. */
+extern const double solid_limit;
+
+bool solid_is_bounded(const struct solid *solid);
+
 static inline struct ray ray_into(const affine *transform,
                                   const struct ray *ray)
 {

@@ -72,3 +72,5 @@ CheckVector("min_extent", min_extent(Box), <0,-1,-1>)
 CheckVector("max_extent", max_extent(Box), <2,2,3>)
 Check("file_exists", file_exists("check.inc")*2 + file_exists("no-such-file"), 2)
 Check("defined", defined(Box)*2 + defined(Nothing), 2)
+#declare Words = text { ttf "timrom.ttf" "A. " 1, 0.5*x }
+CheckVector("extent of a text", max_extent(Words), <2.014,0.696,1>)
