@@ -76,6 +76,17 @@ double affine_determinant(affine a)
     return vec3_dot(x, vec3_cross(y, z));
 }
 
+struct cofactors affine_cofactors(const affine *a)
+{
+    vec3 row[3];
+    for (int i = 0; i < 3; i++)
+        row[i] = vec3_make(a->m[i][0], a->m[i][1], a->m[i][2]);
+    vec3 first = vec3_cross(row[1], row[2]);
+    return (struct cofactors){ { first, vec3_cross(row[2], row[0]),
+                                 vec3_cross(row[0], row[1]) },
+                               vec3_dot(row[0], first) };
+}
+
 bool affine_inverse(affine a, affine *inverse)
 {
     double determinant = affine_determinant(a);

@@ -70,6 +70,15 @@ static inline vec3 affine_normal(const affine *inverse, vec3 n)
     };
 }
 
+/* The cofactors of the linear part, row by row: the inverse transpose times the
+ * determinant. */
+struct cofactors {
+    vec3 row[3];
+    double determinant;
+};
+
+struct cofactors affine_cofactors(const affine *a);
+
 /* The box around the image of `box`; infinite sides stay infinite. */
 struct box3 affine_box(const affine *a, struct box3 box);
 

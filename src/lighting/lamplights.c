@@ -189,14 +189,13 @@ CLONES static void colours_whole(rgb light, const double *restrict attenuation,
     }
 }
 
-/* The share of each of `lanes` by itself. Returns those that are not dark. */
-static unsigned lamplights_shares(const struct lamplights *lights,
-                                  const struct lamp *lamp,
-                                  const struct lamp_looks *looks,
-                                  struct facets_lit *lit)
+/* The share of each of `lanes` by itself. Those that are dark are lit no more.
+ */
+static void lamplights_shares(const struct lamplights *lights,
+                              const struct lamp *lamp, unsigned lanes,
+                              struct lamp_looks *looks, struct facets_lit *lit)
 {
-    unsigned left = looks->lit;
-    for (unsigned lanes = left; lanes; lanes &= lanes - 1) {
+    for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
         struct lamplight one = lamplights_at(lights, i);
         const struct lamp_view view = {
@@ -205,12 +204,27 @@ static unsigned lamplights_shares(const struct lamplights *lights,
         };
         rgb share = lamplight_trace(&one, lamp, &view);
         if (!(rgb_peak(share) > 0))
-            left &= ~(1u << i);
+            looks->lit &= ~(1u << i);
         lit->colour[0][i] *= share.r;
         lit->colour[1][i] *= share.g;
         lit->colour[2][i] *= share.b;
     }
-    return left;
+}
+
+/* Most are wholly lit or wholly dark. */
+static void lamplights_shadow(const struct lamplights *lights,
+                              const struct lamp *lamp, struct lamp_looks *looks,
+                              struct facets_lit *lit)
+{
+    const struct lamps *lamps = lights->lamps;
+    unsigned left = looks->lit;
+    if (lamps_clear(lamps, lamp)) {
+        struct occluded found = shadow_falls_many(lamps->world, lights->worker,
+                                                  &lights->ways, left);
+        looks->lit &= ~found.dark;
+        left = found.panes;
+    }
+    lamplights_shares(lights, lamp, left, looks, lit);
 }
 
 /* A surface that a lamp lights by itself. */
@@ -254,10 +268,6 @@ void lamplights_give(struct lamplights *lights, const struct lamp *lamp)
     lit.direction = (const double(*)[RAY_LANES])lights->ways.rays.direction;
     lit.highlights = !lamp->light->shadowless;
     colours_whole(lamp->light->colour, looks.attenuation, lit.colour);
-    if (lamps_plain(lamps, lamp))
-        looks.lit &= ~shadow_falls_many(lamps->world, lights->worker,
-                                        &lights->ways, looks.lit);
-    else
-        looks.lit = lamplights_shares(lights, lamp, &looks, &lit);
+    lamplights_shadow(lights, lamp, &looks, &lit);
     facets_add(&lights->facets, &lit, looks.lit);
 }

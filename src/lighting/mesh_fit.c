@@ -22,6 +22,8 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     mesh_clear(mesh);
     *plan = plan_new(scene, &mesh->lamps, &mesh->stamp.frame, interpolation,
                      skeleton ? mesh_close_light : NULL, skeleton);
+    if (mesh->stamp.frame.closed)
+        plan->indirect.bright = &mesh->survey.bright;
     mesh->direct_view = plan->direct.view;
     mesh->indirect_view = plan->indirect.view;
     mesh->direct_view.eye = mesh->indirect_view.eye = scene->camera.location;

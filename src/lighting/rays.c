@@ -75,17 +75,14 @@ static rgb rays_ambient(const struct rays_lighting *rays)
                                                : settings->ambient_light;
 }
 
-/* What all lamps have lit. */
-static struct diffuse_light rays_diffuse(const struct rays_lighting *rays,
-                                         struct worker *worker,
-                                         const struct surface *surface)
+/* By light of surfaces. */
+static rgb rays_irradiance(const struct rays_lighting *rays,
+                           struct worker *worker, const struct surface *surface)
 {
-    struct diffuse_light diffuse = { rays_ambient(rays), rgb_grey(0) };
-    if (rays->mesh)
-        diffuse.irradiance =
-            mesh_bounced(rays->mesh, worker, surface,
-                         !rays->lamps.scene->settings.radiosity_said.normal);
-    return diffuse;
+    return rays->mesh ? mesh_bounced(
+                            rays->mesh, worker, surface,
+                            !rays->lamps.scene->settings.radiosity_said.normal)
+                      : rgb_grey(0);
 }
 
 static struct diffuse_light rays_illuminate(const void *state,
@@ -105,7 +102,8 @@ static struct diffuse_light rays_illuminate(const void *state,
     };
     for (size_t i = 0; i < lamps->count; i++)
         lamplight_give(&light, &lamps->items[i]);
-    return rays_diffuse(rays, worker, surface);
+    return (struct diffuse_light){ rays_ambient(rays),
+                                   rays_irradiance(rays, worker, surface) };
 }
 
 static void rays_illuminate_many(const void *state, struct worker *worker,
@@ -120,8 +118,12 @@ static void rays_illuminate_many(const void *state, struct worker *worker,
     for (size_t i = 0; i < lamps->count; i++)
         lamplights_give(&lights, &lamps->items[i]);
     lamplights_end(&lights, askers, count);
-    for (unsigned i = 0; i < count; i++)
-        askers[i].diffuse = rays_diffuse(rays, worker, askers[i].surface);
+    rgb ambient = rays_ambient(rays);
+    for (unsigned i = 0; i < count; i++) {
+        askers[i].diffuse.ambient = ambient;
+        askers[i].diffuse.irradiance =
+            rays_irradiance(rays, worker, askers[i].surface);
+    }
 }
 
 /* Light of surfaces is shared by the rays of a pixel, as they come. */

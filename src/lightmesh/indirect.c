@@ -14,7 +14,9 @@ struct gatherer {
     const struct indirect_mesh *mesh;
     struct worker *worker;
     const struct mesh_site *site;
-    uint32_t wall_share; /* of ways into a wall one of so many is gone */
+    uint32_t wall_share;   /* of ways into a wall one of so many is gone */
+    uint32_t count, aimed; /* rays, and how many of them to bright places */
+    struct aim aim;
 };
 
 /* What came from the only wall near is kept apart: it lights nothing, and is
@@ -24,14 +26,19 @@ struct gathered {
 };
 
 /* All ways are equally likely, on a surface those before it; but of those into
- * the only wall near, which gets nothing from there, few are gone. */
+ * the only wall near, which gets nothing from there, few are gone, and those to
+ * bright places are gone more often. */
 static double gatherer_density(const struct gatherer *gatherer, vec3 way)
 {
     const struct mesh_site *site = gatherer->site;
     if (site->lone)
         return 1 / (2 * WARP_PI);
     bool wall = vec3_dot(way, site->wall) > 0;
-    return 1 / (4 * WARP_PI) / (wall ? gatherer->wall_share : 1);
+    double aimed = (double)gatherer->aimed / gatherer->count;
+    double even = (1 - aimed) / (4 * WARP_PI);
+    if (wall)
+        return even / gatherer->wall_share;
+    return aimed > 0 ? even + aimed * aim_density(&gatherer->aim, way) : even;
 }
 
 static vec3 way_drawn(uint64_t key, uint32_t index)
@@ -96,26 +103,49 @@ static struct draws gatherer_draws(const struct gatherer *gatherer,
                            part * gatherer->mesh->set + sample };
 }
 
-/* The mean of samples first..end-1. */
-static struct gathered gatherer_mean(const struct gatherer *gatherer,
-                                     uint32_t first, uint32_t end)
+/* The sum of what is sent everywhere. */
+static void gatherer_even(const struct gatherer *gatherer, struct gathered *sum)
 {
-    struct gathered sum = { indirect_light_none, indirect_light_none };
-    bool picks = emitters_any(gatherer->mesh->gather.emitters);
-    uint32_t wall_end = first + (end - first) / gatherer->wall_share;
-    for (uint32_t i = first; i < end; i++) {
+    uint32_t end = gatherer->count - gatherer->aimed;
+    uint32_t wall_end = end / gatherer->wall_share;
+    for (uint32_t i = 0; i < end && !worker_stopped(gatherer->worker); i++) {
         struct draws draws = gatherer_draws(gatherer, i);
         vec3 way = gatherer_way(gatherer, &draws);
         bool wall = vec3_dot(way, gatherer->site->wall) > 0;
-        if (worker_stopped(gatherer->worker))
-            break;
         if (!wall || i < wall_end)
-            gatherer_look(gatherer, &draws, way, wall ? &sum.wall : &sum.light);
-        if (picks)
-            gatherer_pick(gatherer, &draws, &sum.light);
+            gatherer_look(gatherer, &draws, way,
+                          wall ? &sum->wall : &sum->light);
     }
-    indirect_light_scale(&sum.light, 1 / (float)(end - first));
-    indirect_light_scale(&sum.wall, 1 / (float)(end - first));
+}
+
+/* And of what is sent to bright places. */
+static void gatherer_aim(const struct gatherer *gatherer, struct gathered *sum)
+{
+    uint32_t i = gatherer->count - gatherer->aimed;
+    for (; i < gatherer->count && !worker_stopped(gatherer->worker); i++) {
+        struct draws draws = gatherer_draws(gatherer, i);
+        double u[2];
+        draw_pair(&draws, GATHER_DIRECTION, u);
+        vec3 way = aim_way(&gatherer->aim, u);
+        if (!(vec3_dot(way, gatherer->site->wall) > 0))
+            gatherer_look(gatherer, &draws, way, &sum->light);
+    }
+}
+
+static struct gathered gatherer_mean(const struct gatherer *gatherer)
+{
+    struct gathered sum = { indirect_light_none, indirect_light_none };
+    uint32_t count = gatherer->count;
+    gatherer_even(gatherer, &sum);
+    gatherer_aim(gatherer, &sum);
+    if (emitters_any(gatherer->mesh->gather.emitters))
+        for (uint32_t i = 0; i < count && !worker_stopped(gatherer->worker);
+             i++) {
+            struct draws draws = gatherer_draws(gatherer, i);
+            gatherer_pick(gatherer, &draws, &sum.light);
+        }
+    indirect_light_scale(&sum.light, 1 / (float)count);
+    indirect_light_scale(&sum.wall, 1 / (float)count);
     return sum;
 }
 
@@ -132,15 +162,21 @@ static void fill_gather(const void *context, struct worker *worker,
                         const struct mesh_site *site, void *payload)
 {
     const struct indirect_mesh *mesh = context;
-    struct gatherer gatherer = { mesh, worker, site, WALL_PART };
-    uint32_t count = (uint32_t)mesh->samples;
-    if (site->lone) {
-        uint32_t lone = lone_samples(mesh, site);
-        count = count < lone ? count : lone;
-    }
-    if (count % WALL_PART > 0)
+    struct gatherer gatherer = { .mesh = mesh,
+                                 .worker = worker,
+                                 .site = site,
+                                 .wall_share = WALL_PART,
+                                 .count = (uint32_t)mesh->samples };
+    uint32_t lone = lone_samples(mesh, site);
+    if (site->lone && lone < gatherer.count)
+        gatherer.count = lone;
+    if (gatherer.count % WALL_PART > 0)
         gatherer.wall_share = 1;
-    struct gathered light = gatherer_mean(&gatherer, 0, count);
+    if (mesh->bright && !site->lone) {
+        gatherer.aimed = gatherer.count / WALL_PART * BRIGHT_RAYS;
+        aim_take(&gatherer.aim, mesh->bright, site->place);
+    }
+    struct gathered light = gatherer_mean(&gatherer);
     indirect_light_mix(&light.light, &light.wall, 1);
     *(struct indirect_light *)payload = light.light;
 }
@@ -178,6 +214,8 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .tone = options->tone,
     };
     mesh->samples = options->samples;
+    if (options->bright && options->bright->count > 0)
+        mesh->bright = options->bright;
     mesh->near = options->near;
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)

@@ -11,6 +11,7 @@
 #ifndef LIGHTMESH_INDIRECT_H
 #define LIGHTMESH_INDIRECT_H
 
+#include "lightmesh/bright.h"
 #include "lightmesh/gather.h"
 #include "lightmesh/indirect_light.h"
 
@@ -25,7 +26,9 @@ struct indirect_options {
     int bounces;   /* 1..BOUNCES_MAX */
     int samples;   /* gather rays of a mesh point */
     int near;      /* rays to what is close to a place that is seen */
-    size_t bytes;  /* of memory, all bounces together */
+    const struct bright *bright; /* where most light comes from; NULL: nobody
+                                  * looked */
+    size_t bytes;                /* of memory, all bounces together */
     struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;
@@ -36,7 +39,9 @@ struct indirect_options {
 struct indirect_mesh {
     struct gather gather;
     struct point_mesh points;
-    struct indirect_mesh *next; /* of the bounce before this, or NULL */
+    struct indirect_mesh *next;  /* of the bounce before this, or NULL */
+    const struct bright *bright; /* as of its options; NULL: none of its rays go
+                                  * there */
     int samples, lone_samples, near;
     uint32_t set; /* how many a mesh point has of its cell's directions */
     vec3 *ways;   /* those directions; NULL: too many to be kept */

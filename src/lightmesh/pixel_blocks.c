@@ -84,9 +84,9 @@ static bool block_ray(struct block *block, const struct pixel_blocks *blocks,
 /* What the camera sees through the block. */
 static void block_look(struct block *block, const struct pixel_blocks *blocks)
 {
-    struct ray rays[BLOCK_PLACES];
+    struct rays rays;
     struct world_hit hits[BLOCK_PLACES];
-    double tmin[BLOCK_PLACES];
+    double tmin[RAY_LANES] = { 0 };
     int number[BLOCK_PLACES];
     unsigned count = 0;
     for (int i = 0; i < BLOCK_PLACES; i++) {
@@ -95,11 +95,12 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks)
         block->places[i].coarser = -1;
         if (!block_ray(block, blocks, i))
             continue;
-        rays[count] = block->rays[i];
-        tmin[count] = surface_offset(rays[count].origin);
+        vec3 origin = block->rays[i].origin;
+        rays_set(&rays, (int)count, origin, block->rays[i].direction);
+        tmin[count] = surface_offset(origin);
         number[count++] = i;
     }
-    world_closest_many(blocks->mesh->points.world, rays, tmin, count,
+    world_closest_many(blocks->mesh->points.world, &rays, tmin, count,
                        RAY_CAMERA, hits);
     for (unsigned i = 0; i < count; i++)
         block->hits[number[i]] = hits[i];

@@ -10,6 +10,7 @@
 enum {
     SURVEY_EDGE = 16, /* camera rays along each edge of the picture, */
     SURVEY_RAYS = 4,  /* gather rays of each, */
+    SURVEY_HITS = SURVEY_EDGE * SURVEY_EDGE * SURVEY_RAYS,
     SURVEY_PANES = 4, /* and how many panes it passes */
 };
 
@@ -60,7 +61,18 @@ struct sums {
     int sights, rays;
     double open, ends, worth, rough, albedo;
     rgb light;
+    size_t hit; /* of the rays, surfaces: */
+    struct bright_hit hits[SURVEY_HITS];
 };
+
+static void sums_hit(struct sums *sums, const struct gathered_ray *found,
+                     rgb light)
+{
+    if (found->at.leaf)
+        sums->hits[sums->hit++] =
+            (struct bright_hit){ found->at.point,
+                                 fmax(rgb_brightness(light), 0) };
+}
 
 /* What glows is picked, not found by chance: it is none of the roughness. */
 static rgb gathered_rest(const struct gather *gather,
@@ -84,8 +96,9 @@ static void sight_gather(const struct sight *sight, const struct gather *gather,
         struct ray ray = { sight->surface.point,
                            warp_lobe(u, sight->surface.side, 1) };
         gather_radiance(gather, worker, &ray, &draws, &found);
-        double brought = rgb_brightness(
-            rgb_mul(sight->albedo, gathered_rest(gather, &found)));
+        rgb rest = gathered_rest(gather, &found);
+        double brought = rgb_brightness(rgb_mul(sight->albedo, rest));
+        sums_hit(sums, &found, rest);
         double whole = brought + ambient * found.open;
         sum += whole;
         squares += whole * whole;
@@ -143,6 +156,7 @@ struct survey survey_of(const struct gather *gather, const struct scene *scene,
         .worth = sums.worth / sums.sights,
         .rough = sqrt(sums.rough / sums.sights),
         .around = sums_around(&sums),
+        .bright = bright_of(sums.hits, sums.hit),
     };
 }
 

@@ -3,6 +3,7 @@
 #ifndef LIGHTMESH_SURVEY_H
 #define LIGHTMESH_SURVEY_H
 
+#include "lightmesh/bright.h"
 #include "lightmesh/gather.h"
 #include "lightmesh/indirect_light.h"
 
@@ -13,6 +14,7 @@ struct survey {
                    */
     double rough; /* by how much one of them differs from another: root mean
                    * square, relative to what the picture shows */
+    struct bright bright;         /* where most of it comes from */
     struct indirect_share around; /* what surfaces give each other, mean */
 };
 

@@ -136,19 +136,20 @@ enum {
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
     GATHER_FEW = 32,    /* and else */
     GATHER_MOST = 1024,
-    LONE_SAMPLES = 32,    /* of places that are their own mesh point */
-    LONE_PART = 8,        /* of later bounces one in so many */
-    LATER_SAMPLES = 16,   /* of kept points of later bounces, at most */
-    HIT_LEVELS = 1,       /* direct light on what they meet is coarser */
-    WALL_PART = 4,        /* of ways into the only wall one in so many */
-    WAYS_MOST = 65536,    /* directions that are kept */
-    GATHER_PANES = 64,    /* that a ray passes */
-    GATHER_MIRRORS = 3,   /* on one way */
-    CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
-    CLOSE_RAYS = 30000,   /* between its walls */
-    NEAR_RAYS = 16,       /* to what is close to a place that is seen; */
-    NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
-    LONE_PLACES = 4,      /* of a pixel, that its rays share */
+    LONE_SAMPLES = 32,  /* of places that are their own mesh point */
+    LONE_PART = 8,      /* of later bounces one in so many */
+    LATER_SAMPLES = 16, /* of kept points of later bounces, at most */
+    HIT_LEVELS = 1,     /* direct light on what they meet is coarser */
+    WALL_PART = 4,      /* of ways into the only wall one in so many */
+    BRIGHT_RAYS = 1,    /* of each WALL_PART rays so many go to bright places */
+    WAYS_MOST = 65536,  /* directions that are kept */
+    GATHER_PANES = 64,  /* that a ray passes */
+    GATHER_MIRRORS = 3, /* on one way */
+    CLOSE_VOXELS = 48,  /* of the closing skeleton, along the longest side */
+    CLOSE_RAYS = 30000, /* between its walls */
+    NEAR_RAYS = 16,     /* to what is close to a place that is seen; */
+    NEAR_LONE_PART = 2, /* one in so many where only a pixel shares them */
+    LONE_PLACES = 4,    /* of a pixel, that its rays share */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 
@@ -187,6 +188,13 @@ static const double one_point_worth = 0.02; /* what is worth no more beyond
 
 static const double near_field_reach = 0.75; /* spacings: what stands farther
                                               * off mesh points see [truth] */
+
+static const double bright_times = 4;  /* as bright as the mean is bright; */
+static const double bright_gain = 15;  /* square of their part of the light over
+                                        * that of the ways: less is not worth
+                                        * aiming at them [maze, pillars] */
+static const double bright_cells = 20; /* along what was met, at least */
+static const double bright_ball = 0.8; /* radius around a cell, sides of it */
 
 static const double gather_noise = 0.02; /* of the picture, by a point's rays:
                                           * what is seen of it is a third */

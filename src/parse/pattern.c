@@ -54,7 +54,7 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
                            const struct pattern_kind *kind)
 {
     struct pattern fresh = pattern_new(p->scene_arena, kind);
-    fresh.inverse = pattern->inverse;
+    pattern_lay(&fresh, pattern->inverse);
     fresh.warps = pattern->warps;
     fresh.frequency = pattern->frequency;
     fresh.phase = pattern->phase;

@@ -202,6 +202,6 @@ bool parse_warp(struct parser *p, struct pattern *pattern)
     warp->inverse = pattern->inverse;
     warp->inner = pattern->warps;
     pattern->warps = warp;
-    pattern->inverse = affine_identity();
+    pattern_lay(pattern, affine_identity());
     return true;
 }

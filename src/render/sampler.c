@@ -187,7 +187,7 @@ enum { BLOCK_MOST = SAMPLER_BLOCK * SAMPLER_BLOCK };
 struct sampler_block {
     unsigned count;
     struct picture_place places[BLOCK_MOST];
-    struct ray rays[BLOCK_MOST];
+    struct rays rays;
     struct world_hit hits[BLOCK_MOST];
 };
 
@@ -196,8 +196,9 @@ static void block_add(const struct sampler *sampler,
                       const struct picture_place *place)
 {
     _Static_assert((int)BLOCK_MOST <= (int)WORLD_RAYS, "a packet");
+    const struct ray ray = tracer_ray(sampler->tracer, place);
     block->places[block->count] = *place;
-    block->rays[block->count++] = tracer_ray(sampler->tracer, place);
+    rays_set(&block->rays, (int)block->count++, ray.origin, ray.direction);
 }
 
 /* With `needed` only those that are. Returns whether there are any. */
@@ -221,14 +222,14 @@ static bool block_start(const struct sampler *sampler,
 static void block_meet(const struct sampler *sampler,
                        struct sampler_block *block)
 {
-    tracer_meet_many(sampler->tracer, block->rays, block->count, block->hits);
+    tracer_meet_many(sampler->tracer, &block->rays, block->count, block->hits);
 }
 
 /* What the camera sees there, of what is met first. */
 static void block_see(const struct sampler *sampler, struct worker *worker,
                       const struct sampler_block *block, struct radiance *seen)
 {
-    const struct tracer_met met = { block->places, block->rays, block->hits,
+    const struct tracer_met met = { block->places, &block->rays, block->hits,
                                     block->count };
     tracer_see_many(sampler->tracer, worker, &met, seen);
 }

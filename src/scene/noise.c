@@ -27,22 +27,21 @@ static inline struct coordinates places_all(const struct places *places)
     return (struct coordinates){ places->x, places->y, places->z };
 }
 
-/* The spots, then those of the next octave ... */
+/* The octaves of the first spot, then those of the next ... */
 static inline void places_fill(struct places *places, const struct spots *spots,
                                struct octaves octaves)
 {
-    int count = spots->count;
-    for (int i = 0; i < count; i++) {
-        places->x[i] = spots->x[i];
-        places->y[i] = spots->y[i];
-        places->z[i] = spots->z[i];
+    int k = 0;
+    for (int i = 0; i < spots->count; i++) {
+        vec3 at = spots_at(spots, i);
+        for (int octave = 0; octave < octaves.count; octave++, k++) {
+            places->x[k] = at.x;
+            places->y[k] = at.y;
+            places->z[k] = at.z;
+            at = vec3_scale(at, octaves.lambda);
+        }
     }
-    places->count = count * octaves.count;
-    for (int i = count; i < places->count; i++) {
-        places->x[i] = places->x[i - count] * octaves.lambda;
-        places->y[i] = places->y[i - count] * octaves.lambda;
-        places->z[i] = places->z[i - count] * octaves.lambda;
-    }
+    places->count = k;
 }
 
 static inline double clip(double value)
@@ -148,16 +147,16 @@ void noise_turbulences(enum noise_generator generator,
                        const struct turbulence *turbulence, double *sums)
 {
     double values[PLACES_MAX];
-    int count = spots->count;
     struct octaves octaves = octaves_of(turbulence);
     noise_octaves(generator, spots, octaves, values);
-    for (int i = 0; i < count; i++)
-        sums[i] = clip(values[i]);
-    double weight = 1;
-    for (int octave = 1; octave < octaves.count; octave++) {
-        weight *= turbulence->omega;
-        for (int i = 0; i < count; i++)
-            sums[i] += weight * values[octave * count + i];
+    for (int i = 0; i < spots->count; i++) {
+        const double *of = values + i * octaves.count;
+        double weight = 1;
+        sums[i] = clip(of[0]);
+        for (int octave = 1; octave < octaves.count; octave++) {
+            weight *= turbulence->omega;
+            sums[i] += weight * of[octave];
+        }
     }
 }
 

@@ -50,18 +50,13 @@ static vec3 normal_slope(const struct normal *normal, vec3 point)
 /* The unit normal in the pattern's space: by the cofactors of the map there,
  * which are its inverse transpose up to a factor; *length is what it has by the
  * inverse transpose. */
-static vec3 normal_into_pattern(const affine *map, vec3 normal, double *length)
+static vec3 normal_into_pattern(const struct cofactors *map, vec3 normal,
+                                double *length)
 {
-    vec3 row[3];
-    for (int i = 0; i < 3; i++)
-        row[i] = vec3_make(map->m[i][0], map->m[i][1], map->m[i][2]);
-    vec3 first = vec3_cross(row[1], row[2]);
-    vec3 local = { vec3_dot(first, normal),
-                   vec3_dot(vec3_cross(row[2], row[0]), normal),
-                   vec3_dot(vec3_cross(row[0], row[1]), normal) };
-    double volume = vec3_dot(row[0], first);
-    *length = vec3_length(local) / fabs(volume);
-    return vec3_normalise(volume < 0 ? vec3_negate(local) : local);
+    vec3 local = { vec3_dot(map->row[0], normal), vec3_dot(map->row[1], normal),
+                   vec3_dot(map->row[2], normal) };
+    *length = vec3_length(local) / fabs(map->determinant);
+    return vec3_normalise(map->determinant < 0 ? vec3_negate(local) : local);
 }
 
 static vec3 entry_normal(const struct normal_entry *entry, vec3 point,
@@ -134,13 +129,22 @@ vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
         (perturbation->amount == 0 && !perturbation->map))
         return normal;
     vec3 at = pattern_locate(pattern, point);
-    affine inward = pattern_affine(pattern);
+    const affine *inward = &pattern->inverse;
+    const struct cofactors *cofactors = &pattern->cofactors;
+    affine warped;
+    struct cofactors of_warped;
+    if (pattern->warps) {
+        warped = pattern_affine(pattern);
+        of_warped = affine_cofactors(&warped);
+        inward = &warped;
+        cofactors = &of_warped;
+    }
     double height;
-    vec3 local = normal_into_pattern(&inward, normal, &height);
+    vec3 local = normal_into_pattern(cofactors, normal, &height);
     if (!perturbation->level || !isfinite(height))
         height = 1;
     local = normal_tilted(perturbation, at, local, height);
-    vec3 result = vec3_normalise(affine_normal(&inward, local));
+    vec3 result = vec3_normalise(affine_normal(inward, local));
     double length = vec3_dot(result, result);
     return length > 0.5 && length < 2 ? result : normal;
 }

@@ -66,10 +66,15 @@ static bool clips_inside(const struct object *object, vec3 point)
 bool object_inside(const struct object *object, vec3 point)
 {
     affine inverse;
-    if (!object_is_solid(object) ||
-        !affine_inverse(*object->transform, &inverse))
+    vec3 own = point;
+    if (!object_is_solid(object))
         return false;
-    bool inside = content_inside(object, affine_point(&inverse, point));
+    if (object->transform != &affine_unmoved) {
+        if (!affine_inverse(*object->transform, &inverse))
+            return false;
+        own = affine_point(&inverse, point);
+    }
+    bool inside = content_inside(object, own);
     return inside != object->inverse && clips_inside(object, point);
 }
 

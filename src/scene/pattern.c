@@ -27,13 +27,13 @@ struct pattern pattern_new(struct arena *arena, const struct pattern_kind *kind)
 {
     struct pattern pattern = {
         .kind = kind,
-        .inverse = affine_identity(),
         .wave = kind ? kind->wave : WAVE_RAMP,
         .exponent = 1,
         .frequency = 1,
         .turbulence = { { 0, 0, 0 }, 6, 0.5, 2 },
         .noise = &noise_settings_default,
     };
+    pattern_lay(&pattern, affine_identity());
     if (kind && kind->size) {
         pattern.parameters = arena_alloc(arena, kind->size);
         if (kind->defaults)
@@ -104,11 +104,17 @@ void pattern_take_samples(struct arena *arena, struct pattern *pattern)
     made->samples = samples_take(arena, pattern_sample, pattern);
 }
 
+void pattern_lay(struct pattern *pattern, affine inverse)
+{
+    pattern->inverse = inverse;
+    pattern->cofactors = affine_cofactors(&inverse);
+}
+
 void pattern_transform(struct pattern *pattern, const affine *transform)
 {
     affine inverse;
     if (affine_inverse(*transform, &inverse))
-        pattern->inverse = affine_compose(pattern->inverse, inverse);
+        pattern_lay(pattern, affine_compose(pattern->inverse, inverse));
 }
 
 affine pattern_affine(const struct pattern *pattern)

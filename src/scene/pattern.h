@@ -41,7 +41,8 @@ struct pattern {
     const struct pattern_kind *kind; /* NULL: only the placing below counts */
     void *parameters;                /* kind->size bytes */
     affine inverse; /* from the texture's space into its own, but for these: */
-    const struct warp *warps; /* after it, or NULL */
+    struct cofactors cofactors; /* of that: see pattern_lay */
+    const struct warp *warps;   /* after it, or NULL */
     enum wave wave;
     double exponent; /* of poly_wave */
     double frequency, phase;
@@ -165,6 +166,9 @@ void pattern_values_at(const struct pattern *pattern,
 /* The same on a surface; NULL: off any. */
 double pattern_value_seen(const struct pattern *pattern, vec3 located,
                           const struct uv_source *surface);
+
+/* Sets `inverse`, and what is worked out from it. */
+void pattern_lay(struct pattern *pattern, affine inverse);
 
 /* Moves the pattern with `transform` (texture space): what `scale 2` written
  * after it does. `transform` must be invertible. */

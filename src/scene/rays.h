@@ -9,7 +9,7 @@
 
 enum { RAY_LANES = 16 };
 
-/* In all lanes there is something, and be it zero. */
+/* What is in lanes that are not asked about doesn't matter. */
 struct rays {
     double origin[3][RAY_LANES], direction[3][RAY_LANES];
 };

@@ -20,8 +20,8 @@ struct lamps lamps_new(const struct world *world, const struct scene *scene,
     bool air = quality >= QUALITY_FOG;
     lamps.foggy = air && (scene->fogs.count > 0 || scene->media.count > 0);
     lamps.misty = air && scene->misty;
-    lamps.plain = quality >= QUALITY_SHADOWS && world_is_opaque(world) &&
-                  !lamps.foggy && !lamps.misty;
+    lamps.clear = quality >= QUALITY_SHADOWS && !lamps.foggy && !lamps.misty;
+    lamps.plain = lamps.clear && world_is_opaque(world);
     lamps.items = memory_new(lamps.count * sizeof *lamps.items);
     for (size_t i = 0; i < lamps.count; i++)
         lamps.items[i] = lamp_new(&lights[i], (int)i);

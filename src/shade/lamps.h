@@ -20,7 +20,8 @@ struct lamps {
     uint64_t seed; /* of the jitter of area lights */
     bool foggy;    /* fogs or media between objects weaken light */
     bool misty;    /* media in objects do */
-    bool plain;    /* there are shadows, and what casts them is opaque */
+    bool clear;    /* there are shadows, and nothing but surfaces casts them */
+    bool plain;    /* and these are opaque */
 };
 
 /* Frees with lamps_free. World and scene must outlive it. */
@@ -31,12 +32,19 @@ void lamps_free(struct lamps *lamps);
 /* Whether the quality asks for the lamp's true, soft shadow. */
 bool lamps_soft(const struct lamps *lamps, const struct lamp *lamp);
 
-/* Whether all or nothing of its light gets to a point, which one ray tells. */
-static inline bool lamps_plain(const struct lamps *lamps,
+/* Whether one ray tells what of its light gets to a point, of which only
+ * surfaces on the way take something; and whether all or nothing does. */
+static inline bool lamps_clear(const struct lamps *lamps,
                                const struct lamp *lamp)
 {
     const struct light *light = lamp->light;
-    return lamps->plain && !light->shadowless && !light->area && !light->pane;
+    return lamps->clear && !light->shadowless && !light->area && !light->pane;
+}
+
+static inline bool lamps_plain(const struct lamps *lamps,
+                               const struct lamp *lamp)
+{
+    return lamps->plain && lamps_clear(lamps, lamp);
 }
 
 /* Where the lamp's light comes from: its location, or one point of an area

@@ -233,16 +233,19 @@ CLONES static void ways_have_room(const struct rays_span *restrict span,
         room[i] = span->far[i] > span->near[i] ? -1 : 0;
 }
 
-unsigned shadow_falls_many(const struct world *world, struct worker *worker,
-                           const struct occlusions *ways, unsigned lanes)
+struct occluded shadow_falls_many(const struct world *world,
+                                  struct worker *worker,
+                                  const struct occlusions *ways, unsigned lanes)
 {
     lane_flag room[RAY_LANES];
     ways_have_room(&ways->span, room);
     lanes &= rays_bits(room);
     if (!lanes)
-        return 0;
-    worker->counters.shadow_rays += (unsigned)__builtin_popcount(lanes);
-    return world_occluded_many(world, ways, lanes);
+        return (struct occluded){ 0, 0 };
+    struct occluded found = world_occluded_many(world, ways, lanes);
+    unsigned known = lanes & ~found.panes;
+    worker->counters.shadow_rays += (unsigned)__builtin_popcount(known);
+    return found;
 }
 
 rgb shadow_visibility(const struct world *world, struct worker *worker,

@@ -39,9 +39,13 @@ bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
                   vec3 direction, double distance, int light);
 
 /* The same of the ways to one lamp that the bits `lanes` stand for, which must
- * set out at shadow_start and end at shadow_end: for which it is so. */
-unsigned shadow_falls_many(const struct world *world, struct worker *worker,
-                           const struct occlusions *ways, unsigned lanes);
+ * set out at shadow_start and end at shadow_end: which of them are dark, and
+ * of which shadow_visibility has to say what comes through panes. The others
+ * are white. */
+struct occluded shadow_falls_many(const struct world *world,
+                                  struct worker *worker,
+                                  const struct occlusions *ways,
+                                  unsigned lanes);
 
 /* Whether none does of a lamp's place that is `way` from the point: what is in
  * the shaft must be plain. `place` are its coordinates there. */

@@ -125,31 +125,30 @@ static vec3 layer_normal(const struct layer *layer, struct place *place,
 }
 
 /* What light passes a layer down to the next. */
-static rgb layer_through(const struct surface_layer *layer)
+static inline rgb layer_through(const struct finish *finish, colour pigment,
+                                rgb reflection)
 {
-    rgb through = colour_transmittance(layer->pigment);
-    if (layer->finish->conserve_energy)
-        through = rgb_mul(through, rgb_sub(rgb_grey(1), layer->reflection));
+    rgb through = colour_transmittance(pigment);
+    if (finish->conserve_energy)
+        through = rgb_mul(through, rgb_sub(rgb_grey(1), reflection));
     return through;
 }
 
-static void layer_reflect(struct surface *surface, struct surface_layer *layer,
-                          const struct surface_view *view)
+static inline struct finish_mirror layer_mirror(const struct surface *surface,
+                                                const struct surface_view *view,
+                                                const struct finish *finish,
+                                                vec3 normal, colour pigment)
 {
-    const struct reflection *reflection = &layer->finish->reflection;
-    layer->reflection = rgb_grey(0);
-    layer->reflection_weight = 0;
+    const struct reflection *reflection = &finish->reflection;
     if (rgb_is_black(reflection->minimum) && rgb_is_black(reflection->maximum))
-        return;
-    double cosine = vec3_dot(surface->view, layer->normal);
-    struct finish_mirror mirror = finish_mirror(
-        layer->finish, colour_rgb(layer->pigment), cosine, view->ior);
-    layer->reflection = mirror.colour;
-    if (finish_tints(layer->finish))
-        layer->reflection =
-            rgb_mul(layer->reflection,
-                    finish_tint(layer->finish, surface->point, cosine, cosine));
-    layer->reflection_weight = mirror.weight;
+        return (struct finish_mirror){ rgb_grey(0), 0 };
+    double cosine = vec3_dot(surface->view, normal);
+    struct finish_mirror mirror =
+        finish_mirror(finish, colour_rgb(pigment), cosine, view->ior);
+    if (finish_tints(finish))
+        mirror.colour = rgb_mul(
+            mirror.colour, finish_tint(finish, surface->point, cosine, cosine));
+    return mirror;
 }
 
 /* Adds the layers of a texture that has no choice; returns what all of them
@@ -164,18 +163,23 @@ static rgb surface_add_layers(struct surface *surface,
             break;
         const struct layer *source = &texture->layers[i];
         struct surface_layer *layer = &surface->layer[surface->count++];
+        /* Kept at hand: what was just stored is read back late. */
+        vec3 normal = view->smooth || !source->normal
+                          ? surface->normal
+                          : layer_normal(source, place, surface->normal);
+        colour pigment = layer_pigment(source, place, view->quality, normal);
+        struct finish_mirror mirror =
+            layer_mirror(surface, view, source->finish, normal, pigment);
         layer->finish = source->finish;
         layer->weight = weight;
-        layer->normal = view->smooth || !source->normal
-                            ? surface->normal
-                            : layer_normal(source, place, surface->normal);
-        layer->pigment =
-            layer_pigment(source, place, view->quality, layer->normal);
-        layer_reflect(surface, layer, view);
-        weight = rgb_mul(weight, layer_through(layer));
+        layer->normal = normal;
+        layer->pigment = pigment;
         /* A mirror's light has no other weight: see
          * tracer/integrator/recursive.c. */
-        layer->reflection = rgb_scale(layer->reflection, place->share);
+        layer->reflection = rgb_scale(mirror.colour, place->share);
+        layer->reflection_weight = mirror.weight;
+        weight = rgb_mul(weight,
+                         layer_through(source->finish, pigment, mirror.colour));
         if (fabs(rgb_brightness(weight)) < view->bailout)
             break;
     }

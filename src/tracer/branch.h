@@ -24,10 +24,9 @@ struct path {
     double opacity; /* once it has ended */
 };
 
-/* A camera ray sets out; `place` may be NULL. */
+/* A camera ray, which is there, sets out; `place` may be NULL. */
 void path_start(struct path *path, const struct tracer *tracer,
-                struct worker *worker, const struct picture_place *place,
-                const struct ray *ray);
+                struct worker *worker, const struct picture_place *place);
 
 /* What it meets next: false if nothing. */
 bool path_meet(struct path *path, struct intersection *at);

@@ -72,8 +72,8 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
         double lens[2], at[2];
         blur_spread(camera, (struct draws){ key, (uint32_t)i }, at);
         lens_point(most, i, key, lens);
-        struct ray ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
-        path_start(&path, tracer, worker, NULL, &ray);
+        path.ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
+        path_start(&path, tracer, worker, NULL);
         blur_add(&blur, path_follow(&path));
         arena_reset(worker->scratch);
         if (blur_settled(&blur, camera))
@@ -91,10 +91,9 @@ static struct radiance tracer_several(const struct tracer *tracer,
     struct blur blur = { .count = 0 };
     for (int i = 0; i < camera->rays && !worker_stopped(worker); i++) {
         struct path path;
-        struct ray ray;
-        if (!camera_pixel_ray(camera, place->at[0], place->at[1], i, &ray))
+        if (!camera_pixel_ray(camera, place->at[0], place->at[1], i, &path.ray))
             continue;
-        path_start(&path, tracer, worker, NULL, &ray);
+        path_start(&path, tracer, worker, NULL);
         blur_add(&blur, path_follow(&path));
         arena_reset(worker->scratch);
     }
@@ -113,8 +112,8 @@ struct radiance tracer_camera(const struct tracer *tracer,
         return tracer_blurred(tracer, worker, place);
     if (camera->rays > 1)
         return tracer_several(tracer, worker, place);
-    struct ray ray = camera_ray(camera, place->at[0], place->at[1]);
-    path_start(&path, tracer, worker, place, &ray);
+    path.ray = camera_ray(camera, place->at[0], place->at[1]);
+    path_start(&path, tracer, worker, place);
     return path_follow(&path);
 }
 
@@ -124,12 +123,12 @@ struct ray tracer_ray(const struct tracer *tracer,
     return camera_ray(&tracer->scene->camera, place->at[0], place->at[1]);
 }
 
-void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
+void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
                       unsigned count, struct world_hit *hits)
 {
-    double offsets[WORLD_RAYS];
+    double offsets[RAY_LANES] = { 0 };
     for (unsigned i = 0; i < count; i++)
-        offsets[i] = surface_offset(rays[i].origin);
+        offsets[i] = surface_offset(rays_origin(rays, (int)i));
     world_closest_many(tracer->world, rays, offsets, count, RAY_CAMERA, hits);
 }
 
@@ -162,10 +161,10 @@ static void sights_arrive(struct sights *sights, const struct tracer_met *met,
         out[i] = (struct radiance){ rgb_grey(0), 0 };
         if (!camera_sees(camera, place->at[0], place->at[1]))
             continue;
-        path_start(&sight->path, sights->tracer, sights->worker, place,
-                   &met->rays[i]);
+        sight->path.ray = rays_at(met->rays, (int)i);
+        path_start(&sight->path, sights->tracer, sights->worker, place);
         if (hit->leaf)
-            world_describe(&met->rays[i], hit, &sight->crossing.at);
+            world_describe(&sight->path.ray, hit, &sight->crossing.at);
         if (path_arrive(&sight->path, &sight->crossing, hit->leaf)) {
             sight->out = &out[i];
             sights->count++;
@@ -223,9 +222,10 @@ static struct radiance see_one(const struct tracer *tracer,
     struct crossing crossing;
     if (!camera_sees(camera, place->at[0], place->at[1]))
         return (struct radiance){ rgb_grey(0), 0 };
-    path_start(&path, tracer, worker, place, &met->rays[i]);
+    path.ray = rays_at(met->rays, (int)i);
+    path_start(&path, tracer, worker, place);
     if (hit->leaf)
-        world_describe(&met->rays[i], hit, &crossing.at);
+        world_describe(&path.ray, hit, &crossing.at);
     struct radiance seen = path_go_on(&path, &crossing, hit->leaf);
     arena_reset(worker->scratch);
     return seen;

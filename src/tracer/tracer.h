@@ -40,7 +40,7 @@ struct radiance tracer_camera(const struct tracer *tracer,
 /* `count` of each. */
 struct tracer_met {
     const struct picture_place *places;
-    const struct ray *rays;
+    const struct rays *rays;
     const struct world_hit *hits;
     unsigned count;
 };
@@ -50,7 +50,7 @@ struct tracer_met {
  * The worker's scratch memory is reset after each. */
 struct ray tracer_ray(const struct tracer *tracer,
                       const struct picture_place *place);
-void tracer_meet_many(const struct tracer *tracer, const struct ray *rays,
+void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
                       unsigned count, struct world_hit *hits);
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
                      const struct tracer_met *met, struct radiance *out);

@@ -37,7 +37,7 @@ static void packet_start(struct packet *packet, const struct rays *rays,
     packet->query[0].packet = packet;
     packet->rays = rays;
     packet->open = rays_bits(good) & lanes;
-    packet->begun = 0;
+    packet->begun = packet->panes = 0;
     if (boxed)
         find_inverse(rays, packet->inverse);
 }
@@ -56,16 +56,26 @@ void packet_to_lamp(struct packet *packet, const struct occlusions *asked,
 }
 
 void packet_to_nearest(struct packet *packet, const struct nearest *asked,
-                       unsigned lanes, double limit, bool boxed)
+                       double limit, bool boxed)
 {
     packet->occlusion = false;
+    packet->opaque = true;
     packet->light = -1;
     packet->kind = asked->kind;
-    for (int i = 0; i < RAY_LANES; i++) {
-        packet->span.near[i] = asked->near[i];
+    memcpy(packet->span.near, asked->near, sizeof packet->span.near);
+    for (int i = 0; i < RAY_LANES; i++)
         packet->span.far[i] = limit;
-    }
-    packet_start(packet, &asked->rays, lanes, boxed);
+    packet_start(packet, asked->rays, asked->lanes, boxed);
+}
+
+/* For the filter of a query, whose context it is. */
+static bool meet_pane(void *context, const struct intersection *at)
+{
+    const struct query *query = context;
+    struct packet *packet = query->packet;
+    (void)at;
+    packet->panes |= 1u << (query - packet->query);
+    return true;
 }
 
 struct query *packet_query(struct packet *packet, unsigned i)
@@ -87,7 +97,9 @@ struct query *packet_query(struct packet *packet, unsigned i)
     query->leaf = NULL;
     query->rough = false;
     query->light = packet->light;
-    query->filter = NULL;
+    query->packet = packet;
+    query->filter = packet->opaque ? NULL : meet_pane;
+    query->context = query;
     query->blocked = false;
     query->recent_count = 0;
     return query;
@@ -126,14 +138,16 @@ static void packet_first(struct packet *packet, const struct solid *solid,
 }
 
 /* Those to a lamp that the shape is in the way of. */
-static unsigned packet_crosses(const struct packet *packet,
-                               const struct solid *solid,
+static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
                                const struct rays *rays, unsigned lanes)
 {
     const struct object *object = solid->leaf->object;
     lane_flag met[RAY_LANES];
     object->primitive->crosses_many(object->shape, rays, &packet->span, met);
-    return rays_bits(met) & lanes;
+    lanes &= rays_bits(met);
+    if (!solid->leaf->opaque && !packet->opaque)
+        packet->panes |= lanes;
+    return lanes;
 }
 
 /* All rays at once. Returns those that need not look any more. */

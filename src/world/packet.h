@@ -15,8 +15,10 @@ struct packet {
     double inverse[3][RAY_LANES]; /* of the directions, if there are boxes */
     double shift[RAY_LANES];      /* as in a query, and doubt */
     double doubt;
-    bool occlusion;     /* to a lamp, with nothing that lets light pass: */
+    bool occlusion;     /* to a lamp: */
     int light;          /* number of the lamp */
+    bool opaque;        /* nothing lets light pass */
+    unsigned panes;     /* that have met what may, and look no further */
     enum ray_kind kind; /* else */
     unsigned open;      /* rays that look for something still */
     unsigned begun;     /* whose queries are filled in */
@@ -24,9 +26,10 @@ struct packet {
 
 /* Rays that look for what is nearest. */
 struct nearest {
-    struct rays rays;
-    double near[RAY_LANES];
+    const struct rays *rays;
+    const double *near;
     enum ray_kind kind;
+    unsigned lanes;
 };
 
 /* Begins with those of `lanes` that are rays at all and have any length, up to
@@ -34,7 +37,7 @@ struct nearest {
 void packet_to_lamp(struct packet *packet, const struct occlusions *asked,
                     unsigned lanes, double limit, bool boxed);
 void packet_to_nearest(struct packet *packet, const struct nearest *asked,
-                       unsigned lanes, double limit, bool boxed);
+                       double limit, bool boxed);
 
 /* Looks at the solid with the open ones of `lanes`. Rays to a lamp that meet it
  * are no longer open. Returns whether none is left open of all. */

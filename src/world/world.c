@@ -172,7 +172,7 @@ static void packet_trace(const struct world *world, struct packet *packet)
 }
 
 /* Rays that are too few to be a packet. */
-static void closest_each(const struct world *world, const struct ray *rays,
+static void closest_each(const struct world *world, const struct rays *rays,
                          const double *tmin, unsigned count, enum ray_kind kind,
                          struct world_hit *out)
 {
@@ -180,8 +180,9 @@ static void closest_each(const struct world *world, const struct ray *rays,
     query.occlusion = false;
     query.kind = kind;
     for (unsigned i = 0; i < count; i++) {
+        const struct ray ray = rays_at(rays, (int)i);
         out[i].leaf = NULL;
-        if (!query_begin(world, &query, &rays[i], tmin[i], world_limit))
+        if (!query_begin(world, &query, &ray, tmin[i], world_limit))
             continue;
         trace_nearest(world, &query);
         out[i].leaf = query.leaf;
@@ -189,24 +190,17 @@ static void closest_each(const struct world *world, const struct ray *rays,
     }
 }
 
-void world_closest_many(const struct world *world, const struct ray *rays,
+void world_closest_many(const struct world *world, const struct rays *rays,
                         const double *tmin, unsigned count, enum ray_kind kind,
                         struct world_hit *out)
 {
     struct packet packet;
-    struct nearest asked;
+    const struct nearest asked = { rays, tmin, kind, (1u << count) - 1 };
     if (count < PACKET_LEAST) {
         closest_each(world, rays, tmin, count, kind, out);
         return;
     }
-    asked.kind = kind;
-    for (unsigned i = 0; i < RAY_LANES; i++) {
-        unsigned from = i < count ? i : 0;
-        rays_set(&asked.rays, (int)i, rays[from].origin, rays[from].direction);
-        asked.near[i] = tmin[from];
-    }
-    packet_to_nearest(&packet, &asked, (1u << count) - 1, world_limit,
-                      world->boxed);
+    packet_to_nearest(&packet, &asked, world_limit, world->boxed);
     packet_trace(world, &packet);
     for (unsigned i = 0; i < count; i++) {
         const struct query *query = &packet.query[i];
@@ -283,16 +277,22 @@ static unsigned occluded_each(const struct world *world,
     return blocked;
 }
 
-unsigned world_occluded_many(const struct world *world,
-                             const struct occlusions *asked, unsigned lanes)
+struct occluded world_occluded_many(const struct world *world,
+                                    const struct occlusions *asked,
+                                    unsigned lanes)
 {
+    bool opaque = world_is_opaque(world);
     struct packet packet;
     if (__builtin_popcount(lanes) < PACKET_LEAST)
-        return occluded_each(world, asked, lanes);
+        return opaque
+                   ? (struct occluded){ occluded_each(world, asked, lanes), 0 }
+                   : (struct occluded){ 0, lanes };
+    packet.opaque = opaque;
     packet_to_lamp(&packet, asked, lanes, world_limit, world->boxed);
     unsigned started = packet.open;
     packet_trace(world, &packet);
-    return started & ~packet.open;
+    return (struct occluded){ started & ~packet.open & ~packet.panes,
+                              packet.panes };
 }
 
 void world_shaft(const struct world *world, const struct shaft_rays *rays,

@@ -67,9 +67,10 @@ struct world_hit {
 
 enum { WORLD_RAYS = RAY_LANES };
 
-/* The same for up to WORLD_RAYS rays, which is twice as quick if they begin
- * and go close together, as those of neighbouring pixels do. */
-void world_closest_many(const struct world *world, const struct ray *rays,
+/* The same for the first so many rays, which is twice as quick if they begin
+ * and go close together, as those of neighbouring pixels do. `tmin`: of all
+ * lanes. */
+void world_closest_many(const struct world *world, const struct rays *rays,
                         const double *tmin, unsigned count, enum ray_kind kind,
                         struct world_hit *out);
 
@@ -101,17 +102,25 @@ struct occlusion {
 bool world_occluded(const struct world *world,
                     const struct occlusion *occlusion);
 
-/* Ways to one lamp, as above; there is no filter. */
+/* Ways to one lamp, as above. */
 struct occlusions {
     struct rays rays;
     struct rays_span span;
     int light;
 };
 
-/* The same of several, those of the bits `lanes`: for which it is so. Several
- * times as quick if they begin and go close together. */
-unsigned world_occluded_many(const struct world *world,
-                             const struct occlusions *asked, unsigned lanes);
+/* Bit by bit what is so of a ray. */
+struct occluded {
+    unsigned dark;  /* something opaque is on the way */
+    unsigned panes; /* something that may let light pass is; no more is known */
+};
+
+/* The same of several, those of the bits `lanes`; of few nothing may be found
+ * out, if there is anything that lets light pass. Several times as quick if
+ * they begin and go close together. */
+struct occluded world_occluded_many(const struct world *world,
+                                    const struct occlusions *asked,
+                                    unsigned lanes);
 
 /* How far a ray to light number `light` goes until it meets what that light
  * shines through alone; tmax if it shines through nothing, negative if it

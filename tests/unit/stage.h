@@ -37,7 +37,9 @@ static inline void stage_look(struct stage *stage, int left, int top,
             first_hits_place(hits, x, y, place);
             struct ray ray =
                 camera_ray(&stage->all->scene->camera, place[0], place[1]);
-            world_closest_many(stage->all->world, &ray, &tmin, 1, RAY_CAMERA,
+            struct rays rays;
+            rays_set(&rays, 0, ray.origin, ray.direction);
+            world_closest_many(stage->all->world, &rays, &tmin, 1, RAY_CAMERA,
                                first_hits_at(hits, x, y));
         }
 }

@@ -394,17 +394,18 @@ static void expect_together_as_alone(const char *scene)
     pixel_start(&pixel, scene, (struct pixel_options){ .quality = 9 });
     for (int block = 0; block < 64; block++) {
         struct picture_place places[WORLD_RAYS];
-        struct ray rays[WORLD_RAYS];
+        struct rays rays;
         struct world_hit hits[WORLD_RAYS];
         struct radiance seen[WORLD_RAYS];
         unsigned count = block == 5 ? 3 : block == 6 ? 9 : WORLD_RAYS;
         for (unsigned i = 0; i < count; i++) {
             places[i].at[0] = (block % 8 * 4 + i % 4) / 32.0;
             places[i].at[1] = (block / 8 * 4 + i / 4) / 32.0;
-            rays[i] = tracer_ray(&pixel.tracer, &places[i]);
+            struct ray ray = tracer_ray(&pixel.tracer, &places[i]);
+            rays_set(&rays, (int)i, ray.origin, ray.direction);
         }
-        const struct tracer_met met = { places, rays, hits, count };
-        tracer_meet_many(&pixel.tracer, rays, count, hits);
+        const struct tracer_met met = { places, &rays, hits, count };
+        tracer_meet_many(&pixel.tracer, &rays, count, hits);
         tracer_see_many(&pixel.tracer, &pixel.worker, &met, seen);
         for (unsigned i = 0; i < count; i++) {
             struct radiance alone =
@@ -446,6 +447,13 @@ static void rays_lit_together_are_as_alone(void **state)
         "sphere { <.2, .6, -.5>, .5 pigment { rgbf .8 } "
         "interior { ior 1.4 } finish { reflection .1 } }"
         "fog { distance 20 rgb .5 }",
+        "sphere { <.2, .6, -.5>, .5 pigment { rgbf .8 } "
+        "interior { ior 1.2 fade_distance 1 fade_power 2 caustics .2 } }"
+        "difference { box { <-1.5, -1, -1>, <-.7, .6, 0> } "
+        "sphere { <-1.5, .6, -1>, .4 } pigment { rgbt .5 } }"
+        "mesh { triangle { <1, -1, 0>, <2, -1, 0>, <1.5, 1, 0> } "
+        "pigment { rgbt <.3, .2, .1, .6> } }"
+        "cylinder { <0, -1, -2>, <0, 0, -2.5>, .2 pigment { rgb .8 } }",
     };
     (void)state;
     for (size_t i = 0; i < sizeof lamps / sizeof *lamps; i++)

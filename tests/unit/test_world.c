@@ -676,6 +676,7 @@ static void endless_scenes_are_refused(void **state)
 static int expect_the_same(const struct world *world, struct dice *dice)
 {
     struct ray rays[WORLD_RAYS], first = random_ray(dice);
+    struct rays together = { { { 0 } }, { { 0 } } };
     struct world_hit hit[WORLD_RAYS];
     struct intersection at, alone;
     double tmin[WORLD_RAYS] = { 0 };
@@ -689,7 +690,9 @@ static int expect_the_same(const struct world *world, struct dice *dice)
     }
     rays[count / 2].direction.x = NAN;
     rays[count / 3].direction.y = -1e-30;
-    world_closest_many(world, rays, tmin, count, RAY_CAMERA, hit);
+    for (unsigned i = 0; i < count; i++)
+        rays_set(&together, (int)i, rays[i].origin, rays[i].direction);
+    world_closest_many(world, &together, tmin, count, RAY_CAMERA, hit);
     for (unsigned i = 0; i < count; i++) {
         bool met = world_closest(world, &rays[i], tmin[i], RAY_CAMERA, &alone);
         assert_int_equal(hit[i].leaf != NULL, met);
@@ -718,7 +721,7 @@ static void expect_the_same_shadows(const struct world *world,
         ways.span.near[i] = dice_between(dice, 0, 1);
         ways.span.far[i] = dice_between(dice, 0, 20);
     }
-    unsigned blocked = world_occluded_many(world, &ways, lanes);
+    unsigned blocked = world_occluded_many(world, &ways, lanes).dark;
     for (int i = 0; i < RAY_LANES; i++) {
         struct ray ray = rays_at(&ways.rays, i);
         const struct occlusion way = { .ray = &ray,

@@ -7,15 +7,15 @@ static const struct octaves wrinkles_octaves = { OCTAVES_MAX, 2 };
 static void wrinkles_values(const struct pattern *pattern,
                             const struct spots *spots, double *values)
 {
-    double noise[OCTAVES_MAX * SPOTS_MAX], weight = 0.5;
-    int count = spots->count;
+    double noise[OCTAVES_MAX * SPOTS_MAX];
     noise_octaves(pattern_generator(pattern), spots, wrinkles_octaves, noise);
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < spots->count; i++) {
+        const double *of = noise + i * OCTAVES_MAX;
+        double weight = 0.5;
         values[i] = 0;
-    for (int octave = 0; octave < OCTAVES_MAX; octave++, weight /= 2)
-        for (int i = 0; i < count; i++)
-            values[i] +=
-                weight * slab_min(slab_max(noise[octave * count + i], 0), 1);
+        for (int octave = 0; octave < OCTAVES_MAX; octave++, weight /= 2)
+            values[i] += weight * slab_min(slab_max(of[octave], 0), 1);
+    }
 }
 
 /* Measured: the components' magnitudes, so wrinkles lean to one side. */

@@ -349,12 +349,10 @@ struct radiance path_follow(struct path *path)
 }
 
 void path_start(struct path *path, const struct tracer *tracer,
-                struct worker *worker, const struct picture_place *place,
-                const struct ray *ray)
+                struct worker *worker, const struct picture_place *place)
 {
     path->tracer = tracer;
     path->worker = worker;
-    path->ray = *ray;
     path->place = place;
     path->kind = RAY_CAMERA;
     path->level = 1;
