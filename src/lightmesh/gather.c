@@ -136,8 +136,10 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     struct draws draws =
         draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
     struct indirect_share share = gather->around;
-    double chance = fmin(onward_often * matters, 1), u[2];
-    if (gathering->before >= BOUNCES ||
+    bool blind = gather->close && gathering->before == 0;
+    double often = blind ? onward_often_blind : onward_often;
+    double chance = fmin(often * matters, 1), u[2];
+    if (gathering->before >= ONWARD_MOST ||
         draw_unit(&draws, GATHER_CHANCE) >= chance)
         return share;
     struct gathered_ray found = { .open = 0 };
@@ -161,6 +163,19 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     return share;
 }
 
+bool gather_closes(const struct gather *gather, struct worker *worker,
+                   const struct receiver *receiver,
+                   struct indirect_share *share)
+{
+    rgb light;
+    if (!gather->close ||
+        !gather->close(gather->close_context, worker, receiver->point,
+                       receiver->normal, receiver->from, &light))
+        return false;
+    *share = (struct indirect_share){ light, 0 };
+    return true;
+}
+
 /* All light on the surface, of which the share `matters` is seen. Where the
  * skeleton ends the row of bounces it has the ambient light as well. */
 static struct indirect_share gathering_share(const struct gathering *gathering,
@@ -181,12 +196,8 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
     bool found = gather->indirect &&
                  indirect_mesh_nearest(gather->indirect, worker, &receiver,
                                        gathering_jitter(gathering), &more);
-    if (!found && gather->close)
-        more = (struct indirect_share){ gather->close(gather->close_context,
-                                                      worker, receiver.point,
-                                                      normal, receiver.from),
-                                        0 };
-    else if (!found && gather->onward)
+    found = found || gather_closes(gather, worker, &receiver, &more);
+    if (!found && gather->onward)
         more = gathering_onward(gathering, surface, matters);
     else if (!found && gather->indirect)
         more = indirect_mesh_light(gather->indirect, worker, &receiver);
