@@ -205,8 +205,9 @@ reference: all $(BUILD)/tests/tools/figures ## path against POV-Ray's radiosity 
 	@$(DEPS) povray openimageio-tools embree-tools
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/reference/run
 
-latency: all ## how soon glim-view shows a change, over examples/ and POV-Ray's scenes
+latency: all $(BUILD)/tests/tools/speak ## how soon glim-view shows a change, and the language server answers
 	@$(DEPS) povray povray-examples
+	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/language/latency
 	@GLIM=$(abspath $(BUILD)/glim) tests/view/latency
 
 view-camera: all $(BUILD)/tests/tools/compare ## 100 camera blocks of glim-view, drawn by both programs
