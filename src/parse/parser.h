@@ -15,9 +15,9 @@
 struct cursor;
 struct data_files;
 struct density_cache;
-struct font_cache;
 struct image_cache;
 struct scope;
+struct typeface;
 
 /* Limits, each with its reason. */
 enum {
@@ -91,7 +91,7 @@ struct parser {
         size_t count, capacity;
     } finishes; /* all: the last #version decides how they filter */
     struct image_cache *images;      /* read for image_map; image_map.c */
-    struct font_cache *fonts;        /* read for text; text.c */
+    struct typeface *fonts;          /* read for text; text.c */
     struct density_cache *densities; /* read; density_file.c */
     struct data_files *data_files;   /* what the scene wrote; data_file.c */
     struct random_streams *randoms;  /* seed(), rand() */
