@@ -273,8 +273,13 @@ const char *standard_include(struct parser *p, const char *name);
 
 /* ---- scene rules: each file has the productions it reads ---- */
 
-/* Anything #declare can name that is not an expression; sets *found. */
-bool parse_thing(struct parser *p, struct value *value, bool *found);
+/* What a small reader did: it looks at the next token and does nothing when
+ * that is not its own, so that a block tries one after the other and reports
+ * what is left. A rule's false and true are the first two. */
+enum taken { WRONG = false, TAKEN = true, NOT_MINE };
+
+/* Anything #declare can name that is not an expression. */
+enum taken parse_thing(struct parser *p, struct value *value);
 
 bool parse_scene_item(struct parser *p); /* scene.c */
 bool at_scene_item(struct parser *p);
@@ -287,9 +292,8 @@ bool parse_normal(struct parser *p, const struct normal **out);
 bool parse_finish(struct parser *p, const struct finish **out);
 bool parse_interior(struct parser *p, const struct interior **out);
 bool parse_material(struct parser *p, struct material *out);
-/* translate, rotate, scale, matrix, transform{}: *found tells whether the
- * next tokens were one; it is composed after *transform. */
-bool parse_transformation(struct parser *p, affine *transform, bool *found);
+/* translate, rotate, scale, matrix, transform{}: composed after *transform. */
+enum taken parse_transformation(struct parser *p, affine *transform);
 bool parse_global_settings(struct parser *p);
 /* The inside of #default { }: up to the '}', which is not taken. */
 bool parse_defaults(struct parser *p, struct span open);
