@@ -198,7 +198,7 @@ conformance: all ## every scene of povray-examples by both programs
 	@$(MAKE) --no-print-directory $(BUILD)/tests/tools/compare
 	@GLIM=$(abspath $(BUILD)/glim) tests/conformance/run
 
-bench: all ## what light costs, and how right it is, as ratios (BENCH=quick)
+bench: all $(BUILD)/tests/tools/limit ## what light costs, and how right it is, as ratios (BENCH=quick)
 	@GLIM=$(abspath $(BUILD)/glim) tests/bench/run
 
 reference: all $(BUILD)/tests/tools/figures ## path against POV-Ray's radiosity and Embree's path tracer
