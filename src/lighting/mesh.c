@@ -232,8 +232,7 @@ static void mesh_illuminate_many(const void *state, struct worker *worker,
     mesh_lamps_light_many(&lamps, worker, askers, count);
     for (unsigned i = 0; i < count; i++) {
         struct diffuse_light *diffuse = &askers[i].diffuse;
-        *diffuse =
-            (struct diffuse_light){ mesh->ambience.light, rgb_grey(0) };
+        *diffuse = (struct diffuse_light){ mesh->ambience.light, rgb_grey(0) };
         if (mesh->indirect && askers[i].surface->count > 0)
             *diffuse = mesh_surfaces(mesh, worker, askers[i].surface, false);
     }

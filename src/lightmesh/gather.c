@@ -170,10 +170,10 @@ static bool gathering_known(const struct gathering *gathering,
     bool here = gather->here && gathering->met == 0;
     if (here)
         *share = indirect_light_share(gather->here, receiver->normal);
-    return here || (gather->indirect &&
-                    indirect_mesh_nearest(gather->indirect, gathering->worker,
-                                          receiver, gathering_jitter(gathering),
-                                          share));
+    return here ||
+           (gather->indirect &&
+            indirect_mesh_nearest(gather->indirect, gathering->worker, receiver,
+                                  gathering_jitter(gathering), share));
 }
 
 /* All light on the surface, of which the share `matters` is seen. Where the
