@@ -42,6 +42,7 @@ enum image_projection {
 enum image_interpolation {
     IMAGE_NEAREST = 0,
     IMAGE_BILINEAR = 2,
+    IMAGE_BICUBIC = 3,
     IMAGE_NORMALISED_DISTANCE = 4,
 };
 

@@ -71,7 +71,10 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
         struct path path;
         double lens[2], at[2];
         blur_spread(camera, (struct draws){ key, (uint32_t)i }, at);
-        lens_point(most, i, key, lens);
+        if (camera->bokeh)
+            lens_shaped_point(camera->bokeh, i, key, lens);
+        else
+            lens_point(most, i, key, lens);
         path.ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
         path_start(&path, tracer, worker, NULL);
         blur_add(&blur, path_follow(&path));
