@@ -58,6 +58,7 @@ struct parser {
     struct token token;                /* the one looked at, if `peeked` */
     struct span token_span, last_span; /* of it; of the last one taken */
     bool peeked;
+    unsigned fetched; /* tokens and directives that were looked for */
     unsigned nesting;
     struct span blocks[PARSE_NESTING_LIMIT]; /* the '{' of blocks being read */
     unsigned block_count;

@@ -129,10 +129,12 @@ struct ray tracer_ray(const struct tracer *tracer,
 void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
                       unsigned count, struct world_hit *hits)
 {
-    double offsets[RAY_LANES] = { 0 };
-    for (unsigned i = 0; i < count; i++)
-        offsets[i] = surface_offset(rays_origin(rays, (int)i));
-    world_closest_many(tracer->world, rays, offsets, count, RAY_CAMERA, hits);
+    struct rays_span span = { { 0 }, { 0 } };
+    for (unsigned i = 0; i < count; i++) {
+        span.near[i] = surface_offset(rays_origin(rays, (int)i));
+        span.far[i] = (double)INFINITY;
+    }
+    world_closest_many(tracer->world, rays, &span, count, RAY_CAMERA, hits);
 }
 
 /* One of several rays that are followed together as far as what they meet
