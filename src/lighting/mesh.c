@@ -222,6 +222,27 @@ static struct diffuse_light mesh_illuminate(const void *state,
     return diffuse;
 }
 
+static bool mesh_may_mix(const void *state)
+{
+    const struct mesh_lighting *mesh = state;
+    const struct mesh_lamps lamps = { &mesh->knowers, mesh->direct_view };
+    return mesh_lamps_may_mix(&lamps);
+}
+
+static void mesh_illuminate_many(const void *state, struct worker *worker,
+                                 struct light_asker *askers, unsigned count)
+{
+    const struct mesh_lighting *mesh = state;
+    const struct mesh_lamps lamps = { &mesh->knowers, mesh->direct_view };
+    mesh_lamps_light_many(&lamps, worker, askers, count);
+    for (unsigned i = 0; i < count; i++) {
+        struct diffuse_light *diffuse = &askers[i].diffuse;
+        *diffuse = (struct diffuse_light){ mesh->ambience.light, rgb_grey(0) };
+        if (mesh->indirect && askers[i].surface->count > 0)
+            *diffuse = mesh_surfaces(mesh, worker, askers[i].surface, false);
+    }
+}
+
 static const struct lamps *mesh_lamps(const void *state)
 {
     const struct mesh_lighting *mesh = state;
@@ -293,6 +314,8 @@ const struct lighting mesh_lighting = {
     .foresees = mesh_foresees,
     .prepare = mesh_look_ahead,
     .illuminate = mesh_illuminate,
+    .illuminate_many = mesh_illuminate_many,
+    .in_any_order = mesh_may_mix,
     .lamps = mesh_lamps,
     .tell = mesh_tell,
     .keep = mesh_keep,

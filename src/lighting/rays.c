@@ -114,6 +114,8 @@ static void rays_illuminate_many(const void *state, struct worker *worker,
     struct lamplights lights;
     lights.lamps = lamps;
     lights.worker = worker;
+    lights.share = lamplight_trace;
+    lights.foresee = NULL;
     lamplights_start(&lights, askers, count);
     for (size_t i = 0; i < lamps->count; i++)
         lamplights_give(&lights, &lamps->items[i]);

@@ -176,6 +176,21 @@ bool gather_closes(const struct gather *gather, struct worker *worker,
     return true;
 }
 
+/* What surfaces send to the receiver, if mesh points or the skeleton know. */
+static bool gathering_known(const struct gathering *gathering,
+                            const struct receiver *receiver,
+                            struct indirect_share *share)
+{
+    const struct gather *gather = gathering->gather;
+    bool here = gather->here && gathering->met == 0;
+    if (here)
+        *share = indirect_light_share(gather->here, receiver->normal);
+    return here ||
+           (gather->indirect &&
+            indirect_mesh_nearest(gather->indirect, gathering->worker, receiver,
+                                  gathering_jitter(gathering), share));
+}
+
 /* All light on the surface, of which the share `matters` is seen. Where the
  * skeleton ends the row of bounces it has the ambient light as well. */
 static struct indirect_share gathering_share(const struct gathering *gathering,
@@ -193,10 +208,7 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .weight = 1 };
     rgb light = gathering_direct(gathering, &receiver);
     struct indirect_share more = gather->around;
-    bool found = gather->indirect &&
-                 indirect_mesh_nearest(gather->indirect, worker, &receiver,
-                                       gathering_jitter(gathering), &more);
-    found = found || gather_closes(gather, worker, &receiver, &more);
+    bool found = gathering_known(gathering, &receiver, &more);
     if (!found && gather->onward)
         more = gathering_onward(gathering, surface, matters);
     else if (!found && gather->indirect)

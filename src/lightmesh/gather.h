@@ -25,6 +25,8 @@ struct gather {
     const struct lamps *lamps;
     const struct direct_mesh *direct;
     const struct indirect_mesh *indirect; /* of one bounce less, or NULL */
+    const struct indirect_light *here;    /* around what rays meet first; NULL:
+                                           * `indirect` is asked */
     struct lattice_view view;             /* of what its rays meet */
     const struct emitters *emitters;
     const struct ambience *ambience;

@@ -111,11 +111,14 @@ static const double pixel_lamps_apart = 14;   /* of lamps / 14 pixels one */
 static const double pixel_lamps_more = 100, pixel_more_most = 4;
 static const double time_lamp_triangle = 26e-9, time_lamp_point = 15e-9;
 static const double time_ray = 0.3e-6, time_space_pixel = 0.8e-6;
-static const double pixel_worth = 3; /* so much longer: a third of the
-                                      * error of points in space */
-static const double pixel_rays_share =
-    0.25;                                  /* of few lamps' rays it may take */
-static const double pixel_rays_most = 0.3; /* of pairs that a ray may decide */
+static const double time_pixel_point = 0.25e-6; /* however many lamps there are
+                                                 */
+static const double time_ray_together = 0.1e-6; /* of those of many pixels */
+static const double pixel_worth = 3;        /* so much longer: a third of the
+                                             * error of points in space */
+static const double pixel_rays_share = 0.6; /* of few lamps' rays it may take
+                                             */
+static const double pixel_rays_most = 0.3;  /* of pairs that a ray may decide */
 static const double pixel_detail_least = 1e-3; /* units: shadow rays begin there
                                                 */
 static const double pixel_detail = 0.1; /* of a pixel: no shadow is seen */

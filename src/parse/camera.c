@@ -83,13 +83,32 @@ static bool parse_blur_samples(struct parser *p, struct camera *camera)
     return true;
 }
 
+static bool bokeh_body(struct parser *p, struct camera *camera)
+{
+    if (stream_keyword(p) != KEYWORD_PIGMENT)
+        return error_at(p, stream_span(p), "pigment { boxed }",
+                        "the shape of a lens is the brightness of a pigment");
+    return parse_pigment(p, &camera->bokeh);
+}
+
+/* bokeh = "bokeh" "{" pigment "}" .
+ * A square lens, by the pigment's brightness. */
+static bool parse_bokeh(struct parser *p, struct camera *camera)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, bokeh_body(p, camera));
+}
+
 /* focal_blur = blur_samples | "aperture" float | "focal_point" vector
- *            | "confidence" float | "variance" float .
+ *            | "confidence" float | "variance" float | bokeh .
  * Without samples or with an aperture of 0 nothing is blurred. */
 static enum taken parse_focal_blur(struct parser *p, struct camera_draft *draft)
 {
     if (stream_keyword(p) == KEYWORD_BLUR_SAMPLES)
         return parse_blur_samples(p, &draft->camera);
+    if (stream_keyword(p) == KEYWORD_BOKEH)
+        return parse_bokeh(p, &draft->camera);
     const struct field *field = accept_field(p, blur_fields);
     return field ? parse_field(p, field, draft) : NOT_MINE;
 }

@@ -102,9 +102,6 @@ static bool parse_internal_body(struct parser *p, struct function *function)
     if (number == INTERNAL_NOISE3D)
         return noise_function(p, function);
     const struct internal_function *internal = internal_find(number);
-    if (number == INTERNAL_HELICAL_TORUS)
-        return error_unsupported(p, span_join(open, p->last_span),
-                                 "f_helical_torus");
     if (!internal)
         return error_at(p, span_join(open, p->last_span), NULL,
                         "there is no function internal(%d); functions.inc has "

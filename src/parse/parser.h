@@ -15,9 +15,9 @@
 struct cursor;
 struct data_files;
 struct density_cache;
-struct font_cache;
 struct image_cache;
 struct scope;
+struct typeface;
 
 /* Limits, each with its reason. */
 enum {
@@ -58,6 +58,7 @@ struct parser {
     struct token token;                /* the one looked at, if `peeked` */
     struct span token_span, last_span; /* of it; of the last one taken */
     bool peeked;
+    unsigned fetched; /* tokens and directives that were looked for */
     unsigned nesting;
     struct span blocks[PARSE_NESTING_LIMIT]; /* the '{' of blocks being read */
     unsigned block_count;
@@ -91,7 +92,7 @@ struct parser {
         size_t count, capacity;
     } finishes; /* all: the last #version decides how they filter */
     struct image_cache *images;      /* read for image_map; image_map.c */
-    struct font_cache *fonts;        /* read for text; text.c */
+    struct typeface *fonts;          /* read for text; text.c */
     struct density_cache *densities; /* read; density_file.c */
     struct data_files *data_files;   /* what the scene wrote; data_file.c */
     struct random_streams *randoms;  /* seed(), rand() */

@@ -101,11 +101,8 @@ static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
 {
     struct made_pattern *made = pattern->parameters;
     made->pigment = p->defaults.pigment;
-    struct span span = stream_span(p);
-    if (!parse_pigment_block(p, &made->pigment) ||
-        !uv_refuse(p, span, &made->pigment->pattern))
-        return false;
-    return pattern_sampled(p, pattern);
+    return parse_pigment_block(p, &made->pigment) &&
+           pattern_sampled(p, pattern);
 }
 
 /* object_pattern = "object" "{" object block_list "}" .

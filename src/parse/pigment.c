@@ -101,9 +101,8 @@ bool uv_refuse(struct parser *p, struct span span,
                const struct pattern *pattern)
 {
     return !pattern->uv ||
-           error_unsupported(p, span_join(span, p->last_span),
-                             "'uv_mapping' but in a surface's own pigment, "
-                             "normal or texture");
+           error_at(p, span_join(span, p->last_span), NULL,
+                    "'uv_mapping' needs a surface, and here is none");
 }
 
 static bool pigment_is_average(const struct pigment *pigment)

@@ -42,6 +42,7 @@ enum image_projection {
 enum image_interpolation {
     IMAGE_NEAREST = 0,
     IMAGE_BILINEAR = 2,
+    IMAGE_BICUBIC = 3,
     IMAGE_NORMALISED_DISTANCE = 4,
 };
 
@@ -248,9 +249,10 @@ bool texture_is_opaque(const struct texture *texture);
 bool normal_tilts(const struct normal *perturbation);
 
 /* The unit normal after perturbation; `normal` unit, both in texture space and
- * turned towards the viewer (measured: bumps rise to whoever looks). */
+ * turned towards the viewer (measured: bumps rise to whoever looks). Normals in
+ * its map may be of the surface's own coordinates; NULL: off any. */
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
-                      vec3 normal);
+                      vec3 normal, const struct uv_source *surface);
 
 /* Copies in `arena`, moved by an invertible transformation. */
 const struct pigment *pigment_moved(struct arena *arena,

@@ -31,9 +31,12 @@ static colour pigment_at(const struct pigment *pigment, vec3 point,
 static colour entry_colour(const struct blend_entry *entry, vec3 point,
                            struct depth depth)
 {
-    return entry->pigment
-               ? pigment_at(entry->pigment, point, depth_below(depth))
-               : entry->colour;
+    const struct pigment *pigment = entry->pigment;
+    return pigment ? pigment_at(
+                         pigment,
+                         pattern_start(&pigment->pattern, point, depth.surface),
+                         depth_below(depth))
+                   : entry->colour;
 }
 
 /* Measured: the entry sought is the first whose value is not below `value`;

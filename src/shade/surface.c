@@ -114,12 +114,12 @@ static vec3 layer_normal(const struct layer *layer, struct place *place,
         return normal;
     if (layer->normal->pattern.uv && !layer->normal->uv_turned)
         return normal_perturbed(layer->normal, place->uv->point(place->uv),
-                                normal);
+                                normal, place->uv);
     there = vec3_normalise(affine_normal(place->from, normal));
     bumped = normal_perturbed(
         layer->normal,
         pattern_start(&layer->normal->pattern, place_point(place), place->uv),
-        there);
+        there, place->uv);
     back = vec3_normalise(affine_normal(place->to, bumped));
     return vec3_finite(back) ? back : normal;
 }

@@ -71,7 +71,10 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
         struct path path;
         double lens[2], at[2];
         blur_spread(camera, (struct draws){ key, (uint32_t)i }, at);
-        lens_point(most, i, key, lens);
+        if (camera->bokeh)
+            lens_shaped_point(camera->bokeh, i, key, lens);
+        else
+            lens_point(most, i, key, lens);
         path.ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
         path_start(&path, tracer, worker, NULL);
         blur_add(&blur, path_follow(&path));
@@ -126,10 +129,12 @@ struct ray tracer_ray(const struct tracer *tracer,
 void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
                       unsigned count, struct world_hit *hits)
 {
-    double offsets[RAY_LANES] = { 0 };
-    for (unsigned i = 0; i < count; i++)
-        offsets[i] = surface_offset(rays_origin(rays, (int)i));
-    world_closest_many(tracer->world, rays, offsets, count, RAY_CAMERA, hits);
+    struct rays_span span = { { 0 }, { 0 } };
+    for (unsigned i = 0; i < count; i++) {
+        span.near[i] = surface_offset(rays_origin(rays, (int)i));
+        span.far[i] = (double)INFINITY;
+    }
+    world_closest_many(tracer->world, rays, &span, count, RAY_CAMERA, hits);
 }
 
 /* One of several rays that are followed together as far as what they meet
