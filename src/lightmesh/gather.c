@@ -188,7 +188,8 @@ static bool gathering_known(const struct gathering *gathering,
     return here ||
            (gather->indirect &&
             indirect_mesh_nearest(gather->indirect, gathering->worker, receiver,
-                                  gathering_jitter(gathering), share));
+                                  gathering_jitter(gathering), share)) ||
+           gather_closes(gather, gathering->worker, receiver, share);
 }
 
 /* All light on the surface, of which the share `matters` is seen. Where the
