@@ -3,6 +3,7 @@
 
 #include "base/warp.h"
 #include "lightmesh/drawn_lamp.h"
+#include "lightmesh/gather_glow.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
 #include "shade/background.h"
@@ -78,36 +79,6 @@ rgb bounce_toned(const struct bounce_tone *tone, rgb light)
     if (tone->grey != 0)
         light = rgb_mix(light, grey, tone->grey);
     return rgb_scale(light, tone->brightness);
-}
-
-rgb gather_balanced(const struct gather *gather, const struct ray *ray,
-                    double density, const struct gathered_ray *found)
-{
-    if (!emitters_any(gather->emitters) || !(rgb_peak(found->glow) > 0))
-        return found->light;
-    double other = emitters_density(gather->emitters, ray->origin,
-                                    ray->direction, &found->at);
-    double twice = isfinite(other) ? other / (density + other) : 1;
-    return rgb_add_scaled(found->light, found->glow, -twice);
-}
-
-bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
-                 const struct draws *draws, struct gathered_glow *found)
-{
-    double which = draw_unit(draws, GATHER_WHICH), u[2];
-    struct emitter_pick pick;
-    struct intersection at;
-    draw_pair(draws, GATHER_WHERE, u);
-    if (!emitters_pick(gather->emitters, place, which, u, &pick))
-        return false;
-    struct ray ray = { place, pick.direction };
-    found->light = gather_glow(gather, worker, &ray, &at);
-    found->direction = pick.direction;
-    found->density = pick.density;
-    if (at.leaf != pick.leaf || rgb_peak(found->light) == 0)
-        return false;
-    return isinf(pick.distance) ||
-           fabs(at.t - pick.distance) <= 1e-5 * (1 + at.t);
 }
 
 /* What is picked of what glows, as irradiance. */
@@ -392,19 +363,4 @@ void gather_met(const struct gather *gather, struct worker *worker,
     };
     gathered->light =
         gathering_follow(&gathering, &gathered->at, &gathered->glow);
-}
-
-rgb gather_glow(const struct gather *gather, struct worker *worker,
-                const struct ray *ray, struct intersection *at)
-{
-    struct surface surface;
-    at->leaf = NULL;
-    worker->counters.shadow_rays++;
-    if (!world_closest(gather->lamps->world, ray, surface_offset(ray->origin),
-                       RAY_REFLECTION, at)) {
-        at->leaf = NULL;
-        return rgb_grey(0);
-    }
-    gather_surface(gather, ray, at, &surface);
-    return surface_glow(&surface);
 }

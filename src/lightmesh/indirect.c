@@ -4,6 +4,7 @@
 #include "base/draw.h"
 #include "base/memory.h"
 #include "base/warp.h"
+#include "lightmesh/gather_glow.h"
 #include "lightmesh/near_field.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
