@@ -94,21 +94,26 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     return done;
 }
 
-/* A look at what indirect light there is, if it is wanted. */
+/* A look at what indirect light there is, if it is wanted. Where one bounce
+ * brings next to nothing more may: round two corners. */
 static struct survey mesh_survey(const struct mesh_lighting *mesh,
                                  const struct scene *scene,
                                  const struct lighting_options *options)
 {
-    const struct gather gather = {
+    struct gather gather = {
         .lamps = &mesh->lamps,
         .emitters = mesh->emitters,
         .ambience = &mesh->ambience,
+        .tone = scene->settings.light_mesh.indirect.tone,
     };
     struct worker worker = { .stop = options->stop, .scratch = arena_new(0) };
     struct survey survey = { .open = 1 };
     if (options->numbers)
         survey = survey_none();
     else if (scene->settings.light_mesh.indirect.on)
+        survey = survey_of(&gather, scene, &worker);
+    gather.onward = survey.open < 1 && survey.worth < gather_worth_none;
+    if (gather.onward)
         survey = survey_of(&gather, scene, &worker);
     arena_free(worker.scratch);
     return survey;

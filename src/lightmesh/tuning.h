@@ -134,6 +134,7 @@ static const double penumbra_swell = 0.25; /* of a block, in its side */
 /* Gathering [room, blocks, maze, room-error]. */
 enum {
     BOUNCES = 6,
+    ONWARD_MOST = 24,   /* surfaces on the way of one that goes on, at most */
     CLOSED_BOUNCES = 1, /* when the skeleton knows the rest */
     OPEN_BOUNCES = 1,   /* when further rays do: much light leaves the scene */
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
@@ -226,6 +227,8 @@ static const double gather_worth_around = 0.01; /* or, in the open, what is
 static const double gather_worth_whole = 0.5;   /* less gathers fewer rays */
 static const double gather_least = 0.02;        /* share that is followed */
 static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
-static const double onward_often = 1; /* of where it goes on [truth] */
+static const double onward_often = 1; /* of where it goes on [truth]; */
+static const double onward_often_blind =
+    2; /* of the first step where no survey says what is usual [plates] */
 
 #endif
