@@ -117,10 +117,17 @@ struct radiance tracer_camera(const struct tracer *tracer,
     return path_follow(&path);
 }
 
-struct ray tracer_ray(const struct tracer *tracer,
-                      const struct picture_place *place)
+void tracer_rays(const struct tracer *tracer,
+                 const struct picture_place *places, unsigned count,
+                 struct rays *rays)
 {
-    return camera_ray(&tracer->scene->camera, place->at[0], place->at[1]);
+    struct camera_places at;
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        const double *place = places[i < count ? i : count - 1].at;
+        at.x[i] = place[0];
+        at.y[i] = place[1];
+    }
+    camera_rays(&tracer->scene->camera, &at, count, rays);
 }
 
 void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,

@@ -401,9 +401,8 @@ static void expect_together_as_alone(const char *scene)
         for (unsigned i = 0; i < count; i++) {
             places[i].at[0] = (block % 8 * 4 + i % 4) / 32.0;
             places[i].at[1] = (block / 8 * 4 + i / 4) / 32.0;
-            struct ray ray = tracer_ray(&pixel.tracer, &places[i]);
-            rays_set(&rays, (int)i, ray.origin, ray.direction);
         }
+        tracer_rays(&pixel.tracer, places, count, &rays);
         const struct tracer_met met = { places, &rays, hits, count };
         tracer_meet_many(&pixel.tracer, &rays, count, hits);
         tracer_see_many(&pixel.tracer, &pixel.worker, &met, seen);
