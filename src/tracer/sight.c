@@ -144,63 +144,83 @@ void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
 struct sight {
     struct path path;
     struct crossing crossing;
-    struct radiance *out;
 };
 
-/* Sights that are lit together. */
+/* Sights of places, and those of them that are to be lit. */
 struct sights {
     const struct tracer *tracer;
     struct worker *worker;
     struct sight at[WORLD_RAYS];
-    unsigned count;
+    unsigned lit[WORLD_RAYS], count;
 };
+
+/* Bit by bit whether there is a picture. */
+static unsigned places_seen(const struct camera *camera,
+                            const struct tracer_met *met)
+{
+    unsigned seen = (1u << met->count) - 1;
+    for (unsigned i = 0; camera->kind->sees && i < met->count; i++)
+        if (!camera_sees(camera, met->places[i].at[0], met->places[i].at[1]))
+            seen &= ~(1u << i);
+    return seen;
+}
+
+static void sights_describe(struct sights *sights, const struct tracer_met *met,
+                            unsigned seen)
+{
+    struct intersection *at[WORLD_RAYS];
+    for (unsigned i = 0; i < met->count; i++) {
+        at[i] = &sights->at[i].crossing.at;
+        if (!met->hits[i].leaf)
+            seen &= ~(1u << i);
+    }
+    if (seen)
+        world_describe_many(met->rays, met->hits, seen, at);
+}
 
 /* From the camera to what it meets first, and which of them end there. */
 static void sights_arrive(struct sights *sights, const struct tracer_met *met,
                           struct radiance *out)
 {
-    const struct camera *camera = &sights->tracer->scene->camera;
+    unsigned seen = places_seen(&sights->tracer->scene->camera, met);
+    sights_describe(sights, met, seen);
     sights->count = 0;
     for (unsigned i = 0; i < met->count; i++) {
-        const struct picture_place *place = &met->places[i];
-        const struct world_hit *hit = &met->hits[i];
-        struct sight *sight = &sights->at[sights->count];
+        struct sight *sight = &sights->at[i];
         out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(camera, place->at[0], place->at[1]))
+        if (!(seen >> i & 1))
             continue;
         sight->path.ray = rays_at(met->rays, (int)i);
-        path_start(&sight->path, sights->tracer, sights->worker, place);
-        if (hit->leaf)
-            world_describe(&sight->path.ray, hit, &sight->crossing.at);
-        if (path_arrive(&sight->path, &sight->crossing, hit->leaf)) {
-            sight->out = &out[i];
-            sights->count++;
-        } else {
+        path_start(&sight->path, sights->tracer, sights->worker,
+                   &met->places[i]);
+        if (path_arrive(&sight->path, &sight->crossing, met->hits[i].leaf))
+            sights->lit[sights->count++] = i;
+        else
             out[i] = path_seen(&sight->path);
-        }
     }
 }
 
 static void sights_light(struct sights *sights, struct light_asker *askers)
 {
     const struct tracer *tracer = sights->tracer;
-    for (unsigned i = 0; i < sights->count; i++) {
-        struct sight *sight = &sights->at[i];
-        askers[i].light = path_within(&sight->path, &sight->crossing);
-        askers[i].surface = &sight->crossing.surface;
+    for (unsigned k = 0; k < sights->count; k++) {
+        struct sight *sight = &sights->at[sights->lit[k]];
+        askers[k].light = path_within(&sight->path, &sight->crossing);
+        askers[k].surface = &sight->crossing.surface;
     }
     tracer->lighting->illuminate_many(tracer->lighting_state, sights->worker,
                                       askers, sights->count);
 }
 
-static void sight_go_on(struct sight *sight, const struct light_asker *asker)
+static struct radiance sight_go_on(struct sight *sight,
+                                   const struct light_asker *asker)
 {
     struct path *path = &sight->path;
     struct crossing *crossing = &sight->crossing;
     rgb light = path_shade(path, crossing, asker->light, &asker->diffuse);
     if (path_leave(path, crossing, light))
         path_go_on(path, crossing, path_meet(path, &crossing->at));
-    *sight->out = path_seen(path);
+    return path_seen(path);
 }
 
 static void see_together(const struct tracer *tracer, struct worker *worker,
@@ -213,8 +233,10 @@ static void see_together(const struct tracer *tracer, struct worker *worker,
     sights_arrive(&sights, met, out);
     if (sights.count > 0)
         sights_light(&sights, askers);
-    for (unsigned i = 0; i < sights.count; i++)
-        sight_go_on(&sights.at[i], &askers[i]);
+    for (unsigned k = 0; k < sights.count; k++) {
+        unsigned i = sights.lit[k];
+        out[i] = sight_go_on(&sights.at[i], &askers[k]);
+    }
     arena_reset(worker->scratch);
 }
 

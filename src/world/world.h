@@ -78,6 +78,10 @@ void world_closest_many(const struct world *world, const struct rays *rays,
 void world_describe(const struct ray *ray, const struct world_hit *hit,
                     struct intersection *out);
 
+/* The same of the hits that the bits `lanes` stand for, to the bit. */
+void world_describe_many(const struct rays *rays, const struct world_hit *hits,
+                         unsigned lanes, struct intersection *const *out);
+
 /* The same as world_closest, for crossings up to tmax. */
 bool world_within(const struct world *world, const struct ray *ray, double tmin,
                   double tmax, enum ray_kind kind, struct intersection *out);
