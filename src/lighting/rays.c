@@ -106,24 +106,19 @@ static struct diffuse_light rays_illuminate(const void *state,
                                    rays_irradiance(rays, worker, surface) };
 }
 
-static void rays_illuminate_many(const void *state, struct worker *worker,
-                                 struct light_asker *askers, unsigned count)
+static struct diffuse_light rays_illuminate_many(const void *state,
+                                                 struct worker *worker,
+                                                 struct facets *facets)
 {
     const struct rays_lighting *rays = state;
     const struct lamps *lamps = &rays->lamps;
     struct lamplights lights;
     lights.lamps = lamps;
     lights.worker = worker;
-    lamplights_start(&lights, askers, count);
+    lamplights_start(&lights, facets);
     for (size_t i = 0; i < lamps->count; i++)
         lamplights_give(&lights, &lamps->items[i]);
-    lamplights_end(&lights, askers, count);
-    rgb ambient = rays_ambient(rays);
-    for (unsigned i = 0; i < count; i++) {
-        askers[i].diffuse.ambient = ambient;
-        askers[i].diffuse.irradiance =
-            rays_irradiance(rays, worker, askers[i].surface);
-    }
+    return (struct diffuse_light){ rays_ambient(rays), rgb_grey(0) };
 }
 
 /* Light of surfaces is shared by the rays of a pixel, as they come. */

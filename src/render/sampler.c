@@ -337,8 +337,7 @@ static void centre_refine(const struct sampler *sampler, struct worker *worker,
     for (int i = 0; i < n * n; i++) {
         double u = i % n + 0.5 + jitter * sampler_jitter(x, y, 2 * i);
         double v = i / n + 0.5 + jitter * sampler_jitter(x, y, 2 * i + 1);
-        block.places[block.count++] =
-            sampler_at(sampler, x + u / n, y + v / n);
+        block.places[block.count++] = sampler_at(sampler, x + u / n, y + v / n);
         if (block.count == BLOCK_MOST || i == n * n - 1)
             block_sum(sampler, worker, &block, sum);
     }

@@ -63,6 +63,13 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 /* What all layers let pass straight through: a shadow ray's view. */
 rgb surface_transmittance(const struct intersection *at);
 
+/* The unit normal with a layer's bumps, at a point of the texture's space, of
+ * an unperturbed one, both in the world. `to` and `from`: world <-> the
+ * texture's space. Bumps that are laid by the surface's own coordinates are not
+ * asked for. */
+vec3 layer_bumped(const struct layer *layer, const affine *to,
+                  const affine *from, vec3 point, vec3 normal);
+
 /* The unit normal there, turned against the ray's direction, with the bumps of
  * the topmost layer. */
 vec3 surface_bumps(const struct intersection *at, vec3 direction);

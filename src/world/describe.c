@@ -1,6 +1,8 @@
 /* What there is to know of a crossing: see describe.h. */
 #include "world/describe.h"
 
+#include <string.h>
+
 #include "world/query.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
@@ -53,7 +55,7 @@ static vec3 leaf_face(const struct object *object, const struct hit *hit)
 /* The normal of a facet whose interpolated one is known; of other shapes they
  * are the same. */
 static inline void describe_face(const struct leaf *leaf, const struct hit *hit,
-                          struct intersection *out)
+                                 struct intersection *out)
 {
     vec3 face = leaf_face(leaf->object, hit);
     out->face = out->normal;
@@ -66,8 +68,9 @@ static inline void describe_face(const struct leaf *leaf, const struct hit *hit,
         out->face = vec3_dot(face, out->normal) < 0 ? vec3_negate(face) : face;
 }
 
-static inline void describe_texture(const struct leaf *leaf, const struct hit *hit,
-                             struct intersection *out)
+static inline void describe_texture(const struct leaf *leaf,
+                                    const struct hit *hit,
+                                    struct intersection *out)
 {
     out->texture = leaf->texture;
     out->to_texture = leaf->to_texture;
@@ -150,99 +153,96 @@ void world_describe(const struct ray *ray, const struct world_hit *hit,
     describe_hit(ray, hit->leaf, &found, out);
 }
 
-/* Vectors side by side. */
-struct lanes3 {
-    double at[3][RAY_LANES];
-};
-
-static inline vec3 lanes3_get(const struct lanes3 *lanes, unsigned i)
+static inline vec3 lane_get(const double (*from)[RAY_LANES], unsigned i)
 {
-    return (vec3){ lanes->at[0][i], lanes->at[1][i], lanes->at[2][i] };
+    return (vec3){ from[0][i], from[1][i], from[2][i] };
 }
 
-static inline void lanes3_put(struct lanes3 *lanes, unsigned i, vec3 v)
+static inline void lane_put(double (*to)[RAY_LANES], unsigned i, vec3 v)
 {
-    lanes->at[0][i] = v.x;
-    lanes->at[1][i] = v.y;
-    lanes->at[2][i] = v.z;
+    to[0][i] = v.x;
+    to[1][i] = v.y;
+    to[2][i] = v.z;
 }
 
 CLONES static void points_along(const struct rays *restrict rays,
                                 const double *restrict t,
-                                struct lanes3 *restrict points)
+                                double (*restrict points)[RAY_LANES])
 {
     for (unsigned i = 0; i < RAY_LANES; i++)
-        lanes3_put(points, i,
-                   vec3_along(rays_origin(rays, (int)i),
-                              rays_direction(rays, (int)i), t[i]));
+        lane_put(points, i,
+                 vec3_along(rays_origin(rays, (int)i),
+                            rays_direction(rays, (int)i), t[i]));
 }
 
 /* What `unit` makes of those that need no scaling for it; the others stay. */
-CLONES static void normals_unit(struct lanes3 *normals,
+CLONES static void normals_unit(double (*normals)[RAY_LANES],
                                 lane_flag *restrict usual)
 {
-    double(*restrict at)[RAY_LANES] = normals->at;
     for (unsigned i = 0; i < RAY_LANES; i++) {
-        vec3 v = { at[0][i], at[1][i], at[2][i] };
+        vec3 v = { normals[0][i], normals[1][i], normals[2][i] };
         double square = vec3_dot(v, v), scale = 1 / sqrt(square);
         bool is = (square > 1e-200) & (square < 1e200);
         scale = is ? scale : 1;
         usual[i] = is ? -1 : 0;
-        at[0][i] = v.x * scale;
-        at[1][i] = v.y * scale;
-        at[2][i] = v.z * scale;
+        normals[0][i] = v.x * scale;
+        normals[1][i] = v.y * scale;
+        normals[2][i] = v.z * scale;
     }
 }
 
-/* All but the normals, which are put into `normals`, of any length, and what
- * depends on them. */
-static void find_normals(const struct rays *rays, const struct hit *hits,
-                         unsigned lanes, struct intersection *const *out,
-                         struct lanes3 *normals)
+/* Those of any length. */
+static void faces_raw(const struct rays *rays, const struct world_hit *hits,
+                      unsigned lanes, struct world_faces *faces)
 {
-    struct lanes3 points;
     double t[RAY_LANES] = { 0 };
     for (unsigned each = lanes; each; each &= each - 1) {
         unsigned i = (unsigned)__builtin_ctz(each);
-        t[i] = hits[i].t;
+        t[i] = hits[i].hit.t;
     }
-    points_along(rays, t, &points);
-    for (unsigned each = lanes; each; each &= each - 1) {
-        unsigned i = (unsigned)__builtin_ctz(each);
-        const struct leaf *leaf = out[i]->leaf;
-        vec3 point = lanes3_get(&points, i);
-        vec3 normal = leaf_normal(leaf, point, &hits[i]);
-        out[i]->t = hits[i].t;
-        out[i]->point = point;
-        out[i]->part = hits[i].part;
+    points_along(rays, t, faces->point);
+    memset(faces->normal, 0, sizeof faces->normal);
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct leaf *leaf = hits[i].leaf;
+        const struct ray ray = rays_at(rays, (int)i);
+        struct hit *hit = &faces->hit[i];
+        *hit = hits[i].hit;
+        query_refine(&ray, leaf, hit);
+        vec3 normal = leaf_normal(leaf, lane_get(faces->point, i), hit);
         if (leaf->moved)
             normal = affine_normal(leaf->to_object, normal);
-        lanes3_put(normals, i, normal);
+        lane_put(faces->normal, i, normal);
     }
 }
 
-void world_describe_many(const struct rays *rays, const struct world_hit *hits,
-                         unsigned lanes, struct intersection *const *out)
+void world_face_many(const struct rays *rays, const struct world_hit *hits,
+                     unsigned lanes, struct world_faces *faces)
 {
-    struct lanes3 normals = { { { 0 } } };
-    struct hit found[RAY_LANES];
     lane_flag usual[RAY_LANES];
-    for (unsigned each = lanes; each; each &= each - 1) {
-        unsigned i = (unsigned)__builtin_ctz(each);
-        const struct ray ray = rays_at(rays, (int)i);
-        found[i] = hits[i].hit;
-        out[i]->leaf = hits[i].leaf;
-        query_refine(&ray, hits[i].leaf, &found[i]);
-    }
-    find_normals(rays, found, lanes, out, &normals);
-    normals_unit(&normals, usual);
+    faces_raw(rays, hits, lanes, faces);
+    normals_unit(faces->normal, usual);
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct ray ray = rays_at(rays, (int)i);
-        vec3 normal = lanes3_get(&normals, i);
+        const struct leaf *leaf = hits[i].leaf;
+        if (usual[i] && !leaf->inverse)
+            continue;
+        vec3 normal = lane_get(faces->normal, i);
         if (!usual[i])
             normal = unit_scaled(normal);
-        out[i]->normal = normal_outward(out[i]->leaf, normal, ray.direction);
-        describe_rest(&ray, out[i]->leaf, &found[i], out[i]);
+        lane_put(faces->normal, i,
+                 normal_outward(leaf, normal, rays_direction(rays, (int)i)));
     }
+}
+
+void world_describe_face(const struct ray *ray, const struct leaf *leaf,
+                         const struct world_faces *faces, unsigned i,
+                         struct intersection *out)
+{
+    out->t = faces->hit[i].t;
+    out->point = lane_get(faces->point, i);
+    out->leaf = leaf;
+    out->part = faces->hit[i].part;
+    out->normal = lane_get(faces->normal, i);
+    describe_rest(ray, leaf, &faces->hit[i], out);
 }

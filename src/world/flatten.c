@@ -242,6 +242,10 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
             (!leaf->inner || texture_is_opaque(leaf->inner->texture)) &&
             (object->kind == OBJECT_SHAPE || mesh_is_opaque(object->mesh));
         flat->translucent |= !leaf->opaque;
+        leaf->plain = leaf->opaque && !leaf->inner && !leaf->uv_mapping &&
+                      (object->kind == OBJECT_SHAPE ||
+                       object->mesh->texture_count == 0) &&
+                      texture_is_plain(leaf->texture);
         leaf->number = (unsigned)flat->leaf_count++;
     }
     return leaf;

@@ -48,6 +48,7 @@ struct leaf {
     int looks_like;  /* number of the light it stands for, or -1 */
     unsigned number; /* 0..leaf_count-1 */
     bool opaque;     /* no texture of it lets light pass */
+    bool plain;      /* its paint is plain (texture_is_plain) wherever it is */
     bool moved;      /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;

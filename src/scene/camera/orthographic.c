@@ -25,9 +25,10 @@ static struct ray orthographic_ray(const struct camera *camera, double x,
                      camera->direction };
 }
 
-CLONES static void orthographic_ray_many(
-    const struct camera *camera, const struct camera_places *restrict at,
-    struct rays *restrict rays)
+CLONES static void
+orthographic_ray_many(const struct camera *camera,
+                      const struct camera_places *restrict at,
+                      struct rays *restrict rays)
 {
     const struct camera from = *camera;
     for (int i = 0; i < RAY_LANES; i++)
