@@ -198,15 +198,16 @@ conformance: all ## every scene of povray-examples by both programs
 	@$(MAKE) --no-print-directory $(BUILD)/tests/tools/compare
 	@GLIM=$(abspath $(BUILD)/glim) tests/conformance/run
 
-bench: all ## what light costs, and how right it is, as ratios (BENCH=quick)
+bench: all $(BUILD)/tests/tools/limit ## what light costs, and how right it is, as ratios (BENCH=quick)
 	@GLIM=$(abspath $(BUILD)/glim) tests/bench/run
 
 reference: all $(BUILD)/tests/tools/figures ## path against POV-Ray's radiosity and Embree's path tracer
 	@$(DEPS) povray openimageio-tools embree-tools
 	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/reference/run
 
-latency: all ## how soon glim-view shows a change, over examples/ and POV-Ray's scenes
+latency: all $(BUILD)/tests/tools/speak ## how soon glim-view shows a change, and the language server answers
 	@$(DEPS) povray povray-examples
+	@BUILD=$(abspath $(BUILD)) GLIM=$(abspath $(BUILD)/glim) tests/language/latency
 	@GLIM=$(abspath $(BUILD)/glim) tests/view/latency
 
 view-camera: all $(BUILD)/tests/tools/compare ## 100 camera blocks of glim-view, drawn by both programs

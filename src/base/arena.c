@@ -58,15 +58,35 @@ static void arena_grow(struct arena *arena, size_t size)
     arena->block = block;
 }
 
+static size_t arena_rounded(size_t size)
+{
+    return (size + ARENA_ALIGN - 1) & ~(size_t)(ARENA_ALIGN - 1);
+}
+
 void *arena_alloc(struct arena *arena, size_t size)
 {
-    size = (size + ARENA_ALIGN - 1) & ~(size_t)(ARENA_ALIGN - 1);
+    size = arena_rounded(size);
     if (!arena->block || arena->block->size - arena->block->used < size)
         arena_grow(arena, size);
     void *memory = arena->block->bytes + arena->block->used;
     arena->block->used += size;
     arena->used += size;
     return memory;
+}
+
+bool arena_resize(struct arena *arena, void *memory, size_t old, size_t size)
+{
+    struct block *block = arena->block;
+    unsigned char *bytes = memory;
+    size_t used = arena_rounded(old), wanted = arena_rounded(size);
+    if (!block || bytes + used != block->bytes + block->used ||
+        (wanted > used && block->size - block->used < wanted - used))
+        return false;
+    if (size < old)
+        memset(bytes + size, 0, old - size);
+    block->used += wanted - used;
+    arena->used += wanted - used;
+    return true;
 }
 
 size_t arena_used(const struct arena *arena)

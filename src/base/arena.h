@@ -19,6 +19,11 @@ void arena_free(struct arena *arena);
  * an earlier mark. Never NULL. */
 void *arena_alloc(struct arena *arena, size_t size);
 
+/* Makes what was allocated last larger or smaller where it stands, from `old`
+ * to `size` bytes. Returns false, and nothing has changed, when something was
+ * allocated after it or the block has no room. */
+bool arena_resize(struct arena *arena, void *memory, size_t old, size_t size);
+
 size_t arena_used(const struct arena *arena);
 size_t arena_limit(const struct arena *arena);
 bool arena_over_limit(const struct arena *arena);

@@ -13,9 +13,19 @@ void *array_reserve(struct arena *arena, void *items, size_t count,
 {
     if (wanted <= *capacity)
         return items;
+    size_t old = *capacity;
+    *capacity = wanted;
+    if (old && arena_resize(arena, items, old * item_size, wanted * item_size))
+        return items;
     void *grown = arena_alloc(arena, wanted * item_size);
     if (count)
         memcpy(grown, items, count * item_size);
-    *capacity = wanted;
     return grown;
+}
+
+void array_fit(struct arena *arena, void *items, size_t count, size_t *capacity,
+               size_t item_size)
+{
+    if (arena_resize(arena, items, *capacity * item_size, count * item_size))
+        *capacity = count;
 }

@@ -2,7 +2,8 @@
  * `capacity`, declared where it is used:
  *     struct { struct light *items; size_t count, capacity; } lights;
  *     *ARRAY_PUSH(arena, &lights) = light;
- * Old storage is left to the arena, which at most doubles its size. */
+ * It grows where it stands if nothing else was allocated since; else its old
+ * storage is left to the arena, which at most doubles its size. */
 #ifndef BASE_ARRAY_H
 #define BASE_ARRAY_H
 
@@ -24,11 +25,20 @@
          array_reserve((arena), (array)->items, (array)->count,                \
                        &(array)->capacity, (wanted), sizeof *(array)->items))
 
+/* Gives back the room that is not used, if nothing else was allocated since;
+ * for arrays of which there may be very many. */
+#define ARRAY_FIT(arena, array)                                                \
+    array_fit((arena), (array)->items, (array)->count, &(array)->capacity,     \
+              sizeof *(array)->items)
+
 void *array_reserve(struct arena *arena, void *items, size_t count,
                     size_t *capacity, size_t wanted, size_t item_size);
 
 /* Room for at least one more item: the items, moved. */
 void *array_grow(struct arena *arena, void *items, size_t count,
                  size_t *capacity, size_t item_size);
+
+void array_fit(struct arena *arena, void *items, size_t count, size_t *capacity,
+               size_t item_size);
 
 #endif

@@ -21,38 +21,48 @@ static uint32_t bits_permuted(uint32_t x, uint32_t seed)
     return x ^ x * 0x8d22f6e6u;
 }
 
-/* Owen's nested uniform scrambling, from the highest bit down. */
-static uint32_t bits_scrambled(uint32_t x, uint32_t seed)
+/* Owen's nested uniform scrambling, from the highest bit down, of a number
+ * whose bits are given in reverse. */
+static uint32_t bits_scrambled(uint32_t reversed, uint32_t seed)
 {
-    return bits_reversed(bits_permuted(bits_reversed(x), seed));
+    return bits_reversed(bits_permuted(reversed, seed));
 }
 
-/* The second dimension: Pascal's triangle modulo 2. */
-static uint32_t sobol_second(uint32_t index)
+/* The second dimension, its bits in reverse: Pascal's triangle modulo 2, in
+ * which bit k is of all bits whose numbers have those of k (Lucas' theorem). */
+static uint32_t sobol_second(uint32_t x)
 {
-    uint32_t result = 0;
-    for (uint32_t v = 1u << 31; index; index >>= 1, v ^= v >> 1)
-        if (index & 1)
-            result ^= v;
-    return result;
+    x ^= x >> 1 & 0x55555555u;
+    x ^= x >> 2 & 0x33333333u;
+    x ^= x >> 4 & 0x0f0f0f0fu;
+    x ^= x >> 8 & 0x00ff00ffu;
+    return x ^ x >> 16;
+}
+
+/* The place of the sample in the sequence of the slot. */
+static uint32_t draw_index(const struct draws *draws, uint64_t key)
+{
+    return bits_scrambled(bits_reversed(draws->index), (uint32_t)key);
+}
+
+static double draw_first(uint32_t index, uint64_t key)
+{
+    return bits_scrambled(index, (uint32_t)(key >> 32)) * 0x1p-32;
 }
 
 void draw_pair(const struct draws *draws, uint32_t slot, double pair[2])
 {
-    uint64_t key = random_key(draws->key, slot), more = random_mix(key);
-    uint32_t index = bits_scrambled(draws->index, (uint32_t)key);
-    uint32_t first =
-        bits_scrambled(bits_reversed(index), (uint32_t)(key >> 32));
-    uint32_t second = bits_scrambled(sobol_second(index), (uint32_t)more);
-    pair[0] = first * 0x1p-32;
-    pair[1] = second * 0x1p-32;
+    uint64_t key = random_key(draws->key, slot);
+    uint32_t index = draw_index(draws, key);
+    pair[0] = draw_first(index, key);
+    pair[1] = bits_scrambled(sobol_second(index), (uint32_t)random_mix(key)) *
+              0x1p-32;
 }
 
 double draw_unit(const struct draws *draws, uint32_t slot)
 {
-    double pair[2];
-    draw_pair(draws, slot, pair);
-    return pair[0];
+    uint64_t key = random_key(draws->key, slot);
+    return draw_first(draw_index(draws, key), key);
 }
 
 struct draws draws_within(const struct draws *draws, uint64_t part)

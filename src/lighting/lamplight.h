@@ -16,6 +16,7 @@ struct lamplight {
     /* The share of the lamp's light that gets to the surface. */
     rgb (*share)(struct lamplight *light, const struct lamp *lamp,
                  const struct lamp_view *view);
+    const void *knows; /* for `share`, if it wants anything */
 };
 
 /* Visits the samples of one lamp. `share` is asked only if the lamp can change

@@ -84,7 +84,9 @@ static struct lamplight lamplights_at(const struct lamplights *lights,
 {
     return (struct lamplight){ .lamps = lights->lamps,
                                .worker = lights->worker,
-                               .surface = facets_surface(lights->facets, i) };
+                               .surface = facets_surface(lights->facets, i),
+                               .share = lights->share,
+                               .knows = lights->knows };
 }
 
 /* Of those that face the lamp or may do so those that do. */
@@ -189,7 +191,7 @@ static void lamplights_shares(const struct lamplights *lights,
             rays_direction(&lights->ways.rays, (int)i), looks->distance[i],
             looks->attenuation[i]
         };
-        rgb share = lamplight_trace(&one, lamp, &view);
+        rgb share = lights->share(&one, lamp, &view);
         if (!(rgb_peak(share) > 0))
             looks->lit &= ~(1u << i);
         lit->colour[0][i] *= share.r;
@@ -205,6 +207,11 @@ static void lamplights_shadow(const struct lamplights *lights,
 {
     const struct lamps *lamps = lights->lamps;
     unsigned left = looks->lit;
+    if (lights->foresee) {
+        struct lamplights_known known = lights->foresee(lights, lamp, left);
+        looks->lit &= ~known.dark;
+        left &= ~known.dark & ~known.lit;
+    }
     if (lamps_clear(lamps, lamp)) {
         struct occluded found = shadow_falls_many(lamps->world, lights->worker,
                                                   &lights->ways, left);
@@ -235,7 +242,6 @@ static void lamplights_give_each(struct lamplights *lights,
         struct lamplight one = lamplights_at(lights, i);
         one.visit = alone_visit;
         one.context = &alone;
-        one.share = lamplight_trace;
         lamplight_give(&one, lamp);
     }
 }

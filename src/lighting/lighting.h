@@ -90,13 +90,15 @@ struct lighting {
     struct diffuse_light (*illuminate)(const void *state, struct worker *worker,
                                        const struct surface *surface,
                                        light_visit *visit, void *context);
-    /* The same of all facets that are set: adds what lamps give to the light of
-     * each, to the bit, the sooner the closer together they are. Returns the
-     * light without a direction, which is the same for all. NULL: one by one.
-     */
-    struct diffuse_light (*illuminate_many)(const void *state,
-                                            struct worker *worker,
-                                            struct facets *facets);
+    /* The same of all facets that are set, to the bit, the sooner the closer
+     * together they are: what lamps give is added to the light of each, and the
+     * light without a direction put into `diffuse`. NULL: one by one. */
+    void (*illuminate_many)(const void *state, struct worker *worker,
+                            struct facets *facets,
+                            struct diffuse_light diffuse[RAY_LANES]);
+    /* It looks at the surface of each, not at the facets alone, for which light
+     * without a direction is the same. */
+    bool by_surface;
     /* Whether surfaces may be lit in any order, those of one pixel
      * (worker->pixel) too; asked if there is illuminate_many. */
     bool (*in_any_order)(const void *state);

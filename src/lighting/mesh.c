@@ -94,21 +94,26 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     return done;
 }
 
-/* A look at what indirect light there is, if it is wanted. */
+/* A look at what indirect light there is, if it is wanted. Where one bounce
+ * brings next to nothing more may: round two corners. */
 static struct survey mesh_survey(const struct mesh_lighting *mesh,
                                  const struct scene *scene,
                                  const struct lighting_options *options)
 {
-    const struct gather gather = {
+    struct gather gather = {
         .lamps = &mesh->lamps,
         .emitters = mesh->emitters,
         .ambience = &mesh->ambience,
+        .tone = scene->settings.light_mesh.indirect.tone,
     };
     struct worker worker = { .stop = options->stop, .scratch = arena_new(0) };
     struct survey survey = { .open = 1 };
     if (options->numbers)
         survey = survey_none();
     else if (scene->settings.light_mesh.indirect.on)
+        survey = survey_of(&gather, scene, &worker);
+    gather.onward = survey.open < 1 && survey.worth < gather_worth_none;
+    if (gather.onward)
         survey = survey_of(&gather, scene, &worker);
     arena_free(worker.scratch);
     return survey;
@@ -217,6 +222,30 @@ static struct diffuse_light mesh_illuminate(const void *state,
     return diffuse;
 }
 
+static bool mesh_may_mix(const void *state)
+{
+    const struct mesh_lighting *mesh = state;
+    const struct mesh_lamps lamps = { &mesh->knowers, mesh->direct_view };
+    return mesh_lamps_may_mix(&lamps);
+}
+
+static void mesh_illuminate_many(const void *state, struct worker *worker,
+                                 struct facets *facets,
+                                 struct diffuse_light *diffuse)
+{
+    const struct mesh_lighting *mesh = state;
+    const struct mesh_lamps lamps = { &mesh->knowers, mesh->direct_view };
+    mesh_lamps_light_many(&lamps, worker, facets);
+    for (unsigned all = facets->all; all; all &= all - 1) {
+        unsigned i = (unsigned)__builtin_ctz(all);
+        const struct surface *surface = facets_surface(facets, i);
+        diffuse[i] =
+            (struct diffuse_light){ mesh->ambience.light, rgb_grey(0) };
+        if (mesh->indirect && surface->count > 0)
+            diffuse[i] = mesh_surfaces(mesh, worker, surface, false);
+    }
+}
+
 static const struct lamps *mesh_lamps(const void *state)
 {
     const struct mesh_lighting *mesh = state;
@@ -288,6 +317,9 @@ const struct lighting mesh_lighting = {
     .foresees = mesh_foresees,
     .prepare = mesh_look_ahead,
     .illuminate = mesh_illuminate,
+    .illuminate_many = mesh_illuminate_many,
+    .by_surface = true,
+    .in_any_order = mesh_may_mix,
     .lamps = mesh_lamps,
     .tell = mesh_tell,
     .keep = mesh_keep,

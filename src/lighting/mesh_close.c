@@ -16,8 +16,8 @@ bool mesh_close_make(struct void_skeleton *close, const struct world *world,
     return void_skeleton_make(close, world, scene, wish, options, diag);
 }
 
-rgb mesh_close_light(const void *context, struct worker *worker, vec3 place,
-                     vec3 normal, vec3 from)
+bool mesh_close_light(const void *context, struct worker *worker, vec3 place,
+                      vec3 normal, vec3 from, rgb *light)
 {
-    return skeleton_close(context, worker, place, normal, from);
+    return skeleton_close(context, worker, place, normal, from, light);
 }

@@ -12,7 +12,7 @@ bool mesh_close_make(struct void_skeleton *close, const struct world *world,
                      const struct lighting_options *options, struct diag *diag);
 
 /* A gather_close; `context` is the skeleton. */
-rgb mesh_close_light(const void *context, struct worker *worker, vec3 place,
-                     vec3 normal, vec3 from);
+bool mesh_close_light(const void *context, struct worker *worker, vec3 place,
+                      vec3 normal, vec3 from, rgb *light);
 
 #endif

@@ -134,6 +134,64 @@ static void mesh_groups_give(struct lamplight *light)
         lamplight_give(light, &light->lamps->items[i]);
 }
 
+/* As one that asks nobody else. */
+static rgb mesh_share(struct lamplight *light, const struct lamp *lamp,
+                      const struct lamp_view *view)
+{
+    const struct mesh_lamps *mesh = light->knows;
+    const struct surface *surface = light->surface;
+    const struct receiver receiver =
+        mesh_receiver(surface, surface->side, surface->side, mesh->view);
+    struct asking asking;
+    asking_start(&asking, mesh->knowers, light->worker, &receiver,
+                 surface->inside);
+    return asking_one_lamp(&asking, lamp, view);
+}
+
+/* Pixels know without being asked for the rest of the ladder. */
+static struct lamplights_known mesh_foresee(const struct lamplights *lights,
+                                            const struct lamp *lamp,
+                                            unsigned lanes)
+{
+    const struct mesh_lamps *mesh = lights->knows;
+    struct lamplights_known known = { 0, 0 };
+    for (; lanes; lanes &= lanes - 1) {
+        int i = __builtin_ctz(lanes);
+        const struct surface *surface =
+            facets_surface(lights->facets, (unsigned)i);
+        vec3 way = rays_direction(&lights->ways.rays, i);
+        bool shines;
+        if (!surface->place || !(vec3_dot(way, surface->side) > 0) ||
+            !pixel_mesh_sees(mesh->knowers->pixels, surface->place, lamp,
+                             &shines))
+            continue;
+        known.lit |= (unsigned)shines << i;
+        known.dark |= (unsigned)!shines << i;
+    }
+    return known;
+}
+
+bool mesh_lamps_may_mix(const struct mesh_lamps *mesh)
+{
+    return mesh->knowers->plan->lamps == PLAN_EACH;
+}
+
+void mesh_lamps_light_many(const struct mesh_lamps *mesh, struct worker *worker,
+                           struct facets *facets)
+{
+    const struct lamps *lamps = mesh->knowers->lamps;
+    bool chosen = scene_lamps_choose(lamps->scene);
+    struct lamplights lights;
+    lights.lamps = lamps;
+    lights.worker = worker;
+    lights.share = chosen ? lamplight_trace_fine : mesh_share;
+    lights.knows = mesh;
+    lights.foresee = chosen || !mesh->knowers->pixels ? NULL : mesh_foresee;
+    lamplights_start(&lights, facets);
+    for (size_t i = 0; i < lamps->count; i++)
+        lamplights_give(&lights, &lamps->items[i]);
+}
+
 rgb mesh_lamps_light(const struct mesh_lamps *mesh, struct lamplight *light)
 {
     if (scene_lamps_choose(light->lamps->scene))

@@ -106,19 +106,22 @@ static struct diffuse_light rays_illuminate(const void *state,
                                    rays_irradiance(rays, worker, surface) };
 }
 
-static struct diffuse_light rays_illuminate_many(const void *state,
-                                                 struct worker *worker,
-                                                 struct facets *facets)
+static void rays_illuminate_many(const void *state, struct worker *worker,
+                                 struct facets *facets,
+                                 struct diffuse_light *diffuse)
 {
     const struct rays_lighting *rays = state;
     const struct lamps *lamps = &rays->lamps;
     struct lamplights lights;
     lights.lamps = lamps;
     lights.worker = worker;
+    lights.share = lamplight_trace;
+    lights.foresee = NULL;
     lamplights_start(&lights, facets);
     for (size_t i = 0; i < lamps->count; i++)
         lamplights_give(&lights, &lamps->items[i]);
-    return (struct diffuse_light){ rays_ambient(rays), rgb_grey(0) };
+    for (unsigned i = 0; facets->all >> i; i++)
+        diffuse[i] = (struct diffuse_light){ rays_ambient(rays), rgb_grey(0) };
 }
 
 /* Light of surfaces is shared by the rays of a pixel, as they come. */

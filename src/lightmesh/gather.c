@@ -3,6 +3,7 @@
 
 #include "base/warp.h"
 #include "lightmesh/drawn_lamp.h"
+#include "lightmesh/gather_glow.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
 #include "shade/background.h"
@@ -80,36 +81,6 @@ rgb bounce_toned(const struct bounce_tone *tone, rgb light)
     return rgb_scale(light, tone->brightness);
 }
 
-rgb gather_balanced(const struct gather *gather, const struct ray *ray,
-                    double density, const struct gathered_ray *found)
-{
-    if (!emitters_any(gather->emitters) || !(rgb_peak(found->glow) > 0))
-        return found->light;
-    double other = emitters_density(gather->emitters, ray->origin,
-                                    ray->direction, &found->at);
-    double twice = isfinite(other) ? other / (density + other) : 1;
-    return rgb_add_scaled(found->light, found->glow, -twice);
-}
-
-bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
-                 const struct draws *draws, struct gathered_glow *found)
-{
-    double which = draw_unit(draws, GATHER_WHICH), u[2];
-    struct emitter_pick pick;
-    struct intersection at;
-    draw_pair(draws, GATHER_WHERE, u);
-    if (!emitters_pick(gather->emitters, place, which, u, &pick))
-        return false;
-    struct ray ray = { place, pick.direction };
-    found->light = gather_glow(gather, worker, &ray, &at);
-    found->direction = pick.direction;
-    found->density = pick.density;
-    if (at.leaf != pick.leaf || rgb_peak(found->light) == 0)
-        return false;
-    return isinf(pick.distance) ||
-           fabs(at.t - pick.distance) <= 1e-5 * (1 + at.t);
-}
-
 /* What is picked of what glows, as irradiance. */
 static rgb gathering_picked(const struct gathering *gathering,
                             const struct surface *surface,
@@ -136,8 +107,10 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     struct draws draws =
         draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
     struct indirect_share share = gather->around;
-    double chance = fmin(onward_often * matters, 1), u[2];
-    if (gathering->before >= BOUNCES ||
+    bool blind = gather->close && gathering->before == 0;
+    double often = blind ? onward_often_blind : onward_often;
+    double chance = fmin(often * matters, 1), u[2];
+    if (gathering->before >= ONWARD_MOST ||
         draw_unit(&draws, GATHER_CHANCE) >= chance)
         return share;
     struct gathered_ray found = { .open = 0 };
@@ -161,6 +134,35 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     return share;
 }
 
+bool gather_closes(const struct gather *gather, struct worker *worker,
+                   const struct receiver *receiver,
+                   struct indirect_share *share)
+{
+    rgb light;
+    if (!gather->close ||
+        !gather->close(gather->close_context, worker, receiver->point,
+                       receiver->normal, receiver->from, &light))
+        return false;
+    *share = (struct indirect_share){ light, 0 };
+    return true;
+}
+
+/* What surfaces send to the receiver, if mesh points or the skeleton know. */
+static bool gathering_known(const struct gathering *gathering,
+                            const struct receiver *receiver,
+                            struct indirect_share *share)
+{
+    const struct gather *gather = gathering->gather;
+    bool here = gather->here && gathering->met == 0;
+    if (here)
+        *share = indirect_light_share(gather->here, receiver->normal);
+    return here ||
+           (gather->indirect &&
+            indirect_mesh_nearest(gather->indirect, gathering->worker, receiver,
+                                  gathering_jitter(gathering), share)) ||
+           gather_closes(gather, gathering->worker, receiver, share);
+}
+
 /* All light on the surface, of which the share `matters` is seen. Where the
  * skeleton ends the row of bounces it has the ambient light as well. */
 static struct indirect_share gathering_share(const struct gathering *gathering,
@@ -178,15 +180,8 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .weight = 1 };
     rgb light = gathering_direct(gathering, &receiver);
     struct indirect_share more = gather->around;
-    bool found = gather->indirect &&
-                 indirect_mesh_nearest(gather->indirect, worker, &receiver,
-                                       gathering_jitter(gathering), &more);
-    if (!found && gather->close)
-        more = (struct indirect_share){ gather->close(gather->close_context,
-                                                      worker, receiver.point,
-                                                      normal, receiver.from),
-                                        0 };
-    else if (!found && gather->onward)
+    bool found = gathering_known(gathering, &receiver, &more);
+    if (!found && gather->onward)
         more = gathering_onward(gathering, surface, matters);
     else if (!found && gather->indirect)
         more = indirect_mesh_light(gather->indirect, worker, &receiver);
@@ -368,19 +363,4 @@ void gather_met(const struct gather *gather, struct worker *worker,
     };
     gathered->light =
         gathering_follow(&gathering, &gathered->at, &gathered->glow);
-}
-
-rgb gather_glow(const struct gather *gather, struct worker *worker,
-                const struct ray *ray, struct intersection *at)
-{
-    struct surface surface;
-    at->leaf = NULL;
-    worker->counters.shadow_rays++;
-    if (!world_closest(gather->lamps->world, ray, surface_offset(ray->origin),
-                       RAY_REFLECTION, at)) {
-        at->leaf = NULL;
-        return rgb_grey(0);
-    }
-    gather_surface(gather, ray, at, &surface);
-    return surface_glow(&surface);
 }

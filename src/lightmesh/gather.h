@@ -15,23 +15,26 @@ struct indirect_mesh;
 struct surface;
 
 /* The irradiance of light from everywhere that ends a row of bounces, and
- * stands in where a place sees no mesh point; NULL ends it in the dark. Nothing
- * is between the place and `from`, where its light goes; only the mean of many
- * answers need be right. */
-typedef rgb gather_close(const void *context, struct worker *worker, vec3 place,
-                         vec3 normal, vec3 from);
+ * stands in where a place sees no mesh point; false where it isn't known.
+ * Nothing is between the place and `from`, where its light goes; only the mean
+ * of many answers need be right. */
+typedef bool gather_close(const void *context, struct worker *worker,
+                          vec3 place, vec3 normal, vec3 from, rgb *light);
 
 struct gather {
     const struct lamps *lamps;
     const struct direct_mesh *direct;
     const struct indirect_mesh *indirect; /* of one bounce less, or NULL */
+    const struct indirect_light *here;    /* around what rays meet first; NULL:
+                                           * `indirect` is asked */
     struct lattice_view view;             /* of what its rays meet */
     const struct emitters *emitters;
     const struct ambience *ambience;
     struct bounce_tone tone; /* of what `indirect` says */
-    gather_close *close;
+    gather_close *close;     /* or NULL */
     const void *close_context;
-    bool onward; /* else further rays end it, and stand in likewise */
+    bool onward; /* where that knows nothing further rays end it, and stand in
+                  * likewise */
     struct indirect_share around; /* what ends the bounces where nothing else
                                    * does */
 };
@@ -39,6 +42,11 @@ struct gather {
 /* Light of surfaces as POV-Ray's radiosity has it (measured): brighter, or with
  * less colour. */
 rgb bounce_toned(const struct bounce_tone *tone, rgb light);
+
+/* What `close` says of a receiver; false where nothing is known. */
+bool gather_closes(const struct gather *gather, struct worker *worker,
+                   const struct receiver *receiver,
+                   struct indirect_share *share);
 
 /* What is drawn for a gather ray. */
 enum gather_slot {
@@ -80,26 +88,5 @@ void gather_radiance(const struct gather *gather, struct worker *worker,
 void gather_met(const struct gather *gather, struct worker *worker,
                 const struct ray *ray, const struct draws *draws,
                 struct gathered_ray *gathered);
-
-/* Of what comes along the ray, which was drawn with that density per solid
- * angle, what counts beside gather_pick (balance heuristic, Veach 1997, section
- * 9.2): its first surface's glow only in part. */
-rgb gather_balanced(const struct gather *gather, const struct ray *ray,
-                    double density, const struct gathered_ray *found);
-
-/* A place that glows, picked as sample `draws`, as seen from a place. False:
- * none, or something is before it. There must be some (emitters_any). */
-struct gathered_glow {
-    vec3 direction;
-    rgb light;
-    double density; /* of being picked, per solid angle */
-};
-
-bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
-                 const struct draws *draws, struct gathered_glow *found);
-
-/* What glows of itself at the first surface along the ray, alone. */
-rgb gather_glow(const struct gather *gather, struct worker *worker,
-                const struct ray *ray, struct intersection *at);
 
 #endif

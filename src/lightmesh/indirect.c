@@ -4,6 +4,7 @@
 #include "base/draw.h"
 #include "base/memory.h"
 #include "base/warp.h"
+#include "lightmesh/gather_glow.h"
 #include "lightmesh/near_field.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
@@ -314,14 +315,11 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           const struct receiver *receiver)
 {
     const struct gather *gather = &mesh->gather;
-    if (indirect_mesh_leaves(mesh, receiver) && !gather->close)
-        return gather->around;
-    if (indirect_mesh_leaves(mesh, receiver))
-        return (struct indirect_share){
-            gather->close(gather->close_context, worker, receiver->point,
-                          receiver->normal, receiver->from),
-            0
-        };
+    if (indirect_mesh_leaves(mesh, receiver)) {
+        struct indirect_share share = gather->around;
+        gather_closes(gather, worker, receiver, &share);
+        return share;
+    }
     struct indirect_light light = indirect_mesh_blend(mesh, worker, receiver);
     if (!receiver->pixel)
         return indirect_light_share(&light, receiver->normal);

@@ -32,7 +32,7 @@ struct indirect_options {
     struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;
-    bool onward;                  /* further rays do if that is NULL, */
+    bool onward; /* further rays do where that knows nothing, */
     struct indirect_share around; /* or this */
 };
 

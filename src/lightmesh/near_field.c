@@ -1,6 +1,8 @@
 /* Short rays: see near_field.h. */
 #include "lightmesh/near_field.h"
 
+#include <string.h>
+
 #include "base/warp.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
@@ -41,20 +43,48 @@ static struct along light_along(const struct indirect_light *light, vec3 way)
     return (struct along){ fmax(along.light, 0), fmax(along.open, 0) };
 }
 
-/* One ray, which is drawn by the cosine. Returns whether it met something that
- * doesn't glow. */
-static bool nearby_look(struct nearby *nearby, const struct ray *ray,
-                        const struct draws *draws)
+/* Some of its rays, which are drawn by the cosine. */
+struct nearby_rays {
+    struct rays rays;
+    struct rays_span span;
+    struct world_hit hits[RAY_LANES];
+    struct draws draws[RAY_LANES];
+    unsigned count;
+};
+
+/* Numbers from `first` on. */
+static void nearby_trace(const struct nearby *nearby, int first,
+                         struct nearby_rays *sent)
 {
-    const struct world *world = nearby->mesh->points.world;
+    const struct receiver *receiver = nearby->receiver;
+    uint64_t key = nearby->mesh->gather.lamps->seed ^ near_key;
+    double from = surface_offset(receiver->point);
+    memset(&sent->span, 0, sizeof sent->span);
+    sent->count = (unsigned)fmin(nearby->rays - first, RAY_LANES);
+    for (unsigned i = 0; i < sent->count; i++) {
+        double u[2];
+        sent->draws[i] = (struct draws){ key, (uint32_t)first + i };
+        draw_pair(&sent->draws[i], GATHER_DIRECTION, u);
+        rays_set(&sent->rays, (int)i, receiver->point,
+                 warp_lobe(u, receiver->side, 1));
+        sent->span.near[i] = from;
+        sent->span.far[i] = nearby->reach;
+    }
+    nearby->worker->counters.shadow_rays += sent->count;
+    world_closest_many(nearby->mesh->points.world, &sent->rays, &sent->span,
+                       sent->count, RAY_REFLECTION, sent->hits);
+}
+
+/* One of them. Returns whether it met something that doesn't glow. */
+static bool nearby_meet(struct nearby *nearby, const struct ray *ray,
+                        const struct world_hit *hit, const struct draws *draws)
+{
     struct gathered_ray found;
     double density = vec3_dot(ray->direction, nearby->receiver->side) / WARP_PI;
     double count = nearby->rays;
-    nearby->worker->counters.shadow_rays++;
-    if (!(density > 0) ||
-        !world_within(world, ray, surface_offset(ray->origin), nearby->reach,
-                      RAY_REFLECTION, &found.at))
+    if (!(density > 0) || !hit->leaf)
         return false;
+    world_describe(ray, hit, &found.at);
     gather_met(&nearby->gather, nearby->worker, ray, draws, &found);
     if (rgb_peak(found.glow) > 0)
         return false;
@@ -66,25 +96,40 @@ static bool nearby_look(struct nearby *nearby, const struct ray *ray,
     return true;
 }
 
-/* All rays, or half of them. Returns whether anything is near. */
-static bool nearby_look_around(struct nearby *nearby,
-                               const struct indirect_light *light)
+static void nearby_add(struct nearby *nearby, const struct nearby_rays *sent,
+                       const struct indirect_light *light)
 {
-    const struct receiver *receiver = nearby->receiver;
-    uint64_t key = nearby->mesh->gather.lamps->seed ^ near_key;
-    bool any = false;
-    for (int i = 0; i < nearby->rays && (any || 2 * i < nearby->rays); i++) {
-        struct draws draws = { key, (uint32_t)i };
-        double u[2];
-        draw_pair(&draws, GATHER_DIRECTION, u);
-        struct ray ray = { receiver->point, warp_lobe(u, receiver->side, 1) };
+    for (unsigned i = 0; i < sent->count; i++) {
+        const struct ray ray = rays_at(&sent->rays, (int)i);
         struct along along = light_along(light, ray.direction);
-        bool hidden = nearby_look(nearby, &ray, &draws);
+        bool hidden =
+            nearby_meet(nearby, &ray, &sent->hits[i], &sent->draws[i]);
         nearby->all.light += along.light;
         nearby->all.open += along.open;
         nearby->hidden.light += hidden ? along.light : 0;
         nearby->hidden.open += hidden ? along.open : 0;
-        any = any || hidden;
+    }
+}
+
+static bool nearby_met(const struct nearby_rays *sent)
+{
+    for (unsigned i = 0; i < sent->count; i++)
+        if (sent->hits[i].leaf)
+            return true;
+    return false;
+}
+
+/* Returns whether anything is near. */
+static bool nearby_look_around(struct nearby *nearby,
+                               const struct indirect_light *light)
+{
+    bool any = false;
+    for (int first = 0; first < nearby->rays; first += RAY_LANES) {
+        struct nearby_rays sent;
+        nearby_trace(nearby, first, &sent);
+        any = nearby_met(&sent) || any;
+        if (any || first + RAY_LANES < nearby->rays)
+            nearby_add(nearby, &sent, light);
     }
     return any;
 }
@@ -119,6 +164,7 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
         .rays = rays,
     };
     nearby.gather.indirect = mesh;
+    nearby.gather.here = light;
     bool any = nearby_look_around(&nearby, light);
     if (any)
         indirect_light_dim(light,

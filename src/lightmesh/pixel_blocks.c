@@ -86,7 +86,7 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks)
 {
     struct rays rays;
     struct world_hit hits[BLOCK_PLACES];
-    double tmin[RAY_LANES] = { 0 };
+    struct rays_span span = { { 0 }, { 0 } };
     int number[BLOCK_PLACES];
     unsigned count = 0;
     for (int i = 0; i < BLOCK_PLACES; i++) {
@@ -97,10 +97,11 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks)
             continue;
         vec3 origin = block->rays[i].origin;
         rays_set(&rays, (int)count, origin, block->rays[i].direction);
-        tmin[count] = surface_offset(origin);
+        span.near[count] = surface_offset(origin);
+        span.far[count] = (double)INFINITY;
         number[count++] = i;
     }
-    world_closest_many(blocks->mesh->points.world, &rays, tmin, count,
+    world_closest_many(blocks->mesh->points.world, &rays, &span, count,
                        RAY_CAMERA, hits);
     for (unsigned i = 0; i < count; i++)
         block->hits[number[i]] = hits[i];

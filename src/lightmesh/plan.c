@@ -213,9 +213,9 @@ static void plan_indirect(struct plan *plan,
         .close_context = close_context,
         .tone = said->indirect.tone,
     };
-    if (!said->indirect.dark)
+    if (!said->indirect.dark && !close)
         plan->indirect.around = frame->around;
-    plan->indirect.onward = !frame->closed && !said->indirect.dark;
+    plan->indirect.onward = (close || !frame->closed) && !said->indirect.dark;
     plan->indirect.lattice.spacing *= frame->gather / frame->spacing;
 }
 

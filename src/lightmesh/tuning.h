@@ -111,11 +111,14 @@ static const double pixel_lamps_apart = 14;   /* of lamps / 14 pixels one */
 static const double pixel_lamps_more = 100, pixel_more_most = 4;
 static const double time_lamp_triangle = 26e-9, time_lamp_point = 15e-9;
 static const double time_ray = 0.3e-6, time_space_pixel = 0.8e-6;
-static const double pixel_worth = 3; /* so much longer: a third of the
-                                      * error of points in space */
-static const double pixel_rays_share =
-    0.25;                                  /* of few lamps' rays it may take */
-static const double pixel_rays_most = 0.3; /* of pairs that a ray may decide */
+static const double time_pixel_point = 0.25e-6; /* however many lamps there are
+                                                 */
+static const double time_ray_together = 0.1e-6; /* of those of many pixels */
+static const double pixel_worth = 3;        /* so much longer: a third of the
+                                             * error of points in space */
+static const double pixel_rays_share = 0.6; /* of few lamps' rays it may take
+                                             */
+static const double pixel_rays_most = 0.3;  /* of pairs that a ray may decide */
 static const double pixel_detail_least = 1e-3; /* units: shadow rays begin there
                                                 */
 static const double pixel_detail = 0.1; /* of a pixel: no shadow is seen */
@@ -131,6 +134,7 @@ static const double penumbra_swell = 0.25; /* of a block, in its side */
 /* Gathering [room, blocks, maze, room-error]. */
 enum {
     BOUNCES = 6,
+    ONWARD_MOST = 24,   /* surfaces on the way of one that goes on, at most */
     CLOSED_BOUNCES = 1, /* when the skeleton knows the rest */
     OPEN_BOUNCES = 1,   /* when further rays do: much light leaves the scene */
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
@@ -223,6 +227,8 @@ static const double gather_worth_around = 0.01; /* or, in the open, what is
 static const double gather_worth_whole = 0.5;   /* less gathers fewer rays */
 static const double gather_least = 0.02;        /* share that is followed */
 static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
-static const double onward_often = 1; /* of where it goes on [truth] */
+static const double onward_often = 1; /* of where it goes on [truth]; */
+static const double onward_often_blind =
+    2; /* of the first step where no survey says what is usual [plates] */
 
 #endif

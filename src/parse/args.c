@@ -124,6 +124,7 @@ static bool parse_terms(struct parser *p, const struct field *field,
     } while (stream_peek(p)->kind != TOKEN_GREATER &&
              stream_peek(p)->kind != TOKEN_END &&
              stream_peek(p)->kind != TOKEN_RBRACE);
+    ARRAY_FIT(p->scene_arena, &values);
     *terms = (struct terms){ values.items, values.count };
     return expect(p, TOKEN_GREATER, open);
 }
@@ -155,6 +156,7 @@ static bool parse_points(struct parser *p, const struct field *field,
             return false;
         *ARRAY_PUSH(p->scene_arena, &values) = point;
     }
+    ARRAY_FIT(p->scene_arena, &values);
     *points = (struct points){ values.items, values.count };
     return true;
 }

@@ -254,8 +254,6 @@ bool parse_array(struct parser *p, struct value *value)
 /* value = thing | expression . */
 bool parse_value(struct parser *p, struct value *value)
 {
-    bool found = false;
-    if (!parse_thing(p, value, &found))
-        return false;
-    return found || parse_expression(p, value);
+    enum taken taken = parse_thing(p, value);
+    return taken != NOT_MINE ? taken : parse_expression(p, value);
 }

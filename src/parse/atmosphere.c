@@ -43,24 +43,23 @@ static bool fog_upwards(struct parser *p, struct fog *fog, struct span span,
 /* fog_turbulence = "turbulence" vector | "turb_depth" float
  *                | "octaves" float | "omega" float | "lambda" float .
  * Measured: any of these is enough for turbulence. */
-static bool parse_fog_turbulence(struct parser *p, struct fog *fog, bool *found)
+static enum taken parse_fog_turbulence(struct parser *p, struct fog *fog)
 {
     const struct field *field = accept_field(p, fog_turbulence_fields);
-    *found = field;
     if (!field)
-        return true;
+        return NOT_MINE;
     fog->turbulent = true;
     return parse_field(p, field, fog);
 }
 
 /* fog_shape = fog_type | "up" vector | transformation .
  * Measured: transformations turn the way up, and change no more. */
-static bool parse_fog_shape(struct parser *p, struct fog *fog, bool *found)
+static enum taken parse_fog_shape(struct parser *p, struct fog *fog)
 {
     affine step = affine_identity();
     struct span span = stream_span(p);
     vec3 up;
-    *found = true;
+    enum taken taken;
     switch (stream_keyword(p)) {
     case KEYWORD_FOG_TYPE:
         return parse_fog_type(p, fog);
@@ -68,9 +67,10 @@ static bool parse_fog_shape(struct parser *p, struct fog *fog, bool *found)
         stream_next(p);
         return parse_vector(p, &up) && fog_upwards(p, fog, span, up);
     default:
-        return parse_transformation(p, &step, found) &&
-               (!*found ||
-                fog_upwards(p, fog, span, affine_direction(&step, fog->up)));
+        taken = parse_transformation(p, &step);
+        return taken != TAKEN ? taken
+                              : fog_upwards(p, fog, span,
+                                            affine_direction(&step, fog->up));
     }
 }
 
@@ -79,7 +79,6 @@ static bool parse_fog_shape(struct parser *p, struct fog *fog, bool *found)
  * A number alone is the distance, in old scenes. */
 static bool parse_fog_item(struct parser *p, struct fog *fog)
 {
-    bool found;
     const struct field *field = accept_field(p, fog_fields);
     if (field)
         return parse_field(p, field, fog);
@@ -87,12 +86,10 @@ static bool parse_fog_item(struct parser *p, struct fog *fog)
         return parse_colour(p, &fog->colour);
     if (at_number(p))
         return parse_float(p, &fog->distance);
-    bool ok = parse_fog_turbulence(p, fog, &found);
-    if (ok && !found)
-        ok = parse_fog_shape(p, fog, &found);
-    if (!ok || found)
-        return ok;
-    return error_unknown_item(p, "fog", fog_fields);
+    enum taken taken = parse_fog_turbulence(p, fog);
+    if (taken == NOT_MINE)
+        taken = parse_fog_shape(p, fog);
+    return taken != NOT_MINE ? taken : error_unknown_item(p, "fog", fog_fields);
 }
 
 /* Stands for 0: a fog that ends at its offset. */
@@ -161,17 +158,16 @@ static bool sky_add(struct parser *p, struct sky_sphere *sky)
 static bool parse_sky_sphere_item(struct parser *p, struct sky_sphere *sky)
 {
     affine step = affine_identity();
-    bool found;
     const struct field *field = accept_field(p, sky_fields);
     if (field)
         return parse_field(p, field, sky);
     if (stream_keyword(p) == KEYWORD_PIGMENT)
         return sky_add(p, sky);
-    if (!parse_transformation(p, &step, &found))
-        return false;
-    if (found)
+    enum taken taken = parse_transformation(p, &step);
+    if (taken == TAKEN)
         sky_move(p, sky, &step);
-    return found || error_unknown_item(p, "sky_sphere", sky_names);
+    return taken != NOT_MINE ? taken
+                             : error_unknown_item(p, "sky_sphere", sky_names);
 }
 
 static bool sky_items(struct parser *p, struct sky_sphere *sky)

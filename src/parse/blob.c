@@ -63,25 +63,22 @@ static bool blob_push(struct parser *p, struct blob_builder *b,
     return true;
 }
 
-/* texture, pigment, normal or finish of a part: sets *found. */
-static bool parse_blob_texture(struct parser *p, struct blob_builder *b,
-                               bool *found)
+/* texture, pigment, normal or finish of a part. */
+static enum taken parse_blob_texture(struct parser *p, struct blob_builder *b)
 {
-    *found = true;
     if (stream_keyword(p) == KEYWORD_TEXTURE) {
         const struct texture *texture;
         if (!parse_texture(p, &texture))
-            return false;
+            return WRONG;
         b->said = b->said ? texture_stack(p, b->said, texture) : texture;
-        return true;
+        return TAKEN;
     }
     const struct texture *texture =
         b->said ? b->said : texture_from_defaults(p);
-    if (!parse_texture_part(p, &texture, found))
-        return false;
-    if (*found)
+    enum taken taken = parse_texture_part(p, &texture);
+    if (taken == TAKEN)
         b->said = texture;
-    return true;
+    return taken;
 }
 
 static void blob_textured(struct parser *p, struct blob_builder *b)
@@ -110,15 +107,15 @@ static bool blob_part_items(struct parser *p, struct blob_builder *b,
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         affine step = affine_identity();
         struct span span = stream_span(p);
-        bool found;
-        if (!parse_blob_texture(p, b, &found))
-            return false;
-        if (found)
+        enum taken taken = parse_blob_texture(p, b);
+        if (taken == TAKEN)
             continue;
-        if (!parse_transformation(p, &step, &found))
-            return false;
-        if (!found)
+        if (taken == NOT_MINE)
+            taken = parse_transformation(p, &step);
+        if (taken == NOT_MINE)
             return error_unknown_item(p, block, NULL);
+        if (taken == WRONG)
+            return false;
         if (!blob_part_move(&b->items[b->count - 1], &step))
             return error_at(p, span, NULL, "this leaves nothing of the part");
         if (b->said)

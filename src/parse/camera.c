@@ -31,15 +31,13 @@ const struct field camera_fields[] = {
 
 /* camera_kind = mesh_camera | CAMERA_KIND .
  * The last are in the tables of src/scene/camera/, "cylinder" with a number. */
-static bool parse_camera_kind(struct parser *p, struct camera *camera,
-                              bool *found)
+static enum taken parse_camera_kind(struct parser *p, struct camera *camera)
 {
     const struct token *token = stream_peek(p);
     const struct camera_kind *kind =
         token->kind == TOKEN_WORD ? camera_kind_find(token->word->text) : NULL;
-    *found = kind;
     if (!kind)
-        return true;
+        return NOT_MINE;
     camera->kind = kind;
     if (stream_keyword(p) == KEYWORD_MESH_CAMERA)
         return parse_mesh_camera(p, camera);
@@ -85,18 +83,34 @@ static bool parse_blur_samples(struct parser *p, struct camera *camera)
     return true;
 }
 
-/* focal_blur = blur_samples | "aperture" float | "focal_point" vector
- *            | "confidence" float | "variance" float .
- * Without samples or with an aperture of 0 nothing is blurred. */
-static bool parse_focal_blur(struct parser *p, struct camera_draft *draft,
-                             bool *found)
+static bool bokeh_body(struct parser *p, struct camera *camera)
 {
-    *found = true;
+    if (stream_keyword(p) != KEYWORD_PIGMENT)
+        return error_at(p, stream_span(p), "pigment { boxed }",
+                        "the shape of a lens is the brightness of a pigment");
+    return parse_pigment(p, &camera->bokeh);
+}
+
+/* bokeh = "bokeh" "{" pigment "}" .
+ * A square lens, by the pigment's brightness. */
+static bool parse_bokeh(struct parser *p, struct camera *camera)
+{
+    struct span open;
+    stream_next(p);
+    return block_begin(p, &open) && block_end(p, open, bokeh_body(p, camera));
+}
+
+/* focal_blur = blur_samples | "aperture" float | "focal_point" vector
+ *            | "confidence" float | "variance" float | bokeh .
+ * Without samples or with an aperture of 0 nothing is blurred. */
+static enum taken parse_focal_blur(struct parser *p, struct camera_draft *draft)
+{
     if (stream_keyword(p) == KEYWORD_BLUR_SAMPLES)
         return parse_blur_samples(p, &draft->camera);
+    if (stream_keyword(p) == KEYWORD_BOKEH)
+        return parse_bokeh(p, &draft->camera);
     const struct field *field = accept_field(p, blur_fields);
-    *found = field;
-    return !field || parse_field(p, field, draft);
+    return field ? parse_field(p, field, draft) : NOT_MINE;
 }
 
 static bool camera_check_angle(struct parser *p, const struct camera *camera,
@@ -134,20 +148,18 @@ static bool camera_field(struct parser *p, const struct field *field,
  *             | transformation . */
 static bool parse_camera_item(struct parser *p, struct camera_draft *draft)
 {
-    bool found;
     const struct field *field = accept_field(p, camera_fields);
     if (field)
         return camera_field(p, field, draft);
     if (stream_keyword(p) == KEYWORD_NORMAL)
         return parse_normal(p, &draft->camera.normal);
-    bool ok = parse_camera_kind(p, &draft->camera, &found);
-    if (ok && !found)
-        ok = parse_focal_blur(p, draft, &found);
-    if (ok && !found)
-        ok = parse_transformation(p, &draft->moved, &found);
-    if (!ok || found)
-        return ok;
-    return error_unknown_item(p, "camera", camera_fields);
+    enum taken taken = parse_camera_kind(p, &draft->camera);
+    if (taken == NOT_MINE)
+        taken = parse_focal_blur(p, draft);
+    if (taken == NOT_MINE)
+        taken = parse_transformation(p, &draft->moved);
+    return taken != NOT_MINE ? taken
+                             : error_unknown_item(p, "camera", camera_fields);
 }
 
 static bool camera_end(struct parser *p, struct span span,
@@ -166,14 +178,14 @@ static bool camera_end(struct parser *p, struct span span,
 static bool parse_camera_use(struct parser *p, struct camera *camera)
 {
     affine moved = affine_identity();
-    bool found;
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
-        if (!parse_transformation(p, &moved, &found))
-            return false;
-        if (!found)
+        enum taken taken = parse_transformation(p, &moved);
+        if (taken == NOT_MINE)
             return error_at(p, stream_span(p), NULL,
                             "a declared camera can only be moved: translate, "
                             "rotate, scale ...");
+        if (taken == WRONG)
+            return false;
     }
     camera_move(camera, &moved);
     return true;

@@ -75,9 +75,7 @@ static bool parse_pigment_map_entry(struct parser *p,
         !parse_map_value(p, builder->average, &entry.value))
         return false;
     accept(p, TOKEN_COMMA);
-    struct span span = stream_span(p);
     return parse_pigment_body(p, &entry.pigment) &&
-           uv_refuse(p, span, &entry.pigment->pattern) &&
            map_push(p, builder, entry) && expect(p, TOKEN_RBRACKET, open);
 }
 
@@ -163,9 +161,7 @@ bool parse_block_list(struct parser *p, const struct pattern *pattern,
         struct blend_entry entry = block_default(kind, i);
         entry.pigment = pigments ? p->defaults.pigment : NULL;
         if (more && pigments) {
-            struct span span = stream_span(p);
-            if (!parse_pigment_block(p, &entry.pigment) ||
-                !uv_refuse(p, span, &entry.pigment->pattern))
+            if (!parse_pigment_block(p, &entry.pigment))
                 return false;
         } else if (more && !parse_colour(p, &entry.colour)) {
             return false;

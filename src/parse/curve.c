@@ -143,8 +143,9 @@ static bool curve_closed(struct parser *p, struct curve_builder *b)
                     "repeated at its end");
 }
 
-static struct terms curve_terms(const struct curve_builder *b)
+static struct terms curve_terms(struct parser *p, struct curve_builder *b)
 {
+    ARRAY_FIT(p->scene_arena, &b->segments);
     return (struct terms){ (double *)b->segments.items,
                            b->segments.count * SEGMENT_NUMBERS };
 }
@@ -182,7 +183,7 @@ static bool parse_prism_arguments(struct parser *p, void *shape)
         curve_open(p, &b);
     else if (!curve_closed(p, &b))
         return false;
-    prism->segments = curve_terms(&b);
+    prism->segments = curve_terms(p, &b);
     return true;
 }
 
@@ -202,7 +203,7 @@ static bool parse_lathe_arguments(struct parser *p, void *shape)
     if (!parse_curve_points(p, &b) || !curve_check(p, &b, curve_reach(b.curve)))
         return false;
     curve_open(p, &b);
-    lathe->segments = curve_terms(&b);
+    lathe->segments = curve_terms(p, &b);
     return true;
 }
 

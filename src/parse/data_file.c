@@ -187,12 +187,9 @@ static bool data_vector(struct parser *p, struct data_file *file,
 
 /* data_value = (data_number | data_vector | string) ["," | ";"] . */
 bool data_file_next(struct parser *p, struct data_file *file,
-                    struct value *value, bool *end)
+                    struct value *value)
 {
     const struct token *token = &file->list->tokens[file->next];
-    *end = token->kind == TOKEN_END;
-    if (*end)
-        return true;
     if (token->kind == TOKEN_LESS) {
         if (!data_vector(p, file, value))
             return false;

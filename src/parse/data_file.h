@@ -23,10 +23,10 @@ struct data_file *data_file_read(struct parser *p, const char *name,
 struct data_file *data_file_write(struct parser *p, const char *name,
                                   bool append, struct span span);
 
-/* The next value and the comma behind it; *end: there was none. False after an
- * error was reported in the file. */
+/* The next value and the comma behind it; not at the end. False after an error
+ * was reported in the file. */
 bool data_file_next(struct parser *p, struct data_file *file,
-                    struct value *value, bool *end);
+                    struct value *value);
 /* Whether nothing is left to read. */
 bool data_file_ends(const struct data_file *file);
 

@@ -326,9 +326,9 @@ static bool thing_element(struct parser *p, const struct word *word,
     return slot->kind != VALUE_UNSUPPORTED && slot->kind != VALUE_NONE;
 }
 
-/* The name of a whole array, of a function, of a texture ...: *found.
+/* The name of a whole array, of a function, of a texture ...
  * thing_name = word [subscripts] . */
-static bool parse_thing_name(struct parser *p, struct value *value, bool *found)
+static enum taken parse_thing_name(struct parser *p, struct value *value)
 {
     const struct token *token = stream_peek(p);
     const struct word *word = token->word;
@@ -336,14 +336,13 @@ static bool parse_thing_name(struct parser *p, struct value *value, bool *found)
     struct symbol *symbol = token->kind == TOKEN_WORD && !word->reserved
                                 ? symbol_lookup(p, word)
                                 : NULL;
-    *found = symbol && expression_is_thing(p, &symbol->value);
-    if (!*found)
-        return true;
+    if (!symbol || !expression_is_thing(p, &symbol->value))
+        return NOT_MINE;
     symbol_warn(p, symbol, at);
     stream_next(p);
     *value = symbol->value;
     if (value->kind != VALUE_ARRAY)
-        return true;
+        return TAKEN;
     if (stream_peek_infix(p)->kind == TOKEN_LBRACKET)
         return thing_element(p, word, value);
     return array_copy(p, at, value->array, &value->array);
@@ -353,7 +352,6 @@ static bool parse_thing_name(struct parser *p, struct value *value, bool *found)
  *            | operation [channels] . */
 bool parse_expression(struct parser *p, struct value *value)
 {
-    bool found;
     if (float_at_once(p, &value->number[0])) {
         value->kind = VALUE_FLOAT;
         return true;
@@ -369,9 +367,9 @@ bool parse_expression(struct parser *p, struct value *value)
         value->kind = VALUE_SPLINE;
         return parse_spline(p, &value->spline);
     }
-    bool ok = parse_thing_name(p, value, &found);
-    if (!ok || found)
-        return ok;
+    enum taken taken = parse_thing_name(p, value);
+    if (taken != NOT_MINE)
+        return taken;
     bool whole = p->directive && p->directive == p->cursor;
     if (!parse_operation(p, whole ? PRECEDENCE_WHOLE : PRECEDENCE_SUM,
                          "a value", value) ||

@@ -27,32 +27,24 @@ static bool reflection_rgb(struct parser *p, rgb *out)
     return true;
 }
 
-/* A lone colour is for every angle; with fresnel it is the maximum. */
-static bool reflection_colours(struct parser *p, struct reflection *r,
-                               bool *lone)
-{
-    r->minimum = r->maximum = rgb_grey(0);
-    *lone = at_any_colour(p);
-    if (!*lone)
-        return true;
-    if (!reflection_rgb(p, &r->maximum))
-        return false;
-    r->minimum = r->maximum;
-    accept(p, TOKEN_COMMA);
-    if (!at_any_colour(p))
-        return true;
-    *lone = false;
-    return reflection_rgb(p, &r->maximum);
-}
-
 /* reflection_range = [colour [[","] colour]] {reflection_item} .
- * At normal and at grazing incidence. */
+ * At normal and at grazing incidence. A lone colour is for every angle; with
+ * fresnel it is the maximum. */
 static bool parse_reflection_range(struct parser *p, struct finish *finish)
 {
     struct reflection *r = &finish->reflection;
-    bool lone;
-    if (!reflection_colours(p, r, &lone))
+    bool lone = at_any_colour(p);
+    r->maximum = rgb_grey(0);
+    if (lone && !reflection_rgb(p, &r->maximum))
         return false;
+    r->minimum = r->maximum;
+    if (lone)
+        accept(p, TOKEN_COMMA);
+    if (lone && at_any_colour(p)) {
+        lone = false;
+        if (!reflection_rgb(p, &r->maximum))
+            return false;
+    }
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_reflection_item(p, finish))
             return false;

@@ -47,18 +47,13 @@ static void field_locals(struct parser *p, struct function *function, int count)
 
 static bool field_pattern(struct parser *p, struct pattern *pattern)
 {
-    bool found;
     *pattern = pattern_new(p->scene_arena, NULL);
-    if (!parse_pattern(p, pattern, &found))
-        return false;
-    if (!found)
+    enum taken taken = parse_pattern(p, pattern);
+    if (taken == NOT_MINE)
         return error_expected(p, "a pattern");
-    while (stream_peek(p)->kind != TOKEN_RBRACE)
-        if (!parse_pattern_item(p, pattern, &found))
-            return false;
-        else if (!found)
-            return error_unknown_item(p, "pattern", NULL);
-    return true;
+    while (taken == TAKEN && stream_peek(p)->kind != TOKEN_RBRACE)
+        taken = parse_pattern_item(p, pattern);
+    return taken != NOT_MINE ? taken : error_unknown_item(p, "pattern", NULL);
 }
 
 static bool field_function(struct parser *p, struct function *function,
@@ -107,9 +102,6 @@ static bool parse_internal_body(struct parser *p, struct function *function)
     if (number == INTERNAL_NOISE3D)
         return noise_function(p, function);
     const struct internal_function *internal = internal_find(number);
-    if (number == INTERNAL_HELICAL_TORUS)
-        return error_unsupported(p, span_join(open, p->last_span),
-                                 "f_helical_torus");
     if (!internal)
         return error_at(p, span_join(open, p->last_span), NULL,
                         "there is no function internal(%d); functions.inc has "
@@ -151,8 +143,7 @@ static bool spline_body(struct parser *p, struct function *function)
 static bool parse_transform_body(struct parser *p, struct function *function)
 {
     affine transform = affine_identity();
-    bool found;
-    if (!parse_transformation(p, &transform, &found))
+    if (!parse_transformation(p, &transform))
         return false;
     function->values = values_of_affine(p->scene_arena, &transform);
     function->work = 4;

@@ -301,13 +301,11 @@ static bool parse_interpolation(struct parser *p, struct image_map *map)
     struct span span = stream_span(p);
     if (!parse_integer(p, &kind))
         return false;
-    if (kind == 3)
-        return error_unsupported(p, span, "bicubic interpolation");
     if (kind != IMAGE_NEAREST && kind != IMAGE_BILINEAR &&
-        kind != IMAGE_NORMALISED_DISTANCE)
+        kind != IMAGE_BICUBIC && kind != IMAGE_NORMALISED_DISTANCE)
         return error_at(p, span, "2",
-                        "interpolate is 0 (none), 2 (bilinear) or 4 "
-                        "(normalised distance)");
+                        "interpolate is 0 (none), 2 (bilinear), 3 (bicubic) or "
+                        "4 (normalised distance)");
     map->interpolation = (enum image_interpolation)kind;
     return true;
 }

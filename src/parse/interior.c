@@ -4,11 +4,11 @@
 
 /* old_interior_value = "refraction" float .
  * Changes nothing. */
-static bool parse_old_interior_value(struct parser *p, bool *found)
+static bool parse_old_interior_value(struct parser *p)
 {
     double ignored;
-    *found = accept_keyword(p, KEYWORD_REFRACTION);
-    return !*found || parse_float(p, &ignored);
+    stream_next(p);
+    return parse_float(p, &ignored);
 }
 
 /* interior_value = "ior" float | "fade_distance" float | "fade_power" float
@@ -17,16 +17,14 @@ static bool parse_old_interior_value(struct parser *p, bool *found)
  * interior_item = interior_value | media | old_interior_value . */
 static bool parse_interior_item(struct parser *p, struct interior *interior)
 {
-    bool found;
     const struct field *field = accept_field(p, interior_fields);
     if (field)
         return parse_field(p, field, interior);
     if (stream_keyword(p) == KEYWORD_MEDIA)
         return parse_media(p, &interior->media);
-    if (!parse_old_interior_value(p, &found))
-        return false;
-    return found ||
-           error_unknown_thing(p, "interior", interior_fields, "an interior");
+    if (stream_keyword(p) == KEYWORD_REFRACTION)
+        return parse_old_interior_value(p);
+    return error_unknown_thing(p, "interior", interior_fields, "an interior");
 }
 
 static bool interior_items(struct parser *p, const struct interior **out)

@@ -22,13 +22,16 @@ static bool parse_evaluation(struct parser *p, struct isosurface *surface)
 }
 
 /* isosurface_item = contained_by | evaluation | "max_trace" float
- *                 | "all_intersections" .
- * The last two say how many crossings POV-Ray looks for; glim finds all. */
-static bool parse_isosurface_item(struct parser *p, struct isosurface *surface,
-                                  bool *found)
+ *                 | "all_intersections" | ISOSURFACE_ITEM .
+ * max_trace and all_intersections say how many crossings POV-Ray looks for;
+ * glim finds all. ISOSURFACE_ITEM is in the table of src/scene/isosurface.c. */
+static enum taken parse_isosurface_item(struct parser *p,
+                                        struct isosurface *surface)
 {
     double ignored;
-    *found = true;
+    const struct field *field = accept_field(p, isosurface_primitive.items);
+    if (field)
+        return parse_field(p, field, surface);
     switch (stream_keyword(p)) {
     case KEYWORD_CONTAINED_BY:
         return parse_contained_by(p, &surface->container);
@@ -39,10 +42,9 @@ static bool parse_isosurface_item(struct parser *p, struct isosurface *surface,
         return parse_float(p, &ignored);
     case KEYWORD_ALL_INTERSECTIONS:
         stream_next(p);
-        return true;
+        return TAKEN;
     default:
-        *found = false;
-        return true;
+        return NOT_MINE;
     }
 }
 
@@ -51,13 +53,12 @@ static double surface_sample(const void *function, vec3 point)
     return function_sample(function, point);
 }
 
-/* isosurface_body = function {isosurface_item | ISOSURFACE_ITEM} .
- * ISOSURFACE_ITEM is in the table of src/scene/isosurface.c. */
+/* isosurface_body = function {isosurface_item} . */
 static bool parse_isosurface_body(struct parser *p, void *shape)
 {
     struct isosurface *surface = shape;
     struct value value;
-    bool found = true;
+    enum taken taken;
     isosurface_init(surface);
     if (stream_keyword(p) != KEYWORD_FUNCTION)
         return error_expected(p, "'function'");
@@ -73,13 +74,10 @@ static bool parse_isosurface_body(struct parser *p, void *shape)
         return false;
     surface->samples =
         samples_take(p->scene_arena, surface_sample, surface->function);
-    while (found) {
-        const struct field *field = accept_field(p, isosurface_primitive.items);
-        if (field ? !parse_field(p, field, surface)
-                  : !parse_isosurface_item(p, surface, &found))
-            return false;
-    }
-    return true;
+    do
+        taken = parse_isosurface_item(p, surface);
+    while (taken == TAKEN);
+    return taken != WRONG;
 }
 
 /* isosurface = "isosurface" "{" isosurface_body {modifier} "}" . */

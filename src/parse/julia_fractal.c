@@ -29,16 +29,15 @@ static bool parse_julia_power(struct parser *p, struct julia_fractal *fractal)
  *                | "tan" | "atan" | "tanh" | "atanh" | "ln"
  *                | "pwr" julia_power .
  * They are rows of scene/julia_function.c. */
-static bool parse_julia_function(struct parser *p,
-                                 struct julia_fractal *fractal, bool *found)
+static enum taken parse_julia_function(struct parser *p,
+                                       struct julia_fractal *fractal)
 {
     const struct token *token = stream_peek(p);
     const struct julia_function *function =
         token->kind == TOKEN_WORD ? julia_function_find(token->word->text)
                                   : NULL;
-    *found = function;
     if (!function)
-        return true;
+        return NOT_MINE;
     stream_next(p);
     fractal->function = function;
     fractal->cube = strcmp(function->name, "cube") == 0;
@@ -48,11 +47,10 @@ static bool parse_julia_function(struct parser *p,
 /* julia_item = "quaternion" | "hypercomplex" | julia_function | julia_slice
  *            | JULIA_ITEM .
  * The last are in the table of src/scene/julia_fractal.c. */
-static bool parse_julia_item(struct parser *p, struct julia_fractal *fractal,
-                             bool *found)
+static enum taken parse_julia_item(struct parser *p,
+                                   struct julia_fractal *fractal)
 {
     const struct field *field = accept_field(p, julia_fractal_primitive.items);
-    *found = true;
     if (field)
         return parse_field(p, field, fractal);
     if (accept_keyword(p, KEYWORD_QUATERNION))
@@ -62,8 +60,8 @@ static bool parse_julia_item(struct parser *p, struct julia_fractal *fractal,
     else if (stream_keyword(p) == KEYWORD_SLICE)
         return parse_julia_slice(p, fractal);
     else
-        return parse_julia_function(p, fractal, found);
-    return true;
+        return parse_julia_function(p, fractal);
+    return TAKEN;
 }
 
 /* julia_body = vector {julia_item} . */
@@ -71,13 +69,15 @@ static bool parse_julia_body(struct parser *p, void *shape)
 {
     struct julia_fractal *fractal = shape;
     struct span span = stream_span(p);
-    bool found = true;
+    enum taken taken;
     julia_fractal_init(fractal);
     if (!parse_components(p, fractal->c, 4))
         return false;
-    while (found)
-        if (!parse_julia_item(p, fractal, &found))
-            return false;
+    do
+        taken = parse_julia_item(p, fractal);
+    while (taken == TAKEN);
+    if (taken == WRONG)
+        return false;
     const char *name = fractal->function->name;
     if (fractal->algebra == JULIA_QUATERNION && strcmp(name, "sqr") != 0 &&
         !fractal->cube)

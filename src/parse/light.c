@@ -21,9 +21,8 @@ static const struct field light_names[] = {
 };
 
 /* light_kind = "spotlight" | "cylinder" . */
-static bool parse_light_kind(struct parser *p, struct light *light, bool *found)
+static enum taken parse_light_kind(struct parser *p, struct light *light)
 {
-    *found = true;
     if (accept_keyword(p, KEYWORD_SPOTLIGHT)) {
         light->kind = LIGHT_SPOT;
     } else if (accept_word(p, "cylinder")) {
@@ -31,9 +30,9 @@ static bool parse_light_kind(struct parser *p, struct light *light, bool *found)
         light->radius = 0.75;
         light->falloff = 1;
     } else {
-        *found = false;
+        return NOT_MINE;
     }
-    return true;
+    return TAKEN;
 }
 
 static bool area_size(struct parser *p, int *out)
@@ -122,14 +121,13 @@ static bool parse_media_interaction(struct parser *p, struct light *light)
     return ok;
 }
 
-static bool light_move(struct parser *p, struct light *light,
-                       struct object *looks, bool *found)
+static enum taken light_move(struct parser *p, struct light *light,
+                             struct object *looks)
 {
     affine step = affine_identity();
-    if (!parse_transformation(p, &step, found))
-        return false;
-    if (!*found)
-        return true;
+    enum taken taken = parse_transformation(p, &step);
+    if (taken != TAKEN)
+        return taken;
     *light = light_moved(light, &step);
     if (looks)
         object_move(p->scene_arena, looks, &step);
@@ -139,7 +137,7 @@ static bool light_move(struct parser *p, struct light *light,
         object_move(p->scene_arena, window, &step);
         light->window = window;
     }
-    return true;
+    return TAKEN;
 }
 
 /* A plain light shines everywhere alike: pointing it is a mistake. */
@@ -168,7 +166,6 @@ static bool light_check_directed(struct parser *p, const struct light *light)
 static bool parse_light_item(struct parser *p, struct object *object,
                              struct light *light, struct object **looks)
 {
-    bool found;
     const struct field *field = accept_field(p, lamp_fields);
     if (!field)
         field = accept_field(p, lamp_kind_fields);
@@ -189,12 +186,12 @@ static bool parse_light_item(struct parser *p, struct object *object,
         return parse_media_interaction(p, light);
     if (stream_keyword(p) == KEYWORD_PHOTONS)
         return parse_photon_flags(p, &light->photons);
-    bool ok = parse_light_kind(p, light, &found);
-    if (ok && !found)
-        ok = light_move(p, light, *looks, &found);
-    if (!ok || found)
-        return ok;
-    return error_unknown_item(p, "light_source", light_names);
+    enum taken taken = parse_light_kind(p, light);
+    if (taken == NOT_MINE)
+        taken = light_move(p, light, *looks);
+    return taken != NOT_MINE
+               ? taken
+               : error_unknown_item(p, "light_source", light_names);
 }
 
 /* None is black, as in POV-Ray. */

@@ -20,7 +20,7 @@ static bool parse_light_group_item(struct parser *p, struct object *group,
 {
     affine step = affine_identity();
     struct object *member;
-    bool found, on;
+    bool on;
     if (accept_keyword(p, KEYWORD_GLOBAL_LIGHTS)) {
         bool ok = parse_bool(p, &on);
         group->no_global_lights = !on;
@@ -32,12 +32,13 @@ static bool parse_light_group_item(struct parser *p, struct object *group,
         *ARRAY_PUSH(p->scene_arena, members) = member;
         return object_adopt(p, group, member);
     }
-    if (!parse_transformation(p, &step, &found))
-        return false;
-    if (found)
+    enum taken taken = parse_transformation(p, &step);
+    if (taken == NOT_MINE)
+        return error_unknown_thing(p, "light_group", group_names,
+                                   "an object or a light group");
+    if (taken == TAKEN)
         object_move(p->scene_arena, group, &step);
-    return found || error_unknown_thing(p, "light_group", group_names,
-                                        "an object or a light group");
+    return taken;
 }
 
 static bool light_group_items(struct parser *p, struct object *group)

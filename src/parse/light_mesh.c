@@ -19,25 +19,22 @@ static const struct field factor_fields[] = {
     { NULL },
 };
 
-static bool light_field(struct parser *p, const struct field *table,
-                        bool *found)
+static enum taken light_field(struct parser *p, const struct field *table)
 {
     const struct field *field = accept_field(p, table);
-    *found = field;
-    if (field)
-        light_place(&p->scene->settings, field, stream_span(p));
-    return !field || parse_field(p, field, &p->scene->settings);
+    if (!field)
+        return NOT_MINE;
+    light_place(&p->scene->settings, field, stream_span(p));
+    return parse_field(p, field, &p->scene->settings);
 }
 
 static bool light_fields(struct parser *p, const char *block,
                          const struct field *table)
 {
-    bool found;
-    while (stream_peek(p)->kind != TOKEN_RBRACE)
-        if (!light_field(p, table, &found) ||
-            (!found && !error_unknown_item(p, block, table)))
-            return false;
-    return true;
+    enum taken taken = TAKEN;
+    while (taken == TAKEN && stream_peek(p)->kind != TOKEN_RBRACE)
+        taken = light_field(p, table);
+    return taken != NOT_MINE ? taken : error_unknown_item(p, block, table);
 }
 
 /* indirect = "indirect" ( "{" {indirect_value} "}" | [bool] ) . */
@@ -115,11 +112,9 @@ static bool parse_mesh_file(struct parser *p)
 /* mesh_item = mesh_value | indirect | region | mesh_file . */
 static bool parse_mesh_item(struct parser *p)
 {
-    bool found;
-    if (!light_field(p, light_mesh_fields, &found))
-        return false;
-    if (found)
-        return true;
+    enum taken taken = light_field(p, light_mesh_fields);
+    if (taken != NOT_MINE)
+        return taken;
     if (at_word(p, "indirect"))
         return parse_indirect(p);
     if (at_word(p, "region"))
@@ -191,15 +186,12 @@ static bool skip_radiosity_file(struct parser *p)
     return parse_string(p, &ignored);
 }
 
-/* radiosity_value = ("load_file" | "save_file") string | radiosity_number
+/* What says how POV-Ray is to find it.
+ * radiosity_value = ("load_file" | "save_file") string | radiosity_number
  *                 | name [bool | float [[","] float]] . */
-static bool parse_radiosity_value(struct parser *p, bool *used)
+static bool parse_radiosity_value(struct parser *p)
 {
     struct value ignored;
-    const struct field *field = accept_field(p, radiosity_used);
-    *used = field;
-    if (field)
-        return parse_field(p, field, &p->scene->settings.radiosity_said);
     if (at_word(p, "load_file") || at_word(p, "save_file"))
         return skip_radiosity_file(p);
     if (!accept_field(p, radiosity_fields))
@@ -219,15 +211,17 @@ static bool parse_radiosity_value(struct parser *p, bool *used)
 bool parse_radiosity(struct parser *p)
 {
     struct span open, first = span_none(), span = stream_span(p);
-    bool ok = true, used;
+    bool ok = true;
     stream_next(p);
     if (!block_begin(p, &open))
         return false;
     while (ok && stream_peek(p)->kind != TOKEN_RBRACE) {
         struct span value = stream_span(p);
-        ok = parse_radiosity_value(p, &used);
-        if (!first.source && !used)
+        const struct field *field = accept_field(p, radiosity_used);
+        if (!first.source && !field)
             first = value;
+        ok = field ? parse_field(p, field, &p->scene->settings.radiosity_said)
+                   : parse_radiosity_value(p);
     }
     if (!block_end(p, open, ok))
         return false;

@@ -126,7 +126,6 @@ static bool macro_element(struct parser *p, const struct symbol *symbol,
 
 static bool macro_argument(struct parser *p, struct macro_value *out)
 {
-    bool found = false;
     struct symbol *symbol = macro_refers(p);
     out->element = NULL;
     if (symbol) {
@@ -138,9 +137,7 @@ static bool macro_argument(struct parser *p, struct macro_value *out)
             (struct value){ .kind = VALUE_REFERENCE, .symbol = symbol };
         return true;
     }
-    if (!parse_thing(p, &out->value, &found))
-        return false;
-    return found || parse_expression(p, &out->value);
+    return parse_value(p, &out->value);
 }
 
 /* macro_arguments = "(" [value {[","] value}] ")" . */

@@ -30,7 +30,6 @@ static bool parse_material_item(struct parser *p, struct material *material)
 {
     const struct texture *texture;
     affine step = affine_identity();
-    bool found;
     if (stream_keyword(p) == KEYWORD_INTERIOR)
         return parse_interior(p, &material->interior);
     if (stream_keyword(p) == KEYWORD_INTERIOR_TEXTURE)
@@ -44,19 +43,21 @@ static bool parse_material_item(struct parser *p, struct material *material)
                                 : texture;
         return true;
     }
-    if (!parse_transformation(p, &step, &found))
+    enum taken taken = parse_transformation(p, &step);
+    if (taken == NOT_MINE)
+        return error_unknown_thing(p, "material", material_names, "a material");
+    if (taken == WRONG)
         return false;
-    if (found && material->texture)
+    if (material->texture)
         material->texture =
             texture_moved(p->scene_arena, material->texture, &step);
-    if (found && material->interior_texture)
+    if (material->interior_texture)
         material->interior_texture =
             texture_moved(p->scene_arena, material->interior_texture, &step);
-    if (found && material->interior)
+    if (material->interior)
         material->interior =
             interior_moved(p->scene_arena, material->interior, &step);
-    return found ||
-           error_unknown_thing(p, "material", material_names, "a material");
+    return true;
 }
 
 static bool material_items(struct parser *p, struct material *material)

@@ -31,11 +31,11 @@ static bool rule_items(struct parser *p, const struct texture **out)
 {
     while (!at_body_end(p)) {
         affine step = affine_identity();
-        bool found;
-        if (!parse_transformation(p, &step, &found))
-            return false;
-        if (!found)
+        enum taken taken = parse_transformation(p, &step);
+        if (taken == NOT_MINE)
             return error_unknown_item(p, "texture", NULL);
+        if (taken == WRONG)
+            return false;
         *out = texture_moved(p->scene_arena, *out, &step);
     }
     return true;
@@ -84,13 +84,10 @@ static bool parse_tiles(struct parser *p, const struct texture **out)
 }
 
 /* texture_by_picture = material_map | tiles . */
-bool parse_material_map(struct parser *p, const struct texture **out,
-                        bool *found)
+enum taken parse_material_map(struct parser *p, const struct texture **out)
 {
     enum keyword keyword = stream_keyword(p);
-    *found = keyword == KEYWORD_MATERIAL_MAP || keyword == KEYWORD_TILES;
-    if (!*found)
-        return true;
-    return keyword == KEYWORD_TILES ? parse_tiles(p, out)
-                                    : parse_material_map_block(p, out);
+    return keyword == KEYWORD_TILES          ? parse_tiles(p, out)
+           : keyword == KEYWORD_MATERIAL_MAP ? parse_material_map_block(p, out)
+                                             : NOT_MINE;
 }

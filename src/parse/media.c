@@ -156,7 +156,7 @@ static void medium_move(struct parser *p, struct medium *medium,
 static bool parse_medium_item(struct parser *p, struct medium *medium)
 {
     affine step = affine_identity();
-    bool found;
+    enum taken taken;
     const struct field *field = accept_field(p, medium_fields);
     if (field)
         return parse_field(p, field, medium);
@@ -168,12 +168,12 @@ static bool parse_medium_item(struct parser *p, struct medium *medium)
     case KEYWORD_SAMPLES:
         return parse_medium_samples(p, medium);
     default:
-        if (!parse_transformation(p, &step, &found))
-            return false;
-        if (found)
+        taken = parse_transformation(p, &step);
+        if (taken == TAKEN)
             medium_move(p, medium, &step);
-        return found ||
-               error_unknown_thing(p, "media", medium_names, "a media");
+        return taken != NOT_MINE
+                   ? taken
+                   : error_unknown_thing(p, "media", medium_names, "a media");
     }
 }
 

@@ -311,13 +311,12 @@ static mesh2_rule *mesh2_keyword_rule(enum keyword keyword)
 
 /* mesh2_list = vertex_vectors | normal_vectors | uv_vectors | texture_list
  *            | face_indices | normal_indices | uv_indices . */
-static bool parse_mesh2_list(struct parser *p, struct mesh2 *m, bool *found)
+static enum taken parse_mesh2_list(struct parser *p, struct mesh2 *m)
 {
     mesh2_rule *rule = mesh2_keyword_rule(stream_keyword(p));
     struct span open;
-    *found = rule != NULL;
     if (!rule)
-        return true;
+        return NOT_MINE;
     stream_next(p);
     m->plain = NULL;
     if (stream_peek(p)->kind == TOKEN_NUMBERS) {
@@ -348,11 +347,11 @@ static void mesh2_finish(struct parser *p, struct mesh2 *m)
 static bool mesh2_body(struct parser *p, struct mesh2 *m,
                        struct modifiers *modifiers)
 {
-    bool found = true;
-    while (found)
-        if (!parse_mesh2_list(p, m, &found))
-            return false;
-    return parse_modifiers(p, modifiers);
+    enum taken taken;
+    do
+        taken = parse_mesh2_list(p, m);
+    while (taken == TAKEN);
+    return taken != WRONG && parse_modifiers(p, modifiers);
 }
 
 /* mesh2 = "mesh2" "{" {mesh2_list} {"inside_vector" vector | modifier} "}" . */

@@ -202,26 +202,33 @@ static bool word_is_type(const char *word)
     return false;
 }
 
-/* Whether a declaration follows: NAME = or `var NAME =`. */
-static bool mistaken_is_declaration(struct parser *p, bool *typed)
+/* Whether a type and a name follow: `var NAME`. */
+static bool mistaken_typed(struct parser *p)
+{
+    size_t left;
+    const struct token *token = stream_peek(p), *raw = stream_raw(p, &left);
+    return token->kind == TOKEN_WORD && left > 1 && raw[0].kind == TOKEN_WORD &&
+           !raw[0].word->reserved && word_is_type(token->word->text);
+}
+
+/* Whether a declaration follows: NAME = or, `typed`, `var NAME =`. */
+static bool mistaken_is_declaration(struct parser *p, bool typed)
 {
     size_t left;
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD ||
-        (token->word->reserved && token->word->keyword != KEYWORD_INT))
+        (token->word->reserved &&
+         (!typed || token->word->keyword != KEYWORD_INT)))
         return false;
     const struct token *raw = stream_raw(p, &left);
-    *typed = left > 1 && raw[0].kind == TOKEN_WORD && !raw[0].word->reserved &&
-             word_is_type(token->word->text);
-    size_t i = array_subscripts_end(raw, left, *typed);
-    return i < left && raw[i].kind == TOKEN_EQUAL &&
-           (*typed || !token->word->reserved);
+    size_t i = array_subscripts_end(raw, left, typed);
+    return i < left && raw[i].kind == TOKEN_EQUAL;
 }
 
 static bool mistaken_declaration(struct parser *p)
 {
-    bool typed;
-    if (!mistaken_is_declaration(p, &typed))
+    bool typed = mistaken_typed(p);
+    if (!mistaken_is_declaration(p, typed))
         return false;
     struct span at = p->token_span, name = at;
     if (typed) {

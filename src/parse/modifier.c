@@ -81,24 +81,23 @@ static bool object_interior_texture(struct parser *p, struct object *object)
 
 /* covering = texture | interior_texture | texture_part | interior | material .
  */
-static bool parse_covering(struct parser *p, struct object *object, bool *found)
+static enum taken parse_covering(struct parser *p, struct object *object)
 {
     const struct texture *texture;
-    *found = true;
     switch (stream_keyword(p)) {
     case KEYWORD_TEXTURE:
         if (!parse_texture(p, &texture))
-            return false;
+            return WRONG;
         object_set_texture(p, object, texture);
-        return true;
+        return TAKEN;
     case KEYWORD_PIGMENT:
     case KEYWORD_NORMAL:
     case KEYWORD_FINISH:
         texture = object_texture_here(p, object);
-        if (!parse_texture_part(p, &texture, found))
-            return false;
+        if (!parse_texture_part(p, &texture))
+            return WRONG;
         object->texture = texture;
-        return true;
+        return TAKEN;
     case KEYWORD_INTERIOR_TEXTURE:
         return object_interior_texture(p, object);
     case KEYWORD_INTERIOR:
@@ -107,8 +106,7 @@ static bool parse_covering(struct parser *p, struct object *object, bool *found)
     case KEYWORD_MATERIAL:
         return modifier_material(p, object);
     default:
-        *found = false;
-        return true;
+        return NOT_MINE;
     }
 }
 
@@ -136,17 +134,17 @@ static bool clip_add(struct parser *p, struct clip_list *list)
 static bool parse_clip_body(struct parser *p, struct clip_list *list,
                             const char *block)
 {
-    bool found = true;
     do
         if (!clip_add(p, list))
             return false;
     while (at_object(p));
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
         affine step = affine_identity();
-        if (!parse_transformation(p, &step, &found))
-            return false;
-        if (!found)
+        enum taken taken = parse_transformation(p, &step);
+        if (taken == NOT_MINE)
             return error_unknown_item(p, block, NULL);
+        if (taken == WRONG)
+            return false;
         clip_list_move(list, &step);
     }
     return true;
@@ -207,9 +205,8 @@ static bool parse_bounded_by(struct parser *p, struct modifiers *m)
 
 /* flag = "inverse" | "hollow" [bool] | "double_illuminate" [bool]
  *      | "no_shadow" | "no_image" | "no_reflection" | "uv_mapping" . */
-static bool parse_flag(struct parser *p, struct object *object, bool *found)
+static enum taken parse_flag(struct parser *p, struct object *object)
 {
-    *found = true;
     if (accept_keyword(p, KEYWORD_INVERSE)) {
         object->inverse = !object->inverse;
     } else if (accept_keyword(p, KEYWORD_HOLLOW)) {
@@ -226,9 +223,9 @@ static bool parse_flag(struct parser *p, struct object *object, bool *found)
     } else if (accept_keyword(p, KEYWORD_NO_REFLECTION)) {
         object->no_reflection = true;
     } else {
-        *found = false;
+        return NOT_MINE;
     }
-    return true;
+    return TAKEN;
 }
 
 static bool modifier_skip_block(struct parser *p)
@@ -243,11 +240,10 @@ static bool modifier_skip_block(struct parser *p)
  *                         | "radiosity" "{" {name [float]} "}"
  *                         | colour .
  * The picture is the same without them. */
-static bool parse_modifier_without_effect(struct parser *p, bool *found)
+static enum taken parse_modifier_without_effect(struct parser *p)
 {
     bool ignored;
     colour no_colour;
-    *found = true;
     switch (stream_keyword(p)) {
     case KEYWORD_STURM:
     case KEYWORD_HIERARCHY:
@@ -256,13 +252,12 @@ static bool parse_modifier_without_effect(struct parser *p, bool *found)
         return parse_bool(p, &ignored);
     case KEYWORD_NO_RADIOSITY:
         stream_next(p);
-        return true;
+        return TAKEN;
     case KEYWORD_RADIOSITY:
         return modifier_skip_block(p);
     default:
-        *found = colour_begins(stream_keyword(p));
-        if (!*found)
-            return true;
+        if (!colour_begins(stream_keyword(p)))
+            return NOT_MINE;
         warning_at(p, stream_span(p),
                    arena_printf(p->arena, "pigment { %s ... }",
                                 stream_peek(p)->word->text),
@@ -271,15 +266,13 @@ static bool parse_modifier_without_effect(struct parser *p, bool *found)
     }
 }
 
-static bool modifier_transformation(struct parser *p, struct modifiers *m,
-                                    bool *found)
+static enum taken modifier_transformation(struct parser *p, struct modifiers *m)
 {
     affine step = affine_identity(), inverse;
     struct span span = stream_span(p);
-    if (!parse_transformation(p, &step, found))
-        return false;
-    if (!*found)
-        return true;
+    enum taken taken = parse_transformation(p, &step);
+    if (taken != TAKEN)
+        return taken;
     object_move(p->scene_arena, m->object, &step);
     clip_list_move(&m->bounds, &step);
     return affine_inverse(*m->object->transform, &inverse) ||
@@ -319,19 +312,17 @@ static bool modifier_photons(struct parser *p, struct object *object)
  * like "open". */
 static bool parse_modifier(struct parser *p, struct modifiers *m)
 {
-    bool found;
-    bool ok = modifier_transformation(p, m, &found);
-    if (!ok || found)
-        return ok;
-    ok = parse_covering(p, m->object, &found);
-    if (!ok || found)
-        return ok;
+    enum taken taken = modifier_transformation(p, m);
+    if (taken == NOT_MINE)
+        taken = parse_covering(p, m->object);
+    if (taken != NOT_MINE)
+        return taken;
     const struct field *field = accept_field(p, m->items);
     if (field)
         return parse_field(p, field, m->shape);
-    ok = parse_flag(p, m->object, &found);
-    if (!ok || found)
-        return ok;
+    taken = parse_flag(p, m->object);
+    if (taken != NOT_MINE)
+        return taken;
     if (stream_keyword(p) == KEYWORD_CLIPPED_BY)
         return parse_clipped_by(p, m);
     if (stream_keyword(p) == KEYWORD_BOUNDED_BY)
@@ -340,10 +331,8 @@ static bool parse_modifier(struct parser *p, struct modifiers *m)
         return modifier_photons(p, m->object);
     if (accept_keyword(p, KEYWORD_CUTAWAY_TEXTURES))
         return m->cutaway = true;
-    ok = parse_modifier_without_effect(p, &found);
-    if (!ok || found)
-        return ok;
-    return modifier_unknown(p, m);
+    taken = parse_modifier_without_effect(p);
+    return taken != NOT_MINE ? taken : modifier_unknown(p, m);
 }
 
 /* Old scenes say the interior's ior in the finish. */

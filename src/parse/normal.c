@@ -10,23 +10,24 @@ static const struct field normal_names[] = {
 
 /* normal_start = bump_map | pattern [","] [float] normal_blocks .
  * The float is the bump size. Another pattern keeps the maps (measured). */
-bool parse_normal_start(struct parser *p, struct normal *normal, bool *found)
+enum taken parse_normal_start(struct parser *p, struct normal *normal)
 {
     if (stream_keyword(p) == KEYWORD_BUMP_MAP) {
         normal->pattern.kind = NULL;
-        *found = true;
         return parse_bump_map(p, &normal->bumps, &normal->amount);
     }
-    if (!parse_pattern(p, &normal->pattern, found))
-        return false;
-    if (*found) {
+    enum taken taken = parse_pattern(p, &normal->pattern);
+    if (taken == WRONG)
+        return WRONG;
+    if (taken == TAKEN) {
         normal->bumps = NULL;
         accept(p, TOKEN_COMMA);
     }
     if (at_expression(p) && !parse_float(p, &normal->amount))
-        return false;
-    return !*found || normal->pattern.kind->blocks == 0 ||
-           parse_pattern_end(p, &normal->pattern,
+        return WRONG;
+    if (taken == NOT_MINE || normal->pattern.kind->blocks == 0)
+        return taken;
+    return parse_pattern_end(p, &normal->pattern,
                              parse_normal_blocks(p, normal));
 }
 
@@ -47,10 +48,9 @@ static bool normal_can_map(struct parser *p, const struct normal *normal)
 
 /* normal_item = normal_field | normal_map | slope_map | "no_bump_scale"
  *             | pattern_item . */
-bool parse_normal_item(struct parser *p, struct normal *normal, bool *found)
+enum taken parse_normal_item(struct parser *p, struct normal *normal)
 {
     const struct field *field = accept_field(p, normal_fields);
-    *found = true;
     if (field)
         return parse_field(p, field, normal);
     switch (stream_keyword(p)) {
@@ -63,19 +63,19 @@ bool parse_normal_item(struct parser *p, struct normal *normal, bool *found)
     case KEYWORD_SLOPE_MAP:
         return normal_can_map(p, normal) && parse_slope_map(p, &normal->slopes);
     default:
-        return parse_pattern_item(p, &normal->pattern, found);
+        return parse_pattern_item(p, &normal->pattern);
     }
 }
 
 static bool normal_items(struct parser *p, struct normal *normal)
 {
-    bool found;
     while (!at_body_end(p)) {
-        if (!parse_normal_item(p, normal, &found))
-            return false;
-        if (!found)
+        enum taken taken = parse_normal_item(p, normal);
+        if (taken == NOT_MINE)
             return error_unknown_thing(p, "normal", normal_names,
                                        "a pattern or a normal");
+        if (taken == WRONG)
+            return false;
     }
     return normal_count(p, normal);
 }
@@ -98,7 +98,7 @@ struct normal *normal_begin(struct parser *p, const struct normal *from)
  * Without a pattern it is still what others begin with: their bump_size. */
 bool parse_normal_body(struct parser *p, const struct normal **in)
 {
-    bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING), found;
+    bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING);
     const struct value *value = accept_value(p, VALUE_NORMAL);
     if (value)
         *in = value->normal;
@@ -107,7 +107,7 @@ bool parse_normal_body(struct parser *p, const struct normal **in)
     struct normal *normal = normal_begin(p, *in);
     *in = normal;
     normal->pattern.uv |= mapped;
-    if (!parse_normal_start(p, normal, &found) || !normal_items(p, normal))
+    if (!parse_normal_start(p, normal) || !normal_items(p, normal))
         return false;
     return !normal_is_average(normal) || normal->map ||
            error_at(p, stream_span(p), "normal_map { [1 bumps 0.5] }",

@@ -40,9 +40,7 @@ static bool parse_normal_map_entry(struct parser *p, bool average,
         !parse_map_value(p, average, &entry.value))
         return false;
     accept(p, TOKEN_COMMA);
-    struct span span = stream_span(p);
-    if (!parse_normal_body(p, &entry.normal) ||
-        (entry.normal && !uv_refuse(p, span, &entry.normal->pattern)))
+    if (!parse_normal_body(p, &entry.normal))
         return false;
     *ARRAY_PUSH(p->scene_arena, list) = entry;
     return expect(p, TOKEN_RBRACKET, open);
@@ -90,9 +88,7 @@ bool parse_normal_blocks(struct parser *p, struct normal *normal)
     accept(p, TOKEN_COMMA);
     while (stream_keyword(p) == KEYWORD_NORMAL) {
         struct normal_entry entry = { .value = (double)list.count };
-        struct span at = stream_span(p);
-        if (!entry_room(p, list.count) || !parse_normal(p, &entry.normal) ||
-            (entry.normal && !uv_refuse(p, at, &entry.normal->pattern)))
+        if (!entry_room(p, list.count) || !parse_normal(p, &entry.normal))
             return false;
         *ARRAY_PUSH(p->scene_arena, &list) = entry;
         accept(p, TOKEN_COMMA);

@@ -38,19 +38,17 @@ static bool parse_precompute(struct parser *p)
 
 /* parametric_item = contained_by | precompute | PARAMETRIC_ITEM .
  * The last are in the table of src/scene/parametric.c. */
-static bool parse_parametric_item(struct parser *p, struct parametric *surface,
-                                  bool *found)
+static enum taken parse_parametric_item(struct parser *p,
+                                        struct parametric *surface)
 {
     const struct field *field = accept_field(p, parametric_primitive.items);
-    *found = true;
     if (field)
         return parse_field(p, field, surface);
     if (stream_keyword(p) == KEYWORD_CONTAINED_BY)
         return parse_contained_by(p, &surface->container);
     if (stream_keyword(p) == KEYWORD_PRECOMPUTE)
         return parse_precompute(p);
-    *found = false;
-    return true;
+    return NOT_MINE;
 }
 
 /* parametric_body = function [","] function [","] function [","] vector [","]
@@ -60,7 +58,7 @@ static bool parse_parametric_body(struct parser *p, void *shape)
     enum { ROUNDS = 10000 }; /* of a loop, as long as it takes to prepare one */
     struct parametric *surface = shape;
     struct span span = stream_span(p);
-    bool found = true;
+    enum taken taken;
     parametric_init(surface);
     for (int i = 0; i < 3; i++)
         if (!parse_coordinate(p, &surface->coordinate[i]))
@@ -70,10 +68,10 @@ static bool parse_parametric_body(struct parser *p, void *shape)
     accept(p, TOKEN_COMMA);
     if (!parse_components(p, surface->to, 2) || !stream_round(p, ROUNDS, span))
         return false;
-    while (found)
-        if (!parse_parametric_item(p, surface, &found))
-            return false;
-    return true;
+    do
+        taken = parse_parametric_item(p, surface);
+    while (taken == TAKEN);
+    return taken != WRONG;
 }
 
 /* parametric = "parametric" "{" parametric_body {modifier} "}" . */

@@ -15,9 +15,9 @@
 struct cursor;
 struct data_files;
 struct density_cache;
-struct font_cache;
 struct image_cache;
 struct scope;
+struct typeface;
 
 /* Limits, each with its reason. */
 enum {
@@ -58,6 +58,7 @@ struct parser {
     struct token token;                /* the one looked at, if `peeked` */
     struct span token_span, last_span; /* of it; of the last one taken */
     bool peeked;
+    unsigned fetched; /* tokens and directives that were looked for */
     unsigned nesting;
     struct span blocks[PARSE_NESTING_LIMIT]; /* the '{' of blocks being read */
     unsigned block_count;
@@ -91,7 +92,7 @@ struct parser {
         size_t count, capacity;
     } finishes; /* all: the last #version decides how they filter */
     struct image_cache *images;      /* read for image_map; image_map.c */
-    struct font_cache *fonts;        /* read for text; text.c */
+    struct typeface *fonts;          /* read for text; text.c */
     struct density_cache *densities; /* read; density_file.c */
     struct data_files *data_files;   /* what the scene wrote; data_file.c */
     struct random_streams *randoms;  /* seed(), rand() */
@@ -273,8 +274,13 @@ const char *standard_include(struct parser *p, const char *name);
 
 /* ---- scene rules: each file has the productions it reads ---- */
 
-/* Anything #declare can name that is not an expression; sets *found. */
-bool parse_thing(struct parser *p, struct value *value, bool *found);
+/* What a small reader did: it looks at the next token and does nothing when
+ * that is not its own, so that a block tries one after the other and reports
+ * what is left. A rule's false and true are the first two. */
+enum taken { WRONG = false, TAKEN = true, NOT_MINE };
+
+/* Anything #declare can name that is not an expression. */
+enum taken parse_thing(struct parser *p, struct value *value);
 
 bool parse_scene_item(struct parser *p); /* scene.c */
 bool at_scene_item(struct parser *p);
@@ -287,9 +293,8 @@ bool parse_normal(struct parser *p, const struct normal **out);
 bool parse_finish(struct parser *p, const struct finish **out);
 bool parse_interior(struct parser *p, const struct interior **out);
 bool parse_material(struct parser *p, struct material *out);
-/* translate, rotate, scale, matrix, transform{}: *found tells whether the
- * next tokens were one; it is composed after *transform. */
-bool parse_transformation(struct parser *p, affine *transform, bool *found);
+/* translate, rotate, scale, matrix, transform{}: composed after *transform. */
+enum taken parse_transformation(struct parser *p, affine *transform);
 bool parse_global_settings(struct parser *p);
 /* The inside of #default { }: up to the '}', which is not taken. */
 bool parse_defaults(struct parser *p, struct span open);

@@ -101,11 +101,8 @@ static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
 {
     struct made_pattern *made = pattern->parameters;
     made->pigment = p->defaults.pigment;
-    struct span span = stream_span(p);
-    if (!parse_pigment_block(p, &made->pigment) ||
-        !uv_refuse(p, span, &made->pigment->pattern))
-        return false;
-    return pattern_sampled(p, pattern);
+    return parse_pigment_block(p, &made->pigment) &&
+           pattern_sampled(p, pattern);
 }
 
 /* object_pattern = "object" "{" object block_list "}" .
@@ -196,16 +193,14 @@ static bool parse_magnet(struct parser *p, struct pattern *pattern)
  *         | object_pattern | magnet | slope | image_pattern
  *         | density_file .
  * The name of a pattern and what its table in scene/pattern/ says. */
-bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found)
+enum taken parse_pattern(struct parser *p, struct pattern *pattern)
 {
     const struct token *token = stream_peek(p);
-    *found = false;
     if (token->kind != TOKEN_WORD)
-        return true;
+        return NOT_MINE;
     const struct pattern_kind *kind = pattern_find(token->word->text);
     if (!kind)
-        return check_supported(p, pattern_unsupported);
-    *found = true;
+        return check_supported(p, pattern_unsupported) ? NOT_MINE : WRONG;
     pattern_become(p, pattern, kind);
     switch (token->word->keyword) {
     case KEYWORD_FUNCTION:
@@ -244,7 +239,7 @@ bool parse_noise_generator(struct parser *p, int *generator)
 
 /* wave = "ramp_wave" | "triangle_wave" | "sine_wave" | "scallop_wave"
  *      | "cubic_wave" | "poly_wave" [float] . */
-static bool parse_wave(struct parser *p, struct pattern *pattern, bool *found)
+static enum taken parse_wave(struct parser *p, struct pattern *pattern)
 {
     static const struct {
         enum keyword keyword;
@@ -257,17 +252,15 @@ static bool parse_wave(struct parser *p, struct pattern *pattern, bool *found)
         { KEYWORD_CUBIC_WAVE, WAVE_CUBIC },
         { KEYWORD_POLY_WAVE, WAVE_POLY },
     };
-    *found = false;
     for (size_t i = 0; i < sizeof waves / sizeof *waves; i++) {
         if (!accept_keyword(p, waves[i].keyword))
             continue;
-        *found = true;
         pattern->wave = waves[i].wave;
         if (pattern->wave == WAVE_POLY && at_expression(p))
             return parse_float(p, &pattern->exponent);
-        return true;
+        return TAKEN;
     }
-    return true;
+    return NOT_MINE;
 }
 
 /* A pattern's own settings live in memory that other pigments may share. */
@@ -286,16 +279,14 @@ static bool pattern_own_item(struct parser *p, struct pattern *pattern,
  *              | "lambda" float | "frequency" float | "phase" float
  *              | PATTERN_ITEM .
  * The last are the pattern's own: brick_size, agate_turb ... */
-bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found)
+enum taken parse_pattern_item(struct parser *p, struct pattern *pattern)
 {
     affine step = affine_identity();
-    if (!parse_transformation(p, &step, found))
-        return false;
-    if (*found) {
+    enum taken taken = parse_transformation(p, &step);
+    if (taken == TAKEN)
         pattern_transform(pattern, &step);
-        return true;
-    }
-    *found = true;
+    if (taken != NOT_MINE)
+        return taken;
     if (stream_keyword(p) == KEYWORD_WARP)
         return parse_warp(p, pattern);
     if (stream_keyword(p) == KEYWORD_NOISE_GENERATOR)
@@ -304,16 +295,16 @@ bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found)
     if (field) {
         pattern->turbulent |= strcmp(field->name, "turbulence") == 0;
         if (!parse_field(p, field, pattern))
-            return false;
+            return WRONG;
         int octaves = pattern->turbulence.octaves;
         pattern->turbulence.octaves = octaves < 1    ? 1
                                       : octaves > 10 ? 10
                                                      : octaves;
-        return true;
+        return TAKEN;
     }
     if (pattern->kind)
         field = accept_field(p, pattern->kind->items);
     if (field)
         return pattern_own_item(p, pattern, field);
-    return parse_wave(p, pattern, found);
+    return parse_wave(p, pattern);
 }

@@ -44,9 +44,8 @@ static void pigment_warn_bytes(struct parser *p, struct span span,
 /* pigment_start = colour | image_map | pattern [block_list] .
  * Measured: a pattern in place of another keeps its map, and a list of colours
  * is a map of these at 0, 1, 2. */
-bool parse_pigment_start(struct parser *p, struct pigment *pigment, bool *found)
+enum taken parse_pigment_start(struct parser *p, struct pigment *pigment)
 {
-    *found = true;
     if (stream_keyword(p) == KEYWORD_IMAGE_MAP) {
         pigment->kind = PIGMENT_IMAGE;
         pigment->pattern.kind = NULL;
@@ -56,14 +55,13 @@ bool parse_pigment_start(struct parser *p, struct pigment *pigment, bool *found)
         pigment->kind = PIGMENT_COLOUR;
         struct span span = stream_span(p);
         if (!parse_colour(p, &pigment->colour))
-            return false;
+            return WRONG;
         pigment_warn_bytes(p, span_join(span, p->last_span), &pigment->colour);
-        return true;
+        return TAKEN;
     }
-    if (!parse_pattern(p, &pigment->pattern, found))
-        return false;
-    if (!*found)
-        return true;
+    enum taken taken = parse_pattern(p, &pigment->pattern);
+    if (taken != TAKEN)
+        return taken;
     pigment->kind = PIGMENT_PATTERN;
     return pigment->pattern.kind->blocks == 0 ||
            parse_pattern_end(
@@ -103,9 +101,8 @@ bool uv_refuse(struct parser *p, struct span span,
                const struct pattern *pattern)
 {
     return !pattern->uv ||
-           error_unsupported(p, span_join(span, p->last_span),
-                             "'uv_mapping' but in a surface's own pigment, "
-                             "normal or texture");
+           error_at(p, span_join(span, p->last_span), NULL,
+                    "'uv_mapping' needs a surface, and here is none");
 }
 
 static bool pigment_is_average(const struct pigment *pigment)
@@ -125,9 +122,8 @@ static bool pigment_can_map(struct parser *p, const struct pigment *pigment)
 /* pigment_item = colour_map | pigment_map | density_map
  *              | "quick_colour" colour | pattern_item .
  * A density_map only in a density. */
-bool parse_pigment_item(struct parser *p, struct pigment *pigment, bool *found)
+enum taken parse_pigment_item(struct parser *p, struct pigment *pigment)
 {
-    *found = true;
     switch (stream_keyword(p)) {
     case KEYWORD_COLOUR_MAP:
         return pigment_can_map(p, pigment) &&
@@ -136,17 +132,19 @@ bool parse_pigment_item(struct parser *p, struct pigment *pigment, bool *found)
         return pigment_can_map(p, pigment) &&
                parse_pigment_map(p, pigment_is_average(pigment), &pigment->map);
     case KEYWORD_DENSITY_MAP:
-        *found = p->density;
-        return !*found || (pigment_can_map(p, pigment) &&
-                           parse_density_entries(p, pigment_is_average(pigment),
-                                                 &pigment->map));
+        if (!p->density)
+            return NOT_MINE;
+        return pigment_can_map(p, pigment) &&
+               parse_density_entries(p, pigment_is_average(pigment),
+                                     &pigment->map);
     case KEYWORD_QUICK_COLOUR:
         stream_next(p);
         pigment->has_quick_colour = true;
         return parse_colour(p, &pigment->quick_colour);
     default:
-        return check_supported(p, pigment_unsupported) &&
-               parse_pattern_item(p, &pigment->pattern, found);
+        return check_supported(p, pigment_unsupported)
+                   ? parse_pattern_item(p, &pigment->pattern)
+                   : WRONG;
     }
 }
 
@@ -154,7 +152,7 @@ bool parse_pigment_item(struct parser *p, struct pigment *pigment, bool *found)
  *                {pigment_item} . */
 bool parse_pigment_body(struct parser *p, const struct pigment **in)
 {
-    bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING), found;
+    bool mapped = accept_keyword(p, KEYWORD_UV_MAPPING);
     const struct value *value =
         accept_value(p, p->density ? VALUE_DENSITY : VALUE_PIGMENT);
     if (value)
@@ -166,14 +164,16 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
     *in = pigment;
     pigment->pattern.uv |= mapped;
     if (!check_supported(p, pigment_unsupported) ||
-        !parse_pigment_start(p, pigment, &found))
+        !parse_pigment_start(p, pigment))
         return false;
-    while (!at_body_end(p))
-        if (!parse_pigment_item(p, pigment, &found))
-            return false;
-        else if (!found)
+    while (!at_body_end(p)) {
+        enum taken taken = parse_pigment_item(p, pigment);
+        if (taken == NOT_MINE)
             return error_unknown_thing(p, "pigment", pigment_names,
                                        "a colour, a pattern or a pigment");
+        if (taken == WRONG)
+            return false;
+    }
     if (pigment_is_average(pigment) && !pigment->map)
         return error_at(p, stream_span(p), "pigment_map { [1 ...] [1 ...] }",
                         "'average' needs a pigment_map");

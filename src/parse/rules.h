@@ -1,9 +1,6 @@
 /* What the files that read the inside of `{ }` share: objects, textures,
  * lights, camera, atmosphere, settings. Each production of grammar/scene.ebnf
- * and grammar/textures.ebnf heads the function that reads it.
- *
- * The small readers (`found`) look at the next token and do nothing when it is
- * not theirs: a block tries one after the other and reports what is left. */
+ * and grammar/textures.ebnf heads the function that reads it. */
 #ifndef PARSE_RULES_H
 #define PARSE_RULES_H
 
@@ -77,27 +74,25 @@ bool parse_normal_block(struct parser *p, const struct normal **in);
 bool parse_finish_block(struct parser *p, const struct finish **in);
 /* Their parts, for texture_bare.c: what a block's content is written into, an
  * item of it, and the checks at its end. */
-bool parse_pigment_start(struct parser *p, struct pigment *pigment,
-                         bool *found);
-bool parse_pigment_item(struct parser *p, struct pigment *pigment, bool *found);
+enum taken parse_pigment_start(struct parser *p, struct pigment *pigment);
+enum taken parse_pigment_item(struct parser *p, struct pigment *pigment);
 bool pigment_count(struct parser *p, struct pigment *pigment);
 struct normal *normal_begin(struct parser *p, const struct normal *from);
-bool parse_normal_start(struct parser *p, struct normal *normal, bool *found);
-bool parse_normal_item(struct parser *p, struct normal *normal, bool *found);
+enum taken parse_normal_start(struct parser *p, struct normal *normal);
+enum taken parse_normal_item(struct parser *p, struct normal *normal);
 struct finish *finish_begin(struct parser *p, const struct finish *from);
 bool parse_finish_item(struct parser *p, struct finish *finish);
 void finish_limit(struct parser *p, struct finish *finish);
 /* Whether one of the items is next that stood in a texture without a block of
  * their own before version 3. */
 bool at_bare_item(struct parser *p);
-bool parse_bare_item(struct parser *p, const struct texture **in, bool *found);
+enum taken parse_bare_item(struct parser *p, const struct texture **in);
 /* The inside of texture { } or of an entry of a texture_map. */
 bool parse_interior_texture(struct parser *p, const struct texture *outer,
                             const struct texture **inner);
 bool parse_texture_body(struct parser *p, const struct texture **in);
-/* texture_choice.c: sets *found if a pattern is next. */
-bool parse_texture_choice(struct parser *p, const struct texture **out,
-                          bool *found);
+/* texture_choice.c: what begins with a pattern. */
+enum taken parse_texture_choice(struct parser *p, const struct texture **out);
 /* A texture that `rule` picks from these, looking at `thing`. */
 const struct texture *texture_by_rule(struct parser *p, texture_rule *rule,
                                       const void *thing,
@@ -107,15 +102,13 @@ const struct texture *texture_by_rule(struct parser *p, texture_rule *rule,
 const struct texture *texture_by_blocks(struct parser *p,
                                         const struct pattern_kind *kind,
                                         const struct texture *const *textures);
-/* material_map.c: sets *found if one is next. */
-bool parse_material_map(struct parser *p, const struct texture **out,
-                        bool *found);
+/* material_map.c: or tiles. */
+enum taken parse_material_map(struct parser *p, const struct texture **out);
 /* texture_map of a #declare; the keyword is next. */
 bool parse_declared_texture_map(struct parser *p,
                                 const struct texture_map **out);
 /* pigment, normal or finish: goes into the topmost layer of a copy. */
-bool parse_texture_part(struct parser *p, const struct texture **in,
-                        bool *found);
+enum taken parse_texture_part(struct parser *p, const struct texture **in);
 /* What objects that say nothing have: all of them share it. */
 const struct texture *texture_from_defaults(struct parser *p);
 /* A copy of the texture whose layers may be written. */
@@ -132,8 +125,8 @@ const struct texture *texture_stack(struct parser *p,
                                     const struct texture *top);
 
 /* pattern.c: a pattern's name and its arguments; the placing stays. */
-bool parse_pattern(struct parser *p, struct pattern *pattern, bool *found);
-bool parse_pattern_item(struct parser *p, struct pattern *pattern, bool *found);
+enum taken parse_pattern(struct parser *p, struct pattern *pattern);
+enum taken parse_pattern_item(struct parser *p, struct pattern *pattern);
 /* density_file.c; the keyword is next. */
 struct density_file;
 bool parse_density_file(struct parser *p, struct density_file *file);

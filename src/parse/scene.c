@@ -60,11 +60,10 @@ static bool thing_object(struct parser *p, struct value *value)
 static bool thing_transform(struct parser *p, struct value *value)
 {
     affine *transform = ARENA_NEW(p->arena, affine);
-    bool found;
     *transform = affine_identity();
     value->kind = VALUE_TRANSFORM;
     value->transform = transform;
-    return parse_transformation(p, transform, &found);
+    return parse_transformation(p, transform);
 }
 
 static bool thing_camera(struct parser *p, struct value *value)
@@ -109,11 +108,10 @@ static bool thing_light_group(struct parser *p, struct value *value)
  *       | transform | camera | fog | rainbow | sky_sphere | colour_map
  *       | pigment_map | texture_map | density | density_map | media
  *       | light_group | object . */
-bool parse_thing(struct parser *p, struct value *value, bool *found)
+enum taken parse_thing(struct parser *p, struct value *value)
 {
     enum keyword keyword = stream_keyword(p);
     const char *unsupported = unsupported_name(thing_unsupported, keyword);
-    *found = true;
     if (unsupported)
         return skip_unsupported(p, unsupported);
     switch (keyword) {
@@ -172,8 +170,9 @@ bool parse_thing(struct parser *p, struct value *value, bool *found)
         return parse_slope_map(p, &value->slope_map);
     default:
         /* Names of declared things are parse_expression's. */
-        *found = at_object(p) && stream_peek(p)->word->reserved;
-        return !*found || thing_object(p, value);
+        return at_object(p) && stream_peek(p)->word->reserved
+                   ? thing_object(p, value)
+                   : NOT_MINE;
     }
 }
 

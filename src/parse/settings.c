@@ -135,25 +135,23 @@ static bool parse_subsurface(struct parser *p)
 
 /* setting_without_effect = "charset" name | "max_intersections" float
  *                        | "hf_gray_16" [bool] . */
-static bool parse_setting_without_effect(struct parser *p, bool *found)
+static enum taken parse_setting_without_effect(struct parser *p)
 {
     bool flag;
-    *found = true;
     switch (stream_keyword(p)) {
     case KEYWORD_CHARSET:
         stream_next(p);
         if (stream_peek(p)->kind != TOKEN_WORD)
             return error_expected(p, "'ascii', 'utf8' or 'sys'");
         stream_next(p);
-        return true;
+        return TAKEN;
     case KEYWORD_MAX_INTERSECTIONS:
         return skip_item(p);
     case KEYWORD_HF_GRAY_16:
         stream_next(p);
         return parse_bool(p, &flag);
     default:
-        *found = false;
-        return true;
+        return NOT_MINE;
     }
 }
 
@@ -174,9 +172,8 @@ static bool setting_field(struct parser *p, const struct field *field)
 }
 
 /* light_setting = light_mesh | skeleton | radiosity | photons | subsurface . */
-static bool parse_light_setting(struct parser *p, bool *found)
+static enum taken parse_light_setting(struct parser *p)
 {
-    *found = true;
     if (at_word(p, "light_mesh"))
         return parse_light_mesh(p);
     if (at_word(p, "skeleton"))
@@ -187,15 +184,13 @@ static bool parse_light_setting(struct parser *p, bool *found)
         return parse_photons(p);
     if (stream_keyword(p) == KEYWORD_SUBSURFACE)
         return parse_subsurface(p);
-    *found = false;
-    return true;
+    return NOT_MINE;
 }
 
 /* global_setting = setting_value | assumed_gamma | noise_setting
  *                | light_setting | setting_without_effect . */
 bool parse_global_setting(struct parser *p)
 {
-    bool found;
     enum keyword keyword = stream_keyword(p);
     const struct field *field = accept_field(p, setting_fields);
     if (field)
@@ -205,11 +200,11 @@ bool parse_global_setting(struct parser *p)
     if (keyword == KEYWORD_NOISE_GENERATOR ||
         keyword == KEYWORD_NUMBER_OF_WAVES)
         return parse_noise_setting(p);
-    bool ok = parse_light_setting(p, &found);
-    if (ok && !found)
-        ok = parse_setting_without_effect(p, &found);
-    if (!ok || found)
-        return ok;
+    enum taken taken = parse_light_setting(p);
+    if (taken == NOT_MINE)
+        taken = parse_setting_without_effect(p);
+    if (taken != NOT_MINE)
+        return taken;
     return check_supported(p, setting_unsupported) &&
            error_unknown_item(p, "global_settings", setting_names);
 }

@@ -6,6 +6,8 @@
 #include "parse/mistaken.h"
 #include "parse/symbol.h"
 
+enum { STREAM_PATIENCE = 32 }; /* tokens */
+
 static struct span cursor_span(const struct cursor *cursor, size_t index)
 {
     return token_span(cursor->list, index);
@@ -160,8 +162,13 @@ bool stream_stopped(struct parser *p)
     return stopped;
 }
 
+/* Asked now and then, for it takes as long as a token: the arenas are far
+ * apart.
+ */
 static bool stream_interrupted(struct parser *p)
 {
+    if (++p->fetched % STREAM_PATIENCE != 0)
+        return false;
     if (stream_stopped(p))
         return true;
     size_t limit = arena_limit(p->arena);

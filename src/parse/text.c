@@ -4,11 +4,24 @@
 #include "scene/extrusion.h"
 #include "scene/font.h"
 
-/* Fonts already read in this parse: a loop may name one a thousand times. */
-struct font_cache {
-    struct font_cache *next;
+enum { LETTER_SLOTS = 256 };
+
+/* A letter of this thickness; NULL: nothing is seen of it. */
+struct letter_made {
+    int letter;
+    double thickness;
+    const struct extrusion *shape;
+    bool made;
+};
+
+/* Fonts already read in this parse: a loop may name one a thousand times. Its
+ * letters are made once and stand in many places; of those with one slot the
+ * last. */
+struct typeface {
+    struct typeface *next;
     const char *path;
     const struct font *font;
+    struct letter_made letters[LETTER_SLOTS];
 };
 
 /* POV-Ray has these within; here they are files like others. */
@@ -18,32 +31,33 @@ static const char *const internal_fonts[] = { "povlogo.ttf", "timrom.ttf",
 enum { INTERNAL_FONTS = sizeof internal_fonts / sizeof *internal_fonts };
 
 static bool font_load(struct parser *p, const char *name, struct span span,
-                      const struct font **out)
+                      struct typeface **out)
 {
     const char *problem = NULL,
                *path = file_need(p, span, "font", name, ".ttf");
     if (!path)
         return false;
-    for (struct font_cache *known = p->fonts; known; known = known->next)
-        if (strcmp(known->path, path) == 0) {
-            *out = known->font;
+    for (*out = p->fonts; *out; *out = (*out)->next)
+        if (strcmp((*out)->path, path) == 0)
             return true;
-        }
     const struct source *source =
         source_read(p->sources, path, span_none(), &problem);
-    *out = source ? font_new(p->arena, source->text, source->length, &problem)
-                  : NULL;
-    if (!*out)
+    const struct font *font =
+        source ? font_new(p->arena, source->text, source->length, &problem)
+               : NULL;
+    if (!font)
         return error_at(p, span, NULL, "can't read the font '%s': %s", path,
                         problem);
-    struct font_cache *known = ARENA_NEW(p->arena, struct font_cache);
-    *known = (struct font_cache){ p->fonts, path, *out };
-    p->fonts = known;
+    *out = ARENA_NEW(p->arena, struct typeface);
+    (*out)->next = p->fonts;
+    (*out)->path = path;
+    (*out)->font = font;
+    p->fonts = *out;
     return true;
 }
 
 /* font = "ttf" string | "internal" float . */
-static bool parse_font(struct parser *p, const struct font **out)
+static bool parse_font(struct parser *p, struct typeface **out)
 {
     const char *name;
     int number;
@@ -80,12 +94,13 @@ static uint32_t text_next(const char **text)
     return character;
 }
 
-/* A letter at its place in the line. A space is a point there, which counts for
- * how long the text is (measured). */
-static bool text_letter(struct parser *p, struct object *text,
-                        struct letter letter, double thickness, vec3 place)
+/* A space is a point, which counts for how long the text is (measured). */
+static const struct extrusion *letter_make(struct parser *p,
+                                           const struct font *font, int number,
+                                           double thickness)
 {
     const char *warning = NULL;
+    struct letter letter = font_outline(font, number, p->scene_arena);
     struct extrusion *shape = ARENA_NEW(p->scene_arena, struct extrusion);
     shape->segments = (struct terms){ (double *)letter.segments,
                                       letter.count * SEGMENT_NUMBERS };
@@ -93,8 +108,26 @@ static bool text_letter(struct parser *p, struct object *text,
     shape->axis = 2;
     if (letter.count > 0)
         extrusion_prepare(shape, p->scene_arena, &warning);
-    if (warning)
-        return true;
+    return warning ? NULL : shape;
+}
+
+static const struct extrusion *letter_shape(struct parser *p,
+                                            struct typeface *face, int letter,
+                                            double thickness)
+{
+    struct letter_made *slot = &face->letters[letter % LETTER_SLOTS];
+    if (!slot->made || slot->letter != letter || slot->thickness != thickness)
+        *slot =
+            (struct letter_made){ letter, thickness,
+                                  letter_make(p, face->font, letter, thickness),
+                                  true };
+    return slot->shape;
+}
+
+/* A letter at its place in the line. */
+static bool text_letter(struct parser *p, struct object *text,
+                        const struct extrusion *shape, vec3 place)
+{
     struct object *object =
         object_new(p->scene_arena, OBJECT_SHAPE, text->span);
     object->primitive = &text_primitive;
@@ -108,9 +141,10 @@ static bool text_letter(struct parser *p, struct object *text,
 /* Each letter begins where the one before it ends; the outline of the first
  * one at 0. The offset's z has no effect in POV-Ray (measured). */
 static bool text_letters(struct parser *p, struct object *text,
-                         const struct font *font, const char *string,
+                         struct typeface *face, const char *string,
                          double thickness, vec3 offset)
 {
+    const struct font *font = face->font;
     vec3 place = { 0, 0, 0 };
     int last = -1;
     text->parts = 0;
@@ -125,8 +159,9 @@ static bool text_letters(struct parser *p, struct object *text,
                        font_kerning(font, last, letter) + offset.x;
             place.y += offset.y;
         }
-        if (!text_letter(p, text, font_outline(font, letter, p->scene_arena),
-                         thickness, place))
+        const struct extrusion *shape =
+            letter_shape(p, face, letter, thickness);
+        if (shape && !text_letter(p, text, shape, place))
             return false;
         last = letter;
     }
@@ -136,11 +171,11 @@ static bool text_letters(struct parser *p, struct object *text,
 /* text_arguments = font [","] string [","] float [","] vector . */
 static bool parse_text_arguments(struct parser *p, struct object *text)
 {
-    const struct font *font;
+    struct typeface *face;
     const char *string;
     double thickness;
     vec3 offset;
-    if (!parse_font(p, &font))
+    if (!parse_font(p, &face))
         return false;
     accept(p, TOKEN_COMMA);
     if (!parse_string(p, &string))
@@ -150,7 +185,7 @@ static bool parse_text_arguments(struct parser *p, struct object *text)
         return false;
     accept(p, TOKEN_COMMA);
     return parse_vector(p, &offset) &&
-           text_letters(p, text, font, string, thickness, offset);
+           text_letters(p, text, face, string, thickness, offset);
 }
 
 /* text = "text" "{" text_arguments {modifier} "}" . */

@@ -131,14 +131,12 @@ static bool parse_surface_normal(struct parser *p, const struct normal **in)
 
 /* texture_part = pigment | normal | finish .
  * Of layers, only the topmost is changed. */
-bool parse_texture_part(struct parser *p, const struct texture **in,
-                        bool *found)
+enum taken parse_texture_part(struct parser *p, const struct texture **in)
 {
     enum keyword keyword = stream_keyword(p);
-    *found = keyword == KEYWORD_PIGMENT || keyword == KEYWORD_NORMAL ||
-             keyword == KEYWORD_FINISH;
-    if (!*found)
-        return true;
+    if (keyword != KEYWORD_PIGMENT && keyword != KEYWORD_NORMAL &&
+        keyword != KEYWORD_FINISH)
+        return NOT_MINE;
     struct layer *top;
     struct texture *texture = texture_top(p, *in, &top);
     if (keyword == KEYWORD_PIGMENT || !texture->span.source)
@@ -171,12 +169,13 @@ static const struct texture *texture_levelled(struct parser *p,
 static bool parse_texture_item(struct parser *p, const struct texture **in)
 {
     affine step = affine_identity();
-    bool found;
     struct span span = stream_span(p);
-    if (!parse_texture_part(p, in, &found) ||
-        (!found && !parse_bare_item(p, in, &found)))
+    enum taken taken = parse_texture_part(p, in);
+    if (taken == NOT_MINE)
+        taken = parse_bare_item(p, in);
+    if (taken == WRONG)
         return false;
-    if (found)
+    if (taken == TAKEN)
         return !(*in)->choice ||
                error_at(p, span, NULL,
                         "what a pattern picks can't be changed here, only in "
@@ -185,23 +184,21 @@ static bool parse_texture_item(struct parser *p, const struct texture **in)
         *in = texture_levelled(p, *in);
         return true;
     }
-    if (!parse_transformation(p, &step, &found))
-        return false;
-    if (found)
+    taken = parse_transformation(p, &step);
+    if (taken == NOT_MINE)
+        return error_unknown_thing(p, "texture", texture_names, "a texture");
+    if (taken == TAKEN)
         *in = texture_moved(p->scene_arena, *in, &step);
-    return found ||
-           error_unknown_thing(p, "texture", texture_names, "a texture");
+    return taken;
 }
 
 static bool texture_content(struct parser *p, const struct texture **in)
 {
-    bool found = false;
-    if (!at_bare_item(p) && !parse_texture_choice(p, in, &found))
-        return false;
-    if (!found && !parse_material_map(p, in, &found))
-        return false;
-    if (found)
-        return true;
+    enum taken taken = at_bare_item(p) ? NOT_MINE : parse_texture_choice(p, in);
+    if (taken == NOT_MINE)
+        taken = parse_material_map(p, in);
+    if (taken != NOT_MINE)
+        return taken;
     parse_texture_start(p, in);
     while (!at_body_end(p))
         if (!parse_texture_item(p, in))

@@ -53,25 +53,26 @@ bool at_bare_item(struct parser *p)
 
 static bool parse_bare_normal(struct parser *p, const struct normal **in)
 {
-    bool found;
     struct normal *normal = normal_begin(p, *in);
     *in = normal;
-    return parse_normal_start(p, normal, &found) &&
-           (found || parse_normal_item(p, normal, &found)) &&
-           normal_count(p, normal);
+    enum taken taken = parse_normal_start(p, normal);
+    if (taken == NOT_MINE)
+        taken = parse_normal_item(p, normal);
+    return taken != WRONG && normal_count(p, normal);
 }
 
 /* Marble and wood begin again where they would go back (measured). */
 static bool parse_bare_pigment(struct parser *p, const struct pigment **in)
 {
     static const char *const again[] = { "marble", "wood", NULL };
-    bool found;
     const struct word *word = stream_peek(p)->word;
     struct pigment *pigment = ARENA_NEW(p->scene_arena, struct pigment);
     *pigment = **in;
     *in = pigment;
-    if (!parse_pigment_start(p, pigment, &found) ||
-        (!found && !parse_pigment_item(p, pigment, &found)))
+    enum taken taken = parse_pigment_start(p, pigment);
+    if (taken == NOT_MINE)
+        taken = parse_pigment_item(p, pigment);
+    if (taken == WRONG)
         return false;
     if (word_among(word, again))
         pigment->pattern.wave = WAVE_RAMP;
@@ -98,11 +99,10 @@ static bool parse_bare_grain(struct parser *p, const struct finish **in)
 /* bare_item = float | pigment_start | pigment_item | normal_start
  *           | normal_item | finish_item .
  * The float is grain, as crand is. */
-bool parse_bare_item(struct parser *p, const struct texture **in, bool *found)
+enum taken parse_bare_item(struct parser *p, const struct texture **in)
 {
-    *found = at_bare_item(p);
-    if (!*found)
-        return true;
+    if (!at_bare_item(p))
+        return NOT_MINE;
     struct layer *top;
     *in = texture_top(p, *in, &top);
     if (stream_peek(p)->kind == TOKEN_NUMBER)

@@ -106,14 +106,14 @@ static bool choice_items(struct parser *p, struct choice_builder *b)
                                           { .name = NULL } };
     struct pattern *pattern = &b->choice->pattern;
     while (!at_body_end(p)) {
-        bool found = true;
         bool map =
             stream_keyword(p) == KEYWORD_TEXTURE_MAP && !pattern->kind->blocks;
-        if (map ? !parse_texture_map(p, b)
-                : !parse_pattern_item(p, pattern, &found))
-            return false;
-        if (!found)
+        enum taken taken =
+            map ? parse_texture_map(p, b) : parse_pattern_item(p, pattern);
+        if (taken == NOT_MINE)
             return error_unknown_item(p, "texture", names);
+        if (taken == WRONG)
+            return false;
     }
     return b->entries.count ||
            error_at(p, stream_span(p), "texture_map { [0 ...] [1 ...] }",
@@ -195,14 +195,12 @@ const struct texture *texture_by_blocks(struct parser *p,
 }
 
 /* texture_choice = pattern texture_blocks {texture_map | pattern_item} . */
-bool parse_texture_choice(struct parser *p, const struct texture **out,
-                          bool *found)
+enum taken parse_texture_choice(struct parser *p, const struct texture **out)
 {
     struct pattern pattern = pattern_new(p->scene_arena, NULL);
-    if (!parse_pattern(p, &pattern, found))
-        return false;
-    if (!*found)
-        return true;
+    enum taken taken = parse_pattern(p, &pattern);
+    if (taken != TAKEN)
+        return taken;
     struct texture *texture = ARENA_NEW(p->scene_arena, struct texture);
     struct choice_builder b = { .choice = ARENA_NEW(p->scene_arena,
                                                     struct texture_choice) };

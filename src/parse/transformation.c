@@ -71,17 +71,17 @@ static bool parse_matrix(struct parser *p, affine *out)
 
 static bool transform_items(struct parser *p, affine *out, bool *inverse)
 {
-    bool found = true;
-    while (found && stream_peek(p)->kind != TOKEN_RBRACE) {
+    enum taken taken = TAKEN;
+    while (taken == TAKEN && stream_peek(p)->kind != TOKEN_RBRACE) {
         const struct value *value = accept_value(p, VALUE_TRANSFORM);
         if (value)
             *out = affine_compose(*value->transform, *out);
         else if (accept_keyword(p, KEYWORD_INVERSE))
             *inverse = true;
-        else if (!parse_transformation(p, out, &found))
-            return false;
+        else
+            taken = parse_transformation(p, out);
     }
-    return found || error_unknown_item(p, "transform", NULL);
+    return taken != NOT_MINE ? taken : error_unknown_item(p, "transform", NULL);
 }
 
 /* transform = "transform" TRANSFORM
@@ -145,9 +145,9 @@ static bool transformation_check(struct parser *p, struct span span,
 }
 
 /* transformation = translation | rotation | scale | matrix | transform . */
-bool parse_transformation(struct parser *p, affine *transform, bool *found)
+enum taken parse_transformation(struct parser *p, affine *transform)
 {
-    bool (*rule)(struct parser *, affine *) = NULL;
+    bool (*rule)(struct parser *, affine *);
     switch (stream_keyword(p)) {
     case KEYWORD_TRANSLATE:
         rule = parse_translation;
@@ -165,11 +165,8 @@ bool parse_transformation(struct parser *p, affine *transform, bool *found)
         rule = parse_transform;
         break;
     default:
-        break;
+        return NOT_MINE;
     }
-    *found = rule != NULL;
-    if (!rule)
-        return true;
     affine one = affine_identity();
     struct span span = stream_span(p);
     if (!rule(p, &one))

@@ -155,13 +155,21 @@ static bool parse_laid_warp(struct parser *p, struct warp *warp,
            laid_orientation(p, warp, span);
 }
 
-static bool warp_body(struct parser *p, struct warp *warp, struct span span)
+static bool parse_cubic_warp(struct parser *p, struct warp *warp)
+{
+    stream_next(p);
+    warp->kind = WARP_CUBIC;
+    return true;
+}
+
+static bool warp_body(struct parser *p, struct warp *warp)
 {
     static const struct field names[] = {
         { .name = "turbulence" },  { .name = "repeat" },
         { .name = "black_hole" },  { .name = "planar" },
         { .name = "cylindrical" }, { .name = "spherical" },
-        { .name = "toroidal" },    { .name = NULL }
+        { .name = "toroidal" },    { .name = "cubic" },
+        { .name = NULL }
     };
     bool ok;
     if (stream_keyword(p) == KEYWORD_TURBULENCE)
@@ -178,14 +186,16 @@ static bool warp_body(struct parser *p, struct warp *warp, struct span span)
         ok = parse_laid_warp(p, warp, WARP_SPHERICAL);
     else if (at_word(p, "toroidal"))
         ok = parse_laid_warp(p, warp, WARP_TOROIDAL);
+    else if (at_word(p, "cubic"))
+        ok = parse_cubic_warp(p, warp);
     else
-        return error_unsupported(p, span, "this 'warp'");
+        return error_unknown_item(p, "warp", names);
     return ok && (stream_peek(p)->kind == TOKEN_RBRACE ||
                   error_unknown_item(p, "warp", names));
 }
 
 /* warp = "warp" "{" ( turbulence_warp | repeat_warp | hole_warp | planar_warp
- *      | laid_warp ) "}" . */
+ *      | laid_warp | "cubic" ) "}" . */
 bool parse_warp(struct parser *p, struct pattern *pattern)
 {
     struct warp *warp = ARENA_NEW(p->scene_arena, struct warp);
@@ -197,7 +207,7 @@ bool parse_warp(struct parser *p, struct pattern *pattern)
         return error_at(p, span, NULL, "a pattern has at most %d warps",
                         WARP_LIMIT);
     stream_next(p);
-    if (!block_begin(p, &open) || !block_end(p, open, warp_body(p, warp, span)))
+    if (!block_begin(p, &open) || !block_end(p, open, warp_body(p, warp)))
         return false;
     warp->inverse = pattern->inverse;
     warp->inner = pattern->warps;

@@ -128,7 +128,7 @@ static vec3 camera_bent(const struct camera *camera, double x, double y,
     if (camera->kind->bend_at)
         camera->kind->bend_at(camera, at[0], at[1], at);
     return vec3_normalise(normal_perturbed(
-        camera->normal, vec3_make(at[0], at[1], 0), direction));
+        camera->normal, vec3_make(at[0], at[1], 0), direction, NULL));
 }
 
 static inline struct ray camera_finished(const struct camera *camera, double x,

@@ -86,6 +86,8 @@ struct camera {
     double focus;           /* that distance */
     double blur_samples[2]; /* whole numbers */
     double confidence, variance;
+    const struct pigment *bokeh; /* how much light the lens lets through where,
+                                  * or NULL: a round one */
 };
 
 /* POV-Ray's: at the origin, looking along z, right 1.33 x, look_at z. */

@@ -71,13 +71,14 @@ static struct place image_place(const struct image_map *map, vec3 point)
     return place_planar(map, point);
 }
 
-/* -1 to count, the edges' neighbours included: another period, or, used once,
- * the edge itself. */
+/* Beyond the edges: another period, or, used once, the edge itself. */
 static int image_wrap(const struct image_map *map, int i, int count)
 {
+    if (i >= 0 && i < count)
+        return i;
     if (map->once)
-        return i < 0 ? 0 : i >= count ? count - 1 : i;
-    return i < 0 ? count - 1 : i >= count ? 0 : i;
+        return i < 0 ? 0 : count - 1;
+    return ((i % count) + count) % count;
 }
 
 /* Puts in what the pixel's own entry of the palette says. */
@@ -141,16 +142,52 @@ static colour image_blend(const struct image_map *map, double x, double y)
     return colour_add_scaled((colour){ 0 }, sum, 1 / total);
 }
 
+/* Catmull and Rom's spline: the weight of a pixel that far away. */
+static double image_cubic(double distance)
+{
+    double d = fabs(distance);
+    if (d >= 2)
+        return 0;
+    return d < 1 ? 1 + d * d * (1.5 * d - 2.5)
+                 : 2 + d * (-4 + d * (2.5 - 0.5 * d));
+}
+
+/* Of the 16 pixels around (x, y), in pixels. */
+static colour image_bicubic(const struct image_map *map, double x, double y)
+{
+    int left = (int)floor(x - 0.5) - 1, low = (int)floor(y - 0.5) - 1;
+    colour sum = { 0 };
+    for (int j = low; j < low + 4; j++) {
+        double row = image_cubic(y - 0.5 - j);
+        for (int i = left; i < left + 4; i++)
+            sum = colour_add_scaled(sum, image_texel(map, i, j),
+                                    row * image_cubic(x - 0.5 - i));
+    }
+    return sum;
+}
+
+/* At (x, y), in pixels: on the picture. */
+static colour image_at(const struct image_map *map, double x, double y)
+{
+    switch (map->interpolation) {
+    case IMAGE_NEAREST:
+        return image_texel(map, (int)x, (int)y);
+    case IMAGE_BICUBIC:
+        return image_bicubic(map, x, y);
+    case IMAGE_BILINEAR:
+    case IMAGE_NORMALISED_DISTANCE:
+        break;
+    }
+    return image_blend(map, x, y);
+}
+
 colour image_map_colour(const struct image_map *map, vec3 point)
 {
     const struct image *image = map->image;
     struct place place = image_place(map, point);
     if (!place.valid || !image || image->width < 1 || image->height < 1)
         return (colour){ 1, 1, 1, 0, 1 };
-    double x = place.u * image->width, y = place.v * image->height;
-    if (map->interpolation == IMAGE_NEAREST)
-        return image_texel(map, (int)x, (int)y);
-    return image_blend(map, x, y);
+    return image_at(map, place.u * image->width, place.v * image->height);
 }
 
 static double image_grey(const struct image_map *map, double x, double y)
@@ -158,9 +195,7 @@ static double image_grey(const struct image_map *map, double x, double y)
     const struct image *image = map->image;
     x -= image->width * floor(x / image->width);
     y -= image->height * floor(y / image->height);
-    colour c = map->interpolation == IMAGE_NEAREST
-                   ? image_texel(map, (int)x, (int)y)
-                   : image_blend(map, x, y);
+    colour c = image_at(map, x, y);
     return 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
 }
 

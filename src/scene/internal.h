@@ -9,8 +9,8 @@ struct internal_function {
     double (*value)(const double *arguments);
 };
 
-/* Numbers of what is not in the tables: a pattern, and what glim lacks. */
-enum { INTERNAL_HELICAL_TORUS = 24, INTERNAL_NOISE3D = 76 };
+/* The number of what is not in the tables: a pattern. */
+enum { INTERNAL_NOISE3D = 76 };
 
 /* NULL: there is none of this number. */
 const struct internal_function *internal_find(int number);

@@ -230,6 +230,22 @@ static double internal_helix2(const double *a)
     return tube_norm(X * c + Z * s - a[6], Z * c - X * s, a[8]) - a[5];
 }
 
+/* A torus of radius a[3] with windings around it, each with grooves, as far out
+ * as a[8]; where the windings leave room one sees the torus, and about its axis
+ * a column. Each as far from it, all but the column thicker by the winding's
+ * thickness at that angle. */
+static double internal_helical_torus(const double *a)
+{
+    double radius = sqrt(X * X + Z * Z), turn = atan2(X, Z);
+    double from = hypot(radius - a[3], Y), out = from - a[8];
+    double winding = a[4] * turn + a[5] * atan2(radius - a[3], Y);
+    double across = winding - 2 * M_PI * floor(winding / (2 * M_PI)) - M_PI;
+    double groove = a[10] * atan2(across * a[11], out) + a[12] * turn;
+    double tubes = sqrt(out * out + a[9] * across * across);
+    double column = radius + a[3] - a[8], thick = a[6] * cos(groove);
+    return fmin(column, fmin(tubes, from + a[8]) - thick) - a[7];
+}
+
 /* Windings in the plane of x and z, each a[3] farther out, cut by a ball. */
 static double internal_spiral(const double *a)
 {
@@ -287,6 +303,7 @@ const struct internal_function internal_shapes[] = {
     { 10, 7, internal_cross_ellipsoids },
     { 17, 6, internal_ellipsoid },
     { 19, 7, internal_flange_cover },
+    { 24, 13, internal_helical_torus },
     { 25, 10, internal_helix1 },
     { 26, 10, internal_helix2 },
     { 27, 4, internal_hex_x },

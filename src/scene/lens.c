@@ -7,8 +7,11 @@
 #include <math.h>
 
 #include "base/random.h"
+#include "scene/material.h"
 
 static const double lens_radius = 0.25;
+enum { SHAPE_TRIES = 1000 }; /* for a point of a shape that lets light pass */
+
 static const double pi = 3.14159265358979323846;
 
 void lens_sample(const double u[2], double point[2])
@@ -41,6 +44,16 @@ static void hexagon_cell(int i, double cell[2])
     cell[1] = ring * sin(from) + step * sin(along);
 }
 
+/* In [0,1)^2, by Roberts' sequence: any number of points in a row are evenly
+ * spread. */
+static void lens_place(uint64_t key, int i, double place[2])
+{
+    place[0] = random_unit(key) + i * 0.7548776662466927;
+    place[1] = random_unit(random_mix(key)) + i * 0.5698402909980532;
+    place[0] -= floor(place[0]);
+    place[1] -= floor(place[1]);
+}
+
 void lens_point(int count, int i, uint64_t key, double point[2])
 {
     uint64_t own = random_key(key, (uint64_t)i);
@@ -58,11 +71,24 @@ void lens_point(int count, int i, uint64_t key, double point[2])
         point[1] = cell * (point[1] + v);
         return;
     }
-    /* Roberts' sequence: any number of points in a row are evenly spread. */
-    double start[2] = { random_unit(key), random_unit(random_mix(key)) };
-    double place[2] = { start[0] + i * 0.7548776662466927,
-                        start[1] + i * 0.5698402909980532 };
-    place[0] -= floor(place[0]);
-    place[1] -= floor(place[1]);
+    double place[2];
+    lens_place(key, i, place);
     lens_sample(place, point);
+}
+
+/* Points of the square, each taken as likely as it is bright there. */
+void lens_shaped_point(const struct pigment *shape, int i, uint64_t key,
+                       double point[2])
+{
+    double place[2] = { 0.5, 0.5 };
+    uint64_t own = random_key(key, (uint64_t)i);
+    for (int try = 0; try < SHAPE_TRIES; try++) {
+        lens_place(try ? own : key, try ? try : i, place);
+        colour c = pigment_colour(shape, vec3_make(place[0], place[1], 0));
+        double light = 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
+        if (random_unit(random_key(own, (uint64_t)try)) < light)
+            break;
+    }
+    point[0] = 2 * lens_radius * (place[0] - 0.5);
+    point[1] = 2 * lens_radius * (0.5 - place[1]);
 }

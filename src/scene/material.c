@@ -104,7 +104,7 @@ bool texture_is_plain(const struct texture *texture)
     return rgb_is_black(mirror->minimum) && rgb_is_black(mirror->maximum) &&
            finish->brilliance == 1 && !(finish->crand > 0) &&
            !finish_tints(finish) &&
-           !(layer->normal && layer->normal->pattern.uv) &&
+           (!layer->normal || normal_is_of_space(layer->normal)) &&
            pigment_is_of_space(layer->pigment);
 }
 

@@ -42,6 +42,7 @@ enum image_projection {
 enum image_interpolation {
     IMAGE_NEAREST = 0,
     IMAGE_BILINEAR = 2,
+    IMAGE_BICUBIC = 3,
     IMAGE_NORMALISED_DISTANCE = 4,
 };
 
@@ -245,6 +246,7 @@ bool pigment_is_opaque(const struct pigment *pigment);
 /* Whether it is the same on any surface there, so that pigment_colour is
  * enough. */
 bool pigment_is_of_space(const struct pigment *pigment);
+bool normal_is_of_space(const struct normal *perturbation);
 bool texture_is_opaque(const struct texture *texture);
 
 /* Whether it is one layer of paint that mirrors nothing, whose light a loop can
@@ -258,9 +260,10 @@ bool texture_is_plain(const struct texture *texture);
 bool normal_tilts(const struct normal *perturbation);
 
 /* The unit normal after perturbation; `normal` unit, both in texture space and
- * turned towards the viewer (measured: bumps rise to whoever looks). */
+ * turned towards the viewer (measured: bumps rise to whoever looks). Normals in
+ * its map may be of the surface's own coordinates; NULL: off any. */
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
-                      vec3 normal);
+                      vec3 normal, const struct uv_source *surface);
 
 /* Copies in `arena`, moved by an invertible transformation. */
 const struct pigment *pigment_moved(struct arena *arena,

@@ -59,52 +59,60 @@ static vec3 normal_into_pattern(const struct cofactors *map, vec3 normal,
     return vec3_normalise(map->determinant < 0 ? vec3_negate(local) : local);
 }
 
-static vec3 entry_normal(const struct normal_entry *entry, vec3 point,
-                         vec3 normal)
+/* Where a normal is bent: in the pattern's own space, and on which surface. */
+struct bend {
+    vec3 point, normal;
+    const struct uv_source *surface;
+};
+
+static vec3 entry_normal(const struct normal_entry *entry,
+                         const struct bend *at)
 {
-    return entry->normal ? normal_perturbed(entry->normal, point, normal)
-                         : normal;
+    if (!entry->normal)
+        return at->normal;
+    return normal_perturbed(
+        entry->normal,
+        pattern_start(&entry->normal->pattern, at->point, at->surface),
+        at->normal, at->surface);
 }
 
-static vec3 average_normal(const struct normal_map *map, vec3 point,
-                           vec3 normal)
+static vec3 average_normal(const struct normal_map *map, const struct bend *at)
 {
     vec3 sum = { 0, 0, 0 };
     for (size_t i = 0; i < map->count; i++)
-        sum = vec3_along(sum, entry_normal(&map->entries[i], point, normal),
+        sum = vec3_along(sum, entry_normal(&map->entries[i], at),
                          map->entries[i].value);
     return sum;
 }
 
 /* What the pattern picks of other normals, in its own space. */
-static vec3 map_normal(const struct normal *perturbation, vec3 point,
-                       vec3 normal)
+static vec3 map_normal(const struct normal *perturbation, const struct bend *at)
 {
     const struct pattern_kind *kind = perturbation->pattern.kind;
     const struct normal_map *map = perturbation->map;
     const struct normal_entry *entries = map->entries;
     if (kind->average)
-        return average_normal(map, point, normal);
-    double value = pattern_value_at(&perturbation->pattern, point);
+        return average_normal(map, at);
+    double value = pattern_value_at(&perturbation->pattern, at->point);
     size_t after = 0, last = map->count - 1;
     while (after < last && entries[after].value < value)
         after++;
-    vec3 high = entry_normal(&entries[after], point, normal);
+    vec3 high = entry_normal(&entries[after], at);
     if (after == 0 || entries[after].value <= value || kind->blocks)
         return high;
     double t = (value - entries[after - 1].value) /
                (entries[after].value - entries[after - 1].value);
-    return vec3_mix(entry_normal(&entries[after - 1], point, normal), high, t);
+    return vec3_mix(entry_normal(&entries[after - 1], at), high, t);
 }
 
 /* `length` is that of the normal for bumps that are not scaled; else 1. */
-static vec3 normal_tilted(const struct normal *perturbation, vec3 point,
-                          vec3 normal, double length)
+static vec3 normal_tilted(const struct normal *perturbation,
+                          const struct bend *at, double length)
 {
     const struct pattern *pattern = &perturbation->pattern;
-    vec3 tilt;
+    vec3 point = at->point, normal = at->normal, tilt;
     if (perturbation->map)
-        return map_normal(perturbation, point, normal);
+        return map_normal(perturbation, at);
     if (perturbation->bumps)
         tilt = image_map_tilt(perturbation->bumps, point, normal);
     else if (pattern->kind->perturbation && !perturbation->slopes)
@@ -121,14 +129,34 @@ bool normal_tilts(const struct normal *perturbation)
     return perturbation->pattern.kind || perturbation->bumps;
 }
 
+static bool normal_spatial(const struct normal *normal, int *budget)
+{
+    const struct pattern *pattern = &normal->pattern;
+    const struct normal_map *map = normal->map;
+    if (--*budget < 0 || pattern->uv || (pattern->kind && pattern->kind->seen))
+        return false;
+    for (size_t i = 0; map && i < map->count; i++)
+        if (map->entries[i].normal &&
+            !normal_spatial(map->entries[i].normal, budget))
+            return false;
+    return true;
+}
+
+bool normal_is_of_space(const struct normal *perturbation)
+{
+    int budget = 1000;
+    return normal_spatial(perturbation, &budget);
+}
+
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
-                      vec3 normal)
+                      vec3 normal, const struct uv_source *surface)
 {
     const struct pattern *pattern = &perturbation->pattern;
     if (!normal_tilts(perturbation) ||
         (perturbation->amount == 0 && !perturbation->map))
         return normal;
-    vec3 at = pattern_locate(pattern, point);
+    struct bend at = { .point = pattern_locate(pattern, point),
+                       .surface = surface };
     const affine *inward = &pattern->inverse;
     const struct cofactors *cofactors = &pattern->cofactors;
     affine warped;
@@ -140,10 +168,10 @@ vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
         cofactors = &of_warped;
     }
     double height;
-    vec3 local = normal_into_pattern(cofactors, normal, &height);
+    at.normal = normal_into_pattern(cofactors, normal, &height);
     if (!perturbation->level || !isfinite(height))
         height = 1;
-    local = normal_tilted(perturbation, at, local, height);
+    vec3 local = normal_tilted(perturbation, &at, height);
     vec3 result = vec3_normalise(affine_normal(inward, local));
     double length = vec3_dot(result, result);
     return length > 0.5 && length < 2 ? result : normal;

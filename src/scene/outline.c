@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "base/array.h"
 #include "scene/polynomial.h"
 
 struct segment segment_line(const double a[2], const double b[2])
@@ -133,34 +132,33 @@ static void cubic_part(const double c[4], double low, double high,
     part[3] = w * w * w * c[3];
 }
 
-struct piece_list {
-    struct piece *items;
-    size_t count, capacity;
-};
-
-static void piece_add(struct arena *arena, struct piece_list *list,
-                      const struct segment *segment, double low, double high)
+/* A part of a segment; returns whether it has a length. */
+static bool piece_cut(const struct segment *segment, double low, double high,
+                      struct piece *piece)
 {
-    struct piece piece = { .outward = 1 };
-    struct segment *curve = &piece.curve;
+    *piece = (struct piece){ .outward = 1 };
+    struct segment *curve = &piece->curve;
     cubic_part(segment->x, low, high, curve->x);
     cubic_part(segment->y, low, high, curve->y);
     if (high < 1)
         segment_point(segment, high, curve->end);
     else
         memcpy(curve->end, segment->end, sizeof curve->end);
-    piece.low[0] = fmin(curve->x[0], curve->end[0]);
-    piece.low[1] = fmin(curve->y[0], curve->end[1]);
-    piece.high[0] = fmax(curve->x[0], curve->end[0]);
-    piece.high[1] = fmax(curve->y[0], curve->end[1]);
-    if (piece.low[0] < piece.high[0] || piece.low[1] < piece.high[1])
-        *ARRAY_PUSH(arena, list) = piece;
+    piece->low[0] = fmin(curve->x[0], curve->end[0]);
+    piece->low[1] = fmin(curve->y[0], curve->end[1]);
+    piece->high[0] = fmax(curve->x[0], curve->end[0]);
+    piece->high[1] = fmax(curve->y[0], curve->end[1]);
+    return piece->low[0] < piece->high[0] || piece->low[1] < piece->high[1];
 }
 
-static void segment_cut(struct arena *arena, struct piece_list *list,
-                        const struct segment *segment)
+enum { SEGMENT_PIECES = 5 }; /* two turns of x and two of y */
+
+/* The pieces of a segment; returns how many. */
+static size_t segment_cut(const struct segment *segment,
+                          struct piece pieces[SEGMENT_PIECES])
 {
-    double at[6] = { 0 };
+    double at[SEGMENT_PIECES + 1] = { 0 };
+    size_t made = 0;
     int count = 1;
     count += cubic_turns(segment->x, at + count);
     count += cubic_turns(segment->y, at + count);
@@ -173,7 +171,8 @@ static void segment_cut(struct arena *arena, struct piece_list *list,
         }
     for (int i = 1; i < count; i++)
         if (at[i] > at[i - 1])
-            piece_add(arena, list, segment, at[i - 1], at[i]);
+            made += piece_cut(segment, at[i - 1], at[i], &pieces[made]);
+    return made;
 }
 
 /* Which side of the piece is out: looked at from a little beside it. */
@@ -190,35 +189,47 @@ static double piece_outward(const struct outline *outline,
                                                                            : 1;
 }
 
+/* Cut twice, since there may be many outlines and each takes only what it
+ * needs. */
+static void outline_cut(struct outline *outline, struct arena *arena,
+                        const struct segment *segments, size_t count)
+{
+    struct piece pieces[SEGMENT_PIECES];
+    for (size_t i = 0; i < count; i++)
+        outline->count += segment_cut(&segments[i], pieces);
+    outline->pieces = ARENA_ARRAY(arena, struct piece, outline->count);
+    struct piece *next = outline->pieces;
+    for (size_t i = 0; i < count; i++) {
+        size_t made = segment_cut(&segments[i], pieces);
+        memcpy(next, pieces, made * sizeof *next);
+        next += made;
+    }
+}
+
 struct outline outline_new(struct arena *arena, const struct segment *segments,
                            size_t count)
 {
-    struct piece_list list = { .count = 0 };
-    for (size_t i = 0; i < count; i++)
-        segment_cut(arena, &list, &segments[i]);
     struct outline outline = {
-        .pieces = list.items,
-        .count = list.count,
         .low = { HUGE_VAL, HUGE_VAL },
         .high = { -HUGE_VAL, -HUGE_VAL },
     };
-    for (size_t i = 0; i < list.count; i++)
+    outline_cut(&outline, arena, segments, count);
+    for (size_t i = 0; i < outline.count; i++)
         for (int k = 0; k < 2; k++) {
-            outline.low[k] = fmin(outline.low[k], list.items[i].low[k]);
-            outline.high[k] = fmax(outline.high[k], list.items[i].high[k]);
+            const struct piece *piece = &outline.pieces[i];
+            outline.low[k] = fmin(outline.low[k], piece->low[k]);
+            outline.high[k] = fmax(outline.high[k], piece->high[k]);
         }
-    for (size_t i = 0; i < list.count; i++)
-        list.items[i].outward = piece_outward(&outline, &list.items[i]);
+    for (size_t i = 0; i < outline.count; i++)
+        outline.pieces[i].outward = piece_outward(&outline, &outline.pieces[i]);
     return outline;
 }
 
 struct outline outline_of_numbers(struct arena *arena, const double *numbers,
                                   size_t count)
 {
-    size_t segments = count / SEGMENT_NUMBERS;
-    struct segment *copy = ARENA_ARRAY(arena, struct segment, segments);
-    memcpy(copy, numbers, segments * sizeof *copy);
-    return outline_new(arena, copy, segments);
+    return outline_new(arena, (const struct segment *)(const void *)numbers,
+                       count / SEGMENT_NUMBERS);
 }
 
 /* Whether the horizontal line to the right of the point meets the piece; ends

@@ -31,9 +31,12 @@ static colour pigment_at(const struct pigment *pigment, vec3 point,
 static colour entry_colour(const struct blend_entry *entry, vec3 point,
                            struct depth depth)
 {
-    return entry->pigment
-               ? pigment_at(entry->pigment, point, depth_below(depth))
-               : entry->colour;
+    const struct pigment *pigment = entry->pigment;
+    return pigment ? pigment_at(
+                         pigment,
+                         pattern_start(&pigment->pattern, point, depth.surface),
+                         depth_below(depth))
+                   : entry->colour;
 }
 
 /* Measured: the entry sought is the first whose value is not below `value`;
@@ -187,7 +190,7 @@ static bool pigment_spatial(const struct pigment *pigment, int *budget)
 {
     const struct pattern *pattern = &pigment->pattern;
     const struct blend_map *map = pigment->map;
-    if (--*budget < 0 || (pattern->kind && pattern->kind->seen))
+    if (--*budget < 0 || pattern->uv || (pattern->kind && pattern->kind->seen))
         return false;
     for (size_t i = 0; map && i < map->count; i++)
         if (map->entries[i].pigment &&
@@ -199,7 +202,7 @@ static bool pigment_spatial(const struct pigment *pigment, int *budget)
 bool pigment_is_of_space(const struct pigment *pigment)
 {
     int budget = 1000;
-    return !pigment->pattern.uv && pigment_spatial(pigment, &budget);
+    return pigment_spatial(pigment, &budget);
 }
 
 const struct pigment *pigment_moved(struct arena *arena,

@@ -87,6 +87,35 @@ static vec3 warp_laid(const struct warp *warp, vec3 p)
     return laid;
 }
 
+/* The middle of a side's square in a cross that is 1 wide and high, and how far
+ * a turn goes along it. */
+static vec3 cross_place(double column, double row, double u, double v, double w)
+{
+    return vec3_make((2 * column + 1 + u / w) / 8, (2 * row + 1 + v / w) / 6,
+                     w);
+}
+
+/* Six squares in a cross, the sides -x, z, x, -z in its middle row, y above z
+ * and -y below: a place in it, and the largest coordinate. */
+static vec3 warp_cubic(vec3 p)
+{
+    vec3 size = { fabs(p.x), fabs(p.y), fabs(p.z) };
+    double most = fmax(size.x, fmax(size.y, size.z));
+    if (most == 0)
+        return p;
+    if (p.x >= most)
+        return cross_place(2, 1, -p.z, p.y, most);
+    if (p.y >= most)
+        return cross_place(1, 2, p.x, -p.z, most);
+    if (p.z >= most)
+        return cross_place(1, 1, p.x, p.y, most);
+    if (-p.x >= most)
+        return cross_place(0, 1, p.z, p.y, most);
+    if (-p.y >= most)
+        return cross_place(1, 0, p.x, p.z, most);
+    return cross_place(3, 1, -p.x, p.y, most);
+}
+
 vec3 warp_all(const struct warp *warp, vec3 point)
 {
     for (; warp; warp = warp->inner) {
@@ -101,6 +130,9 @@ vec3 warp_all(const struct warp *warp, vec3 point)
             break;
         case WARP_BLACK_HOLE:
             point = warp_black_hole(warp, point);
+            break;
+        case WARP_CUBIC:
+            point = warp_cubic(point);
             break;
         default:
             point = warp_turned(warp->orientation, warp_laid(warp, point));

@@ -13,6 +13,7 @@ enum warp_kind {
     WARP_CYLINDRICAL,
     WARP_SPHERICAL,
     WARP_TOROIDAL,
+    WARP_CUBIC, /* a cross of six squares is folded to a cube */
 };
 
 struct warp {

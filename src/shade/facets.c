@@ -120,7 +120,7 @@ static void paint_point(struct facets *facets, unsigned i,
     if (!bumpy)
         return;
     vec3 normal = layer_bumped(layer, leaf->to_texture, leaf->from_texture,
-                               point, get(facets->normal, i));
+                               point, get(facets->normal, i), NULL);
     put(facets->normal, i, normal.x, normal.y, normal.z);
 }
 

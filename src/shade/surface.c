@@ -107,10 +107,11 @@ static inline colour layer_pigment(const struct layer *layer,
 
 /* Bumps live in the texture's space: the normal goes there and back. */
 vec3 layer_bumped(const struct layer *layer, const affine *to,
-                  const affine *from, vec3 point, vec3 normal)
+                  const affine *from, vec3 point, vec3 normal,
+                  const struct uv_source *surface)
 {
     vec3 there = vec3_normalise(affine_normal(from, normal));
-    vec3 bumped = normal_perturbed(layer->normal, point, there);
+    vec3 bumped = normal_perturbed(layer->normal, point, there, surface);
     vec3 back = vec3_normalise(affine_normal(to, bumped));
     return vec3_finite(back) ? back : normal;
 }
@@ -122,11 +123,10 @@ static vec3 layer_normal(const struct layer *layer, struct place *place,
         return normal;
     if (layer->normal->pattern.uv && !layer->normal->uv_turned)
         return normal_perturbed(layer->normal, place->uv->point(place->uv),
-                                normal);
-    return layer_bumped(
-        layer, place->to, place->from,
-        pattern_start(&layer->normal->pattern, place_point(place), place->uv),
-        normal);
+                                normal, place->uv);
+    vec3 at =
+        pattern_start(&layer->normal->pattern, place_point(place), place->uv);
+    return layer_bumped(layer, place->to, place->from, at, normal, place->uv);
 }
 
 /* What light passes a layer down to the next. */

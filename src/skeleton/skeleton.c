@@ -299,13 +299,16 @@ rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
     return light_indirect(skeleton, worker, &point);
 }
 
-rgb skeleton_close(const struct skeleton *skeleton, struct worker *worker,
-                   vec3 position, vec3 normal, vec3 from)
+bool skeleton_close(const struct skeleton *skeleton, struct worker *worker,
+                    vec3 position, vec3 normal, vec3 from, rgb *light)
 {
     const struct heuristic *heuristic = skeleton->heuristic;
     struct skeleton_point point = find_void(skeleton, position, normal, from);
-    if (point.voxel != VOXEL_NONE && heuristic->close)
-        return heuristic->close(skeleton, &point);
+    int place[3];
     point_name(skeleton, &point);
-    return light_indirect(skeleton, worker, &point);
+    *light = heuristic->close && point.voxel != VOXEL_NONE
+                 ? heuristic->close(skeleton, &point)
+                 : light_indirect(skeleton, worker, &point);
+    return rgb_peak(*light) > 0 ||
+           voxels_find(skeleton->voxels, position, place);
 }

@@ -72,7 +72,10 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
         struct path path;
         double lens[2], at[2];
         blur_spread(camera, (struct draws){ key, (uint32_t)i }, at);
-        lens_point(most, i, key, lens);
+        if (camera->bokeh)
+            lens_shaped_point(camera->bokeh, i, key, lens);
+        else
+            lens_point(most, i, key, lens);
         path.ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
         path_start(&path, tracer, worker, NULL);
         blur_add(&blur, path_follow(&path));
@@ -134,10 +137,12 @@ void tracer_rays(const struct tracer *tracer,
 void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
                       unsigned count, struct world_hit *hits)
 {
-    double offsets[RAY_LANES] = { 0 };
-    for (unsigned i = 0; i < count; i++)
-        offsets[i] = surface_offset(rays_origin(rays, (int)i));
-    world_closest_many(tracer->world, rays, offsets, count, RAY_CAMERA, hits);
+    struct rays_span span = { { 0 }, { 0 } };
+    for (unsigned i = 0; i < count; i++) {
+        span.near[i] = surface_offset(rays_origin(rays, (int)i));
+        span.far[i] = (double)INFINITY;
+    }
+    world_closest_many(tracer->world, rays, &span, count, RAY_CAMERA, hits);
 }
 
 /* One of several rays that are followed together as far as what they meet
@@ -204,7 +209,9 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
         sights->plain |= (unsigned)(leaf && leaf->plain) << i;
     }
     meet &= seen;
-    sights->plain &= sights->tracer->airless ? seen : 0;
+    if (!sights->tracer->airless || sights->tracer->lighting->by_surface)
+        sights->plain = 0;
+    sights->plain &= seen;
     if (!meet)
         return 0;
     world_face_many(met->rays, met->hits, meet, &sights->faces);
@@ -263,14 +270,18 @@ static void sights_light(struct sights *sights, struct radiance *out)
 {
     const struct tracer *tracer = sights->tracer;
     struct facets *facets = &sights->facets;
-    struct diffuse_light diffuse = tracer->lighting->illuminate_many(
-        tracer->lighting_state, sights->worker, facets);
+    unsigned first = (unsigned)__builtin_ctz(facets->all);
+    struct diffuse_light diffuse[RAY_LANES];
+    tracer->lighting->illuminate_many(tracer->lighting_state, sights->worker,
+                                      facets, diffuse);
     for (unsigned lit = sights->lit; lit; lit &= lit - 1) {
         unsigned i = (unsigned)__builtin_ctz(lit);
-        out[i] = sight_go_on(&sights->at[i], facets_light(facets, i), &diffuse);
+        out[i] =
+            sight_go_on(&sights->at[i], facets_light(facets, i), &diffuse[i]);
     }
     if (sights->plain)
-        facets_glow(facets, sights->plain, diffuse.ambient, diffuse.irradiance);
+        facets_glow(facets, sights->plain, diffuse[first].ambient,
+                    diffuse[first].irradiance);
     for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
         unsigned i = (unsigned)__builtin_ctz(plain);
         out[i] = (struct radiance){ facets_light(facets, i), 1 };

@@ -42,16 +42,22 @@ static void packet_start(struct packet *packet, const struct rays *rays,
         find_inverse(rays, packet->inverse);
 }
 
+static void packet_span(struct packet *packet, const struct rays_span *span,
+                        double limit)
+{
+    for (int i = 0; i < RAY_LANES; i++) {
+        packet->span.near[i] = span->near[i];
+        packet->span.far[i] = slab_min(span->far[i], limit);
+    }
+}
+
 void packet_to_lamp(struct packet *packet, const struct occlusions *asked,
                     unsigned lanes, double limit, bool boxed)
 {
     packet->occlusion = true;
     packet->light = asked->light;
     packet->kind = RAY_OBSTACLE;
-    for (int i = 0; i < RAY_LANES; i++) {
-        packet->span.near[i] = asked->span.near[i];
-        packet->span.far[i] = slab_min(asked->span.far[i], limit);
-    }
+    packet_span(packet, &asked->span, limit);
     packet_start(packet, &asked->rays, lanes, boxed);
 }
 
@@ -62,9 +68,7 @@ void packet_to_nearest(struct packet *packet, const struct nearest *asked,
     packet->opaque = true;
     packet->light = -1;
     packet->kind = asked->kind;
-    memcpy(packet->span.near, asked->near, sizeof packet->span.near);
-    for (int i = 0; i < RAY_LANES; i++)
-        packet->span.far[i] = limit;
+    packet_span(packet, asked->span, limit);
     packet_start(packet, asked->rays, asked->lanes, boxed);
 }
 

@@ -27,7 +27,7 @@ struct packet {
 /* Rays that look for what is nearest. */
 struct nearest {
     const struct rays *rays;
-    const double *near;
+    const struct rays_span *span;
     enum ray_kind kind;
     unsigned lanes;
 };

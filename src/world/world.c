@@ -174,8 +174,8 @@ static void packet_trace(const struct world *world, struct packet *packet)
 
 /* Rays that are too few to be a packet. */
 static void closest_each(const struct world *world, const struct rays *rays,
-                         const double *tmin, unsigned count, enum ray_kind kind,
-                         struct world_hit *out)
+                         const struct rays_span *span, unsigned count,
+                         enum ray_kind kind, struct world_hit *out)
 {
     struct query query;
     query.occlusion = false;
@@ -183,7 +183,8 @@ static void closest_each(const struct world *world, const struct rays *rays,
     for (unsigned i = 0; i < count; i++) {
         const struct ray ray = rays_at(rays, (int)i);
         out[i].leaf = NULL;
-        if (!query_begin(world, &query, &ray, tmin[i], world_limit))
+        if (!query_begin(world, &query, &ray, span->near[i],
+                         slab_min(span->far[i], world_limit)))
             continue;
         trace_nearest(world, &query);
         out[i].leaf = query.leaf;
@@ -192,13 +193,13 @@ static void closest_each(const struct world *world, const struct rays *rays,
 }
 
 void world_closest_many(const struct world *world, const struct rays *rays,
-                        const double *tmin, unsigned count, enum ray_kind kind,
-                        struct world_hit *out)
+                        const struct rays_span *span, unsigned count,
+                        enum ray_kind kind, struct world_hit *out)
 {
     struct packet packet;
-    const struct nearest asked = { rays, tmin, kind, (1u << count) - 1 };
+    const struct nearest asked = { rays, span, kind, (1u << count) - 1 };
     if (count < PACKET_LEAST) {
-        closest_each(world, rays, tmin, count, kind, out);
+        closest_each(world, rays, span, count, kind, out);
         return;
     }
     packet_to_nearest(&packet, &asked, world_limit, world->boxed);

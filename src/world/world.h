@@ -67,12 +67,12 @@ struct world_hit {
 
 enum { WORLD_RAYS = RAY_LANES };
 
-/* The same for the first so many rays, which is twice as quick if they begin
- * and go close together, as those of neighbouring pixels do. `tmin`: of all
- * lanes. */
+/* The same for the first so many rays, within the span of each, which is twice
+ * as quick if they begin and go close together, as those of neighbouring pixels
+ * do. */
 void world_closest_many(const struct world *world, const struct rays *rays,
-                        const double *tmin, unsigned count, enum ray_kind kind,
-                        struct world_hit *out);
+                        const struct rays_span *span, unsigned count,
+                        enum ray_kind kind, struct world_hit *out);
 
 /* Everything about a hit of that ray; its leaf must not be NULL. */
 void world_describe(const struct ray *ray, const struct world_hit *hit,

@@ -107,7 +107,8 @@ run_cases() { # SUITE [CASE...]
     shift
     passed=0 failed=0
     for name in ${*:-$(sed -n 's/^case_\([a-z_0-9]*\)() {.*/\1/p' "$top/tests/$suite/run")}; do
-        mkdir "$work/$name" && cd "$work/$name" && scenes
+        mkdir "$work/$name" && cd "$work/$name" || exit 1
+        scenes
         if "case_$name"; then
             passed=$((passed + 1))
         else

@@ -13,5 +13,3 @@ sphere { 0, 1 pigment { function { pigment { wood } } } }
 sphere { 0, 1 pigment { function { P(x, y, z) } } }
 sphere { 0, 1 pigment { function { P(x, y, z).size } } }
 #declare Q = function { pattern { scale 2 } };
-#declare F = function { internal(24) };
-sphere { 0, F(1, 2, 3) }

@@ -1,6 +1,3 @@
-sphere { 0, 1 pigment { checker pigment { uv_mapping granite } pigment { rgb 1 } } }
-sphere { 0, 1 pigment { gradient x pigment_map { [0 uv_mapping granite] [1 rgb 1] } } }
-sphere { 0, 1 normal { gradient x normal_map { [0 uv_mapping granite] [1 bumps] } } }
 sky_sphere { pigment { uv_mapping bozo } }
 #declare F = function { pigment { uv_mapping bozo } }
 sphere { 0, F(0, 0, 0).red }

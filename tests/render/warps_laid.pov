@@ -1,4 +1,4 @@
-// warp: planar, cylindrical, spherical, toroidal, their orientations, on normals.
+// warp: planar, cylindrical, spherical, toroidal, cubic, their orientations, on normals.
 // compare: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -16,3 +16,5 @@ torus { .6, .3 pigment { Lines warp { toroidal orientation x dist_exp 1 } } rota
 box { -.6, .6 pigment { Lines warp { planar } } rotate 30*y translate <1, -.8, 0> }
 box { -.6, .6 pigment { Tiles warp { planar <1, 1, 0>, .13 } } rotate 30*y translate <2.6, -.8, 0> }
 sphere { 0, .5 pigment { rgb .8 } normal { gradient y 2 slope_map { [0 <0, 1>] [1 <1, 0>] } scale .1 warp { spherical } } translate <0, -1.4, -2> }
+box { -.35, .35 pigment { Lines scale .4 warp { cubic } } rotate <30, 40, 0> translate <1.2, -1.2, -2> }
+sphere { 0, .4 pigment { Tiles scale .5 warp { cubic } } translate <-1.2, -1.2, -2> }

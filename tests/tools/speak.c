@@ -7,6 +7,7 @@
  *   ?TEXT    waits for a message that has the text
  *   ~COUNT SEED URI   sends random edits of the text, and questions about it;
  *            waits for the answer to the last
+ *   %NAME    prints "%NAME SECONDS" since the line before it of this kind
  *   .        closes the input
  * At the end "exit STATUS". Status 1 if what was waited for didn't come. */
 #include <poll.h>
@@ -16,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { PATIENCE = 10000 }; /* milliseconds, for one message */
@@ -199,6 +201,17 @@ static bool speak_at_random(struct speaker *s, const char *line)
     return good;
 }
 
+static void print_lap(const char *name)
+{
+    static struct timespec last;
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    double seconds = (double)(now.tv_sec - last.tv_sec) +
+                     (double)(now.tv_nsec - last.tv_nsec) * 1e-9;
+    printf("%%%s %.4f\n", name, seconds);
+    last = now;
+}
+
 static bool speak(struct speaker *s, char *line)
 {
     line[strcspn(line, "\n")] = '\0';
@@ -211,6 +224,9 @@ static bool speak(struct speaker *s, char *line)
         return true;
     case '=':
         put_raw(s, line + 1);
+        return true;
+    case '%':
+        print_lap(line + 1);
         return true;
     case '~':
         return speak_at_random(s, line + 1);

@@ -33,13 +33,14 @@ static inline void stage_look(struct stage *stage, int left, int top,
     hits->at = calloc((size_t)columns * (size_t)rows, sizeof *hits->at);
     for (int y = top; y < top + rows; y++)
         for (int x = left; x < left + columns; x++) {
-            double place[2], tmin = 0;
+            double place[2];
+            struct rays_span span = { { 0 }, { (double)INFINITY } };
             first_hits_place(hits, x, y, place);
             struct ray ray =
                 camera_ray(&stage->all->scene->camera, place[0], place[1]);
             struct rays rays;
             rays_set(&rays, 0, ray.origin, ray.direction);
-            world_closest_many(stage->all->world, &rays, &tmin, 1, RAY_CAMERA,
+            world_closest_many(stage->all->world, &rays, &span, 1, RAY_CAMERA,
                                first_hits_at(hits, x, y));
         }
 }

@@ -85,6 +85,42 @@ static void arena_tells_its_limit(void **state)
     arena_free(arena);
 }
 
+static void arena_resizes_what_came_last(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    char *first = arena_alloc(arena, 100), *last = arena_alloc(arena, 100);
+    assert_false(arena_resize(arena, first, 100, 200));
+    assert_true(arena_resize(arena, last, 100, 1000));
+    memset(last, 0xff, 1000);
+    assert_true(arena_resize(arena, last, 1000, 10));
+    unsigned char *next = arena_alloc(arena, 1000);
+    assert_ptr_equal(next, last + 16);
+    for (int i = 0; i < 1000; i++)
+        assert_int_equal(next[i], 0);
+    assert_false(arena_resize(arena, next, 1000, (size_t)1 << 20));
+    arena_free(arena);
+}
+
+static void array_gives_back_what_it_does_not_need(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    struct {
+        int *items;
+        size_t count, capacity;
+    } list = { 0 };
+    for (int i = 0; i < 1000; i++)
+        *ARRAY_PUSH(arena, &list) = i;
+    assert_true(arena_used(arena) < 2000 * sizeof(int));
+    ARRAY_FIT(arena, &list);
+    assert_int_equal(arena_used(arena), 1000 * sizeof(int));
+    *ARRAY_PUSH(arena, &list) = 1000;
+    for (int i = 0; i <= 1000; i++)
+        assert_int_equal(list.items[i], i);
+    arena_free(arena);
+}
+
 static void array_grows(void **state)
 {
     (void)state;
@@ -216,6 +252,8 @@ int main(void)
         cmocka_unit_test(arena_keeps_what_it_gave),
         cmocka_unit_test(arena_zeroes_after_reset),
         cmocka_unit_test(arena_tells_its_limit),
+        cmocka_unit_test(arena_resizes_what_came_last),
+        cmocka_unit_test(array_gives_back_what_it_does_not_need),
         cmocka_unit_test(array_grows),
         cmocka_unit_test(affine_rotates_as_povray),
         cmocka_unit_test(affine_inverts),

@@ -318,7 +318,7 @@ static vec3 tilted(const char *name, double amount, const affine *transform,
     struct normal bumps = { pattern_named(name), amount, 0.02, NULL };
     if (transform)
         pattern_transform(&bumps.pattern, transform);
-    return normal_perturbed(&bumps, point, normal);
+    return normal_perturbed(&bumps, point, normal, NULL);
 }
 
 /* A slope of 1 with amount 1 tilts by 2/15, away from where it rises; scaled
@@ -395,7 +395,7 @@ static void patterns_survive_anything(void **state)
             pattern.wave = (enum wave)(k % 6);
             assert_true(isfinite(pattern_value(&pattern, p)));
             normal.pattern = pattern;
-            vec3 n = normal_perturbed(&normal, p, vec3_make(0, 1, 0));
+            vec3 n = normal_perturbed(&normal, p, vec3_make(0, 1, 0), NULL);
             assert_true(fabs(vec3_length(n) - 1) < 1e-6);
         }
     }

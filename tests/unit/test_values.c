@@ -227,8 +227,6 @@ static void test_errors(void **state)
           "1:57: error: this call of 'f' takes more than 50000000 steps" },
         { "#declare A = sum(i,1,2,i);",
           "1:14: error: sum() can be used inside function { } only" },
-        { "#declare f = function { internal(24) } #debug str(f(1,1,1),0,0)",
-          "1:51: error: 'f' needs f_helical_torus" },
         { "#declare A = srgb 0.5;",
           "1:14: error: colours in sRGB need to know the scene's "
           "assumed_gamma" },

@@ -679,12 +679,15 @@ static int expect_the_same(const struct world *world, struct dice *dice)
     struct rays together = { { { 0 } }, { { 0 } } };
     struct world_hit hit[WORLD_RAYS];
     struct intersection at, alone;
-    double tmin[WORLD_RAYS] = { 0 };
+    struct rays_span span = { { 0 }, { 0 } };
     unsigned count = 1 + (unsigned)dice_between(dice, 0, WORLD_RAYS - 1e-9);
     int hits = 0;
     for (unsigned i = 0; i < count; i++) {
         rays[i] = first;
-        tmin[i] = dice_between(dice, 0, 1);
+        span.near[i] = dice_between(dice, 0, 1);
+        span.far[i] = dice_between(dice, 0, 1) < 0.5
+                          ? (double)INFINITY
+                          : dice_between(dice, 0, 10);
         rays[i].direction =
             vec3_normalise(vec3_add(first.direction, dice_point(dice, 0.05)));
     }
@@ -692,9 +695,10 @@ static int expect_the_same(const struct world *world, struct dice *dice)
     rays[count / 3].direction.y = -1e-30;
     for (unsigned i = 0; i < count; i++)
         rays_set(&together, (int)i, rays[i].origin, rays[i].direction);
-    world_closest_many(world, &together, tmin, count, RAY_CAMERA, hit);
+    world_closest_many(world, &together, &span, count, RAY_CAMERA, hit);
     for (unsigned i = 0; i < count; i++) {
-        bool met = world_closest(world, &rays[i], tmin[i], RAY_CAMERA, &alone);
+        bool met = world_within(world, &rays[i], span.near[i], span.far[i],
+                                RAY_CAMERA, &alone);
         assert_int_equal(hit[i].leaf != NULL, met);
         hits += met;
         if (!met)

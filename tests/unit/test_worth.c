@@ -21,15 +21,16 @@ static void stage_fill(const void *context, struct worker *worker,
     ((struct harmonics *)payload)->r[0] = site->lone ? 3 : 2;
 }
 
-static rgb stage_close(const void *context, struct worker *worker, vec3 place,
-                       vec3 normal, vec3 from)
+static bool stage_close(const void *context, struct worker *worker, vec3 place,
+                        vec3 normal, vec3 from, rgb *light)
 {
     (void)context;
     (void)worker;
     (void)place;
     (void)normal;
     (void)from;
-    return rgb_grey(1);
+    *light = rgb_grey(1);
+    return true;
 }
 
 static void stage_start(struct stage *stage, const char *text, int coarser)

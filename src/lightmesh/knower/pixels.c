@@ -5,9 +5,9 @@
 
 static double pixels_cost(const struct knower_job *job)
 {
-    return job->lamps *
-           (job->triangles * time_lamp_triangle +
-            job->points * time_lamp_point + job->doubtful * time_ray);
+    double lamp = job->triangles * time_lamp_triangle +
+                  job->points * time_lamp_point + job->doubtful * time_ray;
+    return job->points * time_pixel_point + job->lamps * lamp;
 }
 
 static bool pixels_one_lamp(struct asking *asking, const struct lamp *lamp,

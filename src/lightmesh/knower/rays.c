@@ -4,7 +4,7 @@
 
 static double rays_cost(const struct knower_job *job)
 {
-    return job->pixels * job->lamps * time_ray;
+    return job->pixels * job->lamps * time_ray_together;
 }
 
 static bool rays_one_lamp(struct asking *asking, const struct lamp *lamp,

@@ -148,24 +148,24 @@ static bool read_list(struct parser *p, struct span open)
     struct data_file *file = data_open_file(p, true, &handle);
     if (!file)
         return false;
-    bool end = false;
     accept(p, TOKEN_COMMA);
     while (stream_peek(p)->kind != TOKEN_RPAREN) {
         struct value value, *element;
         if (!read_variable(p, &name, &element))
             return false;
-        if (!end && !data_file_next(p, file, &value, &end)) {
+        bool more = !data_file_ends(file);
+        if (more && !data_file_next(p, file, &value)) {
             stream_abort(p);
             return false;
         }
-        if (!end && element)
+        if (more && element)
             *element = value;
-        else if (!end)
+        else if (more)
             symbol_set(p, name, value, false);
         p->changes++;
         accept(p, TOKEN_COMMA);
     }
-    if (end || data_file_ends(file))
+    if (data_file_ends(file))
         symbol_undefine(p, handle);
     return expect(p, TOKEN_RPAREN, open);
 }

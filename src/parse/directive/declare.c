@@ -1,16 +1,25 @@
 /* #declare #local #undef: names for values. */
 #include "parse/array.h"
 #include "parse/directive.h"
+#include "parse/expression.h"
 #include "parse/symbol.h"
 
+/* What stands before the '='. */
+struct declaration {
+    const struct word *name;
+    struct span span;   /* of the name */
+    struct value *slot; /* of an array's element, NULL: the name itself */
+    const char *deprecated;
+    bool once;
+};
+
 /* deprecation = "deprecated" ["once"] string . */
-static bool declare_deprecation(struct parser *p, const char **message,
-                                bool *once)
+static bool declare_deprecation(struct parser *p, struct declaration *head)
 {
     if (!accept_keyword(p, KEYWORD_DEPRECATED))
         return true;
-    *once = accept_keyword(p, KEYWORD_ONCE);
-    return parse_string(p, message);
+    head->once = accept_keyword(p, KEYWORD_ONCE);
+    return parse_string(p, &head->deprecated);
 }
 
 /* A name that begins with a digit: `1st`. Returns false. */
@@ -91,12 +100,9 @@ static bool declare_value(struct parser *p, struct value *value)
 {
     const struct unsupported *outer = p->unsupported;
     unsigned errors = p->diag->errors;
-    bool found = false;
     p->unsupported = NULL;
     p->declaring++;
-    bool ok = parse_thing(p, value, &found);
-    if (ok && !found)
-        ok = parse_expression(p, value);
+    bool ok = parse_value(p, value);
     p->declaring--;
     if (!ok || p->unsupported) {
         *value = (struct value){ .kind = VALUE_UNSUPPORTED,
@@ -106,15 +112,6 @@ static bool declare_value(struct parser *p, struct value *value)
     p->unsupported = outer;
     return ok;
 }
-
-/* What stands before the '='. */
-struct declaration {
-    const struct word *name;
-    struct span span;   /* of the name */
-    struct value *slot; /* of an array's element, NULL: the name itself */
-    const char *deprecated;
-    bool once;
-};
 
 /* Where the value goes: an element's place or, slot NULL, the name itself. */
 static bool declare_place(struct parser *p, struct declaration *head)
@@ -134,9 +131,8 @@ static bool declare_place(struct parser *p, struct declaration *head)
 
 static bool declare_head(struct parser *p, struct declaration *head)
 {
-    return declare_deprecation(p, &head->deprecated, &head->once) &&
-           declare_name(p, &head->name) && declare_place(p, head) &&
-           expect(p, TOKEN_EQUAL, span_none());
+    return declare_deprecation(p, head) && declare_name(p, &head->name) &&
+           declare_place(p, head) && expect(p, TOKEN_EQUAL, span_none());
 }
 
 /* Behind a declaration whose head is wrong: its ';' or the next directive. */

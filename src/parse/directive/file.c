@@ -38,19 +38,20 @@ static const struct token_list *include_load(struct parser *p, const char *path,
     return known;
 }
 
-/* What the scene itself wrote under that name; it may write it again. */
-static const struct token_list *include_written(struct parser *p,
-                                                const char *name,
-                                                struct span at, bool *failed)
+/* What the scene itself wrote under that name, or NULL; it may write it again.
+ */
+static bool include_written(struct parser *p, const char *name, struct span at,
+                            const struct token_list **list)
 {
     const char *problem;
     const struct source *source = data_file_written(p, name, at, &problem);
-    *failed = problem != NULL;
     if (problem) {
         error_at(p, at, NULL, "can't read '%s': %s", name, problem);
         stream_abort(p);
+        return false;
     }
-    return source ? lexer_run(p->arena, p->words, source) : NULL;
+    *list = source ? lexer_run(p->arena, p->words, source) : NULL;
+    return true;
 }
 
 /* include_directive = "#include" string . */
@@ -60,10 +61,9 @@ static bool include_run(struct parser *p, struct span at)
     if (!directive_string(p, &name))
         return false;
     struct span where = span_join(at, p->last_span);
-    bool failed;
-    const struct token_list *list = include_written(p, name, where, &failed);
+    const struct token_list *list;
     const char *path = NULL;
-    if (failed)
+    if (!include_written(p, name, where, &list))
         return false;
     if (!list)
         path = file_need(p, where, "include file", name, ".inc");

@@ -1,0 +1,51 @@
+/* Glowing things, picked: see gather_glow.h. */
+#include "lightmesh/gather_glow.h"
+
+#include "shade/finish.h"
+#include "shade/shadow.h"
+
+/* What glows of itself at the first surface along the ray. */
+static rgb glow_met(const struct gather *gather, struct worker *worker,
+                    const struct ray *ray, struct intersection *at)
+{
+    struct surface surface;
+    at->leaf = NULL;
+    worker->counters.shadow_rays++;
+    if (!world_closest(gather->lamps->world, ray, surface_offset(ray->origin),
+                       RAY_REFLECTION, at)) {
+        at->leaf = NULL;
+        return rgb_grey(0);
+    }
+    gather_surface(gather, ray, at, &surface);
+    return surface_glow(&surface);
+}
+
+rgb gather_balanced(const struct gather *gather, const struct ray *ray,
+                    double density, const struct gathered_ray *found)
+{
+    if (!emitters_any(gather->emitters) || !(rgb_peak(found->glow) > 0))
+        return found->light;
+    double other = emitters_density(gather->emitters, ray->origin,
+                                    ray->direction, &found->at);
+    double twice = isfinite(other) ? other / (density + other) : 1;
+    return rgb_add_scaled(found->light, found->glow, -twice);
+}
+
+bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
+                 const struct draws *draws, struct gathered_glow *found)
+{
+    double which = draw_unit(draws, GATHER_WHICH), u[2];
+    struct emitter_pick pick;
+    struct intersection at;
+    draw_pair(draws, GATHER_WHERE, u);
+    if (!emitters_pick(gather->emitters, place, which, u, &pick))
+        return false;
+    struct ray ray = { place, pick.direction };
+    found->light = glow_met(gather, worker, &ray, &at);
+    found->direction = pick.direction;
+    found->density = pick.density;
+    if (at.leaf != pick.leaf || rgb_peak(found->light) == 0)
+        return false;
+    return isinf(pick.distance) ||
+           fabs(at.t - pick.distance) <= 1e-5 * (1 + at.t);
+}

@@ -1,0 +1,25 @@
+/* What glows is found by gather rays that meet it, and by rays that pick it:
+ * each counts by how likely the other is. */
+#ifndef LIGHTMESH_GATHER_GLOW_H
+#define LIGHTMESH_GATHER_GLOW_H
+
+#include "lightmesh/gather.h"
+
+/* Of what comes along the ray, which was drawn with that density per solid
+ * angle, what counts beside gather_pick (balance heuristic, Veach 1997, section
+ * 9.2): its first surface's glow only in part. */
+rgb gather_balanced(const struct gather *gather, const struct ray *ray,
+                    double density, const struct gathered_ray *found);
+
+/* A place that glows, picked as sample `draws`, as seen from a place. False:
+ * none, or something is before it. There must be some (emitters_any). */
+struct gathered_glow {
+    vec3 direction;
+    rgb light;
+    double density; /* of being picked, per solid angle */
+};
+
+bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
+                 const struct draws *draws, struct gathered_glow *found);
+
+#endif
