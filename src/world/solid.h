@@ -59,6 +59,9 @@ struct leaf {
     bool inverse; /* turned inside out, all its ancestors considered */
 };
 
+/* Sets opaque and plain from its textures. */
+void leaf_judge_paint(struct leaf *leaf);
+
 /* A corner, 0 to 2, of a mesh's triangle in the world. */
 static inline vec3 leaf_corner(const struct leaf *leaf, size_t triangle, int k)
 {
