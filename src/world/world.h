@@ -25,7 +25,8 @@ void world_free(struct world *world);
 void world_solo(struct world *world, size_t light);
 
 /* All lights, those in unions too, moved to where they are; file order. Several
- * that differ in their colours alone are one, with the sum of these. */
+ * that differ in their colours alone, or by next to nothing in their places,
+ * are one, with the sum of these. */
 const struct light *world_lights(const struct world *world, size_t *count);
 
 /* Whether nothing in it lets any light pass. */
