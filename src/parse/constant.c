@@ -63,7 +63,7 @@ bool parse_constant(struct parser *p, enum keyword keyword, struct value *value)
 {
     if (constant_vector(keyword, value))
         return true;
-    value->kind = VALUE_FLOAT;
+    *value = value_float(0);
     return constant_number(p, keyword, &value->number[0]);
 }
 

@@ -352,8 +352,9 @@ static enum taken parse_thing_name(struct parser *p, struct value *value)
  *            | operation [channels] . */
 bool parse_expression(struct parser *p, struct value *value)
 {
-    if (float_at_once(p, &value->number[0])) {
-        value->kind = VALUE_FLOAT;
+    double number;
+    if (float_at_once(p, &number)) {
+        *value = value_float(number);
         return true;
     }
     enum keyword keyword = stream_keyword(p);
@@ -375,6 +376,7 @@ bool parse_expression(struct parser *p, struct value *value)
                          "a value", value) ||
         value_is_poison(value))
         return false;
+    value_settle(value);
     return value->kind != VALUE_COLOUR || parse_channels(p, value);
 }
 

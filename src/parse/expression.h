@@ -25,6 +25,13 @@ static inline struct value value_float(double number)
     return (struct value){ .kind = VALUE_FLOAT, .number = { number } };
 }
 
+/* From here a float is no component of anything: see value_to_vector. */
+static inline void value_settle(struct value *value)
+{
+    if (value->kind == VALUE_FLOAT)
+        value->size = 0;
+}
+
 static inline struct value value_vector(vec3 v)
 {
     return (struct value){ .kind = VALUE_VECTOR,
@@ -55,7 +62,9 @@ void value_promote(struct value *value, int size);
 /* What value was read, from `start` to the last token, as the type wanted;
  * false after reporting "expected a vector, found a string". Poison gives
  * false silently. A colour is no vector, a float is one of equal
- * components. */
+ * components. A component V.y, though, alone or on the left of what is done
+ * with it, keeps V's others where a vector is wanted: scale V.y is
+ * <V.y, V.y, V.z> (measured). */
 bool value_to_float(struct parser *p, struct span start,
                     const struct value *value, double *out);
 bool value_to_vector(struct parser *p, struct span start,

@@ -63,7 +63,7 @@ bool value_to_vector(struct parser *p, struct span start,
     int size = value_size(value);
     if (size < 1 || size > 3)
         return value_mismatch(p, start, value, "a vector");
-    if (size < 3)
+    if (size < 3 && !(value->kind == VALUE_FLOAT && value->size > 0))
         value_promote(&vector, 3);
     *out = vec3_make(vector.number[0], vector.number[1], vector.number[2]);
     return true;
@@ -174,6 +174,7 @@ static bool parse_parentheses(struct parser *p, const char *wanted,
     stream_next(p);
     if (!parse_operation(p, PRECEDENCE_CONDITION, wanted, value))
         return false;
+    value_settle(value);
     if (stream_peek(p)->kind != TOKEN_COMMA)
         return expect(p, TOKEN_RPAREN, open);
     error_at(p, stream_span(p), parentheses_hint(p, open),
@@ -327,10 +328,12 @@ static bool parse_component(struct parser *p, struct value *value)
         *value = value_poison();
         return true;
     }
+    bool scalar = value->kind == VALUE_FLOAT;
     value_promote(value, VECTOR_LIMIT);
-    const double *n = value->number;
-    *value = value_float(
-        index >= 0 ? n[index] : 0.297 * n[0] + 0.589 * n[1] + 0.114 * n[2]);
+    double *n = value->number;
+    n[0] = index >= 0 ? n[index] : 0.297 * n[0] + 0.589 * n[1] + 0.114 * n[2];
+    value->kind = VALUE_FLOAT;
+    value->size = scalar ? 0 : VECTOR_LIMIT;
     return true;
 }
 
@@ -375,8 +378,7 @@ static bool parse_primary(struct parser *p, const char *wanted,
     bool ok;
     switch (token->kind) {
     case TOKEN_NUMBER:
-        value->kind = VALUE_FLOAT;
-        value->number[0] = stream_next(p).number;
+        *value = value_float(stream_next(p).number);
         return true;
     case TOKEN_STRING:
         *value = value_text(stream_next(p).text);

@@ -1,6 +1,8 @@
 /* spline { }: see spline.h. */
 #include "parse/spline.h"
 
+#include <string.h>
+
 #include "parse/expression.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
@@ -39,9 +41,11 @@ static bool spline_number(struct parser *p, struct span start, double number)
                     "a time or place of a spline is not a finite number");
 }
 
-/* How many numbers it has is kept in its bend until all are there.
+/* Numbers that it doesn't have are those of the point written before it
+ * (measured): `place`.
  * spline_point = float [","] operation [","] . */
-static bool parse_spline_point(struct parser *p, struct spline *spline)
+static bool parse_spline_point(struct parser *p, struct spline *spline,
+                               double place[SPLINE_SIZE])
 {
     struct spline_knot knot = { 0 };
     struct value value;
@@ -61,11 +65,11 @@ static bool parse_spline_point(struct parser *p, struct spline *spline)
     if (value.kind == VALUE_FLOAT)
         value_promote(&value, 2);
     for (int i = 0; i < value_size(&value); i++) {
-        knot.place[i] = value.number[i];
-        if (!spline_number(p, start, knot.place[i]))
+        place[i] = value.number[i];
+        if (!spline_number(p, start, place[i]))
             return false;
     }
-    knot.bend[0] = value_size(&value);
+    memcpy(knot.place, place, sizeof knot.place);
     if (spline->size < value_size(&value))
         spline->size = value_size(&value);
     accept(p, TOKEN_COMMA);
@@ -89,16 +93,16 @@ static void spline_copy(struct parser *p, struct spline *spline)
     for (size_t i = 0; i < from->knots.count; i++) {
         struct spline_knot *knot = ARRAY_PUSH(p->scene_arena, &spline->knots);
         *knot = from->knots.items[i];
-        knot->bend[0] = from->size;
     }
 }
 
 static bool spline_points(struct parser *p, struct spline *spline)
 {
     spline_copy(p, spline);
+    double place[SPLINE_SIZE] = { 0 };
     parse_spline_type(p, &spline->kind);
     while (stream_peek(p)->kind != TOKEN_RBRACE)
-        if (!parse_spline_point(p, spline))
+        if (!parse_spline_point(p, spline, place))
             return false;
     return spline->knots.count > 0 ||
            error_expected(p, "a point of the spline");

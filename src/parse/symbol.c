@@ -68,16 +68,21 @@ void scope_pop(struct parser *p)
     p->free_scopes = scope;
 }
 
-struct symbol *symbol_lookup(struct parser *p, const struct word *word)
+/* Itself, or what it stands for. */
+static struct symbol *symbol_meant(struct symbol *symbol)
 {
-    if (word->id >= p->symbols.count)
-        return NULL;
-    struct symbol *symbol = p->symbols.items[word->id];
     while (symbol && symbol->value.kind == VALUE_REFERENCE)
         symbol = symbol->value.symbol;
     if (symbol && symbol->element)
         symbol->value = *symbol->element;
     return symbol;
+}
+
+struct symbol *symbol_lookup(struct parser *p, const struct word *word)
+{
+    return word->id < p->symbols.count
+               ? symbol_meant(p->symbols.items[word->id])
+               : NULL;
 }
 
 const struct value *symbol_find(struct parser *p, const struct word *word)
@@ -115,10 +120,23 @@ struct symbol *symbol_make_parameter(struct parser *p, const struct word *word)
     return symbol;
 }
 
-struct symbol *symbol_make(struct parser *p, const struct word *word,
-                           bool local)
+/* Whether a scope is open within `outer`. */
+static bool scope_is_within(const struct parser *p, const struct scope *scope,
+                            const struct scope *outer)
 {
-    struct symbol *found = symbol_lookup(p, word);
+    for (const struct scope *s = p->scope; s && s != outer; s = s->parent)
+        if (s == scope)
+            return true;
+    return false;
+}
+
+struct symbol *symbol_make_in(struct parser *p, struct scope *scope,
+                              const struct word *word, bool local)
+{
+    struct symbol **top = symbol_top(p, word);
+    while (*top && scope_is_within(p, (*top)->scope, scope))
+        top = &(*top)->shadowed;
+    struct symbol *found = symbol_meant(*top);
     p->changes++;
     if (!local) {
         if (found)
@@ -127,16 +145,18 @@ struct symbol *symbol_make(struct parser *p, const struct word *word,
         symbol_link_global(p, found);
         return found;
     }
-    struct symbol *top = *symbol_top(p, word);
-    if (top && top->scope == p->scope)
+    if (*top && (*top)->scope == scope)
         return found;
-    return symbol_make_parameter(p, word);
+    struct symbol *symbol = symbol_add(p, scope, word);
+    symbol->shadowed = *top;
+    *top = symbol;
+    return symbol;
 }
 
 void symbol_set(struct parser *p, const struct word *word, struct value value,
                 bool local)
 {
-    symbol_give(symbol_make(p, word, local), &value);
+    symbol_give(symbol_make_in(p, p->scope, word, local), &value);
 }
 
 void symbol_give(struct symbol *symbol, const struct value *value)

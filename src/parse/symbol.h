@@ -27,10 +27,11 @@ void symbol_give(struct symbol *symbol, const struct value *value);
 /* The innermost symbol, references followed; NULL: not declared. */
 struct symbol *symbol_lookup(struct parser *p, const struct word *word);
 
-/* A symbol in the innermost scope (local) or, when the word is not visible
- * yet, in the global one; VALUE_NONE if new. */
-struct symbol *symbol_make(struct parser *p, const struct word *word,
-                           bool local);
+/* A symbol in `scope` (local) or, when the word is not visible from there
+ * yet, in the global one; VALUE_NONE if new. Scopes open within it don't
+ * count. */
+struct symbol *symbol_make_in(struct parser *p, struct scope *scope,
+                              const struct word *word, bool local);
 /* A macro's parameter: always new, in the innermost scope. */
 struct symbol *symbol_make_parameter(struct parser *p, const struct word *word);
 

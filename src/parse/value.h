@@ -52,7 +52,8 @@ struct unsupported;
 
 struct value {
     enum value_kind kind;
-    int size; /* of a vector */
+    int size; /* of a vector; of a float 0, or how many numbers the vector had
+               * that it is a component of: see value_to_vector */
     union {
         double number[5];
         const char *text;

@@ -77,6 +77,46 @@ bool object_is_bounded(const struct object *object)
            object->primitive->bounded != BOUNDS_IGNORED;
 }
 
+/* A half space that ends along an axis, within rounding; else everything. */
+static struct box3 half_space_bounds(const struct object *object)
+{
+    struct box3 box = box3_infinite();
+    affine inverse;
+    vec3 normal;
+    double distance;
+    object->primitive->half_space(object->shape, &normal, &distance);
+    if (!affine_inverse(*object->transform, &inverse))
+        return box;
+    vec3 on = affine_point(object->transform, vec3_scale(normal, distance));
+    normal = vec3_normalise(affine_normal(&inverse, normal));
+    if (object->inverse)
+        normal = vec3_negate(normal);
+    double *sides[3][2] = { { &box.low.x, &box.high.x },
+                            { &box.low.y, &box.high.y },
+                            { &box.low.z, &box.high.z } };
+    for (int axis = 0; axis < 3; axis++) {
+        double along = vec3_component(normal, axis);
+        if (fabs(along) > 1 - 1e-12)
+            *sides[axis][along > 0] = vec3_component(on, axis);
+    }
+    return box;
+}
+
+/* What a part of an intersection leaves of it: a single shape that is not
+ * bounded on all sides, by those that it has (measured). */
+static struct box3 object_part_bounds(const struct object *object)
+{
+    bool shape = object->kind == OBJECT_SHAPE;
+    if (shape && object->primitive->half_space)
+        return half_space_bounds(object);
+    if (!shape || object->clip_count > 0 || object_is_bounded(object))
+        return object_bounds(object);
+    return object->inverse
+               ? box3_infinite()
+               : affine_box(object->transform,
+                            object->primitive->bounds(object->shape));
+}
+
 static struct box3 object_children_bounds(const struct object *object)
 {
     bool meet = object->kind == OBJECT_INTERSECTION;
@@ -84,7 +124,8 @@ static struct box3 object_children_bounds(const struct object *object)
     for (size_t i = 0; i < object->child_count; i++) {
         if (object->children[i]->kind == OBJECT_LIGHT)
             continue;
-        struct box3 child = object_bounds(object->children[i]);
+        struct box3 child = meet ? object_part_bounds(object->children[i])
+                                 : object_bounds(object->children[i]);
         box = meet ? box3_intersection(box, child) : box3_union(box, child);
     }
     return box;
@@ -117,13 +158,22 @@ static struct box3 box_within(struct box3 box, const struct clip *clips,
     return box;
 }
 
+static bool box_is_endless(struct box3 box)
+{
+    return isinf(box.low.x) || isinf(box.low.y) || isinf(box.low.z) ||
+           isinf(box.high.x) || isinf(box.high.y) || isinf(box.high.z);
+}
+
 /* Inside out, only the surface is where it was: an inverse shape inside a
- * CSG object reaches everywhere. */
+ * CSG object reaches everywhere. What is endless in one direction is so in all
+ * (measured). */
 struct box3 object_bounds(const struct object *object)
 {
     if (object->inverse)
         return box3_infinite();
     struct box3 box = affine_box(object->transform, object_own_bounds(object));
+    if (!box3_is_empty(box) && box_is_endless(box))
+        box = box3_infinite();
     box = box_within(box, object->clips, object->clip_count);
     if (object_is_bounded(object))
         box = box_within(box, object->bounds, object->bound_count);

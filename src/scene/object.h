@@ -96,7 +96,7 @@ bool object_is_hollow(const struct object *object, bool hollow);
 bool object_is_bounded(const struct object *object);
 
 /* The box around everything in the node, in its parent's space; may be
- * infinite. What min_extent and max_extent tell, and what Embree is given. */
+ * infinite. What min_extent and max_extent tell. */
 struct box3 object_bounds(const struct object *object);
 
 #endif

@@ -31,8 +31,7 @@ static void knots_order(struct spline *spline, struct arena *arena)
     for (size_t i = 0; i < count; i++) {
         const struct spline_knot *knot = &placed[i].knot;
         if (kept > 0 && knots[kept - 1].time == knot->time)
-            memcpy(knots[kept - 1].place, knot->place,
-                   (size_t)knot->bend[0] * sizeof *knot->place);
+            knots[kept - 1] = *knot;
         else
             knots[kept++] = *knot;
     }

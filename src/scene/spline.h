@@ -29,9 +29,8 @@ struct spline {
     } knots; /* one at least */
 };
 
-/* Puts the knots in order, of two of one time the first with the numbers of
- * the second where that one has some (its `bend` tells how many), and computes
- * the bends. The knots are in `arena`. */
+/* Puts the knots in order, of two of one time the second, and computes the
+ * bends. The knots are in `arena`. */
 void spline_prepare(struct spline *spline, struct arena *arena);
 
 /* The place at a time, as a spline of this kind: `size` numbers. */

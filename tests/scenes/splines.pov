@@ -27,3 +27,7 @@ Show(spline { natural_spline 3,<1,2,3> }, 3)
 #declare H = function { P(x, y, z).hf }
 #debug concat(vstr(3, F(0.5), ",", 0, 6), " ", vstr(3, T(1, 2, 3), ",", 0, 6),
   " ", str(G(0.5, 2.7), 0, 6), " ", str(H(0, 0, 0), 0, 6), "\n")
+#declare S = spline { linear_spline 0,<1,2,3,4> 1,7 2,<4,5> 3,<8,9,1> 4,2 }
+#for (I, 0, 4) #debug concat(vstr(5, <0,0,0,0,0> + S(I), ",", 0, 0), " ") #end
+#declare S = spline { S 2.5,6 }
+#debug concat(vstr(5, <0,0,0,0,0> + S(2.5), ",", 0, 0), "\n")

@@ -174,7 +174,8 @@ static void declare_tell(struct parser *p, const struct declaration *head,
 static bool declare_read(struct parser *p, bool local)
 {
     /* A macro that gives the value may still be open after it, in spite of
-     * its end: `#macro M() Q; #end`. The name is not local to it. */
+     * its end: `#macro M() #local Q = 1; Q; #end`. The name is not local to
+     * it, and not one of its locals. */
     struct scope *scope = p->scope;
     struct declaration head = { 0 };
     if (!declare_head(p, &head)) {
@@ -188,10 +189,7 @@ static bool declare_read(struct parser *p, bool local)
     if (head.slot) {
         *head.slot = value;
     } else {
-        struct scope *inner = p->scope;
-        p->scope = scope;
-        struct symbol *symbol = symbol_make(p, head.name, local);
-        p->scope = inner;
+        struct symbol *symbol = symbol_make_in(p, scope, head.name, local);
         symbol_give(symbol, &value);
         symbol->deprecated = head.deprecated;
         symbol->deprecated_once = head.once;

@@ -48,6 +48,25 @@ static double sor_steep(const double c[4], double h)
     return c[1] + h * (2 * c[2] + h * 3 * c[3]);
 }
 
+/* The largest value of a cubic from 0 to h: at an end, or where its slope is
+ * 0; and a little more, for rounding. */
+static double sor_most(const double c[4], double h)
+{
+    double at[4] = { 0, h };
+    double a = 3 * c[3], b = c[2], square = b * b - a * c[1], most = 0;
+    int count = 2;
+    if (square >= 0) {
+        double q = -b - copysign(sqrt(square), b);
+        at[count++] = q / a;
+        at[count++] = c[1] / q;
+    }
+    for (int i = 0; i < count; i++) {
+        if (isfinite(at[i]))
+            most = fmax(most, sor_square(c, fmin(fmax(at[i], 0), h)));
+    }
+    return most * (1 + 1e-9);
+}
+
 static void sor_piece(struct sor *sor, size_t i)
 {
     const vec3 *a = &sor->points.items[i + 1], *b = a + 1;
@@ -58,9 +77,7 @@ static void sor_piece(struct sor *sor, size_t i)
     c[1] = first;
     c[2] = (3 * rise - 2 * first - last) / h;
     c[3] = (first + last - 2 * rise) / (h * h);
-    double bound =
-        fabs(c[0]) + h * (fabs(c[1]) + h * (fabs(c[2]) + h * fabs(c[3])));
-    sor->radius = fmax(sor->radius, sqrt(bound));
+    sor->radius = fmax(sor->radius, sqrt(sor_most(c, h)));
 }
 
 static const char *sor_prepare(void *shape, struct arena *arena,
