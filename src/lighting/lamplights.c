@@ -10,44 +10,28 @@ struct lamp_looks {
     unsigned lit; /* by it, if nothing is between */
 };
 
-static void lamplights_set(struct lamplights *lights, unsigned i,
-                           const struct light_asker *asker)
+CLONES static void ways_start(const double (*restrict points)[RAY_LANES],
+                              struct rays_span *restrict span)
 {
-    const struct surface *surface = asker->surface;
-    vec3 point = surface->point;
-    facets_set(&lights->facets, i, surface, asker->light);
-    rays_set(&lights->ways.rays, (int)i, point, vec3_make(0, 0, 0));
-    lights->ways.span.near[i] = shadow_start(point);
-    lights->ways.span.far[i] = 0;
-    lights->global |= (unsigned)!surface->at->leaf->no_global_lights << i;
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 point = { points[0][i], points[1][i], points[2][i] };
+        span->near[i] = shadow_start(point);
+        span->far[i] = 0;
+    }
 }
 
-static void lamplights_clear(struct lamplights *lights, unsigned i)
+void lamplights_start(struct lamplights *lights, struct facets *facets)
 {
-    const vec3 zero = { 0, 0, 0 };
-    facets_clear(&lights->facets, i);
-    rays_set(&lights->ways.rays, (int)i, zero, zero);
-    lights->ways.span.near[i] = lights->ways.span.far[i] = 0;
-}
-
-void lamplights_start(struct lamplights *lights,
-                      const struct light_asker *askers, unsigned count)
-{
-    struct facets *facets = &lights->facets;
-    lights->all = (1u << count) - 1;
+    struct occlusions *ways = &lights->ways;
+    lights->facets = facets;
     lights->global = 0;
-    facets->layered = facets->matt = facets->shining = 0;
-    for (unsigned i = 0; i < count; i++)
-        lamplights_set(lights, i, &askers[i]);
-    for (unsigned i = count; i < RAY_LANES; i++)
-        lamplights_clear(lights, i);
-}
-
-void lamplights_end(const struct lamplights *lights, struct light_asker *askers,
-                    unsigned count)
-{
-    for (unsigned i = 0; i < count; i++)
-        askers[i].light = facets_light(&lights->facets, i);
+    for (unsigned all = facets->all; all; all &= all - 1) {
+        unsigned i = (unsigned)__builtin_ctz(all);
+        lights->global |= (unsigned)!facets->leaf[i]->no_global_lights << i;
+    }
+    memcpy(ways->rays.origin, facets->point, sizeof ways->rays.origin);
+    memset(ways->rays.direction, 0, sizeof ways->rays.direction);
+    ways_start((const double(*)[RAY_LANES])facets->point, &ways->span);
 }
 
 /* What lamp_look finds of a lamp that stands at a place, and its ways; `faces`:
@@ -100,7 +84,7 @@ static struct lamplight lamplights_at(const struct lamplights *lights,
 {
     return (struct lamplight){ .lamps = lights->lamps,
                                .worker = lights->worker,
-                               .surface = lights->facets.surface[i],
+                               .surface = facets_surface(lights->facets, i),
                                .share = lights->share,
                                .knows = lights->knows };
 }
@@ -123,12 +107,15 @@ static unsigned lamplights_before(const struct lamplights *lights,
 static unsigned lamplights_for(const struct lamplights *lights,
                                const struct lamp *lamp)
 {
-    unsigned lanes = lights->all;
+    const struct facets *facets = lights->facets;
+    unsigned lanes = facets->all;
     if (!lamp->light->group)
         return lights->global;
-    for (unsigned i = 0; lanes >> i; i++)
-        if (!lamp_is_for(lamp, lights->facets.surface[i]->at->leaf))
+    for (unsigned each = lanes; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        if (!lamp_is_for(lamp, facets->leaf[i]))
             lanes &= ~(1u << i);
+    }
     return lanes;
 }
 
@@ -141,7 +128,7 @@ static void look_at_uneven(struct lamplights *lights, const struct lamp *lamp,
     looks->lit = 0;
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        vec3 point = lights->facets.surface[i]->point;
+        vec3 point = rays_origin(&ways->rays, (int)i);
         struct lamp_view view;
         if (!lamp_look(lamp, location, point, &view))
             continue;
@@ -157,7 +144,7 @@ static void lamplights_look(struct lamplights *lights, const struct lamp *lamp,
                             struct lamp_looks *looks)
 {
     unsigned lit = lamplights_for(lights, lamp);
-    unsigned layered = lights->facets.layered;
+    unsigned layered = lights->facets->layered;
     lane_flag flags[RAY_LANES];
     for (int i = 0; i < RAY_LANES; i++)
         looks->attenuation[i] = 1;
@@ -166,7 +153,7 @@ static void lamplights_look(struct lamplights *lights, const struct lamp *lamp,
         look_at_uneven(lights, lamp, lit, looks);
         return;
     }
-    look_many(&lights->facets, lamp->light->location, &lights->ways,
+    look_many(lights->facets, lamp->light->location, &lights->ways,
               looks->distance, flags);
     lit &= rays_bits(flags);
     lit = (lit & ~layered) | lamplights_before(lights, lamp, lit & layered);
@@ -249,8 +236,9 @@ static void alone_visit(void *context, const struct light_sample *sample)
 static void lamplights_give_each(struct lamplights *lights,
                                  const struct lamp *lamp)
 {
-    for (unsigned i = 0; lights->all >> i; i++) {
-        struct alone alone = { &lights->facets, i };
+    for (unsigned all = lights->facets->all; all; all &= all - 1) {
+        unsigned i = (unsigned)__builtin_ctz(all);
+        struct alone alone = { lights->facets, i };
         struct lamplight one = lamplights_at(lights, i);
         one.visit = alone_visit;
         one.context = &alone;
@@ -275,5 +263,5 @@ void lamplights_give(struct lamplights *lights, const struct lamp *lamp)
     lit.highlights = !lamp->light->shadowless;
     colours_whole(lamp->light->colour, looks.attenuation, lit.colour);
     lamplights_shadow(lights, lamp, &looks, &lit);
-    facets_add(&lights->facets, &lit, looks.lit);
+    facets_add(lights->facets, &lit, looks.lit);
 }

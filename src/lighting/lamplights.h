@@ -23,22 +23,16 @@ struct lamplights {
     /* NULL: nothing is known. */
     struct lamplights_known (*foresee)(const struct lamplights *lights,
                                        const struct lamp *lamp, unsigned lanes);
-    unsigned all;
-    unsigned global; /* that lamps outside of light_groups are for */
-    struct facets facets;
+    struct facets *facets;
+    unsigned global;        /* that lamps outside of light_groups are for */
     struct occlusions ways; /* from them to the lamp at hand */
 };
 
-/* Up to RAY_LANES surfaces, which must stay; what is above `all` is set by the
- * caller. */
-void lamplights_start(struct lamplights *lights,
-                      const struct light_asker *askers, unsigned count);
+/* From the facets that are set, which must stay; what is above `facets` is set
+ * by the caller. */
+void lamplights_start(struct lamplights *lights, struct facets *facets);
 
-/* Adds the light of one lamp. */
+/* Adds the light of one lamp to theirs. */
 void lamplights_give(struct lamplights *lights, const struct lamp *lamp);
-
-/* What all that were asked have given. */
-void lamplights_end(const struct lamplights *lights, struct light_asker *askers,
-                    unsigned count);
 
 #endif

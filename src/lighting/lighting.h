@@ -41,6 +41,7 @@ struct lighting_options {
     enum kept_use kept_use;           /* and this */
 };
 
+struct facets;
 struct lamps;
 struct show;
 
@@ -60,13 +61,6 @@ typedef void light_visit(void *context, const struct light_sample *sample);
 struct diffuse_light {
     rgb ambient;    /* multiplies finish ambient (POV-Ray's ambient_light) */
     rgb irradiance; /* multiplies finish diffuse */
-};
-
-/* A surface that is lit together with others. */
-struct light_asker {
-    const struct surface *surface;
-    rgb light; /* to which that of known directions is added */
-    struct diffuse_light diffuse; /* what `illuminate` returns */
 };
 
 /* Takes a line of --stats: what, how much, and its unit or ""; NAN: the unit
@@ -96,10 +90,15 @@ struct lighting {
     struct diffuse_light (*illuminate)(const void *state, struct worker *worker,
                                        const struct surface *surface,
                                        light_visit *visit, void *context);
-    /* The same of up to RAY_LANES surfaces, each the same to the bit: the
-     * sooner the closer together they are. NULL: one by one. */
+    /* The same of all facets that are set, to the bit, the sooner the closer
+     * together they are: what lamps give is added to the light of each, and the
+     * light without a direction put into `diffuse`. NULL: one by one. */
     void (*illuminate_many)(const void *state, struct worker *worker,
-                            struct light_asker *askers, unsigned count);
+                            struct facets *facets,
+                            struct diffuse_light diffuse[RAY_LANES]);
+    /* It looks at the surface of each, not at the facets alone, for which light
+     * without a direction is the same. */
+    bool by_surface;
     /* Whether surfaces may be lit in any order, those of one pixel
      * (worker->pixel) too; asked if there is illuminate_many. */
     bool (*in_any_order)(const void *state);

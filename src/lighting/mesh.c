@@ -230,16 +230,19 @@ static bool mesh_may_mix(const void *state)
 }
 
 static void mesh_illuminate_many(const void *state, struct worker *worker,
-                                 struct light_asker *askers, unsigned count)
+                                 struct facets *facets,
+                                 struct diffuse_light *diffuse)
 {
     const struct mesh_lighting *mesh = state;
     const struct mesh_lamps lamps = { &mesh->knowers, mesh->direct_view };
-    mesh_lamps_light_many(&lamps, worker, askers, count);
-    for (unsigned i = 0; i < count; i++) {
-        struct diffuse_light *diffuse = &askers[i].diffuse;
-        *diffuse = (struct diffuse_light){ mesh->ambience.light, rgb_grey(0) };
-        if (mesh->indirect && askers[i].surface->count > 0)
-            *diffuse = mesh_surfaces(mesh, worker, askers[i].surface, false);
+    mesh_lamps_light_many(&lamps, worker, facets);
+    for (unsigned all = facets->all; all; all &= all - 1) {
+        unsigned i = (unsigned)__builtin_ctz(all);
+        const struct surface *surface = facets_surface(facets, i);
+        diffuse[i] =
+            (struct diffuse_light){ mesh->ambience.light, rgb_grey(0) };
+        if (mesh->indirect && surface->count > 0)
+            diffuse[i] = mesh_surfaces(mesh, worker, surface, false);
     }
 }
 
@@ -315,6 +318,7 @@ const struct lighting mesh_lighting = {
     .prepare = mesh_look_ahead,
     .illuminate = mesh_illuminate,
     .illuminate_many = mesh_illuminate_many,
+    .by_surface = true,
     .in_any_order = mesh_may_mix,
     .lamps = mesh_lamps,
     .tell = mesh_tell,

@@ -157,7 +157,8 @@ static struct lamplights_known mesh_foresee(const struct lamplights *lights,
     struct lamplights_known known = { 0, 0 };
     for (; lanes; lanes &= lanes - 1) {
         int i = __builtin_ctz(lanes);
-        const struct surface *surface = lights->facets.surface[i];
+        const struct surface *surface =
+            facets_surface(lights->facets, (unsigned)i);
         vec3 way = rays_direction(&lights->ways.rays, i);
         bool shines;
         if (!surface->place || !(vec3_dot(way, surface->side) > 0) ||
@@ -176,7 +177,7 @@ bool mesh_lamps_may_mix(const struct mesh_lamps *mesh)
 }
 
 void mesh_lamps_light_many(const struct mesh_lamps *mesh, struct worker *worker,
-                           struct light_asker *askers, unsigned count)
+                           struct facets *facets)
 {
     const struct lamps *lamps = mesh->knowers->lamps;
     bool chosen = scene_lamps_choose(lamps->scene);
@@ -186,10 +187,9 @@ void mesh_lamps_light_many(const struct mesh_lamps *mesh, struct worker *worker,
     lights.share = chosen ? lamplight_trace_fine : mesh_share;
     lights.knows = mesh;
     lights.foresee = chosen || !mesh->knowers->pixels ? NULL : mesh_foresee;
-    lamplights_start(&lights, askers, count);
+    lamplights_start(&lights, facets);
     for (size_t i = 0; i < lamps->count; i++)
         lamplights_give(&lights, &lamps->items[i]);
-    lamplights_end(&lights, askers, count);
 }
 
 rgb mesh_lamps_light(const struct mesh_lamps *mesh, struct lamplight *light)

@@ -19,6 +19,6 @@ rgb mesh_lamps_light(const struct mesh_lamps *mesh, struct lamplight *light);
  * them together: mesh_lamps_light_many adds the same to each. */
 bool mesh_lamps_may_mix(const struct mesh_lamps *mesh);
 void mesh_lamps_light_many(const struct mesh_lamps *mesh, struct worker *worker,
-                           struct light_asker *askers, unsigned count);
+                           struct facets *facets);
 
 #endif

@@ -107,7 +107,8 @@ static struct diffuse_light rays_illuminate(const void *state,
 }
 
 static void rays_illuminate_many(const void *state, struct worker *worker,
-                                 struct light_asker *askers, unsigned count)
+                                 struct facets *facets,
+                                 struct diffuse_light *diffuse)
 {
     const struct rays_lighting *rays = state;
     const struct lamps *lamps = &rays->lamps;
@@ -116,16 +117,11 @@ static void rays_illuminate_many(const void *state, struct worker *worker,
     lights.worker = worker;
     lights.share = lamplight_trace;
     lights.foresee = NULL;
-    lamplights_start(&lights, askers, count);
+    lamplights_start(&lights, facets);
     for (size_t i = 0; i < lamps->count; i++)
         lamplights_give(&lights, &lamps->items[i]);
-    lamplights_end(&lights, askers, count);
-    rgb ambient = rays_ambient(rays);
-    for (unsigned i = 0; i < count; i++) {
-        askers[i].diffuse.ambient = ambient;
-        askers[i].diffuse.irradiance =
-            rays_irradiance(rays, worker, askers[i].surface);
-    }
+    for (unsigned i = 0; facets->all >> i; i++)
+        diffuse[i] = (struct diffuse_light){ rays_ambient(rays), rgb_grey(0) };
 }
 
 /* Light of surfaces is shared by the rays of a pixel, as they come. */

@@ -191,14 +191,11 @@ struct sampler_block {
     struct world_hit hits[BLOCK_MOST];
 };
 
-static void block_add(const struct sampler *sampler,
-                      struct sampler_block *block,
-                      const struct picture_place *place)
+static void block_aim(const struct sampler *sampler,
+                      struct sampler_block *block)
 {
     _Static_assert((int)BLOCK_MOST <= (int)WORLD_RAYS, "a packet");
-    const struct ray ray = tracer_ray(sampler->tracer, place);
-    block->places[block->count] = *place;
-    rays_set(&block->rays, (int)block->count++, ray.origin, ray.direction);
+    tracer_rays(sampler->tracer, block->places, block->count, &block->rays);
 }
 
 /* With `needed` only those that are. Returns whether there are any. */
@@ -212,10 +209,13 @@ static bool block_start(const struct sampler *sampler,
         for (int x = area.left; x < area.right; x++) {
             if (needed && !sampler_needs(sampler, x, y))
                 continue;
-            struct picture_place place = { .grid = { x, y } };
-            first_hits_place(grid, x, y, place.at);
-            block_add(sampler, block, &place);
+            struct picture_place *place = &block->places[block->count++];
+            place->grid[0] = x;
+            place->grid[1] = y;
+            first_hits_place(grid, x, y, place->at);
         }
+    if (block->count > 0)
+        block_aim(sampler, block);
     return block->count > 0;
 }
 
@@ -311,6 +311,7 @@ static void block_sum(const struct sampler *sampler, struct worker *worker,
                       struct sampler_block *block, double sum[4])
 {
     struct radiance seen[BLOCK_MOST];
+    block_aim(sampler, block);
     block_meet(sampler, block);
     block_see(sampler, worker, block, seen);
     for (unsigned i = 0; i < block->count; i++) {
@@ -336,8 +337,7 @@ static void centre_refine(const struct sampler *sampler, struct worker *worker,
     for (int i = 0; i < n * n; i++) {
         double u = i % n + 0.5 + jitter * sampler_jitter(x, y, 2 * i);
         double v = i / n + 0.5 + jitter * sampler_jitter(x, y, 2 * i + 1);
-        struct picture_place place = sampler_at(sampler, x + u / n, y + v / n);
-        block_add(sampler, &block, &place);
+        block.places[block.count++] = sampler_at(sampler, x + u / n, y + v / n);
         if (block.count == BLOCK_MOST || i == n * n - 1)
             block_sum(sampler, worker, &block, sum);
     }

@@ -101,14 +101,6 @@ void camera_move(struct camera *camera, const affine *transform)
     camera->sky = affine_direction(transform, camera->sky);
 }
 
-vec3 camera_sum(const struct camera *camera, double right, double up,
-                double direction)
-{
-    vec3 sum = vec3_scale(camera->right, right);
-    sum = vec3_along(sum, camera->up, up);
-    return vec3_along(sum, camera->direction, direction);
-}
-
 void camera_turned(const struct camera *camera, double x, double y,
                    double at[2])
 {
@@ -152,6 +144,59 @@ struct ray camera_ray(const struct camera *camera, double x, double y)
 {
     return camera_finished(camera, x, y,
                            camera->kind->ray(camera, x - 0.5, 0.5 - y));
+}
+
+/* From the middle of the picture, whose y is upwards. */
+CLONES static void places_from_middle(const struct camera_places *restrict at,
+                                      struct camera_places *restrict out)
+{
+    for (int i = 0; i < RAY_LANES; i++) {
+        out->x[i] = at->x[i] - 0.5;
+        out->y[i] = 0.5 - at->y[i];
+    }
+}
+
+CLONES static void directions_unit(struct rays *rays)
+{
+    double(*restrict to)[RAY_LANES] = rays->direction;
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 d = vec3_normalise((vec3){ to[0][i], to[1][i], to[2][i] });
+        to[0][i] = d.x;
+        to[1][i] = d.y;
+        to[2][i] = d.z;
+    }
+}
+
+static void rays_bent(const struct camera *camera,
+                      const struct camera_places *places, unsigned count,
+                      struct rays *rays)
+{
+    for (unsigned i = 0; i < count; i++) {
+        struct ray ray = rays_at(rays, (int)i);
+        vec3 bent =
+            camera_bent(camera, places->x[i], places->y[i], ray.direction);
+        rays_set(rays, (int)i, ray.origin, bent);
+    }
+}
+
+void camera_rays(const struct camera *camera,
+                 const struct camera_places *places, unsigned count,
+                 struct rays *rays)
+{
+    struct camera_places at;
+    struct ray ray = { { 0, 0, 0 }, { 0, 0, 0 } };
+    places_from_middle(places, &at);
+    if (camera->kind->ray_many)
+        camera->kind->ray_many(camera, &at, rays);
+    else
+        for (unsigned i = 0; i < RAY_LANES; i++) {
+            if (i < count)
+                ray = camera->kind->ray(camera, at.x[i], at.y[i]);
+            rays_set(rays, (int)i, ray.origin, ray.direction);
+        }
+    directions_unit(rays);
+    if (camera->normal)
+        rays_bent(camera, places, count, rays);
 }
 
 bool camera_pixel_ray(const struct camera *camera, double x, double y, int i,

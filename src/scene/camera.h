@@ -5,7 +5,7 @@
 
 #include "base/affine.h"
 #include "base/field.h"
-#include "scene/ray.h"
+#include "scene/rays.h"
 
 /* How a camera's rays lie. */
 enum camera_lines {
@@ -16,6 +16,11 @@ enum camera_lines {
 };
 
 struct camera;
+
+/* Places of the picture side by side. */
+struct camera_places {
+    double x[RAY_LANES], y[RAY_LANES];
+};
 
 /* One kind of camera: a file in camera/ and a row in camera/list.h. */
 struct camera_kind {
@@ -31,6 +36,10 @@ struct camera_kind {
     bool (*sees)(const struct camera *camera, double x, double y);
     /* Its ray there, of any length. */
     struct ray (*ray)(const struct camera *camera, double x, double y);
+    /* The same at RAY_LANES places, each as `ray` has it to the bit. NULL: one
+     * by one. */
+    void (*ray_many)(const struct camera *camera,
+                     const struct camera_places *places, struct rays *rays);
     /* What the normal's pattern is asked at there; NULL: x and y themselves.
      * Kinds that turn ask it at angles, in radians (measured). */
     void (*bend_at)(const struct camera *camera, double x, double y,
@@ -92,8 +101,13 @@ static inline bool camera_is_bent(const struct camera *camera)
 }
 
 /* right, up and direction times these. */
-vec3 camera_sum(const struct camera *camera, double right, double up,
-                double direction);
+static inline vec3 camera_sum(const struct camera *camera, double right,
+                              double up, double direction)
+{
+    vec3 sum = vec3_scale(camera->right, right);
+    sum = vec3_along(sum, camera->up, up);
+    return vec3_along(sum, camera->direction, direction);
+}
 
 /* For kinds that turn: angles are put into turn and turn_up, `usual` if none
  * is said, and the direction is made a unit. */
@@ -128,6 +142,11 @@ bool camera_sees(const struct camera *camera, double x, double y);
 
 /* The ray through the picture at (x, y). The direction is unit. */
 struct ray camera_ray(const struct camera *camera, double x, double y);
+
+/* The same through the first `count` of the places, all of which are there. */
+void camera_rays(const struct camera *camera,
+                 const struct camera_places *places, unsigned count,
+                 struct rays *rays);
 
 /* The ray number `i` of the pixel, from 0 to camera->rays - 1. False: there is
  * none. */

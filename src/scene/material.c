@@ -94,6 +94,20 @@ bool texture_is_opaque(const struct texture *texture)
     return texture_opaque(texture, &budget);
 }
 
+bool texture_is_plain(const struct texture *texture)
+{
+    if (texture->choice || texture->count != 1)
+        return false;
+    const struct layer *layer = &texture->layers[0];
+    const struct finish *finish = layer->finish;
+    const struct reflection *mirror = &finish->reflection;
+    return rgb_is_black(mirror->minimum) && rgb_is_black(mirror->maximum) &&
+           finish->brilliance == 1 && !(finish->crand > 0) &&
+           !finish_tints(finish) &&
+           (!layer->normal || normal_is_of_space(layer->normal)) &&
+           pigment_is_of_space(layer->pigment);
+}
+
 static const struct texture *choice_moved(struct arena *arena,
                                           const struct texture *texture,
                                           const affine *transform)

@@ -242,7 +242,18 @@ colour pigment_seen(const struct pigment *pigment, vec3 point,
 
 /* Whether no point of it lets light pass: told from the colours it names. */
 bool pigment_is_opaque(const struct pigment *pigment);
+
+/* Whether it is the same on any surface there, so that pigment_colour is
+ * enough. */
+bool pigment_is_of_space(const struct pigment *pigment);
+bool normal_is_of_space(const struct normal *perturbation);
 bool texture_is_opaque(const struct texture *texture);
+
+/* Whether it is one layer of paint that mirrors nothing, whose light a loop can
+ * work out (brilliance 1, no grain, no tint), and that needs to know no more of
+ * a surface than the point and the normal. Opaque ones alone are asked about.
+ */
+bool texture_is_plain(const struct texture *texture);
 
 /* Whether it has a pattern or an image: else it only holds what others begin
  * with, as `#default { normal { bump_size 2 } }` does. */

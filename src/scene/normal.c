@@ -129,6 +129,25 @@ bool normal_tilts(const struct normal *perturbation)
     return perturbation->pattern.kind || perturbation->bumps;
 }
 
+static bool normal_spatial(const struct normal *normal, int *budget)
+{
+    const struct pattern *pattern = &normal->pattern;
+    const struct normal_map *map = normal->map;
+    if (--*budget < 0 || pattern->uv || (pattern->kind && pattern->kind->seen))
+        return false;
+    for (size_t i = 0; map && i < map->count; i++)
+        if (map->entries[i].normal &&
+            !normal_spatial(map->entries[i].normal, budget))
+            return false;
+    return true;
+}
+
+bool normal_is_of_space(const struct normal *perturbation)
+{
+    int budget = 1000;
+    return normal_spatial(perturbation, &budget);
+}
+
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
                       vec3 normal, const struct uv_source *surface)
 {

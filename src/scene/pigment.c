@@ -186,6 +186,25 @@ bool pigment_is_opaque(const struct pigment *pigment)
     return pigment_opaque(pigment, &budget);
 }
 
+static bool pigment_spatial(const struct pigment *pigment, int *budget)
+{
+    const struct pattern *pattern = &pigment->pattern;
+    const struct blend_map *map = pigment->map;
+    if (--*budget < 0 || pattern->uv || (pattern->kind && pattern->kind->seen))
+        return false;
+    for (size_t i = 0; map && i < map->count; i++)
+        if (map->entries[i].pigment &&
+            !pigment_spatial(map->entries[i].pigment, budget))
+            return false;
+    return true;
+}
+
+bool pigment_is_of_space(const struct pigment *pigment)
+{
+    int budget = 1000;
+    return pigment_spatial(pigment, &budget);
+}
+
 const struct pigment *pigment_moved(struct arena *arena,
                                     const struct pigment *pigment,
                                     const affine *transform)

@@ -1,6 +1,8 @@
 /* Surfaces side by side: see facets.h. */
 #include "shade/facets.h"
 
+#include <string.h>
+
 #include "shade/finish.h"
 
 static lane_flag flag(bool is)
@@ -16,23 +18,66 @@ static void put(double to[3][RAY_LANES], unsigned i, double x, double y,
     to[2][i] = z;
 }
 
+static vec3 get(const double (*from)[RAY_LANES], unsigned i)
+{
+    return (vec3){ from[0][i], from[1][i], from[2][i] };
+}
+
+/* The normals turned to the viewer. */
+CLONES static void look_back(const struct rays *restrict rays,
+                             const struct world_faces *restrict faces,
+                             struct facets *restrict facets)
+{
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 direction = rays_direction(rays, i);
+        vec3 n = { faces->normal[0][i], faces->normal[1][i],
+                   faces->normal[2][i] };
+        bool away = vec3_dot(n, direction) > 0;
+        facets->normal[0][i] = away ? -n.x : n.x;
+        facets->normal[1][i] = away ? -n.y : n.y;
+        facets->normal[2][i] = away ? -n.z : n.z;
+        facets->view[0][i] = -direction.x;
+        facets->view[1][i] = -direction.y;
+        facets->view[2][i] = -direction.z;
+    }
+}
+
+void facets_start(struct facets *facets, const struct rays *rays,
+                  const struct world_faces *faces)
+{
+    facets->all = facets->layered = facets->matt = facets->shining = 0;
+    memcpy(facets->point, faces->point, sizeof facets->point);
+    memset(facets->front, 0, sizeof facets->front);
+    memset(facets->back, 0, sizeof facets->back);
+    memset(facets->twice, 0, sizeof facets->twice);
+    look_back(rays, faces, facets);
+}
+
 static void set_faces(struct facets *facets, unsigned i,
                       const struct finish *finish, bool layered)
 {
-    bool twice = layered || facets->surface[i]->at->leaf->double_illuminate;
+    bool twice = layered || facets->leaf[i]->double_illuminate;
     facets->twice[i] = flag(twice);
     facets->front[i] = flag(layered || finish_lit_by(finish, 1, twice));
     facets->back[i] = flag(layered || finish_lit_by(finish, -1, twice));
 }
 
+static void set_finish(struct facets *facets, unsigned i,
+                       const struct finish *finish)
+{
+    facets->finish[i] = finish;
+    facets->diffuse[i] = finish->diffuse;
+    facets->diffuse_back[i] = finish->diffuse_back;
+    facets->matt |= 1u << i;
+    facets->shining |= (unsigned)finish_shines(finish) << i;
+}
+
 static void set_paint(struct facets *facets, unsigned i,
                       const struct surface_layer *layer)
 {
-    const struct finish *finish = layer->finish;
     rgb weight = layer->weight;
     colour pigment = layer->pigment;
-    facets->diffuse[i] = finish->diffuse;
-    facets->diffuse_back[i] = finish->diffuse_back;
+    set_finish(facets, i, layer->finish);
     facets->opacity[i] = layer_opacity(layer);
     put(facets->pigment, i, pigment.r, pigment.g, pigment.b);
     put(facets->weight, i, weight.r, weight.g, weight.b);
@@ -48,10 +93,10 @@ void facets_set(struct facets *facets, unsigned i,
     vec3 normal = layered ? surface->normal : layer->normal;
     bool matt = !layered && finish->brilliance == 1 && !(finish->crand > 0) &&
                 !finish_tints(finish);
+    facets->all |= 1u << i;
     facets->surface[i] = surface;
+    facets->leaf[i] = surface->at->leaf;
     facets->layered |= (unsigned)layered << i;
-    facets->matt |= (unsigned)matt << i;
-    facets->shining |= (unsigned)(matt && finish_shines(finish)) << i;
     set_faces(facets, i, finish, layered);
     put(facets->normal, i, normal.x, normal.y, normal.z);
     put(facets->light, i, light.r, light.g, light.b);
@@ -59,17 +104,88 @@ void facets_set(struct facets *facets, unsigned i,
         set_paint(facets, i, layer);
 }
 
-void facets_clear(struct facets *facets, unsigned i)
+/* The pigment, and the normal's bumps. */
+static void paint_point(struct facets *facets, unsigned i,
+                        const struct leaf *leaf, const struct layer *layer)
 {
+    const struct pigment *pigment = layer->pigment;
+    bool bumpy = layer->normal && normal_tilts(layer->normal);
+    colour c = pigment->colour;
+    vec3 point = { 0, 0, 0 };
+    if (bumpy || pigment->kind != PIGMENT_COLOUR)
+        point = affine_point(leaf->to_texture, get(facets->point, i));
+    if (pigment->kind != PIGMENT_COLOUR)
+        c = pigment_colour(pigment, point);
+    put(facets->pigment, i, c.r, c.g, c.b);
+    if (!bumpy)
+        return;
+    vec3 normal = layer_bumped(layer, leaf->to_texture, leaf->from_texture,
+                               point, get(facets->normal, i), NULL);
+    put(facets->normal, i, normal.x, normal.y, normal.z);
+}
+
+void facets_paint(struct facets *facets, unsigned i, const struct leaf *leaf)
+{
+    const struct layer *layer = &leaf->texture->layers[0];
+    facets->all |= 1u << i;
     facets->surface[i] = NULL;
-    facets->twice[i] = facets->front[i] = facets->back[i] = 0;
-    put(facets->normal, i, 0, 0, 0);
+    facets->leaf[i] = leaf;
+    set_faces(facets, i, layer->finish, false);
+    set_finish(facets, i, layer->finish);
+    facets->opacity[i] = 1;
+    put(facets->weight, i, 1, 1, 1);
+    put(facets->light, i, 0, 0, 0);
+    paint_point(facets, i, leaf, layer);
+}
+
+const struct surface *facets_surface(struct facets *facets, unsigned i)
+{
+    if (!facets->surface[i])
+        facets->surface[i] = facets->tell(facets->context, i);
+    return facets->surface[i];
 }
 
 rgb facets_light(const struct facets *facets, unsigned i)
 {
     return (rgb){ facets->light[0][i], facets->light[1][i],
                   facets->light[2][i] };
+}
+
+/* What white paint of these finishes makes of light without a direction. */
+struct glows {
+    double given[3][RAY_LANES], own[3][RAY_LANES];
+};
+
+CLONES static void add_glows(struct facets *restrict facets,
+                             const struct glows *restrict glows)
+{
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < RAY_LANES; i++) {
+            double pigment = facets->pigment[k][i];
+            double given = glows->given[k][i] * pigment * facets->opacity[i];
+            double own = glows->own[k][i] * pigment * facets->opacity[i];
+            facets->light[k][i] += facets->weight[k][i] * (given + own);
+        }
+}
+
+void facets_glow(struct facets *facets, unsigned lanes, rgb ambient,
+                 rgb irradiance)
+{
+    const struct finish *last = NULL;
+    struct glows glows = { { { 0 } }, { { 0 } } };
+    rgb given = rgb_grey(0), own = rgb_grey(0);
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct finish *finish = facets->finish[i];
+        if (finish != last) {
+            given = finish_given(finish, ambient, irradiance);
+            own = finish->glow;
+        }
+        last = finish;
+        put(glows.given, i, given.r, given.g, given.b);
+        put(glows.own, i, own.r, own.g, own.b);
+    }
+    add_glows(facets, &glows);
 }
 
 /* What the layers make of white light. */
@@ -103,12 +219,14 @@ static void highlight_shares(const struct facets *facets,
 {
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct surface *surface = facets->surface[i];
-        vec3 light = { lit->direction[0][i], lit->direction[1][i],
-                       lit->direction[2][i] };
+        vec3 pigment = get(facets->pigment, i);
+        const struct finish_meeting meeting = { get(facets->normal, i),
+                                                get(facets->view, i),
+                                                get(lit->direction, i) };
         if (!(shares->cosine[i] > 0 || facets->twice[i]))
             continue;
-        rgb share = finish_highlights(surface, &surface->layer[0], light,
+        rgb share = finish_highlights(facets->finish[i], &meeting,
+                                      rgb_make(pigment.x, pigment.y, pigment.z),
                                       shares->cosine[i]);
         shares->of[0][i] += share.r;
         shares->of[1][i] += share.g;
@@ -134,7 +252,7 @@ void facets_add_one(struct facets *facets, unsigned i,
                     const struct light_sample *sample)
 {
     rgb light = facets_light(facets, i);
-    surface_add_light(facets->surface[i], sample, &light);
+    surface_add_light(facets_surface(facets, i), sample, &light);
     put(facets->light, i, light.r, light.g, light.b);
 }
 

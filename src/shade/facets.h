@@ -6,11 +6,21 @@
 #include "scene/rays.h"
 #include "shade/surface.h"
 
+/* Tells the surface of number i, for what isn't done side by side. */
+typedef const struct surface *facet_surface(void *context, unsigned i);
+
 struct facets {
-    const struct surface *surface[RAY_LANES];
+    unsigned all;     /* that are set */
     unsigned layered; /* of other than one layer: they face any lamp */
     unsigned matt;    /* with diffuse light that a loop can work out, */
     unsigned shining; /* and of these with highlights */
+    facet_surface *tell;
+    void *context;
+    const struct surface *surface[RAY_LANES]; /* NULL: not told yet */
+    const struct leaf *leaf[RAY_LANES];
+    const struct finish *finish[RAY_LANES]; /* of those that are matt */
+    double point[3][RAY_LANES];
+    double view[3][RAY_LANES]; /* unit, to the viewer */
     /* Of the layer; whether light from its front and its back does anything to
      * it, and whether both sides are its front. */
     double normal[3][RAY_LANES];
@@ -20,12 +30,25 @@ struct facets {
     double light[3][RAY_LANES]; /* the sum of what they send to the viewer */
 };
 
-/* Number i, whose light so far is given; or none, which faces nothing. */
+/* At the faces that the rays meet, none of them set. */
+void facets_start(struct facets *facets, const struct rays *rays,
+                  const struct world_faces *faces);
+
+/* Number i, which is so and has so much light. */
 void facets_set(struct facets *facets, unsigned i,
                 const struct surface *surface, rgb light);
-void facets_clear(struct facets *facets, unsigned i);
+
+/* Number i, if its leaf is plain; without light. Its surface is told when it is
+ * asked for. */
+void facets_paint(struct facets *facets, unsigned i, const struct leaf *leaf);
+
+const struct surface *facets_surface(struct facets *facets, unsigned i);
 
 rgb facets_light(const struct facets *facets, unsigned i);
+
+/* Adds what plain ones send without lamps, as finish_glow and finish_shine. */
+void facets_glow(struct facets *facets, unsigned lanes, rgb ambient,
+                 rgb irradiance);
 
 /* A lamp's light as it arrives at them. */
 struct facets_lit {

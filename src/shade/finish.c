@@ -38,19 +38,14 @@ static double finish_grain(const struct finish *finish, vec3 point, vec3 light)
     return finish->crand * random_unit(key);
 }
 
-rgb finish_highlights(const struct surface *surface,
-                      const struct surface_layer *layer, vec3 light,
+rgb finish_highlights(const struct finish *finish,
+                      const struct finish_meeting *meeting, rgb pigment,
                       double cosine)
 {
-    const struct finish *finish = layer->finish;
-    const struct finish_meeting meeting = { layer->normal, surface->view,
-                                            light };
-    double share = finish_highlight(finish, &meeting);
+    double share = finish_highlight(finish, meeting);
     if (finish->metallic == 0)
         return rgb_grey(share);
-    rgb tint =
-        finish_metallic(finish->metallic, cosine, colour_rgb(layer->pigment));
-    return rgb_scale(tint, share);
+    return rgb_scale(finish_metallic(finish->metallic, cosine, pigment), share);
 }
 
 /* What one layer sends of it, before the layer's weight: diffuse, phong and
@@ -68,9 +63,13 @@ static inline rgb finish_light(const struct surface *surface,
     if (finish->crand > 0 && diffuse != 0)
         diffuse -= finish_grain(finish, surface->point, sample->direction);
     rgb share = rgb_scale(colour_rgb(layer->pigment), diffuse);
-    if ((cosine > 0 || twice) && sample->highlights && finish_shines(finish))
-        share = rgb_add(share, finish_highlights(surface, layer,
-                                                 sample->direction, cosine));
+    if ((cosine > 0 || twice) && sample->highlights && finish_shines(finish)) {
+        const struct finish_meeting meeting = { layer->normal, surface->view,
+                                                sample->direction };
+        share = rgb_add(share,
+                        finish_highlights(finish, &meeting,
+                                          colour_rgb(layer->pigment), cosine));
+    }
     if (finish_tints(finish))
         share = rgb_mul(
             share, finish_tint(finish, surface->point, cosine,
@@ -90,10 +89,7 @@ void surface_add_light(const struct surface *surface,
 
 rgb finish_glow(const struct surface_layer *layer, rgb ambient, rgb irradiance)
 {
-    const struct finish *finish = layer->finish;
-    rgb light = rgb_mul(finish->ambient, ambient);
-    light = rgb_add(light, finish->emission);
-    light = rgb_add_scaled(light, irradiance, finish->diffuse);
+    rgb light = finish_given(layer->finish, ambient, irradiance);
     light = rgb_mul(light, colour_rgb(layer->pigment));
     return rgb_scale(light, layer_opacity(layer));
 }

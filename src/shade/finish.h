@@ -10,10 +10,10 @@
 void surface_add_light(const struct surface *surface,
                        const struct light_sample *sample, rgb *sum);
 
-/* The highlights of one layer's in it: a share of its light. `cosine` to the
- * layer's normal. */
-rgb finish_highlights(const struct surface *surface,
-                      const struct surface_layer *layer, vec3 light,
+/* The highlights of one layer in it: a share of its light. `cosine` of the
+ * light to the layer's normal. */
+rgb finish_highlights(const struct finish *finish,
+                      const struct finish_meeting *meeting, rgb pigment,
                       double cosine);
 
 /* The part of a layer that is no pane. In scenes before version 3.7 a filter
@@ -24,6 +24,15 @@ static inline double layer_opacity(const struct surface_layer *layer)
     colour c = layer->pigment;
     double peak = layer->finish->old_filter ? fmax(c.r, fmax(c.g, c.b)) : 1;
     return 1 - c.filter * peak - c.transmit;
+}
+
+/* What white paint makes of light without a direction. */
+static inline rgb finish_given(const struct finish *finish, rgb ambient,
+                               rgb irradiance)
+{
+    rgb light = rgb_mul(finish->ambient, ambient);
+    light = rgb_add(light, finish->emission);
+    return rgb_add_scaled(light, irradiance, finish->diffuse);
 }
 
 /* What one layer makes of light without a direction: ambient, emission, and

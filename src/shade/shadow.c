@@ -28,15 +28,6 @@ struct shadow_ray {
     struct shadow_crossing at[CROSSINGS_MAX]; /* in order of t */
 };
 
-double surface_offset(vec3 point)
-{
-    double size = 0.9999e3;
-    size = fabs(point.x) > size ? fabs(point.x) : size;
-    size = fabs(point.y) > size ? fabs(point.y) : size;
-    size = fabs(point.z) > size ? fabs(point.z) : size;
-    return 1e-7 * size;
-}
-
 static bool crossing_before(const struct shadow_crossing *a,
                             const struct shadow_crossing *b)
 {
@@ -155,12 +146,6 @@ static rgb shadow_share(const struct shadow_ray *shadow,
     /* Media that the lamp itself is in, too, don't count (measured). */
     interiors_clear(&inside);
     return rgb_mul(share, shadow_air(path, &inside, from, rest, worker));
-}
-
-double shadow_start(vec3 point)
-{
-    double offset = surface_offset(point);
-    return offset > SHADOW_MARGIN ? offset : SHADOW_MARGIN;
 }
 
 bool shadow_is_whole(const struct shaft *shaft, const double place[2],

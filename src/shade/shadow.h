@@ -56,17 +56,28 @@ bool shadow_is_whole(const struct shaft *shaft, const double place[2],
  * filter before. */
 #define SHADOW_MARGIN 1e-3
 
+/* How far from a surface point the next ray begins to see: POV-Ray's 1e-4
+ * (measured), and what single precision needs far from the origin. */
+static inline double surface_offset(vec3 point)
+{
+    double size = 0.9999e3;
+    size = fabs(point.x) > size ? fabs(point.x) : size;
+    size = fabs(point.y) > size ? fabs(point.y) : size;
+    size = fabs(point.z) > size ? fabs(point.z) : size;
+    return 1e-7 * size;
+}
+
 /* How far from its point such a way begins to meet anything, and, of one that
  * is so long, ends to. */
-double shadow_start(vec3 point);
+static inline double shadow_start(vec3 point)
+{
+    double offset = surface_offset(point);
+    return offset > SHADOW_MARGIN ? offset : SHADOW_MARGIN;
+}
 
 static inline double shadow_end(double distance)
 {
     return distance - SHADOW_MARGIN;
 }
-
-/* How far from a surface point the next ray begins to see: POV-Ray's 1e-4
- * (measured), and what single precision needs far from the origin. */
-double surface_offset(vec3 point);
 
 #endif

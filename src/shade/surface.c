@@ -106,22 +106,27 @@ static inline colour layer_pigment(const struct layer *layer,
 }
 
 /* Bumps live in the texture's space: the normal goes there and back. */
+vec3 layer_bumped(const struct layer *layer, const affine *to,
+                  const affine *from, vec3 point, vec3 normal,
+                  const struct uv_source *surface)
+{
+    vec3 there = vec3_normalise(affine_normal(from, normal));
+    vec3 bumped = normal_perturbed(layer->normal, point, there, surface);
+    vec3 back = vec3_normalise(affine_normal(to, bumped));
+    return vec3_finite(back) ? back : normal;
+}
+
 static vec3 layer_normal(const struct layer *layer, struct place *place,
                          vec3 normal)
 {
-    vec3 there, bumped, back;
     if (!layer->normal || !normal_tilts(layer->normal))
         return normal;
     if (layer->normal->pattern.uv && !layer->normal->uv_turned)
         return normal_perturbed(layer->normal, place->uv->point(place->uv),
                                 normal, place->uv);
-    there = vec3_normalise(affine_normal(place->from, normal));
-    bumped = normal_perturbed(
-        layer->normal,
-        pattern_start(&layer->normal->pattern, place_point(place), place->uv),
-        there, place->uv);
-    back = vec3_normalise(affine_normal(place->to, bumped));
-    return vec3_finite(back) ? back : normal;
+    vec3 at =
+        pattern_start(&layer->normal->pattern, place_point(place), place->uv);
+    return layer_bumped(layer, place->to, place->from, at, normal, place->uv);
 }
 
 /* What light passes a layer down to the next. */

@@ -63,6 +63,14 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 /* What all layers let pass straight through: a shadow ray's view. */
 rgb surface_transmittance(const struct intersection *at);
 
+/* The unit normal with a layer's bumps, at a point of the texture's space, of
+ * an unperturbed one, both in the world. `to` and `from`: world <-> the
+ * texture's space. `surface` as of normal_perturbed. Not of bumps that are laid
+ * by the surface's own coordinates and don't turn with its texture. */
+vec3 layer_bumped(const struct layer *layer, const affine *to,
+                  const affine *from, vec3 point, vec3 normal,
+                  const struct uv_source *surface);
+
 /* The unit normal there, turned against the ray's direction, with the bumps of
  * the topmost layer. */
 vec3 surface_bumps(const struct intersection *at, vec3 direction);

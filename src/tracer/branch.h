@@ -54,6 +54,9 @@ struct radiance path_go_on(struct path *path, struct crossing *crossing,
 struct radiance path_follow(struct path *path);
 
 /* Once it has ended. */
-struct radiance path_seen(const struct path *path);
+static inline struct radiance path_seen(const struct path *path)
+{
+    return (struct radiance){ path->light, path->opacity };
+}
 
 #endif

@@ -6,6 +6,7 @@
 #include "base/draw.h"
 #include "base/random.h"
 #include "scene/lens.h"
+#include "shade/facets.h"
 #include "shade/shadow.h"
 #include "tracer/branch.h"
 
@@ -120,10 +121,17 @@ struct radiance tracer_camera(const struct tracer *tracer,
     return path_follow(&path);
 }
 
-struct ray tracer_ray(const struct tracer *tracer,
-                      const struct picture_place *place)
+void tracer_rays(const struct tracer *tracer,
+                 const struct picture_place *places, unsigned count,
+                 struct rays *rays)
 {
-    return camera_ray(&tracer->scene->camera, place->at[0], place->at[1]);
+    struct camera_places at;
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        const double *place = places[i < count ? i : count - 1].at;
+        at.x[i] = place[0];
+        at.y[i] = place[1];
+    }
+    camera_rays(&tracer->scene->camera, &at, count, rays);
 }
 
 void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
@@ -142,77 +150,158 @@ void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
 struct sight {
     struct path path;
     struct crossing crossing;
-    struct radiance *out;
 };
 
-/* Sights that are lit together. */
+/* Sights of places, as what they meet is worked out side by side. Bits stand
+ * for places. */
 struct sights {
     const struct tracer *tracer;
     struct worker *worker;
+    const struct tracer_met *met;
+    struct world_faces faces;
+    struct facets facets;
     struct sight at[WORLD_RAYS];
-    unsigned count;
+    unsigned plain; /* end at a leaf that is: its light is all there is */
+    unsigned lit;   /* the others that meet a surface to be lit */
 };
 
-/* From the camera to what it meets first, and which of them end there. */
-static void sights_arrive(struct sights *sights, const struct tracer_met *met,
+/* Whether there is a picture. */
+static unsigned places_seen(const struct camera *camera,
+                            const struct tracer_met *met)
+{
+    unsigned seen = (1u << met->count) - 1;
+    for (unsigned i = 0; camera->kind->sees && i < met->count; i++)
+        if (!camera_sees(camera, met->places[i].at[0], met->places[i].at[1]))
+            seen &= ~(1u << i);
+    return seen;
+}
+
+static void sight_describe(struct sights *sights, unsigned i)
+{
+    const struct tracer_met *met = sights->met;
+    const struct ray ray = rays_at(met->rays, (int)i);
+    world_describe_face(&ray, met->hits[i].leaf, &sights->faces, i,
+                        &sights->at[i].crossing.at);
+}
+
+/* That of a plain leaf, which was painted without. */
+static const struct surface *sights_surface(void *context, unsigned i)
+{
+    struct sights *sights = context;
+    const struct tracer *tracer = sights->tracer;
+    struct crossing *crossing = &sights->at[i].crossing;
+    sight_describe(sights, i);
+    crossing_fill(crossing, tracer, rays_direction(sights->met->rays, (int)i),
+                  &tracer->start, tracer->scene->settings.adc_bailout, false);
+    crossing->surface.place = &sights->met->places[i];
+    return &crossing->surface;
+}
+
+/* What is met, and which leaves are plain. Returns which meet any. */
+static unsigned sights_meet(struct sights *sights, unsigned seen)
+{
+    const struct tracer_met *met = sights->met;
+    unsigned meet = 0;
+    sights->plain = sights->lit = 0;
+    for (unsigned i = 0; i < met->count; i++) {
+        const struct leaf *leaf = met->hits[i].leaf;
+        meet |= (unsigned)(leaf != NULL) << i;
+        sights->plain |= (unsigned)(leaf && leaf->plain) << i;
+    }
+    meet &= seen;
+    if (!sights->tracer->airless || sights->tracer->lighting->by_surface)
+        sights->plain = 0;
+    sights->plain &= seen;
+    if (!meet)
+        return 0;
+    world_face_many(met->rays, met->hits, meet, &sights->faces);
+    facets_start(&sights->facets, met->rays, &sights->faces);
+    sights->facets.tell = sights_surface;
+    sights->facets.context = sights;
+    return meet;
+}
+
+static void sights_paint(struct sights *sights)
+{
+    for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
+        unsigned i = (unsigned)__builtin_ctz(plain);
+        sights->worker->counters.camera_rays++;
+        facets_paint(&sights->facets, i, sights->met->hits[i].leaf);
+    }
+}
+
+/* From the camera to what it meets first, of those whose leaves are not plain;
+ * some end there. */
+static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet,
                           struct radiance *out)
 {
-    const struct camera *camera = &sights->tracer->scene->camera;
-    sights->count = 0;
-    for (unsigned i = 0; i < met->count; i++) {
-        const struct picture_place *place = &met->places[i];
-        const struct world_hit *hit = &met->hits[i];
-        struct sight *sight = &sights->at[sights->count];
-        out[i] = (struct radiance){ rgb_grey(0), 0 };
-        if (!camera_sees(camera, place->at[0], place->at[1]))
-            continue;
+    const struct tracer_met *met = sights->met;
+    for (unsigned each = seen & ~sights->plain; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        struct sight *sight = &sights->at[i];
+        bool meets = meet >> i & 1;
         sight->path.ray = rays_at(met->rays, (int)i);
-        path_start(&sight->path, sights->tracer, sights->worker, place);
-        if (hit->leaf)
-            world_describe(&sight->path.ray, hit, &sight->crossing.at);
-        if (path_arrive(&sight->path, &sight->crossing, hit->leaf)) {
-            sight->out = &out[i];
-            sights->count++;
+        path_start(&sight->path, sights->tracer, sights->worker,
+                   &met->places[i]);
+        if (meets)
+            sight_describe(sights, i);
+        if (path_arrive(&sight->path, &sight->crossing, meets)) {
+            sights->lit |= 1u << i;
+            facets_set(&sights->facets, i, &sight->crossing.surface,
+                       path_within(&sight->path, &sight->crossing));
         } else {
             out[i] = path_seen(&sight->path);
         }
     }
 }
 
-static void sights_light(struct sights *sights, struct light_asker *askers)
-{
-    const struct tracer *tracer = sights->tracer;
-    for (unsigned i = 0; i < sights->count; i++) {
-        struct sight *sight = &sights->at[i];
-        askers[i].light = path_within(&sight->path, &sight->crossing);
-        askers[i].surface = &sight->crossing.surface;
-    }
-    tracer->lighting->illuminate_many(tracer->lighting_state, sights->worker,
-                                      askers, sights->count);
-}
-
-static void sight_go_on(struct sight *sight, const struct light_asker *asker)
+static struct radiance sight_go_on(struct sight *sight, rgb light,
+                                   const struct diffuse_light *diffuse)
 {
     struct path *path = &sight->path;
     struct crossing *crossing = &sight->crossing;
-    rgb light = path_shade(path, crossing, asker->light, &asker->diffuse);
+    light = path_shade(path, crossing, light, diffuse);
     if (path_leave(path, crossing, light))
         path_go_on(path, crossing, path_meet(path, &crossing->at));
-    *sight->out = path_seen(path);
+    return path_seen(path);
+}
+
+static void sights_light(struct sights *sights, struct radiance *out)
+{
+    const struct tracer *tracer = sights->tracer;
+    struct facets *facets = &sights->facets;
+    unsigned first = (unsigned)__builtin_ctz(facets->all);
+    struct diffuse_light diffuse[RAY_LANES];
+    tracer->lighting->illuminate_many(tracer->lighting_state, sights->worker,
+                                      facets, diffuse);
+    for (unsigned lit = sights->lit; lit; lit &= lit - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lit);
+        out[i] =
+            sight_go_on(&sights->at[i], facets_light(facets, i), &diffuse[i]);
+    }
+    if (sights->plain)
+        facets_glow(facets, sights->plain, diffuse[first].ambient,
+                    diffuse[first].irradiance);
+    for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
+        unsigned i = (unsigned)__builtin_ctz(plain);
+        out[i] = (struct radiance){ facets_light(facets, i), 1 };
+    }
 }
 
 static void see_together(const struct tracer *tracer, struct worker *worker,
                          const struct tracer_met *met, struct radiance *out)
 {
     struct sights sights;
-    struct light_asker askers[WORLD_RAYS];
     sights.tracer = tracer;
     sights.worker = worker;
-    sights_arrive(&sights, met, out);
-    if (sights.count > 0)
-        sights_light(&sights, askers);
-    for (unsigned i = 0; i < sights.count; i++)
-        sight_go_on(&sights.at[i], &askers[i]);
+    sights.met = met;
+    unsigned seen = places_seen(&tracer->scene->camera, met);
+    unsigned meet = sights_meet(&sights, seen);
+    memset(out, 0, met->count * sizeof *out);
+    sights_paint(&sights);
+    sights_arrive(&sights, seen, meet, out);
+    if (sights.plain | sights.lit)
+        sights_light(&sights, out);
     arena_reset(worker->scratch);
 }
 

@@ -17,6 +17,8 @@ struct tracer {
     bool alpha; /* +UA: the background's transparency shows as opacity */
     /* By tracer_ready: what camera rays start in, if it is known for all. */
     bool ready;
+    bool airless; /* nothing is met on the way but surfaces, which look as their
+                   * paint says: leaves that are plain need no more */
     struct interiors start;
     double typical; /* by path_ready: mean light of a pixel; 0: not known */
 };
@@ -46,10 +48,11 @@ struct tracer_met {
 };
 
 /* The same at up to WORLD_RAYS places, quicker where they are neighbours, in
- * parts: the camera's ray of each, what it meets first, and what is seen then.
+ * parts: the camera's rays, what it meets first, and what is seen then.
  * The worker's scratch memory is reset after each. */
-struct ray tracer_ray(const struct tracer *tracer,
-                      const struct picture_place *place);
+void tracer_rays(const struct tracer *tracer,
+                 const struct picture_place *places, unsigned count,
+                 struct rays *rays);
 void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
                       unsigned count, struct world_hit *hits);
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,

@@ -161,14 +161,6 @@ static struct limits limits_join(struct flat *flat, struct limits a,
     return both;
 }
 
-static bool mesh_is_opaque(const struct mesh *mesh)
-{
-    for (size_t i = 0; i < mesh->texture_count; i++)
-        if (mesh->textures[i] && !texture_is_opaque(mesh->textures[i]))
-            return false;
-    return true;
-}
-
 static const struct leaf_inner *build_inner(struct flat *flat,
                                             const struct inherited *in)
 {
@@ -237,10 +229,7 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     leaf->looks_like = in->looks_like;
     leaf->opaque = true; /* of clips */
     if (!in->clip) {
-        leaf->opaque =
-            texture_is_opaque(leaf->texture) &&
-            (!leaf->inner || texture_is_opaque(leaf->inner->texture)) &&
-            (object->kind == OBJECT_SHAPE || mesh_is_opaque(object->mesh));
+        leaf_judge_paint(leaf);
         flat->translucent |= !leaf->opaque;
         leaf->number = (unsigned)flat->leaf_count++;
     }

@@ -1,5 +1,6 @@
 /* Lights that differ in nothing but their colours, found by all the rest: in
- * one place they are one light, and its shadow is asked for once. */
+ * one place, or so near to each other that no picture shows it, they are one
+ * light, and its shadow is asked for once. */
 #ifndef WORLD_LIGHT_TABLE_H
 #define WORLD_LIGHT_TABLE_H
 

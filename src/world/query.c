@@ -1,6 +1,7 @@
 /* A ray meets leaves and solids: see query.h. */
 #include "world/query.h"
 
+#include "world/describe.h"
 #include "world/mesh_tree.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
@@ -19,7 +20,7 @@ bool query_take(struct query *query, const struct leaf *leaf,
         query->blocked = true;
     } else {
         struct intersection crossing;
-        query_describe(&query->ray, leaf, hit, &crossing);
+        describe_hit(&query->ray, leaf, hit, &crossing);
         query->blocked = query->filter(query->context, &crossing);
     }
     return query->blocked;
@@ -318,126 +319,4 @@ bool query_take_triangle(struct query *query, const struct leaf *leaf,
     bool over = query_take(query, leaf, &hit);
     query->rough = true;
     return over;
-}
-
-/* Of tiny or huge vectors, which would lose their length. */
-static vec3 unit_scaled(vec3 v)
-{
-    double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
-    if (!(most > 0) || !isfinite(most))
-        return vec3_make(0, 0, 0);
-    return vec3_normalise(vec3_make(v.x / most, v.y / most, v.z / most));
-}
-
-static inline vec3 unit(vec3 v)
-{
-    double square = vec3_dot(v, v);
-    if (square > 1e-200 && square < 1e200)
-        return vec3_scale(v, 1 / sqrt(square));
-    return unit_scaled(v);
-}
-
-static vec3 leaf_normal(const struct leaf *leaf, vec3 point,
-                        const struct hit *hit)
-{
-    const struct object *object = leaf->object;
-    if (object->kind == OBJECT_MESH)
-        return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v);
-    if (leaf->moved)
-        point = affine_point(leaf->to_object, point);
-    if (object->primitive->normal_placed)
-        return object->primitive->normal_placed(
-            object->shape, point, hit, leaf->moved ? leaf->to_object : NULL);
-    return object->primitive->normal(object->shape, point, hit);
-}
-
-/* Of what was hit of a shape or a mesh whose normals are interpolated there; 0:
- * they are not. */
-static vec3 leaf_face(const struct object *object, const struct hit *hit)
-{
-    if (object->kind == OBJECT_MESH) {
-        if (object->mesh->triangles[hit->part].normal[0] != MESH_NONE)
-            return mesh_face(object->mesh, (size_t)hit->part);
-    } else if (object->primitive->face) {
-        return object->primitive->face(object->shape, hit);
-    }
-    return vec3_make(0, 0, 0);
-}
-
-/* The normal of a facet whose interpolated one is known; of other shapes they
- * are the same. */
-static void describe_face(const struct leaf *leaf, const struct hit *hit,
-                          struct intersection *out)
-{
-    vec3 face = leaf_face(leaf->object, hit);
-    out->face = out->normal;
-    if (vec3_dot(face, face) == 0)
-        return;
-    if (leaf->moved)
-        face = affine_normal(leaf->to_object, face);
-    face = unit(face);
-    if (vec3_dot(face, face) > 0)
-        out->face = vec3_dot(face, out->normal) < 0 ? vec3_negate(face) : face;
-}
-
-static void describe_texture(const struct leaf *leaf, const struct hit *hit,
-                             struct intersection *out)
-{
-    out->texture = leaf->texture;
-    out->to_texture = leaf->to_texture;
-    out->from_texture = leaf->from_texture;
-    if (leaf->object->kind != OBJECT_MESH)
-        return;
-    const struct mesh *mesh = leaf->object->mesh;
-    uint32_t number = mesh->triangles[hit->part].texture;
-    if (number >= mesh->texture_count || !mesh->textures[number])
-        return;
-    out->texture = mesh->textures[number];
-    out->to_texture = leaf->to_object;
-    out->from_texture = leaf->to_world;
-}
-
-/* The outside of a mesh's triangle is where its corners turn to the left, not
- * where its normals are (measured); see also mesh.h. */
-static bool describe_inside(const struct ray *ray, const struct leaf *leaf,
-                            const struct intersection *out)
-{
-    const struct object *object = leaf->object;
-    if (object->kind != OBJECT_MESH)
-        return vec3_dot(out->face, ray->direction) > 0;
-    vec3 face = mesh_face(object->mesh, (size_t)out->part);
-    if (leaf->moved)
-        face = affine_normal(leaf->to_object, face);
-    return (vec3_dot(face, ray->direction) < 0) != object->mesh->turned;
-}
-
-static void describe_inner(const struct leaf_inner *inner,
-                           struct intersection *out)
-{
-    out->texture = inner->texture;
-    out->to_texture = &inner->to_texture;
-    out->from_texture = &inner->from_texture;
-}
-
-void query_describe(const struct ray *ray, const struct leaf *leaf,
-                    const struct hit *hit, struct intersection *out)
-{
-    /* Kept at hand: what was just stored is read back late. */
-    vec3 point = ray_point(ray, hit->t);
-    vec3 normal = leaf_normal(leaf, point, hit);
-    out->t = hit->t;
-    out->point = point;
-    out->leaf = leaf;
-    out->part = hit->part;
-    if (leaf->moved)
-        normal = affine_normal(leaf->to_object, normal);
-    normal = unit(normal);
-    if (!(vec3_dot(normal, normal) > 0))
-        normal = vec3_negate(ray->direction);
-    out->normal = leaf->inverse ? vec3_negate(normal) : normal;
-    describe_face(leaf, hit, out);
-    if (leaf->inner && describe_inside(ray, leaf, out))
-        describe_inner(leaf->inner, out);
-    else
-        describe_texture(leaf, hit, out);
 }

@@ -123,8 +123,4 @@ void query_refine(const struct ray *ray, const struct leaf *leaf,
 /* The same for query->hit, if it is left out. */
 void query_finish(struct query *query);
 
-/* Everything about the crossing, for the one who asked. */
-void query_describe(const struct ray *ray, const struct leaf *leaf,
-                    const struct hit *hit, struct intersection *out);
-
 #endif

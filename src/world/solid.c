@@ -5,6 +5,26 @@
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
+static bool mesh_is_opaque(const struct mesh *mesh)
+{
+    for (size_t i = 0; i < mesh->texture_count; i++)
+        if (mesh->textures[i] && !texture_is_opaque(mesh->textures[i]))
+            return false;
+    return true;
+}
+
+void leaf_judge_paint(struct leaf *leaf)
+{
+    const struct object *object = leaf->object;
+    bool shape = object->kind == OBJECT_SHAPE;
+    leaf->opaque = texture_is_opaque(leaf->texture) &&
+                   (!leaf->inner || texture_is_opaque(leaf->inner->texture)) &&
+                   (shape || mesh_is_opaque(object->mesh));
+    leaf->plain = leaf->opaque && !leaf->inner && !leaf->uv_mapping &&
+                  (shape || object->mesh->texture_count == 0) &&
+                  texture_is_plain(leaf->texture);
+}
+
 const double solid_limit = 1e9;
 
 bool solid_is_bounded(const struct solid *solid)

@@ -48,6 +48,7 @@ struct leaf {
     int looks_like;  /* number of the light it stands for, or -1 */
     unsigned number; /* 0..leaf_count-1 */
     bool opaque;     /* no texture of it lets light pass */
+    bool plain;      /* its paint is plain (texture_is_plain) wherever it is */
     bool moved;      /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
@@ -57,6 +58,9 @@ struct leaf {
                    * level, whatever its parts say */
     bool inverse; /* turned inside out, all its ancestors considered */
 };
+
+/* Sets opaque and plain from its textures. */
+void leaf_judge_paint(struct leaf *leaf);
 
 /* A corner, 0 to 2, of a mesh's triangle in the world. */
 static inline vec3 leaf_corner(const struct leaf *leaf, size_t triangle, int k)

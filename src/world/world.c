@@ -3,6 +3,7 @@
 #include "world/world.h"
 
 #include "base/memory.h"
+#include "world/describe.h"
 #include "world/geometry.h"
 #include "world/packet.h"
 #include "world/shaft_tree.h"
@@ -132,7 +133,7 @@ static inline bool query_begin(const struct world *world, struct query *query,
 static void describe_nearest(struct query *query, struct intersection *out)
 {
     query_finish(query);
-    query_describe(&query->ray, query->leaf, &query->hit, out);
+    describe_hit(&query->ray, query->leaf, &query->hit, out);
 }
 
 /* Finds query->leaf, NULL if there is none. */
@@ -209,14 +210,6 @@ void world_closest_many(const struct world *world, const struct rays *rays,
         if (out[i].leaf)
             out[i].hit = query->hit;
     }
-}
-
-void world_describe(const struct ray *ray, const struct world_hit *hit,
-                    struct intersection *out)
-{
-    struct hit found = hit->hit;
-    query_refine(ray, hit->leaf, &found);
-    query_describe(ray, hit->leaf, &found, out);
 }
 
 bool world_within(const struct world *world, const struct ray *ray, double tmin,

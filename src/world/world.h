@@ -25,7 +25,8 @@ void world_free(struct world *world);
 void world_solo(struct world *world, size_t light);
 
 /* All lights, those in unions too, moved to where they are; file order. Several
- * that differ in their colours alone are one, with the sum of these. */
+ * that differ in their colours alone, or by next to nothing in their places,
+ * are one, with the sum of these. */
 const struct light *world_lights(const struct world *world, size_t *count);
 
 /* Whether nothing in it lets any light pass. */
@@ -77,6 +78,22 @@ void world_closest_many(const struct world *world, const struct rays *rays,
 /* Everything about a hit of that ray; its leaf must not be NULL. */
 void world_describe(const struct ray *ray, const struct world_hit *hit,
                     struct intersection *out);
+
+/* Of hits side by side what an intersection says, to the bit; where there is
+ * no hit, zeroes and the ray's origin. */
+struct world_faces {
+    double point[3][RAY_LANES], normal[3][RAY_LANES];
+    struct hit hit[RAY_LANES]; /* u and v of triangles, too */
+};
+
+/* Of the hits that the bits `lanes` stand for. */
+void world_face_many(const struct rays *rays, const struct world_hit *hits,
+                     unsigned lanes, struct world_faces *faces);
+
+/* As world_describe, of number `i` of these. */
+void world_describe_face(const struct ray *ray, const struct leaf *leaf,
+                         const struct world_faces *faces, unsigned i,
+                         struct intersection *out);
 
 /* The same as world_closest, for crossings up to tmax. */
 bool world_within(const struct world *world, const struct ray *ray, double tmin,

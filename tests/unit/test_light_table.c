@@ -28,6 +28,27 @@ static void test_same(void **state)
                 fabs(first.b - 5) < 1e-12);
 }
 
+/* Turned into their places, or set a trifle apart. */
+static void test_nearly_same(void **state)
+{
+    rgb first;
+    (void)state;
+    assert_int_equal(
+        lights_of("#declare I = 0; #while (I < 100) light_source { x, "
+                  "rgb 0.01 rotate 3.6 * I * y rotate -3.6 * I * y "
+                  "translate <3, 0, 4> + 1e-9 * I * x } "
+                  "#declare I = I + 1; #end",
+                  &first),
+        1);
+    assert_true(fabs(first.g - 1) < 1e-12);
+    assert_int_equal(
+        lights_of("#declare I = 0; #while (I < 10) light_source { "
+                  "<4e6, 0, 1e-5 * I>, rgb 1 } light_source { "
+                  "<4e6 + 0.01 * I, 0, 1>, rgb 1 } #declare I = I + 1; #end",
+                  &first),
+        20);
+}
+
 static void test_different(void **state)
 {
     rgb first;
@@ -51,6 +72,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_same),
+        cmocka_unit_test(test_nearly_same),
         cmocka_unit_test(test_different),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -392,6 +392,7 @@ static void expect_together_as_alone(const char *scene)
 {
     struct pixel_tracer pixel;
     pixel_start(&pixel, scene, (struct pixel_options){ .quality = 9 });
+    tracer_ready(&pixel.tracer);
     for (int block = 0; block < 64; block++) {
         struct picture_place places[WORLD_RAYS];
         struct rays rays;
@@ -401,9 +402,8 @@ static void expect_together_as_alone(const char *scene)
         for (unsigned i = 0; i < count; i++) {
             places[i].at[0] = (block % 8 * 4 + i % 4) / 32.0;
             places[i].at[1] = (block / 8 * 4 + i / 4) / 32.0;
-            struct ray ray = tracer_ray(&pixel.tracer, &places[i]);
-            rays_set(&rays, (int)i, ray.origin, ray.direction);
         }
+        tracer_rays(&pixel.tracer, places, count, &rays);
         const struct tracer_met met = { places, &rays, hits, count };
         tracer_meet_many(&pixel.tracer, &rays, count, hits);
         tracer_see_many(&pixel.tracer, &pixel.worker, &met, seen);
@@ -454,6 +454,13 @@ static void rays_lit_together_are_as_alone(void **state)
         "mesh { triangle { <1, -1, 0>, <2, -1, 0>, <1.5, 1, 0> } "
         "pigment { rgbt <.3, .2, .1, .6> } }"
         "cylinder { <0, -1, -2>, <0, 0, -2.5>, .2 pigment { rgb .8 } }",
+        "sphere { 0, .5 pigment { marble turbulence 1 scale .3 } "
+        "normal { granite .4 scale .5 } finish { phong .6 metallic "
+        "specular .3 emission .1 } scale <1, 2, 1> rotate 20 "
+        "translate <.2, .6, -.5> }"
+        "box { <-1.5, -1, -1>, <-.7, .6, 0> pigment { slope y } inverse }"
+        "mesh { smooth_triangle { <1, -1, 0>, <-1, 0, -3>, <2, -1, 0>, "
+        "<1, 0, -3>, <1.5, 1, 0>, <0, 1, -3> } pigment { gradient y } }",
     };
     (void)state;
     for (size_t i = 0; i < sizeof lamps / sizeof *lamps; i++)

@@ -25,10 +25,24 @@ static struct ray orthographic_ray(const struct camera *camera, double x,
                      camera->direction };
 }
 
+CLONES static void
+orthographic_ray_many(const struct camera *camera,
+                      const struct camera_places *restrict at,
+                      struct rays *restrict rays)
+{
+    const struct camera from = *camera;
+    for (int i = 0; i < RAY_LANES; i++)
+        rays_set(
+            rays, i,
+            vec3_add(from.location, camera_sum(&from, at->x[i], at->y[i], 0)),
+            from.direction);
+}
+
 const struct camera_kind orthographic_camera = {
     .name = "orthographic",
     .help = "without perspective: rays side by side",
     .lines = CAMERA_PARALLEL,
     .finish = orthographic_finish,
     .ray = orthographic_ray,
+    .ray_many = orthographic_ray_many,
 };

@@ -16,10 +16,21 @@ static struct ray perspective_ray(const struct camera *camera, double x,
     return (struct ray){ camera->location, camera_sum(camera, x, y, 1) };
 }
 
+CLONES static void perspective_ray_many(const struct camera *camera,
+                                        const struct camera_places *restrict at,
+                                        struct rays *restrict rays)
+{
+    const struct camera from = *camera;
+    for (int i = 0; i < RAY_LANES; i++)
+        rays_set(rays, i, from.location,
+                 camera_sum(&from, at->x[i], at->y[i], 1));
+}
+
 const struct camera_kind perspective_camera = {
     .name = "perspective",
     .help = "as a pinhole sees, the default",
     .lines = CAMERA_CENTRAL,
     .finish = perspective_finish,
     .ray = perspective_ray,
+    .ray_many = perspective_ray_many,
 };

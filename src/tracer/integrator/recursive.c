@@ -323,11 +323,6 @@ static void path_begin(struct path *path)
     path->opacity = 1;
 }
 
-struct radiance path_seen(const struct path *path)
-{
-    return (struct radiance){ path->light, path->opacity };
-}
-
 struct radiance path_go_on(struct path *path, struct crossing *crossing,
                            bool met)
 {

@@ -1,0 +1,248 @@
+/* What there is to know of a crossing: see describe.h. */
+#include "world/describe.h"
+
+#include <string.h>
+
+#include "world/query.h"
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+
+/* Of tiny or huge vectors, which would lose their length. */
+static vec3 unit_scaled(vec3 v)
+{
+    double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+    if (!(most > 0) || !isfinite(most))
+        return vec3_make(0, 0, 0);
+    return vec3_normalise(vec3_make(v.x / most, v.y / most, v.z / most));
+}
+
+static inline vec3 unit(vec3 v)
+{
+    double square = vec3_dot(v, v);
+    if (square > 1e-200 && square < 1e200)
+        return vec3_scale(v, 1 / sqrt(square));
+    return unit_scaled(v);
+}
+
+/* In the object's space, of any length. */
+static inline vec3 leaf_normal(const struct leaf *leaf, vec3 point,
+                               const struct hit *hit)
+{
+    const struct object *object = leaf->object;
+    if (object->kind == OBJECT_MESH)
+        return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v);
+    if (leaf->moved)
+        point = affine_point(leaf->to_object, point);
+    if (object->primitive->normal_placed)
+        return object->primitive->normal_placed(
+            object->shape, point, hit, leaf->moved ? leaf->to_object : NULL);
+    return object->primitive->normal(object->shape, point, hit);
+}
+
+/* Of what was hit of a shape or a mesh whose normals are interpolated there; 0:
+ * they are not. */
+static vec3 leaf_face(const struct object *object, const struct hit *hit)
+{
+    if (object->kind == OBJECT_MESH) {
+        if (object->mesh->triangles[hit->part].normal[0] != MESH_NONE)
+            return mesh_face(object->mesh, (size_t)hit->part);
+    } else if (object->primitive->face) {
+        return object->primitive->face(object->shape, hit);
+    }
+    return vec3_make(0, 0, 0);
+}
+
+/* The normal of a facet whose interpolated one is known; of other shapes they
+ * are the same. */
+static inline void describe_face(const struct leaf *leaf, const struct hit *hit,
+                                 struct intersection *out)
+{
+    vec3 face = leaf_face(leaf->object, hit);
+    out->face = out->normal;
+    if (vec3_dot(face, face) == 0)
+        return;
+    if (leaf->moved)
+        face = affine_normal(leaf->to_object, face);
+    face = unit(face);
+    if (vec3_dot(face, face) > 0)
+        out->face = vec3_dot(face, out->normal) < 0 ? vec3_negate(face) : face;
+}
+
+static inline void describe_texture(const struct leaf *leaf,
+                                    const struct hit *hit,
+                                    struct intersection *out)
+{
+    out->texture = leaf->texture;
+    out->to_texture = leaf->to_texture;
+    out->from_texture = leaf->from_texture;
+    if (leaf->object->kind != OBJECT_MESH)
+        return;
+    const struct mesh *mesh = leaf->object->mesh;
+    uint32_t number = mesh->triangles[hit->part].texture;
+    if (number >= mesh->texture_count || !mesh->textures[number])
+        return;
+    out->texture = mesh->textures[number];
+    out->to_texture = leaf->to_object;
+    out->from_texture = leaf->to_world;
+}
+
+/* The outside of a mesh's triangle is where its corners turn to the left, not
+ * where its normals are (measured); see also mesh.h. */
+static bool describe_inside(const struct ray *ray, const struct leaf *leaf,
+                            const struct intersection *out)
+{
+    const struct object *object = leaf->object;
+    if (object->kind != OBJECT_MESH)
+        return vec3_dot(out->face, ray->direction) > 0;
+    vec3 face = mesh_face(object->mesh, (size_t)out->part);
+    if (leaf->moved)
+        face = affine_normal(leaf->to_object, face);
+    return (vec3_dot(face, ray->direction) < 0) != object->mesh->turned;
+}
+
+static void describe_inner(const struct leaf_inner *inner,
+                           struct intersection *out)
+{
+    out->texture = inner->texture;
+    out->to_texture = &inner->to_texture;
+    out->from_texture = &inner->from_texture;
+}
+
+/* All but the point and the normal: what depends on them and on the part. */
+static inline void describe_rest(const struct ray *ray, const struct leaf *leaf,
+                                 const struct hit *hit,
+                                 struct intersection *out)
+{
+    describe_face(leaf, hit, out);
+    if (leaf->inner && describe_inside(ray, leaf, out))
+        describe_inner(leaf->inner, out);
+    else
+        describe_texture(leaf, hit, out);
+}
+
+/* Of a unit normal, or of 0 where there is none. */
+static inline vec3 normal_outward(const struct leaf *leaf, vec3 normal,
+                                  vec3 direction)
+{
+    if (!(vec3_dot(normal, normal) > 0))
+        normal = vec3_negate(direction);
+    return leaf->inverse ? vec3_negate(normal) : normal;
+}
+
+void describe_hit(const struct ray *ray, const struct leaf *leaf,
+                  const struct hit *hit, struct intersection *out)
+{
+    /* Kept at hand: what was just stored is read back late. */
+    vec3 point = ray_point(ray, hit->t);
+    vec3 normal = leaf_normal(leaf, point, hit);
+    out->t = hit->t;
+    out->point = point;
+    out->leaf = leaf;
+    out->part = hit->part;
+    if (leaf->moved)
+        normal = affine_normal(leaf->to_object, normal);
+    out->normal = normal_outward(leaf, unit(normal), ray->direction);
+    describe_rest(ray, leaf, hit, out);
+}
+
+void world_describe(const struct ray *ray, const struct world_hit *hit,
+                    struct intersection *out)
+{
+    struct hit found = hit->hit;
+    query_refine(ray, hit->leaf, &found);
+    describe_hit(ray, hit->leaf, &found, out);
+}
+
+static inline vec3 lane_get(const double (*from)[RAY_LANES], unsigned i)
+{
+    return (vec3){ from[0][i], from[1][i], from[2][i] };
+}
+
+static inline void lane_put(double (*to)[RAY_LANES], unsigned i, vec3 v)
+{
+    to[0][i] = v.x;
+    to[1][i] = v.y;
+    to[2][i] = v.z;
+}
+
+CLONES static void points_along(const struct rays *restrict rays,
+                                const double *restrict t,
+                                double (*restrict points)[RAY_LANES])
+{
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        lane_put(points, i,
+                 vec3_along(rays_origin(rays, (int)i),
+                            rays_direction(rays, (int)i), t[i]));
+}
+
+/* What `unit` makes of those that need no scaling for it; the others stay. */
+CLONES static void normals_unit(double (*normals)[RAY_LANES],
+                                lane_flag *restrict usual)
+{
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        vec3 v = { normals[0][i], normals[1][i], normals[2][i] };
+        double square = vec3_dot(v, v), scale = 1 / sqrt(square);
+        bool is = (square > 1e-200) & (square < 1e200);
+        scale = is ? scale : 1;
+        usual[i] = is ? -1 : 0;
+        normals[0][i] = v.x * scale;
+        normals[1][i] = v.y * scale;
+        normals[2][i] = v.z * scale;
+    }
+}
+
+/* Those of any length. */
+static void faces_raw(const struct rays *rays, const struct world_hit *hits,
+                      unsigned lanes, struct world_faces *faces)
+{
+    double t[RAY_LANES] = { 0 };
+    for (unsigned each = lanes; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        t[i] = hits[i].hit.t;
+    }
+    points_along(rays, t, faces->point);
+    memset(faces->normal, 0, sizeof faces->normal);
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct leaf *leaf = hits[i].leaf;
+        const struct ray ray = rays_at(rays, (int)i);
+        struct hit *hit = &faces->hit[i];
+        *hit = hits[i].hit;
+        query_refine(&ray, leaf, hit);
+        vec3 normal = leaf_normal(leaf, lane_get(faces->point, i), hit);
+        if (leaf->moved)
+            normal = affine_normal(leaf->to_object, normal);
+        lane_put(faces->normal, i, normal);
+    }
+}
+
+void world_face_many(const struct rays *rays, const struct world_hit *hits,
+                     unsigned lanes, struct world_faces *faces)
+{
+    lane_flag usual[RAY_LANES];
+    faces_raw(rays, hits, lanes, faces);
+    normals_unit(faces->normal, usual);
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct leaf *leaf = hits[i].leaf;
+        if (usual[i] && !leaf->inverse)
+            continue;
+        vec3 normal = lane_get(faces->normal, i);
+        if (!usual[i])
+            normal = unit_scaled(normal);
+        lane_put(faces->normal, i,
+                 normal_outward(leaf, normal, rays_direction(rays, (int)i)));
+    }
+}
+
+void world_describe_face(const struct ray *ray, const struct leaf *leaf,
+                         const struct world_faces *faces, unsigned i,
+                         struct intersection *out)
+{
+    out->t = faces->hit[i].t;
+    out->point = lane_get(faces->point, i);
+    out->leaf = leaf;
+    out->part = faces->hit[i].part;
+    out->normal = lane_get(faces->normal, i);
+    describe_rest(ray, leaf, &faces->hit[i], out);
+}
