@@ -165,16 +165,18 @@ static double function_guess(const struct julia_fractal *f, vec3 p, bool *gone)
     }
 }
 
-/* Bounds that are sure are asked for only where they could be of use. */
-static void fate_function(const struct julia_fractal *f, vec3 point,
-                          struct julia_fate *fate)
+/* By bounds that are sure: of hypercomplex numbers asked for only where they
+ * could be of use. */
+static void fate_sure(const struct julia_fractal *f, vec3 point,
+                      struct julia_fate *fate)
 {
-    double guess = function_guess(f, point, &fate->gone);
     struct julia_orbit orbit;
     fate->distance = 0;
-    if (!(0.8 * guess >= f->least * f->stretch))
+    if (f->algebra == JULIA_HYPERCOMPLEX &&
+        !(0.8 * function_guess(f, point, &fate->gone) >= f->least * f->stretch))
         return;
     julia_orbit_follow(f, point, &orbit);
+    fate->gone = orbit.gone;
     fate->distance = julia_orbit_reach(f, &orbit, f->least);
 }
 
@@ -182,7 +184,7 @@ void julia_fate_find(const struct julia_fractal *fractal, vec3 point,
                      struct julia_fate *fate)
 {
     if (!fractal->polynomial) {
-        fate_function(fractal, point, fate);
+        fate_sure(fractal, point, fate);
         return;
     }
     (fractal->algebra == JULIA_QUATERNION
