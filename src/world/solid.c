@@ -2,6 +2,7 @@
 #include "world/solid.h"
 
 #include "world/mesh_tree.h"
+#include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
