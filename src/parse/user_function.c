@@ -72,6 +72,18 @@ static bool parse_body_arguments(struct compiler *c, const char *name,
     return expect(p, TOKEN_RPAREN, open);
 }
 
+/* A power whose exponent is the number on the stack, if there is a step of its
+ * own for it. */
+static bool compile_power(struct compiler *c)
+{
+    size_t last = c->function->steps.count - 1;
+    struct step *step = &c->function->steps.items[last];
+    if (step->kind != STEP_NUMBER || !step_set_power(step, step->number))
+        return false;
+    c->height--;
+    return true;
+}
+
 static bool compile_builtin(struct compiler *c, const struct word *word,
                             const struct function_row *row)
 {
@@ -82,9 +94,11 @@ static bool compile_builtin(struct compiler *c, const struct word *word,
                               &count))
         return false;
     if (row->one)
-        compile_step(c, STEP_ONE, 0)->one = row->one;
+        step_set_one(compile_step(c, STEP_ONE, 0), row->one);
+    if (row->two == pow && compile_power(c))
+        return true;
     for (int i = 1; row->two && i < count; i++)
-        compile_step(c, STEP_TWO, -1)->two = row->two;
+        step_set_two(compile_step(c, STEP_TWO, -1), row->two);
     return true;
 }
 
@@ -295,7 +309,7 @@ static void compile_operator(struct compiler *c, enum token_kind kind,
     struct step *last = &c->function->steps.items[before];
     bool alone = c->function->steps.count == before + 1;
     if (plain == STEP_TWO) {
-        compile_step(c, STEP_TWO, -1)->two = operator_function(kind);
+        step_set_two(compile_step(c, STEP_TWO, -1), operator_function(kind));
     } else if (alone && last->kind == STEP_LOCAL) {
         last->kind = plain - STEP_PLUS + STEP_PLUS_LOCAL;
         c->height--;

@@ -75,7 +75,8 @@ static void question_init(struct probe_question *q, const struct probing *all,
                                    .point = place,
                                    .normal = normal,
                                    .face = normal,
-                                   .leaf = leaf,
+                                   .leaf = leaf, /* none of the world */
+                                   .part = -1,
                                    .texture = leaf->texture,
                                    .to_texture = leaf->to_texture,
                                    .from_texture = leaf->from_texture };

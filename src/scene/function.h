@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/pair.h"
 #include "base/vec.h"
 
 enum { FUNCTION_PARAMETERS = 56 }; /* as POV-Ray's macros */
@@ -63,8 +64,14 @@ struct step {
     size_t length; /* of a loop's body */
     union {
         double number;
-        double (*one)(double);
-        double (*two)(double, double);
+        struct {
+            double (*one)(double);
+            pair (*ones)(pair); /* the same of two, to the bit; or NULL */
+        };
+        struct {
+            double (*two)(double, double);
+            pair (*twos)(pair, pair);
+        };
         const struct function *function;
         const struct function_field *field;
         double (*many)(const double *);
@@ -87,6 +94,14 @@ struct function {
         size_t count, capacity;
     } steps;
 };
+
+/* What a step of kind STEP_ONE or STEP_TWO works out: these, or functions that
+ * differ from them in the last bit and are there for several numbers, too. */
+void step_set_one(struct step *step, double (*one)(double));
+void step_set_two(struct step *step, double (*two)(double, double));
+
+/* To be a number's power 2, 3 or 4; false: another. */
+bool step_set_power(struct step *step, double exponent);
 
 /* The stack of one evaluation; functions that need more are refused. */
 enum { FUNCTION_STACK = 4096 };

@@ -2,9 +2,10 @@
  * are found out once for all of them, and their sums and products don't wait
  * for each other. The topmost number of the stack is not on it but apart, where
  * it needs no memory. */
+#include <math.h>
 #include <string.h>
 
-#include "base/pair.h"
+#include "base/pair_math.h"
 #include "scene/function.h"
 #include "scene/spots.h"
 
@@ -76,6 +77,29 @@ static struct batch batch_field(const struct function_field *field,
     return batch_gather(values, count);
 }
 
+static struct batch batch_one(const struct step *step, struct batch a,
+                              int count)
+{
+    struct batch result = a;
+    if (step->ones)
+        return (struct batch){ step->ones(a.low), step->ones(a.high) };
+    for (int i = 0; i < count; i++)
+        batch_set(&result, i, step->one(batch_get(&a, i)));
+    return result;
+}
+
+static struct batch batch_two(const struct step *step, struct batch a,
+                              struct batch b, int count)
+{
+    struct batch result = a;
+    if (step->twos)
+        return (struct batch){ step->twos(a.low, b.low),
+                               step->twos(a.high, b.high) };
+    for (int i = 0; i < count; i++)
+        batch_set(&result, i, step->two(batch_get(&a, i), batch_get(&b, i)));
+    return result;
+}
+
 /* As machine_select, for each point. */
 static struct batch batch_select(const struct batch *arguments, int choices,
                                  int count)
@@ -97,6 +121,14 @@ static struct batch *batch_step(const struct step *step, struct batch *top,
     const struct function *callee;
     struct batch *first;
     switch (step->kind) {
+    case STEP_ONE:
+        first = top - 1;
+        *first = batch_one(step, *first, count);
+        return first;
+    case STEP_TWO:
+        first = top - 2;
+        *first = batch_two(step, first[0], first[1], count);
+        return first;
     case STEP_FIELD:
         first = top - 3;
         *first = batch_field(step->field, first, count);
@@ -159,14 +191,90 @@ static struct batch batch_run(const struct function *f,
     return last;
 }
 
+static pair pair_abs(pair x)
+{
+    return (pair){ fabs(x[0]), fabs(x[1]) };
+}
+
+static double power_2(double x)
+{
+    return x * x;
+}
+
+static double power_3(double x)
+{
+    return x * x * x;
+}
+
+static double power_4(double x)
+{
+    return (x * x) * (x * x);
+}
+
+static pair pair_power_2(pair x)
+{
+    return x * x;
+}
+
+static pair pair_power_3(pair x)
+{
+    return x * x * x;
+}
+
+static pair pair_power_4(pair x)
+{
+    return (x * x) * (x * x);
+}
+
+void step_set_one(struct step *step, double (*one)(double))
+{
+    static const struct {
+        double (*asked)(double), (*one)(double);
+        pair (*ones)(pair);
+    } all[] = {
+        { sin, lone_sin, pair_sin },
+        { cos, lone_cos, pair_cos },
+        { sqrt, sqrt, pair_sqrt },
+        { fabs, fabs, pair_abs },
+    };
+    step->one = one;
+    step->ones = NULL;
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        if (one == all[i].asked) {
+            step->one = all[i].one;
+            step->ones = all[i].ones;
+        }
+}
+
+void step_set_two(struct step *step, double (*two)(double, double))
+{
+    bool arc = two == atan2;
+    step->two = arc ? lone_atan2 : two;
+    step->twos = arc ? pair_atan2 : NULL;
+}
+
+bool step_set_power(struct step *step, double exponent)
+{
+    static double (*const one[])(double) = { power_2, power_3, power_4 };
+    static pair (*const ones[])(pair) = { pair_power_2, pair_power_3,
+                                          pair_power_4 };
+    if (exponent != 2 && exponent != 3 && exponent != 4)
+        return false;
+    step->kind = STEP_ONE;
+    step->one = one[(int)exponent - 2];
+    step->ones = ones[(int)exponent - 2];
+    return true;
+}
+
 /* Places; and steps, so that those of functions in functions have an end. */
 enum { BATCH_STACK = 128, BATCH_WORK = 100000 };
+
+/* Steps that take as long as one that is done number by number. */
+enum { BATCH_COSTLY = 8 };
 
 static bool step_is_even(const struct step *step)
 {
     switch (step->kind) {
-    case STEP_ONE:
-    case STEP_TWO:
     case STEP_MANY:
     case STEP_SUM:
     case STEP_PRODUCT:
@@ -180,14 +288,23 @@ static bool step_is_even(const struct step *step)
     }
 }
 
+static bool step_is_costly(const struct step *step)
+{
+    return (step->kind == STEP_ONE && !step->ones) ||
+           (step->kind == STEP_TWO && step->two == pow);
+}
+
 /* Each function that is called leaves a place empty: see batch_run. */
 bool function_is_even(const struct function *f)
 {
     bool even = !f->values && f->work < BATCH_WORK &&
                 (unsigned)f->slots + f->height + f->depth + 1 <= BATCH_STACK;
-    for (size_t i = 0; even && i < f->steps.count; i++)
+    size_t costly = 0;
+    for (size_t i = 0; even && i < f->steps.count; i++) {
         even = step_is_even(&f->steps.items[i]);
-    return even;
+        costly += step_is_costly(&f->steps.items[i]);
+    }
+    return even && costly * BATCH_COSTLY <= f->steps.count;
 }
 
 void function_values_at(const struct function *function,

@@ -3,6 +3,7 @@
  * has, the place is found by regula falsi. */
 #include "scene/julia_fractal.h"
 
+#include "scene/bracket.h"
 #include "scene/julia_fate.h"
 #include "scene/julia_orbit.h"
 
@@ -74,6 +75,20 @@ static void julia_limit(struct julia_fractal *f, double c, struct arena *arena)
     }
 }
 
+/* The logarithm of the radius after the last step, were it seen at another: of
+ * a quaternion or of a hypercomplex number's half. */
+static void julia_potentials(struct julia_fractal *f, struct arena *arena)
+{
+    int last = f->iterations - 1;
+    bool quaternion = f->algebra == JULIA_QUATERNION;
+    double height = log(quaternion ? f->radius : sqrt(2) * f->radius);
+    f->potentials = ARENA_ARRAY(arena, double, last + 1 + JULIA_MORE);
+    for (int i = 0; i <= last + JULIA_MORE; i++)
+        f->potentials[i] =
+            height *
+            (quaternion && f->cube ? pow(3, i - last) : ldexp(1, i - last));
+}
+
 /* The radius is measured. What is larger than it, r, is at least r^2 - |c|
  * after a step: no smaller, if |c| is at most r^2 - r. */
 static void julia_ends(struct julia_fractal *f, double c)
@@ -111,7 +126,9 @@ static const char *julia_prepare(void *shape, struct arena *arena,
     f->w[3] = f->slice[4] * sqrt(length2) / f->slice[3];
     f->stretch = sqrt(tilt);
     julia_ends(f, sqrt(c2));
+    f->least = f->polynomial ? 1 / f->precision : julia_coarse;
     julia_limit(f, sqrt(c2), arena);
+    julia_potentials(f, arena);
     return NULL;
 }
 
@@ -128,7 +145,6 @@ struct march {
     const struct julia_fractal *fractal;
     const struct ray *ray;
     double speed; /* length of the ray's direction */
-    double least; /* step, in space */
     struct julia_fate fate;
 };
 
@@ -141,7 +157,7 @@ static bool march_look(struct march *m, double t)
 
 static double march_step(const struct march *m)
 {
-    return fmax(m->fate.distance, m->least) / m->speed;
+    return fmax(m->fate.distance, m->fractal->least) / m->speed;
 }
 
 /* Above 0 where the point at t is gone: julia_orbit_beyond, but for what went
@@ -158,28 +174,19 @@ static double march_beyond(const struct march *m, double t)
     return fate.gone == (beyond > 0) ? beyond : fate.gone ? little : -little;
 }
 
-/* The crossing between a and b (regula falsi, the Illinois variant). */
+/* The crossing between a and b. */
 static double march_refine(const struct march *m, double a, double b)
 {
-    double at_a = march_beyond(m, a);
-    double at_b = march_beyond(m, b);
-    double enough = 1e-7 * m->fractal->radius / m->speed;
-    for (int i = 1; i < JULIA_ROUNDS && b - a > enough; i++) {
-        double t = a - at_a * (b - a) / (at_b - at_a);
-        if (i % 4 == 0 || !(t > a && t < b))
-            t = 0.5 * (a + b);
+    struct bracket in = { a, march_beyond(m, a), b, march_beyond(m, b) };
+    double enough = 1e-7 * m->fractal->radius / m->speed, t;
+    for (int i = 1; i < JULIA_ROUNDS && in.b - in.a > enough; i++) {
+        if (!bracket_next(&in, i, &t))
+            break;
         double at_t = march_beyond(m, t);
-        if ((at_t <= 0) == (at_a <= 0)) {
-            a = t;
-            at_a = at_t;
-            at_b /= 2;
-        } else {
-            b = t;
-            at_b = at_t;
-            at_a /= 2;
-        }
+        bracket_narrow(&in, t, at_t, (at_t <= 0) == (in.at_a <= 0));
     }
-    return at_a <= 0 ? a : b; /* the one that stays: its slope is the last's */
+    /* The one that stays: its slope is the last's. */
+    return in.at_a <= 0 ? in.a : in.b;
 }
 
 /* Where the ray is in the ball around it, a little within: where the ball cuts
@@ -197,7 +204,6 @@ static bool march_start(struct march *m, double *tmin, double *tmax)
     *tmin = fmax(*tmin, middle - sqrt(rest / dd));
     *tmax = fmin(*tmax, middle + sqrt(rest / dd));
     m->speed = sqrt(dd);
-    m->least = f->polynomial ? 1 / f->precision : julia_coarse;
     return *tmin < *tmax;
 }
 
@@ -291,7 +297,7 @@ static unsigned julia_meets(const void *shape, const struct cell *cell)
     if (!cell_meets_box(cell, julia_bounds(shape)))
         return 0;
     julia_orbit_follow(shape, cell->centre, &orbit);
-    return julia_orbit_reach(shape, &orbit) > cell->radius
+    return julia_orbit_reach(shape, &orbit, cell->radius) > cell->radius
                ? 0
                : CELL_SURFACE | CELL_BORDER;
 }

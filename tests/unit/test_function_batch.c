@@ -1,6 +1,7 @@
 /* Functions at several points at once: the values are those of each point. */
 #include "harness.h"
 
+#include "base/pair_math.h"
 #include "scene/function.h"
 #include "scene/spots.h"
 
@@ -91,6 +92,84 @@ static void calls_are_even(void **state)
     check_points(&f);
 }
 
+static struct step built_in(enum step_kind kind)
+{
+    return (struct step){ .kind = kind };
+}
+
+/* sqrt(abs(atan2(sin(x), cos(y)))) + y^2 - z^3 * x^4 + (x min z) + ... */
+static void built_in_functions_are_even(void **state)
+{
+    (void)state;
+    struct step local[3] = { { .kind = STEP_LOCAL, .slot = 0 },
+                             { .kind = STEP_LOCAL, .slot = 1 },
+                             { .kind = STEP_LOCAL, .slot = 2 } };
+    struct step sine = built_in(STEP_ONE), cosine = sine, root = sine,
+                size = sine, power[3] = { sine, sine, sine };
+    struct step arc = built_in(STEP_TWO), least = arc;
+    step_set_one(&sine, sin);
+    step_set_one(&cosine, cos);
+    step_set_one(&root, sqrt);
+    step_set_one(&size, fabs);
+    step_set_two(&arc, atan2);
+    step_set_two(&least, fmin);
+    for (int i = 0; i < 3; i++)
+        assert_true(step_set_power(&power[i], i + 2));
+    assert_false(step_set_power(&power[0], 2.5));
+    struct step plus = built_in(STEP_PLUS), minus = built_in(STEP_MINUS);
+    struct step steps[] = { local[0], sine,     local[1], cosine,   arc,
+                            size,     root,     local[1], power[0], plus,
+                            local[2], power[1], local[0], power[2], minus,
+                            minus,    local[0], local[2], least,    plus };
+    struct function f = function_of(steps, 20);
+    check_points(&f);
+    double x = 0.7, y = -2.1, z = 1.3;
+    double value = sqrt(fabs(atan2(sin(x), cos(y)))) + y * y -
+                   (z * z * z - x * x * x * x) + x;
+    assert_true(fabs(function_at(&f, vec3_make(x, y, z)) - value) < 1e-14);
+}
+
+/* What is done number by number, mostly, is not worked out ahead. */
+static void costly_functions_are_not_even(void **state)
+{
+    (void)state;
+    struct step steps[] = { { .kind = STEP_LOCAL }, { .kind = STEP_ONE } };
+    step_set_one(&steps[1], exp);
+    assert_false(function_of(steps, 2).even);
+    step_set_one(&steps[1], sin);
+    assert_true(function_of(steps, 2).even);
+}
+
+static void check_near(double found, double wanted)
+{
+    assert_true(fabs(found - wanted) <= 1e-15 * fmax(1, fabs(wanted)) ||
+                (isnan(found) && isnan(wanted)));
+}
+
+/* At angles of all sizes, at the axes and beyond all numbers. */
+static void pairs_are_as_the_library_has_them(void **state)
+{
+    static const double ends[] = { 0, -0.0,     1e-310,    1e300,
+                                   1, INFINITY, -INFINITY, NAN };
+    (void)state;
+    for (int i = -2000; i <= 2000; i++) {
+        double x = i * fabs((double)i) * 0.7, y = 3 - i * 0.001;
+        pair s = pair_sin((pair){ x, y }), c = pair_cos((pair){ y, x });
+        assert_true(s[0] == lone_sin(x) && c[1] == lone_cos(x));
+        check_near(s[0], sin(x));
+        check_near(c[0], cos(y));
+        check_near(lone_atan2(y, x), atan2(y, x));
+        assert_true(pair_atan2((pair){ x, y }, (pair){ y, x })[1] ==
+                    lone_atan2(y, x));
+    }
+    for (int i = 0; i < 64; i++) {
+        double y = ends[i / 8], x = ends[i % 8];
+        check_near(lone_atan2(y, x), atan2(y, x));
+        check_near(pair_sin((pair){ y, x })[1], sin(x));
+        check_near(pair_cos((pair){ y, x })[1], cos(x));
+    }
+}
+
 /* x / y - x / y: infinite less infinite is no number */
 static void what_is_no_number_is_zero(void **state)
 {
@@ -114,6 +193,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(operators_are_even),
         cmocka_unit_test(calls_are_even),
+        cmocka_unit_test(built_in_functions_are_even),
+        cmocka_unit_test(costly_functions_are_not_even),
+        cmocka_unit_test(pairs_are_as_the_library_has_them),
         cmocka_unit_test(what_is_no_number_is_zero),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
