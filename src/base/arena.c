@@ -79,7 +79,7 @@ bool arena_resize(struct arena *arena, void *memory, size_t old, size_t size)
     struct block *block = arena->block;
     unsigned char *bytes = memory;
     size_t used = arena_rounded(old), wanted = arena_rounded(size);
-    if (!block || bytes + used != block->bytes + block->used ||
+    if (!block || !bytes || bytes + used != block->bytes + block->used ||
         (wanted > used && block->size - block->used < wanted - used))
         return false;
     if (size < old)

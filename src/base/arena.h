@@ -21,7 +21,7 @@ void *arena_alloc(struct arena *arena, size_t size);
 
 /* Makes what was allocated last larger or smaller where it stands, from `old`
  * to `size` bytes. Returns false, and nothing has changed, when something was
- * allocated after it or the block has no room. */
+ * allocated after it, the block has no room, or `memory` is NULL. */
 bool arena_resize(struct arena *arena, void *memory, size_t old, size_t size);
 
 size_t arena_used(const struct arena *arena);

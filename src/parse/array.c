@@ -8,6 +8,7 @@
 enum {
     ARRAY_DIMENSIONS = 5, /* as POV-Ray */
     ARRAY_LIMIT = 10000000,
+    ARRAY_LARGE = 1000,      /* elements: is there memory for more? */
     ARRAY_DEPTH_LIMIT = 100, /* arrays in elements of arrays */
 };
 
@@ -171,6 +172,8 @@ bool array_copy(struct parser *p, struct span span, struct array *array,
                         "it are nested more than %d deep",
                         ARRAY_LIMIT, ARRAY_DEPTH_LIMIT);
     *copy = array_duplicate(p, array);
+    if (total >= ARRAY_LARGE)
+        stream_ask(p);
     return true;
 }
 

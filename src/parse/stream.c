@@ -162,6 +162,11 @@ bool stream_stopped(struct parser *p)
     return stopped;
 }
 
+void stream_ask(struct parser *p)
+{
+    p->fetched = STREAM_PATIENCE - 1;
+}
+
 /* Asked now and then, for it takes as long as a token: the arenas are far
  * apart.
  */

@@ -83,6 +83,10 @@ unsigned stream_round_limit(const struct parser *p); /* of one loop */
  * long without reading a token. */
 bool stream_stopped(struct parser *p);
 
+/* Much memory was taken at once: the next token asks whether it
+ * is too much, as one of many does. */
+void stream_ask(struct parser *p);
+
 /* Stops the parse: from now on there is only TOKEN_END. */
 void stream_abort(struct parser *p);
 
