@@ -122,6 +122,7 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
         .ray = { surface->point, warp_lobe(u, surface->side, 1) },
         .share = rgb_grey(1),
         .open = &found.open,
+        .mirrors = gathering->mirrors,
         .before = gathering->before + 1,
     };
     const struct ray ray = further.ray;
