@@ -5,6 +5,12 @@
 #include "scene/crossings.h"
 #include "scene/line_roots.h"
 
+const struct field algebraic_items[] = {
+    { "sturm", FIELD_BOOL, offsetof(struct algebraic, sturm), 0, 0,
+      "accepted: the roots are exact anyway", false },
+    { .name = NULL },
+};
+
 size_t algebraic_terms(int order)
 {
     size_t n = (size_t)order;

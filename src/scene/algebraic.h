@@ -42,4 +42,22 @@ vec3 algebraic_shape_normal(const void *shape, vec3 point,
 bool algebraic_shape_inside(const void *shape, vec3 point);
 unsigned algebraic_shape_meets(const void *shape, const struct cell *cell);
 
+extern const struct field algebraic_items[];
+
+/* What the primitives of such shapes have alike; `count_text` says how many
+ * terms there are. */
+#define ALGEBRAIC_TERMS(count_text)                                            \
+    {                                                                          \
+        "terms", FIELD_TERMS, offsetof(struct algebraic, terms), 0, 0,         \
+            count_text, false                                                  \
+    }
+#define ALGEBRAIC_SHAPE                                                        \
+    .size = sizeof(struct algebraic), .items = algebraic_items, .solid = true, \
+    .bounded = BOUNDS_AS_SHAPE, .bounds = algebraic_shape_bounds,              \
+    .intersect = algebraic_shape_intersect,                                    \
+    .crossings = algebraic_shape_crossings,                                    \
+    .crosses = algebraic_shape_crosses, .first = algebraic_shape_first,        \
+    .normal = algebraic_shape_normal, .inside = algebraic_shape_inside,        \
+    .meets = algebraic_shape_meets
+
 #endif

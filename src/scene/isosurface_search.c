@@ -5,6 +5,7 @@
  * those that the halves will most likely ask for are worked out with it. */
 #include "scene/isosurface_search.h"
 
+#include "scene/bracket.h"
 #include "scene/function.h"
 #include "scene/spots.h"
 
@@ -18,32 +19,18 @@ static double search_value(const struct search *search, double t)
     return isosurface_value(search->surface, ray_point(search->ray, t));
 }
 
-/* The crossing between a and b, where signs differ: by the secant, an end that
- * stays counting half (the Illinois method), now and then by halving, which
- * jumps need. */
-static void search_refine(struct search *search, double a, double at_a,
-                          double b, double at_b)
+/* The crossing in it. */
+static void search_refine(struct search *search, struct bracket in)
 {
-    double enough = 1e-6 * search->accuracy;
-    for (int i = 1; i < SEARCH_ROUNDS && b - a > enough; i++) {
-        double t = a - at_a * (b - a) / (at_b - at_a);
-        if (i % 4 == 0 || !(t > a && t < b))
-            t = 0.5 * (a + b);
-        if (!(t > a && t < b))
+    double enough = 1e-6 * search->accuracy, t;
+    for (int i = 1; i < SEARCH_ROUNDS && in.b - in.a > enough; i++) {
+        if (!bracket_next(&in, i, &t))
             break;
         double at_t = search_value(search, t);
         search->left--;
-        if ((at_t < 0) == (at_a < 0)) {
-            a = t;
-            at_a = at_t;
-            at_b /= 2;
-        } else {
-            b = t;
-            at_b = at_t;
-            at_a /= 2;
-        }
+        bracket_narrow(&in, t, at_t, (at_t < 0) == (in.at_a < 0));
     }
-    hits_add(search->hits, 0.5 * (a + b), ISOSURFACE_FUNCTION);
+    hits_add(search->hits, 0.5 * (in.a + in.b), ISOSURFACE_FUNCTION);
 }
 
 /* The values at the middle of a stretch and at those of its halves. */
@@ -75,7 +62,7 @@ static inline bool search_goes_on(struct search *search, double a, double at_a,
     if (!(b - a < search->accuracy || middle <= a || middle >= b))
         return true;
     if (differ)
-        search_refine(search, a, at_a, b, at_b);
+        search_refine(search, (struct bracket){ a, at_a, b, at_b });
     return false;
 }
 

@@ -3,6 +3,7 @@
  * has, the place is found by regula falsi. */
 #include "scene/julia_fractal.h"
 
+#include "scene/bracket.h"
 #include "scene/julia_fate.h"
 #include "scene/julia_orbit.h"
 
@@ -158,28 +159,19 @@ static double march_beyond(const struct march *m, double t)
     return fate.gone == (beyond > 0) ? beyond : fate.gone ? little : -little;
 }
 
-/* The crossing between a and b (regula falsi, the Illinois variant). */
+/* The crossing between a and b. */
 static double march_refine(const struct march *m, double a, double b)
 {
-    double at_a = march_beyond(m, a);
-    double at_b = march_beyond(m, b);
-    double enough = 1e-7 * m->fractal->radius / m->speed;
-    for (int i = 1; i < JULIA_ROUNDS && b - a > enough; i++) {
-        double t = a - at_a * (b - a) / (at_b - at_a);
-        if (i % 4 == 0 || !(t > a && t < b))
-            t = 0.5 * (a + b);
+    struct bracket in = { a, march_beyond(m, a), b, march_beyond(m, b) };
+    double enough = 1e-7 * m->fractal->radius / m->speed, t;
+    for (int i = 1; i < JULIA_ROUNDS && in.b - in.a > enough; i++) {
+        if (!bracket_next(&in, i, &t))
+            break;
         double at_t = march_beyond(m, t);
-        if ((at_t <= 0) == (at_a <= 0)) {
-            a = t;
-            at_a = at_t;
-            at_b /= 2;
-        } else {
-            b = t;
-            at_b = at_t;
-            at_a /= 2;
-        }
+        bracket_narrow(&in, t, at_t, (at_t <= 0) == (in.at_a <= 0));
     }
-    return at_a <= 0 ? a : b; /* the one that stays: its slope is the last's */
+    /* The one that stays: its slope is the last's. */
+    return in.at_a <= 0 ? in.a : in.b;
 }
 
 /* Where the ray is in the ball around it, a little within: where the ball cuts
