@@ -33,9 +33,6 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
                                            &mesh->ambience, &plan->indirect);
 }
 
-/* Of a picture of which it isn't said. */
-static const double usual_pixels = 640 * 480;
-
 /* What is to be counted before points are made. */
 static struct census mesh_census(const struct mesh_lighting *mesh,
                                  const struct scene *scene,
@@ -50,7 +47,7 @@ static struct census mesh_census(const struct mesh_lighting *mesh,
         .direct_view = mesh->direct_view,
         .indirect_view = mesh->indirect_view,
         .pixels = options->width > 0 ? (double)options->width * options->height
-                                     : usual_pixels,
+                                     : usual_width * usual_height,
         .stop = options->stop,
     };
 }

@@ -2,6 +2,7 @@
 #include "lightmesh/interpolation.h"
 
 #include "base/listing.h"
+#include "lightmesh/tuning.h"
 
 #define X(name) extern const struct interpolation name##_interpolation;
 #include "lightmesh/interpolation/list.h"
@@ -15,10 +16,15 @@ static const struct interpolation *const interpolations[] = {
 
 LISTING(interpolation, interpolation, interpolations);
 
+double interpolation_reach(double radius)
+{
+    return fmin(fmax(radius, interpolation_least), INTERPOLATION_RADIUS_MAX);
+}
+
 int interpolation_ball(vec3 place, double radius,
                        struct mesh_weight out[INTERPOLATION_POINTS])
 {
-    double r = fmin(fmax(radius, 0.9), INTERPOLATION_RADIUS_MAX);
+    double r = interpolation_reach(radius);
     int count = 0;
     for (double z = ceil(place.z - r); z <= place.z + r; z++)
         for (double y = ceil(place.y - r); y <= place.y + r; y++)

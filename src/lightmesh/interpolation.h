@@ -31,6 +31,10 @@ struct interpolation {
                    struct mesh_weight out[INTERPOLATION_POINTS]);
 };
 
+/* For kinds of `weights`: the radius that serves in place of one that is too
+ * small or too large. */
+double interpolation_reach(double radius);
+
 /* For kinds of `weights`: the lattice points within a radius, in spacings, of a
  * place, each with weight 1 - d^2/r^2 for its distance d; returns how many. */
 int interpolation_ball(vec3 place, double radius,

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "lightmesh/tuning.h"
 
 /* A cluster: lamps first..first+count-1 of the sorted ones. Nodes are in
  * depth-first order: the first child is the next, `second` the other. */
@@ -171,7 +172,7 @@ static double node_spread(const struct light_node *node, vec3 point)
     double light = node->intensity;
     if (node->model)
         light *= lamp_fading(node->model, gap);
-    return light * size / (gap + 0.25 * size + 1e-30) + light * 1e-6;
+    return light * size / (gap + cut_near * size + 1e-30) + light * cut_even;
 }
 
 /* A heap: the parent of i is (i - 1) / 2, and spreads more. */

@@ -4,14 +4,9 @@
 #include <stdlib.h>
 
 #include "base/order.h"
+#include "lightmesh/tuning.h"
 
-enum {
-    OUTLOOK_EDGE = 24,
-    OUTLOOK_RAYS = OUTLOOK_EDGE * OUTLOOK_EDGE,
-};
-
-/* Of pictures of which it isn't said. */
-static const double usual_width = 640;
+enum { OUTLOOK_RAYS = OUTLOOK_EDGE * OUTLOOK_EDGE };
 
 /* What the rays met. */
 struct outlook_hits {
@@ -71,8 +66,8 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
         return (struct outlook){ camera->location, 1, 0.01, 1, 0 };
     for (int axis = 0; axis < 3; axis++) {
         qsort(hits.axis[axis], (size_t)count, sizeof(double), order_double);
-        low[axis] = sorted_at(hits.axis[axis], count, 0.1);
-        high[axis] = sorted_at(hits.axis[axis], count, 0.9);
+        low[axis] = sorted_at(hits.axis[axis], count, outlook_beside);
+        high[axis] = sorted_at(hits.axis[axis], count, 1 - outlook_beside);
         size = fmax(size, high[axis] - low[axis]);
     }
     qsort(hits.pixel, (size_t)count, sizeof(double), order_double);

@@ -7,15 +7,7 @@
 #include "shade/finish.h"
 #include "shade/shadow.h"
 
-enum {
-    SURVEY_EDGE = 16, /* camera rays along each edge of the picture, */
-    SURVEY_RAYS = 4,  /* gather rays of each, */
-    SURVEY_HITS = SURVEY_EDGE * SURVEY_EDGE * SURVEY_RAYS,
-    SURVEY_PANES = 4, /* and how many panes it passes */
-};
-
-/* What the picture shows is not darker than that, to an eye. */
-static const double shown_least = 0.03;
+enum { SURVEY_HITS = SURVEY_EDGE * SURVEY_EDGE * SURVEY_RAYS };
 
 /* A place that the camera sees. */
 struct sight {
@@ -110,7 +102,7 @@ static void sight_gather(const struct sight *sight, const struct gather *gather,
     }
     double mean = sum / SURVEY_RAYS;
     double spread = (squares - sum * mean) / (SURVEY_RAYS - 1);
-    double shown = fmax(sight->shown, 0) + mean + shown_least;
+    double shown = fmax(sight->shown, 0) + mean + survey_dark;
     sums->rays += SURVEY_RAYS;
     sums->worth += changed / SURVEY_RAYS / shown;
     sums->rough += fmax(spread, 0) / (shown * shown);

@@ -18,6 +18,26 @@ enum {
     DRAWN_LAMPS = 8,    /* of which it is drawn */
 };
 
+/* What is looked at before a picture is planned [price]. */
+enum {
+    OUTLOOK_EDGE = 24, /* rays along the edge of the picture that tell how large
+                        * and how far what it shows is */
+    SURVEY_EDGE = 16,  /* the same that tell what indirect light is worth, */
+    SURVEY_RAYS = 4,   /* gather rays of each, */
+    SURVEY_PANES = 4,  /* and how many panes it passes */
+};
+static const double usual_width = 640, usual_height = 480; /* pixels, where it
+                                                            * isn't said */
+static const double outlook_beside = 0.1; /* share of what is seen, at either
+                                           * end, that says nothing of its size
+                                           */
+static const double survey_dark = 0.03;   /* what the picture shows is not
+                                           * darker than that, to an eye */
+
+/* Light cuts: which cluster of lamps is opened next [lights-1000]. */
+static const double cut_near = 0.25; /* its sizes: nearer counts as so near */
+static const double cut_even = 1e-6; /* of its light, where all are far away */
+
 /* How near mesh points are to each other. */
 static const double quality_usual = 5;   /* if none is said */
 static const double quality_step = 1.3;  /* finer for each step [quality] */
@@ -26,6 +46,9 @@ static const double spacing_cells_least = 24; /* across what is seen [room] */
 static const double spacing_cells_most = 256; /* likewise [pixels-1200] */
 static const double spacing_coarser = 1.4142135623730951; /* half as many on a
                                                            * surface */
+static const double interpolation_usual = 1.6; /* radius, spacings [room], */
+static const double interpolation_least = 0.9; /* and at least: some point is
+                                                * always in it */
 static const double indirect_cells = 40; /* of the indirect mesh, across what
                                           * is seen, are enough [room] */
 static const double adaptive_threshold = 0.2; /* relative difference

@@ -5,6 +5,17 @@
 #include <stdint.h>
 #include <string.h>
 
+/* Powers below 1 are steepest where a number begins, others where it ends. */
+static void fill_slopes(struct perceived *table)
+{
+    const double g = table->exponent;
+    for (int i = 0; i < PERCEIVED_BEGINNINGS; i++) {
+        bool usual = i > 0 && i < 255;
+        double at = exp2(i - 127 + (g > 1));
+        table->slope[i] = usual ? g * pow(at, g - 1) : (double)INFINITY;
+    }
+}
+
 /* Linear interpolation of m^g from 1 to 2 in steps of h is off by at most h^2 /
  * 8 times the largest second derivative there; the smallest value is that of 1
  * or of 2. */
@@ -20,6 +31,19 @@ void perceived_fill(struct perceived *table, double exponent)
         table->mantissa[i] = pow(1 + i * h, g);
     for (int i = 0; i < PERCEIVED_EXPONENTS; i++)
         table->power[i] = pow(2, (i + PERCEIVED_LEAST_EXPONENT) * g);
+    fill_slopes(table);
+}
+
+/* No less than the difference; infinite or NaN if nothing is known. */
+static inline double difference_most(const struct perceived *table, float a,
+                                     float b)
+{
+    float low = a < b ? a : b, high = a < b ? b : a;
+    float steepest = table->exponent > 1 ? high : low;
+    uint32_t bits;
+    memcpy(&bits, &steepest, sizeof bits);
+    double apart = (double)high - (double)low;
+    return apart == 0 ? 0 : apart * table->slope[bits >> 23];
 }
 
 /* The number as 2^e m, m from 1 to 2; value > 0 and finite. */
@@ -52,8 +76,9 @@ static bool differ_exactly(const struct perceived *table, const float *a,
     return sum + more > threshold;
 }
 
-bool perceived_differ(const struct perceived *table, const float *a,
-                      const float *b, double more, double threshold)
+/* As below, with the table. */
+static bool differ_nearly(const struct perceived *table, const float *a,
+                          const float *b, double more, double threshold)
 {
     double sum = more, all = 1e-9 * (more + threshold);
     for (int i = 0; i < 3; i++) {
@@ -69,4 +94,15 @@ bool perceived_differ(const struct perceived *table, const float *a,
     if (fabs(sum - threshold) > 2 * all)
         return sum > threshold;
     return differ_exactly(table, a, b, more, threshold);
+}
+
+/* Most neighbours are so much alike that slopes decide. */
+bool perceived_differ(const struct perceived *table, const float *a,
+                      const float *b, double more, double threshold)
+{
+    double most = more + difference_most(table, a[0], b[0]) +
+                  difference_most(table, a[1], b[1]) +
+                  difference_most(table, a[2], b[2]);
+    return !(most * (1 + 1e-9) < threshold) &&
+           differ_nearly(table, a, b, more, threshold);
 }

@@ -9,6 +9,7 @@ enum {
     PERCEIVED_PARTS = 256,           /* of numbers from 1 to 2 */
     PERCEIVED_LEAST_EXPONENT = -149, /* of a float */
     PERCEIVED_EXPONENTS = 278,
+    PERCEIVED_BEGINNINGS = 512,
 };
 
 struct perceived {
@@ -17,6 +18,9 @@ struct perceived {
     bool rough;   /* the table is too rough to decide anything */
     double mantissa[PERCEIVED_PARTS + 1];
     double power[PERCEIVED_EXPONENTS]; /* of 2, to the exponent */
+    /* Of floats that begin with these 9 bits, sign and exponent: how steep the
+     * power is at most; INFINITY: it isn't known. */
+    double slope[PERCEIVED_BEGINNINGS];
 };
 
 /* Of values to the power `exponent`, above 0. */

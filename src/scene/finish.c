@@ -37,6 +37,80 @@ double finish_highlight(const struct finish *finish,
     return share;
 }
 
+/* An item's, as it says, added to what others give. */
+static void add_highlights(const struct finish_item *item, const void *said,
+                           const struct finish_meetings *meetings,
+                           unsigned lanes, double shares[RAY_LANES])
+{
+    double more[RAY_LANES];
+    if (item->highlight_many) {
+        item->highlight_many(said, meetings, more);
+        for (int i = 0; i < RAY_LANES; i++)
+            shares[i] += more[i];
+        return;
+    }
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct finish_meeting meeting = {
+            { meetings->normal[0][i], meetings->normal[1][i],
+              meetings->normal[2][i] },
+            { meetings->view[0][i], meetings->view[1][i],
+              meetings->view[2][i] },
+            { meetings->light[0][i], meetings->light[1][i],
+              meetings->light[2][i] },
+        };
+        shares[i] += item->highlight(said, &meeting);
+    }
+}
+
+void finish_highlight_many(const struct finish *finish,
+                           const struct finish_meetings *meetings,
+                           unsigned lanes, double shares[RAY_LANES])
+{
+    const void *said;
+    for (int i = 0; i < RAY_LANES; i++)
+        shares[i] = 0;
+#define ADD_MANY(name)                                                         \
+    said = finish_part(finish, &name##_finish, FINISH_PLACE_##name);           \
+    if (said)                                                                  \
+        add_highlights(&name##_finish, said, meetings, lanes, shares);
+#define X(name, role) FINISH_HIGHLIGHT_##role(ADD_MANY, name)
+#include "scene/finish/list.h"
+#undef X
+}
+
+CLONES static void lobes_whole(const double *restrict cosines, double size,
+                               double *restrict lobes)
+{
+    double power[RAY_LANES];
+    for (int i = 0; i < RAY_LANES; i++) {
+        lobes[i] = 1;
+        power[i] = cosines[i];
+    }
+    for (unsigned left = (unsigned)size; left; left >>= 1) {
+        if (left & 1)
+            for (int i = 0; i < RAY_LANES; i++)
+                lobes[i] *= power[i];
+        for (int i = 0; i < RAY_LANES; i++)
+            power[i] *= power[i];
+    }
+    for (int i = 0; i < RAY_LANES; i++) {
+        bool none = !(cosines[i] > 0) | (size * (1 - cosines[i]) > 24);
+        lobes[i] = none ? 0 : lobes[i];
+    }
+}
+
+void finish_lobes(const double cosines[RAY_LANES], double size,
+                  double lobes[RAY_LANES])
+{
+    if (lobe_is_whole(size)) {
+        lobes_whole(cosines, size, lobes);
+        return;
+    }
+    for (int i = 0; i < RAY_LANES; i++)
+        lobes[i] = cosines[i] > 0 ? finish_lobe(cosines[i], size) : 0;
+}
+
 int finish_spreads(const struct finish *finish,
                    struct finish_spread spreads[FINISH_ITEMS])
 {

@@ -8,6 +8,7 @@
 #include "base/field.h"
 #include "base/rgb.h"
 #include "base/vec.h"
+#include "scene/rays.h"
 
 struct noise_settings;
 
@@ -68,6 +69,11 @@ struct finish_meeting {
     vec3 light;  /* to where the light comes from */
 };
 
+/* The same of several, side by side. */
+struct finish_meetings {
+    const double (*normal)[RAY_LANES], (*view)[RAY_LANES], (*light)[RAY_LANES];
+};
+
 /* Where a highlight is seen, for paths to look there first: the cosine to the
  * mirrored view, or to the normal if it is of the halfway vector, to this
  * power. Of light from everywhere it gives about amount * share. */
@@ -87,6 +93,10 @@ struct finish_item {
     size_t amount;     /* the offset of a double: 0 while it does nothing */
     /* What share of a lamp's light the viewer gets besides the diffuse one. */
     double (*highlight)(const void *said, const struct finish_meeting *meeting);
+    /* The same of several, each to the bit; NULL: one by one. */
+    void (*highlight_many)(const void *said,
+                           const struct finish_meetings *meetings,
+                           double shares[RAY_LANES]);
     /* The same for paths; NULL: they look nowhere else for its sake. */
     struct finish_spread (*spread)(const void *said);
     /* Multiplies all light that goes from a lamp, or a mirrored thing, to the
@@ -156,6 +166,11 @@ static inline bool finish_tints(const struct finish *finish)
 double finish_highlight(const struct finish *finish,
                         const struct finish_meeting *meeting);
 
+/* The same of several, those that the bits `lanes` stand for. */
+void finish_highlight_many(const struct finish *finish,
+                           const struct finish_meetings *meetings,
+                           unsigned lanes, double shares[RAY_LANES]);
+
 /* Where paths look for them; returns how many there are. */
 int finish_spreads(const struct finish *finish,
                    struct finish_spread spreads[FINISH_ITEMS]);
@@ -164,12 +179,33 @@ int finish_spreads(const struct finish *finish,
 rgb finish_tint(const struct finish *finish, vec3 point, double lamp,
                 double viewer);
 
+/* Exponents that are whole numbers up to this are made by multiplying. */
+enum { LOBE_WHOLE = 4096 };
+
+static inline bool lobe_is_whole(double size)
+{
+    return size >= 0 && size <= LOBE_WHOLE && size == (int)size;
+}
+
 /* cosine^size; most of the time nothing that could be seen: the logarithm of a
  * cosine c is at most c - 1, and exp(-24) 4e-11. */
 static inline double finish_lobe(double cosine, double size)
 {
-    return size * (1 - cosine) > 24 ? 0 : pow(cosine, size);
+    double power = 1;
+    if (size * (1 - cosine) > 24)
+        return 0;
+    if (!lobe_is_whole(size))
+        return pow(cosine, size);
+    for (unsigned left = (unsigned)size; left; left >>= 1) {
+        power = left & 1 ? power * cosine : power;
+        cosine *= cosine;
+    }
+    return power;
 }
+
+/* The same of several; 0 where a cosine isn't above 0. */
+void finish_lobes(const double cosines[RAY_LANES], double size,
+                  double lobes[RAY_LANES]);
 
 struct finish finish_default(void);
 

@@ -22,20 +22,11 @@ struct flight {
     bool gone; /* out of the radius that a step allows, once */
 };
 
-/* ln of the radius after the last step, were it seen at another. */
-static double flight_potential(const struct julia_fractal *f, double radius,
-                               int steps, bool cube)
-{
-    int ahead = steps - (f->iterations - 1);
-    return log(radius) * (cube ? pow(3, ahead) : ldexp(1, ahead));
-}
-
 static double flight_distance(const struct julia_fractal *f,
-                              const struct flight *flight, double radius,
-                              bool cube)
+                              const struct flight *flight)
 {
     double height = 0.5 * log(flight->size2);
-    double potential = flight_potential(f, radius, flight->steps, cube);
+    double potential = f->potentials[flight->steps];
     return height > potential ? 0.5 * (1 - potential / height) * height *
                                     sqrt(flight->size2 / flight->growth2)
                               : 0;
@@ -96,7 +87,7 @@ static void fate_quaternion(const struct julia_fractal *f, vec3 point,
         f->cube ? cube_flight(f, point) : square_flight(f, point);
     fate->gone = fl.gone;
     if (fate->gone) {
-        fate->distance = flight_distance(f, &fl, f->radius, f->cube);
+        fate->distance = flight_distance(f, &fl);
         return;
     }
     double room = f->radius - sqrt(fl.size2);
@@ -116,7 +107,7 @@ static double twin_distance(const struct julia_fractal *f,
                                   twins->y[i] * twins->y[i],
                          .growth2 = twins->growth2[i],
                          .steps = steps };
-    return flight_distance(f, &fl, sqrt(2) * f->radius, false);
+    return flight_distance(f, &fl);
 }
 
 static void fate_hypercomplex(const struct julia_fractal *f, vec3 p,
@@ -152,14 +143,48 @@ static void fate_hypercomplex(const struct julia_fractal *f, vec3 p,
                                     fate_cap * f->radius);
 }
 
+/* The squares of a number's size and of its growth, one or the other half's,
+ * along its orbit; whether it is gone, and by derivatives alone how far the
+ * same is so, which is more than is sure. */
+static double function_guess(const struct julia_fractal *f, vec3 p, bool *gone)
+{
+    double w = f->w[0] * p.x + f->w[1] * p.y + f->w[2] * p.z + f->w[3];
+    struct julia_halves h = { CMPLX(p.x - w, p.y + p.z),
+                              CMPLX(p.x + w, p.y - p.z) };
+    double growth2 = 1, least = f->radius;
+    for (int i = 0;; i++) {
+        double size = sqrt(julia_halves_square(h));
+        double room = (f->radius - size) / sqrt(growth2);
+        *gone = !(size <= f->radius);
+        least = fmin(least, fabs(room));
+        if (*gone)
+            return fabs(room);
+        if (i == f->iterations - 1)
+            return least;
+        growth2 *= julia_halves_step(f, &h);
+    }
+}
+
+/* By bounds that are sure: of hypercomplex numbers asked for only where they
+ * could be of use. */
+static void fate_sure(const struct julia_fractal *f, vec3 point,
+                      struct julia_fate *fate)
+{
+    struct julia_orbit orbit;
+    fate->distance = 0;
+    if (f->algebra == JULIA_HYPERCOMPLEX &&
+        !(0.8 * function_guess(f, point, &fate->gone) >= f->least * f->stretch))
+        return;
+    julia_orbit_follow(f, point, &orbit);
+    fate->gone = orbit.gone;
+    fate->distance = julia_orbit_reach(f, &orbit, f->least);
+}
+
 void julia_fate_find(const struct julia_fractal *fractal, vec3 point,
                      struct julia_fate *fate)
 {
     if (!fractal->polynomial) {
-        struct julia_orbit orbit;
-        julia_orbit_follow(fractal, point, &orbit);
-        fate->gone = orbit.gone;
-        fate->distance = julia_orbit_reach(fractal, &orbit);
+        fate_sure(fractal, point, fate);
         return;
     }
     (fractal->algebra == JULIA_QUATERNION

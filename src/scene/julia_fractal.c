@@ -75,6 +75,20 @@ static void julia_limit(struct julia_fractal *f, double c, struct arena *arena)
     }
 }
 
+/* The logarithm of the radius after the last step, were it seen at another: of
+ * a quaternion or of a hypercomplex number's half. */
+static void julia_potentials(struct julia_fractal *f, struct arena *arena)
+{
+    int last = f->iterations - 1;
+    bool quaternion = f->algebra == JULIA_QUATERNION;
+    double height = log(quaternion ? f->radius : sqrt(2) * f->radius);
+    f->potentials = ARENA_ARRAY(arena, double, last + 1 + JULIA_MORE);
+    for (int i = 0; i <= last + JULIA_MORE; i++)
+        f->potentials[i] =
+            height *
+            (quaternion && f->cube ? pow(3, i - last) : ldexp(1, i - last));
+}
+
 /* The radius is measured. What is larger than it, r, is at least r^2 - |c|
  * after a step: no smaller, if |c| is at most r^2 - r. */
 static void julia_ends(struct julia_fractal *f, double c)
@@ -112,7 +126,9 @@ static const char *julia_prepare(void *shape, struct arena *arena,
     f->w[3] = f->slice[4] * sqrt(length2) / f->slice[3];
     f->stretch = sqrt(tilt);
     julia_ends(f, sqrt(c2));
+    f->least = f->polynomial ? 1 / f->precision : julia_coarse;
     julia_limit(f, sqrt(c2), arena);
+    julia_potentials(f, arena);
     return NULL;
 }
 
@@ -129,7 +145,6 @@ struct march {
     const struct julia_fractal *fractal;
     const struct ray *ray;
     double speed; /* length of the ray's direction */
-    double least; /* step, in space */
     struct julia_fate fate;
 };
 
@@ -142,7 +157,7 @@ static bool march_look(struct march *m, double t)
 
 static double march_step(const struct march *m)
 {
-    return fmax(m->fate.distance, m->least) / m->speed;
+    return fmax(m->fate.distance, m->fractal->least) / m->speed;
 }
 
 /* Above 0 where the point at t is gone: julia_orbit_beyond, but for what went
@@ -189,7 +204,6 @@ static bool march_start(struct march *m, double *tmin, double *tmax)
     *tmin = fmax(*tmin, middle - sqrt(rest / dd));
     *tmax = fmin(*tmax, middle + sqrt(rest / dd));
     m->speed = sqrt(dd);
-    m->least = f->polynomial ? 1 / f->precision : julia_coarse;
     return *tmin < *tmax;
 }
 
@@ -283,7 +297,7 @@ static unsigned julia_meets(const void *shape, const struct cell *cell)
     if (!cell_meets_box(cell, julia_bounds(shape)))
         return 0;
     julia_orbit_follow(shape, cell->centre, &orbit);
-    return julia_orbit_reach(shape, &orbit) > cell->radius
+    return julia_orbit_reach(shape, &orbit, cell->radius) > cell->radius
                ? 0
                : CELL_SURFACE | CELL_BORDER;
 }

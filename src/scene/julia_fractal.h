@@ -26,11 +26,13 @@ struct julia_fractal {
     double precision; /* needless */
     double slice[5];  /* normal, and distance from the origin along it */
     /* Made by prepare: */
-    double w[4];    /* the fourth number is w . (x, y, z, 1) */
-    double stretch; /* of a way in space on the slice, at most */
-    double radius;  /* a number that is larger after a step is gone */
-    double *limits; /* what stays is no larger after each step, JULIA_MORE
-                     * beyond the last included */
+    double w[4];        /* the fourth number is w . (x, y, z, 1) */
+    double stretch;     /* of a way in space on the slice, at most */
+    double radius;      /* a number that is larger after a step is gone */
+    double least;       /* step of a ray */
+    double *potentials; /* after each step, its radius's: see julia_fate.c */
+    double *limits;     /* what stays is no larger after each step, JULIA_MORE
+                         * beyond the last included */
 };
 
 extern const struct primitive julia_fractal_primitive;

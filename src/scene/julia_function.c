@@ -18,20 +18,78 @@ typedef double complex number;
         return formula;                                                        \
     }
 
+/* sinh z and cosh z by the same e^x, cos y and sin y. */
+static void hyperbolic_both(number z, number *sinh_z, number *cosh_z)
+{
+    double e = exp(creal(z)), less = 1 / e;
+    double c = cos(cimag(z)) / 2, s = sin(cimag(z)) / 2;
+    *sinh_z = CMPLX((e - less) * c, (e + less) * s);
+    *cosh_z = CMPLX((e + less) * c, (e - less) * s);
+}
+
+static number sinh_both(number z, number power, number *slope)
+{
+    number value;
+    (void)power;
+    hyperbolic_both(z, &value, slope);
+    return value;
+}
+
+static number cosh_both(number z, number power, number *slope)
+{
+    number value;
+    (void)power;
+    hyperbolic_both(z, slope, &value);
+    return value;
+}
+
+/* sin z = -i sinh iz, cos z = cosh iz. */
+static number sin_both(number z, number power, number *slope)
+{
+    number value;
+    (void)power;
+    hyperbolic_both(CMPLX(-cimag(z), creal(z)), &value, slope);
+    return CMPLX(cimag(value), -creal(value));
+}
+
+static number cos_both(number z, number power, number *slope)
+{
+    number value, over;
+    (void)power;
+    hyperbolic_both(CMPLX(-cimag(z), creal(z)), &over, &value);
+    *slope = CMPLX(-cimag(over), creal(over));
+    return value;
+}
+
+#define VALUE(name)                                                            \
+    static number name##_value(number z, number power)                         \
+    {                                                                          \
+        number slope;                                                          \
+        return name##_both(z, power, &slope);                                  \
+    }
+
+VALUE(sinh)
+VALUE(cosh)
+VALUE(sin)
+VALUE(cos)
+
 ONE(sqr_value, z *z)
 ONE(sqr_slope, 2 * z)
-ONE(reciprocal_value, 1 / z)
-ONE(reciprocal_slope, -1 / (z * z))
+/* Without what the machine does about overflow: a number as small as that is
+ * gone with the next step in any case. */
+static number inverse(number z)
+{
+    return conj(z) * (1 / complex_square(z));
+}
+
+ONE(reciprocal_value, inverse(z))
+ONE(reciprocal_slope, -inverse(z *z))
 ONE(exp_value, cexp(z))
 ONE(ln_value, clog(z))
 ONE(ln_slope, 1 / z)
-ONE(sin_value, csin(z))
-ONE(cos_value, ccos(z))
-ONE(cos_slope, -csin(z))
+ONE(cos_slope, -sin_value(z, power))
 ONE(tan_value, ctan(z))
 ONE(tan_slope, 1 / (ccos(z) * ccos(z)))
-ONE(sinh_value, csinh(z))
-ONE(cosh_value, ccosh(z))
 ONE(tanh_value, ctanh(z))
 ONE(tanh_slope, 1 / (ccosh(z) * ccosh(z)))
 ONE(asin_value, casin(z))
@@ -57,15 +115,52 @@ static number pwr_slope(number z, number power)
     return power * cexp((power - 1) * clog(z));
 }
 
+/* ---- value and slope at once ---- */
+
+#define BOTH(name, slope_name)                                                 \
+    static number name##_both(number z, number power, number *slope)           \
+    {                                                                          \
+        *slope = slope_name(z, power);                                         \
+        return name##_value(z, power);                                         \
+    }
+
+BOTH(sqr, sqr_slope)
+BOTH(ln, ln_slope)
+BOTH(tan, tan_slope)
+BOTH(tanh, tanh_slope)
+BOTH(asin, asin_slope)
+BOTH(acos, acos_slope)
+BOTH(atan, atan_slope)
+BOTH(asinh, asinh_slope)
+BOTH(acosh, acosh_slope)
+BOTH(atanh, atanh_slope)
+BOTH(pwr, pwr_slope)
+
+static number reciprocal_both(number z, number power, number *slope)
+{
+    number value = inverse(z);
+    (void)power;
+    *slope = -(value * value);
+    return value;
+}
+
+static number exp_both(number z, number power, number *slope)
+{
+    (void)power;
+    return *slope = cexp(z);
+}
+
+/* ---- bounds ---- */
+
 static double sqr_spread(number z, double e, number power)
 {
     (void)power;
-    return (2 * cabs(z) + e) * e;
+    return (2 * complex_size(z) + e) * e;
 }
 
 static double reciprocal_spread(number z, double e, number power)
 {
-    double size = cabs(z);
+    double size = complex_size(z);
     (void)power;
     return e < size ? e / (size * (size - e)) : HUGE_VAL;
 }
@@ -80,39 +175,49 @@ static double ln_spread(number z, double e, number power)
 {
     bool cut = fabs(cimag(z)) <= e && creal(z) <= e;
     (void)power;
-    return cut ? HUGE_VAL : -log1p(-e / cabs(z));
+    return cut ? HUGE_VAL : -log1p(-e / complex_size(z));
 }
 
 static double pwr_spread(number z, double e, number power)
 {
     double ln = ln_spread(z, e, power);
-    return cabs(pwr_value(z, power)) * expm1(cabs(power) * ln);
+    return complex_size(pwr_value(z, power)) * expm1(complex_size(power) * ln);
 }
 
 /* f(z + h) = f(z) g(h) + g(z) f(h) or the like, |g(h)| <= cosh e. */
 static double sum_spread(number f, number g, double e)
 {
-    return cabs(f) * (cosh(e) - 1) + cabs(g) * sinh(e);
+    return complex_size(f) * (cosh(e) - 1) + complex_size(g) * sinh(e);
+}
+
+/* Of either, by the other: the larger counts more, as sinh e > cosh e - 1. */
+static double sums_spread(number f, number g, double e)
+{
+    double a = complex_size(f), b = complex_size(g);
+    double rise = expm1(e), fall = rise / (1 + rise); /* e^e - 1, 1 - e^-e */
+    return 0.5 * (fmin(a, b) * (rise - fall) + fmax(a, b) * (rise + fall));
 }
 
 static double circular_spread(number z, double e, number power)
 {
     (void)power;
-    return fmax(sum_spread(csin(z), ccos(z), e),
-                sum_spread(ccos(z), csin(z), e));
+    number sinh_iz, cosh_iz;
+    hyperbolic_both(CMPLX(-cimag(z), creal(z)), &sinh_iz, &cosh_iz);
+    return sums_spread(sinh_iz, cosh_iz, e);
 }
 
 static double hyperbolic_spread(number z, double e, number power)
 {
     (void)power;
-    return fmax(sum_spread(csinh(z), ccosh(z), e),
-                sum_spread(ccosh(z), csinh(z), e));
+    number sinh_z, cosh_z;
+    hyperbolic_both(z, &sinh_z, &cosh_z);
+    return sums_spread(sinh_z, cosh_z, e);
 }
 
 /* tan(z + h) - tan z = sin h / (cos z cos(z + h)) */
 static double quotient_spread(number over, number under, double e)
 {
-    double size = cabs(under);
+    double size = complex_size(under);
     double least = size - sum_spread(under, over, e);
     return least > 0 ? sinh(e) / (size * least) : HUGE_VAL;
 }
@@ -133,7 +238,7 @@ static double tanh_spread(number z, double e, number power)
  * more than (2 |z| + e) e. */
 static double inverse_spread(number z, double e, double under, bool root)
 {
-    double least = under - (2 * cabs(z) + e) * e;
+    double least = under - (2 * complex_size(z) + e) * e;
     if (!(least > 0))
         return HUGE_VAL;
     return e / (root ? sqrt(least) : least);
@@ -153,57 +258,62 @@ static bool imaginary_cuts(number z, double e)
 static double asin_spread(number z, double e, number power)
 {
     (void)power;
-    return real_cuts(z, e) ? HUGE_VAL
-                           : inverse_spread(z, e, cabs(1 - z * z), true);
+    return real_cuts(z, e)
+               ? HUGE_VAL
+               : inverse_spread(z, e, complex_size(1 - z * z), true);
 }
 
 static double atanh_spread(number z, double e, number power)
 {
     (void)power;
-    return real_cuts(z, e) ? HUGE_VAL
-                           : inverse_spread(z, e, cabs(1 - z * z), false);
+    return real_cuts(z, e)
+               ? HUGE_VAL
+               : inverse_spread(z, e, complex_size(1 - z * z), false);
 }
 
 static double asinh_spread(number z, double e, number power)
 {
     (void)power;
-    return imaginary_cuts(z, e) ? HUGE_VAL
-                                : inverse_spread(z, e, cabs(1 + z * z), true);
+    return imaginary_cuts(z, e)
+               ? HUGE_VAL
+               : inverse_spread(z, e, complex_size(1 + z * z), true);
 }
 
 static double atan_spread(number z, double e, number power)
 {
     (void)power;
-    return imaginary_cuts(z, e) ? HUGE_VAL
-                                : inverse_spread(z, e, cabs(1 + z * z), false);
+    return imaginary_cuts(z, e)
+               ? HUGE_VAL
+               : inverse_spread(z, e, complex_size(1 + z * z), false);
 }
 
 static double acosh_spread(number z, double e, number power)
 {
     bool cut = fabs(cimag(z)) <= e && creal(z) - e <= 1;
     (void)power;
-    return cut ? HUGE_VAL : inverse_spread(z, e, cabs(z * z - 1), true);
+    return cut ? HUGE_VAL : inverse_spread(z, e, complex_size(z * z - 1), true);
 }
 
 static const struct julia_function functions[] = {
-    { "sqr", sqr_value, sqr_slope, sqr_spread },
-    { "cube", sqr_value, sqr_slope, sqr_spread },
-    { "exp", exp_value, exp_value, exp_spread },
-    { "reciprocal", reciprocal_value, reciprocal_slope, reciprocal_spread },
-    { "sin", sin_value, cos_value, circular_spread },
-    { "asin", asin_value, asin_slope, asin_spread },
-    { "sinh", sinh_value, cosh_value, hyperbolic_spread },
-    { "asinh", asinh_value, asinh_slope, asinh_spread },
-    { "cos", cos_value, cos_slope, circular_spread },
-    { "acos", acos_value, acos_slope, asin_spread },
-    { "cosh", cosh_value, sinh_value, hyperbolic_spread },
-    { "acosh", acosh_value, acosh_slope, acosh_spread },
-    { "tan", tan_value, tan_slope, tan_spread },
-    { "atan", atan_value, atan_slope, atan_spread },
-    { "tanh", tanh_value, tanh_slope, tanh_spread },
-    { "atanh", atanh_value, atanh_slope, atanh_spread },
-    { "ln", ln_value, ln_slope, ln_spread },
-    { "pwr", pwr_value, pwr_slope, pwr_spread },
+    { "sqr", sqr_value, sqr_slope, sqr_both, sqr_spread },
+    { "cube", sqr_value, sqr_slope, sqr_both, sqr_spread },
+    { "exp", exp_value, exp_value, exp_both, exp_spread },
+    { "reciprocal", reciprocal_value, reciprocal_slope, reciprocal_both,
+      reciprocal_spread },
+    { "sin", sin_value, cos_value, sin_both, circular_spread },
+    { "asin", asin_value, asin_slope, asin_both, asin_spread },
+    { "sinh", sinh_value, cosh_value, sinh_both, hyperbolic_spread },
+    { "asinh", asinh_value, asinh_slope, asinh_both, asinh_spread },
+    { "cos", cos_value, cos_slope, cos_both, circular_spread },
+    { "acos", acos_value, acos_slope, acos_both, asin_spread },
+    { "cosh", cosh_value, sinh_value, cosh_both, hyperbolic_spread },
+    { "acosh", acosh_value, acosh_slope, acosh_both, acosh_spread },
+    { "tan", tan_value, tan_slope, tan_both, tan_spread },
+    { "atan", atan_value, atan_slope, atan_both, atan_spread },
+    { "tanh", tanh_value, tanh_slope, tanh_both, tanh_spread },
+    { "atanh", atanh_value, atanh_slope, atanh_both, atanh_spread },
+    { "ln", ln_value, ln_slope, ln_both, ln_spread },
+    { "pwr", pwr_value, pwr_slope, pwr_both, pwr_spread },
 };
 
 const struct julia_function *julia_function_at(int index)

@@ -8,11 +8,6 @@
  * each other: functions are applied to both. */
 #include "scene/julia_orbit.h"
 
-/* glibc has it for gcc alone. */
-#if !defined CMPLX && defined __clang__
-#define CMPLX(re, im) __builtin_complex((double)(re), (double)(im))
-#endif
-
 static double quad_square(struct quad q)
 {
     return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
@@ -47,17 +42,13 @@ static struct quad slice_point(const struct julia_fractal *f, vec3 p)
 
 /* ---- hypercomplex numbers ---- */
 
-struct halves {
-    double complex a, b;
-};
-
-static struct halves quad_halves(struct quad q)
+static struct julia_halves quad_halves(struct quad q)
 {
-    return (struct halves){ CMPLX(q.x - q.w, q.y + q.z),
-                            CMPLX(q.x + q.w, q.y - q.z) };
+    return (struct julia_halves){ CMPLX(q.x - q.w, q.y + q.z),
+                                  CMPLX(q.x + q.w, q.y - q.z) };
 }
 
-static struct quad halves_quad(struct halves h)
+static struct quad halves_quad(struct julia_halves h)
 {
     return (struct quad){ (creal(h.a) + creal(h.b)) / 2,
                           (cimag(h.a) + cimag(h.b)) / 2,
@@ -87,10 +78,25 @@ static struct quad quaternion_step(const struct julia_fractal *f, struct quad q)
 static struct quad hypercomplex_step(const struct julia_fractal *f,
                                      struct quad q)
 {
-    struct halves h = quad_halves(q);
+    struct julia_halves h = quad_halves(q);
     double complex power = julia_power(f);
-    return halves_quad((struct halves){ f->function->value(h.a, power),
-                                        f->function->value(h.b, power) });
+    return halves_quad((struct julia_halves){ f->function->value(h.a, power),
+                                              f->function->value(h.b, power) });
+}
+
+double julia_halves_square(struct julia_halves h)
+{
+    return (complex_square(h.a) + complex_square(h.b)) / 2;
+}
+
+double julia_halves_step(const struct julia_fractal *f, struct julia_halves *h)
+{
+    double complex power = julia_power(f), slope_a, slope_b;
+    h->a = f->function->both(h->a, power, &slope_a);
+    h->b = f->function->both(h->b, power, &slope_b);
+    h->a += CMPLX(f->c[0] - f->c[3], f->c[1] + f->c[2]);
+    h->b += CMPLX(f->c[0] + f->c[3], f->c[1] - f->c[2]);
+    return fmax(complex_square(slope_a), complex_square(slope_b));
 }
 
 /* The commonest. */
@@ -184,11 +190,12 @@ static void spread_step(const struct julia_fractal *f, struct quad q,
         spread->all *= f->cube ? 3 * size * (size + e) + e * e : 2 * size + e;
         return;
     }
-    struct halves h = quad_halves(q);
+    struct julia_halves h = quad_halves(q);
     double complex power = julia_power(f);
     spread->apart[0] = f->function->spread(h.a, spread->apart[0], power);
     spread->apart[1] = f->function->spread(h.b, spread->apart[1], power);
-    spread->all = hypot(spread->apart[0], spread->apart[1]) / sqrt(2);
+    double a = spread->apart[0], b = spread->apart[1];
+    spread->all = sqrt((a * a + b * b) / 2);
 }
 
 /* One that is gone need be so after one of its steps; of one that stays, the
@@ -212,9 +219,9 @@ static bool orbit_sure(const struct julia_fractal *f,
     }
 }
 
-/* By the derivatives alone; what is sure is less. */
+/* By the derivatives alone; what is sure is less. 0 if it is below `useful`. */
 static double orbit_guess(const struct julia_fractal *f,
-                          const struct julia_orbit *orbit)
+                          const struct julia_orbit *orbit, double useful)
 {
     double growth = 1, most = 0, least = f->radius;
     for (int i = 0; i <= orbit->count; i++) {
@@ -222,25 +229,28 @@ static double orbit_guess(const struct julia_fractal *f,
         if (i >= orbit->away)
             most = fmax(most, room);
         least = fmin(least, -room);
+        if (!orbit->gone && least < useful)
+            return 0;
         double size = orbit->size[i];
         if (f->algebra == JULIA_QUATERNION) {
             growth *= f->cube ? 3 * size * size : 2 * size;
             continue;
         }
-        struct halves h = quad_halves(orbit->at[i]);
+        struct julia_halves h = quad_halves(orbit->at[i]);
         double complex power = julia_power(f);
-        growth *= fmax(cabs(f->function->slope(h.a, power)),
-                       cabs(f->function->slope(h.b, power)));
+        growth *= fmax(complex_size(f->function->slope(h.a, power)),
+                       complex_size(f->function->slope(h.b, power)));
     }
     return fmin(orbit->gone ? most : least, f->radius);
 }
 
 double julia_orbit_reach(const struct julia_fractal *fractal,
-                         const struct julia_orbit *orbit)
+                         const struct julia_orbit *orbit, double useful)
 {
     enum { TRIES = 8 };
-    double e = 0.8 * orbit_guess(fractal, orbit);
-    for (int i = 0; i < TRIES && e > 0; i++, e *= 0.6)
+    double least = useful * fractal->stretch;
+    double e = 0.8 * orbit_guess(fractal, orbit, least);
+    for (int i = 0; i < TRIES && e > 0 && e >= least; i++, e *= 0.6)
         if (orbit_sure(fractal, orbit, e))
             return e / fractal->stretch;
     return 0;
@@ -265,11 +275,11 @@ static struct quad quaternion_back(const struct julia_fractal *f, struct quad z,
 static struct quad hypercomplex_back(const struct julia_fractal *f,
                                      struct quad z, struct quad slope)
 {
-    struct halves h = quad_halves(z), s = quad_halves(slope);
+    struct julia_halves h = quad_halves(z), s = quad_halves(slope);
     double complex power = julia_power(f);
     return halves_quad(
-        (struct halves){ s.a * conj(f->function->slope(h.a, power)),
-                         s.b * conj(f->function->slope(h.b, power)) });
+        (struct julia_halves){ s.a * conj(f->function->slope(h.a, power)),
+                               s.b * conj(f->function->slope(h.b, power)) });
 }
 
 /* That of the three numbers that are seen alone, whatever the slice does with

@@ -9,6 +9,19 @@ struct quad {
     double x, y, z, w;
 };
 
+/* A hypercomplex number as two complex ones: see julia_orbit.c. */
+struct julia_halves {
+    double complex a, b;
+};
+
+/* The number's size, squared. */
+double julia_halves_square(struct julia_halves h);
+
+/* The next number of a hypercomplex orbit; returns by how much a small
+ * difference grows at most, squared. */
+double julia_halves_step(const struct julia_fractal *fractal,
+                         struct julia_halves *h);
+
 struct julia_orbit {
     struct quad at[JULIA_ORBIT]; /* the point and where it went */
     double size[JULIA_ORBIT];    /* of these */
@@ -27,9 +40,9 @@ void julia_orbit_follow(const struct julia_fractal *fractal, vec3 point,
 double julia_orbit_beyond(const struct julia_fractal *fractal, vec3 point);
 
 /* All points up to this distance from it fare as it does. A lower bound; 0 if
- * none is found. */
+ * none of `useful` or more is found. */
 double julia_orbit_reach(const struct julia_fractal *fractal,
-                         const struct julia_orbit *orbit);
+                         const struct julia_orbit *orbit, double useful);
 
 /* The direction in which points of the slice go away sooner. */
 vec3 julia_orbit_slope(const struct julia_fractal *fractal, vec3 point);

@@ -20,14 +20,19 @@ static vec3 warp_repeat(const struct warp *warp, vec3 point)
 }
 
 /* Along one axis the middle of the hole of the cell; the first does not begin
- * below 0. */
-static double hole_middle(double centre, double period, double radius,
-                          double at, double *number)
+ * below 0, and a cell is at least as wide as where that ends, however it moves
+ * at random (measured). */
+static double hole_middle(const struct warp *warp, int axis, double at,
+                          double *number)
 {
+    double centre = vec3_component(warp->centre, axis);
+    double period = vec3_component(warp->period, axis);
+    double most = fmax(0, vec3_component(warp->turbulence.amount, axis));
     *number = 0;
     if (!(period > 0))
         return centre;
-    double first = fmax(centre, radius);
+    double first = fmax(centre, warp->radius);
+    period = fmax(period, first + warp->radius + most);
     *number = floor(at / period);
     return first + *number * period;
 }
@@ -37,9 +42,9 @@ static vec3 warp_black_hole(const struct warp *warp, vec3 point)
     vec3 c = warp->centre, period = warp->period;
     double radius = warp->radius;
     double number[3];
-    c = vec3_make(hole_middle(c.x, period.x, radius, point.x, &number[0]),
-                  hole_middle(c.y, period.y, radius, point.y, &number[1]),
-                  hole_middle(c.z, period.z, radius, point.z, &number[2]));
+    c = vec3_make(hole_middle(warp, 0, point.x, &number[0]),
+                  hole_middle(warp, 1, point.y, &number[1]),
+                  hole_middle(warp, 2, point.z, &number[2]));
     bool repeated = period.x > 0 || period.y > 0 || period.z > 0;
     if (repeated && vec3_length(warp->turbulence.amount) > 0)
         c = vec3_add(

@@ -23,7 +23,7 @@ static vec3 get(const double (*from)[RAY_LANES], unsigned i)
     return (vec3){ from[0][i], from[1][i], from[2][i] };
 }
 
-/* The normals turned to the viewer. */
+/* The normals turned to the viewer, and nothing before the paint or lit. */
 CLONES static void look_back(const struct rays *restrict rays,
                              const struct world_faces *restrict faces,
                              struct facets *restrict facets)
@@ -39,7 +39,13 @@ CLONES static void look_back(const struct rays *restrict rays,
         facets->view[0][i] = -direction.x;
         facets->view[1][i] = -direction.y;
         facets->view[2][i] = -direction.z;
+        facets->opacity[i] = 1;
     }
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < RAY_LANES; i++) {
+            facets->weight[k][i] = 1;
+            facets->light[k][i] = 0;
+        }
 }
 
 void facets_start(struct facets *facets, const struct rays *rays,
@@ -68,7 +74,6 @@ static void set_finish(struct facets *facets, unsigned i,
     facets->finish[i] = finish;
     facets->diffuse[i] = finish->diffuse;
     facets->diffuse_back[i] = finish->diffuse_back;
-    facets->matt |= 1u << i;
     facets->shining |= (unsigned)finish_shines(finish) << i;
 }
 
@@ -100,6 +105,7 @@ void facets_set(struct facets *facets, unsigned i,
     set_faces(facets, i, finish, layered);
     put(facets->normal, i, normal.x, normal.y, normal.z);
     put(facets->light, i, light.r, light.g, light.b);
+    facets->matt |= (unsigned)matt << i;
     if (matt)
         set_paint(facets, i, layer);
 }
@@ -124,18 +130,42 @@ static void paint_point(struct facets *facets, unsigned i,
     put(facets->normal, i, normal.x, normal.y, normal.z);
 }
 
-void facets_paint(struct facets *facets, unsigned i, const struct leaf *leaf)
+/* What is the same all over a leaf: copied from another of its facets. */
+static void paint_as(struct facets *facets, unsigned i, unsigned other)
 {
-    const struct layer *layer = &leaf->texture->layers[0];
-    facets->all |= 1u << i;
-    facets->surface[i] = NULL;
-    facets->leaf[i] = leaf;
-    set_faces(facets, i, layer->finish, false);
-    set_finish(facets, i, layer->finish);
-    facets->opacity[i] = 1;
-    put(facets->weight, i, 1, 1, 1);
-    put(facets->light, i, 0, 0, 0);
-    paint_point(facets, i, leaf, layer);
+    facets->leaf[i] = facets->leaf[other];
+    facets->finish[i] = facets->finish[other];
+    facets->twice[i] = facets->twice[other];
+    facets->front[i] = facets->front[other];
+    facets->back[i] = facets->back[other];
+    facets->diffuse[i] = facets->diffuse[other];
+    facets->diffuse_back[i] = facets->diffuse_back[other];
+    facets->shining |= (facets->shining >> other & 1) << i;
+}
+
+void facets_paint(struct facets *facets, const struct world_hit *hits,
+                  unsigned lanes)
+{
+    const struct leaf *last = NULL;
+    unsigned before = 0;
+    facets->all |= lanes;
+    facets->matt |= lanes;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct leaf *leaf = hits[i].leaf;
+        const struct layer *layer = &leaf->texture->layers[0];
+        facets->surface[i] = NULL;
+        if (leaf == last) {
+            paint_as(facets, i, before);
+        } else {
+            facets->leaf[i] = leaf;
+            set_faces(facets, i, layer->finish, false);
+            set_finish(facets, i, layer->finish);
+        }
+        paint_point(facets, i, leaf, layer);
+        last = leaf;
+        before = i;
+    }
 }
 
 const struct surface *facets_surface(struct facets *facets, unsigned i)
@@ -213,24 +243,46 @@ CLONES static void diffuse_shares(const struct facets *restrict facets,
     }
 }
 
+/* Of one finish. */
+static void highlight_same(const struct facets *facets,
+                           const struct finish *finish,
+                           const struct facets_lit *lit, unsigned lanes,
+                           struct shares *shares)
+{
+    double highlights[RAY_LANES];
+    const struct finish_meetings meetings = {
+        (const double(*)[RAY_LANES])facets->normal,
+        (const double(*)[RAY_LANES])facets->view, lit->direction
+    };
+    finish_highlight_many(finish, &meetings, lanes, highlights);
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        vec3 pigment = get(facets->pigment, i);
+        rgb share = finish_highlights_tinted(
+            finish, highlights[i], rgb_make(pigment.x, pigment.y, pigment.z),
+            shares->cosine[i]);
+        shares->of[0][i] += share.r;
+        shares->of[1][i] += share.g;
+        shares->of[2][i] += share.b;
+    }
+}
+
 static void highlight_shares(const struct facets *facets,
                              const struct facets_lit *lit, unsigned lanes,
                              struct shares *shares)
 {
-    for (; lanes; lanes &= lanes - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lanes);
-        vec3 pigment = get(facets->pigment, i);
-        const struct finish_meeting meeting = { get(facets->normal, i),
-                                                get(facets->view, i),
-                                                get(lit->direction, i) };
+    for (unsigned i = 0; i < RAY_LANES; i++)
         if (!(shares->cosine[i] > 0 || facets->twice[i]))
-            continue;
-        rgb share = finish_highlights(facets->finish[i], &meeting,
-                                      rgb_make(pigment.x, pigment.y, pigment.z),
-                                      shares->cosine[i]);
-        shares->of[0][i] += share.r;
-        shares->of[1][i] += share.g;
-        shares->of[2][i] += share.b;
+            lanes &= ~(1u << i);
+    while (lanes) {
+        const struct finish *finish = facets->finish[__builtin_ctz(lanes)];
+        unsigned same = 0;
+        for (unsigned each = lanes; each; each &= each - 1) {
+            unsigned i = (unsigned)__builtin_ctz(each);
+            same |= (unsigned)(facets->finish[i] == finish) << i;
+        }
+        highlight_same(facets, finish, lit, same, shares);
+        lanes &= ~same;
     }
 }
 

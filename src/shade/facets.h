@@ -38,9 +38,10 @@ void facets_start(struct facets *facets, const struct rays *rays,
 void facets_set(struct facets *facets, unsigned i,
                 const struct surface *surface, rgb light);
 
-/* Number i, if its leaf is plain; without light. Its surface is told when it is
- * asked for. */
-void facets_paint(struct facets *facets, unsigned i, const struct leaf *leaf);
+/* Those whose leaves are plain; without light. Their surfaces are told when
+ * they are asked for. */
+void facets_paint(struct facets *facets, const struct world_hit *hits,
+                  unsigned lanes);
 
 const struct surface *facets_surface(struct facets *facets, unsigned i);
 

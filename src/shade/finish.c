@@ -38,16 +38,6 @@ static double finish_grain(const struct finish *finish, vec3 point, vec3 light)
     return finish->crand * random_unit(key);
 }
 
-rgb finish_highlights(const struct finish *finish,
-                      const struct finish_meeting *meeting, rgb pigment,
-                      double cosine)
-{
-    double share = finish_highlight(finish, meeting);
-    if (finish->metallic == 0)
-        return rgb_grey(share);
-    return rgb_scale(finish_metallic(finish->metallic, cosine, pigment), share);
-}
-
 /* What one layer sends of it, before the layer's weight: diffuse, phong and
  * specular. */
 static inline rgb finish_light(const struct surface *surface,
@@ -66,9 +56,10 @@ static inline rgb finish_light(const struct surface *surface,
     if ((cosine > 0 || twice) && sample->highlights && finish_shines(finish)) {
         const struct finish_meeting meeting = { layer->normal, surface->view,
                                                 sample->direction };
-        share = rgb_add(share,
-                        finish_highlights(finish, &meeting,
-                                          colour_rgb(layer->pigment), cosine));
+        rgb highlights =
+            finish_highlights_tinted(finish, finish_highlight(finish, &meeting),
+                                     colour_rgb(layer->pigment), cosine);
+        share = rgb_add(share, highlights);
     }
     if (finish_tints(finish))
         share = rgb_mul(

@@ -10,12 +10,6 @@
 void surface_add_light(const struct surface *surface,
                        const struct light_sample *sample, rgb *sum);
 
-/* The highlights of one layer in it: a share of its light. `cosine` of the
- * light to the layer's normal. */
-rgb finish_highlights(const struct finish *finish,
-                      const struct finish_meeting *meeting, rgb pigment,
-                      double cosine);
-
 /* The part of a layer that is no pane. In scenes before version 3.7 a filter
  * takes from the surface's own light only what its brightest colour lets
  * through (measured). */
@@ -89,6 +83,17 @@ double finish_fresnel(double cosine, double ior);
  * pigment at normal incidence, `metallic` of the way there. `cosine` may be
  * negative: light from behind. */
 rgb finish_metallic(double metallic, double cosine, rgb pigment);
+
+/* Highlights that are such a share of a lamp's light, with the colour that they
+ * have on this paint. `cosine` of the light to the layer's normal. */
+static inline rgb finish_highlights_tinted(const struct finish *finish,
+                                           double share, rgb pigment,
+                                           double cosine)
+{
+    if (finish->metallic == 0)
+        return rgb_grey(share);
+    return rgb_scale(finish_metallic(finish->metallic, cosine, pigment), share);
+}
 
 /* What mirrored light becomes under reflection exponent E: light^(1/E). */
 rgb finish_exponent(rgb light, double exponent);

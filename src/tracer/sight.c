@@ -221,15 +221,6 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
     return meet;
 }
 
-static void sights_paint(struct sights *sights)
-{
-    for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
-        unsigned i = (unsigned)__builtin_ctz(plain);
-        sights->worker->counters.camera_rays++;
-        facets_paint(&sights->facets, i, sights->met->hits[i].leaf);
-    }
-}
-
 /* From the camera to what it meets first, of those whose leaves are not plain;
  * some end there. */
 static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet,
@@ -298,7 +289,10 @@ static void see_together(const struct tracer *tracer, struct worker *worker,
     unsigned seen = places_seen(&tracer->scene->camera, met);
     unsigned meet = sights_meet(&sights, seen);
     memset(out, 0, met->count * sizeof *out);
-    sights_paint(&sights);
+    if (sights.plain)
+        facets_paint(&sights.facets, met->hits, sights.plain);
+    for (unsigned plain = sights.plain; plain; plain &= plain - 1)
+        worker->counters.camera_rays++;
     sights_arrive(&sights, seen, meet, out);
     if (sights.plain | sights.lit)
         sights_light(&sights, out);

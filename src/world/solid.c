@@ -1,9 +1,10 @@
 /* Inside tests and the rule of CSG: see solid.h. */
 #include "world/solid.h"
 
-#include "world/mesh_tree.h"
+#include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
+#include "world/mesh_tree.h"
 
 static bool mesh_is_opaque(const struct mesh *mesh)
 {

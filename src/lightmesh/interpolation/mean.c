@@ -2,6 +2,7 @@
  * mesh points within a radius. It jumps wherever a point comes in or goes out;
  * `spherical` does not. */
 #include "lightmesh/interpolation.h"
+#include "lightmesh/tuning.h"
 
 static int mean_weights(vec3 place, vec3 normal, double radius,
                         struct mesh_weight out[INTERPOLATION_POINTS])
@@ -17,6 +18,6 @@ const struct interpolation mean_interpolation = {
     .name = "mean",
     .help =
         "the plain mean of all mesh points within a radius, as in the paper",
-    .radius = 1.6,
+    .radius = interpolation_usual,
     .weights = mean_weights,
 };

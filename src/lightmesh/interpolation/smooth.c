@@ -3,6 +3,7 @@
  * evened out, and no points are asked for that are farther from the surface
  * than between the corners of a cell. */
 #include "lightmesh/interpolation.h"
+#include "lightmesh/tuning.h"
 
 /* How far the points may be along an axis: a disc of that radius, as thick as
  * two layers. */
@@ -14,7 +15,7 @@ static double smooth_extent(double normal, double radius)
 static int smooth_weights(vec3 place, vec3 normal, double radius,
                           struct mesh_weight out[INTERPOLATION_POINTS])
 {
-    double r = fmin(fmax(radius, 0.9), INTERPOLATION_RADIUS_MAX);
+    double r = interpolation_reach(radius);
     vec3 reach = { smooth_extent(normal.x, r), smooth_extent(normal.y, r),
                    smooth_extent(normal.z, r) };
     int count = 0;
@@ -37,6 +38,6 @@ static int smooth_weights(vec3 place, vec3 normal, double radius,
 const struct interpolation smooth_interpolation = {
     .name = "smooth",
     .help = "within a radius along the surface, linear across it",
-    .radius = 1.6,
+    .radius = interpolation_usual,
     .weights = smooth_weights,
 };

@@ -2,6 +2,7 @@
  * plain mean of the paper jumps whenever a point comes in or goes out; here
  * the weights fall smoothly to zero at the radius, (1 - d^2/r^2)^2. */
 #include "lightmesh/interpolation.h"
+#include "lightmesh/tuning.h"
 
 static int spherical_weights(vec3 place, vec3 normal, double radius,
                              struct mesh_weight out[INTERPOLATION_POINTS])
@@ -16,6 +17,6 @@ static int spherical_weights(vec3 place, vec3 normal, double radius,
 const struct interpolation spherical_interpolation = {
     .name = "spherical",
     .help = "all mesh points within a radius, the near ones more",
-    .radius = 1.6,
+    .radius = interpolation_usual,
     .weights = spherical_weights,
 };

@@ -16,6 +16,41 @@ static double specular_highlight(const void *said,
     return finish->specular * albedo * finish_lobe(cosine, m);
 }
 
+CLONES static void halfway_cosines(const struct finish_meetings *meetings,
+                                   double *restrict cosines)
+{
+    const double(*restrict n)[RAY_LANES] = meetings->normal;
+    const double(*restrict v)[RAY_LANES] = meetings->view;
+    const double(*restrict l)[RAY_LANES] = meetings->light;
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 normal = { n[0][i], n[1][i], n[2][i] };
+        vec3 view = { v[0][i], v[1][i], v[2][i] };
+        vec3 light = { l[0][i], l[1][i], l[2][i] };
+        vec3 half = vec3_normalise(vec3_add(light, view));
+        cosines[i] = vec3_dot(half, normal);
+    }
+}
+
+static void specular_highlight_many(const void *said,
+                                    const struct finish_meetings *meetings,
+                                    double *shares)
+{
+    const struct finish *finish = said;
+    double cosines[RAY_LANES], m = 1 / finish->roughness;
+    double albedo =
+        finish->specular_albedo ? (m + 2) / (4 * (2 - exp2(-m / 2))) : 1;
+    double amount = finish->specular * albedo;
+    if (finish->roughness <= 0) {
+        for (int i = 0; i < RAY_LANES; i++)
+            shares[i] = 0;
+        return;
+    }
+    halfway_cosines(meetings, cosines);
+    finish_lobes(cosines, m, shares);
+    for (int i = 0; i < RAY_LANES; i++)
+        shares[i] = amount * shares[i];
+}
+
 static struct finish_spread specular_spread(const void *said)
 {
     const struct finish *finish = said;
@@ -44,5 +79,6 @@ const struct finish_item specular_finish = {
     .fields = fields,
     .amount = offsetof(struct finish, specular),
     .highlight = specular_highlight,
+    .highlight_many = specular_highlight_many,
     .spread = specular_spread,
 };
