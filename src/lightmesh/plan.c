@@ -44,7 +44,7 @@ static int frame_samples(const struct light_mesh_settings *said,
         return said->indirect.samples;
     if (survey->worth < gather_worth_none)
         return 0;
-    wanted = fmin(fmax(wanted * wanted, GATHER_FEW), GATHER_MOST);
+    wanted = fmin(fmax(wanted * wanted, GATHER_LEAST), GATHER_MOST);
     return WALL_PART * (int)ceil(wanted * finer * finer / WALL_PART);
 }
 
@@ -74,6 +74,14 @@ struct mesh_frame plan_frame(const struct scene *scene,
     };
 }
 
+/* Rays that bring much the same are fewer, so that there may be more of others:
+ * a factor. */
+static double plan_rough(const struct survey *survey)
+{
+    return fmin(fmax(survey->rough / gather_rough, gather_rough_least),
+                gather_rough_most);
+}
+
 /* The more light comes from surfaces the more of the picture depends on it: all
  * of it in a chamber, of which a small picture shows as much as a large one. */
 static double plan_rays(const struct light_mesh_settings *said,
@@ -86,8 +94,9 @@ static double plan_rays(const struct light_mesh_settings *said,
     if (survey->open < open_enough)
         edges *= gather_chamber;
     else
-        each += gather_pixel_mostly *
-                fmin(fmax(survey->worth - gather_mostly, 0), 1);
+        each = plan_rough(survey) *
+               (each + gather_pixel_mostly *
+                           fmin(fmax(survey->worth - gather_mostly, 0), 1));
     return each * edges * finer * finer;
 }
 

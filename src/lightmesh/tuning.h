@@ -240,6 +240,9 @@ static const double gather_mostly = 0.5;    /* worth beyond which most of the
                                              * light leaves the scene, */
 static const double gather_pixel_mostly = 10; /* more for each unit of that, of
                                                * which there may be 1 */
+static const double gather_rough = 0.2; /* what is usual, likewise; rougher
+                                         * light gets more, a factor: */
+static const double gather_rough_least = 0.5, gather_rough_most = 1.75;
 static const double gather_chamber = 25; /* times as many where light stays */
 static const double gather_coarser_most = 2; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
