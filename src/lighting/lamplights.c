@@ -89,6 +89,25 @@ static struct lamplight lamplights_at(const struct lamplights *lights,
                                .knows = lights->knows };
 }
 
+/* Whether light from there does anything to a facet of one layer. */
+static bool facet_faces(const struct facets *facets, unsigned i, vec3 way)
+{
+    vec3 normal = { facets->normal[0][i], facets->normal[1][i],
+                    facets->normal[2][i] };
+    double cosine = vec3_dot(normal, way);
+    return cosine > 0 || facets->twice[i] ? facets->front[i]
+                                          : cosine < 0 && facets->back[i];
+}
+
+static bool lamplights_face(const struct lamplights *lights,
+                            const struct lamp *lamp, unsigned i)
+{
+    if (lamp_is_parallel(lamp) && !(lights->facets->layered >> i & 1))
+        return facet_faces(lights->facets, i, vec3_negate(lamp->axis));
+    struct lamplight one = lamplights_at(lights, i);
+    return !lamplight_is_behind(&one, lamp);
+}
+
 /* Of those that face the lamp or may do so those that do. */
 static unsigned lamplights_before(const struct lamplights *lights,
                                   const struct lamp *lamp, unsigned asked)
@@ -96,8 +115,7 @@ static unsigned lamplights_before(const struct lamplights *lights,
     unsigned faced = asked;
     for (; asked; asked &= asked - 1) {
         unsigned i = (unsigned)__builtin_ctz(asked);
-        struct lamplight one = lamplights_at(lights, i);
-        if (lamplight_is_behind(&one, lamp))
+        if (!lamplights_face(lights, lamp, i))
             faced &= ~(1u << i);
     }
     return faced;
