@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-enum { QUIET = 30 }; /* milliseconds without a message: the scene is read */
+enum { QUIET = 20 }; /* milliseconds without a message: the scene is read */
 
 static void server_write(struct server *server, json_t *message)
 {
