@@ -74,7 +74,7 @@ CLONES static void beside_spot(const struct rays *restrict ways, vec3 axis,
     for (int i = 0; i < RAY_LANES; i++) {
         double cosine = -vec3_dot(rays_direction(ways, i), axis);
         bool outside = (cosine < cosine_radius) & (cosine <= cosine_falloff);
-        beside[i] = (cosine <= 0) | outside ? -1 : 0;
+        beside[i] = ((cosine <= 0) | outside) ? -1 : 0;
     }
 }
 
