@@ -1,6 +1,12 @@
 /* Open addressing with linear probing; a place is won by compare-and-swap of
  * its key, a record there by that of its number, and handed over by a release
- * store of the number. See table.h. */
+ * store of the number. See table.h.
+ *
+ * Memory costs when it is first touched, on virtual machines more than what is
+ * then done with it: a table begins small. Its index has levels, each larger
+ * than the one before; a key is looked for at a few places of each before it
+ * goes to the next, and since no place is ever given up, all threads find it at
+ * the same. Records are in blocks. Either is made when it is first wanted. */
 #include "lightmesh/table.h"
 
 #include <stdatomic.h>
@@ -10,21 +16,35 @@
 #include "base/map.h"
 #include "base/memory.h"
 
-enum { PROBES_MAX = 512, COLUMNS_MAX = 2 };
+enum {
+    COLUMNS_MAX = 2,
+    LEVELS_MAX = 12,
+    LEVEL_LEAST = 8192, /* places of the first level at least; each further */
+    LEVEL_BITS = 3,     /* one has so many more, a power of two */
+    LEVEL_PROBES = 8,   /* places of a level where a key may be, */
+    PROBES_MAX = 512,   /* and of the last */
+    BLOCK_RECORDS = 256,
+};
 
-/* Of a record's number, from 1. */
-static const uint32_t number_none = 0, number_claimed = UINT32_MAX;
+/* Of a record's number, from 1; it is claimed until it is published. */
+static const uint32_t number_none = 0, number_claimed = UINT32_C(1) << 31;
 
 struct table_place {
     _Atomic uint64_t key; /* 0: free */
     _Atomic uint32_t number[COLUMNS_MAX];
 };
 
+/* BLOCK_RECORDS records. */
+struct table_block {
+    void *_Atomic records; /* NULL: none was wanted yet */
+};
+
 /* The keys of a table, or of the two that stand beside each other. */
 struct table_index {
-    struct table_place *places;
-    size_t mask;
-    int columns; /* that are left */
+    void *_Atomic levels[LEVELS_MAX]; /* places; NULL: not wanted yet */
+    int count;                        /* of them */
+    size_t places;                    /* of the last, which has room for all */
+    int columns;                      /* that are left */
 };
 
 /* Before each record. */
@@ -45,10 +65,15 @@ struct table {
     struct table_shared shared;
     struct table_index *index;
     int column;
-    char *records;
+    struct table_block *blocks;
     size_t record_size, stride, capacity;
     atomic_size_t used;
 };
+
+static size_t table_blocks(const struct table *table)
+{
+    return table->capacity / BLOCK_RECORDS + 1;
+}
 
 /* A table without keys. */
 static struct table *table_column(size_t record_size, size_t bytes)
@@ -58,19 +83,35 @@ static struct table *table_column(size_t record_size, size_t bytes)
     table->stride = (sizeof(struct table_head) + record_size + 7) & ~(size_t)7;
     table->capacity =
         bytes / (table->stride + 2 * sizeof(struct table_place)) + 1;
-    table->records = memory_new(table->capacity * table->stride);
+    if (table->capacity >= number_claimed)
+        table->capacity = number_claimed - 1;
+    table->blocks = memory_new(table_blocks(table) * sizeof *table->blocks);
     return table;
+}
+
+static size_t level_places(const struct table_index *index, int level)
+{
+    return index->places >> (LEVEL_BITS * (index->count - 1 - level));
 }
 
 static struct table_index *index_new(size_t capacity)
 {
     struct table_index *index = memory_new(sizeof *index);
-    size_t places = 64;
-    while (places * 3 < capacity * 4)
-        places *= 2;
-    index->mask = places - 1;
-    index->places = memory_new(places * sizeof *index->places);
+    index->places = 64;
+    while (index->places * 3 < capacity * 4)
+        index->places *= 2;
+    index->count = 1;
+    while (index->count < LEVELS_MAX &&
+           level_places(index, 0) >> LEVEL_BITS >= LEVEL_LEAST)
+        index->count++;
     return index;
+}
+
+static void index_free(struct table_index *index)
+{
+    for (int i = 0; i < index->count; i++)
+        memory_free(atomic_load(&index->levels[i]));
+    memory_free(index);
 }
 
 static void table_index_by(struct table *table, struct table_index *index)
@@ -106,11 +147,11 @@ void table_free(struct table *table)
         return;
     map_release(table->shared.map);
     memory_free(table->shared.numbers);
-    if (--table->index->columns == 0) {
-        memory_free(table->index->places);
-        memory_free(table->index);
-    }
-    memory_free(table->records);
+    if (--table->index->columns == 0)
+        index_free(table->index);
+    for (size_t i = 0; i < table_blocks(table); i++)
+        memory_free(atomic_load(&table->blocks[i].records));
+    memory_free(table->blocks);
     memory_free(table);
 }
 
@@ -167,10 +208,36 @@ static const void *shared_find(const struct table_shared *shared, uint64_t key,
     return NULL;
 }
 
-static void *table_record(const struct table *table, size_t number)
+/* Memory that several threads may want at once: the first makes it. */
+static void *made_once(void *_Atomic *made, size_t size)
 {
-    return table->records + (number - 1) * table->stride +
-           sizeof(struct table_head);
+    void *known = atomic_load_explicit(made, memory_order_acquire);
+    if (known)
+        return known;
+    void *own = memory_new(size);
+    if (atomic_compare_exchange_strong(made, &known, own))
+        return own;
+    memory_free(own);
+    return known;
+}
+
+/* NULL: its block was not wanted yet. */
+static struct table_head *table_head(const struct table *table, size_t number)
+{
+    size_t from = (number - 1) / BLOCK_RECORDS;
+    char *block = atomic_load_explicit(&table->blocks[from].records,
+                                       memory_order_acquire);
+    if (!block)
+        return NULL;
+    return (struct table_head *)(block +
+                                 (number - 1) % BLOCK_RECORDS * table->stride);
+}
+
+static struct table_head *table_head_new(struct table *table, size_t number)
+{
+    made_once(&table->blocks[(number - 1) / BLOCK_RECORDS].records,
+              BLOCK_RECORDS * table->stride);
+    return table_head(table, number);
 }
 
 static bool table_is_full(struct table *table)
@@ -194,11 +261,57 @@ static enum table_state table_claim(struct table *table,
         atomic_store(claimed, number_none);
         return TABLE_NONE;
     }
-    struct table_head *head =
-        (struct table_head *)(table->records + (number - 1) * table->stride);
+    struct table_head *head = table_head_new(table, number);
     head->place = place;
+    atomic_store(claimed, number_claimed | (uint32_t)number);
     *record = head + 1;
     return TABLE_MINE;
+}
+
+/* A key that is looked for. */
+struct table_wanted {
+    uint64_t key, hash;
+};
+
+/* Its place in a level, or the free one that it would have; NULL: there is
+ * none. */
+static struct table_place *level_find(struct table_index *index, int level,
+                                      const struct table_wanted *wanted)
+{
+    size_t mask = level_places(index, level) - 1;
+    size_t probes = level + 1 < index->count ? LEVEL_PROBES : PROBES_MAX;
+    struct table_place *places = made_once(
+        &index->levels[level], level_places(index, level) * sizeof *places);
+    for (size_t i = 0; i < probes; i++) {
+        struct table_place *place = &places[(wanted->hash + i) & mask];
+        uint64_t found =
+            atomic_load_explicit(&place->key, memory_order_relaxed);
+        if (found == 0 || found == wanted->key)
+            return place;
+    }
+    return NULL;
+}
+
+/* The key's place, which it takes if the table is not full; NULL: there is
+ * none. */
+static struct table_place *table_place(struct table *table,
+                                       const struct table_wanted *wanted)
+{
+    for (int level = 0; level < table->index->count;) {
+        struct table_place *place = level_find(table->index, level, wanted);
+        uint64_t found = 0;
+        if (!place) {
+            level++;
+            continue;
+        }
+        if (atomic_load(&place->key) == wanted->key)
+            return place;
+        if (table_is_full(table))
+            return NULL;
+        if (atomic_compare_exchange_strong(&place->key, &found, wanted->key))
+            return place;
+    }
+    return NULL;
 }
 
 enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
@@ -209,36 +322,26 @@ enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
         *record = (void *)(uintptr_t)known;
         return TABLE_READY;
     }
-    const struct table_index *index = table->index;
-    for (size_t i = 0; i < PROBES_MAX; i++) {
-        struct table_place *place = &index->places[(hash + i) & index->mask];
-        uint64_t found =
-            atomic_load_explicit(&place->key, memory_order_relaxed);
-        if (found == 0 && table_is_full(table))
-            return TABLE_NONE;
-        if (found == 0)
-            atomic_compare_exchange_strong(&place->key, &found, key);
-        if (found != 0 && found != key)
-            continue;
-        uint32_t number = atomic_load_explicit(&place->number[table->column],
-                                               memory_order_acquire);
-        if (number == number_none)
-            return table_claim(table, place, record);
-        if (number == number_claimed)
-            return TABLE_NONE;
-        *record = table_record(table, number);
-        return TABLE_READY;
-    }
-    return TABLE_NONE;
+    struct table_place *place =
+        table_place(table, &(struct table_wanted){ key, hash });
+    if (!place)
+        return TABLE_NONE;
+    uint32_t number = atomic_load_explicit(&place->number[table->column],
+                                           memory_order_acquire);
+    if (number == number_none)
+        return table_claim(table, place, record);
+    if (number & number_claimed)
+        return TABLE_NONE;
+    *record = table_head(table, number) + 1;
+    return TABLE_READY;
 }
 
 void table_publish(struct table *table, void *record)
 {
     struct table_head *head = (struct table_head *)record - 1;
-    size_t offset = (size_t)((char *)head - table->records);
-    atomic_store_explicit(&head->place->number[table->column],
-                          (uint32_t)(offset / table->stride + 1),
-                          memory_order_release);
+    _Atomic uint32_t *claimed = &head->place->number[table->column];
+    uint32_t number = atomic_load(claimed) & ~number_claimed;
+    atomic_store_explicit(claimed, number, memory_order_release);
 }
 
 void table_insert(struct table *table, uint64_t key, uint64_t hash,
@@ -257,6 +360,23 @@ static int entry_order(const void *a, const void *b)
     return (x->key > y->key) - (x->key < y->key);
 }
 
+/* Those of one level. */
+static size_t level_entries(const struct table *table, int level,
+                            struct table_entry *entries)
+{
+    const struct table_index *index = table->index;
+    const struct table_place *places = atomic_load(&index->levels[level]);
+    size_t count = 0;
+    for (size_t i = 0; places && i < level_places(index, level); i++) {
+        uint32_t number = atomic_load(&places[i].number[table->column]);
+        if (number != number_none && !(number & number_claimed))
+            entries[count++] =
+                (struct table_entry){ atomic_load(&places[i].key),
+                                      table_head(table, number) + 1 };
+    }
+    return count;
+}
+
 size_t table_entries(const struct table *table, struct table_entry *entries)
 {
     size_t count = 0;
@@ -264,14 +384,8 @@ size_t table_entries(const struct table *table, struct table_entry *entries)
     for (size_t n = 1; n <= shared->count; n++)
         entries[count++] = (struct table_entry){ shared_key(shared, n),
                                                  shared_record(shared, n) };
-    for (size_t i = 0; i <= table->index->mask; i++) {
-        const struct table_place *place = &table->index->places[i];
-        uint32_t number = atomic_load(&place->number[table->column]);
-        if (number != number_none && number != number_claimed)
-            entries[count++] =
-                (struct table_entry){ atomic_load(&place->key),
-                                      table_record(table, number) };
-    }
+    for (int level = 0; level < table->index->count; level++)
+        count += level_entries(table, level, entries + count);
     qsort(entries, count, sizeof *entries, entry_order);
     return count;
 }
@@ -289,9 +403,8 @@ const void *table_at(const struct table *table, size_t number, uint64_t *key)
         return shared_record(shared, number + 1);
     }
     number -= shared->count;
-    const struct table_head *head =
-        (const struct table_head *)(table->records + number * table->stride);
-    if (!head->place ||
+    const struct table_head *head = table_head(table, number + 1);
+    if (!head || !head->place ||
         atomic_load(&head->place->number[table->column]) != number + 1)
         return NULL;
     *key = atomic_load(&head->place->key);
@@ -311,7 +424,11 @@ size_t table_capacity(const struct table *table)
 size_t table_bytes(const struct table *table)
 {
     const struct table_index *index = table->index;
-    return (index->mask + 1) * sizeof *index->places / (size_t)index->columns +
+    size_t places = 0;
+    for (int level = 0; level < index->count; level++)
+        places +=
+            atomic_load(&index->levels[level]) ? level_places(index, level) : 0;
+    return places * sizeof(struct table_place) / (size_t)index->columns +
            atomic_load(&table->used) * table->stride +
            (table->shared.map ? table->shared.mask + 1 : 0) *
                sizeof *table->shared.numbers;

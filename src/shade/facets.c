@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "shade/ambience.h"
 #include "shade/finish.h"
 
 static lane_flag flag(bool is)
@@ -16,11 +17,6 @@ static void put(double to[3][RAY_LANES], unsigned i, double x, double y,
     to[0][i] = x;
     to[1][i] = y;
     to[2][i] = z;
-}
-
-static vec3 get(const double (*from)[RAY_LANES], unsigned i)
-{
-    return (vec3){ from[0][i], from[1][i], from[2][i] };
 }
 
 /* The normals turned to the viewer, and nothing before the paint or lit. */
@@ -51,6 +47,7 @@ CLONES static void look_back(const struct rays *restrict rays,
 void facets_start(struct facets *facets, const struct rays *rays,
                   const struct world_faces *faces)
 {
+    facets->faces = faces;
     facets->all = facets->layered = facets->matt = facets->shining = 0;
     memcpy(facets->point, faces->point, sizeof facets->point);
     memset(facets->front, 0, sizeof facets->front);
@@ -119,14 +116,14 @@ static void paint_point(struct facets *facets, unsigned i,
     colour c = pigment->colour;
     vec3 point = { 0, 0, 0 };
     if (bumpy || pigment->kind != PIGMENT_COLOUR)
-        point = affine_point(leaf->to_texture, get(facets->point, i));
+        point = affine_point(leaf->to_texture, facets_vector(facets->point, i));
     if (pigment->kind != PIGMENT_COLOUR)
         c = pigment_colour(pigment, point);
     put(facets->pigment, i, c.r, c.g, c.b);
     if (!bumpy)
         return;
     vec3 normal = layer_bumped(layer, leaf->to_texture, leaf->from_texture,
-                               point, get(facets->normal, i), NULL);
+                               point, facets_vector(facets->normal, i), NULL);
     put(facets->normal, i, normal.x, normal.y, normal.z);
 }
 
@@ -175,6 +172,36 @@ const struct surface *facets_surface(struct facets *facets, unsigned i)
     return facets->surface[i];
 }
 
+vec3 facets_side(const struct facets *facets, unsigned i)
+{
+    const struct surface *surface = facets->surface[i];
+    if (surface)
+        return surface->side;
+    vec3 side = world_face_side(facets->leaf[i], facets->faces, i);
+    return vec3_dot(side, facets_vector(facets->view, i)) < 0
+               ? vec3_negate(side)
+               : side;
+}
+
+/* What is plain has one layer, all of which is seen. */
+rgb facets_albedo(const struct facets *facets, unsigned i)
+{
+    if (facets->surface[i])
+        return surface_albedo(facets->surface[i]);
+    vec3 pigment = facets_vector(facets->pigment, i);
+    return albedo_bounded(rgb_scale(rgb_make(pigment.x, pigment.y, pigment.z),
+                                    facets->diffuse[i]));
+}
+
+rgb facets_ambient(const struct facets *facets, unsigned i)
+{
+    if (facets->surface[i])
+        return surface_ambient(facets->surface[i]);
+    vec3 pigment = facets_vector(facets->pigment, i);
+    return rgb_mul(facets->finish[i]->ambient,
+                   rgb_make(pigment.x, pigment.y, pigment.z));
+}
+
 rgb facets_light(const struct facets *facets, unsigned i)
 {
     return (rgb){ facets->light[0][i], facets->light[1][i],
@@ -198,20 +225,15 @@ CLONES static void add_glows(struct facets *restrict facets,
         }
 }
 
-void facets_glow(struct facets *facets, unsigned lanes, rgb ambient,
-                 rgb irradiance)
+void facets_glow(struct facets *facets, unsigned lanes,
+                 const struct diffuse_light diffuse[RAY_LANES])
 {
-    const struct finish *last = NULL;
     struct glows glows = { { { 0 } }, { { 0 } } };
-    rgb given = rgb_grey(0), own = rgb_grey(0);
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
         const struct finish *finish = facets->finish[i];
-        if (finish != last) {
-            given = finish_given(finish, ambient, irradiance);
-            own = finish->glow;
-        }
-        last = finish;
+        rgb own = finish->glow, given = finish_given(finish, diffuse[i].ambient,
+                                                     diffuse[i].irradiance);
         put(glows.given, i, given.r, given.g, given.b);
         put(glows.own, i, own.r, own.g, own.b);
     }
@@ -257,7 +279,7 @@ static void highlight_same(const struct facets *facets,
     finish_highlight_many(finish, &meetings, lanes, highlights);
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        vec3 pigment = get(facets->pigment, i);
+        vec3 pigment = facets_vector(facets->pigment, i);
         rgb share = finish_highlights_tinted(
             finish, highlights[i], rgb_make(pigment.x, pigment.y, pigment.z),
             shares->cosine[i]);
