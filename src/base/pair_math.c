@@ -19,14 +19,14 @@ static inline pair choose(pair_bits where, pair yes, pair no)
 
 static const pair_bits sign_bit = { INT64_MIN, INT64_MIN };
 
-static inline pair magnitude(pair x)
+pair pair_abs(pair x)
 {
     return (pair)((pair_bits)x & ~sign_bit);
 }
 
 static inline bool pair_within(pair x, double limit)
 {
-    pair size = magnitude(x);
+    pair size = pair_abs(x);
     return size[0] <= limit && size[1] <= limit;
 }
 
@@ -101,7 +101,7 @@ double lone_cos(double x)
     return fabs(x) <= angle_limit ? sine_ahead(pair_of(x), 1)[0] : cos(x);
 }
 
-/* Of what is below the sine of pi/8 or so. */
+/* Of what is below the tangent of pi/8 or so. */
 static inline pair arc_near(pair x)
 {
     pair z = x * x;
@@ -123,7 +123,7 @@ static inline pair arc_of(pair y, pair x)
 {
     const double pi_half = 0x1.921fb54442d18p0,
                  pi_half_rest = 0x1.1a62633145c07p-54;
-    pair wide = magnitude(x), high = magnitude(y), zero = { 0, 0 };
+    pair wide = pair_abs(x), high = pair_abs(y), zero = { 0, 0 };
     pair_bits steep = high > wide;
     pair large = choose(steep, high, wide), small = choose(steep, wide, high);
     pair slope = choose(large > zero, small / large, zero);

@@ -15,6 +15,7 @@ pair pair_cos(pair x);
 pair pair_atan2(pair y, pair x);
 
 pair pair_sqrt(pair x);
+pair pair_abs(pair x);
 
 double lone_sin(double x);
 double lone_cos(double x);

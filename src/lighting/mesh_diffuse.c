@@ -74,13 +74,13 @@ struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
                                         struct worker *worker,
                                         const struct facets *facets, unsigned i)
 {
-    vec3 point = facets_vector(facets->point, i);
+    vec3 point = lane_get(facets->point, i);
     const struct asker asker = {
         .receiver = {
             .point = point,
             .side = facets_side(facets, i),
-            .normal = facets_vector(facets->normal, i),
-            .from = vec3_along(point, facets_vector(facets->view, i),
+            .normal = lane_get(facets->normal, i),
+            .from = vec3_along(point, lane_get(facets->view, i),
                                facets->faces->hit[i].t),
             .pixel = &facets->places[i],
         },

@@ -191,40 +191,20 @@ static struct batch batch_run(const struct function *f,
     return last;
 }
 
-static pair pair_abs(pair x)
-{
-    return (pair){ fabs(x[0]), fabs(x[1]) };
-}
+/* A power for one number, and for two: to the same bit. */
+#define POWER(exponent, product)                                               \
+    static double power_##exponent(double x)                                   \
+    {                                                                          \
+        return product;                                                        \
+    }                                                                          \
+    static pair pair_power_##exponent(pair x)                                  \
+    {                                                                          \
+        return product;                                                        \
+    }
 
-static double power_2(double x)
-{
-    return x * x;
-}
-
-static double power_3(double x)
-{
-    return x * x * x;
-}
-
-static double power_4(double x)
-{
-    return (x * x) * (x * x);
-}
-
-static pair pair_power_2(pair x)
-{
-    return x * x;
-}
-
-static pair pair_power_3(pair x)
-{
-    return x * x * x;
-}
-
-static pair pair_power_4(pair x)
-{
-    return (x * x) * (x * x);
-}
+POWER(2, x *x)
+POWER(3, x *x *x)
+POWER(4, (x * x) * (x * x))
 
 void step_set_one(struct step *step, double (*one)(double))
 {

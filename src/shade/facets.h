@@ -53,11 +53,6 @@ vec3 facets_side(const struct facets *facets, unsigned i);
 rgb facets_albedo(const struct facets *facets, unsigned i);
 rgb facets_ambient(const struct facets *facets, unsigned i);
 
-static inline vec3 facets_vector(const double (*from)[RAY_LANES], unsigned i)
-{
-    return (vec3){ from[0][i], from[1][i], from[2][i] };
-}
-
 rgb facets_light(const struct facets *facets, unsigned i);
 
 /* Adds what plain ones send without lamps, as finish_glow and finish_shine. */

@@ -153,18 +153,6 @@ void world_describe(const struct ray *ray, const struct world_hit *hit,
     describe_hit(ray, hit->leaf, &found, out);
 }
 
-static inline vec3 lane_get(const double (*from)[RAY_LANES], unsigned i)
-{
-    return (vec3){ from[0][i], from[1][i], from[2][i] };
-}
-
-static inline void lane_put(double (*to)[RAY_LANES], unsigned i, vec3 v)
-{
-    to[0][i] = v.x;
-    to[1][i] = v.y;
-    to[2][i] = v.z;
-}
-
 CLONES static void points_along(const struct rays *restrict rays,
                                 const double *restrict t,
                                 double (*restrict points)[RAY_LANES])
@@ -180,14 +168,12 @@ CLONES static void normals_unit(double (*normals)[RAY_LANES],
                                 lane_flag *restrict usual)
 {
     for (unsigned i = 0; i < RAY_LANES; i++) {
-        vec3 v = { normals[0][i], normals[1][i], normals[2][i] };
+        vec3 v = lane_get(normals, i);
         double square = vec3_dot(v, v), scale = 1 / sqrt(square);
         bool is = (square > 1e-200) & (square < 1e200);
         scale = is ? scale : 1;
         usual[i] = is ? -1 : 0;
-        normals[0][i] = v.x * scale;
-        normals[1][i] = v.y * scale;
-        normals[2][i] = v.z * scale;
+        lane_put(normals, i, vec3_scale(v, scale));
     }
 }
 
