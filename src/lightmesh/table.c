@@ -1,50 +1,29 @@
-/* Open addressing with linear probing; a place is won by compare-and-swap of
- * its key, a record there by that of its number, and handed over by a release
- * store of the number. See table.h.
- *
- * Memory costs when it is first touched, on virtual machines more than what is
- * then done with it: a table begins small. Its index has levels, each larger
- * than the one before; a key is looked for at a few places of each before it
- * goes to the next, and since no place is ever given up, all threads find it at
- * the same. Records are in blocks. Either is made when it is first wanted. */
+/* A record's place is its key's (table_index.h); it is won by compare-and-swap
+ * of its number, and handed over by a release store of it. Records are in
+ * blocks, which are made when they are first wanted. See table.h. */
 #include "lightmesh/table.h"
 
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/map.h"
 #include "base/memory.h"
+#include "lightmesh/table_index.h"
 
-enum {
-    COLUMNS_MAX = 2,
-    LEVELS_MAX = 12,
-    LEVEL_LEAST = 8192, /* places of the first level at least; each further */
-    LEVEL_BITS = 3,     /* one has so many more, a power of two */
-    LEVEL_PROBES = 8,   /* places of a level where a key may be, */
-    PROBES_MAX = 512,   /* and of the last */
-    BLOCK_RECORDS = 256,
-};
+enum { BLOCK_RECORDS = 256 };
 
 /* Of a record's number, from 1; it is claimed until it is published. */
 static const uint32_t number_none = 0, number_claimed = UINT32_C(1) << 31;
 
-struct table_place {
-    _Atomic uint64_t key; /* 0: free */
-    _Atomic uint32_t number[COLUMNS_MAX];
+/* The keys of a table, or of the two that stand beside each other. */
+struct table_keys {
+    struct table_index *index;
+    int columns; /* that are left */
 };
 
 /* BLOCK_RECORDS records. */
 struct table_block {
     void *_Atomic records; /* NULL: none was wanted yet */
-};
-
-/* The keys of a table, or of the two that stand beside each other. */
-struct table_index {
-    void *_Atomic levels[LEVELS_MAX]; /* places; NULL: not wanted yet */
-    int count;                        /* of them */
-    size_t places;                    /* of the last, which has room for all */
-    int columns;                      /* that are left */
 };
 
 /* Before each record. */
@@ -63,7 +42,7 @@ struct table_shared {
 
 struct table {
     struct table_shared shared;
-    struct table_index *index;
+    struct table_keys *keys;
     int column;
     struct table_block *blocks;
     size_t record_size, stride, capacity;
@@ -89,41 +68,23 @@ static struct table *table_column(size_t record_size, size_t bytes)
     return table;
 }
 
-static size_t level_places(const struct table_index *index, int level)
+static struct table_keys *keys_new(size_t capacity)
 {
-    return index->places >> (LEVEL_BITS * (index->count - 1 - level));
+    struct table_keys *keys = memory_new(sizeof *keys);
+    keys->index = table_index_new(capacity);
+    return keys;
 }
 
-static struct table_index *index_new(size_t capacity)
+static void table_found_by(struct table *table, struct table_keys *keys)
 {
-    struct table_index *index = memory_new(sizeof *index);
-    index->places = 64;
-    while (index->places * 3 < capacity * 4)
-        index->places *= 2;
-    index->count = 1;
-    while (index->count < LEVELS_MAX &&
-           level_places(index, 0) >> LEVEL_BITS >= LEVEL_LEAST)
-        index->count++;
-    return index;
-}
-
-static void index_free(struct table_index *index)
-{
-    for (int i = 0; i < index->count; i++)
-        memory_free(atomic_load(&index->levels[i]));
-    memory_free(index);
-}
-
-static void table_index_by(struct table *table, struct table_index *index)
-{
-    table->index = index;
-    table->column = index->columns++;
+    table->keys = keys;
+    table->column = keys->columns++;
 }
 
 struct table *table_new(size_t record_size, size_t bytes)
 {
     struct table *table = table_column(record_size, bytes);
-    table_index_by(table, index_new(table->capacity));
+    table_found_by(table, keys_new(table->capacity));
     return table;
 }
 
@@ -135,9 +96,9 @@ struct table *table_new_beside(struct table **other, size_t record_size,
     *other = table_column(other_size, other_bytes);
     size_t most = table->capacity > (*other)->capacity ? table->capacity
                                                        : (*other)->capacity;
-    struct table_index *index = index_new(most);
-    table_index_by(table, index);
-    table_index_by(*other, index);
+    struct table_keys *keys = keys_new(most);
+    table_found_by(table, keys);
+    table_found_by(*other, keys);
     return table;
 }
 
@@ -147,8 +108,10 @@ void table_free(struct table *table)
         return;
     map_release(table->shared.map);
     memory_free(table->shared.numbers);
-    if (--table->index->columns == 0)
-        index_free(table->index);
+    if (--table->keys->columns == 0) {
+        table_index_free(table->keys->index);
+        memory_free(table->keys);
+    }
     for (size_t i = 0; i < table_blocks(table); i++)
         memory_free(atomic_load(&table->blocks[i].records));
     memory_free(table->blocks);
@@ -208,19 +171,6 @@ static const void *shared_find(const struct table_shared *shared, uint64_t key,
     return NULL;
 }
 
-/* Memory that several threads may want at once: the first makes it. */
-static void *made_once(void *_Atomic *made, size_t size)
-{
-    void *known = atomic_load_explicit(made, memory_order_acquire);
-    if (known)
-        return known;
-    void *own = memory_new(size);
-    if (atomic_compare_exchange_strong(made, &known, own))
-        return own;
-    memory_free(own);
-    return known;
-}
-
 /* NULL: its block was not wanted yet. */
 static struct table_head *table_head(const struct table *table, size_t number)
 {
@@ -268,52 +218,6 @@ static enum table_state table_claim(struct table *table,
     return TABLE_MINE;
 }
 
-/* A key that is looked for. */
-struct table_wanted {
-    uint64_t key, hash;
-};
-
-/* Its place in a level, or the free one that it would have; NULL: there is
- * none. */
-static struct table_place *level_find(struct table_index *index, int level,
-                                      const struct table_wanted *wanted)
-{
-    size_t mask = level_places(index, level) - 1;
-    size_t probes = level + 1 < index->count ? LEVEL_PROBES : PROBES_MAX;
-    struct table_place *places = made_once(
-        &index->levels[level], level_places(index, level) * sizeof *places);
-    for (size_t i = 0; i < probes; i++) {
-        struct table_place *place = &places[(wanted->hash + i) & mask];
-        uint64_t found =
-            atomic_load_explicit(&place->key, memory_order_relaxed);
-        if (found == 0 || found == wanted->key)
-            return place;
-    }
-    return NULL;
-}
-
-/* The key's place, which it takes if the table is not full; NULL: there is
- * none. */
-static struct table_place *table_place(struct table *table,
-                                       const struct table_wanted *wanted)
-{
-    for (int level = 0; level < table->index->count;) {
-        struct table_place *place = level_find(table->index, level, wanted);
-        uint64_t found = 0;
-        if (!place) {
-            level++;
-            continue;
-        }
-        if (atomic_load(&place->key) == wanted->key)
-            return place;
-        if (table_is_full(table))
-            return NULL;
-        if (atomic_compare_exchange_strong(&place->key, &found, wanted->key))
-            return place;
-    }
-    return NULL;
-}
-
 enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
                             void **record)
 {
@@ -323,7 +227,7 @@ enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
         return TABLE_READY;
     }
     struct table_place *place =
-        table_place(table, &(struct table_wanted){ key, hash });
+        table_index_find(table->keys->index, key, hash, table_is_full(table));
     if (!place)
         return TABLE_NONE;
     uint32_t number = atomic_load_explicit(&place->number[table->column],
@@ -360,23 +264,6 @@ static int entry_order(const void *a, const void *b)
     return (x->key > y->key) - (x->key < y->key);
 }
 
-/* Those of one level. */
-static size_t level_entries(const struct table *table, int level,
-                            struct table_entry *entries)
-{
-    const struct table_index *index = table->index;
-    const struct table_place *places = atomic_load(&index->levels[level]);
-    size_t count = 0;
-    for (size_t i = 0; places && i < level_places(index, level); i++) {
-        uint32_t number = atomic_load(&places[i].number[table->column]);
-        if (number != number_none && !(number & number_claimed))
-            entries[count++] =
-                (struct table_entry){ atomic_load(&places[i].key),
-                                      table_head(table, number) + 1 };
-    }
-    return count;
-}
-
 size_t table_entries(const struct table *table, struct table_entry *entries)
 {
     size_t count = 0;
@@ -384,8 +271,14 @@ size_t table_entries(const struct table *table, struct table_entry *entries)
     for (size_t n = 1; n <= shared->count; n++)
         entries[count++] = (struct table_entry){ shared_key(shared, n),
                                                  shared_record(shared, n) };
-    for (int level = 0; level < table->index->count; level++)
-        count += level_entries(table, level, entries + count);
+    const struct table_place *place;
+    for (size_t i = 0; (place = table_index_at(table->keys->index, i)); i++) {
+        uint32_t number = atomic_load(&place->number[table->column]);
+        if (number != number_none && !(number & number_claimed))
+            entries[count++] =
+                (struct table_entry){ atomic_load(&place->key),
+                                      table_head(table, number) + 1 };
+    }
     qsort(entries, count, sizeof *entries, entry_order);
     return count;
 }
@@ -423,12 +316,8 @@ size_t table_capacity(const struct table *table)
 
 size_t table_bytes(const struct table *table)
 {
-    const struct table_index *index = table->index;
-    size_t places = 0;
-    for (int level = 0; level < index->count; level++)
-        places +=
-            atomic_load(&index->levels[level]) ? level_places(index, level) : 0;
-    return places * sizeof(struct table_place) / (size_t)index->columns +
+    return table_index_bytes(table->keys->index) /
+               (size_t)table->keys->columns +
            atomic_load(&table->used) * table->stride +
            (table->shared.map ? table->shared.mask + 1 : 0) *
                sizeof *table->shared.numbers;
