@@ -64,7 +64,7 @@ INLINED NUMBERS NAMED(sine_ahead)(NUMBERS x, int64_t ahead)
     return (NUMBERS)((BITS)value ^ negative);
 }
 
-/* Of what is below the sine of pi/8 or so. */
+/* Of what is below the tangent of pi/8 or so. */
 INLINED NUMBERS NAMED(arc_near)(NUMBERS x)
 {
     NUMBERS z = x * x;

@@ -77,6 +77,11 @@ CLONES void octet_sqrt(octet *x)
         at[i] = sqrt(at[i]);
 }
 
+CLONES void octet_abs(octet *x)
+{
+    *x = octet_magnitude(*x);
+}
+
 double lone_sin(double x)
 {
     return fabs(x) <= angle_limit ? pair_sine_ahead(pair_of(x), 0)[0] : sin(x);

@@ -7,11 +7,12 @@
 
 #include "base/octet.h"
 
-/* Each of *x becomes its own sine, cosine, square root; angles are in radians,
- * of any size. */
+/* Each of *x becomes its own sine, cosine, square root, size; angles are in
+ * radians, of any size. */
 void octet_sin(octet *x);
 void octet_cos(octet *x);
 void octet_sqrt(octet *x);
+void octet_abs(octet *x);
 
 /* *y becomes atan2(y, x): from -pi to pi. */
 void octet_atan2(octet *y, const octet *x);

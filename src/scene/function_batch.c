@@ -142,41 +142,21 @@ CLONES static void batch_run(const struct function *f, octet *locals,
     *locals = last;
 }
 
-CLONES static void octet_abs(octet *x)
-{
-    for (int i = 0; i < OCTET; i++)
-        (*x)[i] = fabs((*x)[i]);
-}
+/* A power for one number, and for eight: to the same bit. */
+#define POWER(exponent, product)                                               \
+    static double power_##exponent(double x)                                   \
+    {                                                                          \
+        return product;                                                        \
+    }                                                                          \
+    CLONES static void octet_power_##exponent(octet *at)                       \
+    {                                                                          \
+        const octet x = *at;                                                   \
+        *at = product;                                                         \
+    }
 
-static double power_2(double x)
-{
-    return x * x;
-}
-
-static double power_3(double x)
-{
-    return x * x * x;
-}
-
-static double power_4(double x)
-{
-    return (x * x) * (x * x);
-}
-
-CLONES static void octet_power_2(octet *x)
-{
-    *x = *x * *x;
-}
-
-CLONES static void octet_power_3(octet *x)
-{
-    *x = *x * *x * *x;
-}
-
-CLONES static void octet_power_4(octet *x)
-{
-    *x = (*x * *x) * (*x * *x);
-}
+POWER(2, x *x)
+POWER(3, x *x *x)
+POWER(4, (x * x) * (x * x))
 
 void step_set_one(struct step *step, double (*one)(double))
 {

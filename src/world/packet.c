@@ -90,8 +90,7 @@ struct query *packet_query(struct packet *packet, unsigned i)
     packet->begun |= 1u << i;
     query->ray = rays_at(packet->rays, (int)i);
     query->slabs.origin = query->ray.origin;
-    query->slabs.inverse = (vec3){ packet->inverse[0][i], packet->inverse[1][i],
-                                   packet->inverse[2][i] };
+    query->slabs.inverse = lane_get(packet->inverse, i);
     query->tmin = packet->span.near[i];
     query->tmax = packet->span.far[i];
     query->shift = packet->shift[i];
