@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "shade/ambience.h"
 #include "shade/finish.h"
 
 static lane_flag flag(bool is)
@@ -38,6 +39,7 @@ CLONES static void look_back(const struct rays *restrict rays,
 void facets_start(struct facets *facets, const struct rays *rays,
                   const struct world_faces *faces)
 {
+    facets->faces = faces;
     facets->all = facets->layered = facets->matt = facets->shining = 0;
     memcpy(facets->point, faces->point, sizeof facets->point);
     memset(facets->front, 0, sizeof facets->front);
@@ -160,6 +162,35 @@ const struct surface *facets_surface(struct facets *facets, unsigned i)
     return facets->surface[i];
 }
 
+vec3 facets_side(const struct facets *facets, unsigned i)
+{
+    const struct surface *surface = facets->surface[i];
+    if (surface)
+        return surface->side;
+    vec3 side = world_face_side(facets->leaf[i], facets->faces, i);
+    return vec3_dot(side, lane_get(facets->view, i)) < 0 ? vec3_negate(side)
+                                                         : side;
+}
+
+/* What is plain has one layer, all of which is seen. */
+rgb facets_albedo(const struct facets *facets, unsigned i)
+{
+    if (facets->surface[i])
+        return surface_albedo(facets->surface[i]);
+    vec3 pigment = lane_get(facets->pigment, i);
+    return albedo_bounded(rgb_scale(rgb_make(pigment.x, pigment.y, pigment.z),
+                                    facets->diffuse[i]));
+}
+
+rgb facets_ambient(const struct facets *facets, unsigned i)
+{
+    if (facets->surface[i])
+        return surface_ambient(facets->surface[i]);
+    vec3 pigment = lane_get(facets->pigment, i);
+    return rgb_mul(facets->finish[i]->ambient,
+                   rgb_make(pigment.x, pigment.y, pigment.z));
+}
+
 rgb facets_light(const struct facets *facets, unsigned i)
 {
     return (rgb){ facets->light[0][i], facets->light[1][i],
@@ -183,20 +214,15 @@ CLONES static void add_glows(struct facets *restrict facets,
         }
 }
 
-void facets_glow(struct facets *facets, unsigned lanes, rgb ambient,
-                 rgb irradiance)
+void facets_glow(struct facets *facets, unsigned lanes,
+                 const struct diffuse_light diffuse[RAY_LANES])
 {
-    const struct finish *last = NULL;
     struct glows glows = { { { 0 } }, { { 0 } } };
-    rgb given = rgb_grey(0), own = rgb_grey(0);
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
         const struct finish *finish = facets->finish[i];
-        if (finish != last) {
-            given = finish_given(finish, ambient, irradiance);
-            own = finish->glow;
-        }
-        last = finish;
+        rgb own = finish->glow, given = finish_given(finish, diffuse[i].ambient,
+                                                     diffuse[i].irradiance);
         lane_put(glows.given, i, vec3_of(given));
         lane_put(glows.own, i, vec3_of(own));
     }
