@@ -196,6 +196,14 @@ static bool solid_has_routine(const struct solid *solid, bool occlusion)
                      : primitive->first_many != NULL;
 }
 
+/* They are found what they look for, and no shape needs to look at them. */
+static void packet_close(struct packet *packet, unsigned lanes)
+{
+    packet->open &= ~lanes;
+    for (; lanes; lanes &= lanes - 1)
+        packet->span.far[__builtin_ctz(lanes)] = -(double)INFINITY;
+}
+
 bool packet_look(struct packet *packet, const struct solid *solid,
                  unsigned lanes)
 {
@@ -205,7 +213,7 @@ bool packet_look(struct packet *packet, const struct solid *solid,
     unsigned over = solid_has_routine(solid, packet->occlusion)
                         ? packet_together(packet, solid, lanes)
                         : packet_each(packet, solid, lanes);
-    packet->open &= ~over;
+    packet_close(packet, over);
     return packet->open == 0;
 }
 
