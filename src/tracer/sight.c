@@ -209,13 +209,14 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
         sights->plain |= (unsigned)(leaf && leaf->plain) << i;
     }
     meet &= seen;
-    if (!sights->tracer->airless || sights->tracer->lighting->by_surface)
+    if (!sights->tracer->airless)
         sights->plain = 0;
     sights->plain &= seen;
     if (!meet)
         return 0;
     world_face_many(met->rays, met->hits, meet, &sights->faces);
     facets_start(&sights->facets, met->rays, &sights->faces);
+    sights->facets.places = met->places;
     sights->facets.tell = sights_surface;
     sights->facets.context = sights;
     return meet;
@@ -261,7 +262,6 @@ static void sights_light(struct sights *sights, struct radiance *out)
 {
     const struct tracer *tracer = sights->tracer;
     struct facets *facets = &sights->facets;
-    unsigned first = (unsigned)__builtin_ctz(facets->all);
     struct diffuse_light diffuse[RAY_LANES];
     tracer->lighting->illuminate_many(tracer->lighting_state, sights->worker,
                                       facets, diffuse);
@@ -271,8 +271,7 @@ static void sights_light(struct sights *sights, struct radiance *out)
             sight_go_on(&sights->at[i], facets_light(facets, i), &diffuse[i]);
     }
     if (sights->plain)
-        facets_glow(facets, sights->plain, diffuse[first].ambient,
-                    diffuse[first].irradiance);
+        facets_glow(facets, sights->plain, diffuse);
     for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
         unsigned i = (unsigned)__builtin_ctz(plain);
         out[i] = (struct radiance){ facets_light(facets, i), 1 };
