@@ -378,7 +378,7 @@ static bool parse_primary(struct parser *p, const char *wanted,
     bool ok;
     switch (token->kind) {
     case TOKEN_NUMBER:
-        *value = value_float(stream_next(p).number);
+        value_set_float(value, stream_next(p).number);
         return true;
     case TOKEN_STRING:
         *value = value_text(stream_next(p).text);
