@@ -9,6 +9,7 @@ bool mesh_close_make(struct void_skeleton *close, const struct world *world,
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     struct void_skeleton_wish wish = { .resolution = CLOSE_VOXELS,
+                                       .still = true,
                                        .rays = CLOSE_RAYS };
     *close = (struct void_skeleton){ NULL, NULL };
     if (!said->indirect.on || !said->indirect.skeleton)

@@ -22,7 +22,8 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
     };
     *made = (struct void_skeleton){ NULL, NULL };
     if (wanted.heuristic)
-        made->space = void_new(scene, world, said > 0 ? said : wish.resolution,
+        made->space = void_new(scene, world, wish.still,
+                               said > 0 ? said : wish.resolution,
                                options->threads, options->stop, diag);
     if (made->space)
         made->skeleton =

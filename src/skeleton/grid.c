@@ -114,8 +114,10 @@ static struct box3 box_of_things(const struct world *world, vec3 eye)
     return box;
 }
 
+/* With the camera in it, unless it is to be `still`: then a camera outside
+ * counts for nothing. */
 static struct box3 find_box(const struct world *world,
-                            const struct camera *camera)
+                            const struct camera *camera, bool still)
 {
     struct box3 box = box_of_things(world, camera->location);
     size_t count;
@@ -123,10 +125,12 @@ static struct box3 find_box(const struct world *world,
     if (box3_is_empty(box))
         box = box3_add(box, camera->location);
     double size = longest_side(box);
-    stretch(&box, camera->location, camera_stretch * size);
+    if (!still)
+        stretch(&box, camera->location, camera_stretch * size);
     size = longest_side(box);
     double limit = size > 0 ? other_stretch * size : far_away;
-    look_around(&box, world, camera->location, limit);
+    if (!still || box3_contains(box, camera->location))
+        look_around(&box, world, camera->location, limit);
     for (size_t i = 0; i < count; i++) {
         if (lights[i].parallel)
             continue;
@@ -177,9 +181,10 @@ static void report_size(struct box3 box, int resolution, double bytes,
 }
 
 bool grid_place(struct voxels *grid, const struct world *world,
-                const struct camera *camera, int resolution, struct diag *diag)
+                const struct camera *camera, bool still, int resolution,
+                struct diag *diag)
 {
-    struct box3 box = find_box(world, camera);
+    struct box3 box = find_box(world, camera, still);
     double bytes = (double)memory_available() / 2, size[3];
     if (resolution <= 0)
         resolution = VOXELS_RESOLUTION;

@@ -8,9 +8,12 @@
 
 /* Places the grid around what is bounded, the camera, the lights and what they
  * see of planes; what is far beyond the rest is left outside. `resolution`
- * voxels along the longest side (0: VOXELS_RESOLUTION). `empty` stays NULL.
+ * voxels along the longest side (0: VOXELS_RESOLUTION). `still`: a camera that
+ * is outside of all things counts for nothing, so that the grid stays where it
+ * is when the camera moves. `empty` stays NULL.
  * False after an error was printed: so many voxels don't fit into memory. */
 bool grid_place(struct voxels *grid, const struct world *world,
-                const struct camera *camera, int resolution, struct diag *diag);
+                const struct camera *camera, bool still, int resolution,
+                struct diag *diag);
 
 #endif

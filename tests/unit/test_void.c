@@ -26,8 +26,8 @@ static struct marked marked_new(const char *text, int resolution,
 {
     struct marked m = { .all = scene_world_new(text) };
     struct scene_world *all = m.all;
-    assert_true(grid_place(&m.grid, all->world, &all->scene->camera, resolution,
-                           &all->diag));
+    assert_true(grid_place(&m.grid, all->world, &all->scene->camera, false,
+                           resolution, &all->diag));
     m.marks = memory_new(voxels_count(&m.grid));
     const uint8_t *leaves =
         matter_marks(all->world, voxels_box(&m.grid), all->arena);
