@@ -36,7 +36,7 @@ static double frame_gather(const struct light_mesh_settings *said,
 /* Ways are drawn in nets (base/draw.h), whose sizes are powers of two: a part
  * of one is worse than a smaller net [truth: array1 with 64 rays 0.025, with 72
  * 0.035]. */
-static int whole_net(double rays)
+static int nets_within(double rays)
 {
     int net = GATHER_LEAST;
     while (2 * net <= rays)
@@ -56,7 +56,8 @@ static int frame_samples(const struct light_mesh_settings *said,
     if (survey->worth < gather_worth_none)
         return 0;
     wanted = fmin(fmax(wanted * wanted, GATHER_LEAST), GATHER_MOST);
-    return whole_net(wanted * finer * finer);
+    int within = nets_within(wanted * finer * finer);
+    return within < wanted * finer * finer ? 2 * within : within;
 }
 
 struct mesh_frame plan_frame(const struct scene *scene,
@@ -120,7 +121,7 @@ static double frame_rays(const struct mesh_frame *frame)
 /* No more rays of a point than that, but `least` if it had so many. */
 static void frame_ask(struct mesh_frame *frame, double rays, int least)
 {
-    int fewer = whole_net(fmax(rays - OBSTACLE_DIRECTIONS, least));
+    int fewer = nets_within(fmax(rays - OBSTACLE_DIRECTIONS, least));
     if (fewer < frame->samples)
         frame->samples = fewer;
 }
