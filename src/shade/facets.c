@@ -101,6 +101,7 @@ void facets_set(struct facets *facets, unsigned i,
     facets->all |= 1u << i;
     facets->surface[i] = surface;
     facets->leaf[i] = surface->at->leaf;
+    facets->inside[i] = surface->inside;
     facets->layered |= (unsigned)layered << i;
     set_faces(facets, i, finish, layered);
     put(facets->normal, i, normal.x, normal.y, normal.z);

@@ -198,7 +198,6 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
         struct wavefront wavefront;
         wavefront_start(&wavefront, tracer, worker, true);
         wavefront_see(&wavefront, met, out);
-        wavefront_run(&wavefront);
         arena_reset(worker->scratch);
         return;
     }

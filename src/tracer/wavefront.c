@@ -8,9 +8,14 @@ enum { SURFACES_MAX = 1000 * 1000 }; /* a ray passes straight through */
 void wavefront_start(struct wavefront *wavefront, const struct tracer *tracer,
                      struct worker *worker, bool together)
 {
-    *wavefront = (struct wavefront){ .tracer = tracer,
-                                     .worker = worker,
-                                     .lanes = together ? WORLD_RAYS : 1 };
+    wavefront->tracer = tracer;
+    wavefront->worker = worker;
+    wavefront->lanes = together ? WORLD_RAYS : 1;
+    wavefront->open = wavefront->mirrored = wavefront->born =
+        (struct path_list){ NULL, 0 };
+    wavefront->idle = NULL;
+    wavefront->idle_dues = NULL;
+    wavefront->used = 0;
 }
 
 static void list_push(struct path_list *list, struct path *path)
@@ -33,6 +38,8 @@ static struct path *wavefront_path(struct wavefront *wavefront)
     struct path *path = wavefront->idle;
     if (path)
         wavefront->idle = path->next;
+    else if (wavefront->used < WAVEFRONT_USUAL)
+        path = &wavefront->usual[wavefront->used++];
     else
         path = ARENA_NEW(wavefront->worker->scratch, struct path);
     path->tracer = wavefront->tracer;

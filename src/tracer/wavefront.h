@@ -8,6 +8,8 @@
 
 #include "tracer/branch.h"
 
+enum { WAVEFRONT_USUAL = 4 * WORLD_RAYS }; /* rays at any time */
+
 /* Rays that wait, the first one to be followed first. */
 struct path_list {
     struct path *first;
@@ -16,12 +18,15 @@ struct path_list {
 
 struct wavefront {
     const struct tracer *tracer;
-    struct worker *worker;           /* in whose scratch memory everything is */
+    struct worker *worker;           /* in whose scratch memory all else is */
     unsigned lanes;                  /* rays at a time */
     struct path_list open, mirrored; /* the latter: those of RAY_REFLECTION */
     struct path_list born; /* at the surface at hand, the last first */
     struct path *idle;     /* to be used again */
     struct due *idle_dues;
+    unsigned used; /* of these, before any of the scratch memory, which is
+                    * cleared each time: */
+    struct path usual[WAVEFRONT_USUAL];
 };
 
 /* With `together` in packets; otherwise one by one in the order of a recursion:
@@ -55,7 +60,8 @@ void wavefront_leave(struct path *path, const struct crossing *crossing,
  * goes one by one. */
 void wavefront_go_on(struct path *path, struct crossing *crossing, bool met);
 
-/* What the camera sees at places, of what its rays meet first. */
+/* What the camera sees at places, of what its rays meet first; all are followed
+ * to their ends. */
 void wavefront_see(struct wavefront *wavefront, const struct tracer_met *met,
                    struct radiance *out);
 

@@ -31,6 +31,13 @@ static void sight_describe(struct sights *sights, unsigned i)
                         &sights->crossing[i].at);
 }
 
+static const struct interiors *sight_inside(const struct sights *sights,
+                                            unsigned i)
+{
+    const struct path *path = sights->path[i];
+    return path ? &path->inside : &sights->wavefront->tracer->start;
+}
+
 /* That of a plain leaf, which was painted without. */
 static const struct surface *sights_surface(void *context, unsigned i)
 {
@@ -40,11 +47,21 @@ static const struct surface *sights_surface(void *context, unsigned i)
     struct crossing *crossing = &sights->crossing[i];
     sight_describe(sights, i);
     crossing_fill(crossing, tracer, rays_direction(sights->rays, (int)i),
-                  path ? &path->inside : &tracer->start,
-                  tracer->scene->settings.adc_bailout, false);
+                  sight_inside(sights, i), tracer->scene->settings.adc_bailout,
+                  false);
     crossing->surface.place = path ? NULL : &sights->places[i];
     crossing->surface.weight = path ? path->weight : 1;
     return &crossing->surface;
+}
+
+static void sights_paint(struct sights *sights)
+{
+    if (sights->plain)
+        facets_paint(&sights->facets, sights->hits, sights->plain);
+    for (unsigned each = sights->plain; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        sights->facets.inside[i] = sight_inside(sights, i);
+    }
 }
 
 /* What is met, and which leaves are plain. Returns which meet any. */
@@ -68,8 +85,7 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
     facets_start(&sights->facets, sights->rays, &sights->faces);
     sights->facets.tell = sights_surface;
     sights->facets.context = sights;
-    if (sights->plain)
-        facets_paint(&sights->facets, sights->hits, sights->plain);
+    sights_paint(sights);
     return meet;
 }
 
@@ -153,24 +169,6 @@ static unsigned places_seen(const struct camera *camera,
     return seen;
 }
 
-void wavefront_see(struct wavefront *wavefront, const struct tracer_met *met,
-                   struct radiance *out)
-{
-    struct sights sights;
-    unsigned seen = places_seen(&wavefront->tracer->scene->camera, met);
-    sights.wavefront = wavefront;
-    sights.rays = met->rays;
-    sights.hits = met->hits;
-    sights.count = met->count;
-    sights.places = met->places;
-    sights.out = out;
-    memset(sights.path, 0, sizeof sights.path);
-    memset(out, 0, met->count * sizeof *out);
-    sights_see(&sights, seen);
-    wavefront->worker->counters.camera_rays +=
-        (unsigned)__builtin_popcount(sights.plain);
-}
-
 /* Of the rays that wait, up to a packet of one kind. */
 static void wavefront_take(struct wavefront *wavefront, struct sights *sights)
 {
@@ -205,24 +203,55 @@ static void sights_follow(struct sights *sights)
     sights_see(sights, (1u << count) - 1);
 }
 
+/* Those of a packet that is too small to be one. */
+static void sights_each(struct sights *sights)
+{
+    struct crossing *crossing = &sights->crossing[0];
+    for (unsigned i = 0; i < sights->count; i++) {
+        struct path *path = sights->path[i];
+        bool met = path_meet(path, &crossing->at);
+        wavefront_go_on(path, crossing, met);
+    }
+}
+
+/* Follows all that wait. */
+static void sights_run(struct sights *sights)
+{
+    struct wavefront *wavefront = sights->wavefront;
+    sights->places = NULL;
+    sights->out = NULL;
+    while (wavefront->open.count + wavefront->mirrored.count > 0 &&
+           !worker_stopped(wavefront->worker)) {
+        wavefront_take(wavefront, sights);
+        if (sights->count >= PACKET_LEAST)
+            sights_follow(sights);
+        else
+            sights_each(sights);
+    }
+}
+
+void wavefront_see(struct wavefront *wavefront, const struct tracer_met *met,
+                   struct radiance *out)
+{
+    struct sights sights;
+    unsigned seen = places_seen(&wavefront->tracer->scene->camera, met);
+    sights.wavefront = wavefront;
+    sights.rays = met->rays;
+    sights.hits = met->hits;
+    sights.count = met->count;
+    sights.places = met->places;
+    sights.out = out;
+    memset(sights.path, 0, sizeof sights.path);
+    memset(out, 0, met->count * sizeof *out);
+    sights_see(&sights, seen);
+    wavefront->worker->counters.camera_rays +=
+        (unsigned)__builtin_popcount(sights.plain);
+    sights_run(&sights);
+}
+
 void wavefront_run(struct wavefront *wavefront)
 {
     struct sights sights;
     sights.wavefront = wavefront;
-    sights.places = NULL;
-    sights.out = NULL;
-    while (wavefront->open.count + wavefront->mirrored.count > 0 &&
-           !worker_stopped(wavefront->worker)) {
-        wavefront_take(wavefront, &sights);
-        if (sights.count >= PACKET_LEAST) {
-            sights_follow(&sights);
-            continue;
-        }
-        for (unsigned i = 0; i < sights.count; i++) {
-            struct path *path = sights.path[i];
-            struct crossing *crossing = &sights.crossing[0];
-            bool met = path_meet(path, &crossing->at);
-            wavefront_go_on(path, crossing, met);
-        }
-    }
+    sights_run(&sights);
 }
