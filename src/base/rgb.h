@@ -70,6 +70,12 @@ static inline double rgb_peak(rgb a)
     return peak > b ? peak : b;
 }
 
+/* What is grey of a colour, with POV-Ray's weights (measured). */
+static inline double grey_of(double r, double g, double b)
+{
+    return 0.297 * r + 0.589 * g + 0.114 * b;
+}
+
 static inline rgb colour_rgb(colour c)
 {
     return (rgb){ c.r, c.g, c.b };

@@ -2,6 +2,7 @@
 #include "image/output.h"
 
 #include "base/parallel.h"
+#include "base/rgb.h"
 #include "image/tone.h"
 
 enum { TABLE_WORTH = 30000 }; /* pixels; a table costs 10,000 powers */
@@ -24,10 +25,10 @@ static inline float share_of_1(float value)
     return value < 1 ? value : 1;
 }
 
-/* POV-Ray's weights, taken on linear light before clipping (measured). */
+/* Of linear light before clipping (measured). */
 static void output_grey(double c[3])
 {
-    c[0] = c[1] = c[2] = 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2];
+    c[0] = c[1] = c[2] = grey_of(c[0], c[1], c[2]);
 }
 
 struct conversion {

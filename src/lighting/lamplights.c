@@ -13,8 +13,8 @@ struct lamp_looks {
 CLONES static void ways_start(const double (*restrict points)[RAY_LANES],
                               struct rays_span *restrict span)
 {
-    for (int i = 0; i < RAY_LANES; i++) {
-        vec3 point = { points[0][i], points[1][i], points[2][i] };
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        vec3 point = lane_get(points, i);
         span->near[i] = shadow_start(point);
         span->far[i] = 0;
     }
@@ -45,19 +45,16 @@ CLONES static void look_many(const struct facets *restrict facets,
         (const double(*)[RAY_LANES])ways->rays.origin;
     double(*restrict directions)[RAY_LANES] = ways->rays.direction;
     double *restrict far = ways->span.far;
-    for (int i = 0; i < RAY_LANES; i++) {
-        vec3 point = { points[0][i], points[1][i], points[2][i] };
-        vec3 normal = { facets->normal[0][i], facets->normal[1][i],
-                        facets->normal[2][i] };
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        vec3 point = lane_get(points, i);
+        vec3 normal = lane_get(facets->normal, i);
         double cosine = vec3_dot(normal, vec3_sub(location, point));
         vec3 offset = vec3_sub(point, location);
         double distance = vec3_length(offset);
         vec3 direction = vec3_scale(offset, -1 / distance);
         lane_flag before = (cosine > 0 ? -1 : 0) | facets->twice[i];
         lane_flag behind = cosine < 0 ? -1 : 0;
-        directions[0][i] = direction.x;
-        directions[1][i] = direction.y;
-        directions[2][i] = direction.z;
+        lane_put(directions, i, direction);
         distances[i] = distance;
         far[i] = shadow_end(distance);
         faces[i] = ((before & facets->front[i]) |
@@ -92,9 +89,7 @@ static struct lamplight lamplights_at(const struct lamplights *lights,
 /* Whether light from there does anything to a facet of one layer. */
 static bool facet_faces(const struct facets *facets, unsigned i, vec3 way)
 {
-    vec3 normal = { facets->normal[0][i], facets->normal[1][i],
-                    facets->normal[2][i] };
-    double cosine = vec3_dot(normal, way);
+    double cosine = vec3_dot(lane_get(facets->normal, i), way);
     return cosine > 0 || facets->twice[i] ? facets->front[i]
                                           : cosine < 0 && facets->back[i];
 }

@@ -57,12 +57,6 @@ struct lighting_view {
 /* Takes one light_sample. */
 typedef void light_visit(void *context, const struct light_sample *sample);
 
-/* Light without a direction. */
-struct diffuse_light {
-    rgb ambient;    /* multiplies finish ambient (POV-Ray's ambient_light) */
-    rgb irradiance; /* multiplies finish diffuse */
-};
-
 /* Takes a line of --stats: what, how much, and its unit or ""; NAN: the unit
  * says all. */
 typedef void lighting_row(void *context, const char *what, double amount,
@@ -96,9 +90,6 @@ struct lighting {
     void (*illuminate_many)(const void *state, struct worker *worker,
                             struct facets *facets,
                             struct diffuse_light diffuse[RAY_LANES]);
-    /* It looks at the surface of each, not at the facets alone, for which light
-     * without a direction is the same. */
-    bool by_surface;
     /* Whether surfaces may be lit in any order, those of one pixel
      * (worker->pixel) too; asked if there is illuminate_many. */
     bool (*in_any_order)(const void *state);

@@ -172,17 +172,14 @@ static struct lighting_kept mesh_keep(const void *state)
     return kept;
 }
 
-/* The light of surfaces; there must be an indirect mesh. */
-static struct diffuse_light mesh_surfaces(const struct mesh_lighting *mesh,
-                                          struct worker *worker,
-                                          const struct surface *surface,
+/* The light of surfaces, as it is asked. */
+static struct mesh_indirect mesh_surfaces(const struct mesh_lighting *mesh,
                                           bool smooth)
 {
-    const struct mesh_indirect known = {
+    return (struct mesh_indirect){
         mesh->indirect,      mesh->indirect_pixels, &mesh->ambience,
         mesh->indirect_view, mesh->survey.worth,    smooth,
     };
-    return mesh_diffuse(&known, worker, surface);
 }
 
 rgb mesh_bounced(const void *state, struct worker *worker,
@@ -191,7 +188,8 @@ rgb mesh_bounced(const void *state, struct worker *worker,
     const struct mesh_lighting *mesh = state;
     if (!mesh->indirect || surface->count == 0)
         return rgb_grey(0);
-    rgb light = mesh_surfaces(mesh, worker, surface, smooth).irradiance;
+    const struct mesh_indirect known = mesh_surfaces(mesh, smooth);
+    rgb light = mesh_diffuse(&known, worker, surface).irradiance;
     const struct settings *settings = &mesh->lamps.scene->settings;
     return bounce_toned(&settings->light_mesh.indirect.tone, light);
 }
@@ -215,7 +213,8 @@ static struct diffuse_light mesh_illuminate(const void *state,
     const struct mesh_lamps lamps = { &mesh->knowers, mesh->direct_view };
     diffuse.irradiance = mesh_lamps_light(&lamps, &light);
     if (mesh->indirect) {
-        struct diffuse_light more = mesh_surfaces(mesh, worker, surface, false);
+        const struct mesh_indirect known = mesh_surfaces(mesh, false);
+        struct diffuse_light more = mesh_diffuse(&known, worker, surface);
         diffuse.ambient = more.ambient;
         diffuse.irradiance = rgb_add(diffuse.irradiance, more.irradiance);
     }
@@ -235,14 +234,17 @@ static void mesh_illuminate_many(const void *state, struct worker *worker,
 {
     const struct mesh_lighting *mesh = state;
     const struct mesh_lamps lamps = { &mesh->knowers, mesh->direct_view };
+    const struct mesh_indirect known = mesh_surfaces(mesh, false);
     mesh_lamps_light_many(&lamps, worker, facets);
     for (unsigned all = facets->all; all; all &= all - 1) {
         unsigned i = (unsigned)__builtin_ctz(all);
-        const struct surface *surface = facets_surface(facets, i);
+        const struct surface *surface = facets->surface[i];
         diffuse[i] =
             (struct diffuse_light){ mesh->ambience.light, rgb_grey(0) };
-        if (mesh->indirect && surface->count > 0)
-            diffuse[i] = mesh_surfaces(mesh, worker, surface, false);
+        if (!mesh->indirect || (surface && surface->count == 0))
+            continue;
+        diffuse[i] = surface ? mesh_diffuse(&known, worker, surface)
+                             : mesh_diffuse_facet(&known, worker, facets, i);
     }
 }
 
@@ -318,7 +320,6 @@ const struct lighting mesh_lighting = {
     .prepare = mesh_look_ahead,
     .illuminate = mesh_illuminate,
     .illuminate_many = mesh_illuminate_many,
-    .by_surface = true,
     .in_any_order = mesh_may_mix,
     .lamps = mesh_lamps,
     .tell = mesh_tell,

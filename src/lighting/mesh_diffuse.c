@@ -5,31 +5,30 @@
 #include "lightmesh/tuning.h"
 #include "shade/finish.h"
 
-struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
-                                  struct worker *worker,
-                                  const struct surface *surface)
+/* Who asks. */
+struct asker {
+    struct receiver receiver; /* of no weight and view yet */
+    double weight;            /* in the picture */
+    rgb albedo, ambient;      /* of irradiance, and of ambient light 1 */
+    bool scatters;            /* whether irradiance does anything to it */
+};
+
+static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
+                                        struct worker *worker,
+                                        const struct asker *asker)
 {
     const struct indirect_mesh *mesh = known->mesh;
     const struct ambience *ambience = known->ambience;
-    const struct surface_layer *layer = &surface->layer[0];
-    rgb albedo = surface_albedo(surface);
-    rgb ambient = rgb_mul(surface_ambient(surface), ambience->light);
-    double most = fmax(rgb_peak(albedo), rgb_peak(ambient));
+    rgb ambient = rgb_mul(asker->ambient, ambience->light);
+    double most = fmax(rgb_peak(asker->albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
-    struct receiver receiver = {
-        .point = surface->point,
-        .side = surface->side,
-        .normal = known->smooth ? surface->normal : layer->normal,
-        .from = vec3_along(surface->point, surface->view, surface->at->t),
-        .pixel = surface->place,
-        .view = known->view,
-        .weight = surface->weight * most,
-    };
-    bool beyond = known->pixels && !surface->place;
-    if (beyond)
-        receiver.view.coarser++;
+    struct receiver receiver = asker->receiver;
+    bool beyond = known->pixels && !receiver.pixel;
+    receiver.view = known->view;
+    receiver.view.coarser += beyond;
+    receiver.weight = asker->weight * most;
     unsigned long long rays = worker->counters.shadow_rays;
-    if ((layer->finish->diffuse != 0 || rgb_peak(ambient) > 0) &&
+    if ((asker->scatters || rgb_peak(ambient) > 0) &&
         !(known->pixels &&
           indirect_pixels_light(known->pixels, worker, &receiver, &share)) &&
         !(beyond && !indirect_mesh_leaves(mesh, &receiver) &&
@@ -48,4 +47,47 @@ struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
         share.open = 1;
     return (struct diffuse_light){ rgb_scale(ambience->light, share.open),
                                    share.light };
+}
+
+struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
+                                  struct worker *worker,
+                                  const struct surface *surface)
+{
+    const struct surface_layer *layer = &surface->layer[0];
+    const struct asker asker = {
+        .receiver = {
+            .point = surface->point,
+            .side = surface->side,
+            .normal = known->smooth ? surface->normal : layer->normal,
+            .from = vec3_along(surface->point, surface->view, surface->at->t),
+            .pixel = surface->place,
+        },
+        .weight = surface->weight,
+        .albedo = surface_albedo(surface),
+        .ambient = surface_ambient(surface),
+        .scatters = layer->finish->diffuse != 0,
+    };
+    return mesh_answer(known, worker, &asker);
+}
+
+struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
+                                        struct worker *worker,
+                                        const struct facets *facets, unsigned i)
+{
+    vec3 point = lane_get(facets->point, i);
+    const struct asker asker = {
+        .receiver = {
+            .point = point,
+            .side = facets_side(facets, i),
+            .normal = lane_get(facets->normal, i),
+            .from = vec3_along(point, lane_get(facets->view, i),
+                               facets->faces->hit[i].t),
+            .pixel = facets->places ? &facets->places[i] : NULL,
+        },
+        .weight = facets->worth[i],
+        .albedo = facets_albedo(facets, i),
+        .ambient = facets_ambient(facets, i),
+        .scatters = facets->diffuse[i] != 0,
+    };
+    return mesh_answer(known, worker, &asker);
 }

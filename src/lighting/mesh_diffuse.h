@@ -4,6 +4,7 @@
 
 #include "lighting/lighting.h"
 #include "lightmesh/indirect_pixels.h"
+#include "shade/facets.h"
 
 /* Who knows it. */
 struct mesh_indirect {
@@ -19,5 +20,11 @@ struct mesh_indirect {
 struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
                                   struct worker *worker,
                                   const struct surface *surface);
+
+/* On facet number `i`, which must be matt. */
+struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
+                                        struct worker *worker,
+                                        const struct facets *facets,
+                                        unsigned i);
 
 #endif

@@ -155,14 +155,15 @@ static struct lamplights_known mesh_foresee(const struct lamplights *lights,
 {
     const struct mesh_lamps *mesh = lights->knows;
     struct lamplights_known known = { 0, 0 };
+    if (!lights->facets->places)
+        return known;
     for (; lanes; lanes &= lanes - 1) {
         int i = __builtin_ctz(lanes);
-        const struct surface *surface =
-            facets_surface(lights->facets, (unsigned)i);
+        const struct facets *facets = lights->facets;
         vec3 way = rays_direction(&lights->ways.rays, i);
         bool shines;
-        if (!surface->place || !(vec3_dot(way, surface->side) > 0) ||
-            !pixel_mesh_sees(mesh->knowers->pixels, surface->place, lamp,
+        if (!(vec3_dot(way, facets_side(facets, (unsigned)i)) > 0) ||
+            !pixel_mesh_sees(mesh->knowers->pixels, &facets->places[i], lamp,
                              &shines))
             continue;
         known.lit |= (unsigned)shines << i;

@@ -61,10 +61,12 @@ bool corner_serves(const struct corner *corner, const struct receiver *receiver)
         vec3_dot(corner->side, receiver->side) < indirect_pixels_bend)
         return false;
     vec3 between = vec3_sub(corner->point, receiver->point);
-    double apart = vec3_length(between);
-    double rise = fmax(fabs(vec3_dot(between, receiver->side)),
-                       fabs(vec3_dot(between, corner->side)));
-    return apart <= corner->reach && rise <= indirect_pixels_rise * apart;
+    double apart = vec3_dot(between, between);
+    double here = vec3_dot(between, receiver->side),
+           there = vec3_dot(between, corner->side);
+    double rise = indirect_pixels_rise * indirect_pixels_rise * apart;
+    return apart <= corner->reach * corner->reach && here * here <= rise &&
+           there * there <= rise;
 }
 
 bool corner_sees(const struct corner *corner, const struct indirect_mesh *mesh,

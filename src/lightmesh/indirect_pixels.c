@@ -11,6 +11,20 @@
 #include "shade/shadow.h"
 #include "shade/surface.h"
 
+/* The corners around a place of the grid. */
+struct cell {
+    uint64_t key; /* of the first, its step with it; 0: of none */
+    const struct corner *corner[4];      /* NULL: not asked yet, or not kept */
+    const struct corner_light *light[4]; /* likewise */
+};
+
+enum { CELLS_ACROSS = 8, CELLS_DOWN = 2, CELL_STEPS = 2 };
+
+/* The last that a worker came by: neighbouring pixels have the same. */
+struct cells {
+    struct cell at[CELL_STEPS][CELLS_DOWN][CELLS_ACROSS];
+};
+
 struct indirect_pixels {
     const struct indirect_mesh *mesh;
     const struct camera *camera;
@@ -20,7 +34,8 @@ struct indirect_pixels {
     struct table *lights;  /* what those know that served */
     unsigned threads;
     struct pixel_blocks *blocks;
-    struct lone_places *lone; /* of each worker */
+    struct lone_places *lone; /* of each worker, */
+    struct cells *cells;      /* too */
 };
 
 /* Where rays of a pixel that has several had to ask for themselves: what they
@@ -53,6 +68,7 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
                                    apart, threads),
         .threads = threads,
         .lone = memory_new(threads * sizeof(struct lone_places)),
+        .cells = memory_new(threads * sizeof(struct cells)),
     };
     pixels->corners = table_new_beside(
         &pixels->lights, sizeof(struct corner), INDIRECT_PIXELS_BYTES / 3,
@@ -67,6 +83,7 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
     table_free(pixels->lights);
     table_free(pixels->corners);
     pixel_blocks_free(pixels->blocks);
+    memory_free(pixels->cells);
     memory_free(pixels->lone);
     memory_free(pixels);
 }
@@ -105,6 +122,20 @@ static enum table_state corner_record(struct table *table,
     return state;
 }
 
+static struct cell *cell_get(const struct indirect_pixels *pixels,
+                             const struct worker *worker,
+                             const struct corner_name *name, int step)
+{
+    uint64_t key = corner_key(pixels, name) * CELL_STEPS + (uint64_t)step - 1;
+    unsigned column = (unsigned)(name->at[0] / step) % CELLS_ACROSS;
+    unsigned row = (unsigned)(name->at[1] / step) % CELLS_DOWN;
+    struct cell *cell =
+        &pixels->cells[worker->number].at[step - 1][row][column];
+    if (cell->key != key)
+        *cell = (struct cell){ .key = key };
+    return cell;
+}
+
 /* What the camera sees at the corner. */
 static void corner_look(struct corner *corner,
                         const struct indirect_pixels *pixels,
@@ -122,14 +153,18 @@ static void corner_look(struct corner *corner,
         corner_meet(corner, pixels->mesh, like, &ray, &at);
 }
 
+/* *kept: for as long as the picture takes. */
 static const struct corner *corner_get(const struct indirect_pixels *pixels,
                                        struct worker *worker,
                                        const struct corner_name *name,
-                                       const struct receiver *like)
+                                       const struct receiver *like,
+                                       const struct corner **kept)
 {
     void *record;
     enum table_state state = corner_record(pixels->corners, worker,
                                            corner_key(pixels, name), &record);
+    if (state != TABLE_NONE)
+        *kept = record;
     if (state == TABLE_READY)
         return record;
     corner_look(record, pixels, name, like);
@@ -142,11 +177,13 @@ static const struct corner *corner_get(const struct indirect_pixels *pixels,
 static const struct corner_light *
 corner_lit(const struct indirect_pixels *pixels, struct worker *worker,
            const struct corner_name *name, const struct corner *corner,
-           const struct receiver *like)
+           const struct receiver *like, const struct corner_light **kept)
 {
     void *record;
     enum table_state state = corner_record(pixels->lights, worker,
                                            corner_key(pixels, name), &record);
+    if (state != TABLE_NONE)
+        *kept = record;
     if (state == TABLE_READY)
         return record;
     struct receiver receiver = corner_receiver(corner, like, name->coarser);
@@ -158,6 +195,7 @@ corner_lit(const struct indirect_pixels *pixels, struct worker *worker,
 
 /* The corners around a place that serve it, with their weights. */
 struct corners {
+    struct cell *cell; /* while they are found */
     int count;
     bool missing; /* another is on another surface */
     double sum;
@@ -168,19 +206,26 @@ struct corners {
     } at[4];
 };
 
+/* Number `i` of the cell, by that name. */
 static void corners_add(struct corners *corners,
                         const struct indirect_pixels *pixels,
                         struct worker *worker, const struct corner_name *name,
-                        const struct receiver *receiver)
+                        int i, const struct receiver *receiver)
 {
-    const struct corner *corner = corner_get(pixels, worker, name, receiver);
+    struct cell *cell = corners->cell;
+    const struct corner *corner = cell->corner[i];
+    const struct corner_light *light = cell->light[i];
+    if (!corner)
+        corner = corner_get(pixels, worker, name, receiver, &cell->corner[i]);
     if (!corner_serves(corner, receiver)) {
         corners->missing = true;
         return;
     }
+    if (!light)
+        light =
+            corner_lit(pixels, worker, name, corner, receiver, &cell->light[i]);
     corners->at[corners->count].corner = corner;
-    corners->at[corners->count++].light =
-        corner_lit(pixels, worker, name, corner, receiver);
+    corners->at[corners->count++].light = light;
 }
 
 /* Those of every `step`th row and column of the grid. */
@@ -192,20 +237,26 @@ static void corners_find(struct corners *corners,
     double x = receiver->pixel->at[0] * pixels->width / step,
            y = receiver->pixel->at[1] * pixels->height / step;
     double across = x - floor(x), down = y - floor(y);
-    int coarser = point_mesh_worth(receiver->weight);
+    const struct corner_name first = { { step * (int)floor(x),
+                                         step * (int)floor(y) },
+                                       point_mesh_worth(receiver->weight) };
+    struct cell own = { .key = 0 };
+    corners->cell = worker->number < pixels->threads
+                        ? cell_get(pixels, worker, &first, step)
+                        : &own;
     corners->count = 0;
     corners->sum = 0;
     corners->missing = false;
     for (int i = 0; i < 4; i++) {
-        struct corner_name name = { { step * ((int)floor(x) + i % 2),
-                                      step * ((int)floor(y) + i / 2) },
-                                    coarser };
+        struct corner_name name = first;
+        name.at[0] += i % 2 * step;
+        name.at[1] += i / 2 * step;
         double weight =
             (i % 2 ? across : 1 - across) * (i / 2 ? down : 1 - down);
         int count = corners->count;
         if (weight < indirect_pixels_least)
             continue;
-        corners_add(corners, pixels, worker, &name, receiver);
+        corners_add(corners, pixels, worker, &name, i, receiver);
         if (corners->count == count)
             continue;
         corners->at[count].weight = weight;

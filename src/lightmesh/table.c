@@ -1,30 +1,29 @@
-/* Open addressing with linear probing; a place is won by compare-and-swap of
- * its key, a record there by that of its number, and handed over by a release
- * store of the number. See table.h. */
+/* A record's place is its key's (table_index.h); it is won by compare-and-swap
+ * of its number, and handed over by a release store of it. Records are in
+ * blocks, which are made when they are first wanted. See table.h. */
 #include "lightmesh/table.h"
 
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/map.h"
 #include "base/memory.h"
+#include "lightmesh/table_index.h"
 
-enum { PROBES_MAX = 512, COLUMNS_MAX = 2 };
+enum { BLOCK_RECORDS = 256 };
 
-/* Of a record's number, from 1. */
-static const uint32_t number_none = 0, number_claimed = UINT32_MAX;
-
-struct table_place {
-    _Atomic uint64_t key; /* 0: free */
-    _Atomic uint32_t number[COLUMNS_MAX];
-};
+/* Of a record's number, from 1; it is claimed until it is published. */
+static const uint32_t number_none = 0, number_claimed = UINT32_C(1) << 31;
 
 /* The keys of a table, or of the two that stand beside each other. */
-struct table_index {
-    struct table_place *places;
-    size_t mask;
+struct table_keys {
+    struct table_index *index;
     int columns; /* that are left */
+};
+
+/* BLOCK_RECORDS records. */
+struct table_block {
+    void *_Atomic records; /* NULL: none was wanted yet */
 };
 
 /* Before each record. */
@@ -43,12 +42,17 @@ struct table_shared {
 
 struct table {
     struct table_shared shared;
-    struct table_index *index;
+    struct table_keys *keys;
     int column;
-    char *records;
+    struct table_block *blocks;
     size_t record_size, stride, capacity;
     atomic_size_t used;
 };
+
+static size_t table_blocks(const struct table *table)
+{
+    return table->capacity / BLOCK_RECORDS + 1;
+}
 
 /* A table without keys. */
 static struct table *table_column(size_t record_size, size_t bytes)
@@ -58,31 +62,29 @@ static struct table *table_column(size_t record_size, size_t bytes)
     table->stride = (sizeof(struct table_head) + record_size + 7) & ~(size_t)7;
     table->capacity =
         bytes / (table->stride + 2 * sizeof(struct table_place)) + 1;
-    table->records = memory_new(table->capacity * table->stride);
+    if (table->capacity >= number_claimed)
+        table->capacity = number_claimed - 1;
+    table->blocks = memory_new(table_blocks(table) * sizeof *table->blocks);
     return table;
 }
 
-static struct table_index *index_new(size_t capacity)
+static struct table_keys *keys_new(size_t capacity)
 {
-    struct table_index *index = memory_new(sizeof *index);
-    size_t places = 64;
-    while (places * 3 < capacity * 4)
-        places *= 2;
-    index->mask = places - 1;
-    index->places = memory_new(places * sizeof *index->places);
-    return index;
+    struct table_keys *keys = memory_new(sizeof *keys);
+    keys->index = table_index_new(capacity);
+    return keys;
 }
 
-static void table_index_by(struct table *table, struct table_index *index)
+static void table_found_by(struct table *table, struct table_keys *keys)
 {
-    table->index = index;
-    table->column = index->columns++;
+    table->keys = keys;
+    table->column = keys->columns++;
 }
 
 struct table *table_new(size_t record_size, size_t bytes)
 {
     struct table *table = table_column(record_size, bytes);
-    table_index_by(table, index_new(table->capacity));
+    table_found_by(table, keys_new(table->capacity));
     return table;
 }
 
@@ -94,9 +96,9 @@ struct table *table_new_beside(struct table **other, size_t record_size,
     *other = table_column(other_size, other_bytes);
     size_t most = table->capacity > (*other)->capacity ? table->capacity
                                                        : (*other)->capacity;
-    struct table_index *index = index_new(most);
-    table_index_by(table, index);
-    table_index_by(*other, index);
+    struct table_keys *keys = keys_new(most);
+    table_found_by(table, keys);
+    table_found_by(*other, keys);
     return table;
 }
 
@@ -106,11 +108,13 @@ void table_free(struct table *table)
         return;
     map_release(table->shared.map);
     memory_free(table->shared.numbers);
-    if (--table->index->columns == 0) {
-        memory_free(table->index->places);
-        memory_free(table->index);
+    if (--table->keys->columns == 0) {
+        table_index_free(table->keys->index);
+        memory_free(table->keys);
     }
-    memory_free(table->records);
+    for (size_t i = 0; i < table_blocks(table); i++)
+        memory_free(atomic_load(&table->blocks[i].records));
+    memory_free(table->blocks);
     memory_free(table);
 }
 
@@ -167,10 +171,23 @@ static const void *shared_find(const struct table_shared *shared, uint64_t key,
     return NULL;
 }
 
-static void *table_record(const struct table *table, size_t number)
+/* NULL: its block was not wanted yet. */
+static struct table_head *table_head(const struct table *table, size_t number)
 {
-    return table->records + (number - 1) * table->stride +
-           sizeof(struct table_head);
+    size_t from = (number - 1) / BLOCK_RECORDS;
+    char *block = atomic_load_explicit(&table->blocks[from].records,
+                                       memory_order_acquire);
+    if (!block)
+        return NULL;
+    return (struct table_head *)(block +
+                                 (number - 1) % BLOCK_RECORDS * table->stride);
+}
+
+static struct table_head *table_head_new(struct table *table, size_t number)
+{
+    made_once(&table->blocks[(number - 1) / BLOCK_RECORDS].records,
+              BLOCK_RECORDS * table->stride);
+    return table_head(table, number);
 }
 
 static bool table_is_full(struct table *table)
@@ -194,9 +211,9 @@ static enum table_state table_claim(struct table *table,
         atomic_store(claimed, number_none);
         return TABLE_NONE;
     }
-    struct table_head *head =
-        (struct table_head *)(table->records + (number - 1) * table->stride);
+    struct table_head *head = table_head_new(table, number);
     head->place = place;
+    atomic_store(claimed, number_claimed | (uint32_t)number);
     *record = head + 1;
     return TABLE_MINE;
 }
@@ -209,36 +226,26 @@ enum table_state table_find(struct table *table, uint64_t key, uint64_t hash,
         *record = (void *)(uintptr_t)known;
         return TABLE_READY;
     }
-    const struct table_index *index = table->index;
-    for (size_t i = 0; i < PROBES_MAX; i++) {
-        struct table_place *place = &index->places[(hash + i) & index->mask];
-        uint64_t found =
-            atomic_load_explicit(&place->key, memory_order_relaxed);
-        if (found == 0 && table_is_full(table))
-            return TABLE_NONE;
-        if (found == 0)
-            atomic_compare_exchange_strong(&place->key, &found, key);
-        if (found != 0 && found != key)
-            continue;
-        uint32_t number = atomic_load_explicit(&place->number[table->column],
-                                               memory_order_acquire);
-        if (number == number_none)
-            return table_claim(table, place, record);
-        if (number == number_claimed)
-            return TABLE_NONE;
-        *record = table_record(table, number);
-        return TABLE_READY;
-    }
-    return TABLE_NONE;
+    struct table_place *place =
+        table_index_find(table->keys->index, key, hash, table_is_full(table));
+    if (!place)
+        return TABLE_NONE;
+    uint32_t number = atomic_load_explicit(&place->number[table->column],
+                                           memory_order_acquire);
+    if (number == number_none)
+        return table_claim(table, place, record);
+    if (number & number_claimed)
+        return TABLE_NONE;
+    *record = table_head(table, number) + 1;
+    return TABLE_READY;
 }
 
 void table_publish(struct table *table, void *record)
 {
     struct table_head *head = (struct table_head *)record - 1;
-    size_t offset = (size_t)((char *)head - table->records);
-    atomic_store_explicit(&head->place->number[table->column],
-                          (uint32_t)(offset / table->stride + 1),
-                          memory_order_release);
+    _Atomic uint32_t *claimed = &head->place->number[table->column];
+    uint32_t number = atomic_load(claimed) & ~number_claimed;
+    atomic_store_explicit(claimed, number, memory_order_release);
 }
 
 void table_insert(struct table *table, uint64_t key, uint64_t hash,
@@ -264,13 +271,13 @@ size_t table_entries(const struct table *table, struct table_entry *entries)
     for (size_t n = 1; n <= shared->count; n++)
         entries[count++] = (struct table_entry){ shared_key(shared, n),
                                                  shared_record(shared, n) };
-    for (size_t i = 0; i <= table->index->mask; i++) {
-        const struct table_place *place = &table->index->places[i];
+    const struct table_place *place;
+    for (size_t i = 0; (place = table_index_at(table->keys->index, i)); i++) {
         uint32_t number = atomic_load(&place->number[table->column]);
-        if (number != number_none && number != number_claimed)
+        if (number != number_none && !(number & number_claimed))
             entries[count++] =
                 (struct table_entry){ atomic_load(&place->key),
-                                      table_record(table, number) };
+                                      table_head(table, number) + 1 };
     }
     qsort(entries, count, sizeof *entries, entry_order);
     return count;
@@ -289,9 +296,8 @@ const void *table_at(const struct table *table, size_t number, uint64_t *key)
         return shared_record(shared, number + 1);
     }
     number -= shared->count;
-    const struct table_head *head =
-        (const struct table_head *)(table->records + number * table->stride);
-    if (!head->place ||
+    const struct table_head *head = table_head(table, number + 1);
+    if (!head || !head->place ||
         atomic_load(&head->place->number[table->column]) != number + 1)
         return NULL;
     *key = atomic_load(&head->place->key);
@@ -310,8 +316,8 @@ size_t table_capacity(const struct table *table)
 
 size_t table_bytes(const struct table *table)
 {
-    const struct table_index *index = table->index;
-    return (index->mask + 1) * sizeof *index->places / (size_t)index->columns +
+    return table_index_bytes(table->keys->index) /
+               (size_t)table->keys->columns +
            atomic_load(&table->used) * table->stride +
            (table->shared.map ? table->shared.mask + 1 : 0) *
                sizeof *table->shared.numbers;

@@ -354,7 +354,7 @@ bool parse_expression(struct parser *p, struct value *value)
 {
     double number;
     if (float_at_once(p, &number)) {
-        *value = value_float(number);
+        value_set_float(value, number);
         return true;
     }
     enum keyword keyword = stream_keyword(p);

@@ -25,6 +25,14 @@ static inline struct value value_float(double number)
     return (struct value){ .kind = VALUE_FLOAT, .number = { number } };
 }
 
+/* The same in place: a whole value would wait for its parts to be written. */
+static inline void value_set_float(struct value *value, double number)
+{
+    value->kind = VALUE_FLOAT;
+    value->size = 0;
+    value->number[0] = number;
+}
+
 /* From here a float is no component of anything: see value_to_vector. */
 static inline void value_settle(struct value *value)
 {

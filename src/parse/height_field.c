@@ -2,6 +2,7 @@
  * they are in the file, whatever their gamma (measured), or from a function. */
 #include "scene/height_field.h"
 
+#include "base/rgb.h"
 #include "image/file.h"
 #include "parse/rules.h"
 #include "parse/user_function.h"
@@ -34,8 +35,8 @@ static double height_of(const struct image *image, const float *pixel)
         return trunc((double)(grey * 255.0F)) * 257;
     }
     if (image->bits > 8) {
-        double grey = 0.297 * (double)v + 0.589 * (double)(pixel[1] / alpha) +
-                      0.114 * (double)(pixel[2] / alpha);
+        double grey = grey_of((double)v, (double)(pixel[1] / alpha),
+                              (double)(pixel[2] / alpha));
         return trunc(grey * 65535);
     }
     double red = height_number(v, 255);
@@ -120,7 +121,7 @@ static double height_value(const struct function *function, vec3 point,
     if (values) {
         double c[5];
         values->at(values, point, c);
-        return 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2];
+        return grey_of(c[0], c[1], c[2]);
     }
     const double arguments[] = { point.x, point.y, point.z };
     return function_evaluate(function, arguments, steps_left);

@@ -331,7 +331,7 @@ static bool parse_component(struct parser *p, struct value *value)
     bool scalar = value->kind == VALUE_FLOAT;
     value_promote(value, VECTOR_LIMIT);
     double *n = value->number;
-    n[0] = index >= 0 ? n[index] : 0.297 * n[0] + 0.589 * n[1] + 0.114 * n[2];
+    n[0] = index >= 0 ? n[index] : grey_of(n[0], n[1], n[2]);
     value->kind = VALUE_FLOAT;
     value->size = scalar ? 0 : VECTOR_LIMIT;
     return true;
@@ -378,7 +378,7 @@ static bool parse_primary(struct parser *p, const char *wanted,
     bool ok;
     switch (token->kind) {
     case TOKEN_NUMBER:
-        *value = value_float(stream_next(p).number);
+        value_set_float(value, stream_next(p).number);
         return true;
     case TOKEN_STRING:
         *value = value_text(stream_next(p).text);

@@ -9,14 +9,9 @@
 #include "scene/function.h"
 #include "scene/object_probe.h"
 #include "scene/orbit.h"
+#include "scene/pavement.h"
 #include "scene/samples.h"
 #include "scene/tiling.h"
-
-/* Patterns of POV-Ray that glim does not have. */
-static const struct unsupported_word pattern_unsupported[] = {
-    { KEYWORD_PAVEMENT, "the 'pavement' pattern" },
-    { KEYWORD_NONE, NULL },
-};
 
 #define TURBULENCE(name, kind, member, low, high, help)                        \
     {                                                                          \
@@ -165,9 +160,37 @@ static bool parse_tiling(struct parser *p, struct pattern *pattern)
         return false;
     if (use->number > TILING_COUNT)
         return error_unsupported(p, span_join(span, p->last_span),
-                                 "Penrose's tilings, 25 to 27,");
+                                 "Penrose's tilings");
     use->tiling = tiling_make(p->scene_arena, use->number);
     return true;
+}
+
+/* The tiles are known when all that is said of them side by side is. */
+static bool parse_pavement(struct parser *p, struct pattern *pattern)
+{
+    struct pavement *pavement = pattern->parameters;
+    struct span span = p->last_span;
+    const struct field *field;
+    while ((field = accept_field(p, pattern->kind->items))) {
+        if (!parse_field(p, field, pavement))
+            return false;
+    }
+    pavement->edges = pavement_find(pavement);
+    if (pavement->edges)
+        return true;
+    span = span_join(span, p->last_span);
+    int count = pavement_patterns(pavement->sides, pavement->tiles);
+    if (count > 0)
+        return error_at(p, span, NULL,
+                        "there are patterns 1 to %d of %d tiles with %d sides, "
+                        "found %d",
+                        count, pavement->tiles, pavement->sides,
+                        pavement->pattern);
+    if (pavement->sides == 5)
+        return error_at(p, span, NULL, "number_of_sides is 3, 4 or 6");
+    return error_at(p, span, NULL,
+                    "hexagons have number_of_tiles 1 to 5, found %d",
+                    pavement->tiles);
 }
 
 /* magnet = "magnet" float ( "mandel" | "julia" vector [","] ) float . */
@@ -200,7 +223,7 @@ enum taken parse_pattern(struct parser *p, struct pattern *pattern)
         return NOT_MINE;
     const struct pattern_kind *kind = pattern_find(token->word->text);
     if (!kind)
-        return check_supported(p, pattern_unsupported) ? NOT_MINE : WRONG;
+        return NOT_MINE;
     pattern_become(p, pattern, kind);
     switch (token->word->keyword) {
     case KEYWORD_FUNCTION:
@@ -211,6 +234,9 @@ enum taken parse_pattern(struct parser *p, struct pattern *pattern)
         return parse_pigment_pattern(p, pattern);
     case KEYWORD_MAGNET:
         return parse_magnet(p, pattern);
+    case KEYWORD_PAVEMENT:
+        stream_next(p);
+        return parse_pavement(p, pattern);
     case KEYWORD_TILING:
         return parse_tiling(p, pattern);
     case KEYWORD_SLOPE:
@@ -271,7 +297,10 @@ static bool pattern_own_item(struct parser *p, struct pattern *pattern,
     void *parameters = arena_alloc(p->scene_arena, size);
     memcpy(parameters, pattern->parameters, size);
     pattern->parameters = parameters;
-    return parse_field(p, field, parameters);
+    if (!parse_field(p, field, parameters))
+        return false;
+    return pattern->kind != pattern_find("pavement") ||
+           parse_pavement(p, pattern);
 }
 
 /* pattern_item = transformation | wave | warp | noise_generator

@@ -210,6 +210,28 @@ static void stream_warn_sign(struct parser *p, const struct token *token)
                "'%s' should have a '#' before it", word);
 }
 
+/* Whether neither directive nor macro can begin with it. */
+static bool token_is_plain(const struct token *token)
+{
+    switch (token->kind) {
+    case TOKEN_WORD:
+        return token->word->reserved &&
+               !stream_lacks_sign(token->word->keyword);
+    case TOKEN_DIRECTIVE:
+    case TOKEN_BAD:
+        return false;
+    default:
+        return true;
+    }
+}
+
+static void stream_take(struct parser *p, struct cursor *cursor)
+{
+    p->token = cursor->list->tokens[cursor->index];
+    p->token_span = cursor_span(cursor, cursor->index++);
+    p->peeked = true;
+}
+
 /* Finds the next token of the scene: false at an end. */
 static bool stream_fetch(struct parser *p, bool infix)
 {
@@ -223,6 +245,10 @@ static bool stream_fetch(struct parser *p, bool infix)
             continue;
         }
         const struct token *token = &cursor->list->tokens[cursor->index];
+        if (!p->spare_semicolon && token_is_plain(token)) {
+            stream_take(p, cursor);
+            return true;
+        }
         bool stays = infix && cursor == p->directive;
         bool spare = p->spare_semicolon;
         p->spare_semicolon = false;
@@ -251,11 +277,9 @@ static bool stream_fetch(struct parser *p, bool infix)
             struct span span = cursor_span(cursor, cursor->index++);
             error_at(p, span, mistaken_character(p, span), "%s", token->text);
         } else {
-            p->token_span = cursor_span(cursor, cursor->index++);
-            p->token = *token;
+            stream_take(p, cursor);
             if (token->kind == TOKEN_DIRECTIVE)
                 p->token.kind = TOKEN_WORD;
-            p->peeked = true;
             return true;
         }
     }

@@ -90,6 +90,7 @@ static inline void value_copy(struct value *to, const struct value *from)
 {
     if (from->kind == VALUE_FLOAT) {
         to->kind = VALUE_FLOAT;
+        to->size = from->size;
         to->number[0] = from->number[0];
     } else {
         *to = *from;

@@ -159,12 +159,8 @@ CLONES static void places_from_middle(const struct camera_places *restrict at,
 CLONES static void directions_unit(struct rays *rays)
 {
     double(*restrict to)[RAY_LANES] = rays->direction;
-    for (int i = 0; i < RAY_LANES; i++) {
-        vec3 d = vec3_normalise((vec3){ to[0][i], to[1][i], to[2][i] });
-        to[0][i] = d.x;
-        to[1][i] = d.y;
-        to[2][i] = d.z;
-    }
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        lane_put(to, i, vec3_normalise(lane_get(to, i)));
 }
 
 static void rays_bent(const struct camera *camera,

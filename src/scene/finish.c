@@ -51,14 +51,7 @@ static void add_highlights(const struct finish_item *item, const void *said,
     }
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct finish_meeting meeting = {
-            { meetings->normal[0][i], meetings->normal[1][i],
-              meetings->normal[2][i] },
-            { meetings->view[0][i], meetings->view[1][i],
-              meetings->view[2][i] },
-            { meetings->light[0][i], meetings->light[1][i],
-              meetings->light[2][i] },
-        };
+        const struct finish_meeting meeting = finish_meeting_at(meetings, i);
         shares[i] += item->highlight(said, &meeting);
     }
 }
@@ -80,7 +73,7 @@ void finish_highlight_many(const struct finish *finish,
 }
 
 CLONES static void lobes_whole(const double *restrict cosines, double size,
-                               double *restrict lobes)
+                               double amount, double *restrict lobes)
 {
     double power[RAY_LANES];
     for (int i = 0; i < RAY_LANES; i++) {
@@ -96,19 +89,19 @@ CLONES static void lobes_whole(const double *restrict cosines, double size,
     }
     for (int i = 0; i < RAY_LANES; i++) {
         bool none = !(cosines[i] > 0) | (size * (1 - cosines[i]) > 24);
-        lobes[i] = none ? 0 : lobes[i];
+        lobes[i] = none ? 0 : amount * lobes[i];
     }
 }
 
-void finish_lobes(const double cosines[RAY_LANES], double size,
+void finish_lobes(const double cosines[RAY_LANES], double size, double amount,
                   double lobes[RAY_LANES])
 {
     if (lobe_is_whole(size)) {
-        lobes_whole(cosines, size, lobes);
+        lobes_whole(cosines, size, amount, lobes);
         return;
     }
     for (int i = 0; i < RAY_LANES; i++)
-        lobes[i] = cosines[i] > 0 ? finish_lobe(cosines[i], size) : 0;
+        lobes[i] = cosines[i] > 0 ? amount * finish_lobe(cosines[i], size) : 0;
 }
 
 int finish_spreads(const struct finish *finish,

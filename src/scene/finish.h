@@ -74,6 +74,14 @@ struct finish_meetings {
     const double (*normal)[RAY_LANES], (*view)[RAY_LANES], (*light)[RAY_LANES];
 };
 
+static inline struct finish_meeting
+finish_meeting_at(const struct finish_meetings *meetings, unsigned i)
+{
+    return (struct finish_meeting){ lane_get(meetings->normal, i),
+                                    lane_get(meetings->view, i),
+                                    lane_get(meetings->light, i) };
+}
+
 /* Where a highlight is seen, for paths to look there first: the cosine to the
  * mirrored view, or to the normal if it is of the halfway vector, to this
  * power. Of light from everywhere it gives about amount * share. */
@@ -203,8 +211,8 @@ static inline double finish_lobe(double cosine, double size)
     return power;
 }
 
-/* The same of several; 0 where a cosine isn't above 0. */
-void finish_lobes(const double cosines[RAY_LANES], double size,
+/* The same of several, times `amount`; 0 where a cosine isn't above 0. */
+void finish_lobes(const double cosines[RAY_LANES], double size, double amount,
                   double lobes[RAY_LANES]);
 
 struct finish finish_default(void);

@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/pair.h"
 #include "base/vec.h"
+#include "base/octet.h"
 
 enum { FUNCTION_PARAMETERS = 56 }; /* as POV-Ray's macros */
 
@@ -66,11 +66,11 @@ struct step {
         double number;
         struct {
             double (*one)(double);
-            pair (*ones)(pair); /* the same of two, to the bit; or NULL */
+            void (*ones)(octet *); /* of each, to the same bit; or NULL */
         };
         struct {
             double (*two)(double, double);
-            pair (*twos)(pair, pair);
+            void (*twos)(octet *, const octet *); /* into the first */
         };
         const struct function *function;
         const struct function_field *field;

@@ -5,64 +5,23 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/pair_math.h"
+#include "base/clones.h"
+#include "base/octet_math.h"
 #include "scene/function.h"
 #include "scene/spots.h"
 
-/* A number at each of the points. */
-struct batch {
-    pair low, high;
-};
-
-static inline struct batch batch_of(double number)
-{
-    return (struct batch){ pair_of(number), pair_of(number) };
-}
-
-static inline struct batch batch_negate(struct batch a)
-{
-    return (struct batch){ -a.low, -a.high };
-}
-
-#define BATCH_OPERATOR(name, operator)                                         \
-    static inline struct batch batch_##name(struct batch a, struct batch b)    \
-    {                                                                          \
-        return (struct batch){ a.low operator b.low, a.high operator b.high }; \
-    }
-
-BATCH_OPERATOR(PLUS, +)
-BATCH_OPERATOR(MINUS, -)
-BATCH_OPERATOR(TIMES, *)
-BATCH_OPERATOR(OVER, /)
-
-static struct batch batch_run(const struct function *f,
-                              const struct batch *locals, struct batch *top,
-                              int count);
-
-static inline double batch_get(const struct batch *batch, int i)
-{
-    return i < PAIR ? batch->low[i] : batch->high[i - PAIR];
-}
-
-static inline void batch_set(struct batch *batch, int i, double number)
-{
-    if (i < PAIR)
-        batch->low[i] = number;
-    else
-        batch->high[i - PAIR] = number;
-}
+static void batch_run(const struct function *f, octet *locals, octet *top,
+                      int count);
 
 /* Where there are fewer points, the missing are as the first. */
-static inline struct batch batch_gather(const double *at, int count)
+static void batch_gather(const double *at, int count, octet *batch)
 {
-    return (struct batch){
-        { at[0], at[count > 1 ? 1 : 0] },
-        { at[count > 2 ? 2 : 0], at[count > 3 ? 3 : 0] },
-    };
+    for (int i = 0; i < OCTET; i++)
+        (*batch)[i] = at[i < count ? i : 0];
 }
 
-static struct batch batch_field(const struct function_field *field,
-                                const struct batch point[3], int count)
+static void batch_field(const struct function_field *field, octet point[3],
+                        int count)
 {
     struct spots spots;
     double values[SPOTS_MAX];
@@ -74,168 +33,141 @@ static struct batch batch_field(const struct function_field *field,
         field->values(field, &spots, values);
     for (int i = 0; !field->values && i < count; i++)
         values[i] = field->value(field, spots_at(&spots, i));
-    return batch_gather(values, count);
+    batch_gather(values, count, point);
 }
 
-static struct batch batch_one(const struct step *step, struct batch a,
-                              int count)
+static void batch_one(const struct step *step, octet *a, int count)
 {
-    struct batch result = a;
     if (step->ones)
-        return (struct batch){ step->ones(a.low), step->ones(a.high) };
-    for (int i = 0; i < count; i++)
-        batch_set(&result, i, step->one(batch_get(&a, i)));
-    return result;
+        step->ones(a);
+    else
+        for (int i = 0; i < count; i++)
+            (*a)[i] = step->one((*a)[i]);
 }
 
-static struct batch batch_two(const struct step *step, struct batch a,
-                              struct batch b, int count)
+static void batch_two(const struct step *step, octet *a, const octet *b,
+                      int count)
 {
-    struct batch result = a;
     if (step->twos)
-        return (struct batch){ step->twos(a.low, b.low),
-                               step->twos(a.high, b.high) };
-    for (int i = 0; i < count; i++)
-        batch_set(&result, i, step->two(batch_get(&a, i), batch_get(&b, i)));
-    return result;
+        step->twos(a, b);
+    else
+        for (int i = 0; i < count; i++)
+            (*a)[i] = step->two((*a)[i], (*b)[i]);
 }
 
 /* As machine_select, for each point. */
-static struct batch batch_select(const struct batch *arguments, int choices,
-                                 int count)
+static void batch_select(octet *arguments, int choices, int count)
 {
-    struct batch result = arguments[2];
     for (int i = 0; i < count; i++) {
-        double x = batch_get(&arguments[0], i);
+        double x = arguments[0][i];
         int chosen = x < 0 ? 1 : x > 0 && choices == 4 ? 3 : 2;
-        batch_set(&result, i, batch_get(&arguments[chosen], i));
+        arguments[0][i] = arguments[chosen][i];
     }
-    return result;
 }
 
 /* One of the steps that batch_run leaves to others; `top` is the first free
  * place, and the result takes that of the first argument. Returns it. */
-static struct batch *batch_step(const struct step *step, struct batch *top,
-                                int count)
+static octet *batch_step(const struct step *step, octet *top, int count)
 {
     const struct function *callee;
-    struct batch *first;
+    octet *first;
     switch (step->kind) {
     case STEP_ONE:
         first = top - 1;
-        *first = batch_one(step, *first, count);
+        batch_one(step, first, count);
         return first;
     case STEP_TWO:
         first = top - 2;
-        *first = batch_two(step, first[0], first[1], count);
+        batch_two(step, first, first + 1, count);
         return first;
     case STEP_FIELD:
         first = top - 3;
-        *first = batch_field(step->field, first, count);
+        batch_field(step->field, first, count);
         return first;
     case STEP_SELECT:
         first = top - step->slot;
-        *first = batch_select(first, step->slot, count);
+        batch_select(first, step->slot, count);
         return first;
     default:
         callee = step->function;
         first = top - callee->parameter_count;
-        *first = batch_run(callee, first, first + callee->slots, count);
+        batch_run(callee, first, first + callee->slots, count);
         return first;
     }
 }
 
 /* The three kinds of steps of an operator. */
-#define ARITHMETIC(name)                                                       \
+#define ARITHMETIC(name, operator)                                             \
     case STEP_##name:                                                          \
-        last = batch_##name(*--top, last);                                     \
+        last = *--top operator last;                                           \
         break;                                                                 \
     case STEP_##name##_LOCAL:                                                  \
-        last = batch_##name(last, locals[step->slot]);                         \
+        last = last operator locals[step->slot];                               \
         break;                                                                 \
     case STEP_##name##_NUMBER:                                                 \
-        last = batch_##name(last, batch_of(step->number));                     \
+        last = last operator step->number;                                     \
         break;
 
-/* Below what it leaves on the stack there is one number that isn't used. */
-static struct batch batch_run(const struct function *f,
-                              const struct batch *locals, struct batch *top,
-                              int count)
+/* Below what it leaves on the stack there is one number that isn't used. The
+ * result takes the place of the first parameter. */
+CLONES static void batch_run(const struct function *f, octet *locals,
+                             octet *top, int count)
 {
     const struct step *step = f->steps.items;
     const struct step *stop = step + f->steps.count;
-    struct batch last = batch_of(0);
+    octet last = { 0 };
     for (; step < stop; step++) {
         switch (step->kind) {
         case STEP_NUMBER:
             *top++ = last;
-            last = batch_of(step->number);
+            last = (octet){ 0 } + step->number;
             break;
         case STEP_LOCAL:
             *top++ = last;
             last = locals[step->slot];
             break;
         case STEP_NEGATE:
-            last = batch_negate(last);
+            last = -last;
             break;
-            ARITHMETIC(PLUS)
-            ARITHMETIC(MINUS)
-            ARITHMETIC(TIMES)
-            ARITHMETIC(OVER)
+            ARITHMETIC(PLUS, +)
+            ARITHMETIC(MINUS, -)
+            ARITHMETIC(TIMES, *)
+            ARITHMETIC(OVER, /)
         default:
             *top++ = last;
             top = batch_step(step, top, count);
             last = *top;
         }
     }
-    return last;
+    *locals = last;
 }
 
-static pair pair_abs(pair x)
-{
-    return (pair){ fabs(x[0]), fabs(x[1]) };
-}
+/* A power for one number, and for eight: to the same bit. */
+#define POWER(exponent, product)                                               \
+    static double power_##exponent(double x)                                   \
+    {                                                                          \
+        return product;                                                        \
+    }                                                                          \
+    CLONES static void octet_power_##exponent(octet *at)                       \
+    {                                                                          \
+        const octet x = *at;                                                   \
+        *at = product;                                                         \
+    }
 
-static double power_2(double x)
-{
-    return x * x;
-}
-
-static double power_3(double x)
-{
-    return x * x * x;
-}
-
-static double power_4(double x)
-{
-    return (x * x) * (x * x);
-}
-
-static pair pair_power_2(pair x)
-{
-    return x * x;
-}
-
-static pair pair_power_3(pair x)
-{
-    return x * x * x;
-}
-
-static pair pair_power_4(pair x)
-{
-    return (x * x) * (x * x);
-}
+POWER(2, x *x)
+POWER(3, x *x *x)
+POWER(4, (x * x) * (x * x))
 
 void step_set_one(struct step *step, double (*one)(double))
 {
     static const struct {
         double (*asked)(double), (*one)(double);
-        pair (*ones)(pair);
+        void (*ones)(octet *);
     } all[] = {
-        { sin, lone_sin, pair_sin },
-        { cos, lone_cos, pair_cos },
-        { sqrt, sqrt, pair_sqrt },
-        { fabs, fabs, pair_abs },
+        { sin, lone_sin, octet_sin },
+        { cos, lone_cos, octet_cos },
+        { sqrt, sqrt, octet_sqrt },
+        { fabs, fabs, octet_abs },
     };
     step->one = one;
     step->ones = NULL;
@@ -250,14 +182,14 @@ void step_set_two(struct step *step, double (*two)(double, double))
 {
     bool arc = two == atan2;
     step->two = arc ? lone_atan2 : two;
-    step->twos = arc ? pair_atan2 : NULL;
+    step->twos = arc ? octet_atan2 : NULL;
 }
 
 bool step_set_power(struct step *step, double exponent)
 {
     static double (*const one[])(double) = { power_2, power_3, power_4 };
-    static pair (*const ones[])(pair) = { pair_power_2, pair_power_3,
-                                          pair_power_4 };
+    static void (*const ones[])(octet *) = { octet_power_2, octet_power_3,
+                                             octet_power_4 };
     if (exponent != 2 && exponent != 3 && exponent != 4)
         return false;
     step->kind = STEP_ONE;
@@ -310,20 +242,17 @@ bool function_is_even(const struct function *f)
 void function_values_at(const struct function *function,
                         const struct spots *spots, double *values)
 {
-    struct batch stack[BATCH_STACK];
+    octet stack[BATCH_STACK];
     int count = spots->count;
     if (!function->even) {
         for (int i = 0; i < count; i++)
             values[i] = function_at(function, spots_at(spots, i));
         return;
     }
-    stack[0] = batch_gather(spots->x, count);
-    stack[1] = batch_gather(spots->y, count);
-    stack[2] = batch_gather(spots->z, count);
-    struct batch result =
-        batch_run(function, stack, stack + function->slots, count);
-    for (int i = 0; i < count; i++) {
-        double value = batch_get(&result, i);
-        values[i] = isnan(value) ? 0 : value;
-    }
+    batch_gather(spots->x, count, &stack[0]);
+    batch_gather(spots->y, count, &stack[1]);
+    batch_gather(spots->z, count, &stack[2]);
+    batch_run(function, stack, stack + function->slots, count);
+    for (int i = 0; i < count; i++)
+        values[i] = isnan(stack[0][i]) ? 0 : stack[0][i];
 }

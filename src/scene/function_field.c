@@ -52,7 +52,7 @@ static double values_part(const struct function_field *field, vec3 point)
     double parts[5];
     values->at(values, point, parts);
     if (field->part == FIELD_GREY)
-        return 0.297 * parts[0] + 0.589 * parts[1] + 0.114 * parts[2];
+        return grey_of(parts[0], parts[1], parts[2]);
     if (field->part == FIELD_HEIGHT)
         return (parts[0] + parts[1] / 255) * 0.996093; /* measured */
     return parts[field->part];

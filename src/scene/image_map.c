@@ -196,7 +196,7 @@ static double image_grey(const struct image_map *map, double x, double y)
     x -= image->width * floor(x / image->width);
     y -= image->height * floor(y / image->height);
     colour c = image_at(map, x, y);
-    return 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
+    return grey_of(c.r, c.g, c.b);
 }
 
 /* Measured: from the heights at the pixel and at those left and right of the

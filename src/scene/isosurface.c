@@ -66,29 +66,82 @@ void isosurface_values(const struct isosurface *s, const struct spots *spots,
         values[i] -= s->threshold;
 }
 
+/* A ray that is to meet it, between two places. */
+struct seeker {
+    double tmin, tmax;
+    struct hit ends[2]; /* of what is in the container */
+    struct search_place from, to;
+    double crossing; /* if the search is for one */
+    struct search search;
+};
+
 /* The part of a ray in the container. False: none. */
-static bool search_start(struct search *search, const struct isosurface *s,
-                         const struct ray *ray, struct hits *hits,
-                         struct hit ends[2])
+static inline bool seeker_enters(struct seeker *seeker,
+                                 const struct isosurface *s)
 {
-    double speed = vec3_length(ray->direction);
-    *search = (struct search){ .surface = s,
-                               .ray = ray,
-                               .hits = hits,
-                               .gradient = s->max_gradient * speed,
-                               .accuracy = s->accuracy / speed,
-                               .wanted = HITS_MAX - 2 };
-    return speed > 0 &&
-           container_interval(&s->container, ray, ISOSURFACE_CONTAINER, ends);
+    vec3 d = seeker->search.ray.direction;
+    return vec3_dot(d, d) > 0 &&
+           container_interval(&s->container, &seeker->search.ray,
+                              ISOSURFACE_CONTAINER, seeker->ends);
 }
 
-/* The values where a search begins and ends. */
-static inline void search_ends(const struct search *search, double a, double b,
-                               double at[2])
+/* From where to where nothing but the container hides what it seeks. */
+static inline bool seeker_begin(struct seeker *seeker,
+                                const struct isosurface *s)
 {
-    struct spots ends = spots_of(ray_point(search->ray, a));
-    spots_add(&ends, ray_point(search->ray, b));
-    isosurface_values(search->surface, &ends, at);
+    if (!seeker_enters(seeker, s))
+        return false;
+    seeker->from.t = fmax(seeker->ends[0].t, seeker->tmin);
+    seeker->to.t = fmin(seeker->ends[1].t, seeker->tmax);
+    return seeker->from.t < seeker->to.t;
+}
+
+/* The values where searches begin and end. */
+static void seekers_find_ends(const struct isosurface *s,
+                              struct seeker *const *seekers, int count)
+{
+    enum { TOGETHER = SPOTS_MAX / 2 };
+    for (int first = 0; first < count; first += TOGETHER) {
+        struct seeker *const *here = seekers + first;
+        int most = count - first < TOGETHER ? count - first : TOGETHER;
+        struct spots spots;
+        double values[SPOTS_MAX];
+        spots.count = 0;
+        for (int i = 0; i < most; i++) {
+            spots_add(&spots, ray_point(&here[i]->search.ray, here[i]->from.t));
+            spots_add(&spots, ray_point(&here[i]->search.ray, here[i]->to.t));
+        }
+        isosurface_values(s, &spots, values);
+        for (int i = 0; i < most; i++) {
+            here[i]->from.value = values[2 * i];
+            here[i]->to.value = values[2 * i + 1];
+        }
+    }
+}
+
+/* Whether it meets the container before all else. */
+static inline bool seeker_meets_end(const struct seeker *seeker,
+                                    const struct isosurface *s)
+{
+    return seeker->from.t > seeker->tmin && seeker->from.value < 0 && !s->open;
+}
+
+/* The first crossing for each. */
+static void seekers_search(const struct isosurface *s,
+                           struct seeker *const *seekers, int count)
+{
+    struct search *searches[RAY_LANES];
+    int live = 0;
+    seekers_find_ends(s, seekers, count);
+    for (int i = 0; i < count; i++) {
+        struct seeker *seeker = seekers[i];
+        search_set_out(&seeker->search, s, &seeker->crossing, 1);
+        if (seeker_meets_end(seeker, s))
+            continue;
+        search_stretch(&seeker->search, seeker->from, seeker->to);
+        searches[live++] = &seeker->search;
+    }
+    search_run(s, searches, live);
 }
 
 /* Where the container cuts through the inside, it is the surface. */
@@ -96,48 +149,55 @@ static void isosurface_intersect(const void *shape, const struct ray *ray,
                                  struct hits *hits)
 {
     const struct isosurface *s = shape;
-    struct hit ends[2];
-    struct search search;
-    if (!search_start(&search, s, ray, hits, ends))
+    struct seeker seeker, *one = &seeker;
+    struct search *search = &seeker.search;
+    double crossings[HITS_MAX - 2];
+    search->ray = *ray;
+    if (!seeker_enters(&seeker, s))
         return;
-    double at[2];
-    search_ends(&search, ends[0].t, ends[1].t, at);
-    if (at[0] < 0 && !s->open)
-        hits->at[hits->count++] = ends[0];
-    search_crossings(&search, ends[0].t, at[0], ends[1].t, at[1]);
-    if (at[1] < 0 && !s->open)
-        hits->at[hits->count++] = ends[1];
+    seeker.from.t = seeker.ends[0].t;
+    seeker.to.t = seeker.ends[1].t;
+    seekers_find_ends(s, &one, 1);
+    search_set_out(search, s, crossings, HITS_MAX - 2);
+    search_stretch(search, seeker.from, seeker.to);
+    search_run(s, &search, 1);
+    if (seeker.from.value < 0 && !s->open)
+        hits->at[hits->count++] = seeker.ends[0];
+    for (int i = 0; i < search->found; i++)
+        hits_add(hits, crossings[i], ISOSURFACE_FUNCTION);
+    if (seeker.to.value < 0 && !s->open)
+        hits->at[hits->count++] = seeker.ends[1];
+}
+
+/* What its search has found. */
+static bool seeker_first(const struct seeker *seeker,
+                         const struct isosurface *s, struct hit *hit)
+{
+    if (seeker_meets_end(seeker, s)) {
+        *hit = seeker->ends[0];
+        return true;
+    }
+    if (seeker->search.found > 0)
+        *hit = (struct hit){ seeker->crossing, ISOSURFACE_FUNCTION, 0, 0 };
+    else if (seeker->to.t < seeker->tmax && seeker->to.value < 0 && !s->open)
+        *hit = seeker->ends[1];
+    else
+        return false;
+    return hit->t > seeker->tmin && hit->t < seeker->tmax;
 }
 
 /* Nothing is looked for but between tmin and tmax, and up to the first. */
 static bool isosurface_first(const void *shape, const struct ray *ray,
                              double tmin, double tmax, struct hit *hit)
 {
-    const struct isosurface *s = shape;
-    struct hit ends[2];
-    struct hits hits;
-    struct search search;
-    hits.count = 0;
-    if (!search_start(&search, s, ray, &hits, ends))
+    struct seeker seeker, *one = &seeker;
+    seeker.search.ray = *ray;
+    seeker.tmin = tmin;
+    seeker.tmax = tmax;
+    if (!seeker_begin(&seeker, shape))
         return false;
-    double from = fmax(ends[0].t, tmin), to = fmin(ends[1].t, tmax);
-    if (!(from < to))
-        return false;
-    double at[2];
-    search_ends(&search, from, to, at);
-    if (from > tmin && at[0] < 0 && !s->open) {
-        *hit = ends[0];
-        return true;
-    }
-    search.wanted = 1;
-    search_crossings(&search, from, at[0], to, at[1]);
-    if (hits.count > 0)
-        *hit = hits.at[0];
-    else if (to < tmax && at[1] < 0 && !s->open)
-        *hit = ends[1];
-    else
-        return false;
-    return hit->t > tmin && hit->t < tmax;
+    seekers_search(shape, &one, 1);
+    return seeker_first(&seeker, shape, hit);
 }
 
 static bool isosurface_crosses(const void *shape, const struct ray *ray,
@@ -145,6 +205,39 @@ static bool isosurface_crosses(const void *shape, const struct ray *ray,
 {
     struct hit hit;
     return isosurface_first(shape, ray, tmin, tmax, &hit);
+}
+
+static void isosurface_first_many(const void *shape, const struct rays *rays,
+                                  const struct rays_span *span,
+                                  struct rays_met *met)
+{
+    struct seeker all[RAY_LANES], *seekers[RAY_LANES];
+    struct hit hit;
+    int count = 0;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct seeker *seeker = seekers[count] = &all[i];
+        seeker->search.ray = rays_at(rays, i);
+        seeker->tmin = span->near[i];
+        seeker->tmax = span->far[i];
+        met->t[i] = (double)INFINITY;
+        count += seeker->tmin < seeker->tmax && seeker_begin(seeker, shape);
+    }
+    seekers_search(shape, seekers, count);
+    for (int i = 0; i < count; i++)
+        if (seeker_first(seekers[i], shape, &hit)) {
+            met->t[seekers[i] - all] = hit.t;
+            met->part[seekers[i] - all] = hit.part;
+        }
+}
+
+static void isosurface_crosses_many(const void *shape, const struct rays *rays,
+                                    const struct rays_span *span,
+                                    lane_flag *crosses)
+{
+    struct rays_met met;
+    isosurface_first_many(shape, rays, span, &met);
+    for (int i = 0; i < RAY_LANES; i++)
+        crosses[i] = met.t[i] < (double)INFINITY ? -1 : 0;
 }
 
 static vec3 isosurface_normal(const void *shape, vec3 point,
@@ -201,6 +294,8 @@ const struct primitive isosurface_primitive = {
     .intersect = isosurface_intersect,
     .crosses = isosurface_crosses,
     .first = isosurface_first,
+    .crosses_many = isosurface_crosses_many,
+    .first_many = isosurface_first_many,
     .normal = isosurface_normal,
     .inside = isosurface_inside,
     .meets = isosurface_meets,

@@ -1,110 +1,210 @@
 /* Crossings of an isosurface: a stretch of the ray is left out if the values at
  * its ends are too large for the function to reach its threshold between them,
  * by the largest gradient it is said to have; else it is halved, until it is as
- * short as the accuracy. Where several values take hardly longer than one,
- * those that the halves will most likely ask for are worked out with it. */
+ * short as the accuracy.
+ *
+ * Each search says where it wants the next value, and those of several rays are
+ * worked out together. Where there are few rays, so are those that the halves
+ * of a stretch will most likely ask for. */
 #include "scene/isosurface_search.h"
 
-#include "scene/bracket.h"
 #include "scene/function.h"
-#include "scene/spots.h"
 
 enum {
     SEARCH_STEPS = 200000, /* function calls for one ray */
     SEARCH_ROUNDS = 60,    /* for one crossing */
 };
 
-static double search_value(const struct search *search, double t)
+void search_set_out(struct search *search, const struct isosurface *surface,
+                    double *crossings, int wanted)
 {
-    return isosurface_value(search->surface, ray_point(search->ray, t));
+    double speed = vec3_length(search->ray.direction);
+    search->crossings = crossings;
+    search->gradient = surface->max_gradient * speed;
+    search->accuracy = surface->accuracy / speed;
+    search->left = SEARCH_STEPS - 2; /* that of the ends are spent */
+    search->wanted = wanted;
+    search->found = search->round = search->ahead = search->depth = 0;
 }
 
-/* The crossing in it. */
-static void search_refine(struct search *search, struct bracket in)
+void search_stretch(struct search *search, struct search_place a,
+                    struct search_place b)
 {
-    double enough = 1e-6 * search->accuracy, t;
-    for (int i = 1; i < SEARCH_ROUNDS && in.b - in.a > enough; i++) {
-        if (!bracket_next(&in, i, &t))
-            break;
-        double at_t = search_value(search, t);
-        search->left--;
-        bracket_narrow(&in, t, at_t, (at_t < 0) == (in.at_a < 0));
-    }
-    hits_add(search->hits, 0.5 * (in.a + in.b), ISOSURFACE_FUNCTION);
+    search->here = a;
+    search->ends[0] = b;
+    search->depth = 1;
 }
 
-/* The values at the middle of a stretch and at those of its halves. */
-struct middles {
-    double at[3];
-};
-
-static inline struct middles search_middles(const struct search *search,
-                                            double a, double middle, double b)
+/* To the end of the first stretch. */
+static inline void search_pass(struct search *search)
 {
-    struct middles middles;
-    struct spots spots = spots_of(ray_point(search->ray, middle));
-    spots_add(&spots, ray_point(search->ray, 0.5 * (a + middle)));
-    spots_add(&spots, ray_point(search->ray, 0.5 * (middle + b)));
-    isosurface_values(search->surface, &spots, middles.at);
-    return middles;
+    search->here = search->ends[--search->depth];
 }
 
-/* Whether it is to be halved; else its crossing, if it has one, is added. */
-static inline bool search_goes_on(struct search *search, double a, double at_a,
-                                  double b, double at_b)
+/* Whether the crossing in the first stretch wants another value. */
+static bool search_refines(struct search *search)
 {
-    bool differ = (at_a < 0) != (at_b < 0);
-    if (!differ && fabs(at_a) + fabs(at_b) > search->gradient * (b - a))
-        return false;
-    if (search->left <= 0 || search->hits->count >= search->wanted)
-        return false;
-    double middle = 0.5 * (a + b);
-    if (!(b - a < search->accuracy || middle <= a || middle >= b))
+    struct bracket *in = &search->bracket;
+    double enough = 1e-6 * search->accuracy;
+    if (search->round < SEARCH_ROUNDS && in->b - in->a > enough &&
+        bracket_next(in, search->round, &search->asked))
         return true;
-    if (differ)
-        search_refine(search, (struct bracket){ a, at_a, b, at_b });
+    search->crossings[search->found++] = 0.5 * (in->a + in->b);
+    search->round = 0;
     return false;
 }
 
-static void search_stretch(struct search *search, double a, double at_a,
-                           double b, double at_b);
-
-/* A stretch of which the value at the middle is known. */
-static inline void search_known(struct search *search, double a, double at_a,
-                                double b, double at_b, double at_middle)
+/* Whether the first stretch wants a value; if not, it is passed. */
+static inline bool search_wants(struct search *search)
 {
-    double middle = 0.5 * (a + b);
-    if (!search_goes_on(search, a, at_a, b, at_b))
-        return;
-    search->left--;
-    search_stretch(search, a, at_a, middle, at_middle);
-    search_stretch(search, middle, at_middle, b, at_b);
+    const struct search_place a = search->here,
+                              b = search->ends[search->depth - 1];
+    bool differ = (a.value < 0) != (b.value < 0);
+    double length = b.t - a.t;
+    if (differ ||
+        !(fabs(a.value) + fabs(b.value) > search->gradient * length)) {
+        search->asked = 0.5 * (a.t + b.t);
+        if (!(length < search->accuracy || search->asked <= a.t ||
+              search->asked >= b.t || search->depth == SEARCH_DEPTH))
+            return true;
+        if (differ) {
+            search->bracket = (struct bracket){ a.t, a.value, b.t, b.value };
+            search->round = 1;
+            if (search_refines(search))
+                return true;
+        }
+    }
+    search_pass(search);
+    return false;
 }
 
-/* If values are worked out ahead, two steps at a time: most halves are halved
- * again. */
-static void search_stretch(struct search *search, double a, double at_a,
-                           double b, double at_b)
+/* Takes the value that was asked for. */
+static inline void search_take(struct search *search, double value)
 {
-    double middle = 0.5 * (a + b);
-    if (!search_goes_on(search, a, at_a, b, at_b))
-        return;
+    struct bracket *in = &search->bracket;
+    const struct search_place at = { search->asked, value };
     search->left--;
-    if (search->surface->function->even) {
-        struct middles middles = search_middles(search, a, middle, b);
-        double at_middle = middles.at[0];
-        search_known(search, a, at_a, middle, at_middle, middles.at[1]);
-        search_known(search, middle, at_middle, b, at_b, middles.at[2]);
+    if (search->round) {
+        bracket_narrow(in, at.t, value, (value < 0) == (in->at_a < 0));
+        search->round++;
     } else {
-        double at_middle = search_value(search, middle);
-        search_stretch(search, a, at_a, middle, at_middle);
-        search_stretch(search, middle, at_middle, b, at_b);
+        search->ends[search->depth++] = at;
     }
 }
 
-void search_crossings(struct search *search, double a, double at_a, double b,
-                      double at_b)
+/* Whether the value that is asked for is known, and then it is taken. */
+static inline bool search_knows(struct search *search)
 {
-    search->left = SEARCH_STEPS - 2; /* that of the ends are spent */
-    search_stretch(search, a, at_a, b, at_b);
+    for (int i = 0; i < search->ahead; i++)
+        if (search->known[i].t == search->asked) {
+            search_take(search, search->known[i].value);
+            return true;
+        }
+    return false;
+}
+
+/* Goes on to where a value must be worked out. False: the search is over. */
+static bool search_ask(struct search *search)
+{
+    while (search->depth > 0 && search->left > 0 &&
+           search->found < search->wanted) {
+        bool asks;
+        if (search->round) {
+            asks = search_refines(search);
+            if (!asks)
+                search_pass(search);
+        } else {
+            asks = search_wants(search);
+        }
+        if (asks && !search_knows(search))
+            return true;
+    }
+    return false;
+}
+
+/* Values that are worked out together. */
+struct batch {
+    int count; /* of the searches that want them */
+    struct search *of[SPOTS_MAX];
+    struct spots spots;
+};
+
+static inline void batch_add(struct batch *batch, struct search *search,
+                             double t)
+{
+    search->known[search->ahead++].t = t;
+    spots_add(&batch->spots, ray_point(&search->ray, t));
+}
+
+/* The value it wants and, of a stretch, up to 2 or 6 that the next steps will
+ * most likely want. */
+static void batch_ask(struct batch *batch, struct search *search, int values)
+{
+    batch->of[batch->count++] = search;
+    search->ahead = 0;
+    spots_add(&batch->spots, ray_point(&search->ray, search->asked));
+    if (search->round || values < 3)
+        return;
+    double a = search->here.t, b = search->ends[search->depth - 1].t;
+    double middle = search->asked;
+    double low = 0.5 * (a + middle), high = 0.5 * (middle + b);
+    batch_add(batch, search, low);
+    batch_add(batch, search, high);
+    if (values < 7)
+        return;
+    batch_add(batch, search, 0.5 * (a + low));
+    batch_add(batch, search, 0.5 * (low + middle));
+    batch_add(batch, search, 0.5 * (middle + high));
+    batch_add(batch, search, 0.5 * (high + b));
+}
+
+static void batch_answer(struct batch *batch, const struct isosurface *surface)
+{
+    double values[SPOTS_MAX];
+    const double *next = values;
+    isosurface_values(surface, &batch->spots, values);
+    for (int i = 0; i < batch->count; i++) {
+        struct search *search = batch->of[i];
+        search_take(search, *next++);
+        for (int k = 0; k < search->ahead; k++)
+            search->known[k].value = *next++;
+    }
+    batch->count = batch->spots.count = 0;
+}
+
+/* How many values for each of so many searches take as long as one. */
+static inline int values_for(const struct isosurface *surface, int searches)
+{
+    return !surface->function->even || 3 * searches > SPOTS_MAX ? 1
+           : searches > 1                                       ? 3
+                                                                : 7;
+}
+
+/* They wait in a ring, so that there is always a whole batch of them. */
+void search_run(const struct isosurface *surface, struct search *const *all,
+                int count)
+{
+    enum { RING = 16 };
+    struct search *ring[RING];
+    struct batch batch;
+    int first = 0, live = count;
+    batch.count = batch.spots.count = 0;
+    for (int i = 0; i < count; i++)
+        ring[i] = all[i];
+    while (live > 0) {
+        int values = values_for(surface, live), waiting = live;
+        while (waiting > 0 && batch.spots.count + values <= SPOTS_MAX) {
+            struct search *next = ring[first % RING];
+            first++;
+            waiting--;
+            if (search_ask(next))
+                batch_ask(&batch, next, values);
+            else
+                live--;
+        }
+        for (int i = 0; i < batch.count; i++)
+            ring[(first + waiting + i) % RING] = batch.of[i];
+        if (batch.count > 0)
+            batch_answer(&batch, surface);
+    }
 }

@@ -1,22 +1,48 @@
-/* Where a ray crosses an isosurface: see isosurface_search.c. */
+/* Where rays cross isosurfaces: see isosurface_search.c. */
 #ifndef SCENE_ISOSURFACE_SEARCH_H
 #define SCENE_ISOSURFACE_SEARCH_H
 
+#include "scene/bracket.h"
 #include "scene/isosurface.h"
+#include "scene/spots.h"
 
-struct search {
-    const struct isosurface *surface;
-    const struct ray *ray;
-    struct hits *hits;
-    double gradient; /* of the function by t, at most */
-    double accuracy; /* in t */
-    int left;        /* function calls */
-    int wanted;      /* crossings, at most: the nearest */
+enum {
+    SEARCH_DEPTH = 64, /* as often is the way of a ray halved */
+    SEARCH_AHEAD = SPOTS_MAX - 1,
 };
 
-/* Adds the crossings between t = a and t = b to the hits; the values there are
- * known. */
-void search_crossings(struct search *search, double a, double at_a, double b,
-                      double at_b);
+/* A place on a ray and the value there. */
+struct search_place {
+    double t, value;
+};
+
+/* On its way along a ray. */
+struct search {
+    struct ray ray;
+    double gradient;          /* of the function by t, at most */
+    double accuracy;          /* in t */
+    double asked;             /* where a value is wanted next */
+    struct search_place here; /* nothing before it is to be looked for */
+    int depth;                /* stretches from here on: see ends */
+    int left;                 /* function calls */
+    int found, wanted;        /* crossings; at most: the nearest */
+    int round;                /* of the crossing in the first, if not 0 */
+    int ahead;                /* values that were worked out with others */
+    struct search_place known[SEARCH_AHEAD]; /* these values */
+    struct search_place ends[SEARCH_DEPTH];  /* the nearest last */
+    struct bracket bracket;                  /* if there is a round */
+    double *crossings;                       /* t */
+};
+
+/* From a to b, whose values are known; `crossings` has room for as many as are
+ * wanted and belongs to the caller. */
+void search_set_out(struct search *search, const struct isosurface *surface,
+                    double *crossings, int wanted);
+void search_stretch(struct search *search, struct search_place a,
+                    struct search_place b);
+
+/* Ends all of these searches, which have set out. */
+void search_run(const struct isosurface *surface, struct search *const *all,
+                int count);
 
 #endif

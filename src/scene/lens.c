@@ -83,9 +83,13 @@ void lens_shaped_point(const struct pigment *shape, int i, uint64_t key,
     double place[2] = { 0.5, 0.5 };
     uint64_t own = random_key(key, (uint64_t)i);
     for (int try = 0; try < SHAPE_TRIES; try++) {
-        lens_place(try ? own : key, try ? try : i, place);
+        /* The first tries of all are spread evenly. */
+        if (try == 0)
+            lens_place(key, i, place);
+        else
+            lens_place(own, try, place);
         colour c = pigment_colour(shape, vec3_make(place[0], place[1], 0));
-        double light = 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
+        double light = grey_of(c.r, c.g, c.b);
         if (random_unit(random_key(own, (uint64_t)try)) < light)
             break;
     }

@@ -26,26 +26,34 @@ struct rays_met {
     double part[RAY_LANES]; /* as of a hit; u and v of shapes met so are 0 */
 };
 
+/* The vector in a lane. */
+static inline vec3 lane_get(const double (*from)[RAY_LANES], unsigned i)
+{
+    return (vec3){ from[0][i], from[1][i], from[2][i] };
+}
+
+static inline void lane_put(double (*to)[RAY_LANES], unsigned i, vec3 v)
+{
+    to[0][i] = v.x;
+    to[1][i] = v.y;
+    to[2][i] = v.z;
+}
+
 static inline vec3 rays_origin(const struct rays *rays, int i)
 {
-    return (vec3){ rays->origin[0][i], rays->origin[1][i], rays->origin[2][i] };
+    return lane_get(rays->origin, (unsigned)i);
 }
 
 static inline vec3 rays_direction(const struct rays *rays, int i)
 {
-    return (vec3){ rays->direction[0][i], rays->direction[1][i],
-                   rays->direction[2][i] };
+    return lane_get(rays->direction, (unsigned)i);
 }
 
 static inline void rays_set(struct rays *rays, int i, vec3 origin,
                             vec3 direction)
 {
-    rays->origin[0][i] = origin.x;
-    rays->origin[1][i] = origin.y;
-    rays->origin[2][i] = origin.z;
-    rays->direction[0][i] = direction.x;
-    rays->direction[1][i] = direction.y;
-    rays->direction[2][i] = direction.z;
+    lane_put(rays->origin, (unsigned)i, origin);
+    lane_put(rays->direction, (unsigned)i, direction);
 }
 
 static inline struct ray rays_at(const struct rays *rays, int i)

@@ -4,8 +4,9 @@
 #define SCENE_SPOTS_H
 
 #include "base/vec.h"
+#include "base/octet.h"
 
-enum { SPOTS_MAX = 4 }; /* as a normal asks for */
+enum { SPOTS_MAX = OCTET };
 
 struct spots {
     int count;

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "shade/ambience.h"
 #include "shade/finish.h"
 
 static lane_flag flag(bool is)
@@ -10,17 +11,9 @@ static lane_flag flag(bool is)
     return is ? -1 : 0;
 }
 
-static void put(double to[3][RAY_LANES], unsigned i, double x, double y,
-                double z)
+static vec3 vec3_of(rgb c)
 {
-    to[0][i] = x;
-    to[1][i] = y;
-    to[2][i] = z;
-}
-
-static vec3 get(const double (*from)[RAY_LANES], unsigned i)
-{
-    return (vec3){ from[0][i], from[1][i], from[2][i] };
+    return (vec3){ c.r, c.g, c.b };
 }
 
 /* The normals turned to the viewer, and nothing before the paint or lit. */
@@ -28,17 +21,12 @@ CLONES static void look_back(const struct rays *restrict rays,
                              const struct world_faces *restrict faces,
                              struct facets *restrict facets)
 {
-    for (int i = 0; i < RAY_LANES; i++) {
-        vec3 direction = rays_direction(rays, i);
-        vec3 n = { faces->normal[0][i], faces->normal[1][i],
-                   faces->normal[2][i] };
-        bool away = vec3_dot(n, direction) > 0;
-        facets->normal[0][i] = away ? -n.x : n.x;
-        facets->normal[1][i] = away ? -n.y : n.y;
-        facets->normal[2][i] = away ? -n.z : n.z;
-        facets->view[0][i] = -direction.x;
-        facets->view[1][i] = -direction.y;
-        facets->view[2][i] = -direction.z;
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        vec3 direction = lane_get(rays->direction, i);
+        vec3 normal = lane_get(faces->normal, i);
+        bool away = vec3_dot(normal, direction) > 0;
+        lane_put(facets->normal, i, away ? vec3_negate(normal) : normal);
+        lane_put(facets->view, i, vec3_negate(direction));
         facets->opacity[i] = 1;
     }
     for (int k = 0; k < 3; k++)
@@ -51,6 +39,7 @@ CLONES static void look_back(const struct rays *restrict rays,
 void facets_start(struct facets *facets, const struct rays *rays,
                   const struct world_faces *faces)
 {
+    facets->faces = faces;
     facets->all = facets->layered = facets->matt = facets->shining = 0;
     memcpy(facets->point, faces->point, sizeof facets->point);
     memset(facets->front, 0, sizeof facets->front);
@@ -80,12 +69,10 @@ static void set_finish(struct facets *facets, unsigned i,
 static void set_paint(struct facets *facets, unsigned i,
                       const struct surface_layer *layer)
 {
-    rgb weight = layer->weight;
-    colour pigment = layer->pigment;
     set_finish(facets, i, layer->finish);
     facets->opacity[i] = layer_opacity(layer);
-    put(facets->pigment, i, pigment.r, pigment.g, pigment.b);
-    put(facets->weight, i, weight.r, weight.g, weight.b);
+    lane_put(facets->pigment, i, vec3_of(colour_rgb(layer->pigment)));
+    lane_put(facets->weight, i, vec3_of(layer->weight));
 }
 
 /* One of several layers may face any lamp. */
@@ -102,10 +89,11 @@ void facets_set(struct facets *facets, unsigned i,
     facets->surface[i] = surface;
     facets->leaf[i] = surface->at->leaf;
     facets->inside[i] = surface->inside;
+    facets->worth[i] = surface->weight;
     facets->layered |= (unsigned)layered << i;
     set_faces(facets, i, finish, layered);
-    put(facets->normal, i, normal.x, normal.y, normal.z);
-    put(facets->light, i, light.r, light.g, light.b);
+    lane_put(facets->normal, i, normal);
+    lane_put(facets->light, i, vec3_of(light));
     facets->matt |= (unsigned)matt << i;
     if (matt)
         set_paint(facets, i, layer);
@@ -120,15 +108,15 @@ static void paint_point(struct facets *facets, unsigned i,
     colour c = pigment->colour;
     vec3 point = { 0, 0, 0 };
     if (bumpy || pigment->kind != PIGMENT_COLOUR)
-        point = affine_point(leaf->to_texture, get(facets->point, i));
+        point = affine_point(leaf->to_texture, lane_get(facets->point, i));
     if (pigment->kind != PIGMENT_COLOUR)
         c = pigment_colour(pigment, point);
-    put(facets->pigment, i, c.r, c.g, c.b);
+    lane_put(facets->pigment, i, vec3_of(colour_rgb(c)));
     if (!bumpy)
         return;
     vec3 normal = layer_bumped(layer, leaf->to_texture, leaf->from_texture,
-                               point, get(facets->normal, i), NULL);
-    put(facets->normal, i, normal.x, normal.y, normal.z);
+                               point, lane_get(facets->normal, i), NULL);
+    lane_put(facets->normal, i, normal);
 }
 
 /* What is the same all over a leaf: copied from another of its facets. */
@@ -176,6 +164,35 @@ const struct surface *facets_surface(struct facets *facets, unsigned i)
     return facets->surface[i];
 }
 
+vec3 facets_side(const struct facets *facets, unsigned i)
+{
+    const struct surface *surface = facets->surface[i];
+    if (surface)
+        return surface->side;
+    vec3 side = world_face_side(facets->leaf[i], facets->faces, i);
+    return vec3_dot(side, lane_get(facets->view, i)) < 0 ? vec3_negate(side)
+                                                         : side;
+}
+
+/* What is plain has one layer, all of which is seen. */
+rgb facets_albedo(const struct facets *facets, unsigned i)
+{
+    if (facets->surface[i])
+        return surface_albedo(facets->surface[i]);
+    vec3 pigment = lane_get(facets->pigment, i);
+    return albedo_bounded(rgb_scale(rgb_make(pigment.x, pigment.y, pigment.z),
+                                    facets->diffuse[i]));
+}
+
+rgb facets_ambient(const struct facets *facets, unsigned i)
+{
+    if (facets->surface[i])
+        return surface_ambient(facets->surface[i]);
+    vec3 pigment = lane_get(facets->pigment, i);
+    return rgb_mul(facets->finish[i]->ambient,
+                   rgb_make(pigment.x, pigment.y, pigment.z));
+}
+
 rgb facets_light(const struct facets *facets, unsigned i)
 {
     return (rgb){ facets->light[0][i], facets->light[1][i],
@@ -199,22 +216,17 @@ CLONES static void add_glows(struct facets *restrict facets,
         }
 }
 
-void facets_glow(struct facets *facets, unsigned lanes, rgb ambient,
-                 rgb irradiance)
+void facets_glow(struct facets *facets, unsigned lanes,
+                 const struct diffuse_light diffuse[RAY_LANES])
 {
-    const struct finish *last = NULL;
     struct glows glows = { { { 0 } }, { { 0 } } };
-    rgb given = rgb_grey(0), own = rgb_grey(0);
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
         const struct finish *finish = facets->finish[i];
-        if (finish != last) {
-            given = finish_given(finish, ambient, irradiance);
-            own = finish->glow;
-        }
-        last = finish;
-        put(glows.given, i, given.r, given.g, given.b);
-        put(glows.own, i, own.r, own.g, own.b);
+        rgb own = finish->glow, given = finish_given(finish, diffuse[i].ambient,
+                                                     diffuse[i].irradiance);
+        lane_put(glows.given, i, vec3_of(given));
+        lane_put(glows.own, i, vec3_of(own));
     }
     add_glows(facets, &glows);
 }
@@ -229,9 +241,8 @@ CLONES static void diffuse_shares(const struct facets *restrict facets,
                                   struct shares *restrict shares)
 {
     for (int i = 0; i < RAY_LANES; i++) {
-        vec3 normal = { facets->normal[0][i], facets->normal[1][i],
-                        facets->normal[2][i] };
-        vec3 light = { direction[0][i], direction[1][i], direction[2][i] };
+        vec3 normal = lane_get(facets->normal, i);
+        vec3 light = lane_get(direction, i);
         double cosine = vec3_dot(normal, light);
         lane_flag before = (cosine > 0 ? -1 : 0) | facets->twice[i];
         double front = facets->diffuse[i], back = facets->diffuse_back[i];
@@ -258,13 +269,12 @@ static void highlight_same(const struct facets *facets,
     finish_highlight_many(finish, &meetings, lanes, highlights);
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        vec3 pigment = get(facets->pigment, i);
+        vec3 pigment = lane_get(facets->pigment, i);
         rgb share = finish_highlights_tinted(
             finish, highlights[i], rgb_make(pigment.x, pigment.y, pigment.z),
             shares->cosine[i]);
-        shares->of[0][i] += share.r;
-        shares->of[1][i] += share.g;
-        shares->of[2][i] += share.b;
+        lane_put(shares->of, i,
+                 vec3_add(lane_get(shares->of, i), vec3_of(share)));
     }
 }
 
@@ -306,7 +316,7 @@ void facets_add_one(struct facets *facets, unsigned i,
 {
     rgb light = facets_light(facets, i);
     surface_add_light(facets_surface(facets, i), sample, &light);
-    put(facets->light, i, light.r, light.g, light.b);
+    lane_put(facets->light, i, vec3_of(light));
 }
 
 /* Those that no loop can do. */

@@ -16,9 +16,13 @@ struct facets {
     unsigned shining; /* and of these with highlights */
     facet_surface *tell;
     void *context;
+    const struct world_faces *faces;    /* that they are */
+    const struct picture_place *places; /* where the camera sees each; NULL:
+                                         * none is seen at first sight */
     const struct surface *surface[RAY_LANES]; /* NULL: not told yet */
     const struct leaf *leaf[RAY_LANES];
     const struct interiors *inside[RAY_LANES]; /* of the viewer's ray */
+    double worth[RAY_LANES];                   /* as a surface's weight */
     const struct finish *finish[RAY_LANES];    /* of those that are matt */
     double point[3][RAY_LANES];
     double view[3][RAY_LANES]; /* unit, to the viewer */
@@ -31,7 +35,7 @@ struct facets {
     double light[3][RAY_LANES]; /* the sum of what they send to the viewer */
 };
 
-/* At the faces that the rays meet, none of them set. */
+/* At the faces that the rays meet, which must stay, none of them set. */
 void facets_start(struct facets *facets, const struct rays *rays,
                   const struct world_faces *faces);
 
@@ -39,18 +43,24 @@ void facets_start(struct facets *facets, const struct rays *rays,
 void facets_set(struct facets *facets, unsigned i,
                 const struct surface *surface, rgb light);
 
-/* Those whose leaves are plain; without light, and what they are inside is to
+/* Those whose leaves are plain; without light, and `inside` and `worth` are to
  * be set. Their surfaces are told when they are asked for. */
 void facets_paint(struct facets *facets, const struct world_hit *hits,
                   unsigned lanes);
 
 const struct surface *facets_surface(struct facets *facets, unsigned i);
 
+/* As a surface has them: `side`, and what it makes of irradiance and of ambient
+ * light 1 (surface_albedo, surface_ambient). */
+vec3 facets_side(const struct facets *facets, unsigned i);
+rgb facets_albedo(const struct facets *facets, unsigned i);
+rgb facets_ambient(const struct facets *facets, unsigned i);
+
 rgb facets_light(const struct facets *facets, unsigned i);
 
 /* Adds what plain ones send without lamps, as finish_glow and finish_shine. */
-void facets_glow(struct facets *facets, unsigned lanes, rgb ambient,
-                 rgb irradiance);
+void facets_glow(struct facets *facets, unsigned lanes,
+                 const struct diffuse_light diffuse[RAY_LANES]);
 
 /* A lamp's light as it arrives at them. */
 struct facets_lit {

@@ -188,6 +188,5 @@ rgb surface_albedo(const struct surface *surface)
         rgb albedo = rgb_scale(colour_rgb(layer->pigment), share);
         sum = rgb_add(sum, rgb_mul(layer->weight, albedo));
     }
-    double peak = rgb_peak(sum);
-    return peak > ALBEDO_MOST ? rgb_scale(sum, ALBEDO_MOST / peak) : sum;
+    return albedo_bounded(sum);
 }

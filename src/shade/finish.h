@@ -50,6 +50,13 @@ rgb surface_shine(const struct surface *surface);
 /* Whiter than any paint. */
 #define ALBEDO_MOST 0.95
 
+/* No more than that. */
+static inline rgb albedo_bounded(rgb albedo)
+{
+    double peak = rgb_peak(albedo);
+    return peak > ALBEDO_MOST ? rgb_scale(albedo, ALBEDO_MOST / peak) : albedo;
+}
+
 /* What it sends back of irradiance, without highlights and mirrors, on to other
  * surfaces: never all of it, whatever the finish says, or the light between two
  * of them would grow without end. */

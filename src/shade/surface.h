@@ -95,4 +95,10 @@ struct light_sample {
     bool diffused;   /* diffuse light is counted elsewhere: highlights only */
 };
 
+/* Light without a direction. */
+struct diffuse_light {
+    rgb ambient;    /* multiplies finish ambient (POV-Ray's ambient_light) */
+    rgb irradiance; /* multiplies finish diffuse */
+};
+
 #endif

@@ -38,6 +38,11 @@ static const struct interiors *sight_inside(const struct sights *sights,
     return path ? &path->inside : &sights->wavefront->tracer->start;
 }
 
+static double sight_worth(const struct sights *sights, unsigned i)
+{
+    return sights->path[i] ? sights->path[i]->weight : 1;
+}
+
 /* That of a plain leaf, which was painted without. */
 static const struct surface *sights_surface(void *context, unsigned i)
 {
@@ -50,7 +55,7 @@ static const struct surface *sights_surface(void *context, unsigned i)
                   sight_inside(sights, i), tracer->scene->settings.adc_bailout,
                   false);
     crossing->surface.place = path ? NULL : &sights->places[i];
-    crossing->surface.weight = path ? path->weight : 1;
+    crossing->surface.weight = sight_worth(sights, i);
     return &crossing->surface;
 }
 
@@ -61,6 +66,7 @@ static void sights_paint(struct sights *sights)
     for (unsigned each = sights->plain; each; each &= each - 1) {
         unsigned i = (unsigned)__builtin_ctz(each);
         sights->facets.inside[i] = sight_inside(sights, i);
+        sights->facets.worth[i] = sight_worth(sights, i);
     }
 }
 
@@ -76,13 +82,14 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
         sights->plain |= (unsigned)(leaf && leaf->plain) << i;
     }
     meet &= seen;
-    if (!tracer->airless || tracer->lighting->by_surface)
+    if (!tracer->airless)
         sights->plain = 0;
     sights->plain &= seen;
     if (!meet)
         return 0;
     world_face_many(sights->rays, sights->hits, meet, &sights->faces);
     facets_start(&sights->facets, sights->rays, &sights->faces);
+    sights->facets.places = sights->places;
     sights->facets.tell = sights_surface;
     sights->facets.context = sights;
     sights_paint(sights);
@@ -123,7 +130,6 @@ static void sights_light(struct sights *sights)
 {
     const struct tracer *tracer = sights->wavefront->tracer;
     struct facets *facets = &sights->facets;
-    unsigned first = (unsigned)__builtin_ctz(facets->all);
     struct diffuse_light diffuse[RAY_LANES];
     tracer->lighting->illuminate_many(
         tracer->lighting_state, sights->wavefront->worker, facets, diffuse);
@@ -136,8 +142,7 @@ static void sights_light(struct sights *sights)
             path_shade(path, crossing, facets_light(facets, i), &diffuse[i]));
     }
     if (sights->plain)
-        facets_glow(facets, sights->plain, diffuse[first].ambient,
-                    diffuse[first].irradiance);
+        facets_glow(facets, sights->plain, diffuse);
     for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
         unsigned i = (unsigned)__builtin_ctz(plain);
         rgb light = facets_light(facets, i);

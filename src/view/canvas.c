@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "base/rgb.h"
 
 enum { LEVELS = 255 };
 
@@ -75,7 +76,7 @@ static unsigned tone_colour(const struct canvas_tone *tone, const float *pixel)
     for (int i = 0; i < 3; i++)
         c[i] = tone_light(tone, pixel[i]);
     if (tone->grey)
-        c[0] = c[1] = c[2] = 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2];
+        c[0] = c[1] = c[2] = grey_of(c[0], c[1], c[2]);
     return tone_number(tone, c[0]) << 16 | tone_number(tone, c[1]) << 8 |
            tone_number(tone, c[2]);
 }

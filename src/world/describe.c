@@ -54,18 +54,18 @@ static vec3 leaf_face(const struct object *object, const struct hit *hit)
 
 /* The normal of a facet whose interpolated one is known; of other shapes they
  * are the same. */
-static inline void describe_face(const struct leaf *leaf, const struct hit *hit,
-                                 struct intersection *out)
+static inline vec3 face_unit(const struct leaf *leaf, const struct hit *hit,
+                             vec3 normal)
 {
     vec3 face = leaf_face(leaf->object, hit);
-    out->face = out->normal;
     if (vec3_dot(face, face) == 0)
-        return;
+        return normal;
     if (leaf->moved)
         face = affine_normal(leaf->to_object, face);
     face = unit(face);
-    if (vec3_dot(face, face) > 0)
-        out->face = vec3_dot(face, out->normal) < 0 ? vec3_negate(face) : face;
+    if (!(vec3_dot(face, face) > 0))
+        return normal;
+    return vec3_dot(face, normal) < 0 ? vec3_negate(face) : face;
 }
 
 static inline void describe_texture(const struct leaf *leaf,
@@ -113,7 +113,7 @@ static inline void describe_rest(const struct ray *ray, const struct leaf *leaf,
                                  const struct hit *hit,
                                  struct intersection *out)
 {
-    describe_face(leaf, hit, out);
+    out->face = face_unit(leaf, hit, out->normal);
     if (leaf->inner && describe_inside(ray, leaf, out))
         describe_inner(leaf->inner, out);
     else
@@ -153,18 +153,6 @@ void world_describe(const struct ray *ray, const struct world_hit *hit,
     describe_hit(ray, hit->leaf, &found, out);
 }
 
-static inline vec3 lane_get(const double (*from)[RAY_LANES], unsigned i)
-{
-    return (vec3){ from[0][i], from[1][i], from[2][i] };
-}
-
-static inline void lane_put(double (*to)[RAY_LANES], unsigned i, vec3 v)
-{
-    to[0][i] = v.x;
-    to[1][i] = v.y;
-    to[2][i] = v.z;
-}
-
 CLONES static void points_along(const struct rays *restrict rays,
                                 const double *restrict t,
                                 double (*restrict points)[RAY_LANES])
@@ -180,14 +168,12 @@ CLONES static void normals_unit(double (*normals)[RAY_LANES],
                                 lane_flag *restrict usual)
 {
     for (unsigned i = 0; i < RAY_LANES; i++) {
-        vec3 v = { normals[0][i], normals[1][i], normals[2][i] };
+        vec3 v = lane_get(normals, i);
         double square = vec3_dot(v, v), scale = 1 / sqrt(square);
         bool is = (square > 1e-200) & (square < 1e200);
         scale = is ? scale : 1;
         usual[i] = is ? -1 : 0;
-        normals[0][i] = v.x * scale;
-        normals[1][i] = v.y * scale;
-        normals[2][i] = v.z * scale;
+        lane_put(normals, i, vec3_scale(v, scale));
     }
 }
 
@@ -233,6 +219,12 @@ void world_face_many(const struct rays *rays, const struct world_hit *hits,
         lane_put(faces->normal, i,
                  normal_outward(leaf, normal, rays_direction(rays, (int)i)));
     }
+}
+
+vec3 world_face_side(const struct leaf *leaf, const struct world_faces *faces,
+                     unsigned i)
+{
+    return face_unit(leaf, &faces->hit[i], lane_get(faces->normal, i));
 }
 
 void world_describe_face(const struct ray *ray, const struct leaf *leaf,

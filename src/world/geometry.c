@@ -387,8 +387,7 @@ CLONES static void set_out_many(const struct geometry *geometry,
     const double doubt = geometry_doubt(&here);
     for (int i = 0; i < RAY_LANES; i++) {
         struct ray ray = rays_at(rays, i);
-        vec3 inverse = { packet->inverse[0][i], packet->inverse[1][i],
-                         packet->inverse[2][i] };
+        vec3 inverse = lane_get(packet->inverse, (unsigned)i);
         double far = packet->span.far[i];
         struct setting_out start =
             set_out(&here, &ray, inverse, packet->span.near[i], far);

@@ -94,8 +94,7 @@ struct query *packet_query(struct packet *packet, unsigned i)
     packet->begun |= 1u << i;
     query->ray = rays_at(packet->rays, (int)i);
     query->slabs.origin = query->ray.origin;
-    query->slabs.inverse = (vec3){ packet->inverse[0][i], packet->inverse[1][i],
-                                   packet->inverse[2][i] };
+    query->slabs.inverse = lane_get(packet->inverse, i);
     query->tmin = packet->span.near[i];
     query->tmax = packet->span.far[i];
     query->shift = packet->shift[i];
@@ -204,6 +203,14 @@ static bool solid_has_routine(const struct solid *solid, bool occlusion)
                      : primitive->first_many != NULL;
 }
 
+/* They are found what they look for, and no shape needs to look at them. */
+static void packet_close(struct packet *packet, unsigned lanes)
+{
+    packet->open &= ~lanes;
+    for (; lanes; lanes &= lanes - 1)
+        packet->span.far[__builtin_ctz(lanes)] = -(double)INFINITY;
+}
+
 bool packet_look(struct packet *packet, const struct solid *solid,
                  unsigned lanes)
 {
@@ -213,7 +220,7 @@ bool packet_look(struct packet *packet, const struct solid *solid,
     unsigned over = solid_has_routine(solid, packet->occlusion)
                         ? packet_together(packet, solid, lanes)
                         : packet_each(packet, solid, lanes);
-    packet->open &= ~over;
+    packet_close(packet, over);
     return packet->open == 0;
 }
 

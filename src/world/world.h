@@ -90,6 +90,11 @@ struct world_faces {
 void world_face_many(const struct rays *rays, const struct world_hit *hits,
                      unsigned lanes, struct world_faces *faces);
 
+/* The unit normal of the facet that number `i` is on, which is not even
+ * interpolated, to the same side as the normal. */
+vec3 world_face_side(const struct leaf *leaf, const struct world_faces *faces,
+                     unsigned i);
+
 /* As world_describe, of number `i` of these. */
 void world_describe_face(const struct ray *ray, const struct leaf *leaf,
                          const struct world_faces *faces, unsigned i,

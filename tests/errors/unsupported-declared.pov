@@ -1,3 +1,3 @@
-#declare Shell = pigment { pavement }
+#declare Shell = pigment { tiling 25 }
 sphere { 0, 1 }
 sphere { 0, 1 pigment { Shell } }

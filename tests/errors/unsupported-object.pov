@@ -1,1 +1,1 @@
-sphere { 0, 1 normal { pavement } }
+sphere { 0, 1 normal { tiling 25 } }

@@ -1,1 +1,1 @@
-sphere { 0, 1 pigment { pavement } }
+sphere { 0, 1 pigment { tiling 25 } }

@@ -100,6 +100,14 @@ static void shapes_agree_on_rays_side_by_side(void **state)
         "cylinder { -y, <.5,1,0>, .6 open }",
         "cone { -y, .9, <.2,1,0>, .2 }",
         "cone { -y, 1.4, <.2,.1,0>, 0 }",
+        "isosurface { function { x*x + y*y - z*z - .2 } max_gradient 4 }",
+        "isosurface { function { sin(x*5) + cos(y*4) + sin(z*5) } open "
+        "max_gradient 9 contained_by { sphere { 0, 1 } } }",
+        "#declare Noise = function { internal(76) } "
+        "isosurface { function { x*x + y*y + z*z - .8 + "
+        "Noise(x*4, y*4, z*4)*.3 } max_gradient 5 accuracy .01 }",
+        "isosurface { function { exp(x) - pow(abs(y), 1.3) + z*z - .9 } "
+        "max_gradient 4 }",
     };
     (void)state;
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {

@@ -1,7 +1,7 @@
 /* Functions at several points at once: the values are those of each point. */
 #include "harness.h"
 
-#include "base/pair_math.h"
+#include "base/octet_math.h"
 #include "scene/function.h"
 #include "scene/spots.h"
 
@@ -146,27 +146,60 @@ static void check_near(double found, double wanted)
                 (isnan(found) && isnan(wanted)));
 }
 
+static const double ends[] = { 0, -0.0,     1e-310,    1e300,
+                               1, INFINITY, -INFINITY, NAN };
+
 /* At angles of all sizes, at the axes and beyond all numbers. */
-static void pairs_are_as_the_library_has_them(void **state)
+static void angles_are_as_the_library_has_them(void **state)
 {
-    static const double ends[] = { 0, -0.0,     1e-310,    1e300,
-                                   1, INFINITY, -INFINITY, NAN };
     (void)state;
     for (int i = -2000; i <= 2000; i++) {
         double x = i * fabs((double)i) * 0.7, y = 3 - i * 0.001;
-        pair s = pair_sin((pair){ x, y }), c = pair_cos((pair){ y, x });
-        assert_true(s[0] == lone_sin(x) && c[1] == lone_cos(x));
-        check_near(s[0], sin(x));
-        check_near(c[0], cos(y));
+        check_near(lone_sin(x), sin(x));
+        check_near(lone_cos(y), cos(y));
         check_near(lone_atan2(y, x), atan2(y, x));
-        assert_true(pair_atan2((pair){ x, y }, (pair){ y, x })[1] ==
-                    lone_atan2(y, x));
     }
     for (int i = 0; i < 64; i++) {
         double y = ends[i / 8], x = ends[i % 8];
         check_near(lone_atan2(y, x), atan2(y, x));
-        check_near(pair_sin((pair){ y, x })[1], sin(x));
-        check_near(pair_cos((pair){ y, x })[1], cos(x));
+        check_near(lone_sin(x), sin(x));
+        check_near(lone_cos(x), cos(x));
+    }
+}
+
+static bool same(double a, double b)
+{
+    return a == b || (isnan(a) && isnan(b));
+}
+
+static void check_octet(octet y, octet x)
+{
+    octet sine = x, cosine = x, arc = y, root = x;
+    octet_sin(&sine);
+    octet_cos(&cosine);
+    octet_atan2(&arc, &x);
+    octet_sqrt(&root);
+    for (int i = 0; i < OCTET; i++) {
+        assert_true(same(sine[i], lone_sin(x[i])));
+        assert_true(same(cosine[i], lone_cos(x[i])));
+        assert_true(same(arc[i], lone_atan2(y[i], x[i])));
+        assert_true(same(root[i], sqrt(x[i])));
+    }
+}
+
+static void octets_are_as_single_numbers(void **state)
+{
+    octet x = { 0 }, y = x;
+    (void)state;
+    for (int i = -500; i <= 500; i++) {
+        for (int k = 0; k < OCTET; k++) {
+            x[k] = i * fabs((double)i) * 0.7 + k;
+            y[k] = 3 - i * 0.001 * (k - 3);
+        }
+        check_octet(y, x);
+        check_octet(x, y);
+        x[i & 7] = ends[i >> 3 & 7];
+        check_octet(y, x);
     }
 }
 
@@ -195,7 +228,8 @@ int main(void)
         cmocka_unit_test(calls_are_even),
         cmocka_unit_test(built_in_functions_are_even),
         cmocka_unit_test(costly_functions_are_not_even),
-        cmocka_unit_test(pairs_are_as_the_library_has_them),
+        cmocka_unit_test(angles_are_as_the_library_has_them),
+        cmocka_unit_test(octets_are_as_single_numbers),
         cmocka_unit_test(what_is_no_number_is_zero),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

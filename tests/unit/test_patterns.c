@@ -411,7 +411,7 @@ static void list_is_complete(void **state)
         assert_non_null(kind->help);
         assert_true(!kind->defaults || kind->size > 0);
     }
-    assert_int_equal(count, 43);
+    assert_int_equal(count, 44);
     assert_null(pattern_find("plaid"));
 }
 

@@ -595,15 +595,15 @@ static void unsupported_things_wait_for_their_use(void **state)
 {
     (void)state;
     struct reading r = scene_good(
-        "#declare A = texture { pigment { pavement } }"
+        "#declare A = texture { pigment { tiling 25 } }"
         "#declare B = texture { gradient x texture_map { [0 A] [1 A] } }"
         "             texture { pigment { rgb 1 } }"
-        "#declare C = sphere { 0, 1 pigment { pavement } }"
+        "#declare C = sphere { 0, 1 pigment { tiling 25 } }"
         "#declare D = union { object { C } sphere { 0, 1 } }"
         "sphere { 0, 1 }");
     assert_int_equal(r.scene->objects.count, 1);
     scene_end(&r);
-    r = scene_read("#declare C = sphere { 0, 1 pigment { pavement } }"
+    r = scene_read("#declare C = sphere { 0, 1 pigment { tiling 25 } }"
                    "#declare D = union { object { C } } object { D }");
     assert_null(r.scene);
     assert_int_equal(r.diag.errors, 1);

@@ -1,33 +1,37 @@
 /* phong: highlights around the mirrored view. */
 #include "scene/finish.h"
 
-/* phong * (R.L)^size, R the mirrored view direction. */
+/* R.L, R the mirrored view direction. */
+static inline double mirrored_cosine(const struct finish_meeting *meeting)
+{
+    double along = 2 * vec3_dot(meeting->view, meeting->normal);
+    vec3 mirrored = vec3_sub(vec3_scale(meeting->normal, along), meeting->view);
+    return vec3_dot(mirrored, meeting->light);
+}
+
+static double phong_amount(const struct finish *finish)
+{
+    double albedo = finish->phong_albedo ? (finish->phong_size + 1) / 2 : 1;
+    return finish->phong * albedo;
+}
+
+/* phong * (R.L)^size. */
 static double phong_highlight(const void *said,
                               const struct finish_meeting *meeting)
 {
     const struct finish *finish = said;
-    double along = 2 * vec3_dot(meeting->view, meeting->normal);
-    vec3 mirrored = vec3_sub(vec3_scale(meeting->normal, along), meeting->view);
-    double cosine = vec3_dot(mirrored, meeting->light);
+    double cosine = mirrored_cosine(meeting);
     if (cosine <= 0)
         return 0;
-    double albedo = finish->phong_albedo ? (finish->phong_size + 1) / 2 : 1;
-    return finish->phong * albedo * finish_lobe(cosine, finish->phong_size);
+    return phong_amount(finish) * finish_lobe(cosine, finish->phong_size);
 }
 
 CLONES static void mirrored_cosines(const struct finish_meetings *meetings,
                                     double *restrict cosines)
 {
-    const double(*restrict n)[RAY_LANES] = meetings->normal;
-    const double(*restrict v)[RAY_LANES] = meetings->view;
-    const double(*restrict l)[RAY_LANES] = meetings->light;
-    for (int i = 0; i < RAY_LANES; i++) {
-        vec3 normal = { n[0][i], n[1][i], n[2][i] };
-        vec3 view = { v[0][i], v[1][i], v[2][i] };
-        vec3 light = { l[0][i], l[1][i], l[2][i] };
-        double along = 2 * vec3_dot(view, normal);
-        vec3 mirrored = vec3_sub(vec3_scale(normal, along), view);
-        cosines[i] = vec3_dot(mirrored, light);
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        const struct finish_meeting meeting = finish_meeting_at(meetings, i);
+        cosines[i] = mirrored_cosine(&meeting);
     }
 }
 
@@ -37,12 +41,8 @@ static void phong_highlight_many(const void *said,
 {
     const struct finish *finish = said;
     double cosines[RAY_LANES];
-    double albedo = finish->phong_albedo ? (finish->phong_size + 1) / 2 : 1;
-    double amount = finish->phong * albedo;
     mirrored_cosines(meetings, cosines);
-    finish_lobes(cosines, finish->phong_size, shares);
-    for (int i = 0; i < RAY_LANES; i++)
-        shares[i] = amount * shares[i];
+    finish_lobes(cosines, finish->phong_size, phong_amount(finish), shares);
 }
 
 static struct finish_spread phong_spread(const void *said)

@@ -1,33 +1,41 @@
 /* specular: highlights around the normal, of the halfway vector. */
+#include <string.h>
+
 #include "scene/finish.h"
 
-/* specular * (N.H)^(1/roughness), H halfway between light and viewer. */
+/* N.H, H halfway between light and viewer. */
+static inline double halfway_cosine(const struct finish_meeting *meeting)
+{
+    vec3 half = vec3_normalise(vec3_add(meeting->light, meeting->view));
+    return vec3_dot(half, meeting->normal);
+}
+
+/* Of the exponent m. */
+static double specular_amount(const struct finish *finish, double m)
+{
+    double albedo =
+        finish->specular_albedo ? (m + 2) / (4 * (2 - exp2(-m / 2))) : 1;
+    return finish->specular * albedo;
+}
+
+/* specular * (N.H)^(1/roughness). */
 static double specular_highlight(const void *said,
                                  const struct finish_meeting *meeting)
 {
     const struct finish *finish = said;
-    vec3 half = vec3_normalise(vec3_add(meeting->light, meeting->view));
-    double cosine = vec3_dot(half, meeting->normal);
+    double cosine = halfway_cosine(meeting);
     if (cosine <= 0 || finish->roughness <= 0)
         return 0;
     double m = 1 / finish->roughness;
-    double albedo =
-        finish->specular_albedo ? (m + 2) / (4 * (2 - exp2(-m / 2))) : 1;
-    return finish->specular * albedo * finish_lobe(cosine, m);
+    return specular_amount(finish, m) * finish_lobe(cosine, m);
 }
 
 CLONES static void halfway_cosines(const struct finish_meetings *meetings,
                                    double *restrict cosines)
 {
-    const double(*restrict n)[RAY_LANES] = meetings->normal;
-    const double(*restrict v)[RAY_LANES] = meetings->view;
-    const double(*restrict l)[RAY_LANES] = meetings->light;
-    for (int i = 0; i < RAY_LANES; i++) {
-        vec3 normal = { n[0][i], n[1][i], n[2][i] };
-        vec3 view = { v[0][i], v[1][i], v[2][i] };
-        vec3 light = { l[0][i], l[1][i], l[2][i] };
-        vec3 half = vec3_normalise(vec3_add(light, view));
-        cosines[i] = vec3_dot(half, normal);
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        const struct finish_meeting meeting = finish_meeting_at(meetings, i);
+        cosines[i] = halfway_cosine(&meeting);
     }
 }
 
@@ -36,19 +44,14 @@ static void specular_highlight_many(const void *said,
                                     double *shares)
 {
     const struct finish *finish = said;
-    double cosines[RAY_LANES], m = 1 / finish->roughness;
-    double albedo =
-        finish->specular_albedo ? (m + 2) / (4 * (2 - exp2(-m / 2))) : 1;
-    double amount = finish->specular * albedo;
+    double cosines[RAY_LANES];
     if (finish->roughness <= 0) {
-        for (int i = 0; i < RAY_LANES; i++)
-            shares[i] = 0;
+        memset(shares, 0, RAY_LANES * sizeof *shares);
         return;
     }
+    double m = 1 / finish->roughness;
     halfway_cosines(meetings, cosines);
-    finish_lobes(cosines, m, shares);
-    for (int i = 0; i < RAY_LANES; i++)
-        shares[i] = amount * shares[i];
+    finish_lobes(cosines, m, specular_amount(finish, m), shares);
 }
 
 static struct finish_spread specular_spread(const void *said)

@@ -9,7 +9,7 @@ static double image_pattern_value(const struct pattern *pattern, vec3 point)
     colour c = image_map_colour(made->image, point);
     if (made->image->alpha == ALPHA_ALWAYS)
         return 1 - c.transmit;
-    return 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
+    return grey_of(c.r, c.g, c.b);
 }
 
 const struct pattern_kind image_pattern_pattern = {

@@ -8,7 +8,7 @@ static double pigment_pattern_seen(const struct pattern *pattern, vec3 point,
     if (!made->pigment)
         return 0;
     colour c = pigment_seen(made->pigment, point, surface);
-    return 0.297 * c.r + 0.589 * c.g + 0.114 * c.b;
+    return grey_of(c.r, c.g, c.b);
 }
 
 static double pigment_pattern_value(const struct pattern *pattern, vec3 point)
