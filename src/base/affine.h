@@ -104,8 +104,8 @@ static inline double box3_half_area(struct box3 a)
 
 static inline bool box3_contains(struct box3 a, vec3 p)
 {
-    return p.x >= a.low.x && p.x <= a.high.x && p.y >= a.low.y &&
-           p.y <= a.high.y && p.z >= a.low.z && p.z <= a.high.z;
+    return (p.x >= a.low.x) & (p.x <= a.high.x) & (p.y >= a.low.y) &
+           (p.y <= a.high.y) & (p.z >= a.low.z) & (p.z <= a.high.z);
 }
 
 #endif

@@ -85,6 +85,7 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
     bool done = frame_pixels(work, tracer, name, image, stats);
     stats_lap(stats, &stats->rendering);
     stats_lighting(stats, tracer);
+    stats_keeper(stats, &work->part.keeper);
     if (done)
         done = frame_write(work, tracer, name, image);
     if (!done && atomic_load(work->stop))

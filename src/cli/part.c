@@ -58,8 +58,11 @@ static bool part_is_possible(const struct options *options, const char *name)
 static void part_sync(void *context)
 {
     struct part *part = context;
-    if (atomic_load(&part->keeper.state) == KEEPER_READY)
-        part_file_sync(part->keeper.file);
+    if (atomic_load(&part->keeper.state) != KEEPER_READY)
+        return;
+    double start = clock_worked_here();
+    part_file_sync(part->keeper.file);
+    keeper_count(&part->keeper, start);
 }
 
 /* The picture is on the disk before the file goes that it was made of. */

@@ -49,6 +49,13 @@ void stats_lighting(struct stats *stats, const struct tracer *tracer)
         tracer->lighting->tell(tracer->lighting_state, stats_row, stats);
 }
 
+void stats_keeper(struct stats *stats, const struct keeper *keeper)
+{
+    double worked = 1e-9 * (double)atomic_load(&keeper->nanoseconds);
+    if (worked > 0)
+        stats_row(stats, "part file", worked, "s of all threads");
+}
+
 static void stats_time(const char *what, double seconds)
 {
     fprintf(stderr, "%-16s %12.3f s\n", what, seconds);

@@ -30,6 +30,9 @@ void stats_world(struct stats *stats, const struct world *world);
 /* Notes what the lighting method has to tell. */
 void stats_lighting(struct stats *stats, const struct tracer *tracer);
 
+/* What keeping finished tiles took, if any were kept. */
+void stats_keeper(struct stats *stats, const struct keeper *keeper);
+
 /* Prints the table on standard error. */
 void stats_print(const struct stats *stats);
 

@@ -20,6 +20,12 @@ bool keeper_ready(struct keeper *keeper)
     return state == KEEPER_READY;
 }
 
+void keeper_count(struct keeper *keeper, double start)
+{
+    double worked = clock_worked_here() - start;
+    atomic_fetch_add(&keeper->nanoseconds, (unsigned long long)(1e9 * worked));
+}
+
 void keeper_settle(struct keeper *keeper)
 {
     int now = (int)clock_seconds(), last = atomic_load(&keeper->second);
@@ -57,9 +63,11 @@ void keeper_pass_done(struct keeper_pass *pass, size_t tile, unsigned thread)
     atomic_store(&pass->states[tile], TILE_DONE);
     if (!keeper_ready(pass->keeper))
         return;
+    double start = clock_worked_here();
     pass_keep(pass, tile, thread);
     if (atomic_exchange(&pass->behind, false))
         for (size_t i = 0; i < pass->count; i++)
             pass_keep(pass, i, thread);
+    keeper_count(pass->keeper, start);
     keeper_settle(pass->keeper);
 }

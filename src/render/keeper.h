@@ -20,6 +20,7 @@ struct keeper {
     void *context;
     atomic_int state;  /* KEEPER_WAITS at first, KEEPER_READY with a file */
     atomic_int second; /* of clock_seconds(), when it was settled last */
+    atomic_ullong nanoseconds; /* that threads worked for it, together */
 };
 
 enum { KEEPER_WAITS, KEEPER_BEGINS, KEEPER_READY, KEEPER_OFF };
@@ -27,6 +28,10 @@ enum { KEEPER_WAITS, KEEPER_BEGINS, KEEPER_READY, KEEPER_OFF };
 /* Whether tiles can be kept now; begins the file when it is time to. Any
  * thread. */
 bool keeper_ready(struct keeper *keeper);
+
+/* Counts what the calling thread has worked for it since clock_worked_here()
+ * was `start`. */
+void keeper_count(struct keeper *keeper, double start);
 
 /* Calls `settle` if it is time to, by whoever has put something into the file;
  * keeper_pass_done does. */

@@ -144,9 +144,11 @@ static void passes_keep(struct passes *passes, size_t row)
     int top = options->row_start + (int)row;
     const struct area area = { options->column_start, top, options->column_end,
                                top + 1 };
+    double start = clock_worked_here();
     passes->kept[row] = now;
     part_file_put(options->keeper->file, PART_TALLIES, area,
                   passes->tallies + row * passes->columns);
+    keeper_count(options->keeper, start);
     keeper_settle(options->keeper);
 }
 

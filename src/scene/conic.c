@@ -33,7 +33,7 @@ struct box3 conic_bounds(const void *shape)
                       rim_bounds(conic->apex, conic->axis, conic->apex_radius));
 }
 
-static vec3 reject(vec3 p, vec3 axis, double along)
+static inline vec3 reject(vec3 p, vec3 axis, double along)
 {
     return vec3_along(p, axis, -along);
 }
@@ -114,6 +114,57 @@ void conic_intersect(const void *shape, const struct ray *ray,
     const struct ray line = { o, d };
     intersect_cap(conic, &line, &wall, CONIC_BASE, hits);
     intersect_cap(conic, &line, &wall, CONIC_APEX, hits);
+}
+
+static inline double lane_cap(const struct conic *conic, vec3 o, vec3 d,
+                              const struct wall *wall, int part)
+{
+    bool base = part == CONIC_BASE;
+    double height = base ? 0 : conic->height;
+    double radius = base ? conic->base_radius : conic->apex_radius;
+    double t = (height - wall->from) / wall->ds;
+    vec3 p = vec3_along(o, d, t);
+    vec3 q = reject(p, conic->axis, vec3_dot(p, conic->axis));
+    bool is = (vec3_dot(q, q) <= radius * radius) & (wall->ds != 0);
+    return is ? t : (double)INFINITY;
+}
+
+CLONES static void conic_lanes(const struct conic *shape,
+                               const struct rays *restrict rays,
+                               struct rays_crossings *restrict all)
+{
+    const struct conic conic = *shape;
+    const bool single = (conic.base_radius >= 0) & (conic.apex_radius >= 0);
+    const double none = (double)INFINITY;
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 o = vec3_sub(rays_origin(rays, i), conic.base);
+        vec3 d = rays_direction(rays, i);
+        struct wall wall = wall_along(&conic, o, d);
+        bool missed = single & (wall.a > 0) &
+                      (wall.b * wall.b < wall.a * wall.c * (1 - 1e-9));
+        double roots[2];
+        quadratic_roots_lane(wall.a, wall.b, wall.c, roots);
+        for (int k = 0; k < 2; k++) {
+            double along = wall.s + roots[k] * wall.ds;
+            bool is = !missed & (along >= 0) & (along <= conic.height);
+            all->t[k][i] = is ? roots[k] + wall.shift : none;
+            all->part[k][i] = CONIC_WALL;
+        }
+        double base = lane_cap(&conic, o, d, &wall, CONIC_BASE);
+        double apex = lane_cap(&conic, o, d, &wall, CONIC_APEX);
+        all->t[2][i] = missed ? none : base;
+        all->t[3][i] = missed ? none : apex;
+        all->part[2][i] = CONIC_BASE;
+        all->part[3][i] = CONIC_APEX;
+    }
+}
+
+void conic_all_many(const void *shape, const struct rays *rays,
+                    struct rays_crossings *all)
+{
+    const struct conic *conic = shape;
+    conic_lanes(conic, rays, all);
+    all->count = conic->open ? 2 : 4;
 }
 
 static bool crossing_between(const struct conic *conic, const struct ray *ray,
@@ -241,18 +292,29 @@ vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit)
  * and of the squared radius), which settles shapes that share a face. Of an
  * open one the ends are inside (measured: 1e-9 of the height beyond), so that
  * what it is taken from is open there too. */
-bool conic_inside(const void *shape, vec3 point)
+static inline bool conic_holds(const struct conic *conic, vec3 point)
 {
-    const struct conic *conic = shape;
     const double margin = 1e-10, beyond = 1e-9;
     vec3 p = vec3_sub(point, conic->base);
     double s = vec3_dot(p, conic->axis), h = conic->height;
     double end = (conic->open ? -beyond : margin) * h;
-    if (!(s > end && s < h - end))
-        return false;
     vec3 q = reject(p, conic->axis, s);
     double r = conic->base_radius + conic->slope * s;
-    return vec3_dot(q, q) < r * r * (1 - margin);
+    return (s > end) & (s < h - end) & (vec3_dot(q, q) < r * r * (1 - margin));
+}
+
+bool conic_inside(const void *shape, vec3 point)
+{
+    return conic_holds(shape, point);
+}
+
+CLONES void conic_inside_many(const void *shape,
+                              const struct lane_points *restrict points,
+                              lane_flag *restrict inside)
+{
+    const struct conic conic = *(const struct conic *)shape;
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        inside[i] = conic_holds(&conic, lane_get(points->at, i)) ? -1 : 0;
 }
 
 static double conic_radius(const struct conic *conic, double s)

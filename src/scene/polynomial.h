@@ -3,6 +3,7 @@
 #ifndef SCENE_POLYNOMIAL_H
 #define SCENE_POLYNOMIAL_H
 
+#include <math.h>
 #include <stdbool.h>
 
 enum { POLYNOMIAL_DEGREE_MAX = 35, BERNSTEIN_DEGREE = 8 };
@@ -10,6 +11,22 @@ enum { POLYNOMIAL_DEGREE_MAX = 35, BERNSTEIN_DEGREE = 8 };
 /* Both roots of a t^2 + 2 b t + c, increasing, without cancellation; note the
  * 2. Returns how many: 0, 1 (a is 0) or 2; a double root counts as none. */
 int quadratic_roots(double a, double b, double c, double roots[2]);
+
+/* The same without branches, for many side by side; INFINITY where there is no
+ * root. */
+static inline void quadratic_roots_lane(double a, double b, double c,
+                                        double roots[2])
+{
+    double discriminant = b * b - a * c;
+    double q = -(b + copysign(sqrt(discriminant), b));
+    double first = q / a, second = c / q, single = -c / (2 * b);
+    bool linear = a == 0, one = linear & (b != 0);
+    bool two = !linear & (discriminant > 0);
+    double low = first < second ? first : second;
+    double high = first < second ? second : first;
+    roots[0] = two ? low : one ? single : (double)INFINITY;
+    roots[1] = two ? high : (double)INFINITY;
+}
 
 /* The roots in [low, high] at which the polynomial c[0] + c[1] t + ...
  * + c[degree] t^degree changes sign, increasing, at most `limit`. Touching

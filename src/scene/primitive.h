@@ -70,6 +70,10 @@ struct primitive {
                          const struct rays_span *span, lane_flag *met);
     void (*first_many)(const void *shape, const struct rays *rays,
                        const struct rays_span *span, struct rays_met *met);
+    /* intersect of rays side by side, to the bit, of what has at most
+     * RAY_CROSSINGS; NULL: one by one. */
+    void (*all_many)(const void *shape, const struct rays *rays,
+                     struct rays_crossings *all);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */
     vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
     /* The same where normals depend on how the shape stands, to which
@@ -84,6 +88,9 @@ struct primitive {
     void (*uv)(const void *shape, vec3 point, double uv[2]);
     /* NULL when not solid. */
     bool (*inside)(const void *shape, vec3 point);
+    /* The same of points side by side; NULL: one by one. */
+    void (*inside_many)(const void *shape, const struct lane_points *points,
+                        lane_flag *inside);
     /* What the cell may meet: CELL_SURFACE, CELL_BORDER (see cell.h). Leaves
      * out nothing that it meets; says a little more than is true, the less the
      * smaller the cell. NULL: searched with rays, which may miss thin parts. */

@@ -26,6 +26,20 @@ struct rays_met {
     double part[RAY_LANES]; /* as of a hit; u and v of shapes met so are 0 */
 };
 
+/* All crossings of each, in the order that its shape's intersect tells them,
+ * but for gaps where t is INFINITY. u and v are 0. */
+enum { RAY_CROSSINGS = 4 };
+
+struct rays_crossings {
+    int count; /* of rows */
+    double t[RAY_CROSSINGS][RAY_LANES], part[RAY_CROSSINGS][RAY_LANES];
+};
+
+/* A point for each lane. */
+struct lane_points {
+    double at[3][RAY_LANES];
+};
+
 /* The vector in a lane. */
 static inline vec3 lane_get(const double (*from)[RAY_LANES], unsigned i)
 {
@@ -64,6 +78,17 @@ static inline struct ray rays_at(const struct rays *rays, int i)
 /* All of them in another space, as ray_into takes one there. */
 void rays_into(const affine *transform, const struct rays *rays,
                struct rays *out);
+
+/* Points side by side in another space. */
+void lane_points_into(const affine *transform, const struct lane_points *points,
+                      struct lane_points *out);
+
+/* Of all crossings the first of each ray between near and far, and whether
+ * there is any. */
+void rays_first_of(const struct rays_crossings *all,
+                   const struct rays_span *span, struct rays_met *met);
+void rays_crosses_of(const struct rays_crossings *all,
+                     const struct rays_span *span, lane_flag *met);
 
 /* Bit by bit what the flags of all lanes say. */
 static inline unsigned rays_bits(const lane_flag flags[RAY_LANES])

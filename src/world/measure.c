@@ -249,6 +249,19 @@ void solid_measure(struct arena *arena, struct solid *solid)
                     !solid->clip_count && !solid->boxed;
 }
 
+/* Whether all crossings of most of its leaves are told of many rays at a time.
+ */
+static bool has_routines(const struct solid *solid)
+{
+    size_t having = 0;
+    if (solid->leaf)
+        return solid->kind == OBJECT_SHAPE &&
+               solid->leaf->object->primitive->all_many;
+    for (size_t i = 0; i < solid->child_count; i++)
+        having += solid->children[i]->together;
+    return 2 * having > solid->child_count;
+}
+
 void solid_finish(struct arena *arena, struct solid *solid)
 {
     for (size_t i = 0; i < solid->child_count; i++) {
@@ -256,6 +269,7 @@ void solid_finish(struct arena *arena, struct solid *solid)
         solid_finish(arena, solid->children[i]);
     }
     solid_measure(arena, solid);
+    solid->together = has_routines(solid);
     if (!solid->leaf)
         solid_group(arena, solid);
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "scene/primitive.h"
+#include "world/packet_tree.h"
 
 /* Which rays there are: those whose six numbers are finite, for 0 times a
  * finite one is 0, and that have a direction and a length. */
@@ -20,8 +21,8 @@ CLONES static void find_rays(const struct rays *restrict rays,
     }
 }
 
-CLONES static void find_inverse(const struct rays *restrict rays,
-                                double inverse[restrict 3][RAY_LANES])
+CLONES void rays_inverse(const struct rays *restrict rays,
+                         double inverse[restrict 3][RAY_LANES])
 {
     for (int axis = 0; axis < 3; axis++)
         for (int i = 0; i < RAY_LANES; i++)
@@ -39,7 +40,7 @@ static void packet_start(struct packet *packet, const struct rays *rays,
     packet->open = rays_bits(good) & lanes;
     packet->begun = packet->panes = 0;
     if (boxed)
-        find_inverse(rays, packet->inverse);
+        rays_inverse(rays, packet->inverse);
 }
 
 static void packet_span(struct packet *packet, const struct rays_span *span,
@@ -126,7 +127,13 @@ static void packet_first(struct packet *packet, const struct solid *solid,
 {
     const struct object *object = solid->leaf->object;
     struct rays_met met;
-    object->primitive->first_many(object->shape, rays, &packet->span, &met);
+    struct rays_crossings all;
+    if (object->primitive->first_many) {
+        object->primitive->first_many(object->shape, rays, &packet->span, &met);
+    } else {
+        object->primitive->all_many(object->shape, rays, &all);
+        rays_first_of(&all, &packet->span, &met);
+    }
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
         if (!(met.t[i] <= packet->span.far[i]))
@@ -146,7 +153,14 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
 {
     const struct object *object = solid->leaf->object;
     lane_flag met[RAY_LANES];
-    object->primitive->crosses_many(object->shape, rays, &packet->span, met);
+    struct rays_crossings all;
+    if (object->primitive->crosses_many) {
+        object->primitive->crosses_many(object->shape, rays, &packet->span,
+                                        met);
+    } else {
+        object->primitive->all_many(object->shape, rays, &all);
+        rays_crosses_of(&all, &packet->span, met);
+    }
     lanes &= rays_bits(met);
     if (!solid->leaf->opaque && !packet->opaque)
         packet->panes |= lanes;
@@ -159,8 +173,7 @@ static unsigned packet_together(struct packet *packet,
 {
     const struct rays *rays = packet->rays;
     struct rays local;
-    if (packet->occlusion ? !leaf_casts(solid->leaf, packet->light)
-                          : !leaf_is_seen(solid->leaf, packet->kind))
+    if (!packet_sees(packet, solid->leaf))
         return 0;
     if (solid->moved) {
         rays_into(solid->to_shape, rays, &local);
@@ -189,11 +202,22 @@ static unsigned packet_each(struct packet *packet, const struct solid *solid,
 
 static bool solid_has_routine(const struct solid *solid, bool occlusion)
 {
-    if (!solid->simple || solid->kind != OBJECT_SHAPE)
+    if (solid->kind != OBJECT_SHAPE)
         return false;
     const struct primitive *primitive = solid->leaf->object->primitive;
-    return occlusion ? primitive->crosses_many != NULL
-                     : primitive->first_many != NULL;
+    return primitive->all_many || (occlusion ? primitive->crosses_many != NULL
+                                             : primitive->first_many != NULL);
+}
+
+/* Of a tree they need not be many: its parts are looked at with all at once. */
+static unsigned packet_meet(struct packet *packet, const struct solid *solid,
+                            unsigned lanes)
+{
+    bool together = solid->simple ? solid_has_routine(solid, packet->occlusion)
+                                  : solid->together && lanes & (lanes - 1);
+    return !together       ? packet_each(packet, solid, lanes)
+           : solid->simple ? packet_together(packet, solid, lanes)
+                           : packet_tree(packet, solid, lanes);
 }
 
 /* They are found what they look for, and no shape needs to look at them. */
@@ -210,33 +234,30 @@ bool packet_look(struct packet *packet, const struct solid *solid,
     lanes &= packet->open;
     if (!lanes)
         return packet->open == 0;
-    unsigned over = solid_has_routine(solid, packet->occlusion)
-                        ? packet_together(packet, solid, lanes)
-                        : packet_each(packet, solid, lanes);
-    packet_close(packet, over);
+    packet_close(packet, packet_meet(packet, solid, lanes));
     return packet->open == 0;
 }
 
-CLONES static void box_meets(const struct packet *restrict packet,
-                             const struct box3 *box, lane_flag *restrict met)
+CLONES void rays_meet_box(const struct rays_boxed *restrict rays,
+                          const struct box3 *box, lane_flag *restrict met)
 {
     const vec3 low = box->low, high = box->high;
-    const struct rays *rays = packet->rays;
+    const double(*inverse)[RAY_LANES] = rays->inverse;
     for (int i = 0; i < RAY_LANES; i++) {
-        double enter = packet->span.near[i], leave = packet->span.far[i];
-        slab_clip(low.x, high.x, rays->origin[0][i], packet->inverse[0][i],
-                  &enter, &leave);
-        slab_clip(low.y, high.y, rays->origin[1][i], packet->inverse[1][i],
-                  &enter, &leave);
-        slab_clip(low.z, high.z, rays->origin[2][i], packet->inverse[2][i],
-                  &enter, &leave);
-        met[i] = enter <= leave ? -1 : 0;
+        double enter = rays->span->near[i], leave = rays->span->far[i];
+        vec3 o = rays_origin(rays->rays, i);
+        slab_clip(low.x, high.x, o.x, inverse[0][i], &enter, &leave);
+        slab_clip(low.y, high.y, o.y, inverse[1][i], &enter, &leave);
+        slab_clip(low.z, high.z, o.z, inverse[2][i], &enter, &leave);
+        met[i] = slabs_overlap(enter, leave) ? -1 : 0;
     }
 }
 
 unsigned packet_meets(const struct packet *packet, const struct box3 *box)
 {
+    const struct rays_boxed rays = { packet->rays, packet->inverse,
+                                     &packet->span };
     lane_flag met[RAY_LANES];
-    box_meets(packet, box, met);
+    rays_meet_box(&rays, box, met);
     return rays_bits(met) & packet->open;
 }

@@ -77,14 +77,6 @@ bool query_wants(const struct query *query, const struct leaf *leaf, double t)
            (t == query->tmax && query->leaf && tie_is_won(leaf, query->leaf));
 }
 
-/* The ray in the space of the tree at hand; its t is the same everywhere. Of
- * the tree no crossing before `enter` or after `leave` counts. */
-struct space {
-    struct ray ray;
-    struct slabs slabs;
-    double enter, leave;
-};
-
 static bool take_if_counts(struct query *query, const struct solid *solid,
                            const struct ray *ray, const struct hit *hit)
 {
@@ -175,18 +167,16 @@ static bool query_mesh(struct query *query, const struct solid *solid,
     return query->blocked;
 }
 
-/* `space` is NULL for a simple solid. */
-static bool query_leaf(struct query *query, const struct solid *solid,
-                       const struct ray *ray, const struct space *space)
+bool query_leaf(struct query *query, const struct solid *solid,
+                const struct ray *ray, const struct space *space)
 {
     return query_sees(query, solid->leaf) &&
            (solid->kind == OBJECT_SHAPE ? query_shape(query, solid, ray, space)
                                         : query_mesh(query, solid, ray));
 }
 
-/* Whether the ray meets every gate or starts in it. */
-static bool gates_open(const struct solid *solid, const struct ray *ray,
-                       const struct slabs *slabs)
+bool query_gates_open(const struct solid *solid, const struct ray *ray,
+                      const struct slabs *slabs)
 {
     for (size_t i = 0; i < solid->gate_count; i++) {
         struct query probe;
@@ -206,13 +196,13 @@ static bool gates_open(const struct solid *solid, const struct ray *ray,
     return true;
 }
 
-/* A node below a root. */
 static bool query_part(struct query *query, const struct solid *solid,
                        const struct space *space)
 {
     if (!slabs_hit(&space->slabs, &solid->surface, query->tmin, query->tmax))
         return false;
-    if (solid->gate_count && !gates_open(solid, &space->ray, &space->slabs))
+    if (solid->gate_count &&
+        !query_gates_open(solid, &space->ray, &space->slabs))
         return false;
     if (solid->leaf)
         return query_leaf(query, solid, &space->ray, space);
@@ -254,7 +244,8 @@ bool query_tree(struct query *query, const struct solid *solid)
     slabs_clip(&query->slabs, &solid->surface, &enter, &leave);
     if (!slabs_overlap(enter, leave))
         return false;
-    if (solid->gate_count && !gates_open(solid, &query->ray, &query->slabs))
+    if (solid->gate_count &&
+        !query_gates_open(solid, &query->ray, &query->slabs))
         return false;
     struct space space = { query->ray, query->slabs, enter, leave };
     if (solid->frame) {

@@ -99,6 +99,23 @@ bool query_take(struct query *query, const struct leaf *leaf,
 bool query_simple(struct query *query, const struct solid *solid);
 bool query_tree(struct query *query, const struct solid *solid);
 
+/* The ray in the space of the tree at hand; its t is the same everywhere. Of
+ * the tree no crossing before `enter` or after `leave` counts. */
+struct space {
+    struct ray ray;
+    struct slabs slabs;
+    double enter, leave;
+};
+
+/* The same in a leaf of a tree; `ray` is that of the space. NULL: the leaf is
+ * simple, and the ray the world's. */
+bool query_leaf(struct query *query, const struct solid *solid,
+                const struct ray *ray, const struct space *space);
+
+/* Whether the ray meets every gate of the solid or starts in it. */
+bool query_gates_open(const struct solid *solid, const struct ray *ray,
+                      const struct slabs *slabs);
+
 /* Looks at everything in the solid; returns true when the search is over. */
 static inline bool query_solid(struct query *query, const struct solid *solid)
 {

@@ -14,5 +14,4 @@ light_source { <10, 50, -30> 1 }
 #declare Endless = quadric { <1, 0, 1>, 0, 0, -1 }
 #default { pigment { Bands } }
 object { Endless clipped_by { Hills } translate -3.6*x }
-quadric { <1, 0, 1>, 0, 0, -1 clipped_by { Hills } rotate 20*x translate -1*x }
 plane { z, .5 rotate x*20 clipped_by { Hills } translate 3.9*x }

@@ -87,6 +87,88 @@ static void rays_side_by_side_agree(void *context, const struct solid *solid)
     }
 }
 
+/* The crossings in lane `i`, without the gaps. */
+static struct hits lane_hits(const struct rays_crossings *all, int i)
+{
+    struct hits hits;
+    hits.count = 0;
+    for (int k = 0; k < all->count; k++)
+        if (all->t[k][i] != (double)INFINITY)
+            hits_add(&hits, all->t[k][i], (int)all->part[k][i]);
+    return hits;
+}
+
+/* All crossings of rays side by side, and which points are inside, are to the
+ * bit those of each alone. */
+static void crossings_side_by_side_agree(void *context,
+                                         const struct solid *solid)
+{
+    const struct object *object = solid->leaf->object;
+    const struct primitive *primitive = object->primitive;
+    struct dice dice = { 7 };
+    int *met = context;
+    for (int i = 0; i < 500; i++) {
+        struct rays rays;
+        struct rays_crossings all;
+        struct lane_points points;
+        lane_flag inside[RAY_LANES];
+        for (int k = 0; k < RAY_LANES; k++) {
+            vec3 direction = dice_point(&dice, 1.5);
+            if (k % 5 == 0)
+                direction.y = 0;
+            if (k % 7 == 0)
+                direction.x = direction.z = 0;
+            if (!(vec3_dot(direction, direction) > 0))
+                direction.y = 1;
+            rays_set(&rays, k, dice_point(&dice, 1.5), direction);
+            lane_put(points.at, (unsigned)k, dice_point(&dice, 1.5));
+        }
+        primitive->all_many(object->shape, &rays, &all);
+        primitive->inside_many(object->shape, &points, inside);
+        for (int k = 0; k < RAY_LANES; k++) {
+            struct ray ray = rays_at(&rays, k);
+            struct hits alone, lane = lane_hits(&all, k);
+            vec3 point = lane_get(points.at, (unsigned)k);
+            alone.count = 0;
+            primitive->intersect(object->shape, &ray, &alone);
+            assert_int_equal(lane.count, alone.count);
+            for (int h = 0; h < lane.count; h++)
+                assert_true(lane.at[h].t == alone.at[h].t &&
+                            lane.at[h].part == alone.at[h].part);
+            assert_true(inside[k] ==
+                        (primitive->inside(object->shape, point) ? -1 : 0));
+            *met += lane.count;
+        }
+    }
+}
+
+static void shapes_tell_all_crossings_side_by_side(void **state)
+{
+    static const char *const shapes[] = {
+        "sphere { <.1,.2,0>, 1 }",
+        "plane { <.3,1,.2>, .1 }",
+        "plane { y, .1 }",
+        "box { -1, <1,.5,.7> }",
+        "cylinder { -y, <.5,1,0>, .6 }",
+        "cylinder { -y, y, .9 open }",
+        "cone { -y, .9, <.2,1,0>, .2 }",
+        "cone { -y, 1.4, <.2,.1,0>, 0 open }",
+        "cone { -y, .2, <.2,.1,0>, -.7 }",
+        "quadric { <1, 1.5, 1>, <.3,0,0>, <.1,0,0>, -.9 }",
+        "quadric { <1, -1.5, 1>, <.3,.2,.1>, 0, -.1 }",
+        "quadric { x, 0, z, -.4 }",
+        "quadric { 0, 0, <.3,1,.2>, -.4 }",
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+        struct scene_world *all = scene_world_new(shapes[i]);
+        int met = 0;
+        world_visit(all->world, crossings_side_by_side_agree, NULL, &met);
+        assert_true(met > 400);
+        scene_world_free(all);
+    }
+}
+
 static void shapes_agree_on_rays_side_by_side(void **state)
 {
     static const char *const shapes[] = {
@@ -180,6 +262,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(crossings_asked_for_alone_agree),
+        cmocka_unit_test(shapes_tell_all_crossings_side_by_side),
         cmocka_unit_test(shapes_agree_on_rays_side_by_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -767,6 +767,41 @@ static void rays_together_are_as_alone(void **state)
     }
 }
 
+/* Trees of solids, of which every third is clipped and every fourth bounded. */
+static void rays_together_meet_trees_as_alone(void **state)
+{
+    (void)state;
+    struct dice dice = { 12 };
+    int hits = 0;
+    for (int trial = 0; trial < 60; trial++) {
+        struct scene *scene = scene_new(0);
+        struct diag diag = { .out = NULL };
+        for (int i = 0; i <= trial % 3; i++) {
+            struct object *solid = random_solid(scene, &dice, trial % 4);
+            struct clip *limit = ARENA_NEW(scene->arena, struct clip);
+            limit->object = random_solid(scene, &dice, 1);
+            limit->transform = affine_identity();
+            if (trial % 3 == 1) {
+                solid->clips = limit;
+                solid->clip_count = 1;
+            } else if (trial % 4 == 1) {
+                solid->bounds = limit;
+                solid->bound_count = 1;
+            }
+            scene_add(scene, solid);
+        }
+        struct world *world = world_new(scene, 1, 0, &diag);
+        assert_non_null(world);
+        for (int i = 0; i < 100; i++) {
+            hits += expect_the_same(world, &dice);
+            expect_the_same_shadows(world, &dice);
+        }
+        world_free(world);
+        scene_free(scene);
+    }
+    assert_true(hits > 5000);
+}
+
 /* Rays along planes, on surfaces, of no length, beyond the world. */
 static void odd_rays_do_no_harm(void **state)
 {
@@ -811,6 +846,7 @@ int main(void)
         cmocka_unit_test(bounds_hide_what_misses_them),
         cmocka_unit_test(endless_scenes_are_refused),
         cmocka_unit_test(rays_together_are_as_alone),
+        cmocka_unit_test(rays_together_meet_trees_as_alone),
         cmocka_unit_test(odd_rays_do_no_harm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -173,6 +173,21 @@ CLONES static void box_first_many(const void *shape,
     }
 }
 
+CLONES static void box_all_many(const void *shape,
+                                const struct rays *restrict rays,
+                                struct rays_crossings *restrict all)
+{
+    const struct box box = *(const struct box *)shape;
+    all->count = 2;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct interval_lane in = lane_clip(&box, rays, i);
+        all->t[0][i] = in.missed ? (double)INFINITY : in.enter;
+        all->t[1][i] = in.missed ? (double)INFINITY : in.leave;
+        all->part[0][i] = in.enter_part;
+        all->part[1][i] = in.leave_part;
+    }
+}
+
 static vec3 box_normal(const void *shape, vec3 point, const struct hit *hit)
 {
     static const vec3 sides[6] = { { -1, 0, 0 }, { 1, 0, 0 },  { 0, -1, 0 },
@@ -186,6 +201,18 @@ static bool box_inside(const void *shape, vec3 point)
 {
     const struct box *box = shape;
     return box3_contains((struct box3){ box->low, box->high }, point);
+}
+
+CLONES static void box_inside_many(const void *shape,
+                                   const struct lane_points *restrict points,
+                                   lane_flag *restrict inside)
+{
+    const struct box box = *(const struct box *)shape;
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        inside[i] = box3_contains((struct box3){ box.low, box.high },
+                                  lane_get(points->at, i))
+                        ? -1
+                        : 0;
 }
 
 static unsigned box_meets(const void *shape, const struct cell *cell)
@@ -251,9 +278,11 @@ const struct primitive box_primitive = {
     .first = box_first,
     .crosses_many = box_crosses_many,
     .first_many = box_first_many,
+    .all_many = box_all_many,
     .normal = box_normal,
     .uv = box_uv,
     .inside = box_inside,
+    .inside_many = box_inside_many,
     .meets = box_meets,
     .patches = box_patches,
 };

@@ -39,9 +39,11 @@ const struct primitive cylinder_primitive = {
     .prepare = cylinder_prepare,
     .bounds = conic_bounds,
     .intersect = conic_intersect,
+    .all_many = conic_all_many,
     .crosses = conic_crosses,
     .crosses_many = conic_crosses_many,
     .normal = conic_normal,
     .inside = conic_inside,
+    .inside_many = conic_inside_many,
     .meets = conic_meets,
 };

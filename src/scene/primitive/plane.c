@@ -112,6 +112,21 @@ CLONES static void plane_first_many(const void *shape,
     }
 }
 
+CLONES static void plane_all_many(const void *shape,
+                                  const struct rays *restrict rays,
+                                  struct rays_crossings *restrict all)
+{
+    const struct plane plane = *(const struct plane *)shape;
+    all->count = 1;
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 d = rays_direction(rays, i);
+        double t = plane_distance(&plane, rays_origin(rays, i), d);
+        bool along = vec3_dot(plane.normal, d) == 0;
+        all->t[0][i] = along ? (double)INFINITY : t;
+        all->part[0][i] = 0;
+    }
+}
+
 static vec3 plane_normal(const void *shape, vec3 point, const struct hit *hit)
 {
     const struct plane *plane = shape;
@@ -120,10 +135,23 @@ static vec3 plane_normal(const void *shape, vec3 point, const struct hit *hit)
     return plane->normal;
 }
 
+static inline bool plane_holds(const struct plane *plane, vec3 point)
+{
+    return vec3_dot(plane->normal, point) - plane->distance <= 0;
+}
+
 static bool plane_inside(const void *shape, vec3 point)
 {
-    const struct plane *plane = shape;
-    return vec3_dot(plane->normal, point) - plane->distance <= 0;
+    return plane_holds(shape, point);
+}
+
+CLONES static void plane_inside_many(const void *shape,
+                                     const struct lane_points *restrict points,
+                                     lane_flag *restrict inside)
+{
+    const struct plane plane = *(const struct plane *)shape;
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        inside[i] = plane_holds(&plane, lane_get(points->at, i)) ? -1 : 0;
 }
 
 static unsigned plane_meets(const void *shape, const struct cell *cell)
@@ -150,7 +178,9 @@ const struct primitive plane_primitive = {
     .first = plane_first,
     .crosses_many = plane_crosses_many,
     .first_many = plane_first_many,
+    .all_many = plane_all_many,
     .normal = plane_normal,
     .inside = plane_inside,
+    .inside_many = plane_inside_many,
     .meets = plane_meets,
 };

@@ -22,7 +22,7 @@ static const struct field quadric_arguments[] = {
 };
 
 /* Half the gradient's part that depends on p: the symmetric matrix times p. */
-static vec3 quadric_matrix(const struct quadric *q, vec3 p)
+static inline vec3 quadric_matrix(const struct quadric *q, vec3 p)
 {
     return (vec3){
         q->square.x * p.x + (q->mixed.x * p.y + q->mixed.y * p.z) / 2,
@@ -31,7 +31,7 @@ static vec3 quadric_matrix(const struct quadric *q, vec3 p)
     };
 }
 
-static double quadric_value(const struct quadric *q, vec3 p)
+static inline double quadric_value(const struct quadric *q, vec3 p)
 {
     return vec3_dot(vec3_add(quadric_matrix(q, p), q->linear), p) + q->constant;
 }
@@ -189,20 +189,47 @@ static struct box3 quadric_within(const void *shape, struct box3 box)
 
 /* The ray starts where it passes the shape's origin: from afar the
  * coefficients would cancel. */
+struct restricted {
+    double shift, a, b, c; /* a t^2 + 2 b t + c */
+};
+
+static inline struct restricted quadric_restricted(const struct quadric *q,
+                                                   vec3 origin, vec3 d)
+{
+    double shift = -vec3_dot(origin, d) / vec3_dot(d, d);
+    vec3 o = vec3_along(origin, d, shift);
+    vec3 md = quadric_matrix(q, d);
+    return (struct restricted){ shift, vec3_dot(md, d),
+                                vec3_dot(md, o) + vec3_dot(q->linear, d) / 2,
+                                quadric_value(q, o) };
+}
+
 static void quadric_intersect(const void *shape, const struct ray *ray,
                               struct hits *hits)
 {
-    const struct quadric *quadric = shape;
-    vec3 d = ray->direction;
-    double shift = -vec3_dot(ray->origin, d) / vec3_dot(d, d);
-    vec3 o = ray_point(ray, shift);
-    vec3 md = quadric_matrix(quadric, d);
-    double a = vec3_dot(md, d);
-    double b = vec3_dot(md, o) + vec3_dot(quadric->linear, d) / 2;
+    struct restricted line =
+        quadric_restricted(shape, ray->origin, ray->direction);
     double roots[2];
-    int count = quadratic_roots(a, b, quadric_value(quadric, o), roots);
+    int count = quadratic_roots(line.a, line.b, line.c, roots);
     for (int i = 0; i < count; i++)
-        hits_add(hits, roots[i] + shift, 0);
+        hits_add(hits, roots[i] + line.shift, 0);
+}
+
+CLONES static void quadric_all_many(const void *shape,
+                                    const struct rays *restrict rays,
+                                    struct rays_crossings *restrict all)
+{
+    const struct quadric quadric = *(const struct quadric *)shape;
+    all->count = 2;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct restricted line = quadric_restricted(
+            &quadric, rays_origin(rays, i), rays_direction(rays, i));
+        double roots[2];
+        quadratic_roots_lane(line.a, line.b, line.c, roots);
+        all->t[0][i] = roots[0] + line.shift;
+        all->t[1][i] = roots[1] + line.shift;
+        all->part[0][i] = all->part[1][i] = 0;
+    }
 }
 
 static vec3 quadric_normal(const void *shape, vec3 point, const struct hit *hit)
@@ -217,6 +244,17 @@ static vec3 quadric_normal(const void *shape, vec3 point, const struct hit *hit)
 static bool quadric_inside(const void *shape, vec3 point)
 {
     return quadric_value(shape, point) <= 0;
+}
+
+CLONES static void
+quadric_inside_many(const void *shape,
+                    const struct lane_points *restrict points,
+                    lane_flag *restrict inside)
+{
+    const struct quadric quadric = *(const struct quadric *)shape;
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        inside[i] =
+            quadric_value(&quadric, lane_get(points->at, i)) <= 0 ? -1 : 0;
 }
 
 /* F(c + d) = F(c) + grad F(c).d + d.Md, where d is a sum of sides: their
@@ -250,7 +288,9 @@ const struct primitive quadric_primitive = {
     .bounds = quadric_bounds,
     .within = quadric_within,
     .intersect = quadric_intersect,
+    .all_many = quadric_all_many,
     .normal = quadric_normal,
     .inside = quadric_inside,
+    .inside_many = quadric_inside_many,
     .meets = quadric_meets,
 };

@@ -134,6 +134,24 @@ CLONES static void sphere_first_many(const void *shape,
     }
 }
 
+CLONES static void sphere_all_many(const void *shape,
+                                   const struct rays *restrict rays,
+                                   struct rays_crossings *restrict all)
+{
+    const struct sphere sphere = *(const struct sphere *)shape;
+    all->count = 2;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct passing passing = sphere_passing(&sphere, rays_origin(rays, i),
+                                                rays_direction(rays, i));
+        double t[2];
+        passing_roots(&passing, t);
+        bool is = (passing.rest > 0) & (passing.dd > 0);
+        all->t[0][i] = is ? t[0] : (double)INFINITY;
+        all->t[1][i] = is ? t[1] : (double)INFINITY;
+        all->part[0][i] = all->part[1][i] = 0;
+    }
+}
+
 /* A negative radius turns the normal, as in POV-Ray. */
 static vec3 sphere_normal(const void *shape, vec3 point, const struct hit *hit)
 {
@@ -143,11 +161,24 @@ static vec3 sphere_normal(const void *shape, vec3 point, const struct hit *hit)
     return sphere->radius < 0 ? vec3_negate(normal) : normal;
 }
 
-static bool sphere_inside(const void *shape, vec3 point)
+static inline bool sphere_holds(const struct sphere *sphere, vec3 point)
 {
-    const struct sphere *sphere = shape;
     vec3 p = vec3_sub(point, sphere->centre);
     return vec3_dot(p, p) < sphere->radius * sphere->radius;
+}
+
+static bool sphere_inside(const void *shape, vec3 point)
+{
+    return sphere_holds(shape, point);
+}
+
+CLONES static void sphere_inside_many(const void *shape,
+                                      const struct lane_points *restrict points,
+                                      lane_flag *restrict inside)
+{
+    const struct sphere sphere = *(const struct sphere *)shape;
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        inside[i] = sphere_holds(&sphere, lane_get(points->at, i)) ? -1 : 0;
 }
 
 static unsigned sphere_meets(const void *shape, const struct cell *cell)
@@ -190,9 +221,11 @@ const struct primitive sphere_primitive = {
     .first = sphere_first,
     .crosses_many = sphere_crosses_many,
     .first_many = sphere_first_many,
+    .all_many = sphere_all_many,
     .normal = sphere_normal,
     .uv = sphere_uv,
     .inside = sphere_inside,
+    .inside_many = sphere_inside_many,
     .meets = sphere_meets,
     .patches = sphere_patches,
 };

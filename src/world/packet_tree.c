@@ -1,0 +1,330 @@
+/* CSG for rays side by side: see packet_tree.h. As for one ray (query.c): the
+ * crossings of each leaf that are near enough are asked whether they count.
+ * What a shape can't tell of several rays at a time is asked ray by ray. */
+#include "world/packet_tree.h"
+
+#include "scene/primitive.h"
+#include "world/mesh_tree.h"
+
+/* On the way through one tree. */
+struct tree_look {
+    struct packet *packet;
+    const struct solid *root;
+    const struct rays *rays; /* in the root's frame, as is the inverse */
+    const double (*inverse)[RAY_LANES];
+};
+
+CLONES static void find_inside_box(const struct box3 *box,
+                                   const struct lane_points *restrict points,
+                                   lane_flag *restrict inside)
+{
+    const struct box3 here = *box;
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        inside[i] = box3_contains(here, lane_get(points->at, i)) ? -1 : 0;
+}
+
+static unsigned inside_box(const struct box3 *box,
+                           const struct lane_points *points)
+{
+    lane_flag inside[RAY_LANES];
+    if (box == &solid_nothing)
+        return 0;
+    if (box == &solid_everything)
+        return (1u << RAY_LANES) - 1;
+    find_inside_box(box, points, inside);
+    return rays_bits(inside);
+}
+
+/* One after the other. */
+static unsigned leaf_inside_each(const struct solid *solid,
+                                 const struct lane_points *points,
+                                 unsigned lanes)
+{
+    const struct object *object = solid->leaf->object;
+    unsigned inside = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        vec3 p = lane_get(points->at, i);
+        if (solid->kind == OBJECT_SHAPE
+                ? object->primitive->inside(object->shape, p)
+                : mesh_tree_inside(solid->tree, p))
+            inside |= 1u << i;
+    }
+    return inside;
+}
+
+static unsigned leaf_inside(const struct solid *solid,
+                            const struct lane_points *points, unsigned lanes)
+{
+    const struct object *object = solid->leaf->object;
+    struct lane_points local;
+    lane_flag flags[RAY_LANES];
+    unsigned inside;
+    if (solid->moved) {
+        lane_points_into(solid->to_shape, points, &local);
+        points = &local;
+    }
+    if (solid->kind == OBJECT_SHAPE && object->primitive->inside_many) {
+        object->primitive->inside_many(object->shape, points, flags);
+        inside = rays_bits(flags);
+    } else {
+        inside = leaf_inside_each(solid, points, lanes);
+    }
+    return lanes & (solid->leaf->inverse ? ~inside : inside);
+}
+
+static unsigned lanes_inside(const struct solid *solid,
+                             const struct lane_points *points, unsigned lanes);
+
+static unsigned inside_all(const struct solid *const *solids, size_t count,
+                           const struct lane_points *points, unsigned lanes)
+{
+    for (size_t i = 0; i < count && lanes; i++)
+        lanes = lanes_inside(solids[i], points, lanes);
+    return lanes;
+}
+
+static unsigned inside_any(const struct solid *solid,
+                           const struct lane_points *points, unsigned lanes)
+{
+    unsigned inside = 0;
+    for (size_t i = 0; i < solid->child_count && lanes & ~inside; i++)
+        inside |= lanes_inside(solid->children[i], points, lanes & ~inside);
+    return inside;
+}
+
+static unsigned inside_content(const struct solid *solid,
+                               const struct lane_points *points, unsigned lanes)
+{
+    struct lane_points local;
+    if (solid->frame) {
+        lane_points_into(solid->frame->inward, points, &local);
+        points = &local;
+    }
+    if (solid->leaf)
+        return leaf_inside(solid, points, lanes);
+    if (solid->kind == OBJECT_INTERSECTION)
+        return inside_all((const struct solid *const *)solid->children,
+                          solid->child_count, points, lanes);
+    return inside_any(solid, points, lanes);
+}
+
+/* Which of these points are inside: as solid_inside. */
+static unsigned lanes_inside(const struct solid *solid,
+                             const struct lane_points *points, unsigned lanes)
+{
+    lanes &= inside_box(solid->region, points);
+    unsigned sure = lanes ? lanes & ~inside_box(solid->holes, points) : 0;
+    lanes &= ~sure;
+    if (lanes)
+        lanes = inside_content(solid, points, lanes);
+    return sure | inside_all(solid->clips, solid->clip_count, points, lanes);
+}
+
+/* Where the siblings of `node` let crossings of it count. */
+static unsigned siblings_agree(const struct solid *node,
+                               const struct lane_points *points, unsigned lanes)
+{
+    const struct solid *parent = node->parent;
+    if (parent->kind == OBJECT_UNION)
+        return lanes;
+    bool wanted = parent->kind == OBJECT_INTERSECTION;
+    for (size_t i = 0; i < parent->child_count && lanes; i++) {
+        const struct solid *sibling = parent->children[i];
+        if (sibling == node)
+            continue;
+        unsigned inside = lanes_inside(sibling, points, lanes);
+        lanes = wanted ? inside : lanes & ~inside;
+    }
+    return lanes;
+}
+
+CLONES static void find_points(const struct rays *restrict rays,
+                               const double *restrict t,
+                               struct lane_points *restrict points)
+{
+    for (int i = 0; i < RAY_LANES; i++)
+        lane_put(
+            points->at, (unsigned)i,
+            vec3_along(rays_origin(rays, i), rays_direction(rays, i), t[i]));
+}
+
+/* Which of these crossings of the leaf count: as solid_counts. */
+static unsigned crossings_count(const struct tree_look *look,
+                                const struct solid *leaf, const double *t,
+                                unsigned lanes)
+{
+    struct lane_points inner, outer;
+    find_points(look->rays, t, &inner);
+    if (look->root->frame && look->root->clip_count)
+        find_points(look->packet->rays, t, &outer);
+    for (const struct solid *node = leaf; node && lanes; node = node->parent) {
+        const struct lane_points *points =
+            node->parent || !look->root->frame ? &inner : &outer;
+        lanes = inside_all(node->clips, node->clip_count, points, lanes);
+        if (node->parent)
+            lanes = siblings_agree(node, &inner, lanes);
+    }
+    return lanes;
+}
+
+/* Which lanes' crossings may be wanted: see query_wants. */
+CLONES static void find_near(const struct rays_span *restrict span,
+                             const double *restrict t, bool ties,
+                             lane_flag *restrict near)
+{
+    for (int i = 0; i < RAY_LANES; i++) {
+        double far = span->far[i];
+        bool before = (t[i] < far) | (ties & (t[i] == far));
+        near[i] = (t[i] > span->near[i]) & before ? -1 : 0;
+    }
+}
+
+static void take_nearest(struct packet *packet, const struct leaf *leaf,
+                         const struct rays_crossings *all, int k,
+                         unsigned lanes)
+{
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        struct query *query = packet_query(packet, i);
+        const struct hit hit = { all->t[k][i], (int)all->part[k][i], 0, 0 };
+        if (!query_wants(query, leaf, hit.t))
+            continue;
+        query_take(query, leaf, &hit);
+        packet_met(packet, i);
+    }
+}
+
+/* Of a shape that tells all crossings at once. */
+static unsigned look_at_shape(const struct tree_look *look,
+                              const struct solid *solid, unsigned lanes)
+{
+    struct packet *packet = look->packet;
+    const struct object *object = solid->leaf->object;
+    const struct rays *rays = look->rays;
+    struct rays local;
+    struct rays_crossings all;
+    unsigned over = 0;
+    if (solid->moved) {
+        rays_into(solid->to_shape, rays, &local);
+        rays = &local;
+    }
+    object->primitive->all_many(object->shape, rays, &all);
+    for (int k = 0; k < all.count; k++) {
+        lane_flag near[RAY_LANES];
+        find_near(&packet->span, all.t[k], !packet->occlusion, near);
+        unsigned met = lanes & ~over & rays_bits(near);
+        if (met)
+            met = crossings_count(look, solid, all.t[k], met);
+        if (packet->occlusion)
+            over |= met;
+        else
+            take_nearest(packet, solid->leaf, &all, k, met);
+    }
+    if (!solid->leaf->opaque && !packet->opaque)
+        packet->panes |= over;
+    return over;
+}
+
+static struct space space_of(const struct tree_look *look,
+                             const struct query *query, unsigned i)
+{
+    struct space space = { rays_at(look->rays, (int)i), .enter = query->tmin,
+                           .leave = query->tmax };
+    space.slabs.origin = space.ray.origin;
+    space.slabs.inverse = lane_get(look->inverse, i);
+    slabs_clip(&query->slabs, &look->root->surface, &space.enter, &space.leave);
+    return space;
+}
+
+/* One ray after the other. */
+static unsigned look_each(const struct tree_look *look,
+                          const struct solid *solid, unsigned lanes)
+{
+    unsigned over = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        struct query *query = packet_query(look->packet, i);
+        struct space space = space_of(look, query, i);
+        if (query_leaf(query, solid, &space.ray, &space))
+            over |= 1u << i;
+        if (!look->packet->occlusion)
+            packet_met(look->packet, i);
+    }
+    return over;
+}
+
+static unsigned gates_open(const struct tree_look *look,
+                           const struct solid *solid, unsigned lanes)
+{
+    unsigned open = 0;
+    for (unsigned rest = lanes; rest; rest &= rest - 1) {
+        unsigned i = (unsigned)__builtin_ctz(rest);
+        struct ray ray = rays_at(look->rays, (int)i);
+        struct slabs slabs = { ray.origin, lane_get(look->inverse, i) };
+        if (query_gates_open(solid, &ray, &slabs))
+            open |= 1u << i;
+    }
+    return open;
+}
+
+/* Those of `lanes` that may meet the box, which is in the look's space. */
+static unsigned box_met(const struct tree_look *look, const struct box3 *box,
+                        unsigned lanes)
+{
+    const struct rays_boxed rays = { look->rays, look->inverse,
+                                     &look->packet->span };
+    lane_flag met[RAY_LANES];
+    rays_meet_box(&rays, box, met);
+    return lanes & rays_bits(met);
+}
+
+static unsigned look_at_part(const struct tree_look *look,
+                             const struct solid *solid, unsigned lanes);
+
+static unsigned look_inside(const struct tree_look *look,
+                            const struct solid *solid, unsigned lanes)
+{
+    unsigned over = 0;
+    if (!solid->leaf) {
+        for (size_t i = 0; i < solid->child_count && lanes & ~over; i++)
+            over |= look_at_part(look, solid->children[i], lanes & ~over);
+        return over;
+    }
+    if (!lanes || !packet_sees(look->packet, solid->leaf))
+        return 0;
+    return solid->kind == OBJECT_SHAPE &&
+                   solid->leaf->object->primitive->all_many
+               ? look_at_shape(look, solid, lanes)
+               : look_each(look, solid, lanes);
+}
+
+static unsigned look_at_part(const struct tree_look *look,
+                             const struct solid *solid, unsigned lanes)
+{
+    lanes = box_met(look, &solid->surface, lanes);
+    if (lanes && solid->gate_count)
+        lanes = gates_open(look, solid, lanes);
+    return lanes ? look_inside(look, solid, lanes) : 0;
+}
+
+unsigned packet_tree(struct packet *packet, const struct solid *solid,
+                     unsigned lanes)
+{
+    struct tree_look look = { packet, solid, packet->rays, packet->inverse };
+    struct rays local;
+    double inverse[3][RAY_LANES];
+    lanes = box_met(&look, &solid->surface, lanes);
+    if (lanes && solid->gate_count)
+        lanes = gates_open(&look, solid, lanes);
+    if (!lanes)
+        return 0;
+    if (solid->frame) {
+        rays_into(solid->frame->inward, packet->rays, &local);
+        rays_inverse(&local, inverse);
+        look.rays = &local;
+        look.inverse = (const double(*)[RAY_LANES])inverse;
+        lanes = box_met(&look, solid->inner, lanes);
+    }
+    return look_inside(&look, solid, lanes);
+}
