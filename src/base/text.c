@@ -57,6 +57,14 @@ static bool text_begins_like(const char *a, const char *b)
     return lower(*a) == lower(*b);
 }
 
+/* Whether the candidate goes on, with an underscore, where the word ends. */
+static bool text_goes_on(const char *word, const char *candidate)
+{
+    size_t length = strlen(word);
+    return length > 3 && strncmp(word, candidate, length) == 0 &&
+           candidate[length] == '_';
+}
+
 /* Lengths that differ by more than the best distance can't be nearer: this
  * spares nearly all of the 500 reserved words. */
 void text_nearest_try(struct text_nearest *nearest, const char *candidate)
@@ -68,9 +76,10 @@ void text_nearest_try(struct text_nearest *nearest, const char *candidate)
                         !text_begins_like(nearest->best, nearest->word) &&
                         text_begins_like(candidate, nearest->word);
     unsigned limit = nearest->best_distance + equal_counts;
-    if (apart >= limit)
+    bool goes_on = text_goes_on(nearest->word, candidate);
+    if (apart >= limit && !goes_on)
         return;
-    unsigned distance = text_distance(nearest->word, candidate);
+    unsigned distance = goes_on ? 1 : text_distance(nearest->word, candidate);
     if (distance < limit && distance < length) {
         nearest->best = candidate;
         nearest->best_distance = distance;

@@ -131,13 +131,6 @@ static const char *error_found(struct parser *p)
                         span.length > 40 ? "..." : "");
 }
 
-/* What declares a name, or a name that is declared and nearly it. */
-static const char *error_declared(struct parser *p, const char *name)
-{
-    const char *include = standard_include(p, name);
-    return include ? include : symbol_nearest(p, name);
-}
-
 /* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
@@ -147,9 +140,11 @@ static bool error_undeclared(struct parser *p, const char *wanted,
         symbol_lookup(p, token->word))
         return false;
     if (!hint)
+        hint = standard_include(p, token->word->text);
+    if (!hint)
         hint = mistaken_word(token->word, "");
     if (!hint)
-        hint = error_declared(p, token->word->text);
+        hint = symbol_nearest(p, token->word->text);
     if (!hint && strcmp(wanted, "a string") == 0)
         hint = arena_printf(p->arena, "\"%s\"", token->word->text);
     size_t left;
@@ -264,7 +259,11 @@ static bool error_product(struct parser *p)
 static const char *error_meant(struct parser *p, const struct word *word,
                                const char *block, const struct field *fields)
 {
-    const char *known = word->reserved ? NULL : mistaken_word(word, block);
+    const char *known = NULL;
+    if (!word->reserved)
+        known = standard_include(p, word->text);
+    if (!word->reserved && !known)
+        known = mistaken_word(word, block);
     if (known)
         return known;
     struct text_nearest nearest = text_nearest_start(word->text);
@@ -275,10 +274,7 @@ static const char *error_meant(struct parser *p, const struct word *word,
         text_nearest_try(&nearest, symbol);
     if (!word->reserved)
         word_table_visit(p->words, error_try_word, &nearest);
-    const char *include = NULL;
-    if (!word->reserved && nearest.best_distance > 0)
-        include = standard_include(p, word->text);
-    return include ? include : nearest.best;
+    return nearest.best;
 }
 
 /* A pattern that does not come first. */

@@ -7,6 +7,7 @@
 #include "parse/rules.h"
 #include "parse/user_function.h"
 #include "scene/function.h"
+#include "scene/spots.h"
 
 /* Of all heights of a function together. */
 enum { HEIGHT_STEPS = 1000000000 };
@@ -135,22 +136,45 @@ static bool height_too_slow(struct parser *p, struct span span)
                     HEIGHT_STEPS);
 }
 
-/* Of a function of x and y from 0 to 1, y downwards from z = 1. */
+/* Of x and y from 0 to 1, y downwards from z = 1. */
+static vec3 height_place(const struct height_grid *grid, int x, int y)
+{
+    return vec3_make((double)x / (grid->width - 1),
+                     (double)y / (grid->height - 1), 0);
+}
+
+/* A row of a function that is worked out at several points at once. */
+static void height_row(const struct function *function,
+                       const struct height_grid *grid, int y, uint16_t *row)
+{
+    for (int x = 0; x < grid->width; x += SPOTS_MAX) {
+        struct spots spots;
+        double values[SPOTS_MAX];
+        spots.count = 0;
+        while (spots.count < SPOTS_MAX && x + spots.count < grid->width)
+            spots_add(&spots, height_place(grid, x + spots.count, y));
+        function_values_at(function, &spots, values);
+        for (int i = 0; i < spots.count; i++)
+            row[x + i] = height_of_value(values[i]);
+    }
+}
+
+/* No function that is even takes more steps than were counted before. */
 static bool height_sample(struct parser *p, struct span span,
                           const struct function *function,
                           struct height_grid *grid)
 {
     unsigned long left = HEIGHT_STEPS;
-    size_t i = 0;
     for (int y = 0; y < grid->height; y++) {
+        uint16_t *row = grid->heights + (size_t)y * (size_t)grid->width;
         if (stream_stopped(p))
             return false;
-        for (int x = 0; x < grid->width && left > 0; x++) {
-            vec3 point = { (double)x / (grid->width - 1),
-                           (double)y / (grid->height - 1), 0 };
-            grid->heights[i++] =
-                height_of_value(height_value(function, point, &left));
-        }
+        if (function->even)
+            height_row(function, grid, y, row);
+        else
+            for (int x = 0; x < grid->width && left > 0; x++)
+                row[x] = height_of_value(
+                    height_value(function, height_place(grid, x, y), &left));
     }
     return left > 0 || height_too_slow(p, span);
 }

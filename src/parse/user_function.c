@@ -400,10 +400,10 @@ static bool compile_body(struct compiler *c)
 {
     struct parser *p = c->p;
     c->function->parameter_count = c->function->slots = c->name_count;
-    if (at_field_body(p))
-        return parse_field_body(p, c->function);
-    if (!parse_body_operation(c, 0))
+    if (at_field_body(p) ? !parse_field_body(p, c->function)
+                         : !parse_body_operation(c, 0))
         return false;
+    c->function->even = function_is_even(c->function);
     if (c->function->slots + (int)c->function->height > FUNCTION_STACK)
         return error_at(p, stream_span(p), NULL,
                         "this function needs more than %d numbers of stack, "
@@ -424,7 +424,6 @@ bool parse_function(struct parser *p, struct value *value)
     if (!parse_parameters(&c) || !block_begin(p, &open) ||
         !block_end(p, open, compile_body(&c)))
         return false;
-    c.function->even = function_is_even(c.function);
     *value = (struct value){ .kind = VALUE_FUNCTION, .function = c.function };
     return !c.unsupported;
 }

@@ -4,10 +4,21 @@
 #include "scene/material.h"
 #include "scene/noise.h"
 #include "scene/spline.h"
+#include "scene/spots.h"
 
 static double pattern_field(const struct function_field *field, vec3 point)
 {
     return pattern_value(field->thing, point);
+}
+
+static void pattern_field_values(const struct function_field *field,
+                                 const struct spots *spots, double *values)
+{
+    struct spots located;
+    located.count = 0;
+    for (int i = 0; i < spots->count; i++)
+        spots_add(&located, pattern_locate(field->thing, spots_at(spots, i)));
+    pattern_values_at(field->thing, &located, values);
 }
 
 const struct function_field *field_of_pattern(struct arena *arena,
@@ -15,8 +26,12 @@ const struct function_field *field_of_pattern(struct arena *arena,
 {
     struct function_field *field = ARENA_NEW(arena, struct function_field);
     struct pattern *kept = ARENA_NEW(arena, struct pattern);
+    bool together = pattern->kind && pattern->kind->values;
     *kept = *pattern;
-    *field = (struct function_field){ .value = pattern_field, .thing = kept };
+    *field = (struct function_field){ .value = pattern_field,
+                                      .values = together ? pattern_field_values
+                                                         : NULL,
+                                      .thing = kept };
     return field;
 }
 

@@ -2,6 +2,7 @@
  * normals are was measured with POV-Ray 3.7. */
 #include "scene/height_field.h"
 
+#include "base/clones.h"
 #include "base/hash.h"
 #include "scene/crossings.h"
 
@@ -97,37 +98,63 @@ static bool height_crosses(const void *shape, const struct ray *ray,
     return height_first(shape, ray, tmin, tmax, &hit);
 }
 
-/* The mean of the unit normals of the squares around, each as if it had these
- * two slopes, where a step is 1 and heights are in units: steep places all but
- * lie flat. */
-static vec3 grid_normal(const struct height_grid *grid, int x, int y)
+enum { CORNERS = 4, AROUND = 4 };
+
+/* At the corners of a square, the slopes that the squares around each have, in
+ * this order; `there` is 0 where there is none, else 1. */
+struct slopes {
+    double x[AROUND * CORNERS], z[AROUND * CORNERS], there[AROUND * CORNERS];
+};
+
+/* Those of the corner at (x, y). A step is 1 and heights are in units: steep
+ * places all but lie flat. */
+static void corner_slopes(const struct height_grid *grid, int x, int y,
+                          struct slopes *slopes, int corner)
 {
     double here = height_grid_at(grid, x, y);
-    vec3 sum = { 0, 0, 0 };
-    for (int i = -1; i <= 1; i += 2) {
-        for (int j = -1; j <= 1; j += 2) {
-            if (x + i < 0 || x + i >= grid->width || y + j < 0 ||
-                y + j >= grid->height)
-                continue;
-            double along = height_grid_at(grid, x + i, y) - here;
-            double across = height_grid_at(grid, x, y + j) - here;
-            sum = vec3_add(
-                sum, vec3_normalise(vec3_make(-along * i, 1, across * j)));
-        }
+    for (int k = 0; k < AROUND; k++) {
+        int i = k & 2 ? 1 : -1, j = k & 1 ? 1 : -1, at = CORNERS * k + corner;
+        bool there = x + i >= 0 && x + i < grid->width && y + j >= 0 &&
+                     y + j < grid->height;
+        slopes->there[at] = there;
+        slopes->x[at] =
+            there ? -(height_grid_at(grid, x + i, y) - here) * i : 0;
+        slopes->z[at] = there ? (height_grid_at(grid, x, y + j) - here) * j : 0;
     }
-    return vec3_normalise(sum);
 }
 
-/* As it is kept, in 16 bits a number, then in the field's own proportions, and
- * as much of it as is unit length where the object stands: there normals are
- * blended (measured). */
-static vec3 normal_share(const struct height_grid *grid, int x, int y,
-                         const affine *to_object, double share)
+/* The mean of the unit normals of the squares around, as it is kept, in 16 bits
+ * a number, then in the field's own proportions. */
+CLONES static void corner_normals(const struct slopes *restrict slopes,
+                                  double wide, double deep,
+                                  double normals[restrict 3][CORNERS])
 {
-    vec3 n = vec3_scale(grid_normal(grid, x, y), 32767);
-    n = vec3_make(trunc(n.x), trunc(n.y), trunc(n.z));
-    n = vec3_normalise(vec3_make(n.x * (grid->width - 1), n.y * unit,
-                                 n.z * (grid->height - 1)));
+    double n[3][AROUND * CORNERS];
+    for (int k = 0; k < AROUND * CORNERS; k++) {
+        vec3 one = vec3_normalise(vec3_make(slopes->x[k], 1, slopes->z[k]));
+        n[0][k] = one.x * slopes->there[k];
+        n[1][k] = one.y * slopes->there[k];
+        n[2][k] = one.z * slopes->there[k];
+    }
+    for (int c = 0; c < CORNERS; c++) {
+        double sum[3];
+        for (int axis = 0; axis < 3; axis++)
+            sum[axis] = n[axis][c] + n[axis][CORNERS + c] +
+                        n[axis][2 * CORNERS + c] + n[axis][3 * CORNERS + c];
+        vec3 mean = vec3_scale(
+            vec3_normalise(vec3_make(sum[0], sum[1], sum[2])), 32767);
+        mean = vec3_normalise(vec3_make(
+            trunc(mean.x) * wide, trunc(mean.y) * unit, trunc(mean.z) * deep));
+        normals[0][c] = mean.x;
+        normals[1][c] = mean.y;
+        normals[2][c] = mean.z;
+    }
+}
+
+/* As much of it as is unit length where the object stands: there normals are
+ * blended (measured). */
+static vec3 normal_share(vec3 n, const affine *to_object, double share)
+{
     vec3 there = to_object ? affine_normal(to_object, n) : n;
     double length = vec3_length(there);
     return vec3_scale(n, length > 0 ? share / length : 0);
@@ -142,13 +169,19 @@ static vec3 smooth_normal(const struct height_grid *grid, vec3 point,
     double x = fmin(fmax(p.x, 0), grid->width - 1);
     double y = fmin(fmax(p.z, 0), grid->height - 1);
     int i = (int)fmin(x, grid->width - 2), j = (int)fmin(y, grid->height - 2);
-    double u = x - i, v = y - j;
-    vec3 upper =
-        vec3_add(normal_share(grid, i, j, to_object, (1 - u) * (1 - v)),
-                 normal_share(grid, i + 1, j, to_object, u * (1 - v)));
-    vec3 lower = vec3_add(normal_share(grid, i, j + 1, to_object, (1 - u) * v),
-                          normal_share(grid, i + 1, j + 1, to_object, u * v));
-    return vec3_add(upper, lower);
+    double u = x - i, v = y - j, normals[3][CORNERS];
+    const double shares[CORNERS] = { (1 - u) * (1 - v), u * (1 - v),
+                                     (1 - u) * v, u * v };
+    struct slopes slopes;
+    vec3 all[CORNERS];
+    for (int c = 0; c < CORNERS; c++)
+        corner_slopes(grid, i + (c & 1), j + (c >> 1), &slopes, c);
+    corner_normals(&slopes, grid->width - 1, grid->height - 1, normals);
+    for (int c = 0; c < CORNERS; c++) {
+        vec3 n = { normals[0][c], normals[1][c], normals[2][c] };
+        all[c] = normal_share(n, to_object, shares[c]);
+    }
+    return vec3_add(vec3_add(all[0], all[1]), vec3_add(all[2], all[3]));
 }
 
 static vec3 facet_normal(const struct height_grid *grid, const struct hit *hit)

@@ -88,6 +88,8 @@ void facets_set(struct facets *facets, unsigned i,
     facets->all |= 1u << i;
     facets->surface[i] = surface;
     facets->leaf[i] = surface->at->leaf;
+    facets->inside[i] = surface->inside;
+    facets->worth[i] = surface->weight;
     facets->layered |= (unsigned)layered << i;
     set_faces(facets, i, finish, layered);
     lane_put(facets->normal, i, normal);

@@ -15,10 +15,13 @@ struct packet {
     double inverse[3][RAY_LANES]; /* of the directions, if there are boxes */
     double shift[RAY_LANES];      /* as in a query, and doubt */
     double doubt;
-    bool occlusion;     /* to a lamp: */
-    int light;          /* number of the lamp */
-    bool opaque;        /* nothing lets light pass */
-    unsigned panes;     /* that have met what may, and look no further */
+    bool occlusion;            /* to a lamp: */
+    int light;                 /* number of the lamp */
+    bool opaque;               /* nothing lets light pass */
+    world_lane_filter *filter; /* or NULL */
+    void *context;             /* of the filter */
+    unsigned panes;     /* that have met what may, without a filter, and look no
+                         * further */
     enum ray_kind kind; /* else */
     unsigned open;      /* rays that look for something still */
     unsigned begun;     /* whose queries are filled in */

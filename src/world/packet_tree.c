@@ -195,6 +195,20 @@ static void take_nearest(struct packet *packet, const struct leaf *leaf,
     }
 }
 
+/* What lets light pass. Returns the rays for which it does not. */
+static unsigned take_panes(struct packet *packet, const struct leaf *leaf,
+                           const struct rays_crossings *all, int k,
+                           unsigned lanes)
+{
+    unsigned over = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct hit hit = { all->t[k][i], (int)all->part[k][i], 0, 0 };
+        over |= (unsigned)query_take(packet_query(packet, i), leaf, &hit) << i;
+    }
+    return over;
+}
+
 /* Of a shape that tells all crossings at once. */
 static unsigned look_at_shape(const struct tree_look *look,
                               const struct solid *solid, unsigned lanes)
@@ -216,13 +230,13 @@ static unsigned look_at_shape(const struct tree_look *look,
         unsigned met = lanes & ~over & rays_bits(near);
         if (met)
             met = crossings_count(look, solid, all.t[k], met);
-        if (packet->occlusion)
+        if (!packet->occlusion)
+            take_nearest(packet, solid->leaf, &all, k, met);
+        else if (solid->leaf->opaque)
             over |= met;
         else
-            take_nearest(packet, solid->leaf, &all, k, met);
+            over |= take_panes(packet, solid->leaf, &all, k, met);
     }
-    if (!solid->leaf->opaque && !packet->opaque)
-        packet->panes |= over;
     return over;
 }
 
