@@ -33,7 +33,7 @@ CLONES void rays_inverse(const struct rays *restrict rays,
 static void packet_start(struct packet *packet, const struct rays *rays,
                          unsigned lanes, bool boxed)
 {
-    lane_flag good[RAY_LANES];
+    LANE_LINES lane_flag good[RAY_LANES];
     find_rays(rays, &packet->span, good);
     packet->query[0].packet = packet;
     packet->rays = rays;
@@ -171,7 +171,7 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
                                const struct rays *rays, unsigned lanes)
 {
     const struct object *object = solid->leaf->object;
-    lane_flag met[RAY_LANES];
+    LANE_LINES lane_flag met[RAY_LANES];
     struct rays_crossings all;
     if (object->primitive->crosses_many) {
         object->primitive->crosses_many(object->shape, rays, &packet->span,
@@ -264,7 +264,7 @@ unsigned packet_meets(const struct packet *packet, const struct box3 *box)
 {
     const struct rays_boxed rays = { packet->rays, packet->inverse,
                                      &packet->span };
-    lane_flag met[RAY_LANES];
+    LANE_LINES lane_flag met[RAY_LANES];
     rays_meet_box(&rays, box, met);
     return rays_bits(met) & packet->open;
 }
