@@ -7,7 +7,6 @@
 
 enum {
     BERNSTEIN_DEPTH = 10,
-    BERNSTEIN_WIDTH = 1000, /* wider, the coefficients lose digits */
 };
 
 int quadratic_roots(double a, double b, double c, double roots[2])
@@ -308,7 +307,8 @@ void polynomial_visit(const double *c, int degree, double low, double high,
         return;
     if (degree <= 2) {
         search_quadratic(search, c, degree, low, high);
-    } else if (degree <= BERNSTEIN_DEGREE && high - low < BERNSTEIN_WIDTH) {
+    } else if (degree <= BERNSTEIN_DEGREE &&
+               high - low < POLYNOMIAL_BERNSTEIN_WIDTH) {
         struct piece piece = { .c = c, degree, low, high };
         to_bernstein(c, degree, low, high, piece.b);
         search_piece(search, &piece, 0);
@@ -363,7 +363,7 @@ bool polynomial_crosses(const double *c, int degree, double low, double high)
     if (degree == 0 || !(low < high))
         return false;
     if (degree <= 2 || degree > BERNSTEIN_DEGREE ||
-        !(high - low < BERNSTEIN_WIDTH))
+        !(high - low < POLYNOMIAL_BERNSTEIN_WIDTH))
         return polynomial_roots(c, degree, low, high, &root, 1) > 0;
     piece = (struct piece){ .c = c, degree, low, high };
     to_bernstein(c, degree, low, high, piece.b);

@@ -6,7 +6,11 @@
 #include <math.h>
 #include <stdbool.h>
 
-enum { POLYNOMIAL_DEGREE_MAX = 35, BERNSTEIN_DEGREE = 8 };
+enum {
+    POLYNOMIAL_DEGREE_MAX = 35,
+    BERNSTEIN_DEGREE = 8,
+    POLYNOMIAL_BERNSTEIN_WIDTH = 1000, /* wider, coefficients lose digits */
+};
 
 /* Both roots of a t^2 + 2 b t + c, increasing, without cancellation; note the
  * 2. Returns how many: 0, 1 (a is 0) or 2; a double root counts as none. */

@@ -182,6 +182,10 @@ static void shapes_agree_on_rays_side_by_side(void **state)
         "cylinder { -y, <.5,1,0>, .6 open }",
         "cone { -y, .9, <.2,1,0>, .2 }",
         "cone { -y, 1.4, <.2,.1,0>, 0 }",
+        "torus { .8, .4 }",
+        "torus { .3, .6 }",
+        "torus { -.2, .9 }",
+        "torus { 0, .9 }",
         "isosurface { function { x*x + y*y - z*z - .2 } max_gradient 4 }",
         "isosurface { function { sin(x*5) + cos(y*4) + sin(z*5) } open "
         "max_gradient 9 contained_by { sphere { 0, 1 } } }",

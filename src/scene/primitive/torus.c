@@ -2,6 +2,7 @@
 #include "scene/crossings.h"
 #include "scene/line_roots.h"
 #include "scene/primitive.h"
+#include "scene/quartics.h"
 
 struct torus {
     double major, minor;
@@ -46,7 +47,8 @@ static struct box3 torus_bounds(const void *shape)
 /* (t^2 + k)^2 = 4 R^2 (distance from the axis)^2, where k = |o|^2 + R^2 - r^2
  * and the ray starts where it passes nearest the middle (then o.d = 0 and there
  * is no t^3). The constant term is a product so that it doesn't cancel. */
-static void torus_quartic(const struct torus *torus, vec3 o, vec3 d, double *c)
+static inline void torus_quartic(const struct torus *torus, vec3 o, vec3 d,
+                                 double *c)
 {
     double R = torus->major, r = torus->minor;
     double rho = sqrt(o.x * o.x + o.z * o.z), out = rho - R, far = rho + R;
@@ -171,6 +173,111 @@ static bool torus_crosses(const void *shape, const struct ray *ray, double tmin,
     return polynomial_crosses(c, 4, low, high);
 }
 
+/* Rays side by side whose torus has a hole or none, but no lens. */
+struct torus_lanes {
+    struct quartics quartics;
+    double length[RAY_LANES], shift[RAY_LANES]; /* as of a line */
+    double least[RAY_LANES], most[RAY_LANES];   /* roots of near and far */
+};
+
+/* As torus_part and torus_quartic. */
+CLONES static void torus_restrict(const struct torus *shape,
+                                  const struct rays *restrict rays,
+                                  const struct rays_span *restrict span,
+                                  struct torus_lanes *restrict out)
+{
+    const struct torus torus = *shape;
+    double reach = fabs(torus.major) + torus.minor;
+    double r = torus.minor * (1 + 1e-9);
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 d = rays_direction(rays, i), o = rays_origin(rays, i);
+        double length = vec3_length(d), c[QUARTIC + 1];
+        vec3 along = vec3_scale(d, 1 / length);
+        double shift = -vec3_dot(o, along);
+        vec3 near = vec3_along(o, along, shift);
+        double rest = reach * reach - vec3_dot(near, near);
+        double high = sqrt(rest) * (1 + 1e-12), low = -high;
+        double a = (-r - near.y) / along.y, b = (r - near.y) / along.y;
+        bool level = fabs(along.y) < 1e-9;
+        double first = a < b ? a : b, last = a < b ? b : a;
+        low = !level & (first > low) ? first : low;
+        high = !level & (last < high) ? last : high;
+        bool meets = (length > 0) & (rest > 0) & !(level & (fabs(near.y) > r));
+        torus_quartic(&torus, near, along, c);
+        for (int k = 0; k <= QUARTIC; k++)
+            out->quartics.c[k][i] = c[k];
+        out->quartics.low[i] = low;
+        out->quartics.high[i] = meets ? high : -(double)INFINITY;
+        out->length[i] = length;
+        out->shift[i] = shift;
+        out->least[i] = span->near[i] * length - shift;
+        out->most[i] = span->far[i] * length - shift;
+    }
+}
+
+static bool torus_has_lanes(const struct torus *torus)
+{
+    return !torus->unseen && torus->major > 0 &&
+           torus->major + torus->minor > 0;
+}
+
+static void torus_first_many(const void *shape, const struct rays *rays,
+                             const struct rays_span *span, struct rays_met *met)
+{
+    struct torus_lanes lanes;
+    struct quartic_roots found;
+    bool whole = torus_has_lanes(shape);
+    if (whole) {
+        torus_restrict(shape, rays, span, &lanes);
+        quartics_first(&lanes.quartics, lanes.least, &found);
+    }
+    for (int i = 0; i < RAY_LANES; i++) {
+        double near = span->near[i], far = span->far[i];
+        struct hit hit;
+        met->t[i] = (double)INFINITY;
+        met->part[i] = 0;
+        if (!(near < far) || (whole && found.fate[i] == (double)QUARTIC_NONE))
+            continue;
+        double t =
+            whole ? (found.root[i] + lanes.shift[i]) / lanes.length[i] : near;
+        if (whole && found.fate[i] == (double)QUARTIC_ROOT && t > near) {
+            met->t[i] = t <= far ? t : (double)INFINITY;
+            continue;
+        }
+        const struct ray ray = rays_at(rays, i);
+        if (torus_first(shape, &ray, near, far, &hit))
+            met->t[i] = hit.t;
+    }
+}
+
+static void torus_crosses_many(const void *shape, const struct rays *rays,
+                               const struct rays_span *span, lane_flag *met)
+{
+    struct torus_lanes lanes;
+    double fate[RAY_LANES];
+    bool whole = torus_has_lanes(shape);
+    if (whole) {
+        torus_restrict(shape, rays, span, &lanes);
+        for (int i = 0; i < RAY_LANES; i++) {
+            double *low = &lanes.quartics.low[i];
+            double *high = &lanes.quartics.high[i];
+            *low = *low > lanes.least[i] ? *low : lanes.least[i];
+            *high = *high < lanes.most[i] ? *high : lanes.most[i];
+        }
+        quartics_cross(&lanes.quartics, fate);
+    }
+    for (int i = 0; i < RAY_LANES; i++) {
+        double near = span->near[i], far = span->far[i];
+        const struct ray ray = rays_at(rays, i);
+        if (!(near < far))
+            met[i] = 0;
+        else if (whole && fate[i] != (double)QUARTIC_UNKNOWN)
+            met[i] = fate[i] == (double)QUARTIC_ROOT ? -1 : 0;
+        else
+            met[i] = torus_crosses(shape, &ray, near, far) ? -1 : 0;
+    }
+}
+
 static vec3 torus_normal(const void *shape, vec3 point, const struct hit *hit)
 {
     const struct torus *torus = shape;
@@ -240,6 +347,8 @@ const struct primitive torus_primitive = {
     .crossings = torus_crossings,
     .crosses = torus_crosses,
     .first = torus_first,
+    .crosses_many = torus_crosses_many,
+    .first_many = torus_first_many,
     .normal = torus_normal,
     .uv = torus_uv,
     .inside = torus_inside,
