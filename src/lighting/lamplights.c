@@ -6,7 +6,7 @@
 /* The lamp at hand as all of them see it; the directions are those of the
  * ways. */
 struct lamp_looks {
-    double distance[RAY_LANES], attenuation[RAY_LANES];
+    LANE_LINES double distance[RAY_LANES], attenuation[RAY_LANES];
     unsigned lit; /* by it, if nothing is between */
 };
 
@@ -158,7 +158,7 @@ static void lamplights_look(struct lamplights *lights, const struct lamp *lamp,
 {
     unsigned lit = lamplights_for(lights, lamp);
     unsigned layered = lights->facets->layered;
-    lane_flag flags[RAY_LANES];
+    LANE_LINES lane_flag flags[RAY_LANES];
     for (int i = 0; i < RAY_LANES; i++)
         looks->attenuation[i] = 1;
     if (lamp_is_parallel(lamp)) {
@@ -191,6 +191,17 @@ CLONES static void colours_whole(rgb light, const double *restrict attenuation,
     }
 }
 
+/* Multiplies the light that is lit; where nothing is left it is no more. */
+static void lamplights_tint(struct lamp_looks *looks, struct facets_lit *lit,
+                            unsigned i, rgb share)
+{
+    if (!(rgb_peak(share) > 0))
+        looks->lit &= ~(1u << i);
+    lit->colour[0][i] *= share.r;
+    lit->colour[1][i] *= share.g;
+    lit->colour[2][i] *= share.b;
+}
+
 /* The share of each of `lanes` by itself. Those that are dark are lit no more.
  */
 static void lamplights_shares(const struct lamplights *lights,
@@ -204,33 +215,44 @@ static void lamplights_shares(const struct lamplights *lights,
             rays_direction(&lights->ways.rays, (int)i), looks->distance[i],
             looks->attenuation[i]
         };
-        rgb share = lights->share(&one, lamp, &view);
-        if (!(rgb_peak(share) > 0))
-            looks->lit &= ~(1u << i);
-        lit->colour[0][i] *= share.r;
-        lit->colour[1][i] *= share.g;
-        lit->colour[2][i] *= share.b;
+        lamplights_tint(looks, lit, i, lights->share(&one, lamp, &view));
     }
 }
 
+/* The same of all of them together, where surfaces alone cast shadows. Returns
+ * those that are left. */
+static unsigned lamplights_fall(struct lamplights *lights,
+                                const struct lamp *lamp, unsigned lanes,
+                                struct lamp_looks *looks,
+                                struct facets_lit *lit)
+{
+    const struct lamps *lamps = lights->lamps;
+    bool through = lights->traced && !lamps->photons;
+    struct shadows found;
+    if (!lamps_clear(lamps, lamp))
+        return lanes;
+    shadow_falls_many(lamps->world, lights->worker, &lights->ways, lanes,
+                      through ? lights->facets->inside : NULL, &found);
+    looks->lit &= ~found.dark;
+    for (unsigned each = found.tinted; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        lamplights_tint(looks, lit, i, found.share[i]);
+    }
+    return found.left;
+}
+
 /* Most are wholly lit or wholly dark. */
-static void lamplights_shadow(const struct lamplights *lights,
+static void lamplights_shadow(struct lamplights *lights,
                               const struct lamp *lamp, struct lamp_looks *looks,
                               struct facets_lit *lit)
 {
-    const struct lamps *lamps = lights->lamps;
     unsigned left = looks->lit;
     if (lights->foresee) {
         struct lamplights_known known = lights->foresee(lights, lamp, left);
         looks->lit &= ~known.dark;
         left &= ~known.dark & ~known.lit;
     }
-    if (lamps_clear(lamps, lamp)) {
-        struct occluded found = shadow_falls_many(lamps->world, lights->worker,
-                                                  &lights->ways, left);
-        looks->lit &= ~found.dark;
-        left = found.panes;
-    }
+    left = lamplights_fall(lights, lamp, left, looks, lit);
     lamplights_shares(lights, lamp, left, looks, lit);
 }
 

@@ -19,6 +19,7 @@ struct lamplights {
     /* As of a lamplight: the share of what is not wholly lit or wholly dark. */
     rgb (*share)(struct lamplight *light, const struct lamp *lamp,
                  const struct lamp_view *view);
+    bool traced; /* `share` is that of shadow rays, and nothing else is known */
     const void *knows; /* for `share` and `foresee` */
     /* NULL: nothing is known. */
     struct lamplights_known (*foresee)(const struct lamplights *lights,

@@ -155,6 +155,8 @@ static struct lamplights_known mesh_foresee(const struct lamplights *lights,
 {
     const struct mesh_lamps *mesh = lights->knows;
     struct lamplights_known known = { 0, 0 };
+    if (!lights->facets->places)
+        return known;
     for (; lanes; lanes &= lanes - 1) {
         int i = __builtin_ctz(lanes);
         const struct facets *facets = lights->facets;
@@ -184,6 +186,7 @@ void mesh_lamps_light_many(const struct mesh_lamps *mesh, struct worker *worker,
     lights.lamps = lamps;
     lights.worker = worker;
     lights.share = chosen ? lamplight_trace_fine : mesh_share;
+    lights.traced = chosen;
     lights.knows = mesh;
     lights.foresee = chosen || !mesh->knowers->pixels ? NULL : mesh_foresee;
     lamplights_start(&lights, facets);

@@ -33,12 +33,29 @@ static size_t candidate_number(const struct lamps *lamps, size_t count,
     return number < lamps->count ? number : lamps->count - 1;
 }
 
+/* What gets to the place, of which nothing may. */
+static rgb candidate_light(const struct candidate *candidate,
+                           const struct lamps *lamps, struct worker *worker,
+                           const struct draws *draws, uint32_t slot, vec3 place)
+{
+    struct lamp_target target = { .point = place, .view = candidate->view };
+    if (lamps_soft(lamps, candidate->lamp)) {
+        double u[2];
+        draw_pair(draws, slot, u);
+        lamp_look(candidate->lamp,
+                  lamps_location(lamps, candidate->lamp, place, u), place,
+                  &target.view);
+    }
+    rgb seen = lamps_share_point(lamps, candidate->lamp, worker, &target);
+    return rgb_mul(candidate->light, seen);
+}
+
 rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
                      const struct draws *draws, uint32_t slot, vec3 place,
                      vec3 normal)
 {
     struct candidate at[DRAWN_LAMPS];
-    double sums[DRAWN_LAMPS], sum = 0, which[2] = { 0, 0 }, u[2], share;
+    double sums[DRAWN_LAMPS], sum = 0, which[2] = { 0, 0 }, share;
     size_t count = lamps->count < DRAWN_LAMPS ? lamps->count : DRAWN_LAMPS;
     size_t lit = 0;
     if (lamps->count > 1)
@@ -56,13 +73,21 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
         return rgb_grey(0);
     const struct candidate *drawn =
         &at[draw_share(sums, lit, which[1], &share)];
-    struct lamp_target target = { .point = place, .view = drawn->view };
-    if (lamps_soft(lamps, drawn->lamp)) {
-        draw_pair(draws, slot + 1, u);
-        lamp_look(drawn->lamp, lamps_location(lamps, drawn->lamp, place, u),
-                  place, &target.view);
-    }
-    rgb seen = lamps_share_point(lamps, drawn->lamp, worker, &target);
     double times = (double)lamps->count / (double)count / share;
-    return rgb_scale(rgb_mul(drawn->light, seen), times);
+    return rgb_scale(
+        candidate_light(drawn, lamps, worker, draws, slot + 1, place), times);
+}
+
+rgb each_lamp_light(const struct lamps *lamps, struct worker *worker,
+                    const struct draws *draws, uint32_t slot, vec3 place,
+                    vec3 normal)
+{
+    rgb sum = rgb_grey(0);
+    for (size_t i = 0; i < lamps->count; i++) {
+        struct candidate at;
+        if (candidate_lights(&at, &lamps->items[i], place, normal))
+            sum = rgb_add(sum, candidate_light(&at, lamps, worker, draws,
+                                               slot + 1, place));
+    }
+    return sum;
 }

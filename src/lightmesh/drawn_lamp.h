@@ -14,4 +14,9 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
                      const struct draws *draws, uint32_t slot, vec3 place,
                      vec3 normal);
 
+/* The same of each lamp, by a shadow ray for each. */
+rgb each_lamp_light(const struct lamps *lamps, struct worker *worker,
+                    const struct draws *draws, uint32_t slot, vec3 place,
+                    vec3 normal);
+
 #endif

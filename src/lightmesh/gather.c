@@ -4,6 +4,7 @@
 #include "base/warp.h"
 #include "lightmesh/drawn_lamp.h"
 #include "lightmesh/gather_glow.h"
+#include "lightmesh/gather_paint.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
 #include "shade/background.h"
@@ -69,6 +70,10 @@ static rgb gathering_direct(const struct gathering *gathering,
     if (gather->direct && gather->lamps->count > GATHER_LAMPS)
         return direct_mesh_nearest(gather->direct, gathering->worker, &asked,
                                    gathering_jitter(gathering));
+    if (gather->lamps->count <= GATHER_EACH && gathering->before == 0)
+        return each_lamp_light(gather->lamps, gathering->worker,
+                               gathering->draws, GATHER_LAMP, receiver->point,
+                               receiver->normal);
     return drawn_lamp_light(gather->lamps, gathering->worker, gathering->draws,
                             GATHER_LAMP, receiver->point, receiver->normal);
 }
@@ -283,6 +288,9 @@ static bool gathering_meet(struct gathering *gathering,
 {
     struct surface surface;
     gather_surface(gathering->gather, &gathering->ray, at, &surface);
+    if (gathering->gather->wide > 0 && gathering->before == 0 &&
+        gathering->met == 0)
+        gather_paint(&surface, gathering->gather->wide * at->t);
     if (glow)
         *glow = rgb_mul(gathering->share, surface_glow(&surface));
     gathering_opens(gathering, surface_sky(&surface));

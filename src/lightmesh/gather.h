@@ -35,6 +35,8 @@ struct gather {
     const void *close_context;
     bool onward; /* where that knows nothing further rays end it, and stand in
                   * likewise */
+    double
+        wide; /* radius of what a ray stands for, of its length; 0: a point */
     struct indirect_share around; /* what ends the bounces where nothing else
                                    * does */
 };

@@ -215,6 +215,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .tone = options->tone,
     };
     mesh->samples = options->samples;
+    mesh->gather.wide = 2 / sqrt(fmax(options->samples, 1));
     if (options->bright && options->bright->count > 0)
         mesh->bright = options->bright;
     mesh->near = options->near;

@@ -33,6 +33,17 @@ static double frame_gather(const struct light_mesh_settings *said,
     return fmax(spacing, size / (indirect_cells * plan_finer(said)));
 }
 
+/* Ways are drawn in nets (base/draw.h), whose sizes are powers of two: a part
+ * of one is worse than a smaller net [truth: array1 with 64 rays 0.025, with 72
+ * 0.035]. */
+static int nets_within(double rays)
+{
+    int net = GATHER_LEAST;
+    while (2 * net <= rays)
+        net *= 2;
+    return net;
+}
+
 /* As many gather rays of a point as make noise that is hardly seen, for what
  * they bring differs less where lamps give most of the light; none where that
  * changes nothing. */
@@ -45,7 +56,8 @@ static int frame_samples(const struct light_mesh_settings *said,
     if (survey->worth < gather_worth_none)
         return 0;
     wanted = fmin(fmax(wanted * wanted, GATHER_LEAST), GATHER_MOST);
-    return WALL_PART * (int)ceil(wanted * finer * finer / WALL_PART);
+    int within = nets_within(wanted * finer * finer);
+    return within < wanted * finer * finer ? 2 * within : within;
 }
 
 struct mesh_frame plan_frame(const struct scene *scene,
@@ -109,8 +121,7 @@ static double frame_rays(const struct mesh_frame *frame)
 /* No more rays of a point than that, but `least` if it had so many. */
 static void frame_ask(struct mesh_frame *frame, double rays, int least)
 {
-    int fewer =
-        (int)fmax(rays - OBSTACLE_DIRECTIONS, least) / WALL_PART * WALL_PART;
+    int fewer = nets_within(fmax(rays - OBSTACLE_DIRECTIONS, least));
     if (fewer < frame->samples)
         frame->samples = fewer;
 }

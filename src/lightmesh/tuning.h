@@ -15,6 +15,7 @@ enum {
                      * lights-100, hall] */
     SHARP_LAMPS = 1000, /* the same where `shadows sharp` is said [hall] */
     GATHER_LAMPS = 24,  /* of which a gather ray asks one itself [room] */
+    GATHER_EACH = 3,    /* of so few each */
     DRAWN_LAMPS = 8,    /* of which it is drawn */
 };
 
@@ -227,23 +228,23 @@ static const double gather_noise = 0.02; /* of the picture, by a point's rays:
                                           * what is seen of it is a third */
 static const double gather_worth_none = 0.003; /* change of the picture that is
                                                 * not seen */
-static const double gather_across = 1.5;    /* pictures: how large the part of a
-                                             * scene is that must be smooth */
-static const double gather_pixels = 76800;  /* of a picture of that size, and of
-                                             * smaller ones as many; of larger
-                                             * ones they grow as edges do */
-static const double gather_pixel = 0.4;     /* gather rays for each pixel, */
-static const double gather_pixel_worth = 3; /* more for each unit of worth, */
-static const double gather_pixel_most = 3;  /* in all; */
-static const double gather_mostly = 0.5;    /* worth beyond which most of the
-                                             * picture is what is gathered: where
-                                             * light leaves the scene, */
-static const double gather_pixel_mostly = 10; /* more for each unit of that, of
+static const double gather_across = 1.5;   /* pictures: how large the part of a
+                                            * scene is that must be smooth */
+static const double gather_pixels = 76800; /* of a picture of that size, and of
+                                            * smaller ones as many; of larger
+                                            * ones they grow as edges do */
+static const double gather_pixel = 0.32;   /* gather rays for each pixel, */
+static const double gather_pixel_worth = 2.4; /* more for each unit of worth, */
+static const double gather_pixel_most = 2.4;  /* in all; */
+static const double gather_mostly = 0.5;      /* worth beyond which most of the
+                                               * picture is what is gathered: where
+                                               * light leaves the scene, */
+static const double gather_pixel_mostly = 8;  /* more for each unit of that, of
                                                * which there may be 1 */
 static const double gather_rough = 0.2; /* what is usual, likewise; rougher
                                          * light gets more, a factor: */
 static const double gather_rough_least = 0.5, gather_rough_most = 1.75;
-static const double gather_chamber = 25; /* times as many where light stays */
+static const double gather_chamber = 31; /* times as many where light stays */
 static const double gather_coarser_most = 2; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
                                         * scene: it has no chambers */

@@ -82,6 +82,7 @@ static bool extrusion_covers(const struct extrusion *e, vec3 p)
 
 struct extrusion_search {
     const struct extrusion *extrusion;
+    bool any;       /* whichever is found first is enough */
     struct ray ray; /* in u, v, w */
     struct hit_search hits;
 };
@@ -144,7 +145,7 @@ static bool side_is_met(const struct extrusion_search *search,
 
 /* Seen along the axis the ray is a line in the outline's plane; seen from the
  * tip of a cone, too: the plane through both cuts w = 1 in it. */
-static void extrusion_search(struct extrusion_search *search)
+static void search_sides(struct extrusion_search *search)
 {
     const struct extrusion *e = search->extrusion;
     vec3 o = search->ray.origin, d = search->ray.direction;
@@ -152,13 +153,42 @@ static void extrusion_search(struct extrusion_search *search)
                       : (vec3){ d.y, -d.x, d.x * o.y - d.y * o.x };
     const double line[3] = { n.x, n.y, n.z };
     struct slabs slabs = slabs_of(&search->ray);
-    for (size_t i = 0; i < e->outline.count; i++)
+    for (size_t i = 0; i < e->outline.count; i++) {
+        if (search->any && search->hits.found)
+            return;
         if (e->conic || side_is_met(search, &slabs, &e->outline.pieces[i]))
             outline_cross(&e->outline, (int)i, line, side_found, search);
-    if (e->open || d.z == 0)
+    }
+}
+
+/* The nearer first, unless both are the same. */
+static void search_caps(struct extrusion_search *search)
+{
+    const struct extrusion *e = search->extrusion;
+    bool down =
+        search->ray.direction.z < 0 && e->low < e->high && !search->hits.all;
+    if (e->open || search->ray.direction.z == 0)
         return;
+    if (down)
+        search_cap(search, e->high, PART_HIGH);
     search_cap(search, e->low, PART_LOW);
-    search_cap(search, e->high, PART_HIGH);
+    if (!down)
+        search_cap(search, e->high, PART_HIGH);
+}
+
+/* Behind the nearest cap no side is looked for: a side that ends there is taken
+ * before it, though. */
+static void extrusion_search(struct extrusion_search *search)
+{
+    struct hit_search *hits = &search->hits;
+    if (!hits->all)
+        search_caps(search);
+    if (hits->found)
+        hits->tmax = nextafter(hits->tmax, HUGE_VAL);
+    if (!(search->any && hits->found))
+        search_sides(search);
+    if (hits->all)
+        search_caps(search);
 }
 
 static struct extrusion_search extrusion_search_new(const void *shape,
@@ -196,8 +226,11 @@ static bool extrusion_first(const void *shape, const struct ray *ray,
 static bool extrusion_crosses(const void *shape, const struct ray *ray,
                               double tmin, double tmax)
 {
-    struct hit hit;
-    return extrusion_first(shape, ray, tmin, tmax, &hit);
+    struct extrusion_search search =
+        extrusion_search_new(shape, ray, tmin, tmax);
+    search.any = true;
+    extrusion_search(&search);
+    return search.hits.found;
 }
 
 /* Of a side: across the outline, and for cones across the line to the tip. */

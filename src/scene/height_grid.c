@@ -292,6 +292,21 @@ static void clip_slab(double low, double high, double origin, double direction,
     *to = *to < far ? *to : far;
 }
 
+/* The level to begin with: that of blocks half of which the ray may pass over
+ * on its way down or up. What begins on the surface is near it. */
+static int first_level(const struct height_grid *grid, vec3 direction,
+                       double from, double to, double tmin)
+{
+    double x = fabs(direction.x), z = fabs(direction.z);
+    double way = 0.5 * (x > z ? x : z) * (to - from);
+    int level = 0;
+    if (!(from > tmin))
+        return 0;
+    while (level < grid->top && way > 1 << level)
+        level++;
+    return level;
+}
+
 void height_grid_crossings(const struct height_grid *grid,
                            const struct ray *ray, double tmin, double tmax,
                            hit_visit *visit, void *context)
@@ -313,7 +328,7 @@ void height_grid_crossings(const struct height_grid *grid,
                                 .tmax = tmax,
                                 .from = from,
                                 .end = to,
-                                .level = grid->top,
+                                .level = first_level(grid, d, from, to, tmin),
                                 .visit = visit,
                                 .context = context };
     double far = -from > to ? -from : to;

@@ -96,6 +96,27 @@ static int cubic_turns(const double c[4], double turns[2])
     return count;
 }
 
+/* A root is between low and high, and as good as known at s. */
+struct cubic_search {
+    double low, high;
+    bool below; /* the values at low are below 0, those at high are not */
+    double s;
+};
+
+/* Whether s is the root; if not, it is nearer to it afterwards. */
+static inline bool cubic_step(const double c[4], struct cubic_search *in,
+                              double value)
+{
+    double last = in->s;
+    if (value == 0)
+        return true;
+    *((value < 0) == in->below ? &in->low : &in->high) = last;
+    in->s -= value / cubic_slope(c, last);
+    if (!(in->s > in->low && in->s < in->high))
+        in->s = 0.5 * (in->low + in->high);
+    return fabs(in->s - last) <= 1e-15;
+}
+
 /* Its root between low and high, where it has the values f and g of different
  * signs and only grows or only shrinks: Newton's steps, kept in the bracket. */
 static double cubic_root(const double c[4], double low, double high, double f,
@@ -104,21 +125,11 @@ static double cubic_root(const double c[4], double low, double high, double f,
     double s = low + (high - low) * (f / (f - g));
     if (c[2] == 0 && c[3] == 0)
         return s;
-    for (int round = 0; round < 60; round++) {
-        double value = cubic_at(c, s), last = s;
-        if (value == 0)
-            return s;
-        if ((value < 0) == (f < 0))
-            low = s;
-        else
-            high = s;
-        s -= value / cubic_slope(c, s);
-        if (!(s > low && s < high))
-            s = 0.5 * (low + high);
-        if (fabs(s - last) <= 1e-15)
-            return s;
-    }
-    return s;
+    struct cubic_search in = { low, high, f < 0, s };
+    for (int round = 0; round < 60; round++)
+        if (cubic_step(c, &in, cubic_at(c, in.s)))
+            break;
+    return in.s;
 }
 
 /* The curve between two of its parameters, from 0 to 1 anew. */
@@ -232,6 +243,27 @@ struct outline outline_of_numbers(struct arena *arena, const double *numbers,
                        count / SEGMENT_NUMBERS);
 }
 
+/* Whether x is below that of the curve where y, whose coefficients are c, is 0.
+ * The search ends where the rest of the curve, which doesn't turn, is on one
+ * side. */
+static bool piece_passes_right(const struct segment *curve, const double c[4],
+                               double x, double start)
+{
+    struct cubic_search in = { 0, 1, c[0] < 0, start };
+    bool rises = curve->end[0] > curve->x[0];
+    for (int round = 0; round < 60; round++) {
+        double value = cubic_at(c, in.s), here = cubic_at(curve->x, in.s);
+        bool later = (value < 0) == in.below, most = later != rises;
+        if (value == 0 || (c[2] == 0 && c[3] == 0))
+            return x < here;
+        if (most ? x >= here : x < here)
+            return !most;
+        if (cubic_step(c, &in, value))
+            break;
+    }
+    return x < cubic_at(curve->x, in.s);
+}
+
 /* Whether the horizontal line to the right of the point meets the piece; ends
  * count once. */
 static bool piece_is_right(const struct piece *piece, double x, double y)
@@ -243,7 +275,7 @@ static bool piece_is_right(const struct piece *piece, double x, double y)
     if (x < piece->low[0])
         return true;
     double c[4] = { f, curve->y[1], curve->y[2], curve->y[3] };
-    return x < cubic_at(curve->x, cubic_root(c, 0, 1, f, g));
+    return piece_passes_right(curve, c, x, f / (f - g));
 }
 
 bool outline_covers(const struct outline *outline, double x, double y)

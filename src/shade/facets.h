@@ -16,12 +16,15 @@ struct facets {
     unsigned shining; /* and of these with highlights */
     facet_surface *tell;
     void *context;
-    const struct world_faces *faces;          /* that they are */
-    const struct picture_place *places;       /* where the camera sees each */
+    const struct world_faces *faces;    /* that they are */
+    const struct picture_place *places; /* where the camera sees each; NULL:
+                                         * none is seen at first sight */
     const struct surface *surface[RAY_LANES]; /* NULL: not told yet */
     const struct leaf *leaf[RAY_LANES];
-    const struct finish *finish[RAY_LANES]; /* of those that are matt */
-    double point[3][RAY_LANES];
+    const struct interiors *inside[RAY_LANES]; /* of the viewer's ray */
+    double worth[RAY_LANES];                   /* as a surface's weight */
+    const struct finish *finish[RAY_LANES];    /* of those that are matt */
+    LANE_LINES double point[3][RAY_LANES];
     double view[3][RAY_LANES]; /* unit, to the viewer */
     /* Of the layer; whether light from its front and its back does anything to
      * it, and whether both sides are its front. */
@@ -40,8 +43,8 @@ void facets_start(struct facets *facets, const struct rays *rays,
 void facets_set(struct facets *facets, unsigned i,
                 const struct surface *surface, rgb light);
 
-/* Those whose leaves are plain; without light. Their surfaces are told when
- * they are asked for. */
+/* Those whose leaves are plain; without light, and `inside` and `worth` are to
+ * be set. Their surfaces are told when they are asked for. */
 void facets_paint(struct facets *facets, const struct world_hit *hits,
                   unsigned lanes);
 
@@ -62,7 +65,7 @@ void facets_glow(struct facets *facets, unsigned lanes,
 /* A lamp's light as it arrives at them. */
 struct facets_lit {
     const double (*direction)[RAY_LANES]; /* to the lamp, unit */
-    double colour[3][RAY_LANES];
+    LANE_LINES double colour[3][RAY_LANES];
     bool highlights;
 };
 

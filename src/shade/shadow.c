@@ -12,7 +12,10 @@
 #include "shade/interior.h"
 #include "shade/surface.h"
 
-enum { CROSSINGS_MAX = 128 }; /* more than these only filter */
+enum {
+    CROSSINGS_MAX = 128, /* more than these only filter */
+    CROSSINGS_LANE = 8,  /* of one of several ways; with more it goes alone */
+};
 
 struct shadow_crossing {
     double t;
@@ -25,13 +28,23 @@ struct shadow_ray {
     rgb share;                          /* of those that found no place */
     const struct photon_flags *photons; /* as in the path */
     int count;
-    struct shadow_crossing at[CROSSINGS_MAX]; /* in order of t */
+    struct shadow_crossing *at; /* in order of t, with room for: */
+    int room;
 };
 
 static bool crossing_before(const struct shadow_crossing *a,
                             const struct shadow_crossing *b)
 {
     return a->t < b->t || (a->t == b->t && a->leaf->number < b->leaf->number);
+}
+
+static void shadow_begin(struct shadow_ray *shadow, vec3 direction,
+                         const struct photon_flags *photons)
+{
+    shadow->direction = direction;
+    shadow->photons = photons;
+    shadow->share = rgb_grey(1);
+    shadow->count = 0;
 }
 
 /* What light gets from `caustics` c at a surface, bumps and all: 1 + |cos|^(45
@@ -65,7 +78,7 @@ static bool shadow_filter(void *context, const struct intersection *at)
     if (rgb_peak(crossing.through) == 0)
         return true;
     crossing.through = rgb_scale(crossing.through, shadow_caustics(shadow, at));
-    if (shadow->count == CROSSINGS_MAX) {
+    if (shadow->count == shadow->room) {
         shadow->share = rgb_mul(shadow->share, crossing.through);
         return rgb_peak(shadow->share) < 1e-9;
     }
@@ -173,11 +186,11 @@ static rgb shadow_filtered(const struct world *world, struct worker *worker,
                            const struct shadow_path *path, double from,
                            double to)
 {
+    struct shadow_crossing crossings[CROSSINGS_MAX];
     struct shadow_ray shadow;
-    shadow.direction = path->direction;
-    shadow.photons = path->photons;
-    shadow.share = rgb_grey(1);
-    shadow.count = 0;
+    shadow_begin(&shadow, path->direction, path->photons);
+    shadow.at = crossings;
+    shadow.room = CROSSINGS_MAX;
     if (shadow_blocked(world, path, from, to, &shadow))
         return rgb_grey(0);
     return shadow_share(&shadow, path, worker);
@@ -218,19 +231,73 @@ CLONES static void ways_have_room(const struct rays_span *restrict span,
         room[i] = span->far[i] > span->near[i] ? -1 : 0;
 }
 
-struct occluded shadow_falls_many(const struct world *world,
-                                  struct worker *worker,
-                                  const struct occlusions *ways, unsigned lanes)
+/* Several ways and the panes on them. */
+struct shadow_rays {
+    const struct occlusions *ways;
+    unsigned begun; /* that have met any, */
+    unsigned full;  /* and more than there is room for */
+    struct shadow_ray at[RAY_LANES];
+    struct shadow_crossing crossings[RAY_LANES][CROSSINGS_LANE];
+};
+
+static bool shadow_filter_lane(void *context, unsigned lane,
+                               const struct intersection *at)
 {
-    lane_flag room[RAY_LANES];
+    struct shadow_rays *shadows = context;
+    struct shadow_ray *shadow = &shadows->at[lane];
+    if (!(shadows->begun >> lane & 1))
+        shadow_begin(shadow, rays_direction(&shadows->ways->rays, (int)lane),
+                     NULL);
+    shadows->begun |= 1u << lane;
+    shadow->at = shadows->crossings[lane];
+    shadow->room = CROSSINGS_LANE;
+    shadows->full |= (unsigned)(shadow->count == CROSSINGS_LANE) << lane;
+    return shadows->full >> lane & 1 || shadow_filter(shadow, at);
+}
+
+/* Which are dark, where something may let light pass. */
+static void shadows_filtered(const struct world *world, struct worker *worker,
+                             struct occlusions *ways, unsigned lanes,
+                             const struct interiors *const *inside,
+                             struct shadows *shadows)
+{
+    struct shadow_rays rays;
+    rays.ways = ways;
+    rays.begun = rays.full = 0;
+    ways->filter = shadow_filter_lane;
+    ways->context = &rays;
+    struct occluded found = world_occluded_many(world, ways, lanes);
+    shadows->dark = found.dark & ~rays.full;
+    shadows->left = found.panes | rays.full;
+    shadows->tinted = rays.begun & ~found.dark;
+    for (unsigned each = shadows->tinted; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        const struct shadow_path path = { .inside = inside[i] };
+        shadows->share[i] = shadow_share(&rays.at[i], &path, worker);
+    }
+}
+
+void shadow_falls_many(const struct world *world, struct worker *worker,
+                       struct occlusions *ways, unsigned lanes,
+                       const struct interiors *const *inside,
+                       struct shadows *shadows)
+{
+    LANE_LINES lane_flag room[RAY_LANES];
     ways_have_room(&ways->span, room);
     lanes &= rays_bits(room);
+    shadows->dark = shadows->left = shadows->tinted = 0;
     if (!lanes)
-        return (struct occluded){ 0, 0 };
-    struct occluded found = world_occluded_many(world, ways, lanes);
-    unsigned known = lanes & ~found.panes;
+        return;
+    if (inside && !world_is_opaque(world)) {
+        shadows_filtered(world, worker, ways, lanes, inside, shadows);
+    } else {
+        ways->filter = NULL;
+        struct occluded found = world_occluded_many(world, ways, lanes);
+        shadows->dark = found.dark;
+        shadows->left = found.panes;
+    }
+    unsigned known = lanes & ~shadows->left;
     worker->counters.shadow_rays += (unsigned)__builtin_popcount(known);
-    return found;
 }
 
 rgb shadow_visibility(const struct world *world, struct worker *worker,

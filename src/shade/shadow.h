@@ -38,14 +38,23 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
 bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
                   vec3 direction, double distance, int light);
 
-/* The same of the ways to one lamp that the bits `lanes` stand for, which must
- * set out at shadow_start and end at shadow_end: which of them are dark, and
- * of which shadow_visibility has to say what comes through panes. The others
- * are white. */
-struct occluded shadow_falls_many(const struct world *world,
-                                  struct worker *worker,
-                                  const struct occlusions *ways,
-                                  unsigned lanes);
+/* What gets along several ways. Bits stand for ways. */
+struct shadows {
+    unsigned dark;        /* nothing */
+    unsigned left;        /* shadow_visibility has to say */
+    unsigned tinted;      /* this share; all light along the others: */
+    rgb share[RAY_LANES]; /* of those that are tinted */
+};
+
+/* Shadow_visibility of the ways to one lamp that the bits `lanes` stand for,
+ * which must set out at shadow_start and end at shadow_end, where neither fogs
+ * nor media nor photons count. `inside` as of a path, for each; NULL: panes
+ * are not looked through, ways through them are left. The filter of `ways` is
+ * set here. */
+void shadow_falls_many(const struct world *world, struct worker *worker,
+                       struct occlusions *ways, unsigned lanes,
+                       const struct interiors *const *inside,
+                       struct shadows *shadows);
 
 /* Whether none does of a lamp's place that is `way` from the point: what is in
  * the shaft must be plain. `place` are its coordinates there. */

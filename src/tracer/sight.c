@@ -1,14 +1,13 @@
 /* What the camera sees at places of the picture: see tracer.h. Where the
- * lighting method can, rays that are close together are lit together as far as
- * what they meet first; from there each goes its own way. */
+ * lighting method can, rays that are close together are followed and lit
+ * together. */
 #include <string.h>
 
 #include "base/draw.h"
 #include "base/random.h"
 #include "scene/lens.h"
-#include "shade/facets.h"
 #include "shade/shadow.h"
-#include "tracer/branch.h"
+#include "tracer/wavefront.h"
 
 enum { BLUR_LEAST = 4 }; /* rays through a lens, for a variance */
 
@@ -57,6 +56,22 @@ static void blur_spread(const struct camera *camera, struct draws draws,
         at[i] = camera->pixels[i] > 0 ? (at[i] - 0.5) / camera->pixels[i] : 0;
 }
 
+/* What one ray of the camera sees. */
+static struct radiance tracer_ray(const struct tracer *tracer,
+                                  struct worker *worker, struct ray ray,
+                                  const struct picture_place *place)
+{
+    struct radiance seen = { rgb_grey(0), 0 };
+    struct wavefront wavefront;
+    wavefront_start(&wavefront, tracer, worker, false);
+    struct path *path = wavefront_root(&wavefront, &seen);
+    path->ray = ray;
+    path_start(path, place);
+    wavefront_push(path);
+    wavefront_run(&wavefront);
+    return seen;
+}
+
 static struct radiance tracer_blurred(const struct tracer *tracer,
                                       struct worker *worker,
                                       const struct picture_place *place)
@@ -69,16 +84,14 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
     memcpy(bits, (const double[]){ x, y }, sizeof bits);
     uint64_t key = random_key(bits[0], bits[1]);
     for (int i = 0; i < most && !worker_stopped(worker); i++) {
-        struct path path;
         double lens[2], at[2];
         blur_spread(camera, (struct draws){ key, (uint32_t)i }, at);
         if (camera->bokeh)
             lens_shaped_point(camera->bokeh, i, key, lens);
         else
             lens_point(most, i, key, lens);
-        path.ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
-        path_start(&path, tracer, worker, NULL);
-        blur_add(&blur, path_follow(&path));
+        struct ray ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
+        blur_add(&blur, tracer_ray(tracer, worker, ray, NULL));
         arena_reset(worker->scratch);
         if (blur_settled(&blur, camera))
             break;
@@ -94,11 +107,10 @@ static struct radiance tracer_several(const struct tracer *tracer,
     const struct camera *camera = &tracer->scene->camera;
     struct blur blur = { .count = 0 };
     for (int i = 0; i < camera->rays && !worker_stopped(worker); i++) {
-        struct path path;
-        if (!camera_pixel_ray(camera, place->at[0], place->at[1], i, &path.ray))
+        struct ray ray;
+        if (!camera_pixel_ray(camera, place->at[0], place->at[1], i, &ray))
             continue;
-        path_start(&path, tracer, worker, NULL);
-        blur_add(&blur, path_follow(&path));
+        blur_add(&blur, tracer_ray(tracer, worker, ray, NULL));
         arena_reset(worker->scratch);
     }
     return blur_mean(&blur);
@@ -108,7 +120,6 @@ struct radiance tracer_camera(const struct tracer *tracer,
                               struct worker *worker,
                               const struct picture_place *place)
 {
-    struct path path;
     const struct camera *camera = &tracer->scene->camera;
     if (!camera_sees(camera, place->at[0], place->at[1]))
         return (struct radiance){ rgb_grey(0), 0 };
@@ -116,9 +127,8 @@ struct radiance tracer_camera(const struct tracer *tracer,
         return tracer_blurred(tracer, worker, place);
     if (camera->rays > 1)
         return tracer_several(tracer, worker, place);
-    path.ray = camera_ray(camera, place->at[0], place->at[1]);
-    path_start(&path, tracer, worker, place);
-    return path_follow(&path);
+    return tracer_ray(tracer, worker,
+                      camera_ray(camera, place->at[0], place->at[1]), place);
 }
 
 void tracer_rays(const struct tracer *tracer,
@@ -145,179 +155,6 @@ void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
     world_closest_many(tracer->world, rays, &span, count, RAY_CAMERA, hits);
 }
 
-/* One of several rays that are followed together as far as what they meet
- * first. */
-struct sight {
-    struct path path;
-    struct crossing crossing;
-};
-
-/* Sights of places, as what they meet is worked out side by side. Bits stand
- * for places. */
-struct sights {
-    const struct tracer *tracer;
-    struct worker *worker;
-    const struct tracer_met *met;
-    struct world_faces faces;
-    struct facets facets;
-    struct sight at[WORLD_RAYS];
-    unsigned plain; /* end at a leaf that is: its light is all there is */
-    unsigned lit;   /* the others that meet a surface to be lit */
-};
-
-/* Whether there is a picture. */
-static unsigned places_seen(const struct camera *camera,
-                            const struct tracer_met *met)
-{
-    unsigned seen = (1u << met->count) - 1;
-    for (unsigned i = 0; camera->kind->sees && i < met->count; i++)
-        if (!camera_sees(camera, met->places[i].at[0], met->places[i].at[1]))
-            seen &= ~(1u << i);
-    return seen;
-}
-
-static void sight_describe(struct sights *sights, unsigned i)
-{
-    const struct tracer_met *met = sights->met;
-    const struct ray ray = rays_at(met->rays, (int)i);
-    world_describe_face(&ray, met->hits[i].leaf, &sights->faces, i,
-                        &sights->at[i].crossing.at);
-}
-
-/* That of a plain leaf, which was painted without. */
-static const struct surface *sights_surface(void *context, unsigned i)
-{
-    struct sights *sights = context;
-    const struct tracer *tracer = sights->tracer;
-    struct crossing *crossing = &sights->at[i].crossing;
-    sight_describe(sights, i);
-    crossing_fill(crossing, tracer, rays_direction(sights->met->rays, (int)i),
-                  &tracer->start, tracer->scene->settings.adc_bailout, false);
-    crossing->surface.place = &sights->met->places[i];
-    return &crossing->surface;
-}
-
-/* What is met, and which leaves are plain. Returns which meet any. */
-static unsigned sights_meet(struct sights *sights, unsigned seen)
-{
-    const struct tracer_met *met = sights->met;
-    unsigned meet = 0;
-    sights->plain = sights->lit = 0;
-    for (unsigned i = 0; i < met->count; i++) {
-        const struct leaf *leaf = met->hits[i].leaf;
-        meet |= (unsigned)(leaf != NULL) << i;
-        sights->plain |= (unsigned)(leaf && leaf->plain) << i;
-    }
-    meet &= seen;
-    if (!sights->tracer->airless)
-        sights->plain = 0;
-    sights->plain &= seen;
-    if (!meet)
-        return 0;
-    world_face_many(met->rays, met->hits, meet, &sights->faces);
-    facets_start(&sights->facets, met->rays, &sights->faces);
-    sights->facets.places = met->places;
-    sights->facets.tell = sights_surface;
-    sights->facets.context = sights;
-    return meet;
-}
-
-/* From the camera to what it meets first, of those whose leaves are not plain;
- * some end there. */
-static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet,
-                          struct radiance *out)
-{
-    const struct tracer_met *met = sights->met;
-    for (unsigned each = seen & ~sights->plain; each; each &= each - 1) {
-        unsigned i = (unsigned)__builtin_ctz(each);
-        struct sight *sight = &sights->at[i];
-        bool meets = meet >> i & 1;
-        sight->path.ray = rays_at(met->rays, (int)i);
-        path_start(&sight->path, sights->tracer, sights->worker,
-                   &met->places[i]);
-        if (meets)
-            sight_describe(sights, i);
-        if (path_arrive(&sight->path, &sight->crossing, meets)) {
-            sights->lit |= 1u << i;
-            facets_set(&sights->facets, i, &sight->crossing.surface,
-                       path_within(&sight->path, &sight->crossing));
-        } else {
-            out[i] = path_seen(&sight->path);
-        }
-    }
-}
-
-static struct radiance sight_go_on(struct sight *sight, rgb light,
-                                   const struct diffuse_light *diffuse)
-{
-    struct path *path = &sight->path;
-    struct crossing *crossing = &sight->crossing;
-    light = path_shade(path, crossing, light, diffuse);
-    if (path_leave(path, crossing, light))
-        path_go_on(path, crossing, path_meet(path, &crossing->at));
-    return path_seen(path);
-}
-
-static void sights_light(struct sights *sights, struct radiance *out)
-{
-    const struct tracer *tracer = sights->tracer;
-    struct facets *facets = &sights->facets;
-    struct diffuse_light diffuse[RAY_LANES];
-    tracer->lighting->illuminate_many(tracer->lighting_state, sights->worker,
-                                      facets, diffuse);
-    for (unsigned lit = sights->lit; lit; lit &= lit - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lit);
-        out[i] =
-            sight_go_on(&sights->at[i], facets_light(facets, i), &diffuse[i]);
-    }
-    if (sights->plain)
-        facets_glow(facets, sights->plain, diffuse);
-    for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
-        unsigned i = (unsigned)__builtin_ctz(plain);
-        out[i] = (struct radiance){ facets_light(facets, i), 1 };
-    }
-}
-
-static void see_together(const struct tracer *tracer, struct worker *worker,
-                         const struct tracer_met *met, struct radiance *out)
-{
-    struct sights sights;
-    sights.tracer = tracer;
-    sights.worker = worker;
-    sights.met = met;
-    unsigned seen = places_seen(&tracer->scene->camera, met);
-    unsigned meet = sights_meet(&sights, seen);
-    memset(out, 0, met->count * sizeof *out);
-    if (sights.plain)
-        facets_paint(&sights.facets, met->hits, sights.plain);
-    for (unsigned plain = sights.plain; plain; plain &= plain - 1)
-        worker->counters.camera_rays++;
-    sights_arrive(&sights, seen, meet, out);
-    if (sights.plain | sights.lit)
-        sights_light(&sights, out);
-    arena_reset(worker->scratch);
-}
-
-static struct radiance see_one(const struct tracer *tracer,
-                               struct worker *worker,
-                               const struct tracer_met *met, unsigned i)
-{
-    const struct camera *camera = &tracer->scene->camera;
-    const struct picture_place *place = &met->places[i];
-    const struct world_hit *hit = &met->hits[i];
-    struct path path;
-    struct crossing crossing;
-    if (!camera_sees(camera, place->at[0], place->at[1]))
-        return (struct radiance){ rgb_grey(0), 0 };
-    path.ray = rays_at(met->rays, (int)i);
-    path_start(&path, tracer, worker, place);
-    if (hit->leaf)
-        world_describe(&path.ray, hit, &crossing.at);
-    struct radiance seen = path_go_on(&path, &crossing, hit->leaf);
-    arena_reset(worker->scratch);
-    return seen;
-}
-
 /* Whether rays can be lit together, and nobody wants to hear of them one by
  * one. */
 static bool tracer_may_mix(const struct tracer *tracer,
@@ -328,13 +165,40 @@ static bool tracer_may_mix(const struct tracer *tracer,
            lighting->in_any_order(tracer->lighting_state);
 }
 
+/* Without the ways to what is met first. */
+static struct radiance see_one(const struct tracer *tracer,
+                               struct worker *worker,
+                               const struct tracer_met *met, unsigned i)
+{
+    const struct picture_place *place = &met->places[i];
+    const struct world_hit *hit = &met->hits[i];
+    struct radiance seen = { rgb_grey(0), 0 };
+    struct wavefront wavefront;
+    struct crossing crossing;
+    if (!camera_sees(&tracer->scene->camera, place->at[0], place->at[1]))
+        return seen;
+    wavefront_start(&wavefront, tracer, worker, false);
+    struct path *path = wavefront_root(&wavefront, &seen);
+    path->ray = rays_at(met->rays, (int)i);
+    path_start(path, place);
+    if (hit->leaf)
+        world_describe(&path->ray, hit, &crossing.at);
+    wavefront_go_on(path, &crossing, hit->leaf);
+    wavefront_run(&wavefront);
+    arena_reset(worker->scratch);
+    return seen;
+}
+
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
                      const struct tracer_met *met, struct radiance *out)
 {
     const struct camera *camera = &tracer->scene->camera;
     bool single = camera->rays <= 1 && !camera_blurs(camera);
     if (single && tracer_may_mix(tracer, worker)) {
-        see_together(tracer, worker, met, out);
+        struct wavefront wavefront;
+        wavefront_start(&wavefront, tracer, worker, true);
+        wavefront_see(&wavefront, met, out);
+        arena_reset(worker->scratch);
         return;
     }
     for (unsigned i = 0; i < met->count; i++)

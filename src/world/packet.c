@@ -33,7 +33,7 @@ CLONES void rays_inverse(const struct rays *restrict rays,
 static void packet_start(struct packet *packet, const struct rays *rays,
                          unsigned lanes, bool boxed)
 {
-    lane_flag good[RAY_LANES];
+    LANE_LINES lane_flag good[RAY_LANES];
     find_rays(rays, &packet->span, good);
     packet->query[0].packet = packet;
     packet->rays = rays;
@@ -57,6 +57,8 @@ void packet_to_lamp(struct packet *packet, const struct occlusions *asked,
 {
     packet->occlusion = true;
     packet->light = asked->light;
+    packet->filter = asked->filter;
+    packet->context = asked->context;
     packet->kind = RAY_OBSTACLE;
     packet_span(packet, &asked->span, limit);
     packet_start(packet, &asked->rays, lanes, boxed);
@@ -78,8 +80,10 @@ static bool meet_pane(void *context, const struct intersection *at)
 {
     const struct query *query = context;
     struct packet *packet = query->packet;
-    (void)at;
-    packet->panes |= 1u << (query - packet->query);
+    const unsigned lane = (unsigned)(query - packet->query);
+    if (packet->filter)
+        return packet->filter(packet->context, lane, at);
+    packet->panes |= 1u << lane;
     return true;
 }
 
@@ -147,12 +151,27 @@ static void packet_first(struct packet *packet, const struct solid *solid,
     }
 }
 
+/* One after the other. */
+static unsigned packet_each(struct packet *packet, const struct solid *solid,
+                            unsigned lanes)
+{
+    unsigned over = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        if (query_solid(packet_query(packet, i), solid))
+            over |= 1u << i;
+        if (!packet->occlusion)
+            packet_met(packet, i);
+    }
+    return over;
+}
+
 /* Those to a lamp that the shape is in the way of. */
 static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
                                const struct rays *rays, unsigned lanes)
 {
     const struct object *object = solid->leaf->object;
-    lane_flag met[RAY_LANES];
+    LANE_LINES lane_flag met[RAY_LANES];
     struct rays_crossings all;
     if (object->primitive->crosses_many) {
         object->primitive->crosses_many(object->shape, rays, &packet->span,
@@ -162,8 +181,11 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
         rays_crosses_of(&all, &packet->span, met);
     }
     lanes &= rays_bits(met);
-    if (!solid->leaf->opaque && !packet->opaque)
-        packet->panes |= lanes;
+    if (solid->leaf->opaque || packet->opaque)
+        return lanes;
+    if (packet->filter)
+        return packet_each(packet, solid, lanes);
+    packet->panes |= lanes;
     return lanes;
 }
 
@@ -183,21 +205,6 @@ static unsigned packet_together(struct packet *packet,
         return packet_crosses(packet, solid, rays, lanes);
     packet_first(packet, solid, rays, lanes);
     return 0;
-}
-
-/* One after the other. */
-static unsigned packet_each(struct packet *packet, const struct solid *solid,
-                            unsigned lanes)
-{
-    unsigned over = 0;
-    for (; lanes; lanes &= lanes - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lanes);
-        if (query_solid(packet_query(packet, i), solid))
-            over |= 1u << i;
-        if (!packet->occlusion)
-            packet_met(packet, i);
-    }
-    return over;
 }
 
 static bool solid_has_routine(const struct solid *solid, bool occlusion)
@@ -257,7 +264,7 @@ unsigned packet_meets(const struct packet *packet, const struct box3 *box)
 {
     const struct rays_boxed rays = { packet->rays, packet->inverse,
                                      &packet->span };
-    lane_flag met[RAY_LANES];
+    LANE_LINES lane_flag met[RAY_LANES];
     rays_meet_box(&rays, box, met);
     return rays_bits(met) & packet->open;
 }

@@ -12,13 +12,17 @@ struct packet {
     struct query query[RAY_LANES]; /* first, for Embree; those that are begun */
     const struct rays *rays;
     struct rays_span span; /* of nearest crossings a little more, for ties */
-    double inverse[3][RAY_LANES]; /* of the directions, if there are boxes */
-    double shift[RAY_LANES];      /* as in a query, and doubt */
+    LANE_LINES double
+        inverse[3][RAY_LANES]; /* of the directions, if there are boxes */
+    double shift[RAY_LANES];   /* as in a query, and doubt */
     double doubt;
-    bool occlusion;     /* to a lamp: */
-    int light;          /* number of the lamp */
-    bool opaque;        /* nothing lets light pass */
-    unsigned panes;     /* that have met what may, and look no further */
+    bool occlusion;            /* to a lamp: */
+    int light;                 /* number of the lamp */
+    bool opaque;               /* nothing lets light pass */
+    world_lane_filter *filter; /* or NULL */
+    void *context;             /* of the filter */
+    unsigned panes;     /* that have met what may, without a filter, and look no
+                         * further */
     enum ray_kind kind; /* else */
     unsigned open;      /* rays that look for something still */
     unsigned begun;     /* whose queries are filled in */

@@ -82,7 +82,7 @@ void world_describe(const struct ray *ray, const struct world_hit *hit,
 /* Of hits side by side what an intersection says, to the bit; where there is
  * no hit, zeroes and the ray's origin. */
 struct world_faces {
-    double point[3][RAY_LANES], normal[3][RAY_LANES];
+    LANE_LINES double point[3][RAY_LANES], normal[3][RAY_LANES];
     struct hit hit[RAY_LANES]; /* u and v of triangles, too */
 };
 
@@ -124,17 +124,24 @@ struct occlusion {
 bool world_occluded(const struct world *world,
                     const struct occlusion *occlusion);
 
+/* The same of ray number `lane` of several. */
+typedef bool world_lane_filter(void *context, unsigned lane,
+                               const struct intersection *out);
+
 /* Ways to one lamp, as above. */
 struct occlusions {
     struct rays rays;
     struct rays_span span;
     int light;
+    world_lane_filter *filter; /* or NULL */
+    void *context;             /* of the filter */
 };
 
 /* Bit by bit what is so of a ray. */
 struct occluded {
     unsigned dark;  /* something opaque is on the way */
-    unsigned panes; /* something that may let light pass is; no more is known */
+    unsigned panes; /* something that may let light pass is, or may be, and the
+                     * filter was not asked; no more is known */
 };
 
 /* The same of several, those of the bits `lanes`; of few nothing may be found

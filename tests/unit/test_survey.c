@@ -3,6 +3,7 @@
 #include "harness.h"
 
 #include "lightmesh/drawn_lamp.h"
+#include "lightmesh/gather_paint.h"
 #include "lightmesh/plan.h"
 #include "scene_world.h"
 
@@ -63,10 +64,55 @@ static void test_afford(void **state)
     (void)state;
     assert_false(plan_afford(&few, all->scene, &survey, 100, 100000));
     assert_true(few.samples == 128 && few.gather == 1);
-    assert_true(plan_afford(&many, all->scene, &survey, 500, 100000));
+    assert_true(plan_afford(&many, all->scene, &survey, 400, 100000));
     assert_true(many.samples < 128 && many.samples >= 32 && many.gather == 1);
     assert_true(plan_afford(&crowd, all->scene, &survey, 50000, 100000));
     assert_true(crowd.samples == 16 && crowd.gather > 1);
+    scene_world_free(all);
+}
+
+/* Ways are drawn in nets: their numbers are powers of two. */
+static void test_nets(void **state)
+{
+    struct scene_world *all = scene_world_new(CAMERA);
+    struct survey survey = { .open = 0.5, .worth = 0.1 };
+    const struct outlook outlook = { .pixel = 0.01, .size = 10, .across = 10 };
+    (void)state;
+    for (int i = 1; i < 40; i++) {
+        survey.rough = i * 0.02;
+        struct mesh_frame frame = plan_frame(all->scene, &outlook, &survey, 0);
+        assert_true((frame.samples & (frame.samples - 1)) == 0);
+        plan_afford(&frame, all->scene, &survey, 100.0 * i, 100000);
+        assert_true(frame.samples >= 16);
+        assert_true((frame.samples & (frame.samples - 1)) == 0);
+    }
+    scene_world_free(all);
+}
+
+/* What meets a checkered floor sees about as much of both colours, however near
+ * to one's middle; one colour stays. */
+static void test_paint(void **state)
+{
+    struct scene_world *all =
+        scene_world_new("plane { y, 0 pigment { checker rgb 0, rgb 1 } } "
+                        "sphere { <50, 5, 0>, 1 pigment { rgb 0.25 } }");
+    const struct gather gather = { .lamps = &(struct lamps){ .quality = 9 } };
+    const struct ray down[] = { { { 0.5, 9, 0.5 }, { 0, -1, 0 } },
+                                { { 1.5, 9, 0.5 }, { 0, -1, 0 } },
+                                { { 50, 9, 0 }, { 0, -1, 0 } } };
+    double seen[3];
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct intersection at;
+        struct surface surface;
+        assert_true(world_closest(all->world, &down[i], 0, RAY_CAMERA, &at));
+        gather_surface(&gather, &down[i], &at, &surface);
+        gather_paint(&surface, 1.5);
+        seen[i] = surface.layer[0].pigment.r;
+    }
+    assert_true(seen[0] > 0.2 && seen[0] < 0.8);
+    assert_true(fabs(seen[0] + seen[1] - 1) < 1e-9);
+    assert_true(seen[2] == 0.25);
     scene_world_free(all);
 }
 
@@ -102,6 +148,9 @@ static void test_drawn(void **state)
     assert_true(fabs(drawn.r / SAMPLES - all_of_them.r) < 0.02 * all_of_them.r);
     assert_true(fabs(drawn.g / SAMPLES - all_of_them.g) < 0.02 * all_of_them.g);
     assert_true(fabs(drawn.b / SAMPLES - all_of_them.b) < 0.02 * all_of_them.b);
+    struct draws draws = { 7, 0 };
+    rgb each = each_lamp_light(&lamps, &worker, &draws, 0, place, up);
+    assert_true(rgb_peak(rgb_sub(each, all_of_them)) < 1e-9);
     arena_free(worker.scratch);
     lamps_free(&lamps);
     scene_world_free(all);
@@ -110,10 +159,9 @@ static void test_drawn(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_open),
-        cmocka_unit_test(test_room),
-        cmocka_unit_test(test_afford),
-        cmocka_unit_test(test_drawn),
+        cmocka_unit_test(test_open),   cmocka_unit_test(test_room),
+        cmocka_unit_test(test_afford), cmocka_unit_test(test_nets),
+        cmocka_unit_test(test_paint),  cmocka_unit_test(test_drawn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

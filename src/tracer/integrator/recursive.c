@@ -1,8 +1,8 @@
 /* Whitted's recursion with POV-Ray's rules, measured on POV-Ray 3.7:
  * - A surface sends rays on only while its level is below max_trace_level.
  *   Mirrored and refracted rays are one level up; what passes straight through
- *   stays on the level, so panes of glass are never too many. It is followed
- *   in a loop, not by recursion: the stack is bounded by the level.
+ *   stays on the level, so panes of glass are never too many. Nothing here
+ *   recurses: what branches off waits in a wavefront (tracer/wavefront.h).
  * - A ray that weighs less than adc_bailout is not traced: its weight is the
  *   product of the largest components of mirrors and filters on its way, and
  *   of the brightness of layers above a mirror. What passes one surface must
@@ -10,7 +10,6 @@
  * - Total reflection takes the place of all that is transmitted and mirrored,
  *   at full weight.
  * - Fading in an interior weakens what passes where the ray leaves it. */
-#include "base/parallel.h"
 #include "base/telling.h"
 #include "shade/background.h"
 #include "shade/finish.h"
@@ -22,22 +21,16 @@
 #include "tracer/branch.h"
 #include "tracer/integrator.h"
 #include "tracer/photons.h"
+#include "tracer/wavefront.h"
 #include "tracer/subsurface.h"
 
-enum {
-    SURFACES_MAX = 1000 * 1000, /* a ray passes straight through */
-};
-
-/* Mirrors recurse: that they do so on the stack of a thread bounds their depth.
- * What is asked at a surface has as much again, and more. */
-_Static_assert(4 * SETTINGS_LEVELS_MAX *
-                       (sizeof(struct path) + sizeof(struct crossing)) <
-                   PARALLEL_STACK,
-               "max_trace_level fits into the stack");
-
-static void path_gather(struct path *path, rgb light)
+void path_gather(struct path *path, rgb light)
 {
-    path->light = rgb_add(path->light, rgb_mul(path->share, light));
+    light = rgb_mul(path->share, light);
+    if (path->dues)
+        wavefront_due(path)->light = light;
+    else
+        path->light = rgb_add(path->light, light);
 }
 
 /* Something half transparent on the way. */
@@ -122,7 +115,7 @@ rgb path_shade(const struct path *path, const struct crossing *crossing,
     return gathering.light;
 }
 
-static rgb path_light(const struct path *path, struct crossing *crossing)
+rgb path_light(const struct path *path, struct crossing *crossing)
 {
     const struct tracer *tracer = path->tracer;
     const struct surface *surface = &crossing->surface;
@@ -133,26 +126,31 @@ static rgb path_light(const struct path *path, struct crossing *crossing)
     return path_shade(path, crossing, gathering.light, &diffuse);
 }
 
-/* One layer's mirror. */
-static rgb path_mirror(const struct path *path, const struct crossing *crossing,
-                       const struct surface_layer *layer, double weight)
+/* Another ray from that surface, which is as bright as it is tinted. */
+static struct path *path_branch(struct path *path,
+                                const struct crossing *crossing, rgb tint,
+                                double weight)
 {
-    struct path branch;
-    branch.tracer = path->tracer;
-    branch.worker = path->worker;
-    branch.ray.origin = crossing->at.point;
-    branch.ray.direction =
-        crossing_mirrored(crossing, path->ray.direction, layer->normal);
-    branch.kind = RAY_REFLECTION;
-    branch.level = path->level + 1;
-    branch.weight = weight;
-    branch.straight = false;
-    branch.place = NULL;
-    interiors_copy(&branch.inside, &path->inside);
+    struct path *branch = wavefront_branch(path, tint);
+    branch->ray.origin = crossing->at.point;
+    branch->kind = path->kind;
+    branch->level = path->level + 1;
+    branch->weight = weight;
+    interiors_copy(&branch->inside, &path->inside);
     path->worker->counters.secondary_rays++;
-    rgb light = path_follow(&branch).colour;
-    light = finish_exponent(light, layer->finish->reflection.exponent);
-    return rgb_mul(light, layer->reflection);
+    return branch;
+}
+
+/* One layer's mirror. */
+static void path_mirror(struct path *path, const struct crossing *crossing,
+                        const struct surface_layer *layer, double weight)
+{
+    struct path *branch =
+        path_branch(path, crossing, layer->reflection, weight);
+    branch->ray.direction =
+        crossing_mirrored(crossing, path->ray.direction, layer->normal);
+    branch->kind = RAY_REFLECTION;
+    branch->due->exponent = layer->finish->reflection.exponent;
 }
 
 static void path_mirrors(struct path *path, const struct crossing *crossing)
@@ -166,7 +164,7 @@ static void path_mirrors(struct path *path, const struct crossing *crossing)
         double weight = path->weight * rgb_brightness(layer->weight) *
                         layer->reflection_weight;
         if (weight > 0 && weight >= tracer->scene->settings.adc_bailout)
-            path_gather(path, path_mirror(path, crossing, layer, weight));
+            path_mirror(path, crossing, layer, weight);
     }
 }
 
@@ -183,27 +181,22 @@ static void path_part(struct path *path, const struct crossing *crossing,
                       int number, int parts)
 {
     rgb part = spectrum_part(number, parts);
-    struct crossing own = *crossing;
-    struct path branch = *path;
-    branch.weight =
-        path->weight * rgb_peak(crossing->surface.through) * rgb_peak(part);
-    if (branch.weight < path->tracer->scene->settings.adc_bailout)
+    rgb through = crossing->surface.through;
+    double weight = path->weight * rgb_peak(through) * rgb_peak(part);
+    if (weight < path->tracer->scene->settings.adc_bailout)
         return;
+    struct crossing own = *crossing;
+    struct path *branch = path_branch(path, crossing, part, weight);
     vec3 normal = crossing->surface.layer[0].normal;
-    crossing_divide(&own, &branch.inside, spectrum_place(number, parts));
+    crossing_divide(&own, &branch->inside, spectrum_place(number, parts));
     if (crossing_refracted(&own, path->ray.direction, normal,
-                           &branch.ray.direction)) {
-        part = rgb_mul(part, crossing->surface.through);
-        interiors_copy(&branch.inside, &own.beyond);
+                           &branch->ray.direction)) {
+        branch->due->tint = rgb_mul(part, through);
+        interiors_copy(&branch->inside, &own.beyond);
     } else {
-        branch.ray.direction =
+        branch->ray.direction =
             crossing_mirrored(&own, path->ray.direction, normal);
     }
-    branch.ray.origin = crossing->at.point;
-    branch.level++;
-    branch.straight = false;
-    path->worker->counters.secondary_rays++;
-    path_gather(path, rgb_mul(part, path_follow(&branch).colour));
 }
 
 /* Goes on behind the surface, or inside it after total reflection. Returns
@@ -315,46 +308,14 @@ bool path_meet(struct path *path, struct intersection *at)
                          surface_offset(path->ray.origin), path->kind, at);
 }
 
-static void path_begin(struct path *path)
+void path_start(struct path *path, const struct picture_place *place)
 {
-    path->share = rgb_grey(1);
-    path->clear = 1;
-    path->light = rgb_grey(0);
-    path->opacity = 1;
-}
-
-struct radiance path_go_on(struct path *path, struct crossing *crossing,
-                           bool met)
-{
-    for (int i = 0; i < SURFACES_MAX; i++) {
-        if (worker_stopped(path->worker) || !path_arrive(path, crossing, met) ||
-            !path_leave(path, crossing, path_light(path, crossing)))
-            break;
-        met = path_meet(path, &crossing->at);
-    }
-    return path_seen(path);
-}
-
-struct radiance path_follow(struct path *path)
-{
-    struct crossing crossing;
-    path_begin(path);
-    bool met = path_meet(path, &crossing.at);
-    return path_go_on(path, &crossing, met);
-}
-
-void path_start(struct path *path, const struct tracer *tracer,
-                struct worker *worker, const struct picture_place *place)
-{
-    path->tracer = tracer;
-    path->worker = worker;
     path->place = place;
     path->kind = RAY_CAMERA;
     path->level = 1;
     path->weight = 1;
     path->straight = true;
-    path_begin(path);
-    tracer_enter(tracer, worker, path->ray.origin, &path->inside);
+    tracer_enter(path->tracer, path->worker, path->ray.origin, &path->inside);
 }
 
 const struct integrator recursive_integrator = { .name = "recursive" };

@@ -1,0 +1,47 @@
+/* The mean of blocks: see gather_paint.h. */
+#include "lightmesh/gather_paint.h"
+
+#include "base/warp.h"
+#include "scene/material.h"
+#include "scene/pattern.h"
+
+enum { PLACES = 6 };
+
+/* Of the unit disc: along a Fermat spiral, each for as large a part. */
+static const double places[PLACES][2] = {
+    { 0.2887, 0.0000 }, { -0.3687, 0.3377 },  { 0.0564, -0.6430 },
+    { 0.4647, 0.6061 }, { -0.8528, -0.1508 }, { 0.8078, -0.5139 },
+};
+
+/* Whether what is seen is a block pattern by the point alone. */
+static const struct pigment *paint_blocks(const struct surface *surface)
+{
+    const struct leaf *leaf = surface->at->leaf;
+    if (!leaf->plain)
+        return NULL;
+    const struct pigment *pigment = leaf->texture->layers[0].pigment;
+    const struct pattern_kind *kind = pigment->pattern.kind;
+    bool blocks = pigment->kind == PIGMENT_PATTERN && kind && kind->blocks > 0;
+    return blocks && !pigment->pattern.turbulent ? pigment : NULL;
+}
+
+void gather_paint(struct surface *surface, double radius)
+{
+    const struct pigment *pigment = paint_blocks(surface);
+    if (!pigment)
+        return;
+    struct surface_layer *layer = &surface->layer[0];
+    rgb sum = rgb_grey(0);
+    vec3 across, down;
+    warp_frame(surface->side, &across, &down);
+    for (int i = 0; i < PLACES; i++) {
+        vec3 point = vec3_along(surface->point, across, radius * places[i][0]);
+        point = vec3_along(point, down, radius * places[i][1]);
+        point = affine_point(surface->at->to_texture, point);
+        sum = rgb_add(sum, colour_rgb(pigment_colour(pigment, point)));
+    }
+    sum = rgb_scale(sum, 1.0 / PLACES);
+    layer->pigment.r = sum.r;
+    layer->pigment.g = sum.g;
+    layer->pigment.b = sum.b;
+}
