@@ -16,6 +16,10 @@
 #define CLONES
 #endif
 
+/* Arrays of lanes that begin so are lines of the cache: what is read at once
+ * never lies in two. */
+#define LANE_LINES _Alignas(64)
+
 /* What a loop says of a lane, as wide as a double: -1 for yes, 0 for no. */
 typedef int64_t lane_flag;
 

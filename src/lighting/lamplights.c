@@ -6,7 +6,7 @@
 /* The lamp at hand as all of them see it; the directions are those of the
  * ways. */
 struct lamp_looks {
-    double distance[RAY_LANES], attenuation[RAY_LANES];
+    LANE_LINES double distance[RAY_LANES], attenuation[RAY_LANES];
     unsigned lit; /* by it, if nothing is between */
 };
 
@@ -158,7 +158,7 @@ static void lamplights_look(struct lamplights *lights, const struct lamp *lamp,
 {
     unsigned lit = lamplights_for(lights, lamp);
     unsigned layered = lights->facets->layered;
-    lane_flag flags[RAY_LANES];
+    LANE_LINES lane_flag flags[RAY_LANES];
     for (int i = 0; i < RAY_LANES; i++)
         looks->attenuation[i] = 1;
     if (lamp_is_parallel(lamp)) {

@@ -19,7 +19,7 @@ struct camera;
 
 /* Places of the picture side by side. */
 struct camera_places {
-    double x[RAY_LANES], y[RAY_LANES];
+    LANE_LINES double x[RAY_LANES], y[RAY_LANES];
 };
 
 /* One kind of camera: a file in camera/ and a row in camera/list.h. */

@@ -259,7 +259,7 @@ void conic_crosses_many(const void *shape, const struct rays *rays,
                         const struct rays_span *span, lane_flag *met)
 {
     const struct conic *conic = shape;
-    lane_flag doubtful[RAY_LANES];
+    LANE_LINES lane_flag doubtful[RAY_LANES];
     bool whole =
         !conic->open && conic->base_radius >= 0 && conic->apex_radius >= 0;
     unsigned left = (1u << RAY_LANES) - 1;

@@ -42,7 +42,7 @@ static void add_highlights(const struct finish_item *item, const void *said,
                            const struct finish_meetings *meetings,
                            unsigned lanes, double shares[RAY_LANES])
 {
-    double more[RAY_LANES];
+    LANE_LINES double more[RAY_LANES];
     if (item->highlight_many) {
         item->highlight_many(said, meetings, more);
         for (int i = 0; i < RAY_LANES; i++)
@@ -75,7 +75,7 @@ void finish_highlight_many(const struct finish *finish,
 CLONES static void lobes_whole(const double *restrict cosines, double size,
                                double amount, double *restrict lobes)
 {
-    double power[RAY_LANES];
+    LANE_LINES double power[RAY_LANES];
     for (int i = 0; i < RAY_LANES; i++) {
         lobes[i] = 1;
         power[i] = cosines[i];

@@ -181,13 +181,3 @@ vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence)
     }
     return sum;
 }
-
-vec3 noise_wave_source(int index)
-{
-    return noise_tables()->waves[index].source;
-}
-
-double noise_wave_frequency(int index)
-{
-    return noise_tables()->waves[index].frequency;
-}

@@ -65,9 +65,17 @@ vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence);
 /* A random point of the unit cube that belongs to the cell (x, y, z). */
 vec3 noise_cell_point(double x, double y, double z);
 
-/* The unit vector from which a wave of `waves` and `ripples` spreads, and its
- * cycles per unit in `waves`. */
-vec3 noise_wave_source(int index);
-double noise_wave_frequency(int index);
+/* Circular waves, which spread from points of the unit sphere. */
+struct noise_waves {
+    double frequency, phase; /* cycles per unit; cycles */
+    int count;               /* 1 to NOISE_WAVES_LIMIT */
+    bool uneven; /* each has a frequency of its own, times the above, and is the
+                  * higher the longer it is (`waves`); else their height is 1 */
+};
+
+/* The mean of their heights at the point, and of their directions there times
+ * their heights. */
+double noise_waves_height(const struct noise_waves *waves, vec3 point);
+vec3 noise_waves_tilt(const struct noise_waves *waves, vec3 point);
 
 #endif

@@ -115,8 +115,11 @@ static void make_waves(struct noise_tables *tables)
     for (int i = 0; i < TAKEN; i++)
         state = random_step(state);
     for (int i = 0; i < NOISE_WAVES_LIMIT; i++) {
-        tables->waves[i].source = vec3_normalise(lattice_vector(tables, i));
-        tables->waves[i].frequency = random_bits(&state) / 32767.0 + 0.01;
+        vec3 source = vec3_normalise(lattice_vector(tables, i));
+        tables->wave_source[0][i] = source.x;
+        tables->wave_source[1][i] = source.y;
+        tables->wave_source[2][i] = source.z;
+        tables->wave_frequency[i] = random_bits(&state) / 32767.0 + 0.01;
     }
 }
 

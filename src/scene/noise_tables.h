@@ -21,10 +21,8 @@ struct noise_tables {
     uint16_t permutation[LATTICE_PERIOD];
     float lattice[NOISE_NUMBERS]; /* in [-1,1] */
     uint32_t cells[LATTICE_PERIOD + 2];
-    struct {
-        vec3 source; /* a unit vector */
-        double frequency;
-    } waves[NOISE_WAVES_LIMIT];
+    double wave_source[3][NOISE_WAVES_LIMIT]; /* unit vectors */
+    double wave_frequency[NOISE_WAVES_LIMIT];
 };
 
 /* The same for all threads, made by the first call. */

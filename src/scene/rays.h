@@ -11,18 +11,18 @@ enum { RAY_LANES = 16 };
 
 /* What is in lanes that are not asked about doesn't matter. */
 struct rays {
-    double origin[3][RAY_LANES], direction[3][RAY_LANES];
+    LANE_LINES double origin[3][RAY_LANES], direction[3][RAY_LANES];
 };
 
 /* The part of each ray that counts; of a ray that doesn't take part there is
  * none: `far` is -INFINITY. */
 struct rays_span {
-    double near[RAY_LANES], far[RAY_LANES];
+    LANE_LINES double near[RAY_LANES], far[RAY_LANES];
 };
 
 /* Where each of them first meets a shape: INFINITY if it doesn't. */
 struct rays_met {
-    double t[RAY_LANES];
+    LANE_LINES double t[RAY_LANES];
     double part[RAY_LANES]; /* as of a hit; u and v of shapes met so are 0 */
 };
 
@@ -32,12 +32,13 @@ enum { RAY_CROSSINGS = 4 };
 
 struct rays_crossings {
     int count; /* of rows */
-    double t[RAY_CROSSINGS][RAY_LANES], part[RAY_CROSSINGS][RAY_LANES];
+    LANE_LINES double t[RAY_CROSSINGS][RAY_LANES],
+        part[RAY_CROSSINGS][RAY_LANES];
 };
 
 /* A point for each lane. */
 struct lane_points {
-    double at[3][RAY_LANES];
+    LANE_LINES double at[3][RAY_LANES];
 };
 
 /* The vector in a lane. */

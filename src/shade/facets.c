@@ -201,7 +201,7 @@ rgb facets_light(const struct facets *facets, unsigned i)
 
 /* What white paint of these finishes makes of light without a direction. */
 struct glows {
-    double given[3][RAY_LANES], own[3][RAY_LANES];
+    LANE_LINES double given[3][RAY_LANES], own[3][RAY_LANES];
 };
 
 CLONES static void add_glows(struct facets *restrict facets,
@@ -233,7 +233,7 @@ void facets_glow(struct facets *facets, unsigned lanes,
 
 /* What the layers make of white light. */
 struct shares {
-    double cosine[RAY_LANES], of[3][RAY_LANES];
+    LANE_LINES double cosine[RAY_LANES], of[3][RAY_LANES];
 };
 
 CLONES static void diffuse_shares(const struct facets *restrict facets,
@@ -261,7 +261,7 @@ static void highlight_same(const struct facets *facets,
                            const struct facets_lit *lit, unsigned lanes,
                            struct shares *shares)
 {
-    double highlights[RAY_LANES];
+    LANE_LINES double highlights[RAY_LANES];
     const struct finish_meetings meetings = {
         (const double(*)[RAY_LANES])facets->normal,
         (const double(*)[RAY_LANES])facets->view, lit->direction
@@ -341,7 +341,7 @@ void facets_add(struct facets *facets, const struct facets_lit *lit,
 {
     unsigned matt = lanes & facets->matt;
     struct shares shares;
-    lane_flag is_lit[RAY_LANES];
+    LANE_LINES lane_flag is_lit[RAY_LANES];
     add_each(facets, lit, lanes & ~matt);
     if (!matt)
         return;

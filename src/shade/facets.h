@@ -24,7 +24,7 @@ struct facets {
     const struct interiors *inside[RAY_LANES]; /* of the viewer's ray */
     double worth[RAY_LANES];                   /* as a surface's weight */
     const struct finish *finish[RAY_LANES];    /* of those that are matt */
-    double point[3][RAY_LANES];
+    LANE_LINES double point[3][RAY_LANES];
     double view[3][RAY_LANES]; /* unit, to the viewer */
     /* Of the layer; whether light from its front and its back does anything to
      * it, and whether both sides are its front. */
@@ -65,7 +65,7 @@ void facets_glow(struct facets *facets, unsigned lanes,
 /* A lamp's light as it arrives at them. */
 struct facets_lit {
     const double (*direction)[RAY_LANES]; /* to the lamp, unit */
-    double colour[3][RAY_LANES];
+    LANE_LINES double colour[3][RAY_LANES];
     bool highlights;
 };
 

@@ -282,7 +282,7 @@ void shadow_falls_many(const struct world *world, struct worker *worker,
                        const struct interiors *const *inside,
                        struct shadows *shadows)
 {
-    lane_flag room[RAY_LANES];
+    LANE_LINES lane_flag room[RAY_LANES];
     ways_have_room(&ways->span, room);
     lanes &= rays_bits(room);
     shadows->dark = shadows->left = shadows->tinted = 0;

@@ -181,7 +181,7 @@ CLONES static void normals_unit(double (*normals)[RAY_LANES],
 static void faces_raw(const struct rays *rays, const struct world_hit *hits,
                       unsigned lanes, struct world_faces *faces)
 {
-    double t[RAY_LANES] = { 0 };
+    LANE_LINES double t[RAY_LANES] = { 0 };
     for (unsigned each = lanes; each; each &= each - 1) {
         unsigned i = (unsigned)__builtin_ctz(each);
         t[i] = hits[i].hit.t;
@@ -205,7 +205,7 @@ static void faces_raw(const struct rays *rays, const struct world_hit *hits,
 void world_face_many(const struct rays *rays, const struct world_hit *hits,
                      unsigned lanes, struct world_faces *faces)
 {
-    lane_flag usual[RAY_LANES];
+    LANE_LINES lane_flag usual[RAY_LANES];
     faces_raw(rays, hits, lanes, faces);
     normals_unit(faces->normal, usual);
     for (; lanes; lanes &= lanes - 1) {

@@ -372,7 +372,7 @@ void geometry_trace_scene(const struct geometry *geometry, struct query *query)
 
 /* A packet's rays on their way to Embree, not yet in floats. */
 struct setting_outs {
-    double shift[RAY_LANES], origin[3][RAY_LANES], far[RAY_LANES];
+    LANE_LINES double shift[RAY_LANES], origin[3][RAY_LANES], far[RAY_LANES];
     lane_flag meets[RAY_LANES];
 };
 

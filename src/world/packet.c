@@ -6,9 +6,6 @@
 #include "scene/primitive.h"
 #include "world/packet_tree.h"
 
-/* Rays that are as quick one after the other. */
-enum { TOGETHER_LEAST = 3 };
-
 /* Which rays there are: those whose six numbers are finite, for 0 times a
  * finite one is 0, and that have a direction and a length. */
 CLONES static void find_rays(const struct rays *restrict rays,
@@ -36,7 +33,7 @@ CLONES void rays_inverse(const struct rays *restrict rays,
 static void packet_start(struct packet *packet, const struct rays *rays,
                          unsigned lanes, bool boxed)
 {
-    lane_flag good[RAY_LANES];
+    LANE_LINES lane_flag good[RAY_LANES];
     find_rays(rays, &packet->span, good);
     packet->query[0].packet = packet;
     packet->rays = rays;
@@ -174,7 +171,7 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
                                const struct rays *rays, unsigned lanes)
 {
     const struct object *object = solid->leaf->object;
-    lane_flag met[RAY_LANES];
+    LANE_LINES lane_flag met[RAY_LANES];
     struct rays_crossings all;
     if (object->primitive->crosses_many) {
         object->primitive->crosses_many(object->shape, rays, &packet->span,
@@ -219,6 +216,7 @@ static bool solid_has_routine(const struct solid *solid, bool occlusion)
                                              : primitive->first_many != NULL);
 }
 
+/* A single ray is no worse off alone in a tree. */
 static unsigned packet_meet(struct packet *packet, const struct solid *solid,
                             unsigned lanes)
 {
@@ -266,7 +264,7 @@ unsigned packet_meets(const struct packet *packet, const struct box3 *box)
 {
     const struct rays_boxed rays = { packet->rays, packet->inverse,
                                      &packet->span };
-    lane_flag met[RAY_LANES];
+    LANE_LINES lane_flag met[RAY_LANES];
     rays_meet_box(&rays, box, met);
     return rays_bits(met) & packet->open;
 }

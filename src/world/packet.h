@@ -12,8 +12,9 @@ struct packet {
     struct query query[RAY_LANES]; /* first, for Embree; those that are begun */
     const struct rays *rays;
     struct rays_span span; /* of nearest crossings a little more, for ties */
-    double inverse[3][RAY_LANES]; /* of the directions, if there are boxes */
-    double shift[RAY_LANES];      /* as in a query, and doubt */
+    LANE_LINES double
+        inverse[3][RAY_LANES]; /* of the directions, if there are boxes */
+    double shift[RAY_LANES];   /* as in a query, and doubt */
     double doubt;
     bool occlusion;            /* to a lamp: */
     int light;                 /* number of the lamp */

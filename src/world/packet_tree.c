@@ -26,7 +26,7 @@ CLONES static void find_inside_box(const struct box3 *box,
 static unsigned inside_box(const struct box3 *box,
                            const struct lane_points *points)
 {
-    lane_flag inside[RAY_LANES];
+    LANE_LINES lane_flag inside[RAY_LANES];
     if (box == &solid_nothing)
         return 0;
     if (box == &solid_everything)
@@ -58,7 +58,7 @@ static unsigned leaf_inside(const struct solid *solid,
 {
     const struct object *object = solid->leaf->object;
     struct lane_points local;
-    lane_flag flags[RAY_LANES];
+    LANE_LINES lane_flag flags[RAY_LANES];
     unsigned inside;
     if (solid->moved) {
         lane_points_into(solid->to_shape, points, &local);
@@ -225,7 +225,7 @@ static unsigned look_at_shape(const struct tree_look *look,
     }
     object->primitive->all_many(object->shape, rays, &all);
     for (int k = 0; k < all.count; k++) {
-        lane_flag near[RAY_LANES];
+        LANE_LINES lane_flag near[RAY_LANES];
         find_near(&packet->span, all.t[k], !packet->occlusion, near);
         unsigned met = lanes & ~over & rays_bits(near);
         if (met)
@@ -288,7 +288,7 @@ static unsigned box_met(const struct tree_look *look, const struct box3 *box,
 {
     const struct rays_boxed rays = { look->rays, look->inverse,
                                      &look->packet->span };
-    lane_flag met[RAY_LANES];
+    LANE_LINES lane_flag met[RAY_LANES];
     rays_meet_box(&rays, box, met);
     return lanes & rays_bits(met);
 }
@@ -327,7 +327,7 @@ unsigned packet_tree(struct packet *packet, const struct solid *solid,
 {
     struct tree_look look = { packet, solid, packet->rays, packet->inverse };
     struct rays local;
-    double inverse[3][RAY_LANES];
+    LANE_LINES double inverse[3][RAY_LANES];
     lanes = box_met(&look, &solid->surface, lanes);
     if (lanes && solid->gate_count)
         lanes = gates_open(&look, solid, lanes);

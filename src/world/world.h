@@ -82,7 +82,7 @@ void world_describe(const struct ray *ray, const struct world_hit *hit,
 /* Of hits side by side what an intersection says, to the bit; where there is
  * no hit, zeroes and the ray's origin. */
 struct world_faces {
-    double point[3][RAY_LANES], normal[3][RAY_LANES];
+    LANE_LINES double point[3][RAY_LANES], normal[3][RAY_LANES];
     struct hit hit[RAY_LANES]; /* u and v of triangles, too */
 };
 
