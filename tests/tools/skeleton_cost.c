@@ -114,7 +114,7 @@ static void setting_open(struct cost *cost, const struct voxels *where,
         exit(2);
     setting->world = world_new(setting->scene, 1, 0, &cost->diag);
     setting->space = setting->world
-                         ? void_new(setting->scene, setting->world,
+                         ? void_new(setting->scene, setting->world, false,
                                     cost->resolution, 1, NULL, &cost->diag)
                          : NULL;
     if (!setting->space)
@@ -187,7 +187,7 @@ static void measure_rays(struct cost *cost, const struct setting *setting)
 static void measure_network(struct cost *cost, const struct setting *setting)
 {
     double start = seconds(), before = megabytes_now();
-    struct void_space *space = void_new(setting->scene, setting->world,
+    struct void_space *space = void_new(setting->scene, setting->world, false,
                                         cost->resolution, 1, NULL, &cost->diag);
     struct setting again = *setting;
     again.space = space;

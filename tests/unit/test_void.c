@@ -252,8 +252,8 @@ static struct voided voided_new(const char *text, int resolution,
                                 unsigned threads)
 {
     struct voided v = { .all = scene_world_new(text) };
-    v.space = void_new(v.all->scene, v.all->world, resolution, threads, NULL,
-                       &v.all->diag);
+    v.space = void_new(v.all->scene, v.all->world, false, resolution, threads,
+                       NULL, &v.all->diag);
     fflush(v.all->diag.out);
     return v;
 }
@@ -271,7 +271,8 @@ static void a_stop_is_heard(void **state)
     struct scene_world *all = scene_world_new(
         "sphere { 0, 2 pigment { rgb 0.5 } } light_source { <0,1,0>, 1 }\n");
     atomic_int stop = 1;
-    assert_null(void_new(all->scene, all->world, 30, 2, &stop, &all->diag));
+    assert_null(
+        void_new(all->scene, all->world, false, 30, 2, &stop, &all->diag));
     fflush(all->diag.out);
     assert_string_equal(all->printed, "");
     scene_world_free(all);
