@@ -213,8 +213,8 @@ static void shapes_without_a_test_are_searched(void **state)
     for (size_t i = 0; i < 2; i++)
         ((struct object *)(uintptr_t)top->children[i])->primitive = &plain;
     struct marked m = { .all = all };
-    assert_true(
-        grid_place(&m.grid, all->world, &all->scene->camera, 30, &all->diag));
+    assert_true(grid_place(&m.grid, all->world, &all->scene->camera, false, 30,
+                           &all->diag));
     size_t count = voxels_count(&m.grid), hits = 0;
     m.marks = memory_new(count);
     voxelise(all->world, &m.grid,
