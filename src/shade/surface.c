@@ -6,6 +6,15 @@
 
 #include "shade/finish.h"
 
+/* The normal with the last bumps that were worked out at the point. Layers
+ * without their own, and what chooses textures, see it in slope and aoi until
+ * there are others; those of a picked texture as if its space were the world
+ * (measured). */
+struct bumps {
+    bool any;
+    vec3 normal; /* turned to the viewer */
+};
+
 /* A texture and its space: that of a picked one is its pattern's. */
 struct place {
     const struct texture *texture;
@@ -13,7 +22,9 @@ struct place {
     vec3 point;
     const affine *to, *from; /* world <-> the texture's space */
     double share;            /* of the surface that has this texture */
+    bool picked;
     const struct uv_source *uv;
+    struct bumps *last;
 };
 
 /* The surface's own coordinates, worked out when they are asked for. */
@@ -65,7 +76,8 @@ static const affine unmoved = {
 
 /* Of the whole texture at the point. */
 static inline struct place place_at(const struct intersection *at,
-                                    const struct uv_source *uv)
+                                    const struct uv_source *uv,
+                                    struct bumps *last)
 {
     bool mapped = at->leaf->uv_mapping;
     return (struct place){
@@ -74,6 +86,7 @@ static inline struct place place_at(const struct intersection *at,
         .from = mapped ? &unmoved : at->from_texture,
         .share = 1,
         .uv = uv,
+        .last = last,
     };
 }
 
@@ -90,18 +103,24 @@ static vec3 place_point(struct place *place)
     return place->point;
 }
 
-/* slope and aoi see the layer's own bumps, turned to the viewer (measured). */
+/* The surface as slope and aoi see it. */
+static inline struct surface_uv place_seen(const struct place *place)
+{
+    struct surface_uv surface = *(const struct surface_uv *)place->uv;
+    if (place->last->any)
+        surface.source.normal = place->last->normal;
+    return surface;
+}
+
 static inline colour layer_pigment(const struct layer *layer,
-                                   struct place *place, int quality,
-                                   vec3 normal)
+                                   struct place *place, int quality)
 {
     const struct pigment *pigment = layer->pigment;
     if (quality < QUALITY_TRANSPARENCY && pigment->has_quick_colour)
         return pigment->quick_colour;
     if (pigment->kind == PIGMENT_COLOUR)
         return pigment->colour;
-    struct surface_uv surface = *(const struct surface_uv *)place->uv;
-    surface.source.normal = normal;
+    struct surface_uv surface = place_seen(place);
     return pigment_seen(pigment, place_point(place), &surface.source);
 }
 
@@ -127,6 +146,19 @@ static vec3 layer_normal(const struct layer *layer, struct place *place,
     vec3 at =
         pattern_start(&layer->normal->pattern, place_point(place), place->uv);
     return layer_bumped(layer, place->to, place->from, at, normal, place->uv);
+}
+
+/* The same; it is what is seen from now on. */
+static vec3 layer_bump(const struct layer *layer, struct place *place,
+                       vec3 normal)
+{
+    vec3 bumped = layer_normal(layer, place, normal);
+    vec3 seen = place->picked
+                    ? vec3_normalise(affine_normal(place->from, bumped))
+                    : bumped;
+    if (normal_tilts(layer->normal) && vec3_finite(seen))
+        *place->last = (struct bumps){ true, seen };
+    return bumped;
 }
 
 /* What light passes a layer down to the next. */
@@ -171,8 +203,8 @@ static rgb surface_add_layers(struct surface *surface,
         /* Kept at hand: what was just stored is read back late. */
         vec3 normal = view->smooth || !source->normal
                           ? surface->normal
-                          : layer_normal(source, place, surface->normal);
-        colour pigment = layer_pigment(source, place, view->quality, normal);
+                          : layer_bump(source, place, surface->normal);
+        colour pigment = layer_pigment(source, place, view->quality);
         struct finish_mirror mirror =
             layer_mirror(surface, view, source->finish, normal, pigment);
         layer->finish = source->finish;
@@ -216,9 +248,10 @@ static rgb surface_add_choice(struct surface *surface,
     affine inward, outward, to, from;
     rgb through = rgb_grey(0);
     bool mapped = choice->pattern.uv;
-    int count = texture_choose(choice, place_point(place), place->uv, picks,
+    struct surface_uv seen = place_seen(place);
+    int count = texture_choose(choice, place_point(place), &seen.source, picks,
                                &inner.point);
-    inner.located = true;
+    inner.located = inner.picked = true;
     if (choice->bumps)
         inward = pattern_affine(&choice->pattern);
     if (choice->bumps && affine_inverse(inward, &outward)) {
@@ -242,7 +275,8 @@ static void surface_fill_layers(struct surface *surface,
 {
     struct surface_uv uv =
         surface_uv(surface->at, surface->normal, surface->view);
-    struct place place = place_at(surface->at, &uv.source);
+    struct bumps last = { .any = false };
+    struct place place = place_at(surface->at, &uv.source, &last);
     surface->through = surface_add(surface, view, &place, rgb_grey(1));
 }
 
@@ -254,15 +288,15 @@ static void surface_fill_plain(struct surface *surface,
     const struct intersection *at = surface->at;
     const struct texture *texture = at->texture;
     struct surface_uv uv = surface_uv(at, surface->normal, surface->view);
-    struct place place = place_at(at, &uv.source);
+    struct bumps last = { .any = false };
+    struct place place = place_at(at, &uv.source, &last);
     rgb weight = rgb_grey(1);
     surface->count = 1;
     for (size_t i = texture->choice ? 1 : texture->count; i-- > 0;) {
         const struct layer *source = &texture->layers[i];
         surface->layer[0] = (struct surface_layer){
             .finish = source->finish,
-            .pigment =
-                layer_pigment(source, &place, view->quality, surface->normal),
+            .pigment = layer_pigment(source, &place, view->quality),
             .normal = surface->normal,
             .weight = rgb_grey(1),
         };
@@ -297,7 +331,8 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 rgb surface_transmittance(const struct intersection *at)
 {
     struct surface_uv uv = surface_uv(at, at->normal, at->normal);
-    struct place place = place_at(at, &uv.source);
+    struct bumps last = { .any = false };
+    struct place place = place_at(at, &uv.source, &last);
     return texture_transmittance(at->texture, place_point(&place), place.uv);
 }
 
@@ -306,7 +341,8 @@ vec3 surface_bumps(const struct intersection *at, vec3 direction)
     bool behind = vec3_dot(at->normal, direction) > 0;
     const struct texture *texture = at->texture;
     struct surface_uv uv = surface_uv(at, at->normal, at->normal);
-    struct place place = place_at(at, &uv.source);
+    struct bumps last = { .any = false };
+    struct place place = place_at(at, &uv.source, &last);
     return layer_normal(&texture->layers[texture->count - 1], &place,
                         behind ? vec3_negate(at->normal) : at->normal);
 }

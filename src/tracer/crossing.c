@@ -62,14 +62,16 @@ void crossing_divide(struct crossing *crossing, struct interiors *inside,
 vec3 crossing_mirrored(const struct crossing *crossing, vec3 direction,
                        vec3 normal)
 {
-    const struct surface *surface = &crossing->surface;
+    vec3 surface = crossing->surface.normal;
     double cosine = vec3_dot(direction, normal);
-    if (cosine < 0)
-        direction = vec3_along(direction, normal, -2 * cosine);
-    double rise = vec3_dot(direction, surface->normal);
-    if (rise < 0)
-        direction = vec3_along(direction, surface->normal, -2 * rise);
-    return vec3_normalise(direction);
+    vec3 mirrored = vec3_along(direction, normal, -2 * cosine);
+    double rise = vec3_dot(mirrored, surface);
+    if (rise < 0 && cosine < 0)
+        mirrored = vec3_along(mirrored, surface, -2 * rise);
+    else if (rise < 0)
+        mirrored =
+            vec3_along(direction, surface, -2 * vec3_dot(direction, surface));
+    return vec3_normalise(mirrored);
 }
 
 bool crossing_refracted(const struct crossing *crossing, vec3 direction,

@@ -22,8 +22,8 @@ void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
                    double bailout, bool exact);
 
 /* The mirrored direction for a layer's normal, unit. It never goes into the
- * surface: bumps that face away from the viewer don't mirror, and what would go
- * in is mirrored back by the true surface (measured). */
+ * surface: what would is mirrored back by the true surface, and where the bump
+ * faces away from the viewer that alone mirrors (measured). */
 vec3 crossing_mirrored(const struct crossing *crossing, vec3 direction,
                        vec3 normal);
 

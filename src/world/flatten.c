@@ -422,6 +422,7 @@ static void add_limits(struct flat *flat, const struct object *object,
             build_limits(flat, object->clips, object->clip_count, up);
         solid->clips = limits.items;
         solid->clip_count = limits.count;
+        solid->own_clips = (unsigned)limits.count;
     }
     if (!object->bound_count || (root && !object_is_bounded(object)))
         return;

@@ -219,6 +219,15 @@ static struct boxes measure_content(const struct solid *solid)
     return (struct boxes){ solid->surface, *solid->region, *solid->holes };
 }
 
+/* Whether there is inside of the clip where none of its surface is, as below a
+ * height field, and the clipped solid goes on without end. A ray that misses
+ * the box of the clip's surface then misses what the clip leaves (measured). */
+static bool clip_is_box(const struct solid *clip, struct box3 clipped)
+{
+    return clip->leaf && !clip->leaf->inverse && !box3_is_finite(clipped) &&
+           box3_is_finite(clip->surface) && !box3_is_finite(*clip->region);
+}
+
 void solid_measure(struct arena *arena, struct solid *solid)
 {
     struct boxes boxes = measure_content(solid);
@@ -226,7 +235,10 @@ void solid_measure(struct arena *arena, struct solid *solid)
         boxes = measure_frame(arena, solid, boxes);
     for (size_t i = 0; i < solid->clip_count; i++) {
         const struct solid *clip = solid->clips[i];
-        boxes.surface = box3_intersection(boxes.surface, *clip->region);
+        bool box = i < solid->own_clips && clip_is_box(clip, boxes.surface);
+        boxes.surface = box3_intersection(boxes.surface,
+                                          box ? clip->surface : *clip->region);
+        solid->boxed |= box;
         boxes.region = box3_intersection(boxes.region, *clip->region);
         boxes.holes = box3_union(boxes.holes, *clip->holes);
     }

@@ -6,9 +6,6 @@
 #include "scene/primitive.h"
 #include "world/packet_tree.h"
 
-/* Rays that are as quick one after the other. */
-enum { TOGETHER_LEAST = 3 };
-
 /* Which rays there are: those whose six numbers are finite, for 0 times a
  * finite one is 0, and that have a direction and a length. */
 CLONES static void find_rays(const struct rays *restrict rays,
@@ -219,6 +216,7 @@ static bool solid_has_routine(const struct solid *solid, bool occlusion)
                                              : primitive->first_many != NULL);
 }
 
+/* A single ray is no worse off alone in a tree. */
 static unsigned packet_meet(struct packet *packet, const struct solid *solid,
                             unsigned lanes)
 {
