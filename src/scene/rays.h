@@ -3,9 +3,12 @@
 #ifndef SCENE_RAYS_H
 #define SCENE_RAYS_H
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include "base/affine.h"
 #include "base/clones.h"
-#include "base/pair.h"
 #include "scene/ray.h"
 
 enum { RAY_LANES = 16 };
