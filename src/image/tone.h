@@ -20,14 +20,14 @@ static inline unsigned tone_level(float v, unsigned top)
     return (unsigned)(int)((v < 1 ? v : 1) * (float)top + 0.5f);
 }
 
-enum { TONE_TOP = 255, TONE_PARTS = 2048 };
+enum { TONE_TOP = 255, TONE_PARTS = 4096 };
 
 /* tone_level(tone_encode(linear, gamma), top) without computing a power for
  * each number: where the levels begin, found with those functions. */
 struct tone_table {
     unsigned top;
     double begin[TONE_TOP + 2];          /* of each level; above all none */
-    unsigned char level[TONE_PARTS + 1]; /* at each 1/2048 */
+    unsigned char level[TONE_PARTS + 1]; /* at each 1/4096 */
     float number[TONE_TOP + 1];          /* of each level, in 0..1 */
 };
 
@@ -39,6 +39,8 @@ static inline unsigned tone_table_level(const struct tone_table *table,
                                         double linear)
 {
     unsigned level = table->level[(int)(linear * TONE_PARTS)];
+    /* Mostly one more or none, which no processor can foresee. */
+    level += linear >= table->begin[level + 1];
     while (linear >= table->begin[level + 1])
         level++;
     return level;

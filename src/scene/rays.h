@@ -3,6 +3,10 @@
 #ifndef SCENE_RAYS_H
 #define SCENE_RAYS_H
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include "base/affine.h"
 #include "base/clones.h"
 #include "scene/ray.h"
@@ -94,10 +98,24 @@ void rays_crosses_of(const struct rays_crossings *all,
 /* Bit by bit what the flags of all lanes say. */
 static inline unsigned rays_bits(const lane_flag flags[RAY_LANES])
 {
+#ifdef __SSE2__
+    /* Lanes become bytes, whose sign bits are gathered at once. */
+    const __m128 *at = (const __m128 *)flags;
+    __m128i part[4];
+    for (int i = 0; i < 4; i++)
+        part[i] = _mm_castps_si128(
+            _mm_shuffle_ps(_mm_loadu_ps((const float *)(at + 2 * i)),
+                           _mm_loadu_ps((const float *)(at + 2 * i + 1)),
+                           _MM_SHUFFLE(2, 0, 2, 0)));
+    __m128i low = _mm_packs_epi32(part[0], part[1]);
+    __m128i high = _mm_packs_epi32(part[2], part[3]);
+    return (unsigned)_mm_movemask_epi8(_mm_packs_epi16(low, high));
+#else
     unsigned bits = 0;
     for (int i = 0; i < RAY_LANES; i++)
         bits |= (unsigned)flags[i] & 1u << i;
     return bits;
+#endif
 }
 
 #endif

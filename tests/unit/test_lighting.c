@@ -461,6 +461,19 @@ static void rays_lit_together_are_as_alone(void **state)
         "box { <-1.5, -1, -1>, <-.7, .6, 0> pigment { slope y } inverse }"
         "mesh { smooth_triangle { <1, -1, 0>, <-1, 0, -3>, <2, -1, 0>, "
         "<1, 0, -3>, <1.5, 1, 0>, <0, 1, -3> } pigment { gradient y } }",
+        /* Rays that branch off again and again, and wait for each other. */
+        "box { <-3, -1, 1>, <3, 3, 1.1> pigment { rgb .2 } "
+        "finish { reflection { .2, .9 exponent 1.5 } } }"
+        "plane { z, -8 pigment { rgb .1 } finish { reflection .7 } }"
+        "box { <-1.5, -1, -1>, <-.7, .6, 0> texture { pigment { rgb .6 } "
+        "finish { reflection .4 } } texture { pigment { rgbt <.9, .2, .1, .5> "
+        "} "
+        "normal { bumps .3 } finish { reflection .3 metallic } } }"
+        "sphere { <.2, .6, -.5>, .5 pigment { rgbf .9 } finish { reflection "
+        "{ 0, 1 fresnel } conserve_energy } interior { ior 1.6 dispersion 1.1 "
+        "dispersion_samples 5 fade_distance 1 fade_power 1001 } }"
+        "cylinder { <1.2, -1, -1>, <1.2, 1, -1>, .3 open pigment { rgbf .8 } "
+        "no_reflection }",
     };
     (void)state;
     for (size_t i = 0; i < sizeof lamps / sizeof *lamps; i++)
