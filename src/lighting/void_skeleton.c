@@ -20,11 +20,12 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
         .ways = wish.ways,
         .rays = wish.rays,
     };
+    const struct grid_wish grid = { said > 0 ? said : wish.resolution,
+                                    wish.still };
     *made = (struct void_skeleton){ NULL, NULL };
     if (wanted.heuristic)
-        made->space = void_new(scene, world, wish.still,
-                               said > 0 ? said : wish.resolution,
-                               options->threads, options->stop, diag);
+        made->space =
+            void_new(scene, world, grid, options->threads, options->stop, diag);
     if (made->space)
         made->skeleton =
             skeleton_new(world, scene, &made->space->voxels, &wanted);

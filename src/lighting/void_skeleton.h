@@ -18,7 +18,7 @@ struct void_skeleton_wish {
     const char *heuristic; /* NULL: the one that the scene names */
     int resolution;        /* voxels along the longest side if the scene says
                             * nothing; 0: as skeletons have that are shown */
-    bool still;            /* as of void_new */
+    bool still;            /* as of struct grid_wish */
     bool ways;             /* of lamps, though the heuristic needs none */
     size_t rays;           /* as in struct skeleton_options */
 };

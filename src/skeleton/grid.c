@@ -181,10 +181,11 @@ static void report_size(struct box3 box, int resolution, double bytes,
 }
 
 bool grid_place(struct voxels *grid, const struct world *world,
-                const struct camera *camera, bool still, int resolution,
+                const struct camera *camera, struct grid_wish wish,
                 struct diag *diag)
 {
-    struct box3 box = find_box(world, camera, still);
+    struct box3 box = find_box(world, camera, wish.still);
+    int resolution = wish.resolution;
     double bytes = (double)memory_available() / 2, size[3];
     if (resolution <= 0)
         resolution = VOXELS_RESOLUTION;

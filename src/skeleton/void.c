@@ -68,13 +68,13 @@ static void warn_of_camera(const struct void_space *space,
 }
 
 struct void_space *void_new(const struct scene *scene,
-                            const struct world *world, bool still,
-                            int resolution, unsigned threads,
-                            const atomic_int *stop, struct diag *diag)
+                            const struct world *world, struct grid_wish wish,
+                            unsigned threads, const atomic_int *stop,
+                            struct diag *diag)
 {
     struct void_space *space = memory_new(sizeof *space);
     struct voxels *v = &space->voxels;
-    if (!grid_place(v, world, &scene->camera, still, resolution, diag)) {
+    if (!grid_place(v, world, &scene->camera, wish, diag)) {
         void_free(space);
         return NULL;
     }

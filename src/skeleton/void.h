@@ -6,6 +6,7 @@
 #include <stdatomic.h>
 
 #include "world/world.h"
+#include "skeleton/grid.h"
 #include "skeleton/voxels.h"
 
 /* A part of the void that is connected over voxel faces. */
@@ -34,14 +35,13 @@ struct void_space {
     size_t camera; /* its voxel, or VOXEL_NONE: outside, or in matter */
 };
 
-/* Voxels and void of a scene; free with void_free. `still` and
- * `resolution` as in grid.h. Warns of lights inside matter and of a camera
- * without light. NULL after an error was printed, or once *stop is non-zero
- * (may be NULL). The same for any number of threads. */
+/* Voxels and void of a scene; free with void_free. Warns of lights inside
+ * matter and of a camera without light. NULL after an error was printed, or
+ * once *stop is non-zero (may be NULL). The same for any number of threads. */
 struct void_space *void_new(const struct scene *scene,
-                            const struct world *world, bool still,
-                            int resolution, unsigned threads,
-                            const atomic_int *stop, struct diag *diag);
+                            const struct world *world, struct grid_wish wish,
+                            unsigned threads, const atomic_int *stop,
+                            struct diag *diag);
 void void_free(struct void_space *space);
 
 /* The void voxel that a point of a surface sees, on the side that `normal`

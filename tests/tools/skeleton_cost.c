@@ -113,10 +113,12 @@ static void setting_open(struct cost *cost, const struct voxels *where,
     if (!setting->scene)
         exit(2);
     setting->world = world_new(setting->scene, 1, 0, &cost->diag);
-    setting->space = setting->world
-                         ? void_new(setting->scene, setting->world, false,
-                                    cost->resolution, 1, NULL, &cost->diag)
-                         : NULL;
+    setting->space =
+        setting->world
+            ? void_new(setting->scene, setting->world,
+                       (struct grid_wish){ .resolution = cost->resolution }, 1,
+                       NULL, &cost->diag)
+            : NULL;
     if (!setting->space)
         exit(2);
 }
@@ -187,8 +189,10 @@ static void measure_rays(struct cost *cost, const struct setting *setting)
 static void measure_network(struct cost *cost, const struct setting *setting)
 {
     double start = seconds(), before = megabytes_now();
-    struct void_space *space = void_new(setting->scene, setting->world, false,
-                                        cost->resolution, 1, NULL, &cost->diag);
+    struct void_space *space =
+        void_new(setting->scene, setting->world,
+                 (struct grid_wish){ .resolution = cost->resolution }, 1, NULL,
+                 &cost->diag);
     struct setting again = *setting;
     again.space = space;
     skeleton_free(make(&again, "network"));

@@ -294,7 +294,8 @@ static void light_stays_on_its_side(void **state)
     (void)state;
     struct scene_world *all = scene_world_new(two_rooms);
     struct void_space *space =
-        void_new(all->scene, all->world, false, 32, 2, NULL, &all->diag);
+        void_new(all->scene, all->world, (struct grid_wish){ .resolution = 32 },
+                 2, NULL, &all->diag);
     struct skeleton_options options = { .threads = 2 };
     assert_non_null(space);
     struct skeleton *skeleton =

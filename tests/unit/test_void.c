@@ -26,8 +26,9 @@ static struct marked marked_new(const char *text, int resolution,
 {
     struct marked m = { .all = scene_world_new(text) };
     struct scene_world *all = m.all;
-    assert_true(grid_place(&m.grid, all->world, &all->scene->camera, false,
-                           resolution, &all->diag));
+    assert_true(grid_place(&m.grid, all->world, &all->scene->camera,
+                           (struct grid_wish){ .resolution = resolution },
+                           &all->diag));
     m.marks = memory_new(voxels_count(&m.grid));
     const uint8_t *leaves =
         matter_marks(all->world, voxels_box(&m.grid), all->arena);
@@ -213,8 +214,8 @@ static void shapes_without_a_test_are_searched(void **state)
     for (size_t i = 0; i < 2; i++)
         ((struct object *)(uintptr_t)top->children[i])->primitive = &plain;
     struct marked m = { .all = all };
-    assert_true(grid_place(&m.grid, all->world, &all->scene->camera, false, 30,
-                           &all->diag));
+    assert_true(grid_place(&m.grid, all->world, &all->scene->camera,
+                           (struct grid_wish){ .resolution = 30 }, &all->diag));
     size_t count = voxels_count(&m.grid), hits = 0;
     m.marks = memory_new(count);
     voxelise(all->world, &m.grid,
@@ -252,7 +253,8 @@ static struct voided voided_new(const char *text, int resolution,
                                 unsigned threads)
 {
     struct voided v = { .all = scene_world_new(text) };
-    v.space = void_new(v.all->scene, v.all->world, false, resolution, threads,
+    v.space = void_new(v.all->scene, v.all->world,
+                       (struct grid_wish){ .resolution = resolution }, threads,
                        NULL, &v.all->diag);
     fflush(v.all->diag.out);
     return v;
@@ -271,8 +273,9 @@ static void a_stop_is_heard(void **state)
     struct scene_world *all = scene_world_new(
         "sphere { 0, 2 pigment { rgb 0.5 } } light_source { <0,1,0>, 1 }\n");
     atomic_int stop = 1;
-    assert_null(
-        void_new(all->scene, all->world, false, 30, 2, &stop, &all->diag));
+    assert_null(void_new(all->scene, all->world,
+                         (struct grid_wish){ .resolution = 30 }, 2, &stop,
+                         &all->diag));
     fflush(all->diag.out);
     assert_string_equal(all->printed, "");
     scene_world_free(all);
