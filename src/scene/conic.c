@@ -229,8 +229,8 @@ static inline struct piece piece_of(const struct conic *conic, vec3 origin,
     double last = base < apex ? apex : base;
     bool along = wall.ds == 0;
     bool beside = along & !((wall.s >= 0) & (wall.s <= conic->height));
-    enter = along | (enter > first) ? enter : first;
-    leave = along | (leave < last) ? leave : last;
+    enter = (along | (enter > first)) ? enter : first;
+    leave = (along | (leave < last)) ? leave : last;
     enter += wall.shift;
     leave += wall.shift;
     return (struct piece){ enter, leave, !(wall.a > 0),
@@ -250,7 +250,7 @@ CLONES static void pieces_cross(const struct conic *shape,
         double near = span->near[i], far = span->far[i];
         bool either = ((piece.enter > near) & (piece.enter < far)) |
                       ((piece.leave > near) & (piece.leave < far));
-        met[i] = !piece.missed & either ? -1 : 0;
+        met[i] = (!piece.missed & either) ? -1 : 0;
         doubtful[i] = piece.doubtful ? -1 : 0;
     }
 }

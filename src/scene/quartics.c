@@ -117,8 +117,8 @@ static inline void pieces_take(struct pieces *restrict pieces,
         double changes = take_left[i] != 0 ? halves->left_changes[i]
                                            : halves->right_changes[i];
         bool all = keep[i] != 0, left = take_left[i] != 0;
-        pieces->low[i] = all | left ? low : middle;
-        pieces->high[i] = all | !left ? high : middle;
+        pieces->low[i] = (all | left) ? low : middle;
+        pieces->high[i] = (all | !left) ? high : middle;
         pieces->changes[i] = all ? pieces->changes[i] : changes;
     }
 }
@@ -189,13 +189,13 @@ static inline void lane_step(const struct quartics *q, struct steps *steps,
                   (step <= 1e-16 * fabs(next)) |
                   (good & (steps->was_good[i] != 0) & (shrunk < 0.01) &
                    (step * shrunk * shrunk <= 1e-17 * fabs(next)));
-    steps->t[i] = done | zero ? t : next;
+    steps->t[i] = (done | zero) ? t : next;
     steps->low[i] = low;
     steps->high[i] = high;
     steps->last[i] = before;
     steps->step[i] = step;
     steps->was_good[i] = good ? 1 : 0;
-    steps->done[i] = done | zero | enough ? 1 : 0;
+    steps->done[i] = (done | zero | enough) ? 1 : 0;
 }
 
 /* Returns how many are done. */
@@ -254,7 +254,7 @@ CLONES static void pieces_halve_any(struct pieces *restrict pieces,
         double a = halves.left_changes[i], b = halves.right_changes[i];
         bool all = (pieces->changes[i] < 2) | (fate[i] != (double)QUARTIC_ROOT);
         double now = a + b == 0 ? (double)QUARTIC_NONE : (double)QUARTIC_ROOT;
-        now = (a > 1) & (b > 1) ? (double)QUARTIC_UNKNOWN : now;
+        now = ((a > 1) & (b > 1)) ? (double)QUARTIC_UNKNOWN : now;
         keep[i] = all ? 1 : 0;
         left[i] = (a == 1) | ((a > 1) & (b == 0)) ? 1 : 0;
         fate[i] = all ? fate[i] : now;

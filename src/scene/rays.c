@@ -46,6 +46,6 @@ CLONES void rays_crosses_of(const struct rays_crossings *restrict all,
     for (int k = 0; k < all->count; k++)
         for (int i = 0; i < RAY_LANES; i++) {
             double t = all->t[k][i];
-            met[i] |= (t > span->near[i]) & (t < span->far[i]) ? -1 : 0;
+            met[i] |= ((t > span->near[i]) & (t < span->far[i])) ? -1 : 0;
         }
 }

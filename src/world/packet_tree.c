@@ -176,7 +176,7 @@ CLONES static void find_near(const struct rays_span *restrict span,
     for (int i = 0; i < RAY_LANES; i++) {
         double far = span->far[i];
         bool before = (t[i] < far) | (ties & (t[i] == far));
-        near[i] = (t[i] > span->near[i]) & before ? -1 : 0;
+        near[i] = ((t[i] > span->near[i]) & before) ? -1 : 0;
     }
 }
 

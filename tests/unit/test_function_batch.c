@@ -146,8 +146,9 @@ static void check_near(double found, double wanted)
                 (isnan(found) && isnan(wanted)));
 }
 
-static const double ends[] = { 0, -0.0,     1e-310,    1e300,
-                               1, INFINITY, -INFINITY, NAN };
+static const double ends[] = {
+    0, -0.0, 1e-310, 1e300, 1, (double)INFINITY, -(double)INFINITY, (double)NAN
+};
 
 /* At angles of all sizes, at the axes and beyond all numbers. */
 static void angles_are_as_the_library_has_them(void **state)

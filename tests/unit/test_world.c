@@ -691,7 +691,7 @@ static int expect_the_same(const struct world *world, struct dice *dice)
         rays[i].direction =
             vec3_normalise(vec3_add(first.direction, dice_point(dice, 0.05)));
     }
-    rays[count / 2].direction.x = NAN;
+    rays[count / 2].direction.x = (double)NAN;
     rays[count / 3].direction.y = -1e-30;
     for (unsigned i = 0; i < count; i++)
         rays_set(&together, (int)i, rays[i].origin, rays[i].direction);
@@ -815,8 +815,8 @@ static void odd_rays_do_no_harm(void **state)
     struct ray rays[] = {
         { { 0, 0, 0 }, { 1, 0, 0 } },
         { { 0, 0, 0 }, { 0, 0, 0 } },
-        { { NAN, 0, 0 }, { 0, 1, 0 } },
-        { { 0, 1, 0 }, { NAN, 0, 0 } },
+        { { (double)NAN, 0, 0 }, { 0, 1, 0 } },
+        { { 0, 1, 0 }, { (double)NAN, 0, 0 } },
         { { 0, 1, 0 }, { HUGE_VAL, 0, 0 } },
         { { 1e300, 1e300, 1e300 }, { 0, -1, 0 } },
         { { 0, 2e7, 0 }, { 0, -1, 0 } },

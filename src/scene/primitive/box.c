@@ -153,7 +153,7 @@ CLONES static void box_crosses_many(const void *shape,
         double near = span->near[i], far = span->far[i];
         bool either = ((in.enter > near) & (in.enter < far)) |
                       ((in.leave > near) & (in.leave < far));
-        met[i] = !in.missed & either ? -1 : 0;
+        met[i] = (!in.missed & either) ? -1 : 0;
     }
 }
 

@@ -93,7 +93,7 @@ CLONES static void plane_crosses_many(const void *shape,
     for (int i = 0; i < RAY_LANES; i++) {
         double t = plane_distance(&plane, rays_origin(rays, i),
                                   rays_direction(rays, i));
-        met[i] = (t > span->near[i]) & (t < span->far[i]) ? -1 : 0;
+        met[i] = ((t > span->near[i]) & (t < span->far[i])) ? -1 : 0;
     }
 }
 

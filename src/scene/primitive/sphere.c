@@ -109,7 +109,7 @@ CLONES static void sphere_crosses_many(const void *shape,
         passing_roots(&passing, t);
         bool either =
             ((t[0] > near) & (t[0] < far)) | ((t[1] > near) & (t[1] < far));
-        met[i] = (passing.rest > 0) & (passing.dd > 0) & either ? -1 : 0;
+        met[i] = ((passing.rest > 0) & (passing.dd > 0) & either) ? -1 : 0;
     }
 }
 

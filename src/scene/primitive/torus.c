@@ -200,8 +200,8 @@ CLONES static void torus_restrict(const struct torus *shape,
         double a = (-r - near.y) / along.y, b = (r - near.y) / along.y;
         bool level = fabs(along.y) < 1e-9;
         double first = a < b ? a : b, last = a < b ? b : a;
-        low = !level & (first > low) ? first : low;
-        high = !level & (last < high) ? last : high;
+        low = (!level & (first > low)) ? first : low;
+        high = (!level & (last < high)) ? last : high;
         bool meets = (length > 0) & (rest > 0) & !(level & (fabs(near.y) > r));
         torus_quartic(&torus, near, along, c);
         for (int k = 0; k <= QUARTIC; k++)
