@@ -4,28 +4,29 @@
 
 #include <time.h>
 
+static inline double clock_read(clockid_t clock)
+{
+    struct timespec time;
+    clock_gettime(clock, &time);
+    return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
+}
+
 /* Seconds since some moment. */
 static inline double clock_seconds(void)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+    return clock_read(CLOCK_MONOTONIC);
 }
 
 /* Seconds that all threads of this process have worked. */
 static inline double clock_worked(void)
 {
-    struct timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
+    return clock_read(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 /* Seconds that the calling thread has worked. */
 static inline double clock_worked_here(void)
 {
-    struct timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
+    return clock_read(CLOCK_THREAD_CPUTIME_ID);
 }
 
 #endif

@@ -245,16 +245,16 @@ static bool stream_fetch(struct parser *p, bool infix)
             continue;
         }
         const struct token *token = &cursor->list->tokens[cursor->index];
-        if (!p->spare_semicolon && token_is_plain(token)) {
-            stream_take(p, cursor);
-            return true;
-        }
         bool stays = infix && cursor == p->directive;
         bool spare = p->spare_semicolon;
         p->spare_semicolon = false;
         if (spare && !stays && token->kind == TOKEN_SEMICOLON) {
             cursor->index++;
             continue;
+        }
+        if (token_is_plain(token)) {
+            stream_take(p, cursor);
+            return true;
         }
         if (token->kind == TOKEN_DIRECTIVE && !stream_passes_sign(p, token)) {
             if (stays)

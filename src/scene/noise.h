@@ -73,6 +73,9 @@ struct noise_waves {
                   * higher the longer it is (`waves`); else their height is 1 */
 };
 
+/* Those of a pattern. */
+struct noise_waves noise_waves_of(const struct pattern *pattern, bool uneven);
+
 /* The mean of their heights at the point, and of their directions there times
  * their heights. */
 double noise_waves_height(const struct noise_waves *waves, vec3 point);

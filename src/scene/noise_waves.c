@@ -48,6 +48,12 @@ static void look_at_waves(const struct noise_waves *waves, vec3 point,
         (*height)[i] /= tables->wave_frequency[first + i];
 }
 
+struct noise_waves noise_waves_of(const struct pattern *pattern, bool uneven)
+{
+    return (struct noise_waves){ pattern->frequency, pattern->phase,
+                                 pattern->noise->waves, uneven };
+}
+
 double noise_waves_height(const struct noise_waves *waves, vec3 point)
 {
     struct wave_octet at;

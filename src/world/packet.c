@@ -227,7 +227,7 @@ static unsigned packet_meet(struct packet *packet, const struct solid *solid,
                            : packet_tree(packet, solid, lanes);
 }
 
-/* They are found what they look for, and no shape needs to look at them. */
+/* They have found what they look for: no shape needs to look at them. */
 static void packet_close(struct packet *packet, unsigned lanes)
 {
     packet->open &= ~lanes;

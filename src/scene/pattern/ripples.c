@@ -3,22 +3,16 @@
  * pattern, the value (measured). */
 #include "scene/noise.h"
 
-static struct noise_waves waves_of(const struct pattern *pattern)
-{
-    return (struct noise_waves){ pattern->frequency, pattern->phase,
-                                 pattern->noise->waves, false };
-}
-
 static double ripples_value(const struct pattern *pattern, vec3 point)
 {
-    struct noise_waves waves = waves_of(pattern);
+    struct noise_waves waves = noise_waves_of(pattern, false);
     return 0.5 + 0.5 * noise_waves_height(&waves, point);
 }
 
 static vec3 ripples_perturbation(const struct pattern *pattern, vec3 point,
                                  vec3 normal)
 {
-    struct noise_waves waves = waves_of(pattern);
+    struct noise_waves waves = noise_waves_of(pattern, false);
     (void)normal;
     return noise_waves_tilt(&waves, point);
 }

@@ -2,22 +2,16 @@
  * longer it is. */
 #include "scene/noise.h"
 
-static struct noise_waves waves_of(const struct pattern *pattern)
-{
-    return (struct noise_waves){ pattern->frequency, pattern->phase,
-                                 pattern->noise->waves, true };
-}
-
 static double waves_value(const struct pattern *pattern, vec3 point)
 {
-    struct noise_waves waves = waves_of(pattern);
+    struct noise_waves waves = noise_waves_of(pattern, true);
     return 0.5 + 0.2 * noise_waves_height(&waves, point);
 }
 
 static vec3 waves_perturbation(const struct pattern *pattern, vec3 point,
                                vec3 normal)
 {
-    struct noise_waves waves = waves_of(pattern);
+    struct noise_waves waves = noise_waves_of(pattern, true);
     (void)normal;
     return noise_waves_tilt(&waves, point);
 }
