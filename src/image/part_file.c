@@ -7,7 +7,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -18,6 +17,7 @@
 
 #include "base/hash.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "image/image.h"
 
 enum {
@@ -71,7 +71,7 @@ struct part_file {
     char *text;
     int width, height;
     bool damaged;
-    pthread_mutex_t lock; /* of the next four */
+    struct lock *lock; /* of the next four */
     struct part_room room, spare;
     off_t end; /* where the next tile goes */
     struct part_tile *last;
@@ -191,7 +191,7 @@ static struct part_file *part_new(int handle, int width, int height,
     file->width = width;
     file->height = height;
     file->text = memory_new(length + 1);
-    pthread_mutex_init(&file->lock, NULL);
+    file->lock = lock_new();
     return file;
 }
 
@@ -362,7 +362,7 @@ void part_file_close(struct part_file *file)
         tile = before;
     }
     close(file->handle);
-    pthread_mutex_destroy(&file->lock);
+    lock_free(file->lock);
     memory_free(file->spare.bytes);
     memory_free(file->text);
     memory_free(file);
@@ -393,10 +393,10 @@ static void room_write(struct part_file *file, struct part_room room)
     int none = 0;
     if (!write_at(file->handle, room.bytes, room.used, room.at))
         atomic_compare_exchange_strong(&file->problem, &none, errno);
-    pthread_mutex_lock(&file->lock);
+    lock_take(file->lock);
     memory_free(file->spare.bytes);
     file->spare = room;
-    pthread_mutex_unlock(&file->lock);
+    lock_give(file->lock);
 }
 
 /* Takes away what waits; the lock is held. */
@@ -442,14 +442,14 @@ void part_file_put(struct part_file *file, enum part_kind kind,
     record.checksum = record_checksum(&record);
     if (atomic_load(&file->problem))
         return;
-    pthread_mutex_lock(&file->lock);
+    lock_take(file->lock);
     if (file->room.used + sizeof record + count > file->room.size)
         full = room_taken(file);
     tile_add(file, kind, area, file->end);
     char *to = room_for(file, sizeof record + count);
     memcpy(to, &record, sizeof record);
     memcpy(to + sizeof record, values, count);
-    pthread_mutex_unlock(&file->lock);
+    lock_give(file->lock);
     if (full.bytes)
         room_write(file, full);
 }
@@ -462,9 +462,9 @@ const char *part_file_problem(const struct part_file *file)
 
 void part_file_flush(struct part_file *file)
 {
-    pthread_mutex_lock(&file->lock);
+    lock_take(file->lock);
     struct part_room room = room_taken(file);
-    pthread_mutex_unlock(&file->lock);
+    lock_give(file->lock);
     if (room.bytes)
         room_write(file, room);
 }
