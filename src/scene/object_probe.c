@@ -165,7 +165,10 @@ static void probe_shape(struct probe *probe, const struct level *level,
                                      probe_hit, &shape);
         return;
     }
-    object->primitive->intersect(object->shape, ray, &hits);
+    if (object->primitive->traced)
+        object->primitive->traced(object->shape, ray, &hits);
+    else
+        object->primitive->intersect(object->shape, ray, &hits);
     for (int i = 0; i < hits.count; i++)
         probe_hit(&shape, &hits.at[i]);
 }
