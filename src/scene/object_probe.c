@@ -7,6 +7,7 @@
 #include "scene/primitive.h"
 
 #define PROBE_NEAREST 1e-4
+#define PROBE_FARTHEST 1e7 /* measured, as is the nearest */
 
 bool object_is_solid(const struct object *object)
 {
@@ -215,9 +216,9 @@ static void probe_object(struct probe *probe, const struct object *object,
 bool object_trace(const struct object *object, const struct ray *ray, double *t,
                   vec3 *normal)
 {
-    struct probe probe = { .ray = *ray, .best = HUGE_VAL };
+    struct probe probe = { .ray = *ray, .best = PROBE_FARTHEST };
     probe_object(&probe, object, NULL);
     *t = probe.best;
     *normal = probe.normal;
-    return isfinite(probe.best);
+    return probe.best < PROBE_FARTHEST;
 }
