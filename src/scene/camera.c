@@ -58,11 +58,14 @@ static void camera_aim(struct camera *camera)
     vec3 aim = vec3_normalise(vec3_sub(camera->look_at, camera->location));
     vec3 straight = vec3_cross(camera->up, camera->direction);
     bool mirrored = !(vec3_dot(straight, camera->right) > 0);
-    vec3 right = vec3_cross(vec3_normalise(camera->sky), aim);
-    if (!(vec3_length(right) > 1e-9))
+    vec3 right = vec3_cross(camera->sky, aim);
+    bool lost = !(vec3_length(right) > 1e-9 * vec3_length(camera->sky));
+    if (lost)
         right = camera->right;
     right = vec3_normalise(right);
-    vec3 up = vec3_normalise(vec3_cross(aim, right));
+    vec3 up = vec3_cross(aim, right);
+    if (lost)
+        up = vec3_normalise(up);
     if (mirrored)
         right = vec3_negate(right);
     camera->direction = vec3_scale(aim, vec3_length(camera->direction));
@@ -114,9 +117,22 @@ double camera_around(double x, double y)
     return angle < -M_PI / 2 ? angle + 2 * M_PI : angle;
 }
 
+/* How far a place is above the middle. Rows are counted from below, and the
+ * middles of pixels are whole halves of them: so the last bit of rays is
+ * POV-Ray's (measured), which decides the colour where surfaces coincide. */
+static inline double camera_above(const struct camera *camera, double y)
+{
+    const double rounds = 0x1.8p52, near = 1e-9; /* what is added rounds off */
+    double height = camera->pixels[1], halves = 2 * height * y;
+    double whole = halves + rounds - rounds;
+    double row = 0.5 * (fabs(halves - whole) < near ? whole : halves);
+    return height > 0 ? (height - row) / height - 0.5 : 0.5 - y;
+}
+
 bool camera_sees(const struct camera *camera, double x, double y)
 {
-    return !camera->kind->sees || camera->kind->sees(camera, x - 0.5, 0.5 - y);
+    return !camera->kind->sees ||
+           camera->kind->sees(camera, x - 0.5, camera_above(camera, y));
 }
 
 /* The normal bends the ray as it bends a surface's at the place in the picture,
@@ -124,7 +140,7 @@ bool camera_sees(const struct camera *camera, double x, double y)
 static vec3 camera_bent(const struct camera *camera, double x, double y,
                         vec3 direction)
 {
-    double at[2] = { x - 0.5, 0.5 - y };
+    double at[2] = { x - 0.5, camera_above(camera, y) };
     if (camera->kind->bend_at)
         camera->kind->bend_at(camera, at[0], at[1], at);
     return vec3_normalise(normal_perturbed(
@@ -142,17 +158,20 @@ static inline struct ray camera_finished(const struct camera *camera, double x,
 
 struct ray camera_ray(const struct camera *camera, double x, double y)
 {
-    return camera_finished(camera, x, y,
-                           camera->kind->ray(camera, x - 0.5, 0.5 - y));
+    return camera_finished(
+        camera, x, y,
+        camera->kind->ray(camera, x - 0.5, camera_above(camera, y)));
 }
 
 /* From the middle of the picture, whose y is upwards. */
-CLONES static void places_from_middle(const struct camera_places *restrict at,
+CLONES static void places_from_middle(const struct camera *camera,
+                                      const struct camera_places *restrict at,
                                       struct camera_places *restrict out)
 {
+    const struct camera from = *camera;
     for (int i = 0; i < RAY_LANES; i++) {
         out->x[i] = at->x[i] - 0.5;
-        out->y[i] = 0.5 - at->y[i];
+        out->y[i] = camera_above(&from, at->y[i]);
     }
 }
 
@@ -181,7 +200,7 @@ void camera_rays(const struct camera *camera,
 {
     struct camera_places at;
     struct ray ray = { { 0, 0, 0 }, { 0, 0, 0 } };
-    places_from_middle(places, &at);
+    places_from_middle(camera, places, &at);
     if (camera->kind->ray_many)
         camera->kind->ray_many(camera, &at, rays);
     else
@@ -202,7 +221,8 @@ bool camera_pixel_ray(const struct camera *camera, double x, double y, int i,
         *ray = camera_ray(camera, x, y);
         return i == 0 && camera_sees(camera, x, y);
     }
-    if (!camera->kind->pixel_ray(camera, x - 0.5, 0.5 - y, i, ray))
+    if (!camera->kind->pixel_ray(camera, x - 0.5, camera_above(camera, y), i,
+                                 ray))
         return false;
     *ray = camera_finished(camera, x, y, *ray);
     return true;

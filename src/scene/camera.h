@@ -104,9 +104,9 @@ static inline bool camera_is_bent(const struct camera *camera)
 static inline vec3 camera_sum(const struct camera *camera, double right,
                               double up, double direction)
 {
-    vec3 sum = vec3_scale(camera->right, right);
-    sum = vec3_along(sum, camera->up, up);
-    return vec3_along(sum, camera->direction, direction);
+    vec3 sum = vec3_scale(camera->direction, direction);
+    sum = vec3_along(sum, camera->right, right);
+    return vec3_along(sum, camera->up, up);
 }
 
 /* For kinds that turn: angles are put into turn and turn_up, `usual` if none

@@ -1,5 +1,6 @@
 /* Pigments: a colour for each point of space. */
 #include "scene/image_map.h"
+#include "scene/map_entry.h"
 #include "scene/material.h"
 #include "scene/spots.h"
 
@@ -40,33 +41,18 @@ static colour entry_colour(const struct blend_entry *entry, vec3 point,
                    : entry->colour;
 }
 
-/* Measured: the entry sought is the first whose value is not below `value`;
- * before the first and after the last their colours go on. */
 static colour map_colour(const struct blend_map *map, double value, vec3 point,
                          struct depth depth)
 {
-    const struct blend_entry *entries = map->entries;
-    size_t low = 0, high = map->count; /* first entry with value >= `value` */
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (entries[middle].value < value)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    if (low == 0)
-        return entry_colour(&entries[0], point, depth);
-    if (low == map->count)
-        return entry_colour(&entries[low - 1], point, depth);
-    const struct blend_entry *before = &entries[low - 1];
-    const struct blend_entry *after = &entries[low];
-    double t = (value - before->value) / (after->value - before->value);
-    if (depth.levels >= DEPTH_BLEND)
-        return entry_colour(t < 0.5 ? before : after, point, depth);
-    if (t >= 1)
-        return entry_colour(after, point, depth);
-    return colour_mix(entry_colour(before, point, depth),
-                      entry_colour(after, point, depth), t);
+    const struct map_place place = map_place_of(
+        &map->entries[0].value, sizeof map->entries[0], map->count, value);
+    const struct blend_entry *entry = &map->entries[place.entry];
+    if (depth.levels >= DEPTH_BLEND && place.share < 0.5)
+        return entry_colour(entry - 1, point, depth);
+    if (depth.levels >= DEPTH_BLEND || place.share >= 1)
+        return entry_colour(entry, point, depth);
+    return colour_mix(entry_colour(entry - 1, point, depth),
+                      entry_colour(entry, point, depth), place.share);
 }
 
 colour blend_map_colour(const struct blend_map *map, double value)
