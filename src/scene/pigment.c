@@ -2,6 +2,7 @@
 #include "scene/image_map.h"
 #include "scene/map_entry.h"
 #include "scene/material.h"
+#include "scene/spots.h"
 
 /* Pigments inside pigments deeper than this are black; where both sides of a
  * blend are pigments, the work doubles at every level, so below half of it
@@ -97,14 +98,11 @@ static colour block_colour(const struct pigment *pigment, double value,
     return colour_opaque(rgb_grey(value));
 }
 
-/* Measured: inner pigments are seen through the outer's transformation and
- * turbulence, save for wood and marble, which keep theirs to themselves. */
-static colour pattern_colour(const struct pigment *pigment, vec3 point,
-                             struct depth depth)
+/* What a value of the pattern is made of at a point of its space. */
+static colour value_colour(const struct pigment *pigment, double value,
+                           vec3 located, struct depth depth)
 {
     const struct pattern *pattern = &pigment->pattern;
-    vec3 located = pattern_locate(pattern, point);
-    double value = pattern_value_seen(pattern, located, depth.surface);
     if (pattern->kind && pattern->kind->blocks > 0)
         return block_colour(pigment, value, located, depth);
     const struct blend_map *map =
@@ -114,6 +112,17 @@ static colour pattern_colour(const struct pigment *pigment, vec3 point,
     if (pattern->kind->average)
         return average_colour(map, located, depth);
     return map_colour(map, value, located, depth);
+}
+
+/* Measured: inner pigments are seen through the outer's transformation and
+ * turbulence, save for wood and marble, which keep theirs to themselves. */
+static colour pattern_colour(const struct pigment *pigment, vec3 point,
+                             struct depth depth)
+{
+    const struct pattern *pattern = &pigment->pattern;
+    vec3 located = pattern_locate(pattern, point);
+    double value = pattern_value_seen(pattern, located, depth.surface);
+    return value_colour(pigment, value, located, depth);
 }
 
 static colour pigment_at(const struct pigment *pigment, vec3 point,
@@ -136,6 +145,23 @@ static colour pigment_at(const struct pigment *pigment, vec3 point,
 colour pigment_colour(const struct pigment *pigment, vec3 point)
 {
     return pigment_at(pigment, point, (struct depth){ 0, NULL });
+}
+
+void pigment_colours(const struct pigment *pigment, const struct spots *points,
+                     colour *colours)
+{
+    struct spots located;
+    double values[SPOTS_MAX];
+    if (pigment->kind != PIGMENT_PATTERN) {
+        for (int i = 0; i < points->count; i++)
+            colours[i] = pigment_colour(pigment, spots_at(points, i));
+        return;
+    }
+    pattern_locate_all(&pigment->pattern, points, &located);
+    pattern_values_at(&pigment->pattern, &located, values);
+    for (int i = 0; i < points->count; i++)
+        colours[i] = value_colour(pigment, values[i], spots_at(&located, i),
+                                  (struct depth){ 0, NULL });
 }
 
 colour pigment_seen(const struct pigment *pigment, vec3 point,
