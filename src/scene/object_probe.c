@@ -6,7 +6,7 @@
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
-#define PROBE_NEAREST 1e-4
+#define PROBE_NEAREST  1e-4
 #define PROBE_FARTHEST 1e7 /* measured, as is the nearest */
 
 bool object_is_solid(const struct object *object)
