@@ -9,6 +9,7 @@
 #include "shade/interior.h"
 
 struct lamps;
+struct photon_map;
 
 /* All that fill one place. */
 struct media_list {
@@ -29,6 +30,7 @@ struct media_way {
     double length;             /* may be infinite */
     const struct lamps *lamps; /* that light it; NULL: none, and it doesn't
                                 * glow: shadow rays */
+    const struct photon_map *photons; /* within the media; NULL: none */
     struct worker *worker;
     const struct interiors *inside;
 };
@@ -36,6 +38,9 @@ struct media_way {
 /* The light that they add on the way, and the share of what is behind that
  * they let pass. Its value depends on the way alone. */
 struct veil media_veil(const struct media_way *way);
+
+/* What of light is left after a length on which a unit swallows this. */
+rgb media_through(rgb depth, double length);
 
 /* How rays are infinite. */
 extern const double media_horizon;

@@ -18,6 +18,7 @@ light_source { <-20, 50, -30> rgb 1 }
   #end
   #declare I = I + 1;
 #end
-#declare N = 0;
-#declare P = trace(plane { y, 0 }, y, <0, -1e-12, 1>, N);
+#declare N = y;
+#declare Ground = plane { y, 0 }
+#declare P = trace(Ground, y, <0, -1e-12, 1>, N);
 sphere { <1.7, 0, 0>, .2 + .2*vlength(N) pigment { rgb y } }
