@@ -205,7 +205,7 @@ static void veil_add(struct veil *veil, rgb light)
     veil->light = rgb_add(veil->light, rgb_mul(veil->through, light));
 }
 
-rgb media_through(rgb depth, double length)
+static rgb depth_through(rgb depth, double length)
 {
     return (rgb){ exp(-depth.r * length), exp(-depth.g * length),
                   exp(-depth.b * length) };
@@ -229,7 +229,7 @@ static bool march_alike(struct march *march)
     if (march->how->method != 3 && !rgb_is_black(sample.light))
         return false;
     double length = march->length / count;
-    rgb through = media_through(sample.depth, length);
+    rgb through = depth_through(sample.depth, length);
     for (int i = 0; i < count; i++) {
         veil_add(&march->veil, rgb_scale(sample.light, length));
         march->veil.through = rgb_mul(march->veil.through, through);
@@ -255,7 +255,7 @@ static void march_refining(struct march *march)
             piece_mean(march, &piece, march->how->levels);
         veil_add(&march->veil, rgb_scale(mean.light, length));
         march->veil.through =
-            rgb_mul(march->veil.through, media_through(mean.depth, length));
+            rgb_mul(march->veil.through, depth_through(mean.depth, length));
         if (rgb_peak(march->veil.through) < media_dark)
             return;
         piece.from = piece.to;
@@ -274,7 +274,7 @@ static void tally_add(struct tally *tally, const struct march *march,
                       double share)
 {
     struct media_sample sample = march_sample(march, share);
-    rgb dimmed = media_through(sample.depth, share * march->length);
+    rgb dimmed = depth_through(sample.depth, share * march->length);
     sample.light = rgb_mul(sample.light, dimmed);
     tally->sum = sample_mix(tally->sum, 1, sample, 1);
     tally->squares =
@@ -315,7 +315,7 @@ static void march_averaging(struct march *march)
         sample_mix(tally.sum, 1.0 / tally.count, tally.sum, 0);
     veil_add(&march->veil, rgb_scale(mean.light, march->length));
     march->veil.through =
-        rgb_mul(march->veil.through, media_through(mean.depth, march->length));
+        rgb_mul(march->veil.through, depth_through(mean.depth, march->length));
 }
 
 /* ---- the way ---- */

@@ -39,9 +39,6 @@ struct media_way {
  * they let pass. Its value depends on the way alone. */
 struct veil media_veil(const struct media_way *way);
 
-/* What of light is left after a length on which a unit swallows this. */
-rgb media_through(rgb depth, double length);
-
 /* How rays are infinite. */
 extern const double media_horizon;
 

@@ -334,6 +334,8 @@ void photon_map_visit_within(const struct photon_map *within,
                      : ARENA_ARRAY(worker->scratch, struct near, within->most));
     search.any = true;
     search_run(&search);
+    if (search.count < within->least)
+        search_widen(&search);
     double reach = (double)search.reach;
     search_visit(&search, 8 * pi * reach * sqrt(reach) / 15, visit, context);
 }

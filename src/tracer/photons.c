@@ -169,33 +169,22 @@ static bool flight_pass_clear(struct flight *flight,
     return flight_counts(flight);
 }
 
-/* What media scatter and what they swallow there, in a unit of length. */
-static rgb media_scatters_at(const struct media_list *media, vec3 at,
-                             rgb *swallowed)
+static bool media_scatters_at(const struct media_list *media, vec3 at)
 {
-    rgb scattered = rgb_grey(0);
-    *swallowed = rgb_grey(0);
-    for (int i = 0; i < media->count; i++) {
-        const struct medium *medium = media->at[i];
-        rgb density = medium_density(medium, at);
-        scattered = rgb_add(scattered, rgb_mul(medium->scattering, density));
-        *swallowed =
-            rgb_add(*swallowed, rgb_mul(medium_extinction(medium), density));
-    }
-    return scattered;
+    for (int i = 0; i < media->count; i++)
+        if (!rgb_is_black(media->at[i]->scattering) &&
+            !rgb_is_black(medium_density(media->at[i], at)))
+            return true;
+    return false;
 }
 
-/* Through media to the next surface: some of it stays at each step. */
-static void flight_drift(struct flight *flight, double distance)
+/* What stays in media on the way to the next surface. As POV-Ray's photons do
+ * (measured), it grows with the distance from the lamp, against that where the
+ * stretch begins; media dim them no sooner than at its end. */
+static void flight_stay(const struct flight *flight,
+                        const struct media_list *media, double distance)
 {
     const struct sending *sending = flight->sending;
-    struct media_list media;
-    if (!flight->bent || sending->steps < 1 ||
-        flight->row->aim->lamp->light->no_media)
-        return;
-    media_find(&media, &sending->tracer->scene->media, &flight->inside);
-    if (media.count == 0)
-        return;
     double steps = ceil(distance / sending->step), step = sending->step;
     if (steps > sending->steps) {
         steps = sending->steps;
@@ -206,15 +195,33 @@ static void flight_drift(struct flight *flight, double distance)
     double first = random_unit(key);
     for (int i = 0; i < (int)steps && !sending_full(sending); i++) {
         double length = fmin(step, distance - i * step);
-        double t = i * step + first * length;
+        double t = i * step + first * length, gone = flight->gone + t;
+        double worth = length * gone / fmax(flight->gone, step);
         vec3 at = ray_point(&flight->ray, t);
-        rgb swallowed, scattered = media_scatters_at(&media, at, &swallowed);
-        if (!rgb_is_black(scattered))
-            flight_keep(
-                flight, IN_MEDIA, at,
-                rgb_scale(flight_flux(flight, flight->gone + t), length));
-        flight_dim(flight, media_through(swallowed, length));
+        if (media_scatters_at(media, at))
+            flight_keep(flight, IN_MEDIA, at,
+                        rgb_scale(flight_flux(flight, gone), worth));
     }
+}
+
+/* Through media to the next surface. */
+static void flight_drift(struct flight *flight, double distance)
+{
+    const struct sending *sending = flight->sending;
+    const struct lamp *lamp = flight->row->aim->lamp;
+    struct media_list media;
+    media_find(&media, &sending->tracer->scene->media, &flight->inside);
+    if (media.count == 0)
+        return;
+    if (flight->bent && sending->steps >= 1 && !lamp->light->no_media)
+        flight_stay(flight, &media, distance);
+    struct media_way way = { .media = &media,
+                             .origin = flight->ray.origin,
+                             .direction = flight->ray.direction,
+                             .length = distance,
+                             .worker = flight->worker,
+                             .inside = &flight->inside };
+    flight_dim(flight, media_veil(&way).through);
 }
 
 static void flight_mirror(const struct flight *flight,
