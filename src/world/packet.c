@@ -124,6 +124,7 @@ static void packet_first(struct packet *packet, const struct solid *solid,
     const struct object *object = solid->leaf->object;
     struct rays_met met;
     struct rays_crossings all;
+    memset(met.u, 0, sizeof met.u);
     if (object->primitive->first_many) {
         object->primitive->first_many(object->shape, rays, &packet->span, &met);
     } else {
@@ -134,7 +135,7 @@ static void packet_first(struct packet *packet, const struct solid *solid,
         unsigned i = (unsigned)__builtin_ctz(lanes);
         if (!(met.t[i] <= packet->span.far[i]))
             continue;
-        const struct hit hit = { met.t[i], (int)met.part[i], 0, 0 };
+        const struct hit hit = { met.t[i], (int)met.part[i], met.u[i], 0 };
         struct query *query = packet_query(packet, i);
         if (!query_wants(query, solid->leaf, hit.t))
             continue;
