@@ -261,16 +261,19 @@ static void lanes_begin(struct extrusion_lanes *lanes,
                         const struct extrusion *e, const struct rays *rays,
                         const struct rays_span *span, bool any)
 {
+    lanes->rays = *rays;
     lanes->span = *span;
     lanes->open = 0;
     for (int i = 0; i < RAY_LANES; i++) {
         struct extrusion_search *search = &lanes->search[i];
+        if (!(span->near[i] < span->far[i])) {
+            search->hits.found = false;
+            continue;
+        }
         const struct ray ray = rays_at(rays, i);
         *search = extrusion_search_new(e, &ray, span->near[i], span->far[i]);
         search->any = any;
         rays_set(&lanes->rays, i, search->ray.origin, search->ray.direction);
-        if (!(span->near[i] < span->far[i]))
-            continue;
         search_first_caps(search);
         lanes->span.far[i] = search->hits.tmax;
         if (!(any && search->hits.found))
@@ -368,6 +371,7 @@ const struct primitive prism_primitive = {
     .intersect = extrusion_intersect,
     .crosses = extrusion_crosses,
     .first = extrusion_first,
+    .lane_by_lane = true,
     .first_many = extrusion_first_many,
     .crosses_many = extrusion_crosses_many,
     .normal = extrusion_normal,
@@ -385,6 +389,7 @@ const struct primitive text_primitive = {
     .intersect = extrusion_intersect,
     .crosses = extrusion_crosses,
     .first = extrusion_first,
+    .lane_by_lane = true,
     .first_many = extrusion_first_many,
     .crosses_many = extrusion_crosses_many,
     .normal = extrusion_normal,

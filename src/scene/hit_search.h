@@ -39,8 +39,8 @@ static inline void rays_met_take(struct rays_met *met, int i,
                                  const struct hit_search *search)
 {
     met->t[i] = search->found ? search->first.t : (double)INFINITY;
-    met->part[i] = search->first.part;
-    met->u[i] = search->first.u;
+    met->part[i] = search->found ? search->first.part : 0;
+    met->u[i] = search->found ? search->first.u : 0;
 }
 
 #endif

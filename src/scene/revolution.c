@@ -216,12 +216,17 @@ static void lanes_begin(struct spin_lanes *lanes, const struct rays *rays,
     lanes->open = lanes->level = 0;
     for (unsigned i = 0; i < RAY_LANES; i++) {
         struct spin *spin = &lanes->spin[i];
+        lanes->a[i] = lanes->b[i] = lanes->c[i] = 0;
+        if (!(span->near[i] < span->far[i])) {
+            spin->hits.found = false;
+            continue;
+        }
         lanes->ray[i] = rays_at(rays, (int)i);
         *spin = spin_new(&lanes->ray[i], span->near[i], span->far[i]);
         lanes->a[i] = spin->a;
         lanes->b[i] = spin->b;
         lanes->c[i] = spin->c;
-        lanes->open |= (unsigned)(span->near[i] < span->far[i]) << i;
+        lanes->open |= 1u << i;
         lanes->level |=
             (unsigned)spin_is_level(spin->a, lanes->ray[i].direction.y) << i;
     }
@@ -370,6 +375,7 @@ const struct primitive lathe_primitive = {
     .intersect = revolution_intersect,
     .crosses = revolution_crosses,
     .first = revolution_first,
+    .lane_by_lane = true,
     .first_many = revolution_first_many,
     .crosses_many = revolution_crosses_many,
     .normal = revolution_normal,
