@@ -260,6 +260,52 @@ CLONES void rays_meet_box(const struct rays_boxed *restrict rays,
     }
 }
 
+/* The lesser of each number and of that so many lanes on. */
+#define LEAST_OF_HALVES(v, half)                                               \
+    for (int i = 0; i < (half); i++)                                           \
+    (v)[i] = (v)[i] < (v)[i + (half)] ? (v)[i] : (v)[i + (half)]
+
+/* The least of all lanes. */
+__attribute__((always_inline)) static inline double
+least_of_lanes(double v[RAY_LANES])
+{
+    LEAST_OF_HALVES(v, 8);
+    LEAST_OF_HALVES(v, 4);
+    LEAST_OF_HALVES(v, 2);
+    return v[0] < v[1] ? v[0] : v[1];
+}
+
+/* The least and the greatest of the numbers whose bits are set. */
+CLONES static void find_ends(const double (*restrict numbers)[RAY_LANES],
+                             unsigned bits, double (*restrict ends)[3])
+{
+    for (int axis = 0; axis < 3; axis++) {
+        LANE_LINES double least[RAY_LANES], most[RAY_LANES];
+        for (unsigned i = 0; i < RAY_LANES; i++) {
+            bool is = bits >> i & 1;
+            double number = numbers[axis][i];
+            least[i] = is ? number : (double)INFINITY;
+            most[i] = is ? -number : (double)INFINITY;
+        }
+        ends[0][axis] = least_of_lanes(least);
+        ends[1][axis] = -least_of_lanes(most);
+    }
+}
+
+void packet_reach(const struct packet *packet, struct packet_reach *reach)
+{
+    const double(*inverse)[RAY_LANES] = packet->inverse;
+    find_ends(packet->rays->origin, packet->open, reach->origin);
+    find_ends(inverse, packet->open, reach->inverse);
+    reach->near = (double)INFINITY;
+    reach->far = -(double)INFINITY;
+    for (unsigned open = packet->open; open; open &= open - 1) {
+        unsigned i = (unsigned)__builtin_ctz(open);
+        reach->near = slab_min(reach->near, packet->span.near[i]);
+        reach->far = slab_max(reach->far, packet->span.far[i]);
+    }
+}
+
 unsigned packet_meets(const struct packet *packet, const struct box3 *box)
 {
     const struct rays_boxed rays = { packet->rays, packet->inverse,

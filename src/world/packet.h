@@ -88,6 +88,15 @@ struct rays_boxed {
 void rays_meet_box(const struct rays_boxed *rays, const struct box3 *box,
                    lane_flag *met);
 
+/* What all rays of a packet that are open keep to: the ends of intervals. */
+struct packet_reach {
+    double origin[2][3], inverse[2][3]; /* least and greatest */
+    double near, far;
+};
+
+/* Of a packet that has the inverse of its directions. */
+void packet_reach(const struct packet *packet, struct packet_reach *reach);
+
 /* Which open rays may meet the box. */
 unsigned packet_meets(const struct packet *packet, const struct box3 *box);
 
