@@ -3,7 +3,7 @@
 
 #include "base/pair.h"
 
-enum { FEW_REACHED = 3 }; /* for fewer boxes the whole packet isn't asked */
+enum { BEAM_WORTH = 4 }; /* boxes, to look at all rays of a packet as one */
 
 struct few_pair {
     pair side[2][3]; /* low and high, along x, y and z */
@@ -72,79 +72,87 @@ static struct box3 pair_box(const struct few_pair *boxes, size_t i)
                           { side[1][0][i], side[1][1][i], side[1][2][i] } };
 }
 
-/* How a packet goes along an axis, all of it forwards or all backwards: it
- * comes first to the sides `near`, last to the others, from origins that are
- * nearest to either. */
-struct advance {
-    int axis, near;
-    pair first, last; /* of the origins, for the near and the far sides */
-    pair inverse[2];  /* least and greatest */
+/* All rays of a packet between their outermost ones. */
+struct beam {
+    struct {
+        bool known;               /* they all go up the axis, or all down it */
+        int in;                   /* the side they come in by: low 0, high 1 */
+        double in_from, out_from; /* the origin farthest from either side */
+        double least, most;       /* inverse of their directions */
+    } axis[3];
 };
 
-static int advances_of(const struct packet_reach *reach,
-                       struct advance advances[3])
+/* The least and the greatest of the lanes where `open` is set. */
+CLONES static void lanes_range(const double *restrict lanes,
+                               const lane_flag *restrict open,
+                               double *restrict range)
 {
-    int count = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        double least = reach->inverse[0][axis], most = reach->inverse[1][axis];
-        bool back = most < 0;
-        if (!back && !(least > 0))
-            continue;
-        advances[count++] = (struct advance){
-            axis,
-            back,
-            pair_of(reach->origin[!back][axis]),
-            pair_of(reach->origin[back][axis]),
-            { pair_of(least), pair_of(most) },
-        };
+    double low[RAY_LANES], high[RAY_LANES];
+    for (int i = 0; i < RAY_LANES; i++) {
+        low[i] = open[i] ? lanes[i] : HUGE_VAL;
+        high[i] = open[i] ? lanes[i] : -HUGE_VAL;
     }
-    return count;
+    for (int rest = RAY_LANES / 2; rest > 0; rest /= 2)
+        for (int i = 0; i < rest; i++) {
+            low[i] = slab_min(low[i], low[i + rest]);
+            high[i] = slab_max(high[i], high[i + rest]);
+        }
+    range[0] = low[0];
+    range[1] = high[0];
 }
 
-/* Which of both boxes any ray of the packet may meet: no ray is at a side
- * before the least product of the intervals' ends, nor after the greatest (S.
- * Boulos et al., Geometric and Arithmetic Culling Methods for Entire Ray
- * Packets, 2006). Rounding keeps that order. */
-static int pair_reached(const struct few_pair *boxes,
-                        const struct advance *advances, int count,
-                        const struct packet_reach *reach)
+static void beam_of(const struct packet *packet, struct beam *beam)
 {
-    pair enter = pair_of(reach->near), leave = pair_of(reach->far);
-    for (int k = 0; k < count; k++) {
-        const struct advance *a = &advances[k];
-        pair near = boxes->side[a->near][a->axis] - a->first;
-        pair far = boxes->side[!a->near][a->axis] - a->last;
-        enter = pair_max(enter,
-                         pair_min(near * a->inverse[0], near * a->inverse[1]));
-        leave =
-            pair_min(leave, pair_max(far * a->inverse[0], far * a->inverse[1]));
+    LANE_LINES lane_flag open[RAY_LANES];
+    double origin[2], inverse[2];
+    for (int i = 0; i < RAY_LANES; i++)
+        open[i] = packet->open >> i & 1 ? -1 : 0;
+    for (int k = 0; k < 3; k++) {
+        lanes_range(packet->rays->origin[k], open, origin);
+        lanes_range(packet->inverse[k], open, inverse);
+        bool up = inverse[0] > 0;
+        beam->axis[k].known = up || inverse[1] < 0;
+        beam->axis[k].in = up ? 0 : 1;
+        beam->axis[k].in_from = origin[up];
+        beam->axis[k].out_from = origin[!up];
+        beam->axis[k].least = inverse[0];
+        beam->axis[k].most = inverse[1];
+    }
+}
+
+/* Which of both boxes some ray may meet. */
+static inline int beam_met(const struct beam *beam,
+                           const struct few_pair *boxes)
+{
+    pair enter = pair_of(-HUGE_VAL), leave = pair_of(HUGE_VAL);
+    for (int k = 0; k < 3; k++) {
+        int in = beam->axis[k].in;
+        if (!beam->axis[k].known)
+            continue;
+        pair to = boxes->side[in][k] - beam->axis[k].in_from;
+        pair from = boxes->side[!in][k] - beam->axis[k].out_from;
+        double least = beam->axis[k].least, most = beam->axis[k].most;
+        enter = pair_max(enter, pair_min(to * least, to * most));
+        leave = pair_min(leave, pair_max(from * least, from * most));
     }
     return pair_ordered(enter, leave);
 }
 
-/* Bits for the solids. */
-static uint32_t few_reached(const struct few *few, const struct packet *packet)
-{
-    struct packet_reach reach;
-    struct advance advances[3];
-    packet_reach(packet, &reach);
-    int count = advances_of(&reach, advances);
-    uint32_t reached = 0;
-    for (size_t i = 0; i < few->count; i++) {
-        int both = pair_reached(&few->pairs[i], advances, count, &reach);
-        reached |= (uint32_t)both << i * PAIR;
-    }
-    return reached;
-}
-
 void few_look(const struct few *few, struct packet *packet)
 {
-    uint32_t all = (uint32_t)(((uint64_t)1 << few->solids->count) - 1);
-    if (few->solids->count >= FEW_REACHED)
-        all &= few_reached(few, packet);
-    for (; all; all &= all - 1) {
-        size_t i = (size_t)__builtin_ctz(all);
-        struct box3 box = pair_box(&few->pairs[i / PAIR], i % PAIR);
+    const size_t count = few->solids->count;
+    struct beam beam;
+    int met = 0;
+    bool worth = count >= BEAM_WORTH;
+    if (worth)
+        beam_of(packet, &beam);
+    for (size_t i = 0; i < count; i++) {
+        const struct few_pair *boxes = &few->pairs[i / PAIR];
+        if (i % PAIR == 0)
+            met = worth ? beam_met(&beam, boxes) : -1;
+        if (!(met >> i % PAIR & 1))
+            continue;
+        struct box3 box = pair_box(boxes, i % PAIR);
         unsigned lanes = packet_meets(packet, &box);
         if (packet_look(packet, few->solids->items[i], lanes))
             return;

@@ -12,9 +12,7 @@ struct few {
     size_t count;
 };
 
-enum { FEW_MOST = 32 };
-
-/* All of them, at most FEW_MOST, each with a box that holds it; in `arena`. */
+/* All of them, each with a box that holds it; in `arena`. */
 struct few few_new(struct arena *arena, const struct solid_list *solids,
                    const struct box3 *boxes);
 

@@ -10,7 +10,7 @@
 #include "scene/mesh.h"
 
 enum {
-    FEW = FEW_MOST,         /* solids that are looked at one by one */
+    FEW = 32,               /* solids that are looked at one by one */
     PARALLEL_WORTH = 50000, /* triangles and solids */
     LARGE = 200000,         /* triangles */
     SPLITS_WORTH = 100,     /* rays of the camera for each triangle */

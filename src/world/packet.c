@@ -21,14 +21,6 @@ CLONES static void find_rays(const struct rays *restrict rays,
     }
 }
 
-CLONES void rays_inverse(const struct rays *restrict rays,
-                         double inverse[restrict 3][RAY_LANES])
-{
-    for (int axis = 0; axis < 3; axis++)
-        for (int i = 0; i < RAY_LANES; i++)
-            inverse[axis][i] = slab_inverse(rays->direction[axis][i]);
-}
-
 /* The span is there. */
 static void packet_start(struct packet *packet, const struct rays *rays,
                          unsigned lanes, bool boxed)
@@ -243,67 +235,6 @@ bool packet_look(struct packet *packet, const struct solid *solid,
         return packet->open == 0;
     packet_close(packet, packet_meet(packet, solid, lanes));
     return packet->open == 0;
-}
-
-CLONES void rays_meet_box(const struct rays_boxed *restrict rays,
-                          const struct box3 *box, lane_flag *restrict met)
-{
-    const vec3 low = box->low, high = box->high;
-    const double(*inverse)[RAY_LANES] = rays->inverse;
-    for (int i = 0; i < RAY_LANES; i++) {
-        double enter = rays->span->near[i], leave = rays->span->far[i];
-        vec3 o = rays_origin(rays->rays, i);
-        slab_clip(low.x, high.x, o.x, inverse[0][i], &enter, &leave);
-        slab_clip(low.y, high.y, o.y, inverse[1][i], &enter, &leave);
-        slab_clip(low.z, high.z, o.z, inverse[2][i], &enter, &leave);
-        met[i] = slabs_overlap(enter, leave) ? -1 : 0;
-    }
-}
-
-/* The lesser of each number and of that so many lanes on. */
-#define LEAST_OF_HALVES(v, half)                                               \
-    for (int i = 0; i < (half); i++)                                           \
-    (v)[i] = (v)[i] < (v)[i + (half)] ? (v)[i] : (v)[i + (half)]
-
-/* The least of all lanes. */
-__attribute__((always_inline)) static inline double
-least_of_lanes(double v[RAY_LANES])
-{
-    LEAST_OF_HALVES(v, 8);
-    LEAST_OF_HALVES(v, 4);
-    LEAST_OF_HALVES(v, 2);
-    return v[0] < v[1] ? v[0] : v[1];
-}
-
-/* The least and the greatest of the numbers whose bits are set. */
-CLONES static void find_ends(const double (*restrict numbers)[RAY_LANES],
-                             unsigned bits, double (*restrict ends)[3])
-{
-    for (int axis = 0; axis < 3; axis++) {
-        LANE_LINES double least[RAY_LANES], most[RAY_LANES];
-        for (unsigned i = 0; i < RAY_LANES; i++) {
-            bool is = bits >> i & 1;
-            double number = numbers[axis][i];
-            least[i] = is ? number : (double)INFINITY;
-            most[i] = is ? -number : (double)INFINITY;
-        }
-        ends[0][axis] = least_of_lanes(least);
-        ends[1][axis] = -least_of_lanes(most);
-    }
-}
-
-void packet_reach(const struct packet *packet, struct packet_reach *reach)
-{
-    const double(*inverse)[RAY_LANES] = packet->inverse;
-    find_ends(packet->rays->origin, packet->open, reach->origin);
-    find_ends(inverse, packet->open, reach->inverse);
-    reach->near = (double)INFINITY;
-    reach->far = -(double)INFINITY;
-    for (unsigned open = packet->open; open; open &= open - 1) {
-        unsigned i = (unsigned)__builtin_ctz(open);
-        reach->near = slab_min(reach->near, packet->span.near[i]);
-        reach->far = slab_max(reach->far, packet->span.far[i]);
-    }
 }
 
 unsigned packet_meets(const struct packet *packet, const struct box3 *box)
