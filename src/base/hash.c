@@ -1,6 +1,6 @@
 /* Words are mixed in one after the other, by SplitMix64's finaliser (Steele,
  * Lea and Flood 2014); those of long data in lanes that need not wait for each
- * other. See hash.h. */
+ * other, by one multiplication each. See hash.h. */
 #include "base/hash.h"
 
 #include <string.h>
@@ -8,7 +8,14 @@
 #include "base/random.h"
 #include "base/rgb.h"
 
-enum { LANES = 4, ROW = LANES * sizeof(uint64_t), LONG = 256 };
+enum { LANES = 8, ROW = LANES * sizeof(uint64_t), LONG = 256 };
+
+/* A bijection, as all that a word goes through: no two words give the same. */
+static inline uint64_t lane_mix(uint64_t lane, uint64_t word)
+{
+    lane = (lane ^ word) * 0xbf58476d1ce4e5b9ull;
+    return lane ^ (lane >> 29);
+}
 
 /* As many whole rows as there are; what is left begins at *from. */
 static uint64_t hash_rows(uint64_t hash, const char **from, size_t *count)
@@ -19,7 +26,7 @@ static uint64_t hash_rows(uint64_t hash, const char **from, size_t *count)
     for (; *count >= ROW; *count -= ROW, *from += ROW) {
         memcpy(words, *from, ROW);
         for (unsigned i = 0; i < LANES; i++)
-            lanes[i] = random_mix(lanes[i] ^ words[i]);
+            lanes[i] = lane_mix(lanes[i], words[i]);
     }
     for (unsigned i = 0; i < LANES; i++)
         hash = random_key(hash, lanes[i]);

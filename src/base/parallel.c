@@ -236,6 +236,35 @@ void ticker_stop(struct ticker *ticker)
     memory_free(ticker);
 }
 
+struct lock {
+    pthread_mutex_t mutex;
+};
+
+struct lock *lock_new(void)
+{
+    struct lock *lock = memory_new(sizeof *lock);
+    pthread_mutex_init(&lock->mutex, NULL);
+    return lock;
+}
+
+void lock_free(struct lock *lock)
+{
+    if (!lock)
+        return;
+    pthread_mutex_destroy(&lock->mutex);
+    memory_free(lock);
+}
+
+void lock_take(struct lock *lock)
+{
+    pthread_mutex_lock(&lock->mutex);
+}
+
+void lock_give(struct lock *lock)
+{
+    pthread_mutex_unlock(&lock->mutex);
+}
+
 void once_make(struct once *once, void (*make)(void))
 {
     static pthread_mutex_t making = PTHREAD_MUTEX_INITIALIZER;

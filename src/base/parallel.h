@@ -42,6 +42,13 @@ struct ticker *ticker_start(double delay, double pause,
                             void (*tick)(void *context), void *context);
 void ticker_stop(struct ticker *ticker);
 
+/* Held by one thread at a time; the others wait. Freed by lock_free. */
+struct lock;
+struct lock *lock_new(void);
+void lock_free(struct lock *lock);
+void lock_take(struct lock *lock);
+void lock_give(struct lock *lock);
+
 /* Made by whoever needs it first: a static one, zeroed, for each thing. */
 struct once {
     atomic_bool done;

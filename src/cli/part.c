@@ -191,6 +191,8 @@ bool part_finish(struct part *part, bool done)
 {
     ticker_stop(part->ticker);
     struct part_file *file = part->keeper.file;
+    if (file)
+        part_file_flush(file);
     const char *problem = file ? part_file_problem(file) : NULL;
     bool shared = part->options && part->options->render.share.count;
     if (problem)

@@ -5,7 +5,7 @@
 #include "base/rgb.h"
 #include "image/tone.h"
 
-enum { TABLE_WORTH = 30000 }; /* pixels; a table costs 10,000 powers */
+enum { TABLE_WORTH = 30000 }; /* pixels; a table costs 20,000 powers */
 
 /* The largest half and, nearly, the largest float: what is beyond would become
  * infinite in the file. */
@@ -19,7 +19,7 @@ static double output_clamp(double value, double low, double high)
 }
 
 /* The same for 0 to 1, in two instructions. */
-static inline float share_of_1(float value)
+static inline double share_of_1(double value)
 {
     value = value > 0 ? value : 0;
     return value < 1 ? value : 1;
@@ -34,25 +34,27 @@ static void output_grey(double c[3])
 struct conversion {
     struct image *image;
     const struct output_space *space;
-    const struct tone_table *table; /* or NULL */
+    const struct tone_table
+        *table; /* of levels of the working space, or NULL */
 };
 
-/* Light in 0..1 as a number of an integer file. */
-static double output_number(double light, const struct conversion *conversion)
+/* The curves of the two sides. Numbers that are kept are decoded and encoded by
+ * the same one, between which they are clipped. */
+static double space_gamma(const struct output_space *space)
 {
-    const struct output_space *space = conversion->space;
-    const struct tone_table *table = conversion->table;
-    if (table)
-        return (double)table->number[tone_table_level(table, light)];
-    return tone_encode(light, space->keep_numbers ? 0 : space->file_gamma);
+    return space->keep_numbers ? 0 : space->working_gamma;
 }
 
-static void output_pixel(float *pixel, const struct conversion *conversion)
+static double space_file(const struct output_space *space)
 {
-    const struct output_space *space = conversion->space;
+    return space->keep_numbers ? 0 : space->file_gamma;
+}
+
+static void output_pixel(float *pixel, const struct output_space *space)
+{
     double alpha = output_clamp((double)pixel[3], 0, 1);
     double c[3] = { (double)pixel[0], (double)pixel[1], (double)pixel[2] };
-    double gamma = space->keep_numbers ? 0 : space->working_gamma;
+    double gamma = space_gamma(space);
     /* POV-Ray undoes the premultiplication in the working space, yet decodes
      * premultiplied numbers for float files. */
     bool straight = space->alpha && !space->linear_file && alpha > 0;
@@ -67,36 +69,36 @@ static void output_pixel(float *pixel, const struct conversion *conversion)
         if (space->linear_file)
             c[i] = output_clamp(c[i], space->no_negative ? 0 : -most, most);
         else
-            c[i] = output_number(output_clamp(c[i], 0, 1), conversion);
+            c[i] = tone_encode(output_clamp(c[i], 0, 1), space_file(space));
         pixel[i] = (float)c[i];
     }
     pixel[3] = (float)alpha;
 }
 
-/* As output_pixel, where linear light only has to become levels. */
-static void output_levels(float *pixel, const struct tone_table *table)
+/* As output_pixel, where each channel has a level of its own. */
+static void output_levels(float *pixel, const struct conversion *conversion)
 {
-    for (int i = 0; i < 3; i++)
-        pixel[i] =
-            table
-                ->number[tone_table_level(table, (double)share_of_1(pixel[i]))];
-    pixel[3] = share_of_1(pixel[3]);
+    const struct tone_table *table = conversion->table;
+    double alpha = share_of_1((double)pixel[3]);
+    double whole = conversion->space->alpha && alpha > 0 ? alpha : 1;
+    for (int i = 0; i < 3; i++) {
+        double v = share_of_1((double)pixel[i] / whole);
+        pixel[i] = table->number[tone_table_level(table, v)];
+    }
+    pixel[3] = (float)alpha;
 }
 
 static void output_row(void *context, size_t row, unsigned thread)
 {
     const struct conversion *conversion = context;
-    const struct output_space *space = conversion->space;
     const struct image *image = conversion->image;
-    bool only_levels = conversion->table && !space->alpha && !space->grey &&
-                       !space->keep_numbers && space->working_gamma == 1;
     (void)thread;
     for (int x = 0; x < image->width; x++) {
         float *pixel = image_pixel(image, x, (int)row);
-        if (only_levels)
-            output_levels(pixel, conversion->table);
+        if (conversion->table)
+            output_levels(pixel, conversion);
         else
-            output_pixel(pixel, conversion);
+            output_pixel(pixel, conversion->space);
     }
 }
 
@@ -107,8 +109,8 @@ void output_convert(struct image *image, const struct output_space *space,
     struct tone_table table;
     size_t pixels = (size_t)image->width * (size_t)image->height;
     if (space->bits > 0 && space->bits <= 8 && !space->linear_file &&
-        pixels >= TABLE_WORTH) {
-        tone_table_fill(&table, space->keep_numbers ? 0 : space->file_gamma,
+        !space->grey && pixels >= TABLE_WORTH) {
+        tone_table_fill(&table, space_gamma(space), space_file(space),
                         (1u << space->bits) - 1);
         conversion.table = &table;
     }

@@ -1,6 +1,7 @@
-/* Journals of tiles: see part_file.h. Places in the file are given out by a
- * counter, so that threads need not wait for each other; a process that is
- * killed may so leave a hole, which reads as zeros and is passed over. */
+/* Journals of tiles: see part_file.h. Tiles are gathered, since a page of the
+ * file costs the kernel several times as much when it is written alone. Who
+ * fills the room writes it while others fill the next; a process that is killed
+ * may so leave a hole, which reads as zeros and is passed over. */
 #include "image/part_file.h"
 
 #include <errno.h>
@@ -12,20 +13,21 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/uio.h>
 #include <unistd.h>
-#include <zlib.h>
 
+#include "base/hash.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "image/image.h"
 
 enum {
-    PART_VERSION = 1,
+    PART_VERSION = 2,
     ORDER = 0x01020304,
     MARK = 0x454c4954,
     TEXT_LIMIT = 8 << 20,
     SIDE_LIMIT = 4097, /* of a tile; rows of tallies are longer */
     WINDOW = 1 << 20,
+    GATHERED = 512 << 10, /* bytes that are written at once */
     LOCK_TRIES = 20,
     LOCK_PAUSE = 50, /* ms */
 };
@@ -57,15 +59,23 @@ struct part_tile {
     struct part_tile *before;
 };
 
+/* What waits to be written, all at one place. */
+struct part_room {
+    char *bytes; /* NULL: none yet */
+    size_t used, size;
+    off_t at;
+};
+
 struct part_file {
     int handle;
     char *text;
     int width, height;
     bool damaged;
-    atomic_llong end;
-    _Atomic(struct part_tile *) last;
+    struct lock *lock; /* of the next four */
+    struct part_room room, spare;
+    off_t end; /* where the next tile goes */
+    struct part_tile *last;
     atomic_int problem; /* errno of the first failure; 0: none */
-    char words[128];
 };
 
 size_t part_unit(enum part_kind kind)
@@ -73,12 +83,9 @@ size_t part_unit(enum part_kind kind)
     return kind == PART_TALLIES ? PART_TALLY : 4 * sizeof(float);
 }
 
-static uint32_t checksum(uint32_t sum, const void *bytes, size_t count)
+static uint32_t checksum(uint64_t hash, const void *bytes, size_t count)
 {
-    const unsigned char *from = bytes;
-    for (; count > WINDOW; count -= WINDOW, from += WINDOW)
-        sum = (uint32_t)crc32(sum, from, WINDOW);
-    return (uint32_t)crc32(sum, from, (uInt)count);
+    return (uint32_t)hash_bytes(hash, bytes, count);
 }
 
 static uint32_t head_checksum(const struct part_head *head, const char *text)
@@ -110,29 +117,18 @@ static bool read_at(int handle, void *to, size_t count, off_t at)
     return true;
 }
 
-static bool write_at(int handle, const struct part_record *record,
-                     const void *values, size_t count, off_t at)
+/* The same. */
+static bool write_at(int handle, const void *from, size_t count, off_t at)
 {
-    struct iovec parts[2] = {
-        { .iov_base = (void *)(uintptr_t)record, .iov_len = sizeof *record },
-        { .iov_base = (void *)(uintptr_t)values, .iov_len = count },
-    };
-    size_t left = sizeof *record + count;
-    for (int first = 0; left > 0;) {
-        ssize_t put = pwritev(handle, parts + first, 2 - first, at);
+    const char *next = from;
+    while (count > 0) {
+        ssize_t put = pwrite(handle, next, count, at);
         if (put < 0 && errno != EINTR)
             return false;
-        at += put > 0 ? put : 0;
-        left -= put > 0 ? (size_t)put : 0;
-        for (; put > 0 && first < 2; first++) {
-            size_t gone = parts[first].iov_len < (size_t)put
-                              ? parts[first].iov_len
-                              : (size_t)put;
-            parts[first].iov_base = (char *)parts[first].iov_base + gone;
-            parts[first].iov_len -= gone;
-            put -= (ssize_t)gone;
-            if (parts[first].iov_len > 0)
-                break;
+        if (put > 0) {
+            next += put;
+            count -= (size_t)put;
+            at += put;
         }
     }
     return true;
@@ -143,9 +139,8 @@ static void tile_add(struct part_file *file, enum part_kind kind,
 {
     struct part_tile *tile = memory_new(sizeof *tile);
     *tile = (struct part_tile){ .kind = kind, .area = area, .at = at };
-    tile->before = atomic_load(&file->last);
-    while (!atomic_compare_exchange_weak(&file->last, &tile->before, tile))
-        continue;
+    tile->before = file->last;
+    file->last = tile;
 }
 
 /* A process that was killed may hold it for a moment yet. */
@@ -179,6 +174,15 @@ static int part_handle(const char *path, int flags, char *error, size_t size)
     return -1;
 }
 
+/* A file that was cut goes to the disk whole when it is closed (ext4), for
+ * nothing where it is then removed; so a new one isn't cut. */
+static bool part_emptied(int handle)
+{
+    struct stat status;
+    return fstat(handle, &status) == 0 &&
+           (status.st_size == 0 || ftruncate(handle, 0) == 0);
+}
+
 static struct part_file *part_new(int handle, int width, int height,
                                   size_t length)
 {
@@ -187,6 +191,7 @@ static struct part_file *part_new(int handle, int width, int height,
     file->width = width;
     file->height = height;
     file->text = memory_new(length + 1);
+    file->lock = lock_new();
     return file;
 }
 
@@ -205,9 +210,9 @@ struct part_file *part_file_create(const char *path, const char *text,
         return NULL;
     memcpy(head.magic, magic, sizeof magic);
     head.checksum = head_checksum(&head, text);
-    bool done = length <= TEXT_LIMIT && ftruncate(handle, 0) == 0 &&
-                pwrite(handle, &head, sizeof head, 0) == sizeof head &&
-                pwrite(handle, text, length, sizeof head) == (ssize_t)length;
+    bool done = length <= TEXT_LIMIT && part_emptied(handle) &&
+                write_at(handle, &head, sizeof head, 0) &&
+                write_at(handle, text, length, sizeof head);
     if (!done) {
         snprintf(error, size, "%s", strerror(errno));
         close(handle);
@@ -216,7 +221,7 @@ struct part_file *part_file_create(const char *path, const char *text,
     }
     struct part_file *file = part_new(handle, width, height, length);
     memcpy(file->text, text, length);
-    file->end = (long long)(sizeof head + length);
+    file->end = (off_t)(sizeof head + length);
     return file;
 }
 
@@ -349,13 +354,16 @@ void part_file_close(struct part_file *file)
 {
     if (!file)
         return;
-    struct part_tile *tile = atomic_load(&file->last);
+    part_file_flush(file);
+    struct part_tile *tile = file->last;
     while (tile) {
         struct part_tile *before = tile->before;
         memory_free(tile);
         tile = before;
     }
     close(file->handle);
+    lock_free(file->lock);
+    memory_free(file->spare.bytes);
     memory_free(file->text);
     memory_free(file);
 }
@@ -380,6 +388,45 @@ bool part_file_was_damaged(const struct part_file *file)
     return file->damaged;
 }
 
+static void room_write(struct part_file *file, struct part_room room)
+{
+    int none = 0;
+    if (!write_at(file->handle, room.bytes, room.used, room.at))
+        atomic_compare_exchange_strong(&file->problem, &none, errno);
+    lock_take(file->lock);
+    memory_free(file->spare.bytes);
+    file->spare = room;
+    lock_give(file->lock);
+}
+
+/* Takes away what waits; the lock is held. */
+static struct part_room room_taken(struct part_file *file)
+{
+    struct part_room room = file->room;
+    file->room = (struct part_room){ .bytes = NULL };
+    return room;
+}
+
+/* Room for `count` bytes more, where they are to be put; the lock is held. */
+static char *room_for(struct part_file *file, size_t count)
+{
+    struct part_room *room = &file->room;
+    if (!room->bytes) {
+        *room = file->spare;
+        file->spare = (struct part_room){ .bytes = NULL };
+        if (room->size < count) {
+            room->size = count > GATHERED ? count : GATHERED;
+            room->bytes = memory_resize(room->bytes, room->size);
+        }
+        room->used = 0;
+        room->at = file->end;
+    }
+    char *to = room->bytes + room->used;
+    room->used += count;
+    file->end += (off_t)count;
+    return to;
+}
+
 void part_file_put(struct part_file *file, enum part_kind kind,
                    struct area area, const void *values)
 {
@@ -391,16 +438,20 @@ void part_file_put(struct part_file *file, enum part_kind kind,
                                   .right = area.right,
                                   .bottom = area.bottom,
                                   .values = checksum(0, values, count) };
-    int none = 0;
+    struct part_room full = { .bytes = NULL };
     record.checksum = record_checksum(&record);
     if (atomic_load(&file->problem))
         return;
-    off_t at =
-        (off_t)atomic_fetch_add(&file->end, (long long)(sizeof record + count));
-    if (write_at(file->handle, &record, values, count, at))
-        tile_add(file, kind, area, at);
-    else
-        atomic_compare_exchange_strong(&file->problem, &none, errno);
+    lock_take(file->lock);
+    if (file->room.used + sizeof record + count > file->room.size)
+        full = room_taken(file);
+    tile_add(file, kind, area, file->end);
+    char *to = room_for(file, sizeof record + count);
+    memcpy(to, &record, sizeof record);
+    memcpy(to + sizeof record, values, count);
+    lock_give(file->lock);
+    if (full.bytes)
+        room_write(file, full);
 }
 
 const char *part_file_problem(const struct part_file *file)
@@ -409,8 +460,18 @@ const char *part_file_problem(const struct part_file *file)
     return problem ? strerror(problem) : NULL;
 }
 
+void part_file_flush(struct part_file *file)
+{
+    lock_take(file->lock);
+    struct part_room room = room_taken(file);
+    lock_give(file->lock);
+    if (room.bytes)
+        room_write(file, room);
+}
+
 void part_file_sync(struct part_file *file)
 {
+    part_file_flush(file);
     fdatasync(file->handle);
 }
 
@@ -430,7 +491,8 @@ void part_file_each(struct part_file *file, enum part_kind kind,
                     struct area within, part_take *take, void *context)
 {
     struct part_record record;
-    struct part_tile *oldest = tiles_turned(atomic_load(&file->last));
+    part_file_flush(file);
+    struct part_tile *oldest = tiles_turned(file->last);
     for (struct part_tile *tile = oldest; tile; tile = tile->before) {
         if (tile->kind != kind || !area_meet(tile->area, within))
             continue;
@@ -443,5 +505,5 @@ void part_file_each(struct part_file *file, enum part_kind kind,
             take(context, tile->area, values);
         memory_free(values);
     }
-    atomic_store(&file->last, tiles_turned(oldest));
+    file->last = tiles_turned(oldest);
 }

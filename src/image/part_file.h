@@ -13,8 +13,8 @@
  *     4, 4   checksum of the values, of these 28 bytes
  *     n      values, row by row
  *
- * Checksums are CRC-32 of zlib; numbers are the machine's. A file is used by
- * one process at a time. */
+ * Checksums are the low half of base/hash.h's; numbers are the machine's. A
+ * file is used by one process at a time. */
 #ifndef IMAGE_PART_FILE_H
 #define IMAGE_PART_FILE_H
 
@@ -53,13 +53,18 @@ int part_file_height(const struct part_file *file);
 /* Whether tiles of it were damaged, when it was opened. */
 bool part_file_was_damaged(const struct part_file *file);
 
-/* Adds a tile; from any thread. Once a tile could not be written no more are,
- * and part_file_problem has the reason; else that is NULL. */
+/* Adds a tile; from any thread. It waits in memory until there are a few
+ * hundred kilobytes to write, or part_file_flush or part_file_sync is called.
+ * Once one could not be written no more are, and part_file_problem has the
+ * reason; else that is NULL. */
 void part_file_put(struct part_file *file, enum part_kind kind,
                    struct area area, const void *values);
 const char *part_file_problem(const struct part_file *file);
 
-/* Waits until what was added is on the disk. */
+/* Writes what waits. */
+void part_file_flush(struct part_file *file);
+
+/* And waits until it is on the disk. */
 void part_file_sync(struct part_file *file);
 
 /* Gives each tile of the kind that touches `within` to `take`, the oldest

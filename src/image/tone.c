@@ -36,41 +36,46 @@ double tone_decode(double encoded, double gamma)
     return encoded > 0 ? pow(encoded, gamma) : 0;
 }
 
-static bool reaches(double linear, double gamma, unsigned level, unsigned top)
+static bool reaches(const struct tone_table *table, double v, unsigned level)
 {
-    return tone_level((float)tone_encode(linear, gamma), top) >= level;
+    double light = tone_decode(v, table->from);
+    return tone_level((float)tone_encode(light, table->to), table->top) >=
+           level;
 }
 
-/* The least double that reaches the level: near the inverse of the curve. */
-static double level_begin(double gamma, unsigned level, unsigned top)
+/* The least double that reaches the level: near the inverse of the curves. */
+static double level_begin(const struct tone_table *table, unsigned level)
 {
-    double guess = tone_decode((level - 0.5) / top, gamma);
+    double light = tone_decode((level - 0.5) / table->top, table->to);
+    double guess = tone_encode(light, table->from);
     double low = guess, high = guess;
-    for (double step = 1e-7; low > 0 && reaches(low, gamma, level, top);
-         step *= 2)
+    for (double step = 1e-8; low > 0 && reaches(table, low, level); step *= 2)
         low = guess * (1 - step);
-    for (double step = 1e-7; !reaches(high, gamma, level, top); step *= 2)
+    for (double step = 1e-8; !reaches(table, high, level); step *= 2)
         high = guess * (1 + step);
     for (;;) {
         double middle = low + (high - low) / 2;
         if (!(middle > low && middle < high))
             return high;
-        if (reaches(middle, gamma, level, top))
+        if (reaches(table, middle, level))
             high = middle;
         else
             low = middle;
     }
 }
 
-void tone_table_fill(struct tone_table *table, double gamma, unsigned top)
+void tone_table_fill(struct tone_table *table, double from, double to,
+                     unsigned top)
 {
     unsigned level = 0;
     table->top = top;
+    table->from = from;
+    table->to = to;
     table->begin[0] = 0;
     for (unsigned i = 0; i <= top; i++)
         table->number[i] = (float)(i / (double)top);
     for (unsigned i = 1; i <= top; i++)
-        table->begin[i] = level_begin(gamma, i, top);
+        table->begin[i] = level_begin(table, i);
     table->begin[top + 1] = (double)INFINITY;
     for (unsigned i = 0; i <= TONE_PARTS; i++) {
         while (level < top && (double)i / TONE_PARTS >= table->begin[level + 1])

@@ -22,26 +22,29 @@ static inline unsigned tone_level(float v, unsigned top)
 
 enum { TONE_TOP = 255, TONE_PARTS = 4096 };
 
-/* tone_level(tone_encode(linear, gamma), top) without computing a power for
- * each number: where the levels begin, found with those functions. */
+/* tone_level(tone_encode(tone_decode(v, from), to), top) without computing
+ * powers for each number: where the levels begin, found with those functions.
+ * */
 struct tone_table {
     unsigned top;
+    double from, to;                     /* gammas */
     double begin[TONE_TOP + 2];          /* of each level; above all none */
     unsigned char level[TONE_PARTS + 1]; /* at each 1/4096 */
     float number[TONE_TOP + 1];          /* of each level, in 0..1 */
 };
 
 /* For `top` of 1..255. */
-void tone_table_fill(struct tone_table *table, double gamma, unsigned top);
+void tone_table_fill(struct tone_table *table, double from, double to,
+                     unsigned top);
 
-/* The level of light in 0..1. */
+/* The level of v in 0..1. */
 static inline unsigned tone_table_level(const struct tone_table *table,
-                                        double linear)
+                                        double v)
 {
-    unsigned level = table->level[(int)(linear * TONE_PARTS)];
+    unsigned level = table->level[(int)(v * TONE_PARTS)];
     /* Mostly one more or none, which no processor can foresee. */
-    level += linear >= table->begin[level + 1];
-    while (linear >= table->begin[level + 1])
+    level += v >= table->begin[level + 1];
+    while (v >= table->begin[level + 1])
         level++;
     return level;
 }

@@ -4,10 +4,12 @@
 
 #include <string.h>
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "render/passes.h"
 #include "render/sampler.h"
+#include "render/tile_order.h"
 #include "render/workers.h"
 #include "shade/surface.h"
 #include "tracer/integrator.h"
@@ -39,6 +41,7 @@ struct rendering {
     const struct tile_work *work; /* of the pass */
     struct area area;             /* of the pass */
     size_t tiles_across;
+    struct tile_order order;
     struct keeper_pass keeping;
     atomic_size_t tiles_done;
     size_t tiles_total;     /* of all passes */
@@ -147,12 +150,15 @@ static void render_tile(void *context, size_t item, unsigned number)
     const struct render_options *options = rendering->options;
     const struct tile_work *work = rendering->work;
     struct thread_state *thread = &rendering->threads[number];
-    struct area tile = pass_tile(rendering, item);
+    size_t index = tile_order_at(&rendering->order, item);
+    struct area tile = pass_tile(rendering, index);
     bool wanted = !work->wanted || work->wanted(&rendering->sampler, tile);
+    double start = clock_seconds();
     if (wanted)
         work->draw(rendering, thread, tile);
+    tile_order_note(&rendering->order, index, clock_seconds() - start);
     if (wanted && work->keep && !worker_stopped(&thread->worker))
-        keeper_pass_done(&rendering->keeping, item, number);
+        keeper_pass_done(&rendering->keeping, index, number);
     size_t done = atomic_fetch_add(&rendering->tiles_done, 1) + 1;
     if (options->progress)
         options->progress(options->progress_context,
@@ -164,11 +170,15 @@ static size_t tiles_over(int from, int to, int tile)
     return ((size_t)(to - from) + (size_t)tile - 1) / (size_t)tile;
 }
 
+static size_t tiles_wide(const struct rendering *rendering, struct area area)
+{
+    return tiles_over(area.left, area.right, rendering->sampler.tile);
+}
+
 static size_t tiles_in(const struct rendering *rendering, struct area area)
 {
-    int tile = rendering->sampler.tile;
-    return tiles_over(area.left, area.right, tile) *
-           tiles_over(area.top, area.bottom, tile);
+    return tiles_wide(rendering, area) *
+           tiles_over(area.top, area.bottom, rendering->sampler.tile);
 }
 
 static bool render_pass(struct rendering *rendering, struct area area,
@@ -178,8 +188,7 @@ static bool render_pass(struct rendering *rendering, struct area area,
     unsigned threads = options->threads ? options->threads : 1;
     rendering->area = area;
     rendering->work = work;
-    rendering->tiles_across =
-        tiles_over(area.left, area.right, rendering->sampler.tile);
+    rendering->tiles_across = tiles_wide(rendering, area);
     size_t tiles = tiles_in(rendering, area);
     struct keeper *keeper = work->keep ? options->keeper : NULL;
     keeper_pass_start(&rendering->keeping, keeper, tiles);
@@ -277,6 +286,25 @@ static bool render_know(struct rendering *rendering)
     return sampler_need(sampler);
 }
 
+/* First samples, and from them pixels; a tile costs about as much in the second
+ * pass as in the first. */
+static bool render_both(struct rendering *rendering, unsigned threads)
+{
+    const struct area first = rendering->sampler.first;
+    const struct area tiled = rendering->sampler.tiled;
+    struct tile_order *order = &rendering->order;
+    if (threads > 1)
+        tile_order_start(order, tiles_wide(rendering, first),
+                         tiles_in(rendering, first));
+    bool done = render_pass(rendering, first, &sampling);
+    if (done && threads > 1)
+        tile_order_sort(order, tiles_wide(rendering, tiled),
+                        tiles_in(rendering, tiled));
+    done = done && render_pass(rendering, tiled, &refining);
+    tile_order_end(order);
+    return done;
+}
+
 static bool render_passes(struct rendering *rendering,
                           const struct tracer *tracer, unsigned threads)
 {
@@ -285,8 +313,7 @@ static bool render_passes(struct rendering *rendering,
     rendering->threads[0].worker.telling = rendering->options->telling;
     if (sampler->direct)
         return done && render_pass(rendering, sampler->first, &drawing);
-    return done && render_pass(rendering, sampler->first, &sampling) &&
-           render_pass(rendering, sampler->tiled, &refining);
+    return done && render_both(rendering, threads);
 }
 
 static bool render_tiles(const struct tracer *tracer,

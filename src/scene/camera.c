@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "base/listing.h"
+#include "base/octet_math.h"
 #include "scene/material.h"
 
 #define X(name) extern const struct camera_kind name##_camera;
@@ -58,11 +59,14 @@ static void camera_aim(struct camera *camera)
     vec3 aim = vec3_normalise(vec3_sub(camera->look_at, camera->location));
     vec3 straight = vec3_cross(camera->up, camera->direction);
     bool mirrored = !(vec3_dot(straight, camera->right) > 0);
-    vec3 right = vec3_cross(vec3_normalise(camera->sky), aim);
-    if (!(vec3_length(right) > 1e-9))
+    vec3 right = vec3_cross(camera->sky, aim);
+    bool lost = !(vec3_length(right) > 1e-9 * vec3_length(camera->sky));
+    if (lost)
         right = camera->right;
     right = vec3_normalise(right);
-    vec3 up = vec3_normalise(vec3_cross(aim, right));
+    vec3 up = vec3_cross(aim, right);
+    if (lost)
+        up = vec3_normalise(up);
     if (mirrored)
         right = vec3_negate(right);
     camera->direction = vec3_scale(aim, vec3_length(camera->direction));
@@ -114,9 +118,22 @@ double camera_around(double x, double y)
     return angle < -M_PI / 2 ? angle + 2 * M_PI : angle;
 }
 
+/* How far a place is above the middle. Rows are counted from below, and the
+ * middles of pixels are whole halves of them: so the last bit of rays is
+ * POV-Ray's (measured), which decides the colour where surfaces coincide. */
+static inline double camera_above(const struct camera *camera, double y)
+{
+    const double rounds = 0x1.8p52, near = 1e-9; /* what is added rounds off */
+    double height = camera->pixels[1], halves = 2 * height * y;
+    double whole = halves + rounds - rounds;
+    double row = 0.5 * (fabs(halves - whole) < near ? whole : halves);
+    return height > 0 ? (height - row) / height - 0.5 : 0.5 - y;
+}
+
 bool camera_sees(const struct camera *camera, double x, double y)
 {
-    return !camera->kind->sees || camera->kind->sees(camera, x - 0.5, 0.5 - y);
+    return !camera->kind->sees ||
+           camera->kind->sees(camera, x - 0.5, camera_above(camera, y));
 }
 
 /* The normal bends the ray as it bends a surface's at the place in the picture,
@@ -124,7 +141,7 @@ bool camera_sees(const struct camera *camera, double x, double y)
 static vec3 camera_bent(const struct camera *camera, double x, double y,
                         vec3 direction)
 {
-    double at[2] = { x - 0.5, 0.5 - y };
+    double at[2] = { x - 0.5, camera_above(camera, y) };
     if (camera->kind->bend_at)
         camera->kind->bend_at(camera, at[0], at[1], at);
     return vec3_normalise(normal_perturbed(
@@ -140,19 +157,35 @@ static inline struct ray camera_finished(const struct camera *camera, double x,
     return ray;
 }
 
+/* From the middle of the picture. */
+static struct ray kind_ray(const struct camera *camera, double x, double y)
+{
+    const struct camera_kind *kind = camera->kind;
+    struct camera_turn turns[2];
+    double at[2];
+    if (kind->ray)
+        return kind->ray(camera, x, y);
+    kind->angles(camera, x, y, at);
+    for (int i = 0; i < 2; i++)
+        turns[i] = (struct camera_turn){ lone_sin(at[i]), lone_cos(at[i]) };
+    return kind->turned(camera, x, y, turns);
+}
+
 struct ray camera_ray(const struct camera *camera, double x, double y)
 {
     return camera_finished(camera, x, y,
-                           camera->kind->ray(camera, x - 0.5, 0.5 - y));
+                           kind_ray(camera, x - 0.5, camera_above(camera, y)));
 }
 
 /* From the middle of the picture, whose y is upwards. */
-CLONES static void places_from_middle(const struct camera_places *restrict at,
+CLONES static void places_from_middle(const struct camera *camera,
+                                      const struct camera_places *restrict at,
                                       struct camera_places *restrict out)
 {
+    const struct camera from = *camera;
     for (int i = 0; i < RAY_LANES; i++) {
         out->x[i] = at->x[i] - 0.5;
-        out->y[i] = 0.5 - at->y[i];
+        out->y[i] = camera_above(&from, at->y[i]);
     }
 }
 
@@ -175,15 +208,45 @@ static void rays_bent(const struct camera *camera,
     }
 }
 
+/* The rays of OCTET places from number `first` on, of a kind that turns. */
+static void octet_turned(const struct camera *camera,
+                         const struct camera_places *at, unsigned first,
+                         struct rays *rays)
+{
+    octet sine[2], cosine[2];
+    for (unsigned i = 0; i < OCTET; i++) {
+        double angles[2];
+        camera->kind->angles(camera, at->x[first + i], at->y[first + i],
+                             angles);
+        sine[0][i] = angles[0];
+        sine[1][i] = angles[1];
+    }
+    for (int k = 0; k < 2; k++) {
+        cosine[k] = sine[k];
+        octet_sin(&sine[k]);
+        octet_cos(&cosine[k]);
+    }
+    for (unsigned i = 0; i < OCTET; i++) {
+        const struct camera_turn turns[2] = { { sine[0][i], cosine[0][i] },
+                                              { sine[1][i], cosine[1][i] } };
+        struct ray ray = camera->kind->turned(camera, at->x[first + i],
+                                              at->y[first + i], turns);
+        rays_set(rays, (int)(first + i), ray.origin, ray.direction);
+    }
+}
+
 void camera_rays(const struct camera *camera,
                  const struct camera_places *places, unsigned count,
                  struct rays *rays)
 {
     struct camera_places at;
     struct ray ray = { { 0, 0, 0 }, { 0, 0, 0 } };
-    places_from_middle(places, &at);
+    places_from_middle(camera, places, &at);
     if (camera->kind->ray_many)
         camera->kind->ray_many(camera, &at, rays);
+    else if (!camera->kind->ray)
+        for (unsigned i = 0; i < count; i += OCTET)
+            octet_turned(camera, &at, i, rays);
     else
         for (unsigned i = 0; i < RAY_LANES; i++) {
             if (i < count)
@@ -202,7 +265,8 @@ bool camera_pixel_ray(const struct camera *camera, double x, double y, int i,
         *ray = camera_ray(camera, x, y);
         return i == 0 && camera_sees(camera, x, y);
     }
-    if (!camera->kind->pixel_ray(camera, x - 0.5, 0.5 - y, i, ray))
+    if (!camera->kind->pixel_ray(camera, x - 0.5, camera_above(camera, y), i,
+                                 ray))
         return false;
     *ray = camera_finished(camera, x, y, *ray);
     return true;

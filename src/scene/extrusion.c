@@ -263,6 +263,7 @@ static bool extrusion_inside(const void *shape, vec3 point)
 
 const struct primitive prism_primitive = {
     .name = "prism",
+    .alike = true,
     .help = "an outline along y",
     .size = sizeof(struct extrusion),
     .arguments = extrusion_fields,

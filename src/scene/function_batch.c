@@ -26,9 +26,9 @@ static void batch_field(const struct function_field *field, octet point[3],
     struct spots spots;
     double values[SPOTS_MAX];
     spots.count = count;
-    memcpy(spots.x, &point[0], sizeof spots.x);
-    memcpy(spots.y, &point[1], sizeof spots.y);
-    memcpy(spots.z, &point[2], sizeof spots.z);
+    memcpy(spots.x, &point[0], sizeof point[0]);
+    memcpy(spots.y, &point[1], sizeof point[0]);
+    memcpy(spots.z, &point[2], sizeof point[0]);
     if (field->values)
         field->values(field, &spots, values);
     for (int i = 0; !field->values && i < count; i++)
@@ -239,20 +239,27 @@ bool function_is_even(const struct function *f)
     return even && costly * BATCH_COSTLY <= f->steps.count;
 }
 
+/* Of up to OCTET, from number `first` on. */
+static void batch_values(const struct function *function,
+                         const struct spots *spots, int first, double *values)
+{
+    octet stack[BATCH_STACK];
+    int count = spots->count - first;
+    count = count < OCTET ? count : OCTET;
+    batch_gather(spots->x + first, count, &stack[0]);
+    batch_gather(spots->y + first, count, &stack[1]);
+    batch_gather(spots->z + first, count, &stack[2]);
+    batch_run(function, stack, stack + function->slots, count);
+    for (int i = 0; i < count; i++)
+        values[first + i] = isnan(stack[0][i]) ? 0 : stack[0][i];
+}
+
 void function_values_at(const struct function *function,
                         const struct spots *spots, double *values)
 {
-    octet stack[BATCH_STACK];
     int count = spots->count;
-    if (!function->even) {
-        for (int i = 0; i < count; i++)
-            values[i] = function_at(function, spots_at(spots, i));
-        return;
-    }
-    batch_gather(spots->x, count, &stack[0]);
-    batch_gather(spots->y, count, &stack[1]);
-    batch_gather(spots->z, count, &stack[2]);
-    batch_run(function, stack, stack + function->slots, count);
-    for (int i = 0; i < count; i++)
-        values[i] = isnan(stack[0][i]) ? 0 : stack[0][i];
+    for (int i = 0; !function->even && i < count; i++)
+        values[i] = function_at(function, spots_at(spots, i));
+    for (int i = 0; function->even && i < count; i += OCTET)
+        batch_values(function, spots, i, values);
 }

@@ -100,12 +100,12 @@ static inline bool seeker_begin(struct seeker *seeker,
 static void seekers_find_ends(const struct isosurface *s,
                               struct seeker *const *seekers, int count)
 {
-    enum { TOGETHER = SPOTS_MAX / 2 };
+    enum { TOGETHER = OCTET / 2 };
     for (int first = 0; first < count; first += TOGETHER) {
         struct seeker *const *here = seekers + first;
         int most = count - first < TOGETHER ? count - first : TOGETHER;
         struct spots spots;
-        double values[SPOTS_MAX];
+        double values[OCTET];
         spots.count = 0;
         for (int i = 0; i < most; i++) {
             spots_add(&spots, ray_point(&here[i]->search.ray, here[i]->from.t));

@@ -125,7 +125,7 @@ static bool search_ask(struct search *search)
 /* Values that are worked out together. */
 struct batch {
     int count; /* of the searches that want them */
-    struct search *of[SPOTS_MAX];
+    struct search *of[OCTET];
     struct spots spots;
 };
 
@@ -160,7 +160,7 @@ static void batch_ask(struct batch *batch, struct search *search, int values)
 
 static void batch_answer(struct batch *batch, const struct isosurface *surface)
 {
-    double values[SPOTS_MAX];
+    double values[OCTET];
     const double *next = values;
     isosurface_values(surface, &batch->spots, values);
     for (int i = 0; i < batch->count; i++) {
@@ -175,9 +175,9 @@ static void batch_answer(struct batch *batch, const struct isosurface *surface)
 /* How many values for each of so many searches take as long as one. */
 static inline int values_for(const struct isosurface *surface, int searches)
 {
-    return !surface->function->even || 3 * searches > SPOTS_MAX ? 1
-           : searches > 1                                       ? 3
-                                                                : 7;
+    return !surface->function->even || 3 * searches > OCTET ? 1
+           : searches > 1                                   ? 3
+                                                            : 7;
 }
 
 /* They wait in a ring, so that there is always a whole batch of them. */
@@ -193,7 +193,7 @@ void search_run(const struct isosurface *surface, struct search *const *all,
         ring[i] = all[i];
     while (live > 0) {
         int values = values_for(surface, live), waiting = live;
-        while (waiting > 0 && batch.spots.count + values <= SPOTS_MAX) {
+        while (waiting > 0 && batch.spots.count + values <= OCTET) {
             struct search *next = ring[first % RING];
             first++;
             waiting--;

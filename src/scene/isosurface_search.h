@@ -8,7 +8,7 @@
 
 enum {
     SEARCH_DEPTH = 64, /* as often is the way of a ray halved */
-    SEARCH_AHEAD = SPOTS_MAX - 1,
+    SEARCH_AHEAD = OCTET - 1,
 };
 
 /* A place on a ray and the value there. */

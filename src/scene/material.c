@@ -1,4 +1,5 @@
 /* Defaults of materials, and copies of textures that are moved. */
+#include "scene/map_entry.h"
 #include "scene/material.h"
 
 struct interior interior_default(void)
@@ -25,7 +26,6 @@ int texture_choose(const struct texture_choice *choice, vec3 point,
                    struct texture_pick picks[TEXTURE_PICKS], vec3 *located)
 {
     const struct texture_entry *entries = choice->entries;
-    size_t after = 0, last = choice->count - 1;
     if (choice->rule) {
         *located = pattern_locate(&choice->pattern, point);
         return choice->rule(choice, *located, surface, picks);
@@ -35,16 +35,14 @@ int texture_choose(const struct texture_choice *choice, vec3 point,
     if (choice->pattern.kind->average)
         return texture_average(choice, picks);
     double value = pattern_value_seen(&choice->pattern, *located, surface);
-    while (after < last && entries[after].value < value)
-        after++;
-    picks[0] = (struct texture_pick){ entries[after].texture, 1 };
-    if (after == 0 || entries[after].value <= value ||
-        choice->pattern.kind->blocks)
+    struct map_place place = map_place_of(&entries[0].value, sizeof entries[0],
+                                          choice->count, value);
+    picks[0] = (struct texture_pick){ entries[place.entry].texture, 1 };
+    if (place.share >= 1 || choice->pattern.kind->blocks)
         return 1;
-    const struct texture_entry *before = &entries[after - 1];
-    double t = (value - before->value) / (entries[after].value - before->value);
-    picks[0].share = t;
-    picks[1] = (struct texture_pick){ before->texture, 1 - t };
+    picks[0].share = place.share;
+    picks[1] = (struct texture_pick){ entries[place.entry - 1].texture,
+                                      1 - place.share };
     return 2;
 }
 

@@ -235,6 +235,10 @@ colour blend_map_colour(const struct blend_map *map, double value);
 /* The pigment's value at a point of the texture's space. */
 colour pigment_colour(const struct pigment *pigment, vec3 point);
 
+/* The same at several points, side by side as far as it goes. */
+void pigment_colours(const struct pigment *pigment, const struct spots *points,
+                     colour *colours);
+
 /* The same on a surface (NULL: off any), which may map it by coordinates of its
  * own. */
 colour pigment_seen(const struct pigment *pigment, vec3 point,

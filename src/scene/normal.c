@@ -2,6 +2,7 @@
  * 3.7: the tilt is computed in the pattern's own space, so that a texture's
  * bumps grow with it when it is scaled. */
 #include "scene/image_map.h"
+#include "scene/map_entry.h"
 #include "scene/material.h"
 #include "scene/spots.h"
 
@@ -9,16 +10,12 @@
 static double slope_height(const struct slope_map *map, double value)
 {
     const struct slope_entry *entries = map->entries;
-    size_t after = 0;
-    while (after < map->count && entries[after].value < value)
-        after++;
-    if (after == 0)
-        return entries[0].height;
-    if (after == map->count)
-        return entries[after - 1].height;
-    const struct slope_entry *a = &entries[after - 1], *b = &entries[after];
-    double span = b->value - a->value, t = (value - a->value) / span;
-    double s = 1 - t;
+    struct map_place place =
+        map_place_of(&entries[0].value, sizeof entries[0], map->count, value);
+    const struct slope_entry *b = &entries[place.entry], *a = b - 1;
+    if (place.share >= 1 || place.entry == 0)
+        return b->height;
+    double t = place.share, s = 1 - t;
     return s * s * (1 + 2 * t) * a->height + t * t * (1 + 2 * s) * b->height +
            s * t * (s * a->slope - t * b->slope);
 }
@@ -94,15 +91,13 @@ static vec3 map_normal(const struct normal *perturbation, const struct bend *at)
     if (kind->average)
         return average_normal(map, at);
     double value = pattern_value_at(&perturbation->pattern, at->point);
-    size_t after = 0, last = map->count - 1;
-    while (after < last && entries[after].value < value)
-        after++;
-    vec3 high = entry_normal(&entries[after], at);
-    if (after == 0 || entries[after].value <= value || kind->blocks)
+    struct map_place place =
+        map_place_of(&entries[0].value, sizeof entries[0], map->count, value);
+    const struct normal_entry *entry = &entries[place.entry];
+    vec3 high = entry_normal(entry, at);
+    if (place.share >= 1 || kind->blocks)
         return high;
-    double t = (value - entries[after - 1].value) /
-               (entries[after].value - entries[after - 1].value);
-    return vec3_mix(entry_normal(&entries[after - 1], at), high, t);
+    return vec3_mix(entry_normal(entry - 1, at), high, place.share);
 }
 
 /* `length` is that of the normal for bumps that are not scaled; else 1. */

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "base/field.h"
+#include "scene/spots.h"
 
 /* The members are read by the field tables of both patterns. */
 struct orbit {
@@ -18,13 +19,24 @@ struct orbit {
     bool julia;                      /* magnet: which set */
 };
 
-/* The value for the orbit that begins at x + iy, with c = u + iv. */
-double orbit_value(const struct orbit *orbit, double x, double y, double u,
-                   double v);
+/* Some that are followed side by side: they begin at x + iy, and c is u + iv.
+ */
+struct orbit_starts {
+    int count; /* 1 to SPOTS_MAX */
+    double x[SPOTS_MAX], y[SPOTS_MAX], u[SPOTS_MAX], v[SPOTS_MAX];
+};
+
+/* The value for each. */
+void orbit_values(const struct orbit *orbit, const struct orbit_starts *starts,
+                  double *values);
 
 /* The same of magnet's maps. */
-double orbit_magnet(const struct orbit *orbit, double x, double y, double u,
-                    double v);
+void orbit_magnets(const struct orbit *orbit, const struct orbit_starts *starts,
+                   double *values);
+
+/* Starts at the spots' x and y, with the constant as c. */
+void orbit_starts_at(const struct orbit *orbit, const struct spots *spots,
+                     struct orbit_starts *starts);
 
 #define ORBIT_DEFAULTS                                                         \
     .iterations = 1, .exponent = 2, .exterior = { 1, 1 }, .interior = { 0, 1 }

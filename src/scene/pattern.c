@@ -136,6 +136,14 @@ vec3 pattern_locate(const struct pattern *pattern, vec3 point)
     return vec3_add(point, vec3_mul(pattern->turbulence.amount, step));
 }
 
+void pattern_locate_all(const struct pattern *pattern,
+                        const struct spots *points, struct spots *located)
+{
+    located->count = 0;
+    for (int i = 0; i < points->count; i++)
+        spots_add(located, pattern_locate(pattern, spots_at(points, i)));
+}
+
 /* As fmod, which takes long: for numbers that are not too large by differences,
  * all of them exact, since neither number is ever twice the other (P. Sterbenz,
  * Floating-Point Computation, 1974). */

@@ -139,6 +139,10 @@ struct pattern pattern_new(struct arena *arena,
  * transformation, then turbulence. */
 vec3 pattern_locate(const struct pattern *pattern, vec3 point);
 
+/* The same of several. */
+void pattern_locate_all(const struct pattern *pattern,
+                        const struct spots *points, struct spots *located);
+
 /* As far as it is affine: the warps left out. For normals. */
 affine pattern_affine(const struct pattern *pattern);
 

@@ -1,6 +1,8 @@
 /* Pigments: a colour for each point of space. */
 #include "scene/image_map.h"
+#include "scene/map_entry.h"
 #include "scene/material.h"
+#include "scene/spots.h"
 
 /* Pigments inside pigments deeper than this are black; where both sides of a
  * blend are pigments, the work doubles at every level, so below half of it
@@ -39,33 +41,18 @@ static colour entry_colour(const struct blend_entry *entry, vec3 point,
                    : entry->colour;
 }
 
-/* Measured: the entry sought is the first whose value is not below `value`;
- * before the first and after the last their colours go on. */
 static colour map_colour(const struct blend_map *map, double value, vec3 point,
                          struct depth depth)
 {
-    const struct blend_entry *entries = map->entries;
-    size_t low = 0, high = map->count; /* first entry with value >= `value` */
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (entries[middle].value < value)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    if (low == 0)
-        return entry_colour(&entries[0], point, depth);
-    if (low == map->count)
-        return entry_colour(&entries[low - 1], point, depth);
-    const struct blend_entry *before = &entries[low - 1];
-    const struct blend_entry *after = &entries[low];
-    double t = (value - before->value) / (after->value - before->value);
-    if (depth.levels >= DEPTH_BLEND)
-        return entry_colour(t < 0.5 ? before : after, point, depth);
-    if (t >= 1)
-        return entry_colour(after, point, depth);
-    return colour_mix(entry_colour(before, point, depth),
-                      entry_colour(after, point, depth), t);
+    const struct map_place place = map_place_of(
+        &map->entries[0].value, sizeof map->entries[0], map->count, value);
+    const struct blend_entry *entry = &map->entries[place.entry];
+    if (depth.levels >= DEPTH_BLEND && place.share < 0.5)
+        return entry_colour(entry - 1, point, depth);
+    if (depth.levels >= DEPTH_BLEND || place.share >= 1)
+        return entry_colour(entry, point, depth);
+    return colour_mix(entry_colour(entry - 1, point, depth),
+                      entry_colour(entry, point, depth), place.share);
 }
 
 colour blend_map_colour(const struct blend_map *map, double value)
@@ -111,14 +98,11 @@ static colour block_colour(const struct pigment *pigment, double value,
     return colour_opaque(rgb_grey(value));
 }
 
-/* Measured: inner pigments are seen through the outer's transformation and
- * turbulence, save for wood and marble, which keep theirs to themselves. */
-static colour pattern_colour(const struct pigment *pigment, vec3 point,
-                             struct depth depth)
+/* What a value of the pattern is made of at a point of its space. */
+static colour value_colour(const struct pigment *pigment, double value,
+                           vec3 located, struct depth depth)
 {
     const struct pattern *pattern = &pigment->pattern;
-    vec3 located = pattern_locate(pattern, point);
-    double value = pattern_value_seen(pattern, located, depth.surface);
     if (pattern->kind && pattern->kind->blocks > 0)
         return block_colour(pigment, value, located, depth);
     const struct blend_map *map =
@@ -128,6 +112,17 @@ static colour pattern_colour(const struct pigment *pigment, vec3 point,
     if (pattern->kind->average)
         return average_colour(map, located, depth);
     return map_colour(map, value, located, depth);
+}
+
+/* Measured: inner pigments are seen through the outer's transformation and
+ * turbulence, save for wood and marble, which keep theirs to themselves. */
+static colour pattern_colour(const struct pigment *pigment, vec3 point,
+                             struct depth depth)
+{
+    const struct pattern *pattern = &pigment->pattern;
+    vec3 located = pattern_locate(pattern, point);
+    double value = pattern_value_seen(pattern, located, depth.surface);
+    return value_colour(pigment, value, located, depth);
 }
 
 static colour pigment_at(const struct pigment *pigment, vec3 point,
@@ -150,6 +145,23 @@ static colour pigment_at(const struct pigment *pigment, vec3 point,
 colour pigment_colour(const struct pigment *pigment, vec3 point)
 {
     return pigment_at(pigment, point, (struct depth){ 0, NULL });
+}
+
+void pigment_colours(const struct pigment *pigment, const struct spots *points,
+                     colour *colours)
+{
+    struct spots located;
+    double values[SPOTS_MAX];
+    if (pigment->kind != PIGMENT_PATTERN) {
+        for (int i = 0; i < points->count; i++)
+            colours[i] = pigment_colour(pigment, spots_at(points, i));
+        return;
+    }
+    pattern_locate_all(&pigment->pattern, points, &located);
+    pattern_values_at(&pigment->pattern, &located, values);
+    for (int i = 0; i < points->count; i++)
+        colours[i] = value_colour(pigment, values[i], spots_at(&located, i),
+                                  (struct depth){ 0, NULL });
 }
 
 colour pigment_seen(const struct pigment *pigment, vec3 point,

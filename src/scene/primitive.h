@@ -32,6 +32,8 @@ struct primitive {
     bool solid;  /* has an inside: may be a part of intersections */
     bool beyond; /* its inside reaches beyond its bounds (disc) */
     bool convex; /* a box whose corners are inside is inside */
+    bool alike;  /* its fields say all of it, and preparing takes long: what is
+                  * written again is kept once */
     enum primitive_bounds bounded;
 
     /* After reading: precomputes (NULL: nothing to do). Returns NULL, or why

@@ -268,6 +268,7 @@ const struct primitive lathe_primitive = {
     .arguments = revolution_fields,
     .items = revolution_items,
     .solid = true,
+    .alike = true,
     .prepare = revolution_prepare,
     .bounds = revolution_bounds,
     .intersect = revolution_intersect,

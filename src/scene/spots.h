@@ -6,7 +6,7 @@
 #include "base/vec.h"
 #include "base/octet.h"
 
-enum { SPOTS_MAX = OCTET };
+enum { SPOTS_MAX = 2 * OCTET };
 
 struct spots {
     int count;

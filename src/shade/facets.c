@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "shade/ambience.h"
+#include "scene/spots.h"
 #include "shade/finish.h"
 
 static lane_flag flag(bool is)
@@ -99,24 +100,59 @@ void facets_set(struct facets *facets, unsigned i,
         set_paint(facets, i, layer);
 }
 
-/* The pigment, and the normal's bumps. */
-static void paint_point(struct facets *facets, unsigned i,
+/* Some of those of a leaf, and where they are in its texture. */
+struct painted {
+    unsigned lane[SPOTS_MAX];
+    struct spots points;
+};
+
+static void paint_pigments(struct facets *facets, const struct painted *painted,
+                           const struct pigment *pigment)
+{
+    colour colours[SPOTS_MAX];
+    pigment_colours(pigment, &painted->points, colours);
+    for (int i = 0; i < painted->points.count; i++)
+        lane_put(facets->pigment, painted->lane[i],
+                 vec3_of(colour_rgb(colours[i])));
+}
+
+static void paint_bumps(struct facets *facets, const struct painted *painted,
                         const struct leaf *leaf, const struct layer *layer)
 {
+    for (int k = 0; k < painted->points.count; k++) {
+        unsigned i = painted->lane[k];
+        vec3 normal = layer_bumped(layer, leaf->to_texture, leaf->from_texture,
+                                   spots_at(&painted->points, k),
+                                   lane_get(facets->normal, i), NULL);
+        lane_put(facets->normal, i, normal);
+    }
+}
+
+/* The pigments, and the normals' bumps. */
+static void paint_points(struct facets *facets, unsigned lanes,
+                         const struct leaf *leaf)
+{
+    const struct layer *layer = &leaf->texture->layers[0];
     const struct pigment *pigment = layer->pigment;
     bool bumpy = layer->normal && normal_tilts(layer->normal);
-    colour c = pigment->colour;
-    vec3 point = { 0, 0, 0 };
-    if (bumpy || pigment->kind != PIGMENT_COLOUR)
-        point = affine_point(leaf->to_texture, lane_get(facets->point, i));
-    if (pigment->kind != PIGMENT_COLOUR)
-        c = pigment_colour(pigment, point);
-    lane_put(facets->pigment, i, vec3_of(colour_rgb(c)));
-    if (!bumpy)
-        return;
-    vec3 normal = layer_bumped(layer, leaf->to_texture, leaf->from_texture,
-                               point, lane_get(facets->normal, i), NULL);
-    lane_put(facets->normal, i, normal);
+    bool even = pigment->kind == PIGMENT_COLOUR;
+    vec3 all = vec3_of(colour_rgb(pigment->colour));
+    for (unsigned each = lanes; even && each; each &= each - 1)
+        lane_put(facets->pigment, (unsigned)__builtin_ctz(each), all);
+    while (lanes && (bumpy || !even)) {
+        struct painted painted = { .points.count = 0 };
+        for (; lanes && painted.points.count < SPOTS_MAX; lanes &= lanes - 1) {
+            unsigned i = (unsigned)__builtin_ctz(lanes);
+            painted.lane[painted.points.count] = i;
+            spots_add(
+                &painted.points,
+                affine_point(leaf->to_texture, lane_get(facets->point, i)));
+        }
+        if (!even)
+            paint_pigments(facets, &painted, pigment);
+        if (bumpy)
+            paint_bumps(facets, &painted, leaf, layer);
+    }
 }
 
 /* What is the same all over a leaf: copied from another of its facets. */
@@ -132,28 +168,36 @@ static void paint_as(struct facets *facets, unsigned i, unsigned other)
     facets->shining |= (facets->shining >> other & 1) << i;
 }
 
+/* Those of one leaf. */
+static void paint_leaf(struct facets *facets, const struct leaf *leaf,
+                       unsigned lanes)
+{
+    const struct finish *finish = leaf->texture->layers[0].finish;
+    unsigned first = (unsigned)__builtin_ctz(lanes);
+    facets->leaf[first] = leaf;
+    set_faces(facets, first, finish, false);
+    set_finish(facets, first, finish);
+    for (unsigned each = lanes & (lanes - 1); each; each &= each - 1)
+        paint_as(facets, (unsigned)__builtin_ctz(each), first);
+    for (unsigned each = lanes; each; each &= each - 1)
+        facets->surface[__builtin_ctz(each)] = NULL;
+    paint_points(facets, lanes, leaf);
+}
+
 void facets_paint(struct facets *facets, const struct world_hit *hits,
                   unsigned lanes)
 {
-    const struct leaf *last = NULL;
-    unsigned before = 0;
     facets->all |= lanes;
     facets->matt |= lanes;
-    for (; lanes; lanes &= lanes - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct leaf *leaf = hits[i].leaf;
-        const struct layer *layer = &leaf->texture->layers[0];
-        facets->surface[i] = NULL;
-        if (leaf == last) {
-            paint_as(facets, i, before);
-        } else {
-            facets->leaf[i] = leaf;
-            set_faces(facets, i, layer->finish, false);
-            set_finish(facets, i, layer->finish);
+    while (lanes) {
+        const struct leaf *leaf = hits[__builtin_ctz(lanes)].leaf;
+        unsigned same = 0;
+        for (unsigned each = lanes; each; each &= each - 1) {
+            unsigned i = (unsigned)__builtin_ctz(each);
+            same |= (unsigned)(hits[i].leaf == leaf) << i;
         }
-        paint_point(facets, i, leaf, layer);
-        last = leaf;
-        before = i;
+        paint_leaf(facets, leaf, same);
+        lanes &= ~same;
     }
 }
 

@@ -50,7 +50,7 @@ void canvas_tone(struct canvas_tone *tone, const struct output_space *space)
     tone->gamma = space->working_gamma;
     tone->keep = space->keep_numbers;
     tone->grey = space->grey;
-    tone_table_fill(&tone->table, 0, LEVELS);
+    tone_table_fill(&tone->table, 1, 0, LEVELS);
 }
 
 /* Light, or what is no number, in 0..1. */

@@ -21,14 +21,6 @@ CLONES static void find_rays(const struct rays *restrict rays,
     }
 }
 
-CLONES void rays_inverse(const struct rays *restrict rays,
-                         double inverse[restrict 3][RAY_LANES])
-{
-    for (int axis = 0; axis < 3; axis++)
-        for (int i = 0; i < RAY_LANES; i++)
-            inverse[axis][i] = slab_inverse(rays->direction[axis][i]);
-}
-
 /* The span is there. */
 static void packet_start(struct packet *packet, const struct rays *rays,
                          unsigned lanes, bool boxed)
@@ -243,21 +235,6 @@ bool packet_look(struct packet *packet, const struct solid *solid,
         return packet->open == 0;
     packet_close(packet, packet_meet(packet, solid, lanes));
     return packet->open == 0;
-}
-
-CLONES void rays_meet_box(const struct rays_boxed *restrict rays,
-                          const struct box3 *box, lane_flag *restrict met)
-{
-    const vec3 low = box->low, high = box->high;
-    const double(*inverse)[RAY_LANES] = rays->inverse;
-    for (int i = 0; i < RAY_LANES; i++) {
-        double enter = rays->span->near[i], leave = rays->span->far[i];
-        vec3 o = rays_origin(rays->rays, i);
-        slab_clip(low.x, high.x, o.x, inverse[0][i], &enter, &leave);
-        slab_clip(low.y, high.y, o.y, inverse[1][i], &enter, &leave);
-        slab_clip(low.z, high.z, o.z, inverse[2][i], &enter, &leave);
-        met[i] = slabs_overlap(enter, leave) ? -1 : 0;
-    }
 }
 
 unsigned packet_meets(const struct packet *packet, const struct box3 *box)

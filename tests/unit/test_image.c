@@ -50,48 +50,69 @@ static void curves_are_those_of_the_standard(void **state)
     assert_float_equal(tone_encode(-3, 1), -3, 0);
 }
 
-static void assert_level(const struct tone_table *table, double gamma,
-                         double light)
+static void assert_level(const struct tone_table *table, double v)
 {
-    unsigned exact = tone_level((float)tone_encode(light, gamma), table->top);
-    assert_int_equal(tone_table_level(table, light), exact);
+    double light = tone_decode(v, table->from);
+    unsigned exact =
+        tone_level((float)tone_encode(light, table->to), table->top);
+    assert_int_equal(tone_table_level(table, v), exact);
+}
+
+static void assert_levels(double from, double to, unsigned top)
+{
+    struct tone_table table;
+    tone_table_fill(&table, from, to, top);
+    for (int i = 0; i <= 5000; i++)
+        assert_level(&table, i / 5000.0);
+    for (unsigned i = 1; i <= top; i++) {
+        assert_level(&table, table.begin[i]);
+        assert_level(&table, nextafter(table.begin[i], 0));
+    }
 }
 
 static void tables_of_levels_are_exact(void **state)
 {
     static const double gammas[] = { 0, 1, 2.2, 0.5 };
     static const unsigned tops[] = { 1, 31, 255 };
-    struct tone_table table;
     (void)state;
-    for (size_t g = 0; g < 4; g++)
-        for (size_t t = 0; t < 3; t++) {
-            tone_table_fill(&table, gammas[g], tops[t]);
-            for (int i = 0; i <= 5000; i++)
-                assert_level(&table, gammas[g], i / 5000.0);
-            for (unsigned i = 1; i <= tops[t]; i++) {
-                assert_level(&table, gammas[g], table.begin[i]);
-                assert_level(&table, gammas[g], nextafter(table.begin[i], 0));
-            }
-        }
+    for (size_t from = 0; from < 4; from++)
+        for (size_t to = 0; to < 4; to++)
+            for (size_t t = 0; t < 3; t++)
+                assert_levels(gammas[from], gammas[to], tops[t]);
 }
 
-/* A large picture's numbers are made levels by a table. */
-static void large_pictures_have_the_same_levels(void **state)
+/* Numbers from below 0 to above 1, of all opacities. */
+static void assert_same_levels(struct output_space space)
 {
-    struct output_space exact = { .working_gamma = 1 }, table = exact;
+    struct output_space table = space;
     struct image *a = image_new(300, 200), *b = image_new(300, 200);
     table.bits = 8;
-    (void)state;
     for (int i = 0; i < 300 * 200 * 4; i++)
-        a->pixels[i] = b->pixels[i] = (float)(i * 1.1 / (300 * 200 * 4) - 0.05);
+        a->pixels[i] = b->pixels[i] =
+            i % 4 == 3 ? (float)(i % 97) / 90
+                       : (float)(i * 1.1 / (300 * 200 * 4) - 0.05);
     a->pixels[0] = b->pixels[0] = NAN;
-    output_convert(a, &exact, 2);
+    output_convert(a, &space, 2);
     output_convert(b, &table, 2);
     for (int i = 0; i < 300 * 200 * 4; i++)
         assert_int_equal(tone_level(a->pixels[i], 255),
                          tone_level(b->pixels[i], 255));
     image_free(a);
     image_free(b);
+}
+
+/* A large picture's numbers are made levels by a table. */
+static void large_pictures_have_the_same_levels(void **state)
+{
+    (void)state;
+    for (int alpha = 0; alpha < 2; alpha++) {
+        assert_same_levels(
+            (struct output_space){ .working_gamma = 1, .alpha = alpha });
+        assert_same_levels(
+            (struct output_space){ .keep_numbers = true, .alpha = alpha });
+        assert_same_levels((struct output_space){
+            .working_gamma = 2.2, .file_gamma = 1.8, .alpha = alpha });
+    }
 }
 
 /* One pixel through output_convert. */

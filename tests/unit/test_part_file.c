@@ -198,6 +198,7 @@ static void full_disks_are_told(void **state)
     setrlimit(RLIMIT_FSIZE, &tight);
     for (int i = 0; i < 6; i++)
         put_tile(file, i);
+    part_file_flush(file);
     setrlimit(RLIMIT_FSIZE, &limit);
     assert_string_equal(part_file_problem(file), "File too large");
     part_file_close(file);

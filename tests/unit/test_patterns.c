@@ -437,6 +437,14 @@ static bool orbit_plainly(const struct orbit *orbit, double u, double v,
     return true;
 }
 
+static double mandel_value(const struct orbit *orbit, double u, double v)
+{
+    const struct orbit_starts starts = { 1, { u }, { v }, { u }, { v } };
+    double value;
+    orbit_values(orbit, &starts, &value);
+    return value;
+}
+
 /* Interior 2 is x of the last place, which a round too many would miss. */
 static void orbits_may_leave_out_whole_rounds(void **state)
 {
@@ -453,9 +461,38 @@ static void orbits_may_leave_out_whole_rounds(void **state)
         if (!orbit_plainly(&orbit, u, v, last))
             continue;
         stayed++;
-        assert_true(orbit_value(&orbit, u, v, u, v) == last[i % 2]);
+        assert_true(mandel_value(&orbit, u, v) == last[i % 2]);
     }
     assert_true(stayed > 500);
+}
+
+/* Pigments at many points, which end after more or fewer steps. */
+static void pigments_of_many_points_are_those_of_each(void **state)
+{
+    static const char *const names[] = { "mandel", "julia", "magnet", "bozo",
+                                         "checker" };
+    (void)state;
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        struct pigment pigment = pigment_default(arena);
+        pigment.kind = PIGMENT_PATTERN;
+        pigment.pattern = pattern_new(arena, pattern_find(names[n]));
+        if (n < 3) {
+            struct orbit *orbit = pigment.pattern.parameters;
+            orbit->iterations = 50;
+            orbit->interior[0] = 3;
+        }
+        struct spots points = { .count = 0 };
+        colour colours[SPOTS_MAX];
+        for (int i = 0; i < SPOTS_MAX; i++)
+            spots_add(&points, vec3_make(i * 0.21 - 2, i * 0.13 - 1, 0.3));
+        for (; points.count > 0; points.count--) {
+            pigment_colours(&pigment, &points, colours);
+            for (int i = 0; i < points.count; i++) {
+                colour alone = pigment_colour(&pigment, spots_at(&points, i));
+                assert_memory_equal(&alone, &colours[i], sizeof alone);
+            }
+        }
+    }
 }
 
 int main(void)
@@ -475,6 +512,7 @@ int main(void)
         cmocka_unit_test(special_normals_have_povrays_statistics),
         cmocka_unit_test(patterns_survive_anything),
         cmocka_unit_test(orbits_may_leave_out_whole_rounds),
+        cmocka_unit_test(pigments_of_many_points_are_those_of_each),
         cmocka_unit_test(list_is_complete),
     };
     return cmocka_run_group_tests(tests, setup, teardown);

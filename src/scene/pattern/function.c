@@ -2,11 +2,22 @@
 #include "scene/function.h"
 
 #include "scene/pattern.h"
+#include "scene/spots.h"
 
 static double function_value(const struct pattern *pattern, vec3 point)
 {
     const struct made_pattern *made = pattern->parameters;
     return made->function ? function_at(made->function, point) : 0;
+}
+
+static void function_values(const struct pattern *pattern,
+                            const struct spots *spots, double *values)
+{
+    const struct made_pattern *made = pattern->parameters;
+    if (made->function)
+        function_values_at(made->function, spots, values);
+    for (int i = 0; !made->function && i < spots->count; i++)
+        values[i] = 0;
 }
 
 const struct pattern_kind function_pattern = {
@@ -15,4 +26,5 @@ const struct pattern_kind function_pattern = {
     .size = sizeof(struct made_pattern),
     .arguments = made_pattern_fields,
     .value = function_value,
+    .values = function_values,
 };

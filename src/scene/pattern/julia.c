@@ -16,11 +16,12 @@ static const struct field julia_items[] = {
     { .name = NULL },
 };
 
-static double julia_value(const struct pattern *pattern, vec3 point)
+static void julia_values(const struct pattern *pattern,
+                         const struct spots *spots, double *values)
 {
-    const struct orbit *orbit = pattern->parameters;
-    return orbit_value(orbit, point.x, point.y, orbit->constant[0],
-                       orbit->constant[1]);
+    struct orbit_starts starts;
+    orbit_starts_at(pattern->parameters, spots, &starts);
+    orbit_values(pattern->parameters, &starts, values);
 }
 
 const struct pattern_kind julia_pattern = {
@@ -30,5 +31,5 @@ const struct pattern_kind julia_pattern = {
     .defaults = &julia_defaults,
     .arguments = julia_arguments,
     .items = julia_items,
-    .value = julia_value,
+    .values = julia_values,
 };

@@ -22,13 +22,18 @@ static const struct field magnet_items[] = {
     { .name = NULL },
 };
 
-static double magnet_value(const struct pattern *pattern, vec3 point)
+static void magnet_values(const struct pattern *pattern,
+                          const struct spots *spots, double *values)
 {
     const struct orbit *orbit = pattern->parameters;
-    if (orbit->julia)
-        return orbit_magnet(orbit, point.x, point.y, orbit->constant[0],
-                            orbit->constant[1]);
-    return orbit_magnet(orbit, 0, 0, point.x, point.y);
+    struct orbit_starts starts;
+    orbit_starts_at(orbit, spots, &starts);
+    for (int i = 0; !orbit->julia && i < spots->count; i++) {
+        starts.u[i] = starts.x[i];
+        starts.v[i] = starts.y[i];
+        starts.x[i] = starts.y[i] = 0;
+    }
+    orbit_magnets(orbit, &starts, values);
 }
 
 const struct pattern_kind magnet_pattern = {
@@ -38,5 +43,5 @@ const struct pattern_kind magnet_pattern = {
     .defaults = &magnet_defaults,
     .arguments = magnet_arguments,
     .items = magnet_items,
-    .value = magnet_value,
+    .values = magnet_values,
 };

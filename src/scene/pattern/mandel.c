@@ -15,9 +15,16 @@ static const struct field mandel_items[] = {
     { .name = NULL },
 };
 
-static double mandel_value(const struct pattern *pattern, vec3 point)
+static void mandel_values(const struct pattern *pattern,
+                          const struct spots *spots, double *values)
 {
-    return orbit_value(pattern->parameters, point.x, point.y, point.x, point.y);
+    struct orbit_starts starts;
+    orbit_starts_at(pattern->parameters, spots, &starts);
+    for (int i = 0; i < spots->count; i++) {
+        starts.u[i] = starts.x[i];
+        starts.v[i] = starts.y[i];
+    }
+    orbit_values(pattern->parameters, &starts, values);
 }
 
 /* Measured. */
@@ -45,5 +52,5 @@ const struct pattern_kind mandel_pattern = {
     .items = mandel_items,
     .map = &mandel_map,
     .mapped = mandel_mapped,
-    .value = mandel_value,
+    .values = mandel_values,
 };
