@@ -1,4 +1,5 @@
 /* prism and lathe: shapes made of curves through points in a plane. */
+#include "base/hash.h"
 #include "parse/rules.h"
 #include "scene/extrusion.h"
 #include "scene/revolution.h"
@@ -143,11 +144,31 @@ static bool curve_closed(struct parser *p, struct curve_builder *b)
                     "repeated at its end");
 }
 
+enum { CURVE_SLOTS = 256 };
+
+/* Curves made last, by their hashes. */
+struct curves_made {
+    struct terms slots[CURVE_SLOTS];
+};
+
+/* The curve, or the same one if it was made not long ago: the memory of this
+ * one is then given back. */
 static struct terms curve_terms(struct parser *p, struct curve_builder *b)
 {
     ARRAY_FIT(p->scene_arena, &b->segments);
-    return (struct terms){ (double *)b->segments.items,
-                           b->segments.count * SEGMENT_NUMBERS };
+    struct terms made = { (double *)b->segments.items,
+                          b->segments.count * SEGMENT_NUMBERS };
+    size_t size = made.count * sizeof *made.values;
+    if (!p->curves)
+        p->curves = ARENA_NEW(p->arena, struct curves_made);
+    uint64_t hash = hash_numbers(0, made.values, made.count);
+    struct terms *slot = &p->curves->slots[hash % CURVE_SLOTS];
+    if (slot->count == made.count &&
+        memcmp(slot->values, made.values, size) == 0)
+        arena_resize(p->scene_arena, made.values, size, 0);
+    else
+        *slot = made;
+    return *slot;
 }
 
 /* prism_kind = curve | "linear_sweep" | "conic_sweep" . */

@@ -266,16 +266,21 @@ static enum taken parse_modifier_without_effect(struct parser *p)
     }
 }
 
+/* Those that follow each other move the object together: each would cost it a
+ * matrix. */
 static enum taken modifier_transformation(struct parser *p, struct modifiers *m)
 {
     affine step = affine_identity(), inverse;
     struct span span = stream_span(p);
-    enum taken taken = parse_transformation(p, &step);
-    if (taken != TAKEN)
-        return taken;
+    enum taken taken = parse_transformation(p, &step), more = taken;
+    bool moved = m->object->transform != &affine_unmoved;
+    while (more == TAKEN)
+        more = parse_transformation(p, &step);
+    if (taken != TAKEN || more == WRONG)
+        return taken == TAKEN ? more : taken;
     object_move(p->scene_arena, m->object, &step);
     clip_list_move(&m->bounds, &step);
-    return affine_inverse(*m->object->transform, &inverse) ||
+    return !moved || affine_inverse(*m->object->transform, &inverse) ||
            error_at(p, span_join(span, p->last_span), NULL,
                     "all transformations together leave nothing of this "
                     "object: their numbers are too large or too small");

@@ -1,6 +1,7 @@
 /* Objects: everything that can be seen or shines. */
 #include "parse/rules.h"
 
+#include "base/hash.h"
 #include "parse/array.h"
 
 /* Trees are walked by recursion, and every use of a declared object is a
@@ -126,6 +127,37 @@ bool object_adopt(struct parser *p, struct object *object,
                     OBJECT_PARTS_LIMIT);
 }
 
+enum { SHAPE_SLOTS = 256 };
+
+/* Shapes made last, by what their fields say. */
+struct shapes_made {
+    struct shape_made {
+        const struct primitive *primitive;
+        uint64_t said[2]; /* two hashes */
+        const void *shape;
+    } slots[SHAPE_SLOTS];
+};
+
+static struct shape_made shape_said(const struct primitive *primitive,
+                                    const void *shape)
+{
+    struct shape_made said = { primitive, { 0, 1 }, shape };
+    for (int i = 0; i < 2; i++) {
+        said.said[i] = hash_fields(said.said[i], primitive->arguments, shape);
+        said.said[i] = hash_fields(said.said[i], primitive->items, shape);
+    }
+    return said;
+}
+
+/* Where such a shape is, if it was made not long ago, or is to be. */
+static struct shape_made *shape_slot(struct parser *p,
+                                     const struct shape_made *said)
+{
+    if (!p->shapes)
+        p->shapes = ARENA_NEW(p->arena, struct shapes_made);
+    return &p->shapes->slots[said->said[0] % SHAPE_SLOTS];
+}
+
 /* A shape that POV-Ray only warns about is left out of the picture. */
 static bool object_prepare(struct parser *p, struct object **out,
                            const struct primitive *primitive, void *shape)
@@ -143,6 +175,24 @@ static bool object_prepare(struct parser *p, struct object **out,
                    warning);
         *out = object_empty(p, span);
     }
+    return true;
+}
+
+/* What is alike to a shape that was made not long ago is that shape. */
+static bool object_prepare_once(struct parser *p, struct object **out,
+                                const struct primitive *primitive, void *shape)
+{
+    const struct shape_made said = shape_said(primitive, shape);
+    struct shape_made *slot = shape_slot(p, &said);
+    if (slot->primitive == primitive &&
+        memcmp(slot->said, said.said, sizeof said.said) == 0) {
+        (*out)->shape = slot->shape;
+        return true;
+    }
+    if (!object_prepare(p, out, primitive, shape))
+        return false;
+    if ((*out)->shape == shape)
+        *slot = said;
     return true;
 }
 
@@ -170,7 +220,9 @@ bool parse_shape(struct parser *p, struct object **out,
         rule ? rule(p, shape) : parse_arguments(p, primitive->arguments, shape);
     p->shape = outer;
     ok = ok && parse_modifiers(p, &m);
-    return block_end(p, open, ok) && object_prepare(p, out, primitive, shape);
+    return block_end(p, open, ok) &&
+           (primitive->alike ? object_prepare_once
+                             : object_prepare)(p, out, primitive, shape);
 }
 
 /* primitive = PRIMITIVE "{" arguments {modifier} "}" .

@@ -4,6 +4,7 @@
 
 #include "scene/crossings.h"
 #include "scene/line_roots.h"
+#include "scene/quartic_rays.h"
 
 const struct field algebraic_items[] = {
     { "sturm", FIELD_BOOL, offsetof(struct algebraic, sturm), 0, 0,
@@ -278,6 +279,77 @@ bool algebraic_shape_first(const void *shape, const struct ray *ray,
 {
     return crossings_first(algebraic_shape_crossings, shape, ray, tmin, tmax,
                            hit);
+}
+
+_Static_assert((int)ALGEBRAIC_FEW == (int)QUARTIC,
+               "restrict_few is for quartics, too");
+
+/* As line_of and restrict_to_line, of order 4. */
+CLONES static void lanes_restrict(const double *terms,
+                                  const struct rays *restrict rays,
+                                  const struct rays_span *restrict span,
+                                  struct quartic_rays *restrict out)
+{
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 d = rays_direction(rays, i), o = rays_origin(rays, i);
+        double length = vec3_length(d), c[QUARTIC + 1];
+        vec3 along = vec3_scale(d, 1 / length);
+        double shift = -vec3_dot(o, along);
+        restrict_few(terms, QUARTIC, vec3_along(o, along, shift), along, c);
+        for (int k = 0; k <= QUARTIC; k++)
+            out->quartics.c[k][i] = c[k];
+        out->length[i] = length;
+        out->shift[i] = shift;
+        out->least[i] = span->near[i] * length - shift;
+        out->most[i] = span->far[i] * length - shift;
+    }
+}
+
+/* Where roots are looked for, as algebraic_part has it. */
+static void lanes_limit(struct quartic_rays *lanes)
+{
+    for (int i = 0; i < RAY_LANES; i++) {
+        double c[QUARTIC + 1];
+        for (int k = 0; k <= QUARTIC; k++)
+            c[k] = lanes->quartics.c[k][i];
+        double reach = 1e7 * lanes->length[i], shift = lanes->shift[i];
+        double bound = polynomial_bound(c, QUARTIC);
+        double low = fmax(-bound, -reach - shift);
+        double high = fmin(bound, reach - shift);
+        lanes->least[i] = fmax(low, lanes->least[i]);
+        lanes->quartics.low[i] = lanes->least[i];
+        lanes->quartics.high[i] = fmin(high, lanes->most[i]);
+    }
+}
+
+static struct quartic_rays *algebraic_lanes(const struct algebraic *surface,
+                                            const struct quartic_asked *asked,
+                                            struct quartic_rays *lanes)
+{
+    if (surface->order != QUARTIC)
+        return NULL;
+    lanes_restrict(surface->terms.values, asked->rays, asked->span, lanes);
+    lanes_limit(lanes);
+    return lanes;
+}
+
+void algebraic_shape_first_many(const void *shape, const struct rays *rays,
+                                const struct rays_span *span,
+                                struct rays_met *met)
+{
+    const struct quartic_asked asked = { shape, algebraic_shape_first,
+                                         algebraic_shape_crosses, rays, span };
+    struct quartic_rays lanes;
+    quartic_rays_first(algebraic_lanes(shape, &asked, &lanes), &asked, met);
+}
+
+void algebraic_shape_crosses_many(const void *shape, const struct rays *rays,
+                                  const struct rays_span *span, lane_flag *met)
+{
+    const struct quartic_asked asked = { shape, algebraic_shape_first,
+                                         algebraic_shape_crosses, rays, span };
+    struct quartic_rays lanes;
+    quartic_rays_cross(algebraic_lanes(shape, &asked, &lanes), &asked, met);
 }
 
 vec3 algebraic_shape_normal(const void *shape, vec3 point,

@@ -37,6 +37,11 @@ bool algebraic_shape_crosses(const void *shape, const struct ray *ray,
                              double tmin, double tmax);
 bool algebraic_shape_first(const void *shape, const struct ray *ray,
                            double tmin, double tmax, struct hit *hit);
+void algebraic_shape_first_many(const void *shape, const struct rays *rays,
+                                const struct rays_span *span,
+                                struct rays_met *met);
+void algebraic_shape_crosses_many(const void *shape, const struct rays *rays,
+                                  const struct rays_span *span, lane_flag *met);
 vec3 algebraic_shape_normal(const void *shape, vec3 point,
                             const struct hit *hit);
 bool algebraic_shape_inside(const void *shape, vec3 point);
@@ -57,6 +62,8 @@ extern const struct field algebraic_items[];
     .intersect = algebraic_shape_intersect,                                    \
     .crossings = algebraic_shape_crossings,                                    \
     .crosses = algebraic_shape_crosses, .first = algebraic_shape_first,        \
+    .lane_by_lane = true, .first_many = algebraic_shape_first_many,            \
+    .crosses_many = algebraic_shape_crosses_many,                              \
     .normal = algebraic_shape_normal, .inside = algebraic_shape_inside,        \
     .meets = algebraic_shape_meets
 

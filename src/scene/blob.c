@@ -1,18 +1,12 @@
-/* Densities along rays are polynomials of the fourth degree, piece by piece:
- * see blob.h. */
+/* Blobs: see blob.h. */
 #include "scene/blob.h"
 
-#include <stdlib.h>
-
 #include "base/warp.h"
-#include "scene/blob_tree.h"
+#include "scene/blob_sweep.h"
 #include "scene/crossings.h"
-#include "scene/polynomial.h"
+#include "scene/slab_rays.h"
 
-enum {
-    STRETCHES_MAX = 1024, /* parts that one line may meet; more are left out */
-    STRETCHES_FEW = 24,   /* to be sorted by hand */
-};
+enum { LANE_STRETCHES = 48 }; /* of each of rays side by side */
 
 static const struct field blob_fields[] = {
     { "parts", FIELD_TERMS, offsetof(struct blob, parts), 0, 0, "what adds up",
@@ -163,199 +157,6 @@ static vec3 blob_normal(const void *shape, vec3 point, const struct hit *hit)
     return vec3_dot(sum, sum) > 0 ? sum : vec3_make(0, 1, 0);
 }
 
-/* ---- rays ---- */
-
-/* Between low and high a part's density is strength q^2, where
- * q = most - a (t - nearest)^2: in this form no digits are lost. */
-struct stretch {
-    double low, high, strength, a, nearest, most;
-};
-
-struct stretches {
-    double tmin, tmax; /* what is wanted of the ray */
-    int count;
-    struct stretch items[STRETCHES_MAX];
-};
-
-/* The part of the line where its q is positive, between its limits. */
-static void stretch_add(struct stretches *all, struct stretch wanted)
-{
-    double low = wanted.low, high = wanted.high, nearest = wanted.nearest;
-    if (!(wanted.most > 0) || all->count == STRETCHES_MAX)
-        return;
-    if (wanted.a > 0) {
-        double half = sqrt(wanted.most / wanted.a);
-        low = low > nearest - half ? low : nearest - half;
-        high = high < nearest + half ? high : nearest + half;
-    }
-    wanted.low = low > all->tmin ? low : all->tmin;
-    wanted.high = high < all->tmax ? high : all->tmax;
-    if (wanted.low < wanted.high)
-        all->items[all->count++] = wanted;
-}
-
-/* A ball of radius 1 around the origin. */
-static void ball_stretch(struct stretches *all, double strength, vec3 o, vec3 d,
-                         double low, double high)
-{
-    double a = vec3_dot(d, d), nearest = -vec3_dot(o, d) / a;
-    vec3 p = vec3_along(o, d, nearest);
-    stretch_add(all, (struct stretch){ low, high, strength, a, nearest,
-                                       1 - vec3_dot(p, p) });
-}
-
-/* The round ends below 0 and beyond the length, and what is between them. */
-static void cylinder_stretches(struct stretches *all,
-                               const struct blob_part *part, vec3 o, vec3 d)
-{
-    double top = o.z - part->length, in = -o.z / d.z, out = -top / d.z;
-    bool up = d.z > 0;
-    if (d.z == 0) {
-        in = o.z < 0 ? HUGE_VAL : -HUGE_VAL;
-        out = top > 0 ? -HUGE_VAL : HUGE_VAL;
-        up = true;
-    }
-    ball_stretch(all, part->strength, o, d, up ? -HUGE_VAL : in,
-                 up ? in : HUGE_VAL);
-    double a = d.x * d.x + d.y * d.y;
-    double nearest = a > 0 ? -(o.x * d.x + o.y * d.y) / a : 0;
-    double x = o.x + nearest * d.x, y = o.y + nearest * d.y;
-    stretch_add(all,
-                (struct stretch){ fmin(in, out), fmax(in, out), part->strength,
-                                  a, nearest, 1 - x * x - y * y });
-    o.z = top;
-    ball_stretch(all, part->strength, o, d, up ? out : -HUGE_VAL,
-                 up ? HUGE_VAL : out);
-}
-
-static void body_stretches(struct stretches *all, const struct blob_body *body,
-                           const struct ray *ray)
-{
-    const struct blob_part *part = &body->part;
-    if (body->round) {
-        vec3 o = vec3_sub(ray->origin, body->centre), d = ray->direction;
-        double square = vec3_dot(d, d), nearest = -vec3_dot(o, d) / square;
-        vec3 p = vec3_along(o, d, nearest);
-        stretch_add(all,
-                    (struct stretch){ -HUGE_VAL, HUGE_VAL, part->strength,
-                                      square * body->inverse, nearest,
-                                      1 - vec3_dot(p, p) * body->inverse });
-        return;
-    }
-    vec3 o = affine_point(&part->inward, ray->origin);
-    vec3 d = affine_direction(&part->inward, ray->direction);
-    if (part->length > 0)
-        cylinder_stretches(all, part, o, d);
-    else
-        ball_stretch(all, part->strength, o, d, -HUGE_VAL, HUGE_VAL);
-}
-
-static int stretch_order(const void *a, const void *b)
-{
-    const struct stretch *x = a, *y = b;
-    return (x->low > y->low) - (x->low < y->low);
-}
-
-static void stretches_sort(struct stretches *all)
-{
-    if (all->count > STRETCHES_FEW) {
-        qsort(all->items, (size_t)all->count, sizeof *all->items,
-              stretch_order);
-        return;
-    }
-    for (int i = 1; i < all->count; i++) {
-        struct stretch s = all->items[i];
-        int k = i;
-        for (; k > 0 && all->items[k - 1].low > s.low; k--)
-            all->items[k] = all->items[k - 1];
-        all->items[k] = s;
-    }
-}
-
-/* Those that there are at some place of the ray, as it goes along. */
-struct sweep {
-    const struct stretch *now[STRETCHES_MAX];
-    int count;
-    double at;
-    bool known;  /* the ray was followed to there: */
-    double last; /* the density there less the threshold */
-};
-
-/* Takes out what ends here, and returns where the next one does. */
-static double sweep_end(struct sweep *sweep)
-{
-    double end = HUGE_VAL;
-    int kept = 0;
-    for (int i = 0; i < sweep->count; i++) {
-        const struct stretch *s = sweep->now[i];
-        if (!(s->high > sweep->at))
-            continue;
-        sweep->now[kept++] = s;
-        end = s->high < end ? s->high : end;
-    }
-    sweep->count = kept;
-    return end;
-}
-
-/* The density less the threshold as Bernstein polynomials over a piece: the
- * product of two of the second degree each. Its sign where the piece begins is
- * what it was where the last one ended. */
-static int sweep_piece(struct sweep *sweep, double threshold, double end,
-                       double *roots)
-{
-    double width = end - sweep->at;
-    double b[5] = { -threshold, -threshold, -threshold, -threshold,
-                    -threshold };
-    for (int i = 0; i < sweep->count; i++) {
-        const struct stretch *s = sweep->now[i];
-        double from = sweep->at - s->nearest, to = end - s->nearest;
-        double q0 = s->most - s->a * from * from;
-        double q1 = q0 - s->a * from * width;
-        double q2 = s->most - s->a * to * to;
-        b[0] += s->strength * q0 * q0;
-        b[1] += s->strength * q0 * q1;
-        b[2] += s->strength * (2 * q1 * q1 + q0 * q2) * (1.0 / 3);
-        b[3] += s->strength * q1 * q2;
-        b[4] += s->strength * q2 * q2;
-    }
-    if (sweep->known && (b[0] < 0) != (sweep->last < 0))
-        b[0] = sweep->last;
-    sweep->last = b[4];
-    return polynomial_bernstein_roots(b, 4, roots);
-}
-
-static void sweep_stretches(struct stretches *all, double threshold,
-                            hit_visit *visit, void *context)
-{
-    struct sweep sweep;
-    int next = 0;
-    sweep.count = 0;
-    sweep.last = -1;
-    while (sweep.count > 0 || next < all->count) {
-        double roots[2 * BERNSTEIN_DEGREE];
-        if (sweep.count == 0)
-            sweep.at = all->items[next].low;
-        for (; next < all->count && all->items[next].low <= sweep.at; next++)
-            sweep.now[sweep.count++] = &all->items[next];
-        double end = sweep_end(&sweep);
-        if (next < all->count && all->items[next].low < end)
-            end = all->items[next].low;
-        if (sweep.count == 0) {
-            sweep.last = -1;
-            continue;
-        }
-        sweep.known = sweep.at > all->tmin;
-        int count = sweep_piece(&sweep, threshold, end, roots);
-        for (int i = 0; i < count; i++) {
-            double t = sweep.at + (end - sweep.at) * roots[i];
-            struct hit hit = { t, 0, 0, 0 };
-            if (t > all->tmin && t < all->tmax && visit(context, &hit))
-                return;
-        }
-        sweep.at = end;
-    }
-}
-
 static void blob_crossings(const void *shape, const struct ray *ray,
                            double tmin, double tmax, hit_visit *visit,
                            void *context)
@@ -363,16 +164,13 @@ static void blob_crossings(const void *shape, const struct ray *ray,
     const struct blob *blob = shape;
     const struct blob_tree *tree = blob->tree;
     struct slabs slabs = slabs_of(ray);
-    struct stretches all;
-    all.tmin = tmin;
-    all.tmax = tmax;
-    all.count = 0;
+    struct stretch items[STRETCHES_MAX];
+    struct stretches all = { tmin, tmax, 0, STRETCHES_MAX, items };
     const struct blob_node *leaf = blob_tree_leaf(tree, 0, &slabs, tmin, tmax);
     for (; leaf; leaf = blob_tree_leaf(tree, leaf->next, &slabs, tmin, tmax))
         for (uint32_t i = leaf->first; i < leaf->first + leaf->count; i++)
-            body_stretches(&all, &tree->bodies[i], ray);
-    stretches_sort(&all);
-    sweep_stretches(&all, blob->threshold, visit, context);
+            stretches_add(&all, &tree->bodies[i], ray);
+    stretches_sweep(&all, blob->threshold, visit, context);
 }
 
 static bool blob_first(const void *shape, const struct ray *ray, double tmin,
@@ -386,6 +184,103 @@ static bool blob_crosses(const void *shape, const struct ray *ray, double tmin,
 {
     struct hit hit;
     return blob_first(shape, ray, tmin, tmax, &hit);
+}
+
+/* Rays side by side. */
+struct blob_lanes {
+    const struct blob *blob;
+    const struct rays *rays;
+    const struct rays_span *span;
+    struct stretches of[RAY_LANES];
+    struct stretch items[RAY_LANES][LANE_STRETCHES];
+};
+
+/* The body's stretches of the rays of the bits `lanes`. */
+static void lanes_add_round(struct blob_lanes *lanes,
+                            const struct blob_body *body, unsigned met)
+{
+    struct lane_stretches found;
+    LANE_LINES lane_flag is[RAY_LANES];
+    lane_stretches_of(body, lanes->rays, lanes->span, &found, is);
+    for (met &= rays_bits(is); met; met &= met - 1) {
+        unsigned i = (unsigned)__builtin_ctz(met);
+        struct stretches *all = &lanes->of[i];
+        if (all->count < all->limit)
+            all->items[all->count++] =
+                (struct stretch){ found.low[i],        found.high[i],
+                                  body->part.strength, found.a[i],
+                                  found.nearest[i],    found.most[i] };
+    }
+}
+
+static void lanes_add(struct blob_lanes *lanes, const struct blob_body *body,
+                      unsigned met)
+{
+    if (body->round) {
+        lanes_add_round(lanes, body, met);
+        return;
+    }
+    for (; met; met &= met - 1) {
+        int i = __builtin_ctz(met);
+        const struct ray ray = rays_at(lanes->rays, i);
+        stretches_add(&lanes->of[i], body, &ray);
+    }
+}
+
+/* As the rays of blob_crossings, but all in one walk over the boxes. */
+static void lanes_look(struct blob_lanes *lanes)
+{
+    const struct blob_tree *tree = lanes->blob->tree;
+    double inverse[3][RAY_LANES];
+    const struct rays_boxed boxed = { lanes->rays,
+                                      (const double(*)[RAY_LANES])inverse,
+                                      lanes->span };
+    rays_inverse(lanes->rays, inverse);
+    for (uint32_t at = 0; at < tree->node_count;) {
+        const struct blob_node *node = &tree->nodes[at];
+        LANE_LINES lane_flag flags[RAY_LANES];
+        rays_meet_box(&boxed, &node->box, flags);
+        unsigned met = rays_bits(flags);
+        for (uint32_t i = 0; met && i < node->count; i++)
+            lanes_add(lanes, &tree->bodies[node->first + i], met);
+        at = met ? at + 1 : node->next;
+    }
+}
+
+static void blob_first_many(const void *shape, const struct rays *rays,
+                            const struct rays_span *span, struct rays_met *met)
+{
+    struct blob_lanes lanes;
+    lanes.blob = shape;
+    lanes.rays = rays;
+    lanes.span = span;
+    for (int i = 0; i < RAY_LANES; i++)
+        lanes.of[i] = (struct stretches){ span->near[i], span->far[i], 0,
+                                          LANE_STRETCHES, lanes.items[i] };
+    lanes_look(&lanes);
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct stretches *all = &lanes.of[i];
+        struct hit hit;
+        struct crossings_nearest nearest = { &hit, false };
+        if (all->count == all->limit) {
+            const struct ray ray = rays_at(rays, i);
+            nearest.found = blob_first(shape, &ray, all->tmin, all->tmax, &hit);
+        } else if (all->count > 0) {
+            stretches_sweep(all, lanes.blob->threshold, crossings_take,
+                            &nearest);
+        }
+        met->t[i] = nearest.found ? hit.t : (double)INFINITY;
+        met->part[i] = 0;
+    }
+}
+
+static void blob_crosses_many(const void *shape, const struct rays *rays,
+                              const struct rays_span *span, lane_flag *met)
+{
+    struct rays_met first;
+    blob_first_many(shape, rays, span, &first);
+    for (int i = 0; i < RAY_LANES; i++)
+        met[i] = first.t[i] < (double)INFINITY ? -1 : 0;
 }
 
 static void blob_intersect(const void *shape, const struct ray *ray,
@@ -407,6 +302,9 @@ const struct primitive blob_primitive = {
     .crossings = blob_crossings,
     .first = blob_first,
     .crosses = blob_crosses,
+    .lane_by_lane = true,
+    .first_many = blob_first_many,
+    .crosses_many = blob_crosses_many,
     .normal = blob_normal,
     .inside = blob_inside,
 };

@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "base/listing.h"
+#include "base/octet_math.h"
 #include "scene/material.h"
 
 #define X(name) extern const struct camera_kind name##_camera;
@@ -156,11 +157,24 @@ static inline struct ray camera_finished(const struct camera *camera, double x,
     return ray;
 }
 
+/* From the middle of the picture. */
+static struct ray kind_ray(const struct camera *camera, double x, double y)
+{
+    const struct camera_kind *kind = camera->kind;
+    struct camera_turn turns[2];
+    double at[2];
+    if (kind->ray)
+        return kind->ray(camera, x, y);
+    kind->angles(camera, x, y, at);
+    for (int i = 0; i < 2; i++)
+        turns[i] = (struct camera_turn){ lone_sin(at[i]), lone_cos(at[i]) };
+    return kind->turned(camera, x, y, turns);
+}
+
 struct ray camera_ray(const struct camera *camera, double x, double y)
 {
-    return camera_finished(
-        camera, x, y,
-        camera->kind->ray(camera, x - 0.5, camera_above(camera, y)));
+    return camera_finished(camera, x, y,
+                           kind_ray(camera, x - 0.5, camera_above(camera, y)));
 }
 
 /* From the middle of the picture, whose y is upwards. */
@@ -194,6 +208,33 @@ static void rays_bent(const struct camera *camera,
     }
 }
 
+/* The rays of OCTET places from number `first` on, of a kind that turns. */
+static void octet_turned(const struct camera *camera,
+                         const struct camera_places *at, unsigned first,
+                         struct rays *rays)
+{
+    octet sine[2], cosine[2];
+    for (unsigned i = 0; i < OCTET; i++) {
+        double angles[2];
+        camera->kind->angles(camera, at->x[first + i], at->y[first + i],
+                             angles);
+        sine[0][i] = angles[0];
+        sine[1][i] = angles[1];
+    }
+    for (int k = 0; k < 2; k++) {
+        cosine[k] = sine[k];
+        octet_sin(&sine[k]);
+        octet_cos(&cosine[k]);
+    }
+    for (unsigned i = 0; i < OCTET; i++) {
+        const struct camera_turn turns[2] = { { sine[0][i], cosine[0][i] },
+                                              { sine[1][i], cosine[1][i] } };
+        struct ray ray = camera->kind->turned(camera, at->x[first + i],
+                                              at->y[first + i], turns);
+        rays_set(rays, (int)(first + i), ray.origin, ray.direction);
+    }
+}
+
 void camera_rays(const struct camera *camera,
                  const struct camera_places *places, unsigned count,
                  struct rays *rays)
@@ -203,6 +244,9 @@ void camera_rays(const struct camera *camera,
     places_from_middle(camera, places, &at);
     if (camera->kind->ray_many)
         camera->kind->ray_many(camera, &at, rays);
+    else if (!camera->kind->ray)
+        for (unsigned i = 0; i < count; i += OCTET)
+            octet_turned(camera, &at, i, rays);
     else
         for (unsigned i = 0; i < RAY_LANES; i++) {
             if (i < count)

@@ -22,6 +22,11 @@ struct camera_places {
     LANE_LINES double x[RAY_LANES], y[RAY_LANES];
 };
 
+/* An angle's. */
+struct camera_turn {
+    double sine, cosine;
+};
+
 /* One kind of camera: a file in camera/ and a row in camera/list.h. */
 struct camera_kind {
     const char *name; /* the keyword */
@@ -34,8 +39,14 @@ struct camera_kind {
     /* Whether it sees anything at x to the right and y above the middle of the
      * picture, whose sides are 1; NULL: everywhere. */
     bool (*sees)(const struct camera *camera, double x, double y);
-    /* Its ray there, of any length. */
+    /* Its ray there, of any length; NULL: it is made of angles. */
     struct ray (*ray)(const struct camera *camera, double x, double y);
+    /* Of kinds that turn, instead of it: two angles of the place, radians, and
+     * the ray there by what these have. */
+    void (*angles)(const struct camera *camera, double x, double y,
+                   double at[2]);
+    struct ray (*turned)(const struct camera *camera, double x, double y,
+                         const struct camera_turn turns[2]);
     /* The same at RAY_LANES places, each as `ray` has it to the bit. NULL: one
      * by one. */
     void (*ray_many)(const struct camera *camera,

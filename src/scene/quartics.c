@@ -4,7 +4,7 @@
 
 #include "scene/polynomial.h"
 
-enum { HALVINGS = 4 };
+enum { HALVINGS = 8 };
 
 typedef double lanes[RAY_LANES];
 

@@ -18,14 +18,15 @@ static double fog_integral(double height)
 static double fog_left(const struct scene *scene, const struct fog *fog,
                        const struct ray *ray, double way)
 {
-    if (!fog->turbulent)
+    const double unseen = 38; /* 1 less exp(-38) is 1 */
+    double depth = way / fog->distance;
+    if (!fog->turbulent || depth > unseen)
         return 1;
     vec3 middle = vec3_along(ray->origin, ray->direction, way / 2);
     double noise = noise_turbulence(scene->noise.generator,
                                     vec3_mul(fog->turbulence.amount, middle),
                                     &fog->turbulence);
-    return 1 -
-           exp(-way / fog->distance) * fmin(1, noise * fog->turbulent_share);
+    return 1 - exp(-depth) * fmin(1, noise * fog->turbulent_share);
 }
 
 /* How much fog a ray meets without turbulence: the mean density times the way,

@@ -3,6 +3,8 @@
 
 #include "base/pair.h"
 
+enum { BEAM_WORTH = 4 }; /* boxes, to look at all rays of a packet as one */
+
 struct few_pair {
     pair side[2][3]; /* low and high, along x, y and z */
 };
@@ -70,10 +72,87 @@ static struct box3 pair_box(const struct few_pair *boxes, size_t i)
                           { side[1][0][i], side[1][1][i], side[1][2][i] } };
 }
 
+/* All rays of a packet between their outermost ones. */
+struct beam {
+    struct {
+        bool known;               /* they all go up the axis, or all down it */
+        int in;                   /* the side they come in by: low 0, high 1 */
+        double in_from, out_from; /* the origin farthest from either side */
+        double least, most;       /* inverse of their directions */
+    } axis[3];
+};
+
+/* The least and the greatest of the lanes where `open` is set. */
+CLONES static void lanes_range(const double *restrict lanes,
+                               const lane_flag *restrict open,
+                               double *restrict range)
+{
+    double low[RAY_LANES], high[RAY_LANES];
+    for (int i = 0; i < RAY_LANES; i++) {
+        low[i] = open[i] ? lanes[i] : HUGE_VAL;
+        high[i] = open[i] ? lanes[i] : -HUGE_VAL;
+    }
+    for (int rest = RAY_LANES / 2; rest > 0; rest /= 2)
+        for (int i = 0; i < rest; i++) {
+            low[i] = slab_min(low[i], low[i + rest]);
+            high[i] = slab_max(high[i], high[i + rest]);
+        }
+    range[0] = low[0];
+    range[1] = high[0];
+}
+
+static void beam_of(const struct packet *packet, struct beam *beam)
+{
+    LANE_LINES lane_flag open[RAY_LANES];
+    double origin[2], inverse[2];
+    for (int i = 0; i < RAY_LANES; i++)
+        open[i] = packet->open >> i & 1 ? -1 : 0;
+    for (int k = 0; k < 3; k++) {
+        lanes_range(packet->rays->origin[k], open, origin);
+        lanes_range(packet->inverse[k], open, inverse);
+        bool up = inverse[0] > 0;
+        beam->axis[k].known = up || inverse[1] < 0;
+        beam->axis[k].in = up ? 0 : 1;
+        beam->axis[k].in_from = origin[up];
+        beam->axis[k].out_from = origin[!up];
+        beam->axis[k].least = inverse[0];
+        beam->axis[k].most = inverse[1];
+    }
+}
+
+/* Which of both boxes some ray may meet. */
+static inline int beam_met(const struct beam *beam,
+                           const struct few_pair *boxes)
+{
+    pair enter = pair_of(-HUGE_VAL), leave = pair_of(HUGE_VAL);
+    for (int k = 0; k < 3; k++) {
+        int in = beam->axis[k].in;
+        if (!beam->axis[k].known)
+            continue;
+        pair to = boxes->side[in][k] - beam->axis[k].in_from;
+        pair from = boxes->side[!in][k] - beam->axis[k].out_from;
+        double least = beam->axis[k].least, most = beam->axis[k].most;
+        enter = pair_max(enter, pair_min(to * least, to * most));
+        leave = pair_min(leave, pair_max(from * least, from * most));
+    }
+    return pair_ordered(enter, leave);
+}
+
 void few_look(const struct few *few, struct packet *packet)
 {
-    for (size_t i = 0; i < few->solids->count; i++) {
-        struct box3 box = pair_box(&few->pairs[i / PAIR], i % PAIR);
+    const size_t count = few->solids->count;
+    struct beam beam;
+    int met = 0;
+    bool worth = count >= BEAM_WORTH;
+    if (worth)
+        beam_of(packet, &beam);
+    for (size_t i = 0; i < count; i++) {
+        const struct few_pair *boxes = &few->pairs[i / PAIR];
+        if (i % PAIR == 0)
+            met = worth ? beam_met(&beam, boxes) : -1;
+        if (!(met >> i % PAIR & 1))
+            continue;
+        struct box3 box = pair_box(boxes, i % PAIR);
         unsigned lanes = packet_meets(packet, &box);
         if (packet_look(packet, few->solids->items[i], lanes))
             return;

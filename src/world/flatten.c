@@ -172,9 +172,9 @@ static const struct leaf_inner *build_inner(struct flat *flat,
     return inner;
 }
 
-/* False if it has no inverse. */
+/* False if it has no inverse. `kept` is of the scene and may be the same. */
 static bool find_place(struct flat *flat, const affine *outward,
-                       struct flat_place *place)
+                       const affine *kept, struct flat_place *place)
 {
     affine inward;
     if (affine_is_identity(*outward)) {
@@ -189,7 +189,9 @@ static bool find_place(struct flat *flat, const affine *outward,
     }
     if (!affine_inverse(*outward, &inward))
         return false;
-    place->outward = affine_kept(flat->arena, outward);
+    place->outward = memcmp(kept, outward, sizeof *kept) == 0
+                         ? kept
+                         : affine_kept(flat->arena, outward);
     place->inward = affine_kept(flat->arena, &inward);
     flat->recent[flat->recent_next++ % FLAT_RECENT] = *place;
     return true;
@@ -200,9 +202,10 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
                                const struct inherited *in)
 {
     struct flat_place place, texture;
-    if (!find_place(flat, &in->to_world, &place))
+    if (!find_place(flat, &in->to_world, object->transform, &place))
         return NULL;
-    if (!find_place(flat, &in->from_texture, &texture))
+    if (!find_place(flat, &in->from_texture, object->texture_transform,
+                    &texture))
         texture = (struct flat_place){ &affine_unmoved, &affine_unmoved };
     struct leaf *leaf = ARENA_NEW(flat->arena, struct leaf);
     leaf->object = object;
@@ -298,7 +301,7 @@ static struct solid *build_leaf_solid(struct flat *flat,
 {
     struct leaf *leaf = build_leaf(flat, object, in);
     struct flat_place place;
-    if (!leaf || !find_place(flat, &in->to_tree, &place))
+    if (!leaf || !find_place(flat, &in->to_tree, object->transform, &place))
         return NULL;
     struct solid *solid = ARENA_NEW(flat->arena, struct solid);
     solid->kind = object->kind;
@@ -402,10 +405,11 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
 }
 
 /* The space of the root's own object. NULL if it has no inverse. */
-static const struct frame *build_frame(struct flat *flat, const affine *outward)
+static const struct frame *build_frame(struct flat *flat, const affine *outward,
+                                       const affine *kept)
 {
     struct flat_place place;
-    if (!find_place(flat, outward, &place))
+    if (!find_place(flat, outward, kept, &place))
         return NULL;
     struct frame *frame = ARENA_NEW(flat->arena, struct frame);
     *frame = (struct frame){ place.inward, place.outward };
@@ -456,7 +460,7 @@ static struct solid *build_solid(struct flat *flat, const struct object *object,
         solid = build_leaf_solid(flat, object, &in);
     } else {
         if (root && !affine_is_identity(in.to_tree)) {
-            frame = build_frame(flat, &in.to_tree);
+            frame = build_frame(flat, &in.to_tree, object->transform);
             if (!frame)
                 return NULL;
             in.to_tree = affine_identity();

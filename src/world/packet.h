@@ -5,6 +5,7 @@
 #ifndef WORLD_PACKET_H
 #define WORLD_PACKET_H
 
+#include "scene/slab_rays.h"
 #include "world/query.h"
 
 /* Bits stand for rays. */
@@ -74,19 +75,6 @@ static inline bool packet_sees(const struct packet *packet,
     return packet->occlusion ? leaf_casts(leaf, packet->light)
                              : leaf_is_seen(leaf, packet->kind);
 }
-
-/* The inverse of the directions, as slab_inverse has it. */
-void rays_inverse(const struct rays *rays, double inverse[3][RAY_LANES]);
-
-/* Which of the rays may meet the box within their span. */
-struct rays_boxed {
-    const struct rays *rays;
-    const double (*inverse)[RAY_LANES];
-    const struct rays_span *span;
-};
-
-void rays_meet_box(const struct rays_boxed *rays, const struct box3 *box,
-                   lane_flag *met);
 
 /* Which open rays may meet the box. */
 unsigned packet_meets(const struct packet *packet, const struct box3 *box);

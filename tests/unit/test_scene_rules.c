@@ -638,6 +638,31 @@ static void one_mistake_is_one_error(void **state)
     }
 }
 
+/* Whole shapes that differ in something are not the same, nor is one that has
+ * no length after another such. */
+static void shapes_written_again_are_kept_once(void **state)
+{
+    (void)state;
+    struct reading r = scene_good(
+        "#macro L(X) lathe { linear_spline 3, <0,0>, <X,1>, <0,2> #end\n"
+        "#macro P(H) prism { 0, H, 4, <0,0>, <1,0>, <0,1>, <0,0> #end\n"
+        "#macro S(X) sor { 4, <0,0>, <X,1>, <1,2>, <0,3> #end\n"
+        "L(1) } L(2) } L(1) translate x } L(1) sturm }\n"
+        "P(1) } P(2) } P(1) rotate 9 } P(1) open }\n"
+        "S(1) } S(2) } S(1) scale 2 } S(1) open }\n"
+        "L(0) } #local I = 0; #while (I < 2)\n"
+        "lathe { linear_spline 2, <1,1>, <1,1> } #local I = I + 1; #end");
+    for (size_t i = 0; i < 12; i += 4) {
+        const void *first = object_at(&r, i)->shape;
+        assert_true(object_at(&r, i + 2)->shape == first);
+        assert_true(object_at(&r, i + 1)->shape != first);
+        assert_true(object_at(&r, i + 3)->shape != first);
+    }
+    for (size_t i = 13; i < 15; i++)
+        assert_true(object_at(&r, i)->kind == OBJECT_UNION);
+    scene_end(&r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -666,6 +691,7 @@ int main(void)
         cmocka_unit_test(radiosity_asks_for_interreflection),
         cmocka_unit_test(unsupported_things_wait_for_their_use),
         cmocka_unit_test(one_mistake_is_one_error),
+        cmocka_unit_test(shapes_written_again_are_kept_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -23,19 +23,21 @@ static void cylinder_finish(struct camera *camera)
         camera->up = vec3_normalise(camera->up);
 }
 
-static struct ray cylinder_ray(const struct camera *camera, double x, double y)
+static struct ray cylinder_turned(const struct camera *camera, double x,
+                                  double y, const struct camera_turn turns[2])
 {
     struct ray ray = { .origin = camera->location };
-    double a = x * camera->turn, b = y * camera->turn_up;
     bool along = camera->number > 2;
     if (cylinder_stands(camera)) {
         if (along)
             ray.origin = vec3_along(ray.origin, camera->up, y);
-        ray.direction = camera_sum(camera, sin(a), along ? 0 : y, cos(a));
+        ray.direction =
+            camera_sum(camera, turns[0].sine, along ? 0 : y, turns[0].cosine);
     } else {
         if (along)
             ray.origin = vec3_along(ray.origin, camera->right, x);
-        ray.direction = camera_sum(camera, along ? 0 : x, sin(b), cos(b));
+        ray.direction =
+            camera_sum(camera, along ? 0 : x, turns[1].sine, turns[1].cosine);
     }
     return ray;
 }
@@ -56,6 +58,7 @@ const struct camera_kind cylinder_camera = {
     .arguments = cylinder_arguments,
     .lines = CAMERA_BENT,
     .finish = cylinder_finish,
-    .ray = cylinder_ray,
+    .angles = camera_turned,
+    .turned = cylinder_turned,
     .bend_at = cylinder_bend_at,
 };

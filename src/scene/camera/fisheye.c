@@ -10,8 +10,8 @@ static void fisheye_finish(struct camera *camera)
 /* From the middle of the disc, whose edge is at 1. */
 static double fisheye_disc(const struct camera *camera, double x, double y)
 {
-    return 2 *
-           hypot(x * vec3_length(camera->right), y * vec3_length(camera->up));
+    return 2 * sqrt(x * x * vec3_dot(camera->right, camera->right) +
+                    y * y * vec3_dot(camera->up, camera->up));
 }
 
 static bool fisheye_sees(const struct camera *camera, double x, double y)
@@ -19,12 +19,21 @@ static bool fisheye_sees(const struct camera *camera, double x, double y)
     return fisheye_disc(camera, x, y) <= 1;
 }
 
-static struct ray fisheye_ray(const struct camera *camera, double x, double y)
+/* From the direction. */
+static void fisheye_angles(const struct camera *camera, double x, double y,
+                           double at[2])
 {
-    double r = fisheye_disc(camera, x, y), angle = r * camera->turn / 2;
-    double side = r > 0 ? 2 * sin(angle) / r : 0;
-    return (struct ray){ camera->location,
-                         camera_sum(camera, side * x, side * y, cos(angle)) };
+    at[0] = at[1] = fisheye_disc(camera, x, y) * camera->turn / 2;
+}
+
+static struct ray fisheye_turned(const struct camera *camera, double x,
+                                 double y, const struct camera_turn turns[2])
+{
+    double r = fisheye_disc(camera, x, y);
+    double side = r > 0 ? 2 * turns->sine / r : 0;
+    return (struct ray){
+        camera->location, camera_sum(camera, side * x, side * y, turns->cosine)
+    };
 }
 
 /* Around the disc, and from the direction. */
@@ -42,6 +51,7 @@ const struct camera_kind fisheye_camera = {
     .lines = CAMERA_BENT,
     .finish = fisheye_finish,
     .sees = fisheye_sees,
-    .ray = fisheye_ray,
+    .angles = fisheye_angles,
+    .turned = fisheye_turned,
     .bend_at = fisheye_bend_at,
 };

@@ -27,23 +27,37 @@ static void omnimax_place(const struct camera *camera, double x, double y,
     disc[1] = 2 * y * scale + fmax(0, 1 - scale);
 }
 
-static struct ray omnimax_ray(const struct camera *camera, double x, double y)
+static double omnimax_radius(const double disc[2])
+{
+    return sqrt(disc[0] * disc[0] + disc[1] * disc[1]);
+}
+
+/* From the direction. */
+static void omnimax_angles(const struct camera *camera, double x, double y,
+                           double at[2])
 {
     double disc[2];
     omnimax_place(camera, x, y, disc);
-    double r = hypot(disc[0], disc[1]), angle = omnimax_angle(r);
-    double side = r > 0 ? sin(angle) / r : 0;
+    at[0] = at[1] = omnimax_angle(omnimax_radius(disc));
+}
+
+static struct ray omnimax_turned(const struct camera *camera, double x,
+                                 double y, const struct camera_turn turns[2])
+{
+    double disc[2];
+    omnimax_place(camera, x, y, disc);
+    double r = omnimax_radius(disc), side = r > 0 ? turns->sine / r : 0;
     vec3 sum = vec3_scale(vec3_normalise(camera->right), side * disc[0]);
     sum = vec3_along(sum, vec3_normalise(camera->up), side * disc[1]);
     return (struct ray){ camera->location,
-                         vec3_along(sum, camera->direction, cos(angle)) };
+                         vec3_along(sum, camera->direction, turns->cosine) };
 }
 
 static bool omnimax_sees(const struct camera *camera, double x, double y)
 {
     double disc[2];
     omnimax_place(camera, x, y, disc);
-    double r = hypot(disc[0], disc[1]), angle = omnimax_angle(r);
+    double r = omnimax_radius(disc), angle = omnimax_angle(r);
     return r <= 1 && disc[1] * sin(angle) >= -r * cos(angle);
 }
 
@@ -54,7 +68,7 @@ static void omnimax_bend_at(const struct camera *camera, double x, double y,
     double disc[2];
     omnimax_place(camera, x, y, disc);
     at[0] = camera_around(disc[0], disc[1]);
-    at[1] = omnimax_angle(hypot(disc[0], disc[1]));
+    at[1] = omnimax_angle(omnimax_radius(disc));
 }
 
 const struct camera_kind omnimax_camera = {
@@ -63,6 +77,7 @@ const struct camera_kind omnimax_camera = {
     .lines = CAMERA_BENT,
     .finish = omnimax_finish,
     .sees = omnimax_sees,
-    .ray = omnimax_ray,
+    .angles = omnimax_angles,
+    .turned = omnimax_turned,
     .bend_at = omnimax_bend_at,
 };

@@ -10,13 +10,15 @@ static void spherical_finish(struct camera *camera)
     camera->up = vec3_normalise(camera->up);
 }
 
-static struct ray spherical_ray(const struct camera *camera, double x, double y)
+static struct ray spherical_turned(const struct camera *camera, double x,
+                                   double y, const struct camera_turn turns[2])
 {
-    double at[2];
-    camera_turned(camera, x, y, at);
+    (void)x;
+    (void)y;
     return (struct ray){ camera->location,
-                         camera_sum(camera, sin(at[0]) * cos(at[1]), sin(at[1]),
-                                    cos(at[0]) * cos(at[1])) };
+                         camera_sum(camera, turns[0].sine * turns[1].cosine,
+                                    turns[1].sine,
+                                    turns[0].cosine * turns[1].cosine) };
 }
 
 const struct camera_kind spherical_camera = {
@@ -24,6 +26,7 @@ const struct camera_kind spherical_camera = {
     .help = "longitude and latitude: all around",
     .lines = CAMERA_BENT,
     .finish = spherical_finish,
-    .ray = spherical_ray,
+    .angles = camera_turned,
+    .turned = spherical_turned,
     .bend_at = camera_turned,
 };

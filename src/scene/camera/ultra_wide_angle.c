@@ -9,14 +9,15 @@ static void ultra_wide_angle_finish(struct camera *camera)
     camera->up = vec3_normalise(camera->up);
 }
 
-static struct ray ultra_wide_angle_ray(const struct camera *camera, double x,
-                                       double y)
+static struct ray ultra_wide_angle_turned(const struct camera *camera, double x,
+                                          double y,
+                                          const struct camera_turn turns[2])
 {
-    double at[2];
-    camera_turned(camera, x, y, at);
+    (void)x;
+    (void)y;
     return (struct ray){ camera->location,
-                         camera_sum(camera, sin(at[0]), sin(at[1]),
-                                    cos(at[0]) * cos(at[1])) };
+                         camera_sum(camera, turns[0].sine, turns[1].sine,
+                                    turns[0].cosine * turns[1].cosine) };
 }
 
 const struct camera_kind ultra_wide_angle_camera = {
@@ -24,6 +25,7 @@ const struct camera_kind ultra_wide_angle_camera = {
     .help = "as wide as can be, bent at its borders",
     .lines = CAMERA_BENT,
     .finish = ultra_wide_angle_finish,
-    .ray = ultra_wide_angle_ray,
+    .angles = camera_turned,
+    .turned = ultra_wide_angle_turned,
     .bend_at = camera_turned,
 };

@@ -261,6 +261,7 @@ const struct primitive sor_primitive = {
     .arguments = sor_arguments,
     .items = sor_items,
     .solid = true,
+    .alike = true,
     .prepare = sor_prepare,
     .bounds = sor_bounds,
     .intersect = sor_intersect,

@@ -2,7 +2,7 @@
 #include "scene/crossings.h"
 #include "scene/line_roots.h"
 #include "scene/primitive.h"
-#include "scene/quartics.h"
+#include "scene/quartic_rays.h"
 
 struct torus {
     double major, minor;
@@ -173,18 +173,11 @@ static bool torus_crosses(const void *shape, const struct ray *ray, double tmin,
     return polynomial_crosses(c, 4, low, high);
 }
 
-/* Rays side by side whose torus has a hole or none, but no lens. */
-struct torus_lanes {
-    struct quartics quartics;
-    double length[RAY_LANES], shift[RAY_LANES]; /* as of a line */
-    double least[RAY_LANES], most[RAY_LANES];   /* roots of near and far */
-};
-
 /* As torus_part and torus_quartic. */
 CLONES static void torus_restrict(const struct torus *shape,
                                   const struct rays *restrict rays,
                                   const struct rays_span *restrict span,
-                                  struct torus_lanes *restrict out)
+                                  struct quartic_rays *restrict out)
 {
     const struct torus torus = *shape;
     double reach = fabs(torus.major) + torus.minor;
@@ -215,67 +208,35 @@ CLONES static void torus_restrict(const struct torus *shape,
     }
 }
 
-static bool torus_has_lanes(const struct torus *torus)
+/* Those of rays side by side; NULL: its major radius makes it none, or a part
+ * of a tube. */
+static struct quartic_rays *torus_lanes(const struct torus *torus,
+                                        const struct quartic_asked *asked,
+                                        struct quartic_rays *lanes)
 {
-    return !torus->unseen && torus->major > 0 &&
-           torus->major + torus->minor > 0;
+    if (torus->unseen || !(torus->major > 0) ||
+        !(torus->major + torus->minor > 0))
+        return NULL;
+    torus_restrict(torus, asked->rays, asked->span, lanes);
+    return lanes;
 }
 
 static void torus_first_many(const void *shape, const struct rays *rays,
                              const struct rays_span *span, struct rays_met *met)
 {
-    struct torus_lanes lanes;
-    struct quartic_roots found;
-    bool whole = torus_has_lanes(shape);
-    if (whole) {
-        torus_restrict(shape, rays, span, &lanes);
-        quartics_first(&lanes.quartics, lanes.least, &found);
-    }
-    for (int i = 0; i < RAY_LANES; i++) {
-        double near = span->near[i], far = span->far[i];
-        struct hit hit;
-        met->t[i] = (double)INFINITY;
-        met->part[i] = 0;
-        if (!(near < far) || (whole && found.fate[i] == (double)QUARTIC_NONE))
-            continue;
-        double t =
-            whole ? (found.root[i] + lanes.shift[i]) / lanes.length[i] : near;
-        if (whole && found.fate[i] == (double)QUARTIC_ROOT && t > near) {
-            met->t[i] = t <= far ? t : (double)INFINITY;
-            continue;
-        }
-        const struct ray ray = rays_at(rays, i);
-        if (torus_first(shape, &ray, near, far, &hit))
-            met->t[i] = hit.t;
-    }
+    const struct quartic_asked asked = { shape, torus_first, torus_crosses,
+                                         rays, span };
+    struct quartic_rays lanes;
+    quartic_rays_first(torus_lanes(shape, &asked, &lanes), &asked, met);
 }
 
 static void torus_crosses_many(const void *shape, const struct rays *rays,
                                const struct rays_span *span, lane_flag *met)
 {
-    struct torus_lanes lanes;
-    double fate[RAY_LANES];
-    bool whole = torus_has_lanes(shape);
-    if (whole) {
-        torus_restrict(shape, rays, span, &lanes);
-        for (int i = 0; i < RAY_LANES; i++) {
-            double *low = &lanes.quartics.low[i];
-            double *high = &lanes.quartics.high[i];
-            *low = *low > lanes.least[i] ? *low : lanes.least[i];
-            *high = *high < lanes.most[i] ? *high : lanes.most[i];
-        }
-        quartics_cross(&lanes.quartics, fate);
-    }
-    for (int i = 0; i < RAY_LANES; i++) {
-        double near = span->near[i], far = span->far[i];
-        const struct ray ray = rays_at(rays, i);
-        if (!(near < far))
-            met[i] = 0;
-        else if (whole && fate[i] != (double)QUARTIC_UNKNOWN)
-            met[i] = fate[i] == (double)QUARTIC_ROOT ? -1 : 0;
-        else
-            met[i] = torus_crosses(shape, &ray, near, far) ? -1 : 0;
-    }
+    const struct quartic_asked asked = { shape, torus_first, torus_crosses,
+                                         rays, span };
+    struct quartic_rays lanes;
+    quartic_rays_cross(torus_lanes(shape, &asked, &lanes), &asked, met);
 }
 
 static vec3 torus_normal(const void *shape, vec3 point, const struct hit *hit)
