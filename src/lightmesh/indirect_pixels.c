@@ -5,6 +5,7 @@
 #include "lightmesh/corner_store.h"
 #include "lightmesh/pixel_blocks.h"
 #include "lightmesh/tuning.h"
+#include "shade/first_hits.h"
 
 struct indirect_pixels {
     const struct indirect_mesh *mesh;
