@@ -1,12 +1,12 @@
-/* A place that the camera sees and that asks the indirect mesh for places
- * around it: where it is, whom it serves, and what it knows. */
+/* A place of a surface that asks the indirect mesh for places around it: where
+ * it is, whom it serves, and what it knows. */
 #ifndef LIGHTMESH_CORNER_H
 #define LIGHTMESH_CORNER_H
 
 #include "lightmesh/indirect.h"
 
 struct corner {
-    bool met; /* the camera sees a surface there: */
+    bool met; /* there is a surface that the camera sees: */
     vec3 point, side, from;
     double reach; /* how far it may serve, units */
 };

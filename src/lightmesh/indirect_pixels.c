@@ -1,52 +1,30 @@
-/* Indirect light at a grid of the picture: see indirect_pixels.h. */
+/* Indirect light between corners of surfaces: see indirect_pixels.h. */
 #include "lightmesh/indirect_pixels.h"
 
 #include "base/memory.h"
-#include "base/random.h"
-#include "lightmesh/corner.h"
+#include "lightmesh/corner_store.h"
 #include "lightmesh/pixel_blocks.h"
-#include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 #include "shade/first_hits.h"
-#include "shade/shadow.h"
-#include "shade/surface.h"
-
-/* The corners around a place of the grid. */
-struct cell {
-    uint64_t key; /* of the first, its step with it; 0: of none */
-    const struct corner *corner[4];      /* NULL: not asked yet, or not kept */
-    const struct corner_light *light[4]; /* likewise */
-};
-
-enum { CELLS_ACROSS = 8, CELLS_DOWN = 2, CELL_STEPS = 2 };
-
-/* The last that a worker came by: neighbouring pixels have the same. */
-struct cells {
-    struct cell at[CELL_STEPS][CELLS_DOWN][CELLS_ACROSS];
-};
 
 struct indirect_pixels {
     const struct indirect_mesh *mesh;
-    const struct camera *camera;
-    double width, height; /* of the picture, in steps of the grid */
-    uint64_t columns;
-    struct table *corners; /* where they are, and beside, by the same keys, */
-    struct table *lights;  /* what those know that served */
-    unsigned threads;
+    struct surface_grid grid;
+    struct corner_store *store;
     struct pixel_blocks *blocks;
-    struct lone_places *lone; /* of each worker, */
-    struct cells *cells;      /* too */
+    unsigned threads;
+    struct lone_places *lone; /* of each worker */
 };
 
 /* Where rays of a pixel that has several had to ask for themselves: what they
  * got serves as corners do. The oldest gives way. */
 struct lone_places {
-    unsigned long long pixel; /* as the worker has it */
+    unsigned long long pixel; /* worker_pixel's */
     unsigned count;
     struct {
         struct corner corner;
         struct corner_light light;
-        int coarser; /* as of a corner's name */
+        int coarser; /* as of a cell */
     } at[LONE_PLACES];
 };
 
@@ -56,23 +34,19 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
                                             unsigned threads)
 {
     struct indirect_pixels *pixels = memory_new(sizeof *pixels);
+    const struct lattice *lattice = &mesh->points.lattice;
+    const int size[2] = { width, height };
     double apart = sqrt((double)width * height / indirect_pixels_most);
     apart = fmin(fmax(apart, indirect_pixels_near), indirect_pixels_far);
     *pixels = (struct indirect_pixels){
         .mesh = mesh,
-        .camera = camera,
-        .width = width / apart,
-        .height = height / apart,
-        .columns = (uint64_t)(width / apart) + 4,
-        .blocks = pixel_blocks_new(mesh, camera, (int[]){ width, height },
-                                   apart, threads),
+        .grid = surface_grid_new(camera, size, apart, mesh->gather.view.eye,
+                                 lattice_spacing(lattice, lattice->usual)),
+        .blocks = pixel_blocks_new(mesh, camera, size, apart, threads),
         .threads = threads,
-        .lone = memory_new(threads * sizeof(struct lone_places)),
-        .cells = memory_new(threads * sizeof(struct cells)),
+        .lone = memory_new(threads * LONE_PIXELS * sizeof(struct lone_places)),
     };
-    pixels->corners = table_new_beside(
-        &pixels->lights, sizeof(struct corner), INDIRECT_PIXELS_BYTES / 3,
-        sizeof(struct corner_light), 2 * INDIRECT_PIXELS_BYTES / 3);
+    pixels->store = corner_store_new(mesh, camera, &pixels->grid, threads);
     return pixels;
 }
 
@@ -80,191 +54,75 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
 {
     if (!pixels)
         return;
-    table_free(pixels->lights);
-    table_free(pixels->corners);
+    corner_store_free(pixels->store);
     pixel_blocks_free(pixels->blocks);
-    memory_free(pixels->cells);
     memory_free(pixels->lone);
     memory_free(pixels);
 }
 
 size_t indirect_pixels_bytes(const struct indirect_pixels *pixels)
 {
-    return table_bytes(pixels->corners) + table_bytes(pixels->lights);
-}
-
-/* Column and row of a corner, and how much what asks there is worth: see
- * point_mesh_worth. */
-struct corner_name {
-    int at[2];
-    int coarser;
-};
-
-/* The number of its records, never 0. */
-static uint64_t corner_key(const struct indirect_pixels *pixels,
-                           const struct corner_name *name)
-{
-    uint64_t row = (uint64_t)(name->at[1] + 1),
-             column = (uint64_t)(name->at[0] + 1);
-    return 1 + (row * pixels->columns + column) * POINT_MESH_WORTHS +
-           (uint64_t)name->coarser;
-}
-
-/* A record of the table, or else the worker's: to be filled unless
- * TABLE_READY, and published if TABLE_MINE. */
-static enum table_state corner_record(struct table *table,
-                                      struct worker *worker, uint64_t key,
-                                      void **record)
-{
-    enum table_state state = table_find(table, key, random_mix(key), record);
-    if (state == TABLE_NONE)
-        *record = arena_alloc(worker->scratch, table_record_size(table));
-    return state;
-}
-
-static struct cell *cell_get(const struct indirect_pixels *pixels,
-                             const struct worker *worker,
-                             const struct corner_name *name, int step)
-{
-    uint64_t key = corner_key(pixels, name) * CELL_STEPS + (uint64_t)step - 1;
-    unsigned column = (unsigned)(name->at[0] / step) % CELLS_ACROSS;
-    unsigned row = (unsigned)(name->at[1] / step) % CELLS_DOWN;
-    struct cell *cell =
-        &pixels->cells[worker->number].at[step - 1][row][column];
-    if (cell->key != key)
-        *cell = (struct cell){ .key = key };
-    return cell;
-}
-
-/* What the camera sees at the corner. */
-static void corner_look(struct corner *corner,
-                        const struct indirect_pixels *pixels,
-                        const struct corner_name *name,
-                        const struct receiver *like)
-{
-    struct intersection at;
-    double x = name->at[0] / pixels->width, y = name->at[1] / pixels->height;
-    corner->met = false;
-    if (!camera_sees(pixels->camera, x, y))
-        return;
-    struct ray ray = camera_ray(pixels->camera, x, y);
-    if (world_closest(pixels->mesh->points.world, &ray,
-                      surface_offset(ray.origin), RAY_CAMERA, &at))
-        corner_meet(corner, pixels->mesh, like, &ray, &at);
-}
-
-/* *kept: for as long as the picture takes. */
-static const struct corner *corner_get(const struct indirect_pixels *pixels,
-                                       struct worker *worker,
-                                       const struct corner_name *name,
-                                       const struct receiver *like,
-                                       const struct corner **kept)
-{
-    void *record;
-    enum table_state state = corner_record(pixels->corners, worker,
-                                           corner_key(pixels, name), &record);
-    if (state != TABLE_NONE)
-        *kept = record;
-    if (state == TABLE_READY)
-        return record;
-    corner_look(record, pixels, name, like);
-    if (state == TABLE_MINE)
-        table_publish(pixels->corners, record);
-    return record;
-}
-
-/* What it knows, as one of the receivers around that have its worth. */
-static const struct corner_light *
-corner_lit(const struct indirect_pixels *pixels, struct worker *worker,
-           const struct corner_name *name, const struct corner *corner,
-           const struct receiver *like, const struct corner_light **kept)
-{
-    void *record;
-    enum table_state state = corner_record(pixels->lights, worker,
-                                           corner_key(pixels, name), &record);
-    if (state != TABLE_NONE)
-        *kept = record;
-    if (state == TABLE_READY)
-        return record;
-    struct receiver receiver = corner_receiver(corner, like, name->coarser);
-    corner_ask(record, pixels->mesh, worker, &receiver, pixels->mesh->near);
-    if (state == TABLE_MINE)
-        table_publish(pixels->lights, record);
-    return record;
+    return corner_store_bytes(pixels->store);
 }
 
 /* The corners around a place that serve it, with their weights. */
 struct corners {
-    struct cell *cell; /* while they are found */
+    struct corner_cell *cell, own; /* own: where the worker keeps none */
     int count;
     bool missing; /* another is on another surface */
     double sum;
     struct {
+        int number; /* in the cell */
+        double weight;
         const struct corner *corner;
         const struct corner_light *light;
-        double weight;
-    } at[4];
+    } at[GRID_CORNERS];
 };
 
-/* Number `i` of the cell, by that name. */
-static void corners_add(struct corners *corners,
-                        const struct indirect_pixels *pixels,
-                        struct worker *worker, const struct corner_name *name,
-                        int i, const struct receiver *receiver)
-{
-    struct cell *cell = corners->cell;
-    const struct corner *corner = cell->corner[i];
-    const struct corner_light *light = cell->light[i];
-    if (!corner)
-        corner = corner_get(pixels, worker, name, receiver, &cell->corner[i]);
-    if (!corner_serves(corner, receiver)) {
-        corners->missing = true;
-        return;
-    }
-    if (!light)
-        light =
-            corner_lit(pixels, worker, name, corner, receiver, &cell->light[i]);
-    corners->at[corners->count].corner = corner;
-    corners->at[corners->count++].light = light;
-}
-
-/* Those of every `step`th row and column of the grid. */
+/* Those of a level; what they know isn't asked yet. */
 static void corners_find(struct corners *corners,
                          const struct indirect_pixels *pixels,
                          struct worker *worker, const struct receiver *receiver,
-                         int step)
+                         int level)
 {
-    double x = receiver->pixel->at[0] * pixels->width / step,
-           y = receiver->pixel->at[1] * pixels->height / step;
-    double across = x - floor(x), down = y - floor(y);
-    const struct corner_name first = { { step * (int)floor(x),
-                                         step * (int)floor(y) },
-                                       point_mesh_worth(receiver->weight) };
-    struct cell own = { .key = 0 };
-    corners->cell = worker->number < pixels->threads
-                        ? cell_get(pixels, worker, &first, step)
-                        : &own;
+    struct grid_cell name;
     corners->count = 0;
-    corners->sum = 0;
+    corners->missing = true;
+    if (!surface_grid_cell(&pixels->grid, receiver, level, &name))
+        return;
+    corners->cell =
+        corner_store_cell(pixels->store, worker, &name,
+                          point_mesh_worth(receiver->weight), &corners->own);
     corners->missing = false;
-    for (int i = 0; i < 4; i++) {
-        struct corner_name name = first;
-        name.at[0] += i % 2 * step;
-        name.at[1] += i / 2 * step;
-        double weight =
-            (i % 2 ? across : 1 - across) * (i / 2 ? down : 1 - down);
-        int count = corners->count;
-        if (weight < indirect_pixels_least)
+    for (int i = 0; i < GRID_CORNERS; i++) {
+        if (name.weight[i] < indirect_pixels_least)
             continue;
-        corners_add(corners, pixels, worker, &name, i, receiver);
-        if (corners->count == count)
+        const struct corner *corner = corner_store_corner(
+            pixels->store, worker, corners->cell, i, receiver);
+        if (!corner_serves(corner, receiver)) {
+            corners->missing = true;
             continue;
-        corners->at[count].weight = weight;
-        corners->sum += weight;
+        }
+        corners->at[corners->count].number = i;
+        corners->at[corners->count].weight = name.weight[i];
+        corners->at[corners->count++].corner = corner;
     }
 }
 
-/* Where they differ much something may stand between, seen from the edge. */
+static void corners_ask(struct corners *corners,
+                        const struct indirect_pixels *pixels,
+                        struct worker *worker, const struct receiver *receiver)
+{
+    corners->sum = 0;
+    for (int i = 0; i < corners->count; i++) {
+        corners->sum += corners->at[i].weight;
+        corners->at[i].light =
+            corner_store_light(pixels->store, worker, corners->cell,
+                               corners->at[i].number, receiver);
+    }
+}
+
+/* Where they differ much something may stand between, or on a corner. */
 static bool corners_alike(const struct corners *corners, double even)
 {
     double least = HUGE_VAL, most = 0;
@@ -278,25 +136,26 @@ static bool corners_alike(const struct corners *corners, double even)
     return most - least <= even * (most + indirect_pixels_dim);
 }
 
-/* Where another surface is near, a wall seen from its edge may stand between
- * all corners and the place. */
-static bool corners_see(const struct corners *corners,
-                        const struct indirect_pixels *pixels,
-                        struct worker *worker, const struct receiver *receiver)
+/* Leaves out what can't be seen from the place, where it matters: where another
+ * surface is near, a wall may stand between all corners and the place. */
+static void corners_look(struct corners *corners,
+                         const struct indirect_pixels *pixels,
+                         struct worker *worker, const struct receiver *receiver)
 {
-    int heaviest = 0, count = corners->count;
-    if (corners_alike(corners, indirect_pixels_even)) {
-        for (int i = 1; i < count; i++)
-            if (corners->at[i].weight > corners->at[heaviest].weight)
-                heaviest = i;
-        return !corners->missing || count > 2 ||
-               corner_sees(corners->at[heaviest].corner, pixels->mesh, worker,
-                           receiver);
-    }
-    for (int i = 0; i < count; i++)
+    int count = corners->count;
+    bool alike = corners_alike(corners, indirect_pixels_even);
+    if (corners->missing ? alike && count > 2
+                         : alike || corner_store_clear(pixels->store, worker,
+                                                       corners->cell, receiver))
+        return;
+    corners->count = 0;
+    corners->sum = 0;
+    for (int i = 0; i < count; i++) {
         if (!corner_sees(corners->at[i].corner, pixels->mesh, worker, receiver))
-            return false;
-    return true;
+            continue;
+        corners->sum += corners->at[i].weight;
+        corners->at[corners->count++] = corners->at[i];
+    }
 }
 
 /* Irradiance is interpolated as it is, between corners whose normals follow
@@ -334,11 +193,13 @@ static struct indirect_share lone_share(const struct indirect_pixels *pixels,
                                         struct worker *worker,
                                         const struct receiver *receiver)
 {
-    struct lone_places *lone = &pixels->lone[worker->number];
+    unsigned long long pixel = receiver->pixel->pixel;
+    struct lone_places *lone =
+        &pixels->lone[worker->number * LONE_PIXELS + pixel % LONE_PIXELS];
     int coarser = point_mesh_worth(receiver->weight);
-    if (lone->pixel != worker->pixel)
+    if (lone->pixel != pixel)
         lone->count = 0;
-    lone->pixel = worker->pixel;
+    lone->pixel = pixel;
     for (unsigned i = 0; i < lone->count && i < LONE_PLACES; i++)
         if (lone->at[i].coarser == coarser &&
             corner_serves(&lone->at[i].corner, receiver))
@@ -361,35 +222,62 @@ static bool lone_light(const struct indirect_pixels *pixels,
 {
     if (pixel_blocks_light(pixels->blocks, worker, receiver, share))
         return true;
-    if (!worker->pixel || worker->number >= pixels->threads)
+    if (!receiver->pixel->pixel || worker->number >= pixels->threads)
         return false;
     *share = lone_share(pixels, worker, receiver);
     return true;
 }
 
-/* Whether corners twice as far apart say all that there is to say. */
-static bool corners_suffice(const struct corners *corners)
+static struct indirect_share corners_light(const struct corners *corners,
+                                           const struct receiver *receiver)
 {
-    return !corners->missing && corners_alike(corners, indirect_pixels_same);
+    return receiver_is_bumpy(receiver)
+               ? corners_bumpy(corners, receiver->normal)
+               : corners_smooth(corners);
 }
 
+/* By corners of a level, and so much by those twice as far apart. */
+static bool corners_blend(const struct indirect_pixels *pixels,
+                          struct worker *worker,
+                          const struct receiver *receiver, struct corners at[2],
+                          double blend, struct indirect_share *share)
+{
+    corners_look(&at[0], pixels, worker, receiver);
+    if (at[0].sum < indirect_pixels_enough)
+        return false;
+    *share = corners_light(&at[0], receiver);
+    if (blend <= 0 || at[1].missing)
+        return true;
+    corners_look(&at[1], pixels, worker, receiver);
+    if (at[1].sum < indirect_pixels_enough)
+        return true;
+    struct indirect_share coarse = corners_light(&at[1], receiver);
+    share->light = rgb_mix(share->light, coarse.light, blend);
+    share->open += (coarse.open - share->open) * blend;
+    return true;
+}
+
+/* Corners twice as far apart are enough where they say about the same. */
 bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            struct worker *worker,
                            const struct receiver *receiver,
                            struct indirect_share *share)
 {
-    struct corners corners;
+    struct corners at[2];
+    double blend;
     if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
-    corners_find(&corners, pixels, worker, receiver, 2);
-    if (!corners_suffice(&corners)) {
-        corners_find(&corners, pixels, worker, receiver, 1);
-        if (corners.sum < indirect_pixels_enough ||
-            !corners_see(&corners, pixels, worker, receiver))
-            return lone_light(pixels, worker, receiver, share);
+    int level = surface_grid_level(&pixels->grid, receiver, &blend);
+    corners_find(&at[1], pixels, worker, receiver, level + 1);
+    if (!at[1].missing) {
+        corners_ask(&at[1], pixels, worker, receiver);
+        if (corners_alike(&at[1], indirect_pixels_same)) {
+            *share = corners_light(&at[1], receiver);
+            return true;
+        }
     }
-    *share = receiver_is_bumpy(receiver)
-                 ? corners_bumpy(&corners, receiver->normal)
-                 : corners_smooth(&corners);
-    return true;
+    corners_find(&at[0], pixels, worker, receiver, level);
+    corners_ask(&at[0], pixels, worker, receiver);
+    return corners_blend(pixels, worker, receiver, at, blend, share) ||
+           lone_light(pixels, worker, receiver, share);
 }

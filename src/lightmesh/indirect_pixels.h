@@ -1,10 +1,11 @@
-/* What the indirect mesh says at a coarse grid of the picture: its light
- * changes so slowly that pixels between share the answers of their grid's
- * corners, on the same surface (as irradiance gradients do: Ward and Heckbert
- * 1992; across the picture: Segovia et al. 2006). Each corner is asked for when
- * a pixel near it is, and is a function of its place in the picture alone.
- * Where no corner serves, the rays of a pixel that has several share among
- * themselves.
+/* What the indirect mesh says at grids on the surfaces that the camera sees
+ * (surface_grid.h), some pixels apart: its light changes so slowly that pixels
+ * between share the answers of their corners, on the same surface (as
+ * irradiance gradients do: Ward and Heckbert 1992). A corner is asked for when
+ * a pixel near it is, and is a function of its place in the world: what a still
+ * surface shows does not change with the camera. Where no corner serves,
+ * pixels of a block share (pixel_blocks.h), or else the rays of a pixel that
+ * has several.
  */
 #ifndef LIGHTMESH_INDIRECT_PIXELS_H
 #define LIGHTMESH_INDIRECT_PIXELS_H

@@ -75,25 +75,38 @@ static void nearby_trace(const struct nearby *nearby, int first,
                        sent->count, RAY_REFLECTION, sent->hits);
 }
 
-/* One of them. Returns whether it met something that doesn't glow. */
-static bool nearby_meet(struct nearby *nearby, const struct ray *ray,
-                        const struct world_hit *hit, const struct draws *draws)
+/* How near that is: what comes into reach does so by and by. */
+static double nearby_closeness(const struct nearby *nearby, double distance)
+{
+    double far =
+        (distance / nearby->reach - near_field_whole) / (1 - near_field_whole);
+    return fmin(1 - far, 1);
+}
+
+/* One of them. Returns how much of it counts as met, which is nothing of what
+ * glows. */
+static double nearby_meet(struct nearby *nearby, const struct ray *ray,
+                          const struct world_hit *hit,
+                          const struct draws *draws)
 {
     struct gathered_ray found;
     double density = vec3_dot(ray->direction, nearby->receiver->side) / WARP_PI;
     double count = nearby->rays;
     if (!(density > 0) || !hit->leaf)
-        return false;
+        return 0;
     world_describe(ray, hit, &found.at);
     gather_met(&nearby->gather, nearby->worker, ray, draws, &found);
     if (rgb_peak(found.glow) > 0)
-        return false;
-    indirect_light_add(&nearby->met, ray->direction, found.light, found.open,
+        return 0;
+    double close = nearby_closeness(nearby, found.at.t);
+    rgb light = rgb_scale(found.light, close);
+    double open = close * found.open;
+    indirect_light_add(&nearby->met, ray->direction, light, open,
                        density * count);
     nearby->shares.light =
-        rgb_add_scaled(nearby->shares.light, found.light, 1 / count);
-    nearby->shares.open += found.open / count;
-    return true;
+        rgb_add_scaled(nearby->shares.light, light, 1 / count);
+    nearby->shares.open += open / count;
+    return close;
 }
 
 static void nearby_add(struct nearby *nearby, const struct nearby_rays *sent,
@@ -102,12 +115,12 @@ static void nearby_add(struct nearby *nearby, const struct nearby_rays *sent,
     for (unsigned i = 0; i < sent->count; i++) {
         const struct ray ray = rays_at(&sent->rays, (int)i);
         struct along along = light_along(light, ray.direction);
-        bool hidden =
+        double hidden =
             nearby_meet(nearby, &ray, &sent->hits[i], &sent->draws[i]);
         nearby->all.light += along.light;
         nearby->all.open += along.open;
-        nearby->hidden.light += hidden ? along.light : 0;
-        nearby->hidden.open += hidden ? along.open : 0;
+        nearby->hidden.light += hidden * along.light;
+        nearby->hidden.open += hidden * along.open;
     }
 }
 
@@ -142,7 +155,7 @@ static double near_reach(const struct indirect_mesh *mesh,
     double coarse;
     int level =
         lattice_level(lattice, &receiver->view, receiver->point, &coarse);
-    return near_field_reach * lattice_spacing(lattice, level);
+    return near_field_reach * (1 + coarse) * lattice_spacing(lattice, level);
 }
 
 static double share_left(double hidden, double all)

@@ -1,4 +1,4 @@
-/* Indirect light where the corners of the picture's grid are on other surfaces
+/* Indirect light where the corners of a surface's grid are on other surfaces
  * (indirect_pixels.h): along edges, on what is thin. There pixels of a block
  * share what few places in it know, which the camera sees through the block, so
  * that a blade of grass asks once and not for each of its pixels. All of it is
@@ -12,7 +12,7 @@
 
 struct pixel_blocks;
 
-/* Of a picture of so many pixels whose grid's corners are so many pixels apart;
+/* Of a picture of so many pixels, where corners are so many pixels apart;
  * mesh and camera must outlive it. Frees with pixel_blocks_free, which takes
  * NULL. */
 struct pixel_blocks *pixel_blocks_new(const struct indirect_mesh *mesh,

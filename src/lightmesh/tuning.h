@@ -71,8 +71,12 @@ enum {
     SURFACE_PART = 3, /* one in so many is for points on surfaces */
 };
 static const double kept_full = 0.5; /* of a table, by the picture before */
-static const double kept_nearer = 3, kept_farther = 1.5; /* than wanted, factors
-                                                          * of the spacing */
+static const double kept_levels = 1; /* by which points are nearer to each
+                                      * other than wanted, or farther off,
+                                      * before others are asked, ... */
+enum { KEPT_LEVELS = 6 }; /* which are up to so many levels finer or coarser */
+static const double kept_rays = 4; /* times as many that are wanted of a point:
+                                    * others are made */
 
 /* Mesh points in space [forest, thinwall, room]. */
 static const double seek_lift = 0.3;    /* above the surface, spacings */
@@ -178,14 +182,15 @@ enum {
     NEAR_RAYS = 16,     /* to what is close to a place that is seen; */
     NEAR_LONE_PART = 2, /* one in so many where only a pixel shares them */
     LONE_PLACES = 4,    /* of a pixel, that its rays share */
+    LONE_PIXELS = 16,   /* of which these are kept, of those last refined */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 
-/* Indirect light at a grid of the picture [price, look]. */
-enum { INDIRECT_PIXELS_BYTES = 16 * 1000 * 1000 };
-static const double indirect_pixels_most = 19200;  /* corners, but for these: */
-static const double indirect_pixels_near = 4;      /* apart at least, pixels */
-static const double indirect_pixels_far = 16;      /* and at most */
+/* Indirect light at corners on surfaces [price, look]. */
+enum { INDIRECT_PIXELS_BYTES = 24 * 1000 * 1000 };
+static const double indirect_pixels_most = 15200;  /* corners, but for these: */
+static const double indirect_pixels_near = 4.5;    /* apart at least, pixels */
+static const double indirect_pixels_far = 18;      /* and at most */
 static const double indirect_pixels_flat = 0.9999; /* cosine: no bump */
 static const double indirect_pixels_bend = 0.8;  /* cosine of normals that share
                                                   */
@@ -203,6 +208,19 @@ static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
 static const double indirect_pixels_least = 0.01; /* weight of a corner asked */
 static const double indirect_pixels_enough = 0.4; /* and of all that serve */
 
+static const double grid_facing_least = 0.0625; /* cosine of a surface to the
+                                                 * way to it: what is seen more
+                                                 * from its edge counts as that
+                                                 */
+static const double grid_between = 0.70710678118654752; /* of the step that is
+                                                         * wanted: finer ones
+                                                         * are too fine */
+static const double grid_blend = 0.84;  /* of a step the one that is a level
+                                         * finer, from where on this one is
+                                         * blended in */
+static const double grid_margin = 0.25; /* of a cell, by which a corner is
+                                         * looked for above and below it */
+
 static const double block_places = 0.25; /* of the grid's step, from one place
                                           * of a block to the next */
 static const double block_bend = 0.95;   /* cosine of normals that share one */
@@ -215,7 +233,9 @@ static const double one_point_worth = 0.02; /* what is worth no more beyond
                                              * than a fifth of that */
 
 static const double near_field_reach = 0.75; /* spacings: what stands farther
-                                              * off mesh points see [truth] */
+                                              * off mesh points see [truth], */
+static const double near_field_whole = 0.75; /* and what is nearer than that
+                                              * share of them they don't */
 
 static const double bright_times = 4;  /* as bright as the mean is bright; */
 static const double bright_gain = 15;  /* square of their part of the light over

@@ -154,6 +154,12 @@ static inline const void *finish_part(const struct finish *finish,
 
 /* Whether it has highlights, and tints. Asked for each lamp and layer: written
  * out item by item, and the compiler sees their structs. */
+static inline bool finish_mirrors(const struct finish *finish)
+{
+    const struct reflection *mirror = &finish->reflection;
+    return !rgb_is_black(mirror->minimum) || !rgb_is_black(mirror->maximum);
+}
+
 static inline bool finish_shines(const struct finish *finish)
 {
 #define X(name, role) FINISH_HIGHLIGHT_##role(FINISH_ON, name)

@@ -308,6 +308,7 @@ const struct primitive isosurface_primitive = {
     .crosses = isosurface_crosses,
     .first = isosurface_first,
     .crosses_many = isosurface_crosses_many,
+    .lane_by_lane = true,
     .first_many = isosurface_first_many,
     .normal = isosurface_normal,
     .inside = isosurface_inside,

@@ -98,9 +98,7 @@ bool texture_is_plain(const struct texture *texture)
         return false;
     const struct layer *layer = &texture->layers[0];
     const struct finish *finish = layer->finish;
-    const struct reflection *mirror = &finish->reflection;
-    return rgb_is_black(mirror->minimum) && rgb_is_black(mirror->maximum) &&
-           finish->brilliance == 1 && !(finish->crand > 0) &&
+    return finish->brilliance == 1 && !(finish->crand > 0) &&
            !finish_tints(finish) &&
            (!layer->normal || normal_is_of_space(layer->normal)) &&
            pigment_is_of_space(layer->pigment);

@@ -76,6 +76,9 @@ struct primitive {
                          const struct rays_span *span, lane_flag *met);
     void (*first_many)(const void *shape, const struct rays *rays,
                        const struct rays_span *span, struct rays_met *met);
+    /* These look at some of the rays one by one: those whose crossings nobody
+     * wants are worth leaving out. */
+    bool lane_by_lane;
     /* intersect of rays side by side, to the bit, of what has at most
      * RAY_CROSSINGS; NULL: one by one. */
     void (*all_many)(const void *shape, const struct rays *rays,

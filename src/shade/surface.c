@@ -176,8 +176,7 @@ static inline struct finish_mirror layer_mirror(const struct surface *surface,
                                                 const struct finish *finish,
                                                 vec3 normal, colour pigment)
 {
-    const struct reflection *reflection = &finish->reflection;
-    if (rgb_is_black(reflection->minimum) && rgb_is_black(reflection->maximum))
+    if (!finish_mirrors(finish))
         return (struct finish_mirror){ rgb_grey(0), 0 };
     double cosine = vec3_dot(surface->view, normal);
     struct finish_mirror mirror =

@@ -78,4 +78,15 @@ rgb path_light(const struct path *path, struct crossing *crossing);
  * that branch off are the wavefront's. */
 bool path_leave(struct path *path, const struct crossing *crossing, rgb light);
 
+/* A point of a plain leaf (world/solid.h). */
+struct plain_face {
+    const struct leaf *leaf;
+    vec3 point, normal, bumped; /* unit, turned to the viewer; with bumps */
+    rgb pigment;
+};
+
+/* The same from there, where it ends. */
+void path_leave_plain(struct path *path, const struct plain_face *face,
+                      rgb light);
+
 #endif

@@ -16,14 +16,30 @@ static double crossing_mirror_ior(const struct crossing *crossing,
     return interiors_ior(inside) / interiors_ior_of(inside, left);
 }
 
-void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
-                   vec3 direction, const struct interiors *inside,
-                   double bailout, bool exact)
+/* From one side to the other. */
+static void crossing_pass(struct crossing *crossing,
+                          const struct interiors *inside)
 {
     interiors_copy(&crossing->beyond, inside);
     interiors_cross(&crossing->beyond, crossing->at.leaf);
     crossing->leaving = crossing->beyond.count < inside->count;
     crossing->ior = interiors_ior(&crossing->beyond) / interiors_ior(inside);
+}
+
+double crossing_plain_ior(const struct leaf *leaf,
+                          const struct interiors *inside)
+{
+    struct crossing crossing;
+    crossing.at.leaf = leaf;
+    crossing_pass(&crossing, inside);
+    return crossing_mirror_ior(&crossing, inside);
+}
+
+void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
+                   vec3 direction, const struct interiors *inside,
+                   double bailout, bool exact)
+{
+    crossing_pass(crossing, inside);
     struct surface_view view = {
         .direction = direction,
         .inside = inside,
@@ -59,10 +75,8 @@ void crossing_divide(struct crossing *crossing, struct interiors *inside,
     crossing->ior = interiors_ior(&crossing->beyond) / interiors_ior(inside);
 }
 
-vec3 crossing_mirrored(const struct crossing *crossing, vec3 direction,
-                       vec3 normal)
+vec3 crossing_mirrored(vec3 surface, vec3 direction, vec3 normal)
 {
-    vec3 surface = crossing->surface.normal;
     double cosine = vec3_dot(direction, normal);
     vec3 mirrored = vec3_along(direction, normal, -2 * cosine);
     double rise = vec3_dot(mirrored, surface);

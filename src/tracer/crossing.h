@@ -21,11 +21,15 @@ void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
                    vec3 direction, const struct interiors *inside,
                    double bailout, bool exact);
 
-/* The mirrored direction for a layer's normal, unit. It never goes into the
+/* The ior by which a plain leaf (world/solid.h) mirrors for such a ray. */
+double crossing_plain_ior(const struct leaf *leaf,
+                          const struct interiors *inside);
+
+/* The mirrored direction, unit, for the normal of a surface's layer and that of
+ * the surface, which is turned to the viewer. It never goes into the
  * surface: what would is mirrored back by the true surface, and where the bump
  * faces away from the viewer that alone mirrors (measured). */
-vec3 crossing_mirrored(const struct crossing *crossing, vec3 direction,
-                       vec3 normal);
+vec3 crossing_mirrored(vec3 surface, vec3 direction, vec3 normal);
 
 /* Snell: the direction behind the surface; a normal that faces away from the
  * viewer is turned round. Returns false in total reflection. */

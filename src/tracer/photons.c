@@ -234,8 +234,8 @@ static void flight_mirror(const struct flight *flight,
     if (!flight_counts(&branch))
         return;
     branch.ray.origin = crossing->at.point;
-    branch.ray.direction =
-        crossing_mirrored(crossing, flight->ray.direction, layer->normal);
+    branch.ray.direction = crossing_mirrored(
+        crossing->surface.normal, flight->ray.direction, layer->normal);
     branch.level++;
     flight_follow(&branch);
 }
@@ -283,8 +283,8 @@ static bool flight_pass(struct flight *flight, struct crossing *crossing,
         flight_dim(flight,
                    interior_fade(crossing->at.leaf->interior, crossing->at.t));
     if (inward) {
-        flight->ray.direction =
-            crossing_mirrored(crossing, flight->ray.direction, normal);
+        flight->ray.direction = crossing_mirrored(
+            crossing->surface.normal, flight->ray.direction, normal);
     } else {
         flight->ray.direction = direction;
         flight_dim(flight, surface->through);

@@ -153,8 +153,8 @@ static void ways_mirrors(struct ways *ways, const struct walk *walk,
         const struct surface_layer *layer = &surface->layer[i];
         if (rgb_peak(layer->reflection) == 0)
             continue;
-        vec3 direction =
-            crossing_mirrored(crossing, walk->ray.direction, layer->normal);
+        vec3 direction = crossing_mirrored(crossing->surface.normal,
+                                           walk->ray.direction, layer->normal);
         ways_add(ways, WAY_MIRRORED, direction, layer->reflection, layer);
     }
 }
@@ -173,7 +173,8 @@ static void ways_find(struct ways *ways, const struct walk *walk,
         through = rgb_grey(0);
     if (rgb_peak(through) > 0 && crossing->ior != 1 &&
         !crossing_refracted(crossing, direction, normal, &direction)) {
-        direction = crossing_mirrored(crossing, walk->ray.direction, normal);
+        direction = crossing_mirrored(crossing->surface.normal,
+                                      walk->ray.direction, normal);
         ways_add(ways, WAY_TURNED, direction, rgb_grey(1), NULL);
         return;
     }

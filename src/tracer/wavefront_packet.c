@@ -16,11 +16,14 @@ struct sights {
     unsigned count;
     const struct picture_place *places; /* of the camera's; else NULL */
     struct radiance *out;               /* likewise */
-    struct path *path[WORLD_RAYS];      /* NULL: a camera's that is plain */
+    struct path *path[WORLD_RAYS];      /* NULL: a camera's that is plain and
+                                         * sends nothing on */
     struct world_faces faces;
     struct facets facets;
-    unsigned plain; /* end at a leaf that is: its light is all there is */
-    unsigned lit;   /* the others that meet a surface to be lit */
+    unsigned plain; /* end at a leaf that is: its light and, of those that are
+                     * mirrored, what they send on is all there is */
+    unsigned mirrored;
+    unsigned lit; /* the others that meet a surface to be lit */
     struct crossing crossing[WORLD_RAYS];
 };
 
@@ -75,11 +78,12 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
 {
     const struct tracer *tracer = sights->wavefront->tracer;
     unsigned meet = 0;
-    sights->plain = sights->lit = 0;
+    sights->plain = sights->mirrored = sights->lit = 0;
     for (unsigned i = 0; i < sights->count; i++) {
         const struct leaf *leaf = sights->hits[i].leaf;
         meet |= (unsigned)(leaf != NULL) << i;
         sights->plain |= (unsigned)(leaf && leaf->plain) << i;
+        sights->mirrored |= (unsigned)(leaf && leaf->mirrors) << i;
     }
     meet &= seen;
     if (!tracer->airless)
@@ -126,6 +130,25 @@ static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet)
     }
 }
 
+/* From a plain leaf that sends so much light and may mirror. */
+static void sight_leave_plain(struct sights *sights, unsigned i, rgb light)
+{
+    const struct facets *facets = &sights->facets;
+    struct path *path = sights->path[i];
+    vec3 view = lane_get(facets->view, i);
+    vec3 normal = lane_get(sights->faces.normal, i);
+    vec3 pigment = lane_get(facets->pigment, i);
+    const struct plain_face face = {
+        .leaf = facets->leaf[i],
+        .point = lane_get(facets->point, i),
+        .normal = vec3_dot(normal, view) < 0 ? vec3_negate(normal) : normal,
+        .bumped = lane_get(facets->normal, i),
+        .pigment = rgb_make(pigment.x, pigment.y, pigment.z),
+    };
+    path_leave_plain(path, &face, light);
+    wavefront_end(path);
+}
+
 static void sights_light(struct sights *sights)
 {
     const struct tracer *tracer = sights->wavefront->tracer;
@@ -146,12 +169,12 @@ static void sights_light(struct sights *sights)
     for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
         unsigned i = (unsigned)__builtin_ctz(plain);
         rgb light = facets_light(facets, i);
-        if (!sights->path[i]) {
+        if (!sights->path[i] && sights->mirrored >> i & 1)
+            sights->path[i] = sights_start(sights, i);
+        if (!sights->path[i])
             sights->out[i] = (struct radiance){ light, 1 };
-        } else {
-            path_gather(sights->path[i], light);
-            wavefront_end(sights->path[i]);
-        }
+        else
+            sight_leave_plain(sights, i, light);
     }
 }
 
@@ -249,8 +272,9 @@ void wavefront_see(struct wavefront *wavefront, const struct tracer_met *met,
     memset(sights.path, 0, sizeof sights.path);
     memset(out, 0, met->count * sizeof *out);
     sights_see(&sights, seen);
-    wavefront->worker->counters.camera_rays +=
-        (unsigned)__builtin_popcount(sights.plain);
+    for (unsigned plain = sights.plain; plain; plain &= plain - 1)
+        wavefront->worker->counters.camera_rays +=
+            !sights.path[__builtin_ctz(plain)];
     sights_run(&sights);
 }
 

@@ -24,6 +24,8 @@ void leaf_judge_paint(struct leaf *leaf)
     leaf->plain = leaf->opaque && !leaf->inner && !leaf->uv_mapping &&
                   (shape || object->mesh->texture_count == 0) &&
                   texture_is_plain(leaf->texture);
+    leaf->mirrors =
+        leaf->plain && finish_mirrors(leaf->texture->layers[0].finish);
 }
 
 const double solid_limit = 1e9;

@@ -127,13 +127,12 @@ rgb path_light(const struct path *path, struct crossing *crossing)
     return path_shade(path, crossing, gathering.light, &diffuse);
 }
 
-/* Another ray from that surface, which is as bright as it is tinted. */
-static struct path *path_branch(struct path *path,
-                                const struct crossing *crossing, rgb tint,
+/* Another ray from that point, which is as bright as it is tinted. */
+static struct path *path_branch(struct path *path, vec3 origin, rgb tint,
                                 double weight)
 {
     struct path *branch = wavefront_branch(path, tint);
-    branch->ray.origin = crossing->at.point;
+    branch->ray.origin = origin;
     branch->kind = path->kind;
     branch->level = path->level + 1;
     branch->weight = weight;
@@ -142,31 +141,79 @@ static struct path *path_branch(struct path *path,
     return branch;
 }
 
-/* One layer's mirror. */
-static void path_mirror(struct path *path, const struct crossing *crossing,
-                        const struct surface_layer *layer, double weight)
+/* One layer's mirror, seen by a ray of that weight. */
+struct layer_mirror {
+    const struct finish *finish;
+    vec3 point, direction;
+    rgb tint;
+    double weight;
+};
+
+static void path_mirror(struct path *path, const struct layer_mirror *mirror)
 {
     struct path *branch =
-        path_branch(path, crossing, layer->reflection, weight);
-    branch->ray.direction =
-        crossing_mirrored(crossing, path->ray.direction, layer->normal);
+        path_branch(path, mirror->point, mirror->tint, mirror->weight);
+    branch->ray.direction = mirror->direction;
     branch->kind = RAY_REFLECTION;
-    branch->due->exponent = layer->finish->reflection.exponent;
+    branch->due->exponent = mirror->finish->reflection.exponent;
+}
+
+/* Whether a mirror is worth a ray of that weight. */
+static bool path_is_worth(const struct path *path, double weight)
+{
+    return weight > 0 && weight >= path->tracer->scene->settings.adc_bailout;
 }
 
 static void path_mirrors(struct path *path, const struct crossing *crossing)
 {
-    const struct tracer *tracer = path->tracer;
     const struct surface *surface = &crossing->surface;
-    if (tracer->quality < QUALITY_REFLECTION)
+    if (path->tracer->quality < QUALITY_REFLECTION)
         return;
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         double weight = path->weight * rgb_brightness(layer->weight) *
                         layer->reflection_weight;
-        if (weight > 0 && weight >= tracer->scene->settings.adc_bailout)
-            path_mirror(path, crossing, layer, weight);
+        if (!path_is_worth(path, weight))
+            continue;
+        const struct layer_mirror mirror = {
+            .finish = layer->finish,
+            .point = crossing->at.point,
+            .direction = crossing_mirrored(surface->normal, path->ray.direction,
+                                           layer->normal),
+            .tint = layer->reflection,
+            .weight = weight,
+        };
+        path_mirror(path, &mirror);
     }
+}
+
+void path_leave_plain(struct path *path, const struct plain_face *face,
+                      rgb light)
+{
+    const struct finish *finish = face->leaf->texture->layers[0].finish;
+    const struct tracer *tracer = path->tracer;
+    vec3 direction = path->ray.direction;
+    path_gather(path, light);
+    if (path->level >= tracer_levels(tracer) ||
+        tracer->quality < QUALITY_REFLECTION || !finish_mirrors(finish))
+        return;
+    double ior = finish->reflection.fresnel
+                     ? crossing_plain_ior(face->leaf, &path->inside)
+                     : 1;
+    struct finish_mirror mirrored =
+        finish_mirror(finish, face->pigment,
+                      vec3_dot(vec3_negate(direction), face->bumped), ior);
+    double weight = path->weight * mirrored.weight;
+    if (!path_is_worth(path, weight))
+        return;
+    const struct layer_mirror mirror = {
+        .finish = finish,
+        .point = face->point,
+        .direction = crossing_mirrored(face->normal, direction, face->bumped),
+        .tint = mirrored.colour,
+        .weight = weight,
+    };
+    path_mirror(path, &mirror);
 }
 
 static void path_fade(struct path *path, const struct crossing *crossing)
@@ -187,7 +234,7 @@ static void path_part(struct path *path, const struct crossing *crossing,
     if (weight < path->tracer->scene->settings.adc_bailout)
         return;
     struct crossing own = *crossing;
-    struct path *branch = path_branch(path, crossing, part, weight);
+    struct path *branch = path_branch(path, crossing->at.point, part, weight);
     vec3 normal = crossing->surface.layer[0].normal;
     crossing_divide(&own, &branch->inside, spectrum_place(number, parts));
     if (crossing_refracted(&own, path->ray.direction, normal,
@@ -196,7 +243,7 @@ static void path_part(struct path *path, const struct crossing *crossing,
         interiors_copy(&branch->inside, &own.beyond);
     } else {
         branch->ray.direction =
-            crossing_mirrored(&own, path->ray.direction, normal);
+            crossing_mirrored(own.surface.normal, path->ray.direction, normal);
     }
 }
 
@@ -229,7 +276,8 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
         inward = !crossing_refracted(crossing, path->ray.direction, normal,
                                      &direction);
     if (inward) {
-        direction = crossing_mirrored(crossing, path->ray.direction, normal);
+        direction =
+            crossing_mirrored(surface->normal, path->ray.direction, normal);
         path->straight = false;
         path->clear = 0;
     } else {

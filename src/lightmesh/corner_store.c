@@ -1,0 +1,201 @@
+/* Corners that are kept: see corner_store.h. */
+#include "lightmesh/corner_store.h"
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "lightmesh/table.h"
+#include "lightmesh/tuning.h"
+#include "scene/camera.h"
+#include "shade/shadow.h"
+
+enum { CELLS_ACROSS = 8, CELLS_DOWN = 4, CELL_LEVELS = 2 };
+
+struct cells {
+    struct corner_cell at[CELL_LEVELS][CELLS_DOWN][CELLS_ACROSS];
+};
+
+struct corner_store {
+    const struct indirect_mesh *mesh;
+    const struct camera *camera;
+    const struct surface_grid *grid;
+    struct table *corners; /* where they are, and beside, by the same keys, */
+    struct table *lights;  /* what those know that served */
+    unsigned threads;
+    struct cells *cells; /* of each worker */
+};
+
+struct corner_store *corner_store_new(const struct indirect_mesh *mesh,
+                                      const struct camera *camera,
+                                      const struct surface_grid *grid,
+                                      unsigned threads)
+{
+    struct corner_store *store = memory_new(sizeof *store);
+    *store = (struct corner_store){
+        .mesh = mesh,
+        .camera = camera,
+        .grid = grid,
+        .threads = threads,
+        .cells = memory_new(threads * sizeof(struct cells)),
+    };
+    store->corners = table_new_beside(
+        &store->lights, sizeof(struct corner), INDIRECT_PIXELS_BYTES / 2,
+        sizeof(struct corner_light), INDIRECT_PIXELS_BYTES / 2);
+    return store;
+}
+
+void corner_store_free(struct corner_store *store)
+{
+    table_free(store->lights);
+    table_free(store->corners);
+    memory_free(store->cells);
+    memory_free(store);
+}
+
+size_t corner_store_bytes(const struct corner_store *store)
+{
+    return table_bytes(store->corners) + table_bytes(store->lights);
+}
+
+/* A record of the table, or else the worker's: to be filled unless
+ * TABLE_READY, and published if TABLE_MINE. */
+static enum table_state corner_record(struct table *table,
+                                      struct worker *worker, uint64_t key,
+                                      void **record)
+{
+    enum table_state state = table_find(table, key, random_mix(key), record);
+    if (state == TABLE_NONE)
+        *record = arena_alloc(worker->scratch, table_record_size(table));
+    return state;
+}
+
+struct corner_cell *corner_store_cell(const struct corner_store *store,
+                                      const struct worker *worker,
+                                      const struct grid_cell *name, int coarser,
+                                      struct corner_cell *own)
+{
+    struct corner_cell *cell = own;
+    if (worker->number < store->threads) {
+        unsigned column = (unsigned)name->at[0] % CELLS_ACROSS;
+        unsigned row = (unsigned)name->at[1] % CELLS_DOWN;
+        unsigned level = (unsigned)name->level % CELL_LEVELS;
+        cell = &store->cells[worker->number].at[level][row][column];
+        if (cell->used && cell->coarser == coarser &&
+            grid_cells_same(&cell->name, name))
+            return cell;
+    }
+    *cell =
+        (struct corner_cell){ .name = *name, .coarser = coarser, .used = true };
+    return cell;
+}
+
+/* Whether the camera sees the corner, from so little above it: else it may be
+ * in a body that stands on its surface. Cameras that don't look from one place
+ * say yes. */
+static bool corner_shows(const struct corner_store *store,
+                         struct worker *worker, const struct corner *corner,
+                         double step)
+{
+    const struct camera *camera = store->camera;
+    if (camera->kind->lines != CAMERA_CENTRAL)
+        return true;
+    vec3 from =
+        vec3_along(corner->point, corner->side, indirect_pixels_lift * step);
+    vec3 way = vec3_sub(camera->location, from);
+    double length = vec3_length(way);
+    if (!(length > 0))
+        return true;
+    struct ray ray = { from, vec3_scale(way, 1 / length) };
+    worker->counters.shadow_rays++;
+    return !world_occluded(store->mesh->points.world,
+                           &(struct occlusion){ .ray = &ray,
+                                                .tmin = surface_offset(from),
+                                                .tmax = length,
+                                                .light = -1 });
+}
+
+/* The surface that the corner's line meets first. */
+static void corner_look(struct corner *corner, const struct corner_store *store,
+                        struct worker *worker, const struct corner_cell *cell,
+                        int i, const struct receiver *like)
+{
+    struct intersection at;
+    double length;
+    struct ray line = grid_corner_line(store->grid, &cell->name, i, &length);
+    corner->met = false;
+    if (world_within(store->mesh->points.world, &line, 0, length, RAY_CAMERA,
+                     &at)) {
+        corner_meet(corner, store->mesh, like, &line, &at);
+        corner->met = corner_shows(store, worker, corner, length);
+    }
+}
+
+const struct corner *corner_store_corner(const struct corner_store *store,
+                                         struct worker *worker,
+                                         struct corner_cell *cell, int i,
+                                         const struct receiver *like)
+{
+    void *record;
+    if (cell->corner[i])
+        return cell->corner[i];
+    uint64_t key = grid_corner_key(&cell->name, i, cell->coarser);
+    enum table_state state =
+        corner_record(store->corners, worker, key, &record);
+    if (state != TABLE_NONE)
+        cell->corner[i] = record;
+    if (state == TABLE_READY)
+        return record;
+    corner_look(record, store, worker, cell, i, like);
+    if (state == TABLE_MINE)
+        table_publish(store->corners, record);
+    return record;
+}
+
+const struct corner_light *corner_store_light(const struct corner_store *store,
+                                              struct worker *worker,
+                                              struct corner_cell *cell, int i,
+                                              const struct receiver *like)
+{
+    void *record;
+    if (cell->light[i])
+        return cell->light[i];
+    uint64_t key = grid_corner_key(&cell->name, i, cell->coarser);
+    enum table_state state = corner_record(store->lights, worker, key, &record);
+    if (state != TABLE_NONE)
+        cell->light[i] = record;
+    if (state == TABLE_READY)
+        return record;
+    const struct corner *corner =
+        corner_store_corner(store, worker, cell, i, like);
+    struct receiver receiver = corner_receiver(corner, like, cell->coarser);
+    corner_ask(record, store->mesh, worker, &receiver, store->mesh->near);
+    if (state == TABLE_MINE)
+        table_publish(store->lights, record);
+    return record;
+}
+
+static bool cell_clear(const struct corner_store *store, struct worker *worker,
+                       struct corner_cell *cell, const struct receiver *like)
+{
+    for (int i = 0; i < GRID_CORNERS; i++) {
+        const struct corner *corner =
+            corner_store_corner(store, worker, cell, i, like);
+        if (!corner->met)
+            return false;
+        for (int j = 0; j < i; j++) {
+            const struct receiver other = corner_receiver(
+                corner_store_corner(store, worker, cell, j, like), like,
+                cell->coarser);
+            if (!corner_sees(corner, store->mesh, worker, &other))
+                return false;
+        }
+    }
+    return true;
+}
+
+bool corner_store_clear(const struct corner_store *store, struct worker *worker,
+                        struct corner_cell *cell, const struct receiver *like)
+{
+    if (cell->clear == 0)
+        cell->clear = cell_clear(store, worker, cell, like) ? 1 : -1;
+    return cell->clear > 0;
+}

@@ -1,0 +1,146 @@
+/* Grids fixed to surfaces: see surface_grid.h. */
+#include "lightmesh/surface_grid.h"
+
+#include <string.h>
+
+#include "lightmesh/tuning.h"
+#include "scene/camera.h"
+
+enum {
+    GRID_TYPICAL = 12,        /* the level whose step is what is typical */
+    GRID_RIM = (1 << 17) - 4, /* names reach so far from the origin, steps */
+};
+
+/* Cells are moved by a fraction of their step, lest corners fall on the round
+ * numbers that scenes are made of. */
+static const double grid_shift[3] = { 0.3719, 0.4142, 0.2929 };
+
+struct surface_grid surface_grid_new(const struct camera *camera,
+                                     const int size[2], double apart,
+                                     vec3 origin, double typical)
+{
+    struct ray a = camera_ray(camera, 0.5, 0.5),
+               b = camera_ray(camera, 0.5 + 1.0 / size[0], 0.5);
+    struct surface_grid grid = { .origin = origin };
+    for (int level = 0; level < GRID_LEVELS; level++) {
+        grid.step[level] = ldexp(typical, level - GRID_TYPICAL);
+        grid.within[level] = 1 / grid.step[level];
+    }
+    apart *= grid.within[0];
+    grid.wanted = apart * vec3_length(vec3_sub(a.origin, b.origin));
+    grid.wanted_grows = apart * vec3_length(vec3_sub(a.direction, b.direction));
+    return grid;
+}
+
+/* A surface seen from its edge has as many corners in the picture as one that
+ * faces the camera. */
+int surface_grid_level(const struct surface_grid *grid,
+                       const struct receiver *receiver, double *blend)
+{
+    vec3 way = vec3_sub(receiver->from, receiver->point);
+    double distance = vec3_length(way);
+    double facing = fabs(vec3_dot(way, receiver->side)) / distance;
+    double steps = grid->wanted + grid->wanted_grows * distance;
+    int level;
+    facing = facing > grid_facing_least ? facing : grid_facing_least;
+    double part = frexp(grid_between * steps / sqrt(facing), &level);
+    *blend = 0;
+    if (!(level > 0))
+        return 0;
+    if (level >= GRID_LEVELS - 1)
+        return GRID_LEVELS - 1;
+    if (part > grid_blend)
+        *blend = (part - grid_blend) / (1 - grid_blend);
+    return level;
+}
+
+static const int after[3] = { 1, 2, 0 }; /* each axis */
+
+static int main_axis(const double side[3])
+{
+    int axis = fabs(side[1]) > fabs(side[0]);
+    return fabs(side[2]) > fabs(side[axis]) ? 2 : axis;
+}
+
+/* Where it is on a level, in steps. */
+static void grid_place(const struct surface_grid *grid, vec3 point, int level,
+                       double at[3])
+{
+    double within = grid->within[level];
+    at[0] = (point.x - grid->origin.x) * within + grid_shift[0];
+    at[1] = (point.y - grid->origin.y) * within + grid_shift[1];
+    at[2] = (point.z - grid->origin.z) * within + grid_shift[2];
+}
+
+bool surface_grid_cell(const struct surface_grid *grid,
+                       const struct receiver *receiver, int level,
+                       struct grid_cell *cell)
+{
+    double at[3];
+    const double side[3] = { receiver->side.x, receiver->side.y,
+                             receiver->side.z };
+    if (level >= GRID_LEVELS)
+        return false;
+    grid_place(grid, receiver->point, level, at);
+    if (!(fabs(at[0]) < GRID_RIM && fabs(at[1]) < GRID_RIM &&
+          fabs(at[2]) < GRID_RIM))
+        return false;
+    int axis = main_axis(side), across = after[axis], down = after[across];
+    double left = floor(at[across]), top = floor(at[down]);
+    double x = at[across] - left, y = at[down] - top;
+    double slope = -side[across] / side[axis], fall = -side[down] / side[axis];
+    double rise = at[axis] - slope * x - fall * y;
+    cell->level = level;
+    cell->axis = axis;
+    cell->down = side[axis] < 0;
+    cell->at[0] = (int)left;
+    cell->at[1] = (int)top;
+    cell->slab[0] = (int)floor(rise);
+    cell->slab[1] = (int)floor(rise + slope);
+    cell->slab[2] = (int)floor(rise + fall);
+    cell->slab[3] = (int)floor(rise + slope + fall);
+    cell->weight[0] = (1 - x) * (1 - y);
+    cell->weight[1] = x * (1 - y);
+    cell->weight[2] = (1 - x) * y;
+    cell->weight[3] = x * y;
+    return true;
+}
+
+bool grid_cells_same(const struct grid_cell *a, const struct grid_cell *b)
+{
+    return a->level == b->level && a->axis == b->axis && a->down == b->down &&
+           memcmp(a->at, b->at, sizeof a->at) == 0 &&
+           memcmp(a->slab, b->slab, sizeof a->slab) == 0;
+}
+
+/* 5 bits of axis, way and kind, 5 of level, 3 times 18, biased. */
+uint64_t grid_corner_key(const struct grid_cell *cell, int corner, int kind)
+{
+    int at[3] = { cell->at[0] + corner % 2, cell->at[1] + corner / 2,
+                  cell->slab[corner] };
+    uint64_t key =
+        1 + (uint64_t)(cell->axis * 2 + cell->down) * 4 + (uint64_t)kind;
+    key = key << 5 | (uint64_t)cell->level;
+    for (int i = 0; i < 3; i++)
+        key = key << 18 | (uint64_t)((at[i] + (1 << 17)) & ((1 << 18) - 1));
+    return key;
+}
+
+struct ray grid_corner_line(const struct surface_grid *grid,
+                            const struct grid_cell *cell, int corner,
+                            double *length)
+{
+    double step = grid->step[cell->level], at[3], way[3] = { 0, 0, 0 };
+    int axis = cell->axis;
+    at[after[axis]] = cell->at[0] + corner % 2;
+    at[after[after[axis]]] = cell->at[1] + corner / 2;
+    at[axis] = cell->down ? cell->slab[corner] - grid_margin
+                          : cell->slab[corner] + 1 + grid_margin;
+    way[axis] = cell->down ? 1 : -1;
+    for (int i = 0; i < 3; i++)
+        at[i] -= grid_shift[i];
+    *length = (1 + 2 * grid_margin) * step;
+    vec3 offset = vec3_make(at[0] * step, at[1] * step, at[2] * step);
+    return (struct ray){ vec3_add(grid->origin, offset),
+                         vec3_make(way[0], way[1], way[2]) };
+}

@@ -1,0 +1,130 @@
+/* Tests of surface_grid.h: corners that stay on a surface while the camera
+ * moves. */
+#include "harness.h"
+
+#include <math.h>
+
+#include "lightmesh/surface_grid.h"
+#include "scene/camera.h"
+
+static const int size[2] = { 320, 240 };
+
+/* On a slope, y = 0.3 x + 0.1 z. */
+static struct receiver on_slope(double x, double z, vec3 from)
+{
+    return (struct receiver){
+        .point = vec3_make(x, 0.3 * x + 0.1 * z, z),
+        .side = vec3_normalise(vec3_make(-0.3, 1, -0.1)),
+        .from = from,
+    };
+}
+
+static struct surface_grid grid_at(vec3 eye)
+{
+    struct camera camera = camera_default();
+    camera.location = eye;
+    return surface_grid_new(&camera, size, 4, vec3_make(0.1, 0.2, 0.3), 0.5);
+}
+
+/* Lines meet the slope within their cells, and between its corners the place
+ * itself is interpolated. */
+static void corners_are_around(void **state)
+{
+    struct surface_grid grid = grid_at(vec3_make(0, 3, -4));
+    (void)state;
+    for (int i = 0; i < 50; i++) {
+        struct receiver receiver =
+            on_slope(0.37 * i - 9, 0.21 * i, vec3_make(0, 3, -4));
+        struct grid_cell cell;
+        double sum = 0, blend;
+        vec3 mean = { 0, 0, 0 };
+        int level = surface_grid_level(&grid, &receiver, &blend);
+        assert_true(surface_grid_cell(&grid, &receiver, level, &cell));
+        assert_true(blend >= 0 && blend < 1);
+        for (int corner = 0; corner < GRID_CORNERS; corner++) {
+            double length;
+            struct ray line = grid_corner_line(&grid, &cell, corner, &length);
+            double above =
+                vec3_dot(vec3_sub(line.origin, receiver.point), receiver.side);
+            double t = above / -vec3_dot(line.direction, receiver.side);
+            assert_true(t > 0 && t < length);
+            vec3 met = vec3_along(line.origin, line.direction, t);
+            mean = vec3_along(mean, met, cell.weight[corner]);
+            sum += cell.weight[corner];
+        }
+        assert_true(fabs(sum - 1) < 1e-9);
+        assert_true(vec3_length(vec3_sub(mean, receiver.point)) < 1e-9);
+    }
+}
+
+/* A camera that comes nearer changes the level by and by, and no corner of a
+ * level. */
+static void corners_stay(void **state)
+{
+    double before = HUGE_VAL, steps = 0;
+    struct grid_cell first;
+    (void)state;
+    for (int i = 0; i < 200; i++) {
+        vec3 eye = vec3_make(0, 9 - 0.04 * i, -9 + 0.04 * i);
+        struct surface_grid grid = grid_at(eye);
+        struct receiver receiver = on_slope(0.4, 0.7, eye);
+        struct grid_cell cell;
+        double blend;
+        int level = surface_grid_level(&grid, &receiver, &blend);
+        double exact = level + blend;
+        assert_true(exact <= before && (i == 0 || before - exact < 0.25));
+        steps += i > 0 && exact < before;
+        before = exact;
+        assert_true(surface_grid_cell(&grid, &receiver, 9, &cell));
+        if (i == 0)
+            first = cell;
+        assert_true(grid_cells_same(&cell, &first));
+    }
+    assert_true(steps > 20);
+}
+
+/* All corners around have names of their own, on the other side too. */
+static void names_differ(void **state)
+{
+    struct surface_grid grid = grid_at(vec3_make(0, 3, -4));
+    struct receiver receiver = on_slope(1, 2, vec3_make(0, 3, -4));
+    uint64_t keys[3 * GRID_CORNERS];
+    struct grid_cell cell;
+    int count = 0;
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        if (i == 1)
+            receiver.side = vec3_negate(receiver.side);
+        assert_true(
+            surface_grid_cell(&grid, &receiver, i < 2 ? 10 : 11, &cell));
+        for (int corner = 0; corner < GRID_CORNERS; corner++)
+            keys[count++] = grid_corner_key(&cell, corner, 0);
+    }
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < i; j++)
+            assert_true(keys[i] != keys[j]);
+    assert_true(keys[0] != grid_corner_key(&cell, 0, 3) && keys[0] != 0);
+}
+
+/* So far away there are no names. */
+static void far_is_refused(void **state)
+{
+    struct surface_grid grid = grid_at(vec3_make(0, 3, -4));
+    struct receiver receiver = on_slope(1e9, 2, vec3_make(0, 3, -4));
+    struct grid_cell cell;
+    (void)state;
+    assert_false(surface_grid_cell(&grid, &receiver, 4, &cell));
+    receiver.point.x = (double)NAN;
+    assert_false(surface_grid_cell(&grid, &receiver, 4, &cell));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(corners_are_around),
+        cmocka_unit_test(corners_stay),
+        cmocka_unit_test(names_differ),
+        cmocka_unit_test(far_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
