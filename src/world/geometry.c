@@ -138,22 +138,25 @@ static void solid_occluded(const struct RTCOccludedFunctionNArguments *a)
         a->valid[0] = 0;
 }
 
-/* Takes the bounded solids out of flat->solids. */
+/* Takes the bounded solids, and the array with them, out of flat->solids. */
 static void take_bounded(struct geometry *geometry, struct flat *flat)
 {
+    struct solid_list others = { NULL, 0, 0 };
     size_t kept = 0;
+    geometry->solids = flat->solids;
     for (size_t i = 0; i < flat->solids.count; i++) {
         struct solid *solid = flat->solids.items[i];
         if (box3_is_empty(solid->surface))
             continue;
         if (!solid_is_bounded(solid)) {
-            flat->solids.items[kept++] = solid;
+            *ARRAY_PUSH(flat->arena, &others) = solid;
             continue;
         }
-        *ARRAY_PUSH(flat->arena, &geometry->solids) = solid;
+        geometry->solids.items[kept++] = solid;
         geometry->bounds = box3_union(geometry->bounds, solid->surface);
     }
-    flat->solids.count = kept;
+    geometry->solids.count = kept;
+    flat->solids = others;
 }
 
 static struct box3 meshes_bounds(const struct flat *flat)
