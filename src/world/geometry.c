@@ -12,12 +12,9 @@
 enum {
     FEW = 32,               /* solids that are looked at one by one */
     PARALLEL_WORTH = 50000, /* triangles and solids */
-    LARGE = 200000,         /* triangles, or solids */
+    LARGE = 200000,         /* triangles */
     SPLITS_WORTH = 100,     /* rays of the camera for each triangle */
 };
-
-/* Rays of the camera for each solid that repay a tree of wide nodes. */
-static const double wide_worth = 0.5;
 
 /* Rays come in floats: allow for their rounding at the box's distance. */
 static struct box3 embree_box(struct box3 box, vec3 centre)
@@ -228,15 +225,11 @@ static void embree_error(void *context, enum RTCError code, const char *text)
 
 /* Spatial splits (Stich et al. 2009) cost 2.5 us for each triangle and save
  * 0.002 us of a ray among leaves (measured): they pay where very many rays meet
- * few triangles. A large mesh gets indexed triangles, a third of the memory;
- * very many solids narrow nodes, whose tree is sooner made and smaller, if
- * there are fewer rays than it takes for them to lose by it (measured). */
+ * few triangles. A large mesh gets indexed triangles, a third of the memory. */
 static void choose_build(struct geometry *geometry, size_t triangles,
                          double camera_rays)
 {
-    double solids = (double)geometry->solids.count;
-    bool few = camera_rays > 0 && camera_rays < wide_worth * solids;
-    bool large = triangles > LARGE || (solids > LARGE && few);
+    bool large = triangles > LARGE;
     bool many =
         camera_rays <= 0 || camera_rays > SPLITS_WORTH * (double)triangles;
     rtcSetSceneFlags(geometry->scene,
