@@ -62,7 +62,7 @@ extern const struct field algebraic_items[];
     .intersect = algebraic_shape_intersect,                                    \
     .crossings = algebraic_shape_crossings,                                    \
     .crosses = algebraic_shape_crosses, .first = algebraic_shape_first,        \
-    .first_many = algebraic_shape_first_many,                                  \
+    .lane_by_lane = true, .first_many = algebraic_shape_first_many,            \
     .crosses_many = algebraic_shape_crosses_many,                              \
     .normal = algebraic_shape_normal, .inside = algebraic_shape_inside,        \
     .meets = algebraic_shape_meets

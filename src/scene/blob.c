@@ -302,6 +302,7 @@ const struct primitive blob_primitive = {
     .crossings = blob_crossings,
     .first = blob_first,
     .crosses = blob_crosses,
+    .lane_by_lane = true,
     .first_many = blob_first_many,
     .crosses_many = blob_crosses_many,
     .normal = blob_normal,

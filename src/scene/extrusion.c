@@ -3,7 +3,7 @@
 #include "scene/extrusion.h"
 
 #include "scene/hit_search.h"
-#include "scene/slab.h"
+#include "scene/slab_rays.h"
 
 enum { PART_LOW = -1, PART_HIGH = -2 };
 
@@ -125,19 +125,23 @@ static void side_found(void *context, int index, double s)
         hit_search_take(&search->hits, (struct hit){ t, index, s, 0 });
 }
 
-/* Whether the ray meets the box around the piece, which is raised along the
- * axis, where it is looked for. The box is a little larger, as a ray along one
- * of its sides isn't told to be in it. */
-static bool side_is_met(const struct extrusion_search *search,
-                        const struct slabs *slabs, const struct piece *piece)
+/* Around the piece, which is raised along the axis. The box is a little larger,
+ * as a ray along one of its sides isn't told to be in it. */
+static struct box3 side_box(const struct extrusion *e,
+                            const struct piece *piece)
 {
-    const struct extrusion *e = search->extrusion;
     const double *low = piece->low, *high = piece->high;
     double more = 1e-9 * (fabs(low[0]) + fabs(low[1]) + fabs(high[0]) +
                           fabs(high[1]) + fabs(e->low) + fabs(e->high));
-    const struct box3 box = { { low[0] - more, low[1] - more, e->low - more },
-                              { high[0] + more, high[1] + more,
-                                e->high + more } };
+    return (struct box3){ { low[0] - more, low[1] - more, e->low - more },
+                          { high[0] + more, high[1] + more, e->high + more } };
+}
+
+/* Whether the ray meets that box where it is looked for. */
+static bool side_is_met(const struct extrusion_search *search,
+                        const struct slabs *slabs, const struct piece *piece)
+{
+    const struct box3 box = side_box(search->extrusion, piece);
     double enter = search->hits.tmin, leave = search->hits.tmax;
     slabs_clip(slabs, &box, &enter, &leave);
     return enter <= leave;
@@ -145,19 +149,25 @@ static bool side_is_met(const struct extrusion_search *search,
 
 /* Seen along the axis the ray is a line in the outline's plane; seen from the
  * tip of a cone, too: the plane through both cuts w = 1 in it. */
-static void search_sides(struct extrusion_search *search)
+static void search_side(struct extrusion_search *search, size_t index)
 {
     const struct extrusion *e = search->extrusion;
     vec3 o = search->ray.origin, d = search->ray.direction;
     vec3 n = e->conic ? vec3_cross(o, d)
                       : (vec3){ d.y, -d.x, d.x * o.y - d.y * o.x };
     const double line[3] = { n.x, n.y, n.z };
+    outline_cross(&e->outline, (int)index, line, side_found, search);
+}
+
+static void search_sides(struct extrusion_search *search)
+{
+    const struct extrusion *e = search->extrusion;
     struct slabs slabs = slabs_of(&search->ray);
     for (size_t i = 0; i < e->outline.count; i++) {
         if (search->any && search->hits.found)
             return;
         if (e->conic || side_is_met(search, &slabs, &e->outline.pieces[i]))
-            outline_cross(&e->outline, (int)i, line, side_found, search);
+            search_side(search, i);
     }
 }
 
@@ -178,13 +188,19 @@ static void search_caps(struct extrusion_search *search)
 
 /* Behind the nearest cap no side is looked for: a side that ends there is taken
  * before it, though. */
+static void search_first_caps(struct extrusion_search *search)
+{
+    struct hit_search *hits = &search->hits;
+    search_caps(search);
+    if (hits->found)
+        hits->tmax = nextafter(hits->tmax, HUGE_VAL);
+}
+
 static void extrusion_search(struct extrusion_search *search)
 {
     struct hit_search *hits = &search->hits;
     if (!hits->all)
-        search_caps(search);
-    if (hits->found)
-        hits->tmax = nextafter(hits->tmax, HUGE_VAL);
+        search_first_caps(search);
     if (!(search->any && hits->found))
         search_sides(search);
     if (hits->all)
@@ -233,6 +249,87 @@ static bool extrusion_crosses(const void *shape, const struct ray *ray,
     return search.hits.found;
 }
 
+/* Rays side by side, in u, v, w. */
+struct extrusion_lanes {
+    struct rays rays;
+    struct rays_span span;
+    struct extrusion_search search[RAY_LANES];
+    unsigned open; /* those that look for something still */
+};
+
+static void lanes_begin(struct extrusion_lanes *lanes,
+                        const struct extrusion *e, const struct rays *rays,
+                        const struct rays_span *span, bool any)
+{
+    lanes->rays = *rays;
+    lanes->span = *span;
+    lanes->open = 0;
+    for (int i = 0; i < RAY_LANES; i++) {
+        struct extrusion_search *search = &lanes->search[i];
+        if (!(span->near[i] < span->far[i])) {
+            search->hits.found = false;
+            continue;
+        }
+        const struct ray ray = rays_at(rays, i);
+        *search = extrusion_search_new(e, &ray, span->near[i], span->far[i]);
+        search->any = any;
+        rays_set(&lanes->rays, i, search->ray.origin, search->ray.direction);
+        search_first_caps(search);
+        lanes->span.far[i] = search->hits.tmax;
+        if (!(any && search->hits.found))
+            lanes->open |= 1u << i;
+    }
+}
+
+/* As search_sides, but side after side, each for all of them. */
+static void lanes_sides(struct extrusion_lanes *lanes,
+                        const struct extrusion *e)
+{
+    double inverse[3][RAY_LANES];
+    const struct rays_boxed boxed = { &lanes->rays,
+                                      (const double(*)[RAY_LANES])inverse,
+                                      &lanes->span };
+    rays_inverse(&lanes->rays, inverse);
+    for (size_t k = 0; k < e->outline.count && lanes->open; k++) {
+        const struct box3 box = side_box(e, &e->outline.pieces[k]);
+        LANE_LINES lane_flag met[RAY_LANES];
+        unsigned meet = lanes->open;
+        if (!e->conic) {
+            rays_meet_box(&boxed, &box, met);
+            meet &= rays_bits(met);
+        }
+        for (; meet; meet &= meet - 1) {
+            unsigned i = (unsigned)__builtin_ctz(meet);
+            struct extrusion_search *search = &lanes->search[i];
+            search_side(search, k);
+            lanes->span.far[i] = search->hits.tmax;
+            if (search->any && search->hits.found)
+                lanes->open &= ~(1u << i);
+        }
+    }
+}
+
+static void extrusion_first_many(const void *shape, const struct rays *rays,
+                                 const struct rays_span *span,
+                                 struct rays_met *met)
+{
+    struct extrusion_lanes lanes;
+    lanes_begin(&lanes, shape, rays, span, false);
+    lanes_sides(&lanes, shape);
+    for (int i = 0; i < RAY_LANES; i++)
+        rays_met_take(met, i, &lanes.search[i].hits);
+}
+
+static void extrusion_crosses_many(const void *shape, const struct rays *rays,
+                                   const struct rays_span *span, lane_flag *met)
+{
+    struct extrusion_lanes lanes;
+    lanes_begin(&lanes, shape, rays, span, true);
+    lanes_sides(&lanes, shape);
+    for (int i = 0; i < RAY_LANES; i++)
+        met[i] = lanes.search[i].hits.found ? -1 : 0;
+}
+
 /* Of a side: across the outline, and for cones across the line to the tip. */
 static vec3 extrusion_normal(const void *shape, vec3 point,
                              const struct hit *hit)
@@ -274,6 +371,9 @@ const struct primitive prism_primitive = {
     .intersect = extrusion_intersect,
     .crosses = extrusion_crosses,
     .first = extrusion_first,
+    .lane_by_lane = true,
+    .first_many = extrusion_first_many,
+    .crosses_many = extrusion_crosses_many,
     .normal = extrusion_normal,
     .inside = extrusion_inside,
 };
@@ -289,6 +389,9 @@ const struct primitive text_primitive = {
     .intersect = extrusion_intersect,
     .crosses = extrusion_crosses,
     .first = extrusion_first,
+    .lane_by_lane = true,
+    .first_many = extrusion_first_many,
+    .crosses_many = extrusion_crosses_many,
     .normal = extrusion_normal,
     .inside = extrusion_inside,
 };

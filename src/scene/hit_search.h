@@ -3,7 +3,7 @@
 #ifndef SCENE_HIT_SEARCH_H
 #define SCENE_HIT_SEARCH_H
 
-#include "scene/ray.h"
+#include "scene/rays.h"
 
 /* Between tmin and tmax: all into `all`, or, if that is NULL, the first into
  * `first`, and then tmax is where that is. `all` belongs to the caller. */
@@ -32,6 +32,15 @@ static inline void hit_search_take(struct hit_search *search, struct hit hit)
     search->first = hit;
     search->tmax = hit.t;
     search->found = true;
+}
+
+/* What the search of lane `i` has found. */
+static inline void rays_met_take(struct rays_met *met, int i,
+                                 const struct hit_search *search)
+{
+    met->t[i] = search->found ? search->first.t : (double)INFINITY;
+    met->part[i] = search->found ? search->first.part : 0;
+    met->u[i] = search->found ? search->first.u : 0;
 }
 
 #endif

@@ -54,6 +54,10 @@ struct primitive {
     void (*half_space)(const void *shape, vec3 *normal, double *distance);
     void (*intersect)(const void *shape, const struct ray *ray,
                       struct hits *hits);
+    /* As intersect from t = 0 on, for trace(): with the error that POV-Ray's
+     * has, since scenes place other things by what it tells. NULL: intersect.
+     */
+    void (*traced)(const void *shape, const struct ray *ray, struct hits *hits);
     /* Calls visit for the crossings between tmin and tmax, by increasing t,
      * until it returns true. NULL: there are no more than HITS_MAX, and
      * intersect tells them all. */
@@ -72,6 +76,9 @@ struct primitive {
                          const struct rays_span *span, lane_flag *met);
     void (*first_many)(const void *shape, const struct rays *rays,
                        const struct rays_span *span, struct rays_met *met);
+    /* These look at some of the rays one by one: those whose crossings nobody
+     * wants are worth leaving out. */
+    bool lane_by_lane;
     /* intersect of rays side by side, to the bit, of what has at most
      * RAY_CROSSINGS; NULL: one by one. */
     void (*all_many)(const void *shape, const struct rays *rays,

@@ -27,7 +27,8 @@ struct rays_span {
 /* Where each of them first meets a shape: INFINITY if it doesn't. */
 struct rays_met {
     LANE_LINES double t[RAY_LANES];
-    double part[RAY_LANES]; /* as of a hit; u and v of shapes met so are 0 */
+    double part[RAY_LANES]; /* as of a hit; v of shapes met so is 0 */
+    double u[RAY_LANES];    /* the same; 0, unless the shape says */
 };
 
 /* All crossings of each, in the order that its shape's intersect tells them,

@@ -3,6 +3,7 @@
 
 #include "scene/hit_search.h"
 #include "scene/polynomial.h"
+#include "scene/slab.h"
 
 static const struct field revolution_fields[] = {
     { "segments", FIELD_TERMS, offsetof(struct revolution, segments), 0, 0,
@@ -124,22 +125,20 @@ static void spin_piece(struct spin *spin, const struct piece *piece, int part)
     }
 }
 
-/* Whether the ray is nearer to the axis than the piece reaches while it is as
- * high as the piece, and where it is looked for. */
-static bool spin_meets(const struct spin *spin, const struct piece *piece)
+/* Whether a ray from the height `oy` is nearer to the axis than the piece
+ * reaches while it is as high as the piece, and where it is looked for. */
+static inline bool piece_is_met(const struct piece *piece, double oy, double dy,
+                                const double abc[3], double tmin, double tmax)
 {
-    double dy = spin->ray->direction.y, y = spin->ray->origin.y;
-    double low = (piece->low[1] - y) / dy, high = (piece->high[1] - y) / dy;
-    double enter = fmin(low, high), leave = fmax(low, high);
+    double low = (piece->low[1] - oy) / dy, high = (piece->high[1] - oy) / dy;
+    double enter = slab_min(low, high), leave = slab_max(low, high);
     double margin = 1e-9 * (fabs(enter) + fabs(leave));
-    if (dy * dy > spin_flat * spin->a &&
-        (leave + margin < spin->hits.tmin || enter - margin > spin->hits.tmax))
-        return false;
-    double t = -spin->b / spin->a;
-    t = fmax(enter, fmin(t, leave));
-    double radius = fmax(fabs(piece->low[0]), fabs(piece->high[0]));
-    double nearest = (spin->a * t + 2 * spin->b) * t + spin->c;
-    return !(nearest > radius * radius * (1 + 1e-9) + 1e-12);
+    bool beyond = (leave + margin < tmin) | (enter - margin > tmax);
+    double t = slab_max(enter, slab_min(-abc[1] / abc[0], leave));
+    double radius = slab_max(fabs(piece->low[0]), fabs(piece->high[0]));
+    double nearest = (abc[0] * t + 2 * abc[1]) * t + abc[2];
+    return !((dy * dy > spin_flat * abc[0]) & beyond) &
+           !(nearest > radius * radius * (1 + 1e-9) + 1e-12);
 }
 
 static struct spin spin_new(const struct ray *ray, double tmin, double tmax)
@@ -154,15 +153,22 @@ static struct spin spin_new(const struct ray *ray, double tmin, double tmax)
     };
 }
 
+static inline bool spin_is_level(double a, double dy)
+{
+    return dy * dy < 1e-16 * a;
+}
+
 static void spin_all(struct spin *spin, const struct revolution *r)
 {
-    double dy = spin->ray->direction.y;
-    bool level = dy * dy < 1e-16 * spin->a;
+    const double abc[3] = { spin->a, spin->b, spin->c };
+    double oy = spin->ray->origin.y, dy = spin->ray->direction.y;
+    bool level = spin_is_level(spin->a, dy);
     for (size_t i = 0; i < r->outline.count; i++) {
         const struct piece *piece = &r->outline.pieces[i];
         if (level)
             spin_level(spin, piece, (int)i);
-        else if (spin_meets(spin, piece))
+        else if (piece_is_met(piece, oy, dy, abc, spin->hits.tmin,
+                              spin->hits.tmax))
             spin_piece(spin, piece, (int)i);
     }
 }
@@ -189,6 +195,101 @@ static bool revolution_crosses(const void *shape, const struct ray *ray,
 {
     struct hit hit;
     return revolution_first(shape, ray, tmin, tmax, &hit);
+}
+
+/* Rays side by side. */
+struct spin_lanes {
+    const struct rays *rays;
+    struct rays_span span; /* `far` is where the nearest crossing is */
+    LANE_LINES double a[RAY_LANES], b[RAY_LANES], c[RAY_LANES];
+    struct ray ray[RAY_LANES];
+    struct spin spin[RAY_LANES];
+    unsigned open;  /* those that look for something still */
+    unsigned level; /* those that are */
+};
+
+static void lanes_begin(struct spin_lanes *lanes, const struct rays *rays,
+                        const struct rays_span *span)
+{
+    lanes->rays = rays;
+    lanes->span = *span;
+    lanes->open = lanes->level = 0;
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        struct spin *spin = &lanes->spin[i];
+        lanes->a[i] = lanes->b[i] = lanes->c[i] = 0;
+        if (!(span->near[i] < span->far[i])) {
+            spin->hits.found = false;
+            continue;
+        }
+        lanes->ray[i] = rays_at(rays, (int)i);
+        *spin = spin_new(&lanes->ray[i], span->near[i], span->far[i]);
+        lanes->a[i] = spin->a;
+        lanes->b[i] = spin->b;
+        lanes->c[i] = spin->c;
+        lanes->open |= 1u << i;
+        lanes->level |=
+            (unsigned)spin_is_level(spin->a, lanes->ray[i].direction.y) << i;
+    }
+}
+
+CLONES static void lanes_meet(const struct spin_lanes *restrict lanes,
+                              const struct piece *piece,
+                              lane_flag *restrict met)
+{
+    const struct piece of = *piece;
+    for (int i = 0; i < RAY_LANES; i++) {
+        const double abc[3] = { lanes->a[i], lanes->b[i], lanes->c[i] };
+        bool is = piece_is_met(&of, lanes->rays->origin[1][i],
+                               lanes->rays->direction[1][i], abc,
+                               lanes->span.near[i], lanes->span.far[i]);
+        met[i] = is ? -1 : 0;
+    }
+}
+
+/* As spin_all, but piece after piece, each for all of them. `any`: whichever
+ * crossing is found first is enough. */
+static void lanes_all(struct spin_lanes *lanes, const struct revolution *r,
+                      bool any)
+{
+    for (size_t k = 0; k < r->outline.count && lanes->open; k++) {
+        const struct piece *piece = &r->outline.pieces[k];
+        LANE_LINES lane_flag flags[RAY_LANES];
+        lanes_meet(lanes, piece, flags);
+        unsigned met = (rays_bits(flags) | lanes->level) & lanes->open;
+        for (; met; met &= met - 1) {
+            unsigned i = (unsigned)__builtin_ctz(met);
+            struct spin *spin = &lanes->spin[i];
+            if (lanes->level >> i & 1)
+                spin_level(spin, piece, (int)k);
+            else
+                spin_piece(spin, piece, (int)k);
+            lanes->span.far[i] = spin->hits.tmax;
+            if (any && spin->hits.found)
+                lanes->open &= ~(1u << i);
+        }
+    }
+}
+
+static void revolution_first_many(const void *shape, const struct rays *rays,
+                                  const struct rays_span *span,
+                                  struct rays_met *met)
+{
+    struct spin_lanes lanes;
+    lanes_begin(&lanes, rays, span);
+    lanes_all(&lanes, shape, false);
+    for (int i = 0; i < RAY_LANES; i++)
+        rays_met_take(met, i, &lanes.spin[i].hits);
+}
+
+static void revolution_crosses_many(const void *shape, const struct rays *rays,
+                                    const struct rays_span *span,
+                                    lane_flag *met)
+{
+    struct spin_lanes lanes;
+    lanes_begin(&lanes, rays, span);
+    lanes_all(&lanes, shape, true);
+    for (int i = 0; i < RAY_LANES; i++)
+        met[i] = lanes.spin[i].hits.found ? -1 : 0;
 }
 
 static vec3 revolution_normal(const void *shape, vec3 point,
@@ -274,6 +375,9 @@ const struct primitive lathe_primitive = {
     .intersect = revolution_intersect,
     .crosses = revolution_crosses,
     .first = revolution_first,
+    .lane_by_lane = true,
+    .first_many = revolution_first_many,
+    .crosses_many = revolution_crosses_many,
     .normal = revolution_normal,
     .uv = revolution_uv,
     .inside = revolution_inside,

@@ -117,24 +117,44 @@ void packet_set_out(struct packet *packet, const double shift[RAY_LANES],
     }
 }
 
+/* Without the rays that are not asked about, for a shape to which these would
+ * be work. */
+static const struct rays_span *span_asked(const struct packet *packet,
+                                          const struct primitive *primitive,
+                                          unsigned lanes,
+                                          struct rays_span *asked)
+{
+    unsigned others = packet->open & ~lanes;
+    if (!primitive->lane_by_lane || !others)
+        return &packet->span;
+    *asked = packet->span;
+    for (; others; others &= others - 1)
+        asked->far[__builtin_ctz(others)] = -(double)INFINITY;
+    return asked;
+}
+
 /* Takes the nearest crossings of the shape. */
 static void packet_first(struct packet *packet, const struct solid *solid,
                          const struct rays *rays, unsigned lanes)
 {
     const struct object *object = solid->leaf->object;
     struct rays_met met;
+    struct rays_span asked;
     struct rays_crossings all;
+    const struct rays_span *span =
+        span_asked(packet, object->primitive, lanes, &asked);
+    memset(met.u, 0, sizeof met.u);
     if (object->primitive->first_many) {
-        object->primitive->first_many(object->shape, rays, &packet->span, &met);
+        object->primitive->first_many(object->shape, rays, span, &met);
     } else {
         object->primitive->all_many(object->shape, rays, &all);
-        rays_first_of(&all, &packet->span, &met);
+        rays_first_of(&all, span, &met);
     }
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
         if (!(met.t[i] <= packet->span.far[i]))
             continue;
-        const struct hit hit = { met.t[i], (int)met.part[i], 0, 0 };
+        const struct hit hit = { met.t[i], (int)met.part[i], met.u[i], 0 };
         struct query *query = packet_query(packet, i);
         if (!query_wants(query, solid->leaf, hit.t))
             continue;
@@ -164,13 +184,15 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
 {
     const struct object *object = solid->leaf->object;
     LANE_LINES lane_flag met[RAY_LANES];
+    struct rays_span asked;
     struct rays_crossings all;
+    const struct rays_span *span =
+        span_asked(packet, object->primitive, lanes, &asked);
     if (object->primitive->crosses_many) {
-        object->primitive->crosses_many(object->shape, rays, &packet->span,
-                                        met);
+        object->primitive->crosses_many(object->shape, rays, span, met);
     } else {
         object->primitive->all_many(object->shape, rays, &all);
-        rays_crosses_of(&all, &packet->span, met);
+        rays_crosses_of(&all, span, met);
     }
     lanes &= rays_bits(met);
     if (solid->leaf->opaque || packet->opaque)

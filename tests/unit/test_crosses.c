@@ -52,7 +52,7 @@ static void rays_side_by_side_agree(void *context, const struct solid *solid)
     for (int i = 0; i < 500; i++) {
         struct rays rays;
         struct rays_span span;
-        struct rays_met first;
+        struct rays_met first = { .u = { 0 } };
         lane_flag crosses[RAY_LANES];
         for (int k = 0; k < RAY_LANES; k++) {
             struct ray ray = { dice_point(&dice, 1.5), dice_point(&dice, 1.5) };
@@ -83,6 +83,7 @@ static void rays_side_by_side_agree(void *context, const struct solid *solid)
                                   span.far[k], &hit);
             assert_true(first.t[k] == (is ? hit.t : (double)INFINITY));
             assert_true(!is || first.part[k] == hit.part);
+            assert_true(!is || first.u[k] == hit.u);
         }
     }
 }
@@ -202,6 +203,15 @@ static void shapes_agree_on_rays_side_by_side(void **state)
         "1.28,0,0,0,0,1,0,-1.6,0,.4096> }",
         "polynomial { 4, xyz(4,0,0): 1, xyz(0,1,1): -.3, xyz(0,0,0): -.2 }",
         "cubic { <1,0,0,0,0,0,-1,0,0,0,1,0,0,0,0,0,0,0,.5,.1> }",
+        "prism { cubic_spline -.5, .5, 7, <-1,0>, <0,1>, <1,0>, <0,-1>, "
+        "<-1,0>, <0,1>, <1,0> }",
+        "prism { linear_spline -.9, .7, 5, <-1,-1>, <1,-1>, <.4,.8>, <-1,1>, "
+        "<-1,-1> open }",
+        "prism { conic_sweep linear_spline .1, 1, 5, <-1,-1>, <1,-1>, <.4,.8>, "
+        "<-1,1>, <-1,-1> }",
+        "lathe { cubic_spline 6, <0,-1.2>, <.5,-1>, <1,-.4>, <.4,.4>, <.7,1>, "
+        "<.5,1.2> }",
+        "lathe { linear_spline 5, <0,-1>, <1,-1>, <.5,0>, <1,1>, <0,1> }",
         /* Few parts on a ray, then more than rays side by side keep. */
         "blob { threshold .5 #local I = 0; #while (I < 90) "
         "sphere { <cos(I), sin(I*1.7), sin(I*2.9)>, .3, 1 } "

@@ -54,6 +54,7 @@ static void path_media(struct path *path, double distance)
         .direction = path->ray.direction,
         .length = distance,
         .lamps = tracer->lighting->lamps(tracer->lighting_state),
+        .photons = tracer->photons ? photon_map_within(tracer->photons) : NULL,
         .worker = path->worker,
         .inside = &path->inside,
     };
