@@ -77,8 +77,10 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     struct mesh_known known;
     bool done =
         mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
-    if (done && known.found)
+    if (done && known.found) {
         mesh->stamp = known.file.stamp;
+        mesh->finest = known.finest;
+    }
     const struct mesh_frame *frame = &mesh->stamp.frame;
     done = done && interpolation &&
            (!frame->closed || frame->samples == 0 ||

@@ -22,11 +22,11 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     mesh_clear(mesh);
     *plan = plan_new(scene, &mesh->lamps, &mesh->stamp.frame, interpolation,
                      skeleton ? mesh_close_light : NULL, skeleton);
-    if (mesh->stamp.frame.closed)
-        plan->indirect.bright = &mesh->survey.bright;
+    plan->indirect.bright = &mesh->stamp.frame.bright;
     mesh->direct_view = plan->direct.view;
     mesh->indirect_view = plan->indirect.view;
     mesh->direct_view.eye = mesh->indirect_view.eye = scene->camera.location;
+    mesh->direct_view.finest = mesh->indirect_view.finest = mesh->finest;
     mesh->direct = direct_mesh_new(&mesh->lamps, &plan->direct);
     if (plan->indirect.bounces > 0)
         mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,

@@ -7,6 +7,16 @@
 #include "base/map.h"
 #include "lightmesh/tuning.h"
 
+/* The level at which points that were made for one picture are about as near to
+ * each other as another wants. Small differences are none, lest what a still
+ * surface shows changes when the camera moves. */
+static double frame_finest(const struct mesh_frame *made,
+                           const struct mesh_frame *now)
+{
+    double levels = log2(now->wanted / made->wanted);
+    return copysign(fmax(fabs(levels) - kept_levels, 0), levels);
+}
+
 static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                       const struct lighting_kept *kept)
 {
@@ -16,11 +26,11 @@ static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                         sizeof text) ||
         !mesh_stamp_same(&known->file.stamp, wanted, text, sizeof text))
         return false;
-    const struct mesh_frame *made = &known->file.stamp.frame;
-    double ratio = made->wanted / wanted->frame.wanted;
-    return ratio <= kept_farther && ratio * kept_nearer >= 1 &&
-           made->closed == wanted->frame.closed &&
-           (made->samples > 0 || wanted->frame.samples == 0);
+    const struct mesh_frame *made = &known->file.stamp.frame,
+                            *now = &wanted->frame;
+    known->finest = frame_finest(made, now);
+    return fabs(known->finest) <= KEPT_LEVELS &&
+           now->asked <= kept_rays * made->asked;
 }
 
 static bool file_find(struct mesh_known *known, const struct mesh_stamp *wanted,

@@ -13,12 +13,15 @@ struct mesh_known {
     bool found;
     const char *name; /* of the file; NULL: the picture before */
     struct map *map;  /* the file, which its points stay in */
+    double finest;    /* struct lattice_view: for points as near to each other
+                       * as this picture wants */
 };
 
 /* Looks for a mesh made of what `wanted` says. The picture before is taken only
- * if its points are about as near to each other as wanted, a file however near
- * they are. Returns false after an error was printed: there is a file, and it
- * is not such a mesh. To be ended in any case. */
+ * if its points send about as many rays as wanted, and levels of them are about
+ * as near to each other; a file however near they are. Returns false after an
+ * error was printed: there is a file, and it is not such a mesh. To be ended in
+ * any case. */
 bool mesh_known_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                      const struct lighting_options *options, const char *file,
                      struct diag *diag);

@@ -28,6 +28,7 @@ struct mesh_lighting {
     /* How this picture's camera asks; what mesh points hold must not depend on
      * it, only on the stamp's frame. */
     struct lattice_view direct_view, indirect_view;
+    double finest; /* of these views: 0 but for a mesh that is kept */
     struct mesh_stamp stamp;
     int width, height; /* of the picture, pixels */
 };

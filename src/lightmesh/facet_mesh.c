@@ -292,7 +292,7 @@ static bool seeker_seek(struct facet_seeker *seeker)
     seeker->spacing = lattice_spacing(lattice, level);
     seeker->kind = facet_kind(facet, seeker->spacing);
     if (seeker->kind == FACET_NONE ||
-        facet->longest > facet_most * lattice_spacing(lattice, 0))
+        facet->longest > facet_most * lattice_spacing(lattice, KEPT_LEVELS))
         return false;
     if (!facet->alone) {
         level =

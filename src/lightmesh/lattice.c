@@ -84,11 +84,11 @@ static double lattice_finer(const struct lattice *lattice, vec3 place)
 int lattice_level(const struct lattice *lattice,
                   const struct lattice_view *view, vec3 place, double *blend)
 {
-    double exact = 0;
+    double exact = view->finest;
     *blend = 0;
     if (lattice->near > 0) {
         double distance = vec3_length(vec3_sub(place, view->eye));
-        exact = fmax(log2(distance / lattice->near) + 1, 0);
+        exact = fmax(log2(distance / lattice->near) + 1, exact);
     }
     exact += lattice->usual + view->coarser - lattice_finer(lattice, place);
     if (!(exact > level_blend))

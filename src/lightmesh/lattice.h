@@ -29,8 +29,10 @@ struct lattice {
 /* How near to each other points are for who asks. Where points are doesn't
  * follow from it, so that all may share them. */
 struct lattice_view {
-    vec3 eye;    /* the camera */
-    int coarser; /* levels more */
+    vec3 eye;      /* the camera */
+    int coarser;   /* levels more */
+    double finest; /* level of what is nearest, counted from the usual one:
+                    * below 0 finer */
 };
 
 struct lattice_point {

@@ -13,10 +13,9 @@ static const char file_mark[16] = "glim light mesh\n";
 
 enum {
     BYTE_ORDER_MARK = 0x01020304,
-    FRAME_NUMBERS = 17,
     TABLES = 2, /* of a mesh */
-    HEAD_SIZE =
-        16 + 4 + 4 + 8 + FRAME_NUMBERS * 8 + 4 * 8 + MESH_SETTINGS_SIZE + 8,
+    HEAD_SIZE = 16 + 4 + 4 + 8 + MESH_FRAME_NUMBERS * 8 + 4 * 8 +
+                MESH_SETTINGS_SIZE + 8,
     TABLE_SIZE = 8 + 8,
     HASH_SIZE = 8,
     SIZE_AT = 24,
@@ -55,14 +54,8 @@ static void put_head(char **to, const struct mesh_stamp *stamp, size_t size,
                      size_t tables)
 {
     const uint32_t words[2] = { MESH_VERSION, BYTE_ORDER_MARK };
-    const struct mesh_frame *f = &stamp->frame;
-    const double frame[FRAME_NUMBERS] = {
-        f->spacing,    f->wanted,         f->near,           f->eye.x,
-        f->eye.y,      f->eye.z,          f->centre.x,       f->centre.y,
-        f->centre.z,   f->size,           f->gather,         f->samples,
-        f->closed,     f->around.light.r, f->around.light.g, f->around.light.b,
-        f->around.open
-    };
+    double frame[MESH_FRAME_NUMBERS];
+    mesh_frame_put(&stamp->frame, frame);
     put(to, file_mark, sizeof file_mark);
     put(to, words, sizeof words);
     put_number(to, size);
@@ -146,20 +139,9 @@ static const char *file_problem(const char *bytes, size_t size, char *text,
 
 static void take_stamp(const char **from, struct mesh_stamp *stamp)
 {
-    struct mesh_frame *f = &stamp->frame;
-    double frame[FRAME_NUMBERS];
+    double frame[MESH_FRAME_NUMBERS];
     take(from, frame, sizeof frame);
-    f->spacing = frame[0];
-    f->wanted = frame[1];
-    f->near = frame[2];
-    f->eye = vec3_make(frame[3], frame[4], frame[5]);
-    f->centre = vec3_make(frame[6], frame[7], frame[8]);
-    f->size = frame[9];
-    f->gather = frame[10];
-    f->samples = (int)fmin(fmax(frame[11], 0), 1e6);
-    f->closed = frame[12] > 0;
-    f->around.light = rgb_make(frame[13], frame[14], frame[15]);
-    f->around.open = frame[16];
+    mesh_frame_take(&stamp->frame, frame);
     stamp->scene.objects = take_number(from);
     stamp->scene.textures = take_number(from);
     stamp->scene.lights = take_number(from);
@@ -170,15 +152,8 @@ static void take_stamp(const char **from, struct mesh_stamp *stamp)
 /* Whether numbers are such as a glim writes: a right hash is no proof. */
 static bool stamp_possible(const struct mesh_stamp *stamp)
 {
-    const struct mesh_frame *f = &stamp->frame;
     const char *settings = stamp->settings;
-    double sum = f->eye.x + f->eye.y + f->eye.z + f->centre.x + f->centre.y +
-                 f->centre.z + f->near + f->size + f->wanted +
-                 f->around.light.r + f->around.light.g + f->around.light.b +
-                 f->around.open;
-    if (!(f->spacing > 0 && f->near >= 0 && f->size >= 0 && f->gather > 0 &&
-          isfinite(f->gather)) ||
-        !isfinite(sum) || !isfinite(f->spacing) ||
+    if (!mesh_frame_possible(&stamp->frame) ||
         !memchr(settings, 0, MESH_SETTINGS_SIZE))
         return false;
     for (; *settings; settings++)

@@ -6,7 +6,7 @@
  *     16 bytes   "glim light mesh\n"
  *     4, 4       MESH_VERSION, 0x01020304: the order of bytes
  *     8          bytes in all
- *     11 x 8     the frame; 4 x 8 the scene's fingerprint
+ *     116 x 8    the frame; 4 x 8 the scene's fingerprint
  *     1024       settings, text
  *     8          tables, two for each mesh; and for each of these:
  *       8, 8     bytes of a record, records

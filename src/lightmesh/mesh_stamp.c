@@ -178,19 +178,74 @@ bool mesh_stamp_same(const struct mesh_stamp *made,
     return !changed;
 }
 
+void mesh_frame_put(const struct mesh_frame *frame,
+                    double numbers[MESH_FRAME_NUMBERS])
+{
+    const struct mesh_frame *f = frame;
+    const double first[] = {
+        f->spacing,        f->wanted,      f->near,           f->eye.x,
+        f->eye.y,          f->eye.z,       f->centre.x,       f->centre.y,
+        f->centre.z,       f->size,        f->gather,         f->samples,
+        f->asked,          f->closed,      f->around.light.r, f->around.light.g,
+        f->around.light.b, f->around.open, f->bright.count,   f->bright.radius,
+    };
+    double *to = numbers + sizeof first / sizeof *first;
+    memset(numbers, 0, MESH_FRAME_NUMBERS * sizeof *numbers);
+    memcpy(numbers, first, sizeof first);
+    for (int i = 0; i < f->bright.count; i++) {
+        *to++ = f->bright.at[i].centre.x;
+        *to++ = f->bright.at[i].centre.y;
+        *to++ = f->bright.at[i].centre.z;
+        *to++ = f->bright.at[i].light;
+    }
+}
+
+void mesh_frame_take(struct mesh_frame *frame,
+                     const double numbers[MESH_FRAME_NUMBERS])
+{
+    const double *n = numbers, *from = numbers + 20;
+    *frame = (struct mesh_frame){
+        .spacing = n[0],
+        .wanted = n[1],
+        .near = n[2],
+        .eye = { n[3], n[4], n[5] },
+        .centre = { n[6], n[7], n[8] },
+        .size = n[9],
+        .gather = n[10],
+        .samples = (int)fmin(fmax(n[11], 0), 1e6),
+        .asked = (int)fmin(fmax(n[12], 0), 1e6),
+        .closed = n[13] > 0,
+        .around = { { n[14], n[15], n[16] }, n[17] },
+        .bright = { .count = (int)fmin(fmax(n[18], 0), BRIGHT_MOST),
+                    .radius = n[19] },
+    };
+    for (int i = 0; i < frame->bright.count; i++, from += 4) {
+        frame->bright.at[i].centre = vec3_make(from[0], from[1], from[2]);
+        frame->bright.at[i].light = from[3];
+    }
+}
+
+bool mesh_frame_possible(const struct mesh_frame *frame)
+{
+    double numbers[MESH_FRAME_NUMBERS];
+    mesh_frame_put(frame, numbers);
+    for (int i = 0; i < MESH_FRAME_NUMBERS; i++)
+        if (!isfinite(numbers[i]))
+            return false;
+    for (int i = 0; i < frame->bright.count; i++)
+        if (!(frame->bright.at[i].light > 0))
+            return false;
+    return frame->spacing > 0 && frame->wanted > 0 && frame->near >= 0 &&
+           frame->size >= 0 && frame->gather > 0 && frame->bright.radius >= 0;
+}
+
 uint64_t mesh_stamp_family(const struct mesh_stamp *stamp)
 {
-    const struct mesh_frame *f = &stamp->frame;
-    const double frame[] = {
-        f->spacing,    f->wanted,         f->near,           f->eye.x,
-        f->eye.y,      f->eye.z,          f->centre.x,       f->centre.y,
-        f->centre.z,   f->size,           f->gather,         f->samples,
-        f->closed,     f->around.light.r, f->around.light.g, f->around.light.b,
-        f->around.open
-    };
+    double frame[MESH_FRAME_NUMBERS];
+    mesh_frame_put(&stamp->frame, frame);
     const uint64_t scene[] = { stamp->scene.objects, stamp->scene.textures,
                                stamp->scene.lights, stamp->scene.surroundings };
-    uint64_t hash = hash_numbers(1, frame, sizeof frame / sizeof *frame);
+    uint64_t hash = hash_numbers(1, frame, MESH_FRAME_NUMBERS);
     hash = hash_bytes(hash, scene, sizeof scene);
     return hash_text(hash, stamp->settings);
 }

@@ -2,6 +2,7 @@
 #ifndef LIGHTMESH_MESH_STAMP_H
 #define LIGHTMESH_MESH_STAMP_H
 
+#include "lightmesh/bright.h"
 #include "lightmesh/indirect_light.h"
 #include "scene/fingerprint.h"
 
@@ -23,9 +24,23 @@ struct mesh_frame {
     /* Of the indirect mesh: */
     double gather; /* spacing */
     int samples;   /* gather rays of a point; 0: it does nothing here */
+    int asked;     /* the same, had there been time enough */
     bool closed;   /* the skeleton ends the bounces, */
     struct indirect_share around; /* or this does */
+    struct bright bright;         /* where some of the rays go */
 };
+
+/* All of it as numbers, for files and hashes. */
+enum { MESH_FRAME_NUMBERS = 20 + 4 * BRIGHT_MOST };
+void mesh_frame_put(const struct mesh_frame *frame,
+                    double numbers[MESH_FRAME_NUMBERS]);
+
+/* Back again, of whatever numbers. */
+void mesh_frame_take(struct mesh_frame *frame,
+                     const double numbers[MESH_FRAME_NUMBERS]);
+
+/* Whether they are such as a mesh can have. */
+bool mesh_frame_possible(const struct mesh_frame *frame);
 
 struct mesh_stamp {
     struct mesh_frame frame;

@@ -65,6 +65,8 @@ struct mesh_frame plan_frame(const struct scene *scene,
                              const struct survey *survey, int coarser)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    bool closed = survey->open < open_enough;
+    int samples = frame_samples(said, survey);
     double spacing = spacing_pixels * outlook->pixel;
     spacing = fmin(fmax(spacing, outlook->size / spacing_cells_most),
                    outlook->size / spacing_cells_least);
@@ -80,9 +82,11 @@ struct mesh_frame plan_frame(const struct scene *scene,
         .size = outlook->size,
         .gather = frame_gather(said, outlook, spacing) *
                   pow(spacing_coarser, coarser),
-        .samples = frame_samples(said, survey),
-        .closed = survey->open < open_enough,
+        .samples = samples,
+        .asked = samples,
+        .closed = closed,
         .around = survey->around,
+        .bright = closed ? survey->bright : (struct bright){ .count = 0 },
     };
 }
 
@@ -203,7 +207,8 @@ static void plan_direct(struct plan *plan,
     };
     lattice_set_regions(&plan->direct.lattice, said->regions.items,
                         said->regions.count);
-    lattice_make_finer(&plan->direct.lattice, plan->direct.refinement.levels);
+    lattice_make_finer(&plan->direct.lattice,
+                       plan->direct.refinement.levels + KEPT_LEVELS);
 }
 
 static void plan_indirect(struct plan *plan,

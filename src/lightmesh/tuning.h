@@ -71,8 +71,12 @@ enum {
     SURFACE_PART = 3, /* one in so many is for points on surfaces */
 };
 static const double kept_full = 0.5; /* of a table, by the picture before */
-static const double kept_nearer = 3, kept_farther = 1.5; /* than wanted, factors
-                                                          * of the spacing */
+static const double kept_levels = 1; /* by which points are nearer to each
+                                      * other than wanted, or farther off,
+                                      * before others are asked, ... */
+enum { KEPT_LEVELS = 6 }; /* which are up to so many levels finer or coarser */
+static const double kept_rays = 4; /* times as many that are wanted of a point:
+                                    * others are made */
 
 /* Mesh points in space [forest, thinwall, room]. */
 static const double seek_lift = 0.3;    /* above the surface, spacings */
@@ -178,6 +182,7 @@ enum {
     NEAR_RAYS = 16,     /* to what is close to a place that is seen; */
     NEAR_LONE_PART = 2, /* one in so many where only a pixel shares them */
     LONE_PLACES = 4,    /* of a pixel, that its rays share */
+    LONE_PIXELS = 16,   /* of which these are kept, of those last refined */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 

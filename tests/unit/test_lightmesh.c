@@ -107,6 +107,16 @@ static void test_lattice(void **state)
         lattice_level(&lattice, &here, vec3_make(0, 4.1, 0), &blend), 1);
     assert_int_equal(
         lattice_level(&lattice, &here, vec3_make(8.1, 0, 0), &blend), 2);
+    struct lattice kept = lattice;
+    const struct lattice_view nearer = { .finest = -1.5 };
+    lattice_make_finer(&kept, 3);
+    assert_int_equal(lattice_level(&kept, &here, vec3_make(0, 0, 1), &blend),
+                     3);
+    assert_int_equal(
+        lattice_level(&kept, &nearer, vec3_make(0, 0, 0.5), &blend), 1);
+    assert_int_equal(lattice_level(&kept, &nearer, vec3_make(0, 0, 3), &blend),
+                     3);
+    assert_true(lattice_spacing(&kept, 3) == 0.5);
     struct mesh_region box = { { -1, -1, -1 }, { 1, 1, 1 }, 4 };
     struct lattice dense = { .spacing = 0.5 };
     lattice_set_regions(&dense, &box, 1);

@@ -34,12 +34,17 @@ static struct mesh_stamp stamp_of(const char *text)
     struct mesh_stamp stamp =
         mesh_stamp_new(all->scene, MESH_SHADOWS_SOFT, true, 9, 7);
     stamp.frame = (struct mesh_frame){ .spacing = 0.5,
+                                       .wanted = 0.4,
                                        .near = 3,
                                        .size = 4,
                                        .gather = 0.7,
                                        .samples = 32,
+                                       .asked = 64,
                                        .closed = true,
-                                       .around = { { 1, 2, 3 }, 0.5 } };
+                                       .around = { { 1, 2, 3 }, 0.5 },
+                                       .bright = { 1, 0.25 } };
+    stamp.frame.bright.at[0].centre = vec3_make(4, 5, 6);
+    stamp.frame.bright.at[0].light = 7;
     scene_world_free(all);
     return stamp;
 }
@@ -87,6 +92,11 @@ static void test_back(void **state)
     assert_true(file.stamp.frame.samples == 32 && file.stamp.frame.closed);
     assert_true(file.stamp.frame.around.light.b == 3 &&
                 file.stamp.frame.around.open == 0.5);
+    assert_true(file.stamp.frame.wanted == 0.4 && file.stamp.frame.asked == 64);
+    assert_true(file.stamp.frame.bright.count == 1 &&
+                file.stamp.frame.bright.radius == 0.25 &&
+                file.stamp.frame.bright.at[0].centre.z == 6 &&
+                file.stamp.frame.bright.at[0].light == 7);
     assert_true(mesh_stamp_same(&file.stamp, &stamp, text, sizeof text));
     assert_false(mesh_file_fill(&file, meshes, 2, 1, NULL));
     assert_true(mesh_file_fill(&file, meshes, 1, 1e-9, NULL));
@@ -161,7 +171,7 @@ static void test_changed(void **state)
         char text[200], *bytes = memory_new(size);
         memcpy(bytes, whole, size);
         /* Numbers rather than the text of settings. */
-        size_t at = i % 4 ? random_mix(i) % size : 24 + random_mix(i) % 104;
+        size_t at = i % 4 ? random_mix(i) % size : 24 + random_mix(i) % 160;
         bytes[at] ^= (char)(1 << random_mix(i + 5000) % 8);
         assert_false(mesh_file_open(&file, bytes, size, text, sizeof text));
         size_t cut = i % 2 ? size : size - 8 * (random_mix(i + 9000) % 20);
