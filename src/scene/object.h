@@ -39,13 +39,11 @@ struct object {
     struct span span; /* the keyword, for late errors */
     enum object_kind kind;
     unsigned child_count, clip_count, bound_count;
-    const struct primitive *primitive; /* of a shape */
-    union {                            /* by its kind */
-        const void *shape;
-        const struct mesh *mesh;
-        const struct light *light;
-        const struct object **children;
-    };
+    const struct primitive *primitive;
+    const void *shape;
+    const struct mesh *mesh;
+    const struct light *light;
+    const struct object **children;
 
     /* Of the tree below, clips included: a declared object may be used by one
      * that is used by another, and so on. The parser limits both. */
