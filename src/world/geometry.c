@@ -10,7 +10,6 @@
 #include "scene/mesh.h"
 
 enum {
-    FEW = 32,               /* solids that are looked at one by one */
     PARALLEL_WORTH = 50000, /* triangles and solids */
     LARGE = 200000,         /* triangles */
     SPLITS_WORTH = 100,     /* rays of the camera for each triangle */
@@ -190,7 +189,7 @@ static void find_place(struct geometry *geometry, const struct flat *flat)
 
 static struct few find_few(const struct geometry *geometry, struct arena *arena)
 {
-    struct box3 boxes[FEW];
+    struct box3 boxes[FEW_MOST];
     for (size_t i = 0; i < geometry->solids.count; i++)
         boxes[i] =
             embree_box(geometry->solids.items[i]->surface, geometry->centre);
@@ -267,7 +266,7 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
     geometry->diag = diag;
     take_bounded(geometry, flat);
     find_place(geometry, flat);
-    if (flat->meshes.count == 0 && geometry->solids.count <= FEW) {
+    if (flat->meshes.count == 0 && geometry->solids.count <= FEW_MOST) {
         geometry->few = find_few(geometry, flat->arena);
         return true;
     }
