@@ -11,12 +11,10 @@ struct telling;
 
 struct worker {
     unsigned number;
-    const atomic_int *stop;  /* non-zero: leave off; NULL: never */
-    struct arena *scratch;   /* reset after every camera ray */
-    struct telling *telling; /* of --debug-pixel; NULL: nobody asks */
-    /* A pixel that several camera rays in a row are of, in an order of its own:
-     * its number is no other pixel's of this worker. 0: there is none. */
-    unsigned long long pixel, pixels;
+    const atomic_int *stop;    /* non-zero: leave off; NULL: never */
+    struct arena *scratch;     /* reset after every camera ray */
+    struct telling *telling;   /* of --debug-pixel; NULL: nobody asks */
+    unsigned long long pixels; /* numbers that were given to them */
     struct {
         unsigned long long camera_rays, secondary_rays, shadow_rays;
         unsigned long long mesh_rays; /* of them, those of mesh points */
@@ -25,15 +23,11 @@ struct worker {
     char apart[128]; /* from what other threads write: lines of the cache */
 };
 
-/* Around the rays of such a pixel. */
-static inline void worker_pixel_begin(struct worker *worker)
+/* A number for a pixel of which several rays are, in an order of its own: no
+ * other pixel of this worker has it. */
+static inline unsigned long long worker_pixel(struct worker *worker)
 {
-    worker->pixel = ++worker->pixels;
-}
-
-static inline void worker_pixel_end(struct worker *worker)
-{
-    worker->pixel = 0;
+    return ++worker->pixels;
 }
 
 /* Whether to leave off; asked in every loop that may take milliseconds. */

@@ -91,7 +91,7 @@ struct lighting {
                             struct facets *facets,
                             struct diffuse_light diffuse[RAY_LANES]);
     /* Whether surfaces may be lit in any order, those of one pixel
-     * (worker->pixel) too; asked if there is illuminate_many. */
+     * (picture_place.pixel) too; asked if there is illuminate_many. */
     bool (*in_any_order)(const void *state);
     /* The lamps, which light media as they do under `rays`. NULL where
      * illuminate is. */

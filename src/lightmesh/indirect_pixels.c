@@ -5,6 +5,7 @@
 #include "lightmesh/corner_store.h"
 #include "lightmesh/pixel_blocks.h"
 #include "lightmesh/tuning.h"
+#include "shade/first_hits.h"
 
 struct indirect_pixels {
     const struct indirect_mesh *mesh;
@@ -18,7 +19,7 @@ struct indirect_pixels {
 /* Where rays of a pixel that has several had to ask for themselves: what they
  * got serves as corners do. The oldest gives way. */
 struct lone_places {
-    unsigned long long pixel; /* as the worker has it */
+    unsigned long long pixel; /* worker_pixel's */
     unsigned count;
     struct {
         struct corner corner;
@@ -43,7 +44,7 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
                                  lattice_spacing(lattice, lattice->usual)),
         .blocks = pixel_blocks_new(mesh, camera, size, apart, threads),
         .threads = threads,
-        .lone = memory_new(threads * sizeof(struct lone_places)),
+        .lone = memory_new(threads * LONE_PIXELS * sizeof(struct lone_places)),
     };
     pixels->store = corner_store_new(mesh, camera, &pixels->grid, threads);
     return pixels;
@@ -192,11 +193,13 @@ static struct indirect_share lone_share(const struct indirect_pixels *pixels,
                                         struct worker *worker,
                                         const struct receiver *receiver)
 {
-    struct lone_places *lone = &pixels->lone[worker->number];
+    unsigned long long pixel = receiver->pixel->pixel;
+    struct lone_places *lone =
+        &pixels->lone[worker->number * LONE_PIXELS + pixel % LONE_PIXELS];
     int coarser = point_mesh_worth(receiver->weight);
-    if (lone->pixel != worker->pixel)
+    if (lone->pixel != pixel)
         lone->count = 0;
-    lone->pixel = worker->pixel;
+    lone->pixel = pixel;
     for (unsigned i = 0; i < lone->count && i < LONE_PLACES; i++)
         if (lone->at[i].coarser == coarser &&
             corner_serves(&lone->at[i].corner, receiver))
@@ -219,7 +222,7 @@ static bool lone_light(const struct indirect_pixels *pixels,
 {
     if (pixel_blocks_light(pixels->blocks, worker, receiver, share))
         return true;
-    if (!worker->pixel || worker->number >= pixels->threads)
+    if (!receiver->pixel->pixel || worker->number >= pixels->threads)
         return false;
     *share = lone_share(pixels, worker, receiver);
     return true;

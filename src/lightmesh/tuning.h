@@ -182,6 +182,7 @@ enum {
     NEAR_RAYS = 16,     /* to what is close to a place that is seen; */
     NEAR_LONE_PART = 2, /* one in so many where only a pixel shares them */
     LONE_PLACES = 4,    /* of a pixel, that its rays share */
+    LONE_PIXELS = 16,   /* of which these are kept, of those last refined */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 

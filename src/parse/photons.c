@@ -6,6 +6,7 @@
 enum {
     GATHER_LIMIT = 10000,   /* photons at one place */
     COUNT_LIMIT = 50000000, /* photons sent, half a minute of a core */
+    STEPS_LIMIT = 100000,   /* of one photon in a stretch of media */
 };
 
 #define PHOTONS(name, kind, member, low, high, help)                           \
@@ -68,12 +69,35 @@ static bool parse_photon_radius(struct parser *p,
     struct span span = stream_span(p);
     if (!photon_numbers(p, numbers, 4))
         return false;
-    if (!(numbers[0] >= 0) || !(numbers[1] > 0))
+    if (!(numbers[0] >= 0) || !(numbers[1] > 0) || !(numbers[2] >= 0) ||
+        !(numbers[3] > 0))
         return error_at(p, span, NULL,
                         "the radius of photons must not be below 0, and what "
                         "multiplies it must be above 0");
     photons->radius = numbers[0];
     photons->radius_share = numbers[1];
+    photons->media_radius = numbers[2];
+    photons->media_radius_share = numbers[3];
+    return true;
+}
+
+/* photon_media = "media" float [[","] float] .
+ * How many places of each stretch photons are kept at, at most, and how far
+ * these are from each other, in spacings. */
+static bool parse_photon_media(struct parser *p,
+                               struct photon_settings *photons)
+{
+    double numbers[2] = { 0, 1 };
+    struct span span = stream_span(p);
+    if (!photon_numbers(p, numbers, 2))
+        return false;
+    if (!(numbers[0] >= 0 && numbers[0] <= STEPS_LIMIT) || !(numbers[1] > 0))
+        return error_at(p, span, NULL,
+                        "photons stay in 0 to %d steps of media, whose "
+                        "distance must be above 0",
+                        STEPS_LIMIT);
+    photons->steps = floor(numbers[0]);
+    photons->step = numbers[1];
     return true;
 }
 
@@ -89,10 +113,10 @@ static bool parse_photon_file(struct parser *p, bool save)
     return parse_string(p, &ignored);
 }
 
-/* photon_value = photon_number | photon_radius | photon_file
- *              | "autostop" float | "media" float [[","] float]
+/* photon_value = photon_number | photon_radius | photon_media | photon_file
+ *              | "autostop" float
  *              | "expand_thresholds" float [","] float .
- * The last three say how POV-Ray's photons are sent and looked up. */
+ * The last two say how POV-Ray's photons are sent and looked up. */
 static bool parse_photon_value(struct parser *p)
 {
     struct photon_settings *photons = &p->scene->settings.photons;
@@ -108,7 +132,9 @@ static bool parse_photon_value(struct parser *p)
         return parse_photon_file(p, false);
     if (accept_word(p, "autostop"))
         return photon_numbers(p, ignored, 1);
-    if (accept_word(p, "media") || accept_word(p, "expand_thresholds"))
+    if (accept_word(p, "media"))
+        return parse_photon_media(p, photons);
+    if (accept_word(p, "expand_thresholds"))
         return photon_numbers(p, ignored, 2);
     return error_unknown_item(p, "photons", photon_names);
 }

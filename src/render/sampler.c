@@ -4,16 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/random.h"
-#include "render/sampler_places.h"
-
-enum { DEPTH_MAX = 9 };
-
-static int sampler_depth(const struct sampler *sampler)
-{
-    int depth = sampler->options->depth;
-    return depth < 1 ? 1 : depth > DEPTH_MAX ? DEPTH_MAX : depth;
-}
+#include "render/sampler_block.h"
 
 static int larger(int a, int b)
 {
@@ -111,48 +102,6 @@ void sampler_free(struct sampler *sampler)
     sampler->grid = NULL;
 }
 
-static void sampler_take(const struct radiance *seen, float out[4])
-{
-    out[0] = (float)seen->colour.r;
-    out[1] = (float)seen->colour.g;
-    out[2] = (float)seen->colour.b;
-    out[3] = (float)seen->opacity;
-}
-
-/* Where in their pixels the places of the grid are, both ways. */
-static double sampler_middle(const struct sampler *sampler)
-{
-    return sampler_corners(sampler) ? 0 : 0.5;
-}
-
-/* (x, y) in pixels from the top left. */
-static struct picture_place sampler_at(const struct sampler *sampler, double x,
-                                       double y)
-{
-    const struct render_options *options = sampler->options;
-    double middle = sampler_middle(sampler);
-    return (struct picture_place){ { x / options->width, y / options->height },
-                                   { x - middle, y - middle } };
-}
-
-/* What the camera sees there. */
-static void sampler_see(const struct sampler *sampler, struct worker *worker,
-                        double x, double y, float out[4])
-{
-    const struct picture_place place = sampler_at(sampler, x, y);
-    struct radiance seen = tracer_camera(sampler->tracer, worker, &place);
-    arena_reset(worker->scratch);
-    sampler_take(&seen, out);
-}
-
-/* The same of a place that is another tile's, of which the picture may have
- * been made by now. */
-static float *sampler_place_beyond(const struct sampler *sampler, int x, int y)
-{
-    return sampler->edges ? sampler_edge(sampler, x, y)
-                          : sampler_place(sampler, x, y);
-}
-
 struct area sampler_foreseen(const struct sampler *sampler)
 {
     const struct render_options *options = sampler->options;
@@ -181,23 +130,6 @@ struct first_hits sampler_grid(const struct sampler *sampler)
     };
 }
 
-enum { BLOCK_MOST = SAMPLER_BLOCK * SAMPLER_BLOCK };
-
-/* Places close together. */
-struct sampler_block {
-    unsigned count;
-    struct picture_place places[BLOCK_MOST];
-    struct rays rays;
-    struct world_hit hits[BLOCK_MOST];
-};
-
-static void block_aim(const struct sampler *sampler,
-                      struct sampler_block *block)
-{
-    _Static_assert((int)BLOCK_MOST <= (int)WORLD_RAYS, "a packet");
-    tracer_rays(sampler->tracer, block->places, block->count, &block->rays);
-}
-
 /* With `needed` only those that are. Returns whether there are any. */
 static bool block_start(const struct sampler *sampler,
                         struct sampler_block *block,
@@ -212,26 +144,12 @@ static bool block_start(const struct sampler *sampler,
             struct picture_place *place = &block->places[block->count++];
             place->grid[0] = x;
             place->grid[1] = y;
+            place->pixel = 0;
             first_hits_place(grid, x, y, place->at);
         }
     if (block->count > 0)
         block_aim(sampler, block);
     return block->count > 0;
-}
-
-static void block_meet(const struct sampler *sampler,
-                       struct sampler_block *block)
-{
-    tracer_meet_many(sampler->tracer, &block->rays, block->count, block->hits);
-}
-
-/* What the camera sees there, of what is met first. */
-static void block_see(const struct sampler *sampler, struct worker *worker,
-                      const struct sampler_block *block, struct radiance *seen)
-{
-    const struct tracer_met met = { block->places, &block->rays, block->hits,
-                                    block->count };
-    tracer_see_many(sampler->tracer, worker, &met, seen);
 }
 
 /* Whether what is met there can decide about a place that is needed, if that
@@ -288,225 +206,6 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
     }
 }
 
-/* Sum of the differences after gamma correction; opacity counts when it is
- * wanted. */
-static bool sampler_differ(const struct sampler *sampler, const float *a,
-                           const float *b)
-{
-    double more =
-        sampler->tracer->alpha ? fabs((double)a[3] - (double)b[3]) : 0;
-    return perceived_differ(sampler->perceived, a, b, more,
-                            sampler->options->threshold);
-}
-
-/* In [-0.5, 0.5), by the place in the picture alone. */
-static double sampler_jitter(int x, int y, int number)
-{
-    uint64_t key = random_key((uint64_t)(unsigned)x, (uint64_t)(unsigned)y);
-    return random_unit(random_key(key, (uint64_t)(unsigned)number)) - 0.5;
-}
-
-/* Adds up what is seen at places of a pixel. */
-static void block_sum(const struct sampler *sampler, struct worker *worker,
-                      struct sampler_block *block, double sum[4])
-{
-    struct radiance seen[BLOCK_MOST];
-    block_aim(sampler, block);
-    block_meet(sampler, block);
-    block_see(sampler, worker, block, seen);
-    for (unsigned i = 0; i < block->count; i++) {
-        float value[4];
-        sampler_take(&seen[i], value);
-        for (int k = 0; k < 4; k++)
-            sum[k] += (double)value[k];
-    }
-    block->count = 0;
-}
-
-/* Method 1: the mean of the centre and R x R samples. */
-static void centre_refine(const struct sampler *sampler, struct worker *worker,
-                          int x, int y, float pixel[4])
-{
-    int n = sampler_depth(sampler);
-    double sum[4], jitter = sampler->options->jitter;
-    struct sampler_block block;
-    block.count = 0;
-    for (int k = 0; k < 4; k++)
-        sum[k] = (double)pixel[k];
-    worker_pixel_begin(worker);
-    for (int i = 0; i < n * n; i++) {
-        double u = i % n + 0.5 + jitter * sampler_jitter(x, y, 2 * i);
-        double v = i / n + 0.5 + jitter * sampler_jitter(x, y, 2 * i + 1);
-        block.places[block.count++] = sampler_at(sampler, x + u / n, y + v / n);
-        if (block.count == BLOCK_MOST || i == n * n - 1)
-            block_sum(sampler, worker, &block, sum);
-    }
-    worker_pixel_end(worker);
-    for (int k = 0; k < 4; k++)
-        pixel[k] = (float)(sum[k] / (n * n + 1));
-}
-
-/* A tile of method 1: its pixels as far as they are done, with one more column
- * to the left and one more row above, which are only looked at. */
-struct centres {
-    const struct sampler *sampler;
-    struct worker *worker;
-    struct area tile;
-    float *pixels; /* five for each: RGBA, and 1 once it is refined */
-};
-
-static float *centres_place(const struct centres *c, int x, int y)
-{
-    int row = y - c->tile.top + 1, column = x - c->tile.left + 1;
-    return c->pixels + (row * (CENTRES_TILE + 1) + column) * 5;
-}
-
-static void centres_refine(const struct centres *c, int x, int y)
-{
-    float *pixel = centres_place(c, x, y);
-    if (x < c->tile.left || y < c->tile.top || pixel[4] != 0)
-        return;
-    pixel[4] = 1;
-    centre_refine(c->sampler, c->worker, x, y, pixel);
-}
-
-static bool centres_differ(const struct centres *c, int x, int y, int other_x,
-                           int other_y)
-{
-    return sampler_differ(c->sampler, centres_place(c, x, y),
-                          centres_place(c, other_x, other_y));
-}
-
-/* The pixel is compared with its neighbours as they are by now, refined or
- * not; where they differ both are refined, if they aren't yet. */
-static void centres_pixel(const struct centres *c, int x, int y)
-{
-    bool left = centres_differ(c, x, y, x - 1, y);
-    bool above = centres_differ(c, x, y, x, y - 1);
-    if (left)
-        centres_refine(c, x - 1, y);
-    if (above)
-        centres_refine(c, x, y - 1);
-    if (left || above)
-        centres_refine(c, x, y);
-}
-
-static void centres_tile(const struct centres *c)
-{
-    const struct area *tile = &c->tile;
-    for (int y = tile->top - 1; y < tile->bottom; y++)
-        for (int x = tile->left - 1; x < tile->right; x++) {
-            bool beyond = x < tile->left || y < tile->top;
-            float *pixel = centres_place(c, x, y);
-            float *first = beyond ? sampler_place_beyond(c->sampler, x, y)
-                                  : sampler_place(c->sampler, x, y);
-            memcpy(pixel, first, 4 * sizeof *pixel);
-            pixel[4] = 0;
-        }
-    for (int y = tile->top; y < tile->bottom; y++)
-        for (int x = tile->left; x < tile->right; x++) {
-            if (worker_stopped(c->worker))
-                return;
-            centres_pixel(c, x, y);
-        }
-}
-
-/* One pixel of method 2: a fine grid of (n + 1)^2 places whose corners are
- * known from the start. */
-struct quarters {
-    const struct sampler *sampler;
-    struct worker *worker;
-    int x, y, n;
-    float *places;
-};
-
-static float *quarters_place(struct quarters *q, int i, int j)
-{
-    float *place = q->places + (j * (q->n + 1) + i) * 4;
-    if (place[3] > (float)UNSEEN)
-        return place;
-    /* A fifth of the distance either way: POV-Ray's jitter, measured. */
-    double jitter = 0.4 * q->sampler->options->jitter;
-    int number = 2 * (j * (q->n + 1) + i);
-    double u = i + jitter * sampler_jitter(q->x, q->y, number);
-    double v = j + jitter * sampler_jitter(q->x, q->y, number + 1);
-    sampler_see(q->sampler, q->worker, q->x + u / q->n, q->y + v / q->n, place);
-    return place;
-}
-
-/* The mean over a square of `size` places: of its corners, or of its four
- * quarters if any two corners differ. */
-static void quarters_mean(struct quarters *q, int i, int j, int size,
-                          double mean[4])
-{
-    const float *corner[4] = {
-        quarters_place(q, i, j),
-        quarters_place(q, i + size, j),
-        quarters_place(q, i, j + size),
-        quarters_place(q, i + size, j + size),
-    };
-    bool differ = false;
-    for (int a = 0; a < 4 && size > 1; a++)
-        for (int b = a + 1; b < 4 && !differ; b++)
-            differ = sampler_differ(q->sampler, corner[a], corner[b]);
-    for (int k = 0; k < 4; k++)
-        mean[k] = 0;
-    for (int part = 0; part < 4; part++) {
-        double value[4];
-        for (int k = 0; k < 4; k++)
-            value[k] = (double)corner[part][k];
-        if (differ)
-            quarters_mean(q, i + part % 2 * (size / 2),
-                          j + part / 2 * (size / 2), size / 2, value);
-        for (int k = 0; k < 4; k++)
-            mean[k] += value[k] / 4;
-    }
-}
-
-static void corners_pixel(const struct sampler *sampler, struct worker *worker,
-                          int x, int y, float *scratch, float pixel[4])
-{
-    int n = 1 << (sampler_depth(sampler) - 1);
-    struct quarters q = { sampler, worker, x, y, n, scratch };
-    for (int i = 0; i < (n + 1) * (n + 1); i++)
-        scratch[i * 4 + 3] = (float)UNSEEN;
-    for (int i = 0; i < 4; i++) {
-        int right = i % 2, down = i / 2;
-        memcpy(scratch + (down * n * (n + 1) + right * n) * 4,
-               sampler_place(sampler, x + right, y + down), 4 * sizeof(float));
-    }
-    double mean[4];
-    quarters_mean(&q, 0, 0, n, mean);
-    for (int k = 0; k < 4; k++)
-        pixel[k] = (float)mean[k];
-}
-
-void sampler_tile(const struct sampler *sampler, struct worker *worker,
-                  struct area tile, float *scratch)
-{
-    struct centres centres = { sampler, worker, tile, scratch };
-    if (sampler->direct || (sampler->sparse && !sampler_wants(sampler, tile)))
-        return;
-    if (sampler_centres(sampler))
-        centres_tile(&centres);
-    const struct area *wanted = &sampler->wanted;
-    int left = larger(tile.left, wanted->left);
-    int right = smaller(tile.right, wanted->right);
-    int bottom = smaller(tile.bottom, wanted->bottom);
-    for (int y = larger(tile.top, wanted->top); y < bottom; y++)
-        for (int x = left; x < right; x++) {
-            float pixel[4];
-            if (sampler_corners(sampler))
-                corners_pixel(sampler, worker, x, y, scratch, pixel);
-            else
-                memcpy(pixel, centres_place(&centres, x, y), sizeof pixel);
-            if (worker_stopped(worker))
-                return;
-            memcpy(sampler_pixel(sampler, x, y), pixel, sizeof pixel);
-            *sampler_state(sampler, x, y) |= SAMPLER_DONE;
-        }
-}
-
 double sampler_rescue(const struct sampler *sampler)
 {
     const struct area *wanted = &sampler->wanted;
@@ -522,14 +221,4 @@ double sampler_rescue(const struct sampler *sampler)
             all++;
         }
     return known / all;
-}
-
-size_t sampler_scratch(const struct sampler *sampler)
-{
-    size_t n = (size_t)1 << (sampler_depth(sampler) - 1);
-    if (sampler_corners(sampler))
-        return (n + 1) * (n + 1) * 4;
-    return sampler_centres(sampler)
-               ? (size_t)(CENTRES_TILE + 1) * (CENTRES_TILE + 1) * 5
-               : 0;
 }

@@ -1,4 +1,4 @@
-/* Where the values of a sampler are; for sampler.c and sampler_known.c. */
+/* Where the values of a sampler are; for the files of it. */
 #ifndef RENDER_SAMPLER_PLACES_H
 #define RENDER_SAMPLER_PLACES_H
 

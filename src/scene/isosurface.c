@@ -144,29 +144,41 @@ static void seekers_search(const struct isosurface *s,
     search_run(s, searches, live);
 }
 
-/* Where the container cuts through the inside, it is the surface. */
-static void isosurface_intersect(const void *shape, const struct ray *ray,
-                                 struct hits *hits)
+/* From t on. Where the container cuts through the inside, it is the surface. */
+static void isosurface_hits(const struct isosurface *s, const struct ray *ray,
+                            double t, bool coarse, struct hits *hits)
 {
-    const struct isosurface *s = shape;
     struct seeker seeker, *one = &seeker;
     struct search *search = &seeker.search;
     double crossings[HITS_MAX - 2];
     search->ray = *ray;
     if (!seeker_enters(&seeker, s))
         return;
-    seeker.from.t = seeker.ends[0].t;
+    seeker.from.t = fmax(seeker.ends[0].t, t);
     seeker.to.t = seeker.ends[1].t;
     seekers_find_ends(s, &one, 1);
     search_set_out(search, s, crossings, HITS_MAX - 2);
+    search->coarse = coarse;
     search_stretch(search, seeker.from, seeker.to);
     search_run(s, &search, 1);
-    if (seeker.from.value < 0 && !s->open)
+    if (seeker.from.value < 0 && !s->open && seeker.from.t > t)
         hits->at[hits->count++] = seeker.ends[0];
     for (int i = 0; i < search->found; i++)
         hits_add(hits, crossings[i], ISOSURFACE_FUNCTION);
     if (seeker.to.value < 0 && !s->open)
         hits->at[hits->count++] = seeker.ends[1];
+}
+
+static void isosurface_intersect(const void *shape, const struct ray *ray,
+                                 struct hits *hits)
+{
+    isosurface_hits(shape, ray, -HUGE_VAL, false, hits);
+}
+
+static void isosurface_traced(const void *shape, const struct ray *ray,
+                              struct hits *hits)
+{
+    isosurface_hits(shape, ray, 0, true, hits);
 }
 
 /* What its search has found. */
@@ -292,6 +304,7 @@ const struct primitive isosurface_primitive = {
     .prepare = isosurface_prepare,
     .bounds = isosurface_bounds,
     .intersect = isosurface_intersect,
+    .traced = isosurface_traced,
     .crosses = isosurface_crosses,
     .first = isosurface_first,
     .crosses_many = isosurface_crosses_many,

@@ -24,6 +24,7 @@ void search_set_out(struct search *search, const struct isosurface *surface,
     search->accuracy = surface->accuracy / speed;
     search->left = SEARCH_STEPS - 2; /* that of the ends are spent */
     search->wanted = wanted;
+    search->coarse = false;
     search->found = search->round = search->ahead = search->depth = 0;
 }
 
@@ -67,7 +68,9 @@ static inline bool search_wants(struct search *search)
         if (!(length < search->accuracy || search->asked <= a.t ||
               search->asked >= b.t || search->depth == SEARCH_DEPTH))
             return true;
-        if (differ) {
+        if (differ && search->coarse) {
+            search->crossings[search->found++] = b.t;
+        } else if (differ) {
             search->bracket = (struct bracket){ a.t, a.value, b.t, b.value };
             search->round = 1;
             if (search_refines(search))

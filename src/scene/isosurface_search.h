@@ -26,6 +26,8 @@ struct search {
     int depth;                /* stretches from here on: see ends */
     int left;                 /* function calls */
     int found, wanted;        /* crossings; at most: the nearest */
+    bool coarse;              /* crossings are where stretches as short as the
+                               * accuracy end, as POV-Ray has it (measured) */
     int round;                /* of the crossing in the first, if not 0 */
     int ahead;                /* values that were worked out with others */
     struct search_place known[SEARCH_AHEAD]; /* these values */

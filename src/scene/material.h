@@ -255,7 +255,7 @@ bool texture_is_opaque(const struct texture *texture);
 
 /* Whether it is one layer of paint whose light a loop can work out (brilliance
  * 1, no grain, no tint), and that needs to know no more of a surface than the
- * point and the normal. Opaque ones alone are asked about. */
+ * point and the normal. */
 bool texture_is_plain(const struct texture *texture);
 
 /* Whether it has a pattern or an image: else it only holds what others begin

@@ -6,7 +6,8 @@
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
-#define PROBE_NEAREST 1e-4
+#define PROBE_NEAREST  1e-4
+#define PROBE_FARTHEST 1e7 /* measured, as is the nearest */
 
 bool object_is_solid(const struct object *object)
 {
@@ -165,7 +166,10 @@ static void probe_shape(struct probe *probe, const struct level *level,
                                      probe_hit, &shape);
         return;
     }
-    object->primitive->intersect(object->shape, ray, &hits);
+    if (object->primitive->traced)
+        object->primitive->traced(object->shape, ray, &hits);
+    else
+        object->primitive->intersect(object->shape, ray, &hits);
     for (int i = 0; i < hits.count; i++)
         probe_hit(&shape, &hits.at[i]);
 }
@@ -212,9 +216,9 @@ static void probe_object(struct probe *probe, const struct object *object,
 bool object_trace(const struct object *object, const struct ray *ray, double *t,
                   vec3 *normal)
 {
-    struct probe probe = { .ray = *ray, .best = HUGE_VAL };
+    struct probe probe = { .ray = *ray, .best = PROBE_FARTHEST };
     probe_object(&probe, object, NULL);
     *t = probe.best;
     *normal = probe.normal;
-    return isfinite(probe.best);
+    return probe.best < PROBE_FARTHEST;
 }

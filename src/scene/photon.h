@@ -14,6 +14,9 @@ struct photon_settings {
     double gather[2];    /* at a place, least and most; 20, 100 */
     double radius;       /* of a place, units; 0: by how dense they are */
     double radius_share; /* multiplies either, 1 */
+    double steps; /* in a stretch of media, at most; 0: none stay there */
+    double step;  /* of one, in spacings, 1 */
+    double media_radius, media_radius_share; /* as the two above, in media */
     double jitter;       /* of directions, 0.4 of the spacing */
     int max_trace_level; /* 0: the scene's, as are these: */
     double adc_bailout;

@@ -54,6 +54,10 @@ struct primitive {
     void (*half_space)(const void *shape, vec3 *normal, double *distance);
     void (*intersect)(const void *shape, const struct ray *ray,
                       struct hits *hits);
+    /* As intersect from t = 0 on, for trace(): with the error that POV-Ray's
+     * has, since scenes place other things by what it tells. NULL: intersect.
+     */
+    void (*traced)(const void *shape, const struct ray *ray, struct hits *hits);
     /* Calls visit for the crossings between tmin and tmax, by increasing t,
      * until it returns true. NULL: there are no more than HITS_MAX, and
      * intersect tells them all. */

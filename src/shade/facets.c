@@ -106,14 +106,21 @@ struct painted {
     struct spots points;
 };
 
+static void paint_pigment(struct facets *facets, unsigned i, colour c)
+{
+    lane_put(facets->pigment, i, vec3_of(colour_rgb(c)));
+    facets->clear[0][i] = c.filter;
+    facets->clear[1][i] = c.transmit;
+    facets->opacity[i] = finish_opacity(facets->finish[i], c);
+}
+
 static void paint_pigments(struct facets *facets, const struct painted *painted,
                            const struct pigment *pigment)
 {
     colour colours[SPOTS_MAX];
     pigment_colours(pigment, &painted->points, colours);
     for (int i = 0; i < painted->points.count; i++)
-        lane_put(facets->pigment, painted->lane[i],
-                 vec3_of(colour_rgb(colours[i])));
+        paint_pigment(facets, painted->lane[i], colours[i]);
 }
 
 static void paint_bumps(struct facets *facets, const struct painted *painted,
@@ -136,9 +143,8 @@ static void paint_points(struct facets *facets, unsigned lanes,
     const struct pigment *pigment = layer->pigment;
     bool bumpy = layer->normal && normal_tilts(layer->normal);
     bool even = pigment->kind == PIGMENT_COLOUR;
-    vec3 all = vec3_of(colour_rgb(pigment->colour));
     for (unsigned each = lanes; even && each; each &= each - 1)
-        lane_put(facets->pigment, (unsigned)__builtin_ctz(each), all);
+        paint_pigment(facets, (unsigned)__builtin_ctz(each), pigment->colour);
     while (lanes && (bumpy || !even)) {
         struct painted painted = { .points.count = 0 };
         for (; lanes && painted.points.count < SPOTS_MAX; lanes &= lanes - 1) {
@@ -218,14 +224,14 @@ vec3 facets_side(const struct facets *facets, unsigned i)
                                                          : side;
 }
 
-/* What is plain has one layer, all of which is seen. */
+/* What is plain has one layer, which nothing hides. */
 rgb facets_albedo(const struct facets *facets, unsigned i)
 {
     if (facets->surface[i])
         return surface_albedo(facets->surface[i]);
     vec3 pigment = lane_get(facets->pigment, i);
     return albedo_bounded(rgb_scale(rgb_make(pigment.x, pigment.y, pigment.z),
-                                    facets->diffuse[i]));
+                                    facets->diffuse[i] * facets->opacity[i]));
 }
 
 rgb facets_ambient(const struct facets *facets, unsigned i)
@@ -233,8 +239,16 @@ rgb facets_ambient(const struct facets *facets, unsigned i)
     if (facets->surface[i])
         return surface_ambient(facets->surface[i]);
     vec3 pigment = lane_get(facets->pigment, i);
-    return rgb_mul(facets->finish[i]->ambient,
-                   rgb_make(pigment.x, pigment.y, pigment.z));
+    rgb share = rgb_mul(facets->finish[i]->ambient,
+                        rgb_make(pigment.x, pigment.y, pigment.z));
+    return rgb_scale(share, facets->opacity[i]);
+}
+
+colour facets_paint_of(const struct facets *facets, unsigned i)
+{
+    return (colour){ facets->pigment[0][i], facets->pigment[1][i],
+                     facets->pigment[2][i], facets->clear[0][i],
+                     facets->clear[1][i] };
 }
 
 rgb facets_light(const struct facets *facets, unsigned i)

@@ -32,6 +32,7 @@ struct facets {
     lane_flag front[RAY_LANES], back[RAY_LANES], twice[RAY_LANES];
     double diffuse[RAY_LANES], diffuse_back[RAY_LANES], opacity[RAY_LANES];
     double pigment[3][RAY_LANES], weight[3][RAY_LANES];
+    double clear[2][RAY_LANES]; /* of plain ones: filter and transmit */
     double light[3][RAY_LANES]; /* the sum of what they send to the viewer */
 };
 
@@ -55,6 +56,9 @@ const struct surface *facets_surface(struct facets *facets, unsigned i);
 vec3 facets_side(const struct facets *facets, unsigned i);
 rgb facets_albedo(const struct facets *facets, unsigned i);
 rgb facets_ambient(const struct facets *facets, unsigned i);
+
+/* The pigment of a plain one. */
+colour facets_paint_of(const struct facets *facets, unsigned i);
 
 rgb facets_light(const struct facets *facets, unsigned i);
 

@@ -13,11 +13,15 @@ void surface_add_light(const struct surface *surface,
 /* The part of a layer that is no pane. In scenes before version 3.7 a filter
  * takes from the surface's own light only what its brightest colour lets
  * through (measured). */
+static inline double finish_opacity(const struct finish *finish, colour c)
+{
+    double peak = finish->old_filter ? fmax(c.r, fmax(c.g, c.b)) : 1;
+    return 1 - c.filter * peak - c.transmit;
+}
+
 static inline double layer_opacity(const struct surface_layer *layer)
 {
-    colour c = layer->pigment;
-    double peak = layer->finish->old_filter ? fmax(c.r, fmax(c.g, c.b)) : 1;
-    return 1 - c.filter * peak - c.transmit;
+    return finish_opacity(layer->finish, layer->pigment);
 }
 
 /* What white paint makes of light without a direction. */

@@ -40,6 +40,8 @@ struct picture_place {
     double at[2];   /* as camera_ray has it */
     double grid[2]; /* as first_hits_at has it: whole numbers are places of the
                      * grid */
+    unsigned long long pixel; /* worker_pixel's, where several are of one; else
+                               * 0 */
 };
 
 /* Whether the hit is on that part of that leaf. */

@@ -14,6 +14,8 @@
  * - What nothing lights and has no densities is one interval.
  * - All that is scattered spreads by the mean of the phase functions, of media
  *   that scatter nothing too.
+ * - Where photons are sent, their targets shadow media, whether photons stay
+ *   in these or not.
  * - Shadow rays are sampled the same way. */
 #include "shade/media.h"
 
@@ -21,6 +23,7 @@
 
 #include "base/random.h"
 #include "shade/lamps.h"
+#include "shade/photon_map.h"
 #include "shade/surface.h"
 
 const double media_horizon = 2e10;
@@ -65,24 +68,50 @@ void media_find(struct media_list *list, const struct media *everywhere,
 
 /* ---- one place ---- */
 
+/* The mean of the media's phase functions. */
+static double way_phase(const struct media_way *way, vec3 from)
+{
+    double phase = 0, cosine = vec3_dot(from, way->direction);
+    for (int i = 0; i < way->media->count; i++)
+        phase += medium_phase(way->media->at[i], cosine) / way->media->count;
+    return phase;
+}
+
 /* The light of one lamp that is scattered to the viewer there. */
 static rgb sample_lamp(const struct media_way *way, const struct lamp *lamp,
                        vec3 point, rgb scattered)
 {
     const struct light *light = lamp->light;
-    struct lamp_target target = { .point = point,
-                                  .inside = way->inside,
-                                  .straight = true };
+    struct lamp_target target = { .point = point, .inside = way->inside };
     if (light->shadowless || light->no_media ||
         !lamp_look(lamp, light->location, point, &target.view))
         return rgb_grey(0);
-    double phase = 0;
-    double cosine = vec3_dot(target.view.direction, way->direction);
-    for (int i = 0; i < way->media->count; i++)
-        phase += medium_phase(way->media->at[i], cosine) / way->media->count;
+    double phase = way_phase(way, target.view.direction);
     rgb arriving = lamps_share(way->lamps, lamp, way->worker, &target);
     arriving = rgb_mul(rgb_mul(arriving, light->colour), scattered);
     return rgb_scale(arriving, phase * target.view.attenuation);
+}
+
+/* What photons bring there. */
+struct gathering {
+    const struct media_way *way;
+    rgb light;
+};
+
+static void gather_photon(void *context, const struct photon *photon,
+                          rgb irradiance)
+{
+    struct gathering *gathering = context;
+    double phase = way_phase(gathering->way, photon_unpack(photon->from));
+    gathering->light = rgb_add_scaled(gathering->light, irradiance, phase);
+}
+
+static rgb sample_photons(const struct media_way *way, vec3 point)
+{
+    struct gathering gathering = { way, rgb_grey(0) };
+    photon_map_visit_within(way->photons, way->worker, point, gather_photon,
+                            &gathering);
+    return gathering.light;
 }
 
 static struct media_sample media_sample(const struct media_way *way, double t,
@@ -103,6 +132,9 @@ static struct media_sample media_sample(const struct media_way *way, double t,
             sample.light =
                 rgb_add(sample.light, rgb_mul(medium->emission, density));
     }
+    if (way->photons && !rgb_is_black(scattered))
+        sample.light = rgb_add(sample.light,
+                               rgb_mul(scattered, sample_photons(way, point)));
     lit = lit && !rgb_is_black(scattered);
     for (size_t i = 0; lit && i < way->lamps->count; i++)
         sample.light =
@@ -364,7 +396,7 @@ struct veil media_veil(const struct media_way *way)
     if (way->media->count == 0 || !(finite.length > 0))
         return march.veil;
     march.key = way_key(way);
-    march.even = media_even(way->media);
+    march.even = !way->photons && media_even(way->media);
     for (int i = 0; i < way->media->count; i++)
         if (way->media->at[i]->intervals > intervals)
             intervals = way->media->at[i]->intervals;

@@ -9,6 +9,7 @@
 #include "shade/interior.h"
 
 struct lamps;
+struct photon_map;
 
 /* All that fill one place. */
 struct media_list {
@@ -29,6 +30,7 @@ struct media_way {
     double length;             /* may be infinite */
     const struct lamps *lamps; /* that light it; NULL: none, and it doesn't
                                 * glow: shadow rays */
+    const struct photon_map *photons; /* within the media; NULL: none */
     struct worker *worker;
     const struct interiors *inside;
 };

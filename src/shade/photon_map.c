@@ -12,6 +12,7 @@ enum {
     DEPTH_MAX = 40,    /* of halvings, more than PHOTONS_MOST allows */
     PARTS_LEVEL = 6,   /* 2^6 parts of the tree are sorted side by side */
     RADII_TRIED = 400, /* to know how dense photons are */
+    NEAR_FEW = 256,    /* that a stack has room for */
 };
 
 static const double pi = 3.14159265358979323846;
@@ -29,6 +30,7 @@ struct photon_map {
     size_t count;
     unsigned least, most;
     float reach; /* square of the largest radius */
+    struct photon_map *within;
 };
 
 void photon_pack(vec3 d, int16_t packed[2])
@@ -301,6 +303,43 @@ static void search_widen(struct search *search)
     search->count = least;
 }
 
+/* Those that were found, `all` being the kernel's integral over its radius. */
+static void search_visit(const struct search *search, double all,
+                         photon_visit *visit, void *context)
+{
+    double reach = (double)search->reach;
+    if (!(reach > 0))
+        return;
+    for (unsigned i = 0; i < search->count; i++) {
+        const struct photon *photon = search->near[i].photon;
+        double square = (double)search->near[i].square;
+        double weight = (1 - square / reach) / all;
+        rgb flux = { (double)photon->flux[0], (double)photon->flux[1],
+                     (double)photon->flux[2] };
+        visit(context, photon, rgb_scale(flux, weight));
+    }
+}
+
+void photon_map_visit_within(const struct photon_map *within,
+                             struct worker *worker, vec3 point,
+                             photon_visit *visit, void *context)
+{
+    struct near few[NEAR_FEW];
+    struct search search;
+    if (within->count == 0)
+        return;
+    search_start(&search, within, point,
+                 within->most <= NEAR_FEW
+                     ? few
+                     : ARENA_ARRAY(worker->scratch, struct near, within->most));
+    search.any = true;
+    search_run(&search);
+    if (search.count < within->least)
+        search_widen(&search);
+    double reach = (double)search.reach;
+    search_visit(&search, 8 * pi * reach * sqrt(reach) / 15, visit, context);
+}
+
 void photon_map_visit(const struct photon_map *map, struct worker *worker,
                       vec3 point, vec3 normal, photon_visit *visit,
                       void *context)
@@ -317,17 +356,7 @@ void photon_map_visit(const struct photon_map *map, struct worker *worker,
     search_run(&search);
     if (search.count < map->least)
         search_widen(&search);
-    double reach = (double)search.reach;
-    if (!(reach > 0))
-        return;
-    for (unsigned i = 0; i < search.count; i++) {
-        const struct photon *photon = search.near[i].photon;
-        double square = (double)search.near[i].square;
-        double weight = 2 * (1 - square / reach) / (pi * reach);
-        rgb flux = { (double)photon->flux[0], (double)photon->flux[1],
-                     (double)photon->flux[2] };
-        visit(context, photon, rgb_scale(flux, weight));
-    }
+    search_visit(&search, pi * (double)search.reach / 2, visit, context);
 }
 
 /* ---- the map ---- */
@@ -362,9 +391,11 @@ struct photon_map *photon_map_new(struct photon *photons, size_t count,
 {
     struct photon_map *map = memory_new(sizeof *map);
     struct building building = { .photons = photons };
-    *map =
-        (struct photon_map){ photons, count, gather->least,
-                             gather->most > 1 ? gather->most : 2, HUGE_VALF };
+    *map = (struct photon_map){ .photons = photons,
+                                .count = count,
+                                .least = gather->least,
+                                .most = gather->most > 1 ? gather->most : 2,
+                                .reach = HUGE_VALF };
     build_top(&building, (struct photon_range){ 0, count }, PARTS_LEVEL);
     parallel_run(threads, building.count, NULL, build_part, &building);
     double radius = gather->radius > 0 ? gather->radius : map_radius(map);
@@ -376,8 +407,19 @@ void photon_map_free(struct photon_map *map)
 {
     if (!map)
         return;
+    photon_map_free(map->within);
     memory_free(map->photons);
     memory_free(map);
+}
+
+void photon_map_add_within(struct photon_map *map, struct photon_map *within)
+{
+    map->within = within;
+}
+
+const struct photon_map *photon_map_within(const struct photon_map *map)
+{
+    return map->within;
 }
 
 const struct photon *photon_map_all(const struct photon_map *map, size_t *count)

@@ -48,6 +48,11 @@ struct photon_map *photon_map_new(struct photon *photons, size_t count,
                                   unsigned threads);
 void photon_map_free(struct photon_map *map);
 
+/* Those of media, whose flux is times the length that each stands for; freed
+ * with the map, which takes them. NULL: none. */
+void photon_map_add_within(struct photon_map *map, struct photon_map *within);
+const struct photon_map *photon_map_within(const struct photon_map *map);
+
 /* All of them, in the order of the tree. */
 const struct photon *photon_map_all(const struct photon_map *map,
                                     size_t *count);
@@ -64,5 +69,12 @@ typedef void photon_visit(void *context, const struct photon *photon,
 void photon_map_visit(const struct photon_map *map, struct worker *worker,
                       vec3 point, vec3 normal, photon_visit *visit,
                       void *context);
+
+/* The same in space, where they came from wherever: of photons of media. What
+ * each stands for is the irradiance of what faces it. The kernel is 15 (1 -
+ * d^2/r^2) / (8 pi r^3). */
+void photon_map_visit_within(const struct photon_map *within,
+                             struct worker *worker, vec3 point,
+                             photon_visit *visit, void *context);
 
 #endif

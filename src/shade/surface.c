@@ -281,7 +281,7 @@ static void surface_fill_layers(struct surface *surface,
 
 /* At the lowest qualities a surface is the plain colour of its deepest layer
  * that still shows (measured). */
-static void surface_fill_plain(struct surface *surface,
+static void surface_fill_quick(struct surface *surface,
                                const struct surface_view *view)
 {
     const struct intersection *at = surface->at;
@@ -306,6 +306,27 @@ static void surface_fill_plain(struct surface *surface,
     }
 }
 
+void surface_fill_plain(struct surface *surface, const struct leaf *leaf,
+                        const struct surface_view *view,
+                        const struct surface_paint *paint)
+{
+    const struct finish *finish = leaf->texture->layers[0].finish;
+    surface->point = paint->point;
+    surface->view = vec3_negate(view->direction);
+    surface->normal = paint->normal;
+    surface->count = 1;
+    struct finish_mirror mirror =
+        layer_mirror(surface, view, finish, paint->bumped, paint->pigment);
+    struct surface_layer *layer = &surface->layer[0];
+    layer->finish = finish;
+    layer->pigment = paint->pigment;
+    layer->normal = paint->bumped;
+    layer->weight = rgb_grey(1);
+    layer->reflection = mirror.colour;
+    layer->reflection_weight = mirror.weight;
+    surface->through = layer_through(finish, paint->pigment, mirror.colour);
+}
+
 void surface_fill(struct surface *surface, const struct intersection *at,
                   const struct surface_view *view)
 {
@@ -322,7 +343,7 @@ void surface_fill(struct surface *surface, const struct intersection *at,
     surface->count = 0;
     surface->through = rgb_grey(0);
     if (view->quality < QUALITY_LIT)
-        surface_fill_plain(surface, view);
+        surface_fill_quick(surface, view);
     else
         surface_fill_layers(surface, view);
 }

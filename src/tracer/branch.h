@@ -78,15 +78,8 @@ rgb path_light(const struct path *path, struct crossing *crossing);
  * that branch off are the wavefront's. */
 bool path_leave(struct path *path, const struct crossing *crossing, rgb light);
 
-/* A point of a plain leaf (world/solid.h). */
-struct plain_face {
-    const struct leaf *leaf;
-    vec3 point, normal, bumped; /* unit, turned to the viewer; with bumps */
-    rgb pigment;
-};
-
-/* The same from there, where it ends. */
-void path_leave_plain(struct path *path, const struct plain_face *face,
-                      rgb light);
+/* The same from an opaque plain leaf (world/solid.h), where it ends. */
+void path_leave_plain(struct path *path, const struct leaf *leaf,
+                      const struct surface_paint *paint, rgb light);
 
 #endif

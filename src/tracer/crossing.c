@@ -35,6 +35,21 @@ double crossing_plain_ior(const struct leaf *leaf,
     return crossing_mirror_ior(&crossing, inside);
 }
 
+void crossing_fill_plain(struct crossing *crossing, const struct tracer *tracer,
+                         vec3 direction, const struct interiors *inside,
+                         const struct surface_paint *paint)
+{
+    crossing_pass(crossing, inside);
+    crossing->at.point = paint->point;
+    struct surface_view view = {
+        .direction = direction,
+        .inside = inside,
+        .ior = crossing_mirror_ior(crossing, inside),
+        .quality = tracer->quality,
+    };
+    surface_fill_plain(&crossing->surface, crossing->at.leaf, &view, paint);
+}
+
 void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
                    vec3 direction, const struct interiors *inside,
                    double bailout, bool exact)

@@ -25,6 +25,12 @@ void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
 double crossing_plain_ior(const struct leaf *leaf,
                           const struct interiors *inside);
 
+/* Fills of the crossing of a plain leaf, `at.leaf`, what a ray that goes on
+ * asks for, of POV-Ray's mirrors; `at.t` must be known, too. */
+void crossing_fill_plain(struct crossing *crossing, const struct tracer *tracer,
+                         vec3 direction, const struct interiors *inside,
+                         const struct surface_paint *paint);
+
 /* The mirrored direction, unit, for the normal of a surface's layer and that of
  * the surface, which is turned to the viewer. It never goes into the
  * surface: what would is mirrored back by the true surface, and where the bump

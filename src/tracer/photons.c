@@ -5,28 +5,37 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "scene/photon.h"
+#include "shade/media.h"
 #include "shade/shadow.h"
 #include "shade/spectrum.h"
 #include "tracer/crossing.h"
 #include "tracer/photon_aim.h"
 
 enum {
-    SENT_MOST = 50 * 1000 * 1000, /* photons, some minutes of a core */
-    MEETINGS_MAX = 2000,          /* surfaces that one photon and its branches
-                                   * meet */
-    ROW_FIRST = 64,               /* photons that a row has room for at first */
+    SENT_MOST = 50 * 1000 * 1000,   /* photons, some minutes of a core */
+    MEETINGS_MAX = 2000,            /* surfaces that one photon and its branches
+                                     * meet */
+    LOOKED_MOST = 8 * PHOTONS_MOST, /* places of media, some seconds */
+    ROW_FIRST = 64, /* photons that a row has room for at first */
 };
 
 /* Steps by this share of a circle come near to no place soon. */
 static const double golden = 0.618;
+
+/* Where photons are kept. */
+enum kept { ON_SURFACES, IN_MEDIA, KEPT_KINDS };
+
+struct photon_list {
+    struct photon *items;
+    size_t count, capacity;
+};
 
 /* The photons of one row, in order. */
 struct photon_row {
     const struct photon_aim *aim;
     size_t number; /* in its aim */
     uint64_t key;
-    struct photon *items;
-    size_t count, capacity;
+    struct photon_list lists[KEPT_KINDS];
 };
 
 struct sending {
@@ -38,7 +47,9 @@ struct sending {
     struct worker *workers;
     int levels;
     double bailout;
-    atomic_size_t kept;
+    double steps, step; /* in media: how many at most, how long; 0: none */
+    atomic_size_t kept[KEPT_KINDS];
+    atomic_size_t looked; /* places of media where photons could stay */
     const atomic_int *stop;
 };
 
@@ -68,14 +79,14 @@ static void flight_follow(struct flight *flight);
 
 /* ---- landing ---- */
 
-static struct photon *row_push(struct photon_row *row)
+static struct photon *list_push(struct photon_list *list)
 {
-    if (row->count == row->capacity) {
-        row->capacity = row->capacity ? 2 * row->capacity : ROW_FIRST;
-        row->items =
-            memory_resize(row->items, row->capacity * sizeof *row->items);
+    if (list->count == list->capacity) {
+        list->capacity = list->capacity ? 2 * list->capacity : ROW_FIRST;
+        list->items =
+            memory_resize(list->items, list->capacity * sizeof *list->items);
     }
-    return &row->items[row->count++];
+    return &list->items[list->count++];
 }
 
 static bool surface_diffuses(const struct surface *surface)
@@ -88,18 +99,22 @@ static bool surface_diffuses(const struct surface *surface)
     return false;
 }
 
-static void flight_land(const struct flight *flight,
-                        const struct surface *surface)
+/* So far from the lamp. */
+static rgb flight_flux(const struct flight *flight, double gone)
+{
+    const struct lamp *lamp = flight->row->aim->lamp;
+    double worth = flight->extent * lamp_fading(lamp, gone);
+    if (!flight->row->aim->beam)
+        worth *= gone * gone;
+    return rgb_mul(flight->share, rgb_scale(lamp->light->colour, worth));
+}
+
+static void flight_keep(const struct flight *flight, enum kept kind, vec3 at,
+                        rgb flux)
 {
     const struct lamp *lamp = flight->row->aim->lamp;
     struct photon photon = { .lamp = (unsigned)lamp->number & 0x3fffffff };
-    double worth = flight->extent * lamp_fading(lamp, flight->gone);
-    if (!flight->row->aim->beam)
-        worth *= flight->gone * flight->gone;
-    rgb flux = rgb_mul(flight->share, rgb_scale(lamp->light->colour, worth));
-    vec3 at = surface->point;
-    if (surface->at->leaf->photons->unlit || !surface_diffuses(surface) ||
-        !isfinite(rgb_peak(flux)) || !vec3_finite(at))
+    if (!isfinite(rgb_peak(flux)) || !vec3_finite(at))
         return;
     photon.at[0] = (float)at.x;
     photon.at[1] = (float)at.y;
@@ -108,8 +123,24 @@ static void flight_land(const struct flight *flight,
     photon.flux[1] = (float)flux.g;
     photon.flux[2] = (float)flux.b;
     photon_pack(vec3_negate(flight->ray.direction), photon.from);
-    *row_push(flight->row) = photon;
-    atomic_fetch_add(&flight->sending->kept, 1);
+    *list_push(&flight->row->lists[kind]) = photon;
+    atomic_fetch_add(&flight->sending->kept[kind], 1);
+}
+
+static void flight_land(const struct flight *flight,
+                        const struct surface *surface)
+{
+    if (surface->at->leaf->photons->unlit || !surface_diffuses(surface))
+        return;
+    flight_keep(flight, ON_SURFACES, surface->point,
+                flight_flux(flight, flight->gone));
+}
+
+static bool sending_full(const struct sending *sending)
+{
+    return atomic_load(&sending->kept[ON_SURFACES]) > PHOTONS_MOST ||
+           atomic_load(&sending->kept[IN_MEDIA]) > PHOTONS_MOST ||
+           atomic_load(&sending->looked) > LOOKED_MOST;
 }
 
 /* ---- surfaces ---- */
@@ -139,6 +170,62 @@ static bool flight_pass_clear(struct flight *flight,
     interiors_cross(&flight->inside, at->leaf);
     flight->ray.origin = at->point;
     return flight_counts(flight);
+}
+
+static bool media_scatters_at(const struct media_list *media, vec3 at)
+{
+    for (int i = 0; i < media->count; i++)
+        if (!rgb_is_black(media->at[i]->scattering) &&
+            !rgb_is_black(medium_density(media->at[i], at)))
+            return true;
+    return false;
+}
+
+/* What stays in media on the way to the next surface. As POV-Ray's photons do
+ * (measured), it grows with the distance from the lamp, against that where the
+ * stretch begins; media dim them no sooner than at its end. */
+static void flight_stay(const struct flight *flight,
+                        const struct media_list *media, double distance)
+{
+    const struct sending *sending = flight->sending;
+    double steps = ceil(distance / sending->step), step = sending->step;
+    if (steps > sending->steps) {
+        steps = sending->steps;
+        step = isfinite(distance) ? distance / steps : step;
+    }
+    atomic_fetch_add(&flight->sending->looked, (size_t)steps);
+    uint64_t key = random_key(random_key(flight->row->key, flight->number),
+                              (uint64_t)*flight->meetings);
+    double first = random_unit(key);
+    for (int i = 0; i < (int)steps && !sending_full(sending); i++) {
+        double length = fmin(step, distance - i * step);
+        double t = i * step + first * length, gone = flight->gone + t;
+        double worth = length * gone / fmax(flight->gone, step);
+        vec3 at = ray_point(&flight->ray, t);
+        if (media_scatters_at(media, at))
+            flight_keep(flight, IN_MEDIA, at,
+                        rgb_scale(flight_flux(flight, gone), worth));
+    }
+}
+
+/* Through media to the next surface. */
+static void flight_drift(struct flight *flight, double distance)
+{
+    const struct sending *sending = flight->sending;
+    const struct lamp *lamp = flight->row->aim->lamp;
+    struct media_list media;
+    media_find(&media, &sending->tracer->scene->media, &flight->inside);
+    if (media.count == 0)
+        return;
+    if (flight->bent && sending->steps >= 1 && !lamp->light->no_media)
+        flight_stay(flight, &media, distance);
+    struct media_way way = { .media = &media,
+                             .origin = flight->ray.origin,
+                             .direction = flight->ray.direction,
+                             .length = distance,
+                             .worker = flight->worker,
+                             .inside = &flight->inside };
+    flight_dim(flight, media_veil(&way).through);
 }
 
 static void flight_mirror(const struct flight *flight,
@@ -249,9 +336,12 @@ static void flight_follow(struct flight *flight)
         bool land = flight->bent;
         if (!world_closest(world, &flight->ray,
                            surface_offset(flight->ray.origin), RAY_OBSTACLE,
-                           &crossing.at))
+                           &crossing.at)) {
+            flight_drift(flight, (double)INFINITY);
             return;
+        }
         const struct leaf *leaf = crossing.at.leaf;
+        flight_drift(flight, crossing.at.t);
         flight->gone += crossing.at.t;
         if (leaf->no_image) {
             flight->ray.origin = crossing.at.point;
@@ -318,7 +408,7 @@ static void send_row(void *context, size_t item, unsigned thread)
     struct interiors inside;
     tracer_inside(sending->tracer, light->location, &inside);
     for (size_t i = 0; i < row->aim->side && !worker_stopped(worker); i++) {
-        if (atomic_load(&sending->kept) > PHOTONS_MOST)
+        if (sending_full(sending))
             return;
         row_send(sending, row, worker, alike ? &inside : NULL, i);
         arena_reset(worker->scratch);
@@ -359,17 +449,17 @@ static bool sending_run(struct sending *sending, unsigned threads)
 }
 
 /* All rows' photons, one after the other. */
-static struct photon *sending_join(struct sending *sending)
+static struct photon *sending_join(struct sending *sending, enum kept kind)
 {
-    size_t kept = atomic_load(&sending->kept), count = 0;
+    size_t kept = atomic_load(&sending->kept[kind]), count = 0;
     struct photon *all = kept ? memory_new(kept * sizeof *all) : NULL;
     for (size_t i = 0; i < sending->row_count; i++) {
-        struct photon_row *row = &sending->rows[i];
-        if (row->count)
-            memcpy(&all[count], row->items, row->count * sizeof *all);
-        count += row->count;
-        memory_free(row->items);
-        row->items = NULL;
+        struct photon_list *list = &sending->rows[i].lists[kind];
+        if (list->count)
+            memcpy(&all[count], list->items, list->count * sizeof *all);
+        count += list->count;
+        memory_free(list->items);
+        list->items = NULL;
     }
     return all;
 }
@@ -397,22 +487,47 @@ static bool sending_fits(const struct sending *sending, struct diag *diag)
 
 static bool sending_kept(const struct sending *sending, struct diag *diag)
 {
-    if (atomic_load(&sending->kept) <= PHOTONS_MOST)
+    if (!sending_full(sending))
         return true;
     diag_print(diag, DIAG_ERROR, span_none(), NULL,
-               "more than %d photons land, which is glim's limit: type "
+               "more than %d photons land%s, which is glim's limit: type "
                "photons { spacing %.3g } or more",
-               PHOTONS_MOST, sending->aims.spacing * 1.5);
+               PHOTONS_MOST,
+               atomic_load(&sending->kept[ON_SURFACES]) > PHOTONS_MOST
+                   ? ""
+                   : " in media",
+               sending->aims.spacing * 1.5);
     return false;
 }
 
 static void sending_end(struct sending *sending)
 {
     for (size_t i = 0; i < sending->row_count; i++)
-        memory_free(sending->rows[i].items);
+        for (int k = 0; k < KEPT_KINDS; k++)
+            memory_free(sending->rows[i].lists[k].items);
     memory_free(sending->rows);
     memory_free(sending->aims.items);
     lamps_free(&sending->lamps);
+}
+
+static struct photon_map *sending_maps(struct sending *sending,
+                                       const struct photon_settings *said,
+                                       unsigned threads)
+{
+    struct photon_gather gather = { (unsigned)said->gather[0],
+                                    (unsigned)said->gather[1], said->radius,
+                                    said->radius_share };
+    struct photon_map *map = photon_map_new(
+        sending_join(sending, ON_SURFACES),
+        atomic_load(&sending->kept[ON_SURFACES]), &gather, threads);
+    size_t within = atomic_load(&sending->kept[IN_MEDIA]);
+    gather.radius = said->media_radius;
+    gather.share = said->media_radius_share;
+    if (within > 0)
+        photon_map_add_within(map,
+                              photon_map_new(sending_join(sending, IN_MEDIA),
+                                             within, &gather, threads));
+    return map;
 }
 
 bool photons_send(const struct tracer *tracer, unsigned threads,
@@ -437,15 +552,12 @@ bool photons_send(const struct tracer *tracer, unsigned threads,
     threads = threads ? threads : 1;
     sending.lamps = lamps_new(tracer->world, tracer->scene, tracer->quality, 0);
     sending.aims = photon_aims_new(&sending.lamps);
+    sending.steps = said->steps;
+    sending.step = said->step * sending.aims.spacing;
     bool done = sending_fits(&sending, diag) &&
                 sending_run(&sending, threads) && sending_kept(&sending, diag);
-    if (done) {
-        struct photon_gather gather = { (unsigned)said->gather[0],
-                                        (unsigned)said->gather[1], said->radius,
-                                        said->radius_share };
-        *map = photon_map_new(sending_join(&sending),
-                              atomic_load(&sending.kept), &gather, threads);
-    }
+    if (done)
+        *map = sending_maps(&sending, said, threads);
     sending_end(&sending);
     return done;
 }

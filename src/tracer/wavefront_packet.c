@@ -16,14 +16,12 @@ struct sights {
     unsigned count;
     const struct picture_place *places; /* of the camera's; else NULL */
     struct radiance *out;               /* likewise */
-    struct path *path[WORLD_RAYS];      /* NULL: a camera's that is plain and
-                                         * sends nothing on */
+    struct path *path[WORLD_RAYS];      /* NULL: a camera's that is plain, and
+                                         * hasn't gone on */
     struct world_faces faces;
     struct facets facets;
-    unsigned plain; /* end at a leaf that is: its light and, of those that are
-                     * mirrored, what they send on is all there is */
-    unsigned mirrored;
-    unsigned lit; /* the others that meet a surface to be lit */
+    unsigned plain; /* meet a leaf that is: painted and lit without more */
+    unsigned lit;   /* the others that meet a surface to be lit */
     struct crossing crossing[WORLD_RAYS];
 };
 
@@ -78,12 +76,11 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
 {
     const struct tracer *tracer = sights->wavefront->tracer;
     unsigned meet = 0;
-    sights->plain = sights->mirrored = sights->lit = 0;
+    sights->plain = sights->lit = 0;
     for (unsigned i = 0; i < sights->count; i++) {
         const struct leaf *leaf = sights->hits[i].leaf;
         meet |= (unsigned)(leaf != NULL) << i;
         sights->plain |= (unsigned)(leaf && leaf->plain) << i;
-        sights->mirrored |= (unsigned)(leaf && leaf->mirrors) << i;
     }
     meet &= seen;
     if (!tracer->airless)
@@ -130,23 +127,39 @@ static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet)
     }
 }
 
-/* From a plain leaf that sends so much light and may mirror. */
-static void sight_leave_plain(struct sights *sights, unsigned i, rgb light)
+/* Through a plain leaf. */
+static void sight_pass(struct sights *sights, unsigned i,
+                       const struct surface_paint *paint, rgb light)
+{
+    struct path *path = sights->path[i];
+    struct crossing crossing; /* one after the other in the same place */
+    crossing.at.leaf = sights->facets.leaf[i];
+    crossing.at.t = sights->faces.hit[i].t;
+    crossing_fill_plain(&crossing, path->tracer, path->ray.direction,
+                        &path->inside, paint);
+    wavefront_leave(path, &crossing, light);
+}
+
+/* From a plain leaf that is not the last. */
+static void sight_go_on(struct sights *sights, unsigned i, rgb light)
 {
     const struct facets *facets = &sights->facets;
     struct path *path = sights->path[i];
     vec3 view = lane_get(facets->view, i);
     vec3 normal = lane_get(sights->faces.normal, i);
-    vec3 pigment = lane_get(facets->pigment, i);
-    const struct plain_face face = {
-        .leaf = facets->leaf[i],
+    const struct surface_paint paint = {
         .point = lane_get(facets->point, i),
         .normal = vec3_dot(normal, view) < 0 ? vec3_negate(normal) : normal,
         .bumped = lane_get(facets->normal, i),
-        .pigment = rgb_make(pigment.x, pigment.y, pigment.z),
+        .pigment = facets_paint_of(facets, i),
     };
-    path_leave_plain(path, &face, light);
-    wavefront_end(path);
+    path->place = NULL;
+    if (facets->leaf[i]->opaque) {
+        path_leave_plain(path, facets->leaf[i], &paint, light);
+        wavefront_end(path);
+    } else {
+        sight_pass(sights, i, &paint, light);
+    }
 }
 
 static void sights_light(struct sights *sights)
@@ -169,12 +182,17 @@ static void sights_light(struct sights *sights)
     for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
         unsigned i = (unsigned)__builtin_ctz(plain);
         rgb light = facets_light(facets, i);
-        if (!sights->path[i] && sights->mirrored >> i & 1)
+        bool last = facets->leaf[i]->last;
+        if (!sights->path[i] && !last)
             sights->path[i] = sights_start(sights, i);
-        if (!sights->path[i])
+        if (!sights->path[i]) {
             sights->out[i] = (struct radiance){ light, 1 };
-        else
-            sight_leave_plain(sights, i, light);
+        } else if (last) {
+            path_gather(sights->path[i], light);
+            wavefront_end(sights->path[i]);
+        } else {
+            sight_go_on(sights, i, light);
+        }
     }
 }
 

@@ -5,71 +5,79 @@
 
 enum { BEAM_WORTH = 4 }; /* boxes, to look at all rays of a packet as one */
 
-struct few_pair {
-    pair side[2][3]; /* low and high, along x, y and z */
+/* Side by side, and as many more as make whole rows. */
+struct few_boxes {
+    double side[2][3][FEW_MOST]; /* low and high, along x, y and z */
 };
 
-/* A box that fills up the last pair is infinitely far away, where no ray meets
+enum { FEW_ROW = RAY_LANES };
+_Static_assert(FEW_MOST % FEW_ROW == 0 && FEW_ROW % PAIR == 0, "whole rows");
+
+/* A box that fills up the last row is infinitely far away, where no ray meets
  * it. */
 struct few few_new(struct arena *arena, const struct solid_list *solids,
                    const struct box3 *boxes)
 {
     const vec3 away = { (double)INFINITY, (double)INFINITY, (double)INFINITY };
     struct few few = { .solids = solids };
-    few.count = (solids->count + PAIR - 1) / PAIR;
-    few.pairs = ARENA_ARRAY(arena, struct few_pair, few.count);
-    for (size_t i = 0; i < few.count * PAIR; i++) {
+    few.boxes = ARENA_NEW(arena, struct few_boxes);
+    for (size_t i = 0; i < FEW_MOST; i++) {
         struct box3 box =
             i < solids->count ? boxes[i] : (struct box3){ away, away };
-        struct few_pair *boxed = &few.pairs[i / PAIR];
         for (int axis = 0; axis < 3; axis++) {
-            boxed->side[0][axis][i % PAIR] = vec3_component(box.low, axis);
-            boxed->side[1][axis][i % PAIR] = vec3_component(box.high, axis);
+            few.boxes->side[0][axis][i] = vec3_component(box.low, axis);
+            few.boxes->side[1][axis][i] = vec3_component(box.high, axis);
         }
     }
     return few;
 }
 
 /* The part of [*enter, *leave] between two sides of both boxes. */
-static inline void pair_clip(const struct few_pair *boxes, int axis,
+static inline void pair_clip(const double *low, const double *high,
                              double origin, double inverse, pair *enter,
                              pair *leave)
 {
-    pair low = (boxes->side[0][axis] - origin) * inverse;
-    pair high = (boxes->side[1][axis] - origin) * inverse;
-    *enter = pair_max(*enter, pair_min(low, high));
-    *leave = pair_min(*leave, pair_max(low, high));
+    pair to_low = ((pair){ low[0], low[1] } - origin) * inverse;
+    pair to_high = ((pair){ high[0], high[1] } - origin) * inverse;
+    *enter = pair_max(*enter, pair_min(to_low, to_high));
+    *leave = pair_min(*leave, pair_max(to_low, to_high));
 }
 
-/* Which of both boxes the ray meets. */
-static inline int pair_met(const struct few_pair *boxes,
+/* Which of both boxes from number i on the ray meets. */
+static inline int pair_met(const struct few_boxes *boxes, size_t i,
                            const struct query *query)
 {
     const struct slabs *ray = &query->slabs;
+    const double(*low)[FEW_MOST] = boxes->side[0],
+          (*high)[FEW_MOST] = boxes->side[1];
     pair enter = pair_of(query->tmin), leave = pair_of(query->tmax);
-    pair_clip(boxes, 0, ray->origin.x, ray->inverse.x, &enter, &leave);
-    pair_clip(boxes, 1, ray->origin.y, ray->inverse.y, &enter, &leave);
-    pair_clip(boxes, 2, ray->origin.z, ray->inverse.z, &enter, &leave);
+    pair_clip(low[0] + i, high[0] + i, ray->origin.x, ray->inverse.x, &enter,
+              &leave);
+    pair_clip(low[1] + i, high[1] + i, ray->origin.y, ray->inverse.y, &enter,
+              &leave);
+    pair_clip(low[2] + i, high[2] + i, ray->origin.z, ray->inverse.z, &enter,
+              &leave);
     return pair_ordered(enter, leave);
 }
 
 void few_trace(const struct few *few, struct query *query)
 {
     struct solid *const *solids = few->solids->items;
-    for (size_t i = 0; i < few->count; i++, solids += PAIR) {
-        int met = pair_met(&few->pairs[i], query);
-        if (met & 1 && query_solid(query, solids[0]))
+    for (size_t i = 0; i < few->solids->count; i += PAIR) {
+        int met = pair_met(few->boxes, i, query);
+        if (met & 1 && query_solid(query, solids[i]))
             return;
-        if (met & 2 && query_solid(query, solids[1]))
+        if (met & 2 && query_solid(query, solids[i + 1]))
             return;
     }
 }
 
-static struct box3 pair_box(const struct few_pair *boxes, size_t i)
+static struct box3 few_box(const struct few *few, size_t i)
 {
-    const pair(*side)[3] = boxes->side;
-    return (struct box3){ { side[0][0][i], side[0][1][i], side[0][2][i] },
-                          { side[1][0][i], side[1][1][i], side[1][2][i] } };
+    const double(*low)[FEW_MOST] = few->boxes->side[0],
+          (*high)[FEW_MOST] = few->boxes->side[1];
+    return (struct box3){ { low[0][i], low[1][i], low[2][i] },
+                          { high[0][i], high[1][i], high[2][i] } };
 }
 
 /* All rays of a packet between their outermost ones. */
@@ -120,39 +128,56 @@ static void beam_of(const struct packet *packet, struct beam *beam)
     }
 }
 
-/* Which of both boxes some ray may meet. */
-static inline int beam_met(const struct beam *beam,
-                           const struct few_pair *boxes)
+/* Which boxes of the row from number `first` on some ray may meet. */
+CLONES static void beam_meets(const struct beam *restrict beam,
+                              const struct few_boxes *restrict boxes,
+                              size_t first, lane_flag *restrict met)
 {
-    pair enter = pair_of(-HUGE_VAL), leave = pair_of(HUGE_VAL);
-    for (int k = 0; k < 3; k++) {
-        int in = beam->axis[k].in;
-        if (!beam->axis[k].known)
-            continue;
-        pair to = boxes->side[in][k] - beam->axis[k].in_from;
-        pair from = boxes->side[!in][k] - beam->axis[k].out_from;
-        double least = beam->axis[k].least, most = beam->axis[k].most;
-        enter = pair_max(enter, pair_min(to * least, to * most));
-        leave = pair_min(leave, pair_max(from * least, from * most));
+    double enter[FEW_ROW], leave[FEW_ROW];
+    for (int i = 0; i < FEW_ROW; i++) {
+        enter[i] = -HUGE_VAL;
+        leave[i] = HUGE_VAL;
     }
-    return pair_ordered(enter, leave);
+    for (int k = 0; k < 3; k++) {
+        const int in = beam->axis[k].in;
+        const double *near = boxes->side[in][k] + first;
+        const double *far = boxes->side[!in][k] + first;
+        const double in_from = beam->axis[k].in_from;
+        const double out_from = beam->axis[k].out_from;
+        const double least = beam->axis[k].least, most = beam->axis[k].most;
+        for (int i = 0; beam->axis[k].known && i < FEW_ROW; i++) {
+            double to = near[i] - in_from, from = far[i] - out_from;
+            enter[i] = slab_max(enter[i], slab_min(to * least, to * most));
+            leave[i] = slab_min(leave[i], slab_max(from * least, from * most));
+        }
+    }
+    for (int i = 0; i < FEW_ROW; i++)
+        met[i] = slabs_overlap(enter[i], leave[i]) ? -1 : 0;
+}
+
+/* The boxes, bit by bit, that some open ray of the packet may meet. */
+static uint32_t few_reached(const struct few *few, const struct packet *packet)
+{
+    struct beam beam;
+    uint32_t reached = 0;
+    beam_of(packet, &beam);
+    for (size_t first = 0; first < few->solids->count; first += FEW_ROW) {
+        LANE_LINES lane_flag met[FEW_ROW];
+        beam_meets(&beam, few->boxes, first, met);
+        reached |= (uint32_t)rays_bits(met) << first;
+    }
+    return reached;
 }
 
 void few_look(const struct few *few, struct packet *packet)
 {
     const size_t count = few->solids->count;
-    struct beam beam;
-    int met = 0;
-    bool worth = count >= BEAM_WORTH;
-    if (worth)
-        beam_of(packet, &beam);
-    for (size_t i = 0; i < count; i++) {
-        const struct few_pair *boxes = &few->pairs[i / PAIR];
-        if (i % PAIR == 0)
-            met = worth ? beam_met(&beam, boxes) : -1;
-        if (!(met >> i % PAIR & 1))
-            continue;
-        struct box3 box = pair_box(boxes, i % PAIR);
+    uint32_t boxes = (uint32_t)(((uint64_t)1 << count) - 1);
+    if (count >= BEAM_WORTH)
+        boxes &= few_reached(few, packet);
+    for (; boxes; boxes &= boxes - 1) {
+        size_t i = (size_t)__builtin_ctz(boxes);
+        struct box3 box = few_box(few, i);
         unsigned lanes = packet_meets(packet, &box);
         if (packet_look(packet, few->solids->items[i], lanes))
             return;

@@ -6,13 +6,14 @@
 #include "world/flatten.h"
 #include "world/packet.h"
 
+enum { FEW_MOST = 32 };
+
 struct few {
     const struct solid_list *solids; /* NULL: there are not few */
-    struct few_pair *pairs;          /* of their boxes */
-    size_t count;
+    struct few_boxes *boxes;
 };
 
-/* All of them, each with a box that holds it; in `arena`. */
+/* All of them, at most FEW_MOST, each with a box that holds it; in `arena`. */
 struct few few_new(struct arena *arena, const struct solid_list *solids,
                    const struct box3 *boxes);
 

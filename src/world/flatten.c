@@ -586,6 +586,8 @@ bool flatten_scene(struct flat *flat, const struct scene *scene)
                              .from_texture = affine_identity(),
                              .looks_like = -1 };
     flat->fallback = fallback_texture(flat->arena);
+    ARRAY_RESERVE(flat->arena, &flat->solids, scene->objects.count);
+    ARRAY_RESERVE(flat->arena, &flat->containers, scene->objects.count);
     for (size_t i = 0; i < scene->objects.count && !flat->failed; i++)
         flatten(flat, scene->objects.items[i], &top);
     return !flat->failed;

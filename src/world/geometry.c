@@ -10,7 +10,6 @@
 #include "scene/mesh.h"
 
 enum {
-    FEW = 32,               /* solids that are looked at one by one */
     PARALLEL_WORTH = 50000, /* triangles and solids */
     LARGE = 200000,         /* triangles */
     SPLITS_WORTH = 100,     /* rays of the camera for each triangle */
@@ -138,22 +137,25 @@ static void solid_occluded(const struct RTCOccludedFunctionNArguments *a)
         a->valid[0] = 0;
 }
 
-/* Takes the bounded solids out of flat->solids. */
+/* Takes the bounded solids, and the array with them, out of flat->solids. */
 static void take_bounded(struct geometry *geometry, struct flat *flat)
 {
+    struct solid_list others = { NULL, 0, 0 };
     size_t kept = 0;
+    geometry->solids = flat->solids;
     for (size_t i = 0; i < flat->solids.count; i++) {
         struct solid *solid = flat->solids.items[i];
         if (box3_is_empty(solid->surface))
             continue;
         if (!solid_is_bounded(solid)) {
-            flat->solids.items[kept++] = solid;
+            *ARRAY_PUSH(flat->arena, &others) = solid;
             continue;
         }
-        *ARRAY_PUSH(flat->arena, &geometry->solids) = solid;
+        geometry->solids.items[kept++] = solid;
         geometry->bounds = box3_union(geometry->bounds, solid->surface);
     }
-    flat->solids.count = kept;
+    geometry->solids.count = kept;
+    flat->solids = others;
 }
 
 static struct box3 meshes_bounds(const struct flat *flat)
@@ -187,7 +189,7 @@ static void find_place(struct geometry *geometry, const struct flat *flat)
 
 static struct few find_few(const struct geometry *geometry, struct arena *arena)
 {
-    struct box3 boxes[FEW];
+    struct box3 boxes[FEW_MOST];
     for (size_t i = 0; i < geometry->solids.count; i++)
         boxes[i] =
             embree_box(geometry->solids.items[i]->surface, geometry->centre);
@@ -264,7 +266,7 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
     geometry->diag = diag;
     take_bounded(geometry, flat);
     find_place(geometry, flat);
-    if (flat->meshes.count == 0 && geometry->solids.count <= FEW) {
+    if (flat->meshes.count == 0 && geometry->solids.count <= FEW_MOST) {
         geometry->few = find_few(geometry, flat->arena);
         return true;
     }

@@ -21,11 +21,11 @@ void leaf_judge_paint(struct leaf *leaf)
     leaf->opaque = texture_is_opaque(leaf->texture) &&
                    (!leaf->inner || texture_is_opaque(leaf->inner->texture)) &&
                    (shape || mesh_is_opaque(object->mesh));
-    leaf->plain = leaf->opaque && !leaf->inner && !leaf->uv_mapping &&
+    leaf->plain = !leaf->inner && !leaf->uv_mapping &&
                   (shape || object->mesh->texture_count == 0) &&
                   texture_is_plain(leaf->texture);
-    leaf->mirrors =
-        leaf->plain && finish_mirrors(leaf->texture->layers[0].finish);
+    leaf->last = leaf->plain && leaf->opaque &&
+                 !finish_mirrors(leaf->texture->layers[0].finish);
 }
 
 const double solid_limit = 1e9;

@@ -49,7 +49,8 @@ struct leaf {
     unsigned number; /* 0..leaf_count-1 */
     bool opaque;     /* no texture of it lets light pass */
     bool plain;      /* its paint is plain (texture_is_plain) wherever it is */
-    bool mirrors;    /* it is plain and mirrors */
+    bool last;       /* it is plain, and no ray goes on from it: it is opaque
+                      * and mirrors nothing */
     bool moved;      /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
@@ -60,7 +61,7 @@ struct leaf {
     bool inverse; /* turned inside out, all its ancestors considered */
 };
 
-/* Sets opaque, plain and mirrors from its textures. */
+/* Sets opaque, plain and last from its textures. */
 void leaf_judge_paint(struct leaf *leaf);
 
 /* A corner, 0 to 2, of a mesh's triangle in the world. */

@@ -474,6 +474,18 @@ static void rays_lit_together_are_as_alone(void **state)
         "dispersion_samples 5 fade_distance 1 fade_power 1001 } }"
         "cylinder { <1.2, -1, -1>, <1.2, 1, -1>, .3 open pigment { rgbf .8 } "
         "no_reflection }",
+        /* One layer, painted side by side, that lets light pass by parts and
+         * mirrors. */
+        "sphere { <.2, .6, -.5>, .5 pigment { bozo color_map { "
+        "[0 rgb <.9, .3, .2>] [1 rgbft <.3, .8, .9, .7, .3>] } scale .2 } "
+        "normal { bumps .6 scale .2 } finish { phong .7 metallic reflection "
+        "{ .1, .8 fresnel metallic .6 } conserve_energy } "
+        "interior { ior 1.5 } }"
+        "box { <-1.5, -1, -1>, <-.7, .6, 0> pigment { rgbt <.9, .6, .4, .4> } "
+        "normal { wrinkles .8 scale .3 } finish { ambient .2 emission .1 "
+        "reflection { .3 metallic } } }"
+        "mesh { triangle { <1, -1, 0>, <2, -1, 0>, <1.5, 1, 0> } "
+        "pigment { checker rgbf .8 rgb .4 scale .2 } }",
     };
     (void)state;
     for (size_t i = 0; i < sizeof lamps / sizeof *lamps; i++)

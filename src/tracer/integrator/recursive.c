@@ -54,6 +54,7 @@ static void path_media(struct path *path, double distance)
         .direction = path->ray.direction,
         .length = distance,
         .lamps = tracer->lighting->lamps(tracer->lighting_state),
+        .photons = tracer->photons ? photon_map_within(tracer->photons) : NULL,
         .worker = path->worker,
         .inside = &path->inside,
     };
@@ -186,10 +187,10 @@ static void path_mirrors(struct path *path, const struct crossing *crossing)
     }
 }
 
-void path_leave_plain(struct path *path, const struct plain_face *face,
-                      rgb light)
+void path_leave_plain(struct path *path, const struct leaf *leaf,
+                      const struct surface_paint *paint, rgb light)
 {
-    const struct finish *finish = face->leaf->texture->layers[0].finish;
+    const struct finish *finish = leaf->texture->layers[0].finish;
     const struct tracer *tracer = path->tracer;
     vec3 direction = path->ray.direction;
     path_gather(path, light);
@@ -197,18 +198,18 @@ void path_leave_plain(struct path *path, const struct plain_face *face,
         tracer->quality < QUALITY_REFLECTION || !finish_mirrors(finish))
         return;
     double ior = finish->reflection.fresnel
-                     ? crossing_plain_ior(face->leaf, &path->inside)
+                     ? crossing_plain_ior(leaf, &path->inside)
                      : 1;
     struct finish_mirror mirrored =
-        finish_mirror(finish, face->pigment,
-                      vec3_dot(vec3_negate(direction), face->bumped), ior);
+        finish_mirror(finish, colour_rgb(paint->pigment),
+                      vec3_dot(vec3_negate(direction), paint->bumped), ior);
     double weight = path->weight * mirrored.weight;
     if (!path_is_worth(path, weight))
         return;
     const struct layer_mirror mirror = {
         .finish = finish,
-        .point = face->point,
-        .direction = crossing_mirrored(face->normal, direction, face->bumped),
+        .point = paint->point,
+        .direction = crossing_mirrored(paint->normal, direction, paint->bumped),
         .tint = mirrored.colour,
         .weight = weight,
     };
