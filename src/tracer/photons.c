@@ -12,10 +12,11 @@
 #include "tracer/photon_aim.h"
 
 enum {
-    SENT_MOST = 50 * 1000 * 1000, /* photons, some minutes of a core */
-    MEETINGS_MAX = 2000,          /* surfaces that one photon and its branches
-                                   * meet */
-    ROW_FIRST = 64,               /* photons that a row has room for at first */
+    SENT_MOST = 50 * 1000 * 1000,   /* photons, some minutes of a core */
+    MEETINGS_MAX = 2000,            /* surfaces that one photon and its branches
+                                     * meet */
+    LOOKED_MOST = 8 * PHOTONS_MOST, /* places of media, some seconds */
+    ROW_FIRST = 64, /* photons that a row has room for at first */
 };
 
 /* Steps by this share of a circle come near to no place soon. */
@@ -48,6 +49,7 @@ struct sending {
     double bailout;
     double steps, step; /* in media: how many at most, how long; 0: none */
     atomic_size_t kept[KEPT_KINDS];
+    atomic_size_t looked; /* places of media where photons could stay */
     const atomic_int *stop;
 };
 
@@ -137,7 +139,8 @@ static void flight_land(const struct flight *flight,
 static bool sending_full(const struct sending *sending)
 {
     return atomic_load(&sending->kept[ON_SURFACES]) > PHOTONS_MOST ||
-           atomic_load(&sending->kept[IN_MEDIA]) > PHOTONS_MOST;
+           atomic_load(&sending->kept[IN_MEDIA]) > PHOTONS_MOST ||
+           atomic_load(&sending->looked) > LOOKED_MOST;
 }
 
 /* ---- surfaces ---- */
@@ -190,6 +193,7 @@ static void flight_stay(const struct flight *flight,
         steps = sending->steps;
         step = isfinite(distance) ? distance / steps : step;
     }
+    atomic_fetch_add(&flight->sending->looked, (size_t)steps);
     uint64_t key = random_key(random_key(flight->row->key, flight->number),
                               (uint64_t)*flight->meetings);
     double first = random_unit(key);
@@ -485,13 +489,14 @@ static bool sending_kept(const struct sending *sending, struct diag *diag)
 {
     if (!sending_full(sending))
         return true;
-    diag_print(
-        diag, DIAG_ERROR, span_none(), NULL,
-        "more than %d photons land%s, which is glim's limit: type "
-        "photons { spacing %.3g } or more",
-        PHOTONS_MOST,
-        atomic_load(&sending->kept[IN_MEDIA]) > PHOTONS_MOST ? " in media" : "",
-        sending->aims.spacing * 1.5);
+    diag_print(diag, DIAG_ERROR, span_none(), NULL,
+               "more than %d photons land%s, which is glim's limit: type "
+               "photons { spacing %.3g } or more",
+               PHOTONS_MOST,
+               atomic_load(&sending->kept[ON_SURFACES]) > PHOTONS_MOST
+                   ? ""
+                   : " in media",
+               sending->aims.spacing * 1.5);
     return false;
 }
 
