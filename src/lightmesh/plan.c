@@ -143,7 +143,9 @@ bool plan_afford(struct mesh_frame *frame, const struct scene *scene,
     double crowd = sqrt(points * frame_rays(frame) / most);
     double factor = fmin(fmax(crowd, 1), gather_coarser_most);
     frame->gather *= factor;
-    frame_ask(frame, most * factor * factor / points, GATHER_LEAST);
+    /* Else as many rays as there are fit exactly, but for rounding. */
+    if (crowd > factor)
+        frame_ask(frame, most * factor * factor / points, GATHER_LEAST);
     return true;
 }
 

@@ -152,14 +152,15 @@ static inline const void *finish_part(const struct finish *finish,
     if (finish_part(finish, &name##_finish, FINISH_PLACE_##name))              \
         return true;
 
-/* Whether it has highlights, and tints. Asked for each lamp and layer: written
- * out item by item, and the compiler sees their structs. */
+/* Whether it mirrors anything, at whatever angle. */
 static inline bool finish_mirrors(const struct finish *finish)
 {
     const struct reflection *mirror = &finish->reflection;
     return !rgb_is_black(mirror->minimum) || !rgb_is_black(mirror->maximum);
 }
 
+/* Whether it has highlights, and tints. Asked for each lamp and layer: written
+ * out item by item, and the compiler sees their structs. */
 static inline bool finish_shines(const struct finish *finish)
 {
 #define X(name, role) FINISH_HIGHLIGHT_##role(FINISH_ON, name)

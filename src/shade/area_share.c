@@ -35,7 +35,9 @@ static void area_walk_start(struct area_walk *walk,
     walk->light = arriving;
     walk->visit = visit;
     walk->context = context;
-    memset(walk->known, -1, sizeof walk->known);
+    int64_t points = (int64_t)grid->size1 * grid->size2;
+    size_t places = points < AREA_PLACES ? (size_t)points : AREA_PLACES;
+    memset(walk->known, -1, places * sizeof *walk->known);
 }
 
 static rgb area_see(struct area_walk *walk, int i, int j)
