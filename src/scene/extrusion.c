@@ -84,6 +84,9 @@ struct extrusion_search {
     const struct extrusion *extrusion;
     bool any;       /* whichever is found first is enough */
     struct ray ray; /* in u, v, w */
+    /* Seen along the axis the ray is a line in the outline's plane; seen from
+     * the tip of a cone, too: the plane through both cuts w = 1 in it. */
+    double line[3];
     struct hit_search hits;
 };
 
@@ -147,16 +150,10 @@ static bool side_is_met(const struct extrusion_search *search,
     return enter <= leave;
 }
 
-/* Seen along the axis the ray is a line in the outline's plane; seen from the
- * tip of a cone, too: the plane through both cuts w = 1 in it. */
-static void search_side(struct extrusion_search *search, size_t index)
+static inline void search_side(struct extrusion_search *search, size_t index)
 {
-    const struct extrusion *e = search->extrusion;
-    vec3 o = search->ray.origin, d = search->ray.direction;
-    vec3 n = e->conic ? vec3_cross(o, d)
-                      : (vec3){ d.y, -d.x, d.x * o.y - d.y * o.x };
-    const double line[3] = { n.x, n.y, n.z };
-    outline_cross(&e->outline, (int)index, line, side_found, search);
+    outline_cross(&search->extrusion->outline, (int)index, search->line,
+                  side_found, search);
 }
 
 static void search_sides(struct extrusion_search *search)
@@ -212,10 +209,14 @@ static struct extrusion_search extrusion_search_new(const void *shape,
                                                     double tmin, double tmax)
 {
     const struct extrusion *e = shape;
+    vec3 o = extrusion_turned(e, ray->origin);
+    vec3 d = extrusion_turned(e, ray->direction);
+    vec3 n = e->conic ? vec3_cross(o, d)
+                      : (vec3){ d.y, -d.x, d.x * o.y - d.y * o.x };
     return (struct extrusion_search){
         .extrusion = e,
-        .ray = { extrusion_turned(e, ray->origin),
-                 extrusion_turned(e, ray->direction) },
+        .ray = { o, d },
+        .line = { n.x, n.y, n.z },
         .hits = { .tmin = tmin, .tmax = tmax },
     };
 }
@@ -257,16 +258,41 @@ struct extrusion_lanes {
     unsigned open; /* those that look for something still */
 };
 
+/* Those that meet the shape's box where they are looked for. Only of a cone, as
+ * others have a box for each side. */
+static unsigned lanes_within(const struct extrusion *e, const struct rays *rays,
+                             const struct rays_span *span)
+{
+    unsigned within = 0;
+    for (int i = 0; i < RAY_LANES; i++)
+        within |= (unsigned)(span->near[i] < span->far[i]) << i;
+    if (!e->conic || !within)
+        return within;
+    double inverse[3][RAY_LANES];
+    const struct rays_boxed boxed = { rays, (const double(*)[RAY_LANES])inverse,
+                                      span };
+    struct box3 box = extrusion_bounds(e);
+    double more = 1e-9 * (vec3_length(box.low) + vec3_length(box.high));
+    vec3 rim = vec3_make(more, more, more);
+    LANE_LINES lane_flag met[RAY_LANES];
+    box.low = vec3_sub(box.low, rim);
+    box.high = vec3_add(box.high, rim);
+    rays_inverse(rays, inverse);
+    rays_meet_box(&boxed, &box, met);
+    return within & rays_bits(met);
+}
+
 static void lanes_begin(struct extrusion_lanes *lanes,
                         const struct extrusion *e, const struct rays *rays,
                         const struct rays_span *span, bool any)
 {
+    const unsigned within = lanes_within(e, rays, span);
     lanes->rays = *rays;
     lanes->span = *span;
     lanes->open = 0;
     for (int i = 0; i < RAY_LANES; i++) {
         struct extrusion_search *search = &lanes->search[i];
-        if (!(span->near[i] < span->far[i])) {
+        if (!(within >> i & 1)) {
             search->hits.found = false;
             continue;
         }
@@ -282,8 +308,8 @@ static void lanes_begin(struct extrusion_lanes *lanes,
 }
 
 /* As search_sides, but side after side, each for all of them. */
-static void lanes_sides(struct extrusion_lanes *lanes,
-                        const struct extrusion *e)
+static void lanes_sides_boxed(struct extrusion_lanes *lanes,
+                              const struct extrusion *e)
 {
     double inverse[3][RAY_LANES];
     const struct rays_boxed boxed = { &lanes->rays,
@@ -293,11 +319,8 @@ static void lanes_sides(struct extrusion_lanes *lanes,
     for (size_t k = 0; k < e->outline.count && lanes->open; k++) {
         const struct box3 box = side_box(e, &e->outline.pieces[k]);
         LANE_LINES lane_flag met[RAY_LANES];
-        unsigned meet = lanes->open;
-        if (!e->conic) {
-            rays_meet_box(&boxed, &box, met);
-            meet &= rays_bits(met);
-        }
+        rays_meet_box(&boxed, &box, met);
+        unsigned meet = lanes->open & rays_bits(met);
         for (; meet; meet &= meet - 1) {
             unsigned i = (unsigned)__builtin_ctz(meet);
             struct extrusion_search *search = &lanes->search[i];
@@ -307,6 +330,18 @@ static void lanes_sides(struct extrusion_lanes *lanes,
                 lanes->open &= ~(1u << i);
         }
     }
+}
+
+/* The sides of a cone have no boxes to be left out by. */
+static void lanes_sides(struct extrusion_lanes *lanes,
+                        const struct extrusion *e)
+{
+    if (!e->conic) {
+        lanes_sides_boxed(lanes, e);
+        return;
+    }
+    for (unsigned open = lanes->open; open; open &= open - 1)
+        search_sides(&lanes->search[__builtin_ctz(open)]);
 }
 
 static void extrusion_first_many(const void *shape, const struct rays *rays,
