@@ -153,15 +153,67 @@ bool gather_closes(const struct gather *gather, struct worker *worker,
     return true;
 }
 
+/* How near that is: what comes into reach does so by and by. */
+double gather_closeness(double distance, double reach)
+{
+    double far = (distance / reach - near_field_whole) / (1 - near_field_whole);
+    return fmin(fmax(1 - far, 0), 1);
+}
+
+/* What the points around say of a surface close to the place that asks. In a
+ * crevice, which is dark inside, what hides it from the place hides it from
+ * that surface as well: one ray more tells. */
+static struct indirect_share gathering_here(const struct gathering *gathering,
+                                            const struct surface *surface,
+                                            double matters)
+{
+    const struct gather *gather = gathering->gather;
+    struct indirect_share share =
+        indirect_light_share(gather->here, surface->normal);
+    struct gathered_ray found = { .open = 0 };
+    struct draws draws =
+        draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
+    double chance = fmin(often_near * matters, 1), u[2];
+    if (gathering->before > 0 || gather->crevice == 0 ||
+        draw_unit(&draws, GATHER_CHANCE) >= chance)
+        return share;
+    draw_pair(&draws, GATHER_DIRECTION, u);
+    struct gathering further = {
+        .gather = gather,
+        .worker = gathering->worker,
+        .draws = &draws,
+        .ray = { surface->point, warp_lobe(u, surface->side, 1) },
+        .share = rgb_grey(1),
+        .open = &found.open,
+        .mirrors = gathering->mirrors,
+        .before = gathering->before + 1,
+        .known = true,
+    };
+    gathering->worker->counters.shadow_rays++;
+    if (!world_within(gather->lamps->world, &further.ray,
+                      surface_offset(surface->point), gather->reach,
+                      RAY_REFLECTION, &found.at))
+        return share;
+    double close =
+        gather->crevice / chance * gather_closeness(found.at.t, gather->reach);
+    found.light = gathering_follow(&further, &found.at, &found.glow);
+    if (rgb_peak(found.glow) > 0)
+        return share;
+    share.light = rgb_mix(share.light, found.light, close);
+    share.open += (found.open - share.open) * close;
+    return share;
+}
+
 /* What surfaces send to the receiver, if mesh points or the skeleton know. */
 static bool gathering_known(const struct gathering *gathering,
-                            const struct receiver *receiver,
+                            const struct surface *surface,
+                            const struct receiver *receiver, double matters,
                             struct indirect_share *share)
 {
     const struct gather *gather = gathering->gather;
     bool here = gather->here && gathering->met == 0;
     if (here)
-        *share = indirect_light_share(gather->here, receiver->normal);
+        *share = gathering_here(gathering, surface, matters);
     return here ||
            (gather->indirect &&
             indirect_mesh_nearest(gather->indirect, gathering->worker, receiver,
@@ -186,7 +238,7 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .weight = 1 };
     rgb light = gathering_direct(gathering, &receiver);
     struct indirect_share more = gather->around;
-    bool found = gathering_known(gathering, &receiver, &more);
+    bool found = gathering_known(gathering, surface, &receiver, matters, &more);
     if (!found && gather->onward)
         more = gathering_onward(gathering, surface, matters);
     else if (!found && gather->indirect)
@@ -212,7 +264,7 @@ static rgb gathering_shade(const struct gathering *gathering,
 {
     double solid = 1 - fmin(surface_sky(surface), 1);
     rgb light = surface_glow(surface);
-    rgb albedo = rgb_scale(surface_albedo(surface), solid);
+    rgb albedo = rgb_scale(surface_returned(surface), solid);
     double matters = rgb_peak(rgb_mul(albedo, gathering->share));
     double chance = often_lit * matters;
     uint32_t slot = GATHER_MEETING + gathering->met;

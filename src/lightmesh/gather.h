@@ -27,7 +27,10 @@ struct gather {
     const struct indirect_mesh *indirect; /* of one bounce less, or NULL */
     const struct indirect_light *here;    /* around what rays meet first; NULL:
                                            * `indirect` is asked */
-    struct lattice_view view;             /* of what its rays meet */
+    double reach; /* of what `here` does not know: what is nearer hides part of
+                   * it from what rays meet, ... */
+    double crevice;           /* as much as the place is in one, 0 to 1 */
+    struct lattice_view view; /* of what its rays meet */
     const struct emitters *emitters;
     const struct ambience *ambience;
     struct bounce_tone tone; /* of what `indirect` says */
@@ -71,6 +74,10 @@ enum gather_slot {
  * the lamps count. */
 void gather_surface(const struct gather *gather, const struct ray *ray,
                     const struct intersection *at, struct surface *surface);
+
+/* How much what is so far off counts as what `here` does not know: 1 nearby, 0
+ * out of reach. */
+double gather_closeness(double distance, double reach);
 
 /* What comes along a ray. */
 struct gathered_ray {

@@ -231,7 +231,8 @@ rgb facets_albedo(const struct facets *facets, unsigned i)
         return surface_albedo(facets->surface[i]);
     vec3 pigment = lane_get(facets->pigment, i);
     return albedo_bounded(rgb_scale(rgb_make(pigment.x, pigment.y, pigment.z),
-                                    facets->diffuse[i] * facets->opacity[i]));
+                                    facets->diffuse[i] * facets->opacity[i]),
+                          RETURNED_MOST);
 }
 
 rgb facets_ambient(const struct facets *facets, unsigned i)
