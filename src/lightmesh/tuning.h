@@ -10,9 +10,11 @@
 
 /* Who is asked. */
 enum {
-    FEW_LAMPS = 24, /* lamps that shadow rays ask one by one, at most; of more
-                     * the light is summed at mesh points [lights-10,
-                     * lights-100, hall] */
+    FEW_LAMPS = 24,   /* lamps that shadow rays ask one by one, at most; of more
+                       * the light is summed at mesh points [lights-10,
+                       * lights-100, hall] */
+    SPOTS_MOST = 256, /* spotlights count by what they light, of so many lamps
+                       */
     SHARP_LAMPS = 1000, /* the same where `shadows sharp` is said [hall] */
     GATHER_LAMPS = 24,  /* of which a gather ray asks one itself [room] */
     GATHER_EACH = 3,    /* of so few each */
