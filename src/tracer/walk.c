@@ -238,7 +238,7 @@ static bool walk_scatters(const struct walk *walk)
 static const struct guide *walk_guide(const struct walk *walk)
 {
     const struct light_set *set = walk->tracer->lighting_state;
-    return set->guide;
+    return walk->tracer->guided ? set->guide : NULL;
 }
 
 /* What a ray should bring, once the path knows how bright its pixel is. */
