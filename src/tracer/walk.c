@@ -49,7 +49,7 @@ static const double path_least = 1.0 / 4;
  * pixels, or of one that is darker: there of a mean of the two, of logarithms 3
  * to 1. Rays that bring less than worth_least of that are left to roulette, but
  * for copies_least of them. Measured: tests/path/guide. */
-static const double worth_share = 0.3, worth_least = 0.5, copies_least = 0.05;
+static const double worth_share = 0.2, worth_least = 0.5, copies_least = 0.05;
 
 /* Layers darker than this are left out. */
 static const double layer_least = 1e-7;
