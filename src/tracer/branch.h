@@ -55,7 +55,11 @@ void path_start(struct path *path, const struct picture_place *place);
 /* What it meets next: false if nothing. */
 bool path_meet(struct path *path, struct intersection *at);
 
-/* To the surface that it meets, or into the sky: false if the ray ends there.
+/* Through all that the air is full of, so far (INFINITY: to the end). */
+void path_air(struct path *path, double distance);
+
+/* The same, and to the surface that it meets, or into the sky: false if the ray
+ * ends there.
  */
 bool path_arrive(struct path *path, struct crossing *crossing, bool met);
 
@@ -78,7 +82,8 @@ rgb path_light(const struct path *path, struct crossing *crossing);
  * that branch off are the wavefront's. */
 bool path_leave(struct path *path, const struct crossing *crossing, rgb light);
 
-/* The same from an opaque plain leaf (world/solid.h), where it ends. */
+/* The same from an opaque plain leaf (world/solid.h) of one layer, where it
+ * ends. */
 void path_leave_plain(struct path *path, const struct leaf *leaf,
                       const struct surface_paint *paint, rgb light);
 

@@ -35,19 +35,16 @@ double crossing_plain_ior(const struct leaf *leaf,
     return crossing_mirror_ior(&crossing, inside);
 }
 
-void crossing_fill_plain(struct crossing *crossing, const struct tracer *tracer,
-                         vec3 direction, const struct interiors *inside,
-                         const struct surface_paint *paint)
+void crossing_fill_facet(struct crossing *crossing, const struct facets *facets,
+                         unsigned i)
 {
+    const struct interiors *inside = facets->inside[i];
+    crossing->at.leaf = facets->leaf[i];
+    crossing->at.t = facets->faces->hit[i].t;
+    crossing->at.point = lane_get(facets->point, i);
     crossing_pass(crossing, inside);
-    crossing->at.point = paint->point;
-    struct surface_view view = {
-        .direction = direction,
-        .inside = inside,
-        .ior = crossing_mirror_ior(crossing, inside),
-        .quality = tracer->quality,
-    };
-    surface_fill_plain(&crossing->surface, crossing->at.leaf, &view, paint);
+    facets_fill(facets, i, crossing_mirror_ior(crossing, inside),
+                &crossing->surface);
 }
 
 void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
@@ -176,12 +173,17 @@ void tracer_inside(const struct tracer *tracer, vec3 point,
     world_containing(tracer->world, point, interiors_enter, inside);
 }
 
+static bool tracer_is_painted(const struct tracer *tracer)
+{
+    return !tracer->scene->settings.subsurface.on && !tracer->photons &&
+           tracer->quality >= QUALITY_TRANSPARENCY;
+}
+
 static bool tracer_is_airless(const struct tracer *tracer)
 {
     const struct scene *scene = tracer->scene;
     return scene->fogs.count == 0 && scene->rainbows.count == 0 &&
-           !scene->misty && !scene->settings.subsurface.on &&
-           !tracer->photons && tracer->quality >= QUALITY_TRANSPARENCY;
+           !scene->misty;
 }
 
 void tracer_ready(struct tracer *tracer)
@@ -199,6 +201,7 @@ void tracer_ready(struct tracer *tracer)
         tracer->ready = camera->kind->lines != CAMERA_SCATTERED &&
                         !world_may_contain(tracer->world, origins);
     tracer->airless = tracer->ready && tracer_is_airless(tracer);
+    tracer->painted = tracer_is_painted(tracer);
 }
 
 void tracer_enter(const struct tracer *tracer, struct worker *worker,

@@ -16,8 +16,8 @@ struct sights {
     unsigned count;
     const struct picture_place *places; /* of the camera's; else NULL */
     struct radiance *out;               /* likewise */
-    struct path *path[WORLD_RAYS];      /* NULL: a camera's that is plain, and
-                                         * hasn't gone on */
+    struct path *path[WORLD_RAYS];      /* NULL: a camera's that is plain, came
+                                         * through nothing and hasn't gone on */
     struct world_faces faces;
     struct facets facets;
     unsigned plain; /* meet a leaf that is: painted and lit without more */
@@ -55,7 +55,7 @@ static const struct surface *sights_surface(void *context, unsigned i)
     crossing_fill(crossing, tracer, rays_direction(sights->rays, (int)i),
                   sight_inside(sights, i), tracer->scene->settings.adc_bailout,
                   false);
-    crossing->surface.place = path ? NULL : &sights->places[i];
+    crossing->surface.place = path ? path->place : &sights->places[i];
     crossing->surface.weight = sight_worth(sights, i);
     return &crossing->surface;
 }
@@ -71,6 +71,26 @@ static void sights_paint(struct sights *sights)
     }
 }
 
+/* A ray of the camera sets out on what is not plain. */
+static struct path *sights_start(struct sights *sights, unsigned i)
+{
+    struct path *path = wavefront_root(sights->wavefront, &sights->out[i]);
+    path->ray = rays_at(sights->rays, (int)i);
+    path_start(path, &sights->places[i]);
+    return path;
+}
+
+/* To plain leaves. */
+static void sights_air(struct sights *sights)
+{
+    for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
+        unsigned i = (unsigned)__builtin_ctz(plain);
+        if (!sights->path[i])
+            sights->path[i] = sights_start(sights, i);
+        path_air(sights->path[i], sights->faces.hit[i].t);
+    }
+}
+
 /* What is met, and which leaves are plain. Returns which meet any. */
 static unsigned sights_meet(struct sights *sights, unsigned seen)
 {
@@ -83,27 +103,19 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
         sights->plain |= (unsigned)(leaf && leaf->plain) << i;
     }
     meet &= seen;
-    if (!tracer->airless)
-        sights->plain = 0;
-    sights->plain &= seen;
+    sights->plain &= tracer->painted ? seen : 0;
     if (!meet)
         return 0;
     world_face_many(sights->rays, sights->hits, meet, &sights->faces);
     facets_start(&sights->facets, sights->rays, &sights->faces);
     sights->facets.places = sights->places;
+    sights->facets.bailout = tracer->scene->settings.adc_bailout;
     sights->facets.tell = sights_surface;
     sights->facets.context = sights;
+    if (!tracer->airless)
+        sights_air(sights);
     sights_paint(sights);
     return meet;
-}
-
-/* A ray of the camera sets out on what is not plain. */
-static struct path *sights_start(struct sights *sights, unsigned i)
-{
-    struct path *path = wavefront_root(sights->wavefront, &sights->out[i]);
-    path->ray = rays_at(sights->rays, (int)i);
-    path_start(path, &sights->places[i]);
-    return path;
 }
 
 /* To the surfaces of leaves that are not plain; some end there. */
@@ -127,38 +139,20 @@ static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet)
     }
 }
 
-/* Through a plain leaf. */
-static void sight_pass(struct sights *sights, unsigned i,
-                       const struct surface_paint *paint, rgb light)
-{
-    struct path *path = sights->path[i];
-    struct crossing crossing; /* one after the other in the same place */
-    crossing.at.leaf = sights->facets.leaf[i];
-    crossing.at.t = sights->faces.hit[i].t;
-    crossing_fill_plain(&crossing, path->tracer, path->ray.direction,
-                        &path->inside, paint);
-    wavefront_leave(path, &crossing, light);
-}
-
 /* From a plain leaf that is not the last. */
 static void sight_go_on(struct sights *sights, unsigned i, rgb light)
 {
     const struct facets *facets = &sights->facets;
     struct path *path = sights->path[i];
-    vec3 view = lane_get(facets->view, i);
-    vec3 normal = lane_get(sights->faces.normal, i);
-    const struct surface_paint paint = {
-        .point = lane_get(facets->point, i),
-        .normal = vec3_dot(normal, view) < 0 ? vec3_negate(normal) : normal,
-        .bumped = lane_get(facets->normal, i),
-        .pigment = facets_paint_of(facets, i),
-    };
     path->place = NULL;
-    if (facets->leaf[i]->opaque) {
+    if (facets->leaf[i]->opaque && !(facets->layered >> i & 1)) {
+        struct surface_paint paint = facets_paint_of(facets, i);
         path_leave_plain(path, facets->leaf[i], &paint, light);
         wavefront_end(path);
     } else {
-        sight_pass(sights, i, &paint, light);
+        struct crossing crossing; /* one after the other in the same place */
+        crossing_fill_facet(&crossing, facets, i);
+        wavefront_leave(path, &crossing, light);
     }
 }
 
