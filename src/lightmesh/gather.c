@@ -6,6 +6,7 @@
 #include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/indirect.h"
+#include "lightmesh/near_field.h"
 #include "lightmesh/tuning.h"
 #include "shade/background.h"
 #include "shade/finish.h"
@@ -78,14 +79,6 @@ static rgb gathering_direct(const struct gathering *gathering,
                             GATHER_LAMP, receiver->point, receiver->normal);
 }
 
-rgb bounce_toned(const struct bounce_tone *tone, rgb light)
-{
-    rgb grey = rgb_grey(rgb_brightness(light));
-    if (tone->grey != 0)
-        light = rgb_mix(light, grey, tone->grey);
-    return rgb_scale(light, tone->brightness);
-}
-
 /* What is picked of what glows, as irradiance. */
 static rgb gathering_picked(const struct gathering *gathering,
                             const struct surface *surface,
@@ -153,13 +146,6 @@ bool gather_closes(const struct gather *gather, struct worker *worker,
     return true;
 }
 
-/* How near that is: what comes into reach does so by and by. */
-double gather_closeness(double distance, double reach)
-{
-    double far = (distance / reach - near_field_whole) / (1 - near_field_whole);
-    return fmin(fmax(1 - far, 0), 1);
-}
-
 /* What the points around say of a surface close to the place that asks. In a
  * crevice, which is dark inside, what hides it from the place hides it from
  * that surface as well: one ray more tells. */
@@ -194,8 +180,8 @@ static struct indirect_share gathering_here(const struct gathering *gathering,
                       surface_offset(surface->point), gather->reach,
                       RAY_REFLECTION, &found.at))
         return share;
-    double close =
-        gather->crevice / chance * gather_closeness(found.at.t, gather->reach);
+    double close = gather->crevice / chance *
+                   near_field_closeness(found.at.t, gather->reach);
     found.light = gathering_follow(&further, &found.at, &found.glow);
     if (rgb_peak(found.glow) > 0)
         return share;
@@ -312,25 +298,6 @@ static rgb gathering_mirrors(const struct gathering *gathering,
         light = rgb_add(light, gathering_follow(&branch, NULL, NULL));
     }
     return light;
-}
-
-static double surface_ior(const struct intersection *at)
-{
-    const struct interior *interior = at->leaf->interior;
-    return interior ? interior->ior : 1;
-}
-
-void gather_surface(const struct gather *gather, const struct ray *ray,
-                    const struct intersection *at, struct surface *surface)
-{
-    struct surface_view view = {
-        .direction = ray->direction,
-        .ior = surface_ior(at),
-        .quality = gather->lamps->quality,
-        .bailout = gather_least,
-        .smooth = true,
-    };
-    surface_fill(surface, at, &view);
 }
 
 /* One surface on the way; returns false if it ends here. Its own light into

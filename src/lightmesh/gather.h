@@ -12,7 +12,6 @@
 #include "shade/emitters.h"
 
 struct indirect_mesh;
-struct surface;
 
 /* The irradiance of light from everywhere that ends a row of bounces, and
  * stands in where a place sees no mesh point; false where it isn't known.
@@ -44,10 +43,6 @@ struct gather {
                                    * does */
 };
 
-/* Light of surfaces as POV-Ray's radiosity has it (measured): brighter, or with
- * less colour. */
-rgb bounce_toned(const struct bounce_tone *tone, rgb light);
-
 /* What `close` says of a receiver; false where nothing is known. */
 bool gather_closes(const struct gather *gather, struct worker *worker,
                    const struct receiver *receiver,
@@ -69,15 +64,6 @@ enum gather_slot {
     GATHER_CHANCE = GATHER_MEETING + 128, /* whether a ray goes on */
     GATHER_ONWARD,                        /* what is drawn for that one */
 };
-
-/* The surface that a gather ray met; `at` must stay as long. Of `gather` only
- * the lamps count. */
-void gather_surface(const struct gather *gather, const struct ray *ray,
-                    const struct intersection *at, struct surface *surface);
-
-/* How much what is so far off counts as what `here` does not know: 1 nearby, 0
- * out of reach. */
-double gather_closeness(double distance, double reach);
 
 /* What comes along a ray. */
 struct gathered_ray {

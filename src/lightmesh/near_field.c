@@ -75,6 +75,13 @@ static void nearby_trace(const struct nearby *nearby, int first,
                        sent->count, RAY_REFLECTION, sent->hits);
 }
 
+/* How near that is: what comes into reach does so by and by. */
+double near_field_closeness(double distance, double reach)
+{
+    double far = (distance / reach - near_field_whole) / (1 - near_field_whole);
+    return fmin(fmax(1 - far, 0), 1);
+}
+
 /* One of them. Returns how much of it counts as met, which is nothing of what
  * glows. */
 static double nearby_meet(struct nearby *nearby, const struct ray *ray,
@@ -90,7 +97,7 @@ static double nearby_meet(struct nearby *nearby, const struct ray *ray,
     gather_met(&nearby->gather, nearby->worker, ray, draws, &found);
     if (rgb_peak(found.glow) > 0)
         return 0;
-    double close = gather_closeness(found.at.t, nearby->reach);
+    double close = near_field_closeness(found.at.t, nearby->reach);
     rgb light = rgb_scale(found.light, close);
     double open = close * found.open;
     indirect_light_add(&nearby->met, ray->direction, light, open,

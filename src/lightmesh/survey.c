@@ -3,6 +3,7 @@
 
 #include "base/warp.h"
 #include "lightmesh/drawn_lamp.h"
+#include "lightmesh/gather_paint.h"
 #include "lightmesh/tuning.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
