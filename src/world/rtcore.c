@@ -2,9 +2,9 @@
 #include "world/rtcore.h"
 
 #include <dlfcn.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
+#include <threads.h>
 
 #define TEXT_OF(number) #number
 #define LIBRARY(number) "libembree" TEXT_OF(number) ".so." TEXT_OF(number)
@@ -39,7 +39,7 @@ static void load(void)
 
 const char *embree_load(void)
 {
-    static pthread_once_t once = PTHREAD_ONCE_INIT;
-    pthread_once(&once, load);
+    static once_flag once = ONCE_FLAG_INIT;
+    call_once(&once, load);
     return *failure ? failure : NULL;
 }
