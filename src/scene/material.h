@@ -248,8 +248,9 @@ colour pigment_seen(const struct pigment *pigment, vec3 point,
 bool pigment_is_opaque(const struct pigment *pigment);
 
 /* Whether it is the same on any surface there, so that pigment_colour is
- * enough. */
+ * enough. *budget as of pattern_is_of_space. */
 bool pigment_is_of_space(const struct pigment *pigment);
+bool pigment_all_of_space(const struct pigment *pigment, int *budget);
 bool normal_is_of_space(const struct normal *perturbation);
 bool texture_is_opaque(const struct texture *texture);
 

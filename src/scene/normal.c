@@ -166,9 +166,8 @@ bool normal_tilts(const struct normal *perturbation)
 
 static bool normal_spatial(const struct normal *normal, int *budget)
 {
-    const struct pattern *pattern = &normal->pattern;
     const struct normal_map *map = normal->map;
-    if (--*budget < 0 || pattern->uv || (pattern->kind && pattern->kind->seen))
+    if (--*budget < 0 || !pattern_is_of_space(&normal->pattern, budget))
         return false;
     for (size_t i = 0; map && i < map->count; i++)
         if (map->entries[i].normal &&

@@ -234,6 +234,16 @@ static double pattern_raw(const struct pattern *pattern, vec3 located)
     return value;
 }
 
+bool pattern_is_of_space(const struct pattern *pattern, int *budget)
+{
+    const struct pattern_kind *kind = pattern->kind;
+    if (pattern->uv)
+        return false;
+    if (!kind || !kind->seen)
+        return true;
+    return kind->of_space && kind->of_space(pattern, budget);
+}
+
 double pattern_value_seen(const struct pattern *pattern, vec3 located,
                           const struct uv_source *surface)
 {

@@ -124,6 +124,9 @@ struct pattern_kind {
     /* The same of patterns of the surface, where there is one; or NULL. */
     double (*seen)(const struct pattern *pattern, vec3 point,
                    const struct uv_source *surface);
+    /* Whether the surface says nothing to patterns with these parameters, as
+     * far as *budget pigments tell; NULL: it does if there is `seen`. */
+    bool (*of_space)(const struct pattern *pattern, int *budget);
     /* As a normal: what to add to a unit normal for amount 1. NULL: the
      * gradient of the value is used. */
     vec3 (*perturbation)(const struct pattern *pattern, vec3 point,
@@ -166,6 +169,10 @@ double pattern_value_at(const struct pattern *pattern, vec3 located);
 /* The same for several, each of its own. */
 void pattern_values_at(const struct pattern *pattern,
                        const struct spots *located, double *values);
+
+/* Whether its value is that of the point alone, on any surface. *budget limits
+ * how many pigments in each other are looked at, and is less then. */
+bool pattern_is_of_space(const struct pattern *pattern, int *budget);
 
 /* The same on a surface; NULL: off any. */
 double pattern_value_seen(const struct pattern *pattern, vec3 located,

@@ -198,15 +198,14 @@ bool pigment_is_opaque(const struct pigment *pigment)
     return pigment_opaque(pigment, &budget);
 }
 
-static bool pigment_spatial(const struct pigment *pigment, int *budget)
+bool pigment_all_of_space(const struct pigment *pigment, int *budget)
 {
-    const struct pattern *pattern = &pigment->pattern;
     const struct blend_map *map = pigment->map;
-    if (--*budget < 0 || pattern->uv || (pattern->kind && pattern->kind->seen))
+    if (--*budget < 0 || !pattern_is_of_space(&pigment->pattern, budget))
         return false;
     for (size_t i = 0; map && i < map->count; i++)
         if (map->entries[i].pigment &&
-            !pigment_spatial(map->entries[i].pigment, budget))
+            !pigment_all_of_space(map->entries[i].pigment, budget))
             return false;
     return true;
 }
@@ -214,7 +213,7 @@ static bool pigment_spatial(const struct pigment *pigment, int *budget)
 bool pigment_is_of_space(const struct pigment *pigment)
 {
     int budget = 1000;
-    return pigment_spatial(pigment, &budget);
+    return pigment_all_of_space(pigment, &budget);
 }
 
 const struct pigment *pigment_moved(struct arena *arena,

@@ -523,6 +523,14 @@ static void rays_lit_together_are_as_alone(void **state)
         ".1> } normal { dents .4 scale .1 } } texture { pigment { checker rgb "
         "1 rgbt .6 scale .2 } } } face_indices { 2, <0, 1, 2>, 0, <1, 2, 3>, 1 "
         "} pigment { rgb .5 } }",
+        /* Pigments of pigments: of space alone, and of the surface. */
+        "sphere { <.2, .6, -.5>, .5 pigment { pigment_pattern { marble "
+        "turbulence .4 pigment_map { [0 bozo scale .1] [1 checker rgb 1 rgb "
+        ".2 scale .1] } } color_map { [0 rgb x] [1 rgbt <1, 1, 1, .4>] } "
+        "scale .6 } normal { pigment_pattern { granite } .4 } }"
+        "box { <-1.5, -1, -1>, <-.7, .6, 0> pigment { pigment_pattern { "
+        "slope { <1, 1, -1> } } color_map { [0 rgb x] [1 rgb z] } } rotate 20 "
+        "}",
     };
     (void)state;
     for (size_t i = 0; i < sizeof lamps / sizeof *lamps; i++)
