@@ -21,6 +21,8 @@ enum { WHY_SIZE = 600 };
 
 /* Seconds of drawing before there is a file. */
 static const double begin_after = 1;
+/* Seconds between two looks whether there is something for the disk. */
+static const double look_pause = 0.05;
 
 static int digits_of(int number)
 {
@@ -54,15 +56,27 @@ static bool part_is_possible(const struct options *options, const char *name)
     return stat(name, &status) != 0 || S_ISREG(status.st_mode);
 }
 
-/* Each second; what is not on the disk is lost when power fails. */
+/* What is not on the disk is lost when power fails. */
 static void part_sync(void *context)
 {
     struct part *part = context;
-    if (atomic_load(&part->keeper.state) != KEEPER_READY)
-        return;
     double start = clock_worked_here();
     part_file_sync(part->keeper.file);
     keeper_count(&part->keeper, start);
+}
+
+/* keeper.settle where the ticker does it: drawing doesn't wait for the disk. */
+static void part_note(void *context)
+{
+    struct part *part = context;
+    atomic_store(&part->unsettled, true);
+}
+
+static void part_tick(void *context)
+{
+    struct part *part = context;
+    if (atomic_exchange(&part->unsettled, false))
+        part_sync(part);
 }
 
 /* The picture is on the disk before the file goes that it was made of. */
@@ -138,18 +152,14 @@ bool part_start(struct part *part, const struct options *options,
     part->picture = name;
     /* Under make one thread more than there are tokens is one too many. */
     if (jobserver_state() == JOBSERVER_NONE)
-        part->ticker = ticker_start(begin_after, begin_after, part_sync, part);
-    else
-        part->keeper.settle = part_sync;
+        part->ticker = ticker_start(begin_after, look_pause, part_tick, part);
+    part->keeper.settle = part->ticker ? part_note : part_sync;
     part->keeper.create = part_create;
     part->keeper.context = part;
-    part->keeper.begin = clock_seconds() + begin_after;
     part->keeper.file = options->continue_trace ? part_take_up(part) : NULL;
-    part->keeper.state = part->keeper.file ? KEEPER_READY : KEEPER_WAITS;
-    if (!shared && !part_has_bands(options, name))
-        return true;
-    part->keeper.begin = 0;
-    if (keeper_ready(&part->keeper))
+    bool piece = shared || part_has_bands(options, name);
+    keeper_start(&part->keeper, clock_seconds() + (piece ? 0 : begin_after));
+    if (!piece || keeper_ready(&part->keeper))
         return true;
     char why[256];
     if (part_file_open(part->path, why, sizeof why) == NULL && !*why)

@@ -16,6 +16,7 @@ struct part {
     struct keeper keeper;  /* for render_options */
     const char *picture;   /* its name */
     struct ticker *ticker; /* puts it onto the disk, for when power fails */
+    atomic_bool unsettled; /* there is something for it */
 };
 
 /* The name of the part file for the picture `name`, in path[PATH_MAX]. */

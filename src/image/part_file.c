@@ -21,13 +21,16 @@
 #include "image/image.h"
 
 enum {
-    PART_VERSION = 2,
+    PART_VERSION = 3,
     ORDER = 0x01020304,
     MARK = 0x454c4954,
     TEXT_LIMIT = 8 << 20,
     SIDE_LIMIT = 4097, /* of a tile; rows of tallies are longer */
     WINDOW = 1 << 20,
     GATHERED = 512 << 10, /* bytes that are written at once */
+    OPAQUE = 1 << 16,     /* in a record's kind: the fourth float is always 1 */
+    RGB_BYTES = 3 * sizeof(float),
+    RGBA_BYTES = 4 * sizeof(float),
     LOCK_TRIES = 20,
     LOCK_PAUSE = 50, /* ms */
 };
@@ -78,9 +81,21 @@ struct part_file {
     atomic_int problem; /* errno of the first failure; 0: none */
 };
 
-size_t part_unit(enum part_kind kind)
+/* Bytes of a pixel, as they are given and taken. */
+static size_t part_unit(enum part_kind kind)
 {
-    return kind == PART_TALLIES ? PART_TALLY : 4 * sizeof(float);
+    return kind == PART_TALLIES ? PART_TALLY : RGBA_BYTES;
+}
+
+static enum part_kind record_kind(const struct part_record *record)
+{
+    return record->kind & ~(uint32_t)OPAQUE;
+}
+
+/* Bytes of a pixel in the file. */
+static size_t record_unit(const struct part_record *record)
+{
+    return record->kind & OPAQUE ? RGB_BYTES : part_unit(record->kind);
 }
 
 static uint32_t checksum(uint64_t hash, const void *bytes, size_t count)
@@ -229,7 +244,8 @@ struct part_file *part_file_create(const char *path, const char *text,
 static bool record_possible(const struct part_file *file,
                             const struct part_record *r, off_t at, off_t end)
 {
-    if (r->mark != MARK || r->kind >= PART_KINDS ||
+    if (r->mark != MARK || record_kind(r) >= PART_KINDS ||
+        r->kind == (PART_TALLIES | OPAQUE) ||
         r->checksum != record_checksum(r) || r->left < -1 || r->top < -1 ||
         r->right <= r->left || r->bottom <= r->top ||
         r->right > file->width + 1 || r->bottom > file->height + 1)
@@ -238,7 +254,7 @@ static bool record_possible(const struct part_file *file,
     long long high = (long long)r->bottom - r->top;
     if ((wide > SIDE_LIMIT || high > SIDE_LIMIT) && wide * high > WINDOW)
         return false;
-    long long bytes = wide * high * (long long)part_unit(r->kind);
+    long long bytes = wide * high * (long long)record_unit(r);
     return bytes <= end - at - (long long)sizeof *r;
 }
 
@@ -248,17 +264,50 @@ static struct area record_area(const struct part_record *record)
                           record->bottom };
 }
 
+static bool values_opaque(const float *values, size_t pixels)
+{
+    size_t others = 0;
+    for (size_t i = 0; i < pixels; i++)
+        others += values[4 * i + 3] != 1;
+    return others == 0;
+}
+
+/* The first three floats of each pixel; freed with memory_free. */
+static float *values_packed(const float *values, size_t pixels)
+{
+    float *packed = memory_resize(NULL, pixels * RGB_BYTES);
+    for (size_t i = 0; i < pixels; i++)
+        for (size_t k = 0; k < 3; k++)
+            packed[3 * i + k] = values[4 * i + k];
+    return packed;
+}
+
+/* The other way, in place: from the last on, nothing is overwritten too early.
+ */
+static void values_unpack(float *values, size_t pixels)
+{
+    for (size_t i = pixels; i-- > 0;) {
+        values[4 * i + 3] = 1;
+        for (size_t k = 3; k-- > 0;)
+            values[4 * i + k] = values[3 * i + k];
+    }
+}
+
 /* The values of a record, if they are whole; freed with memory_free. */
 static void *record_values(const struct part_file *file,
                            const struct part_record *record, off_t at)
 {
-    size_t count = area_pixels(record_area(record)) * part_unit(record->kind);
-    void *values = memory_new(count);
-    if (read_at(file->handle, values, count, at + (off_t)sizeof *record) &&
-        checksum(0, values, count) == record->values)
-        return values;
-    memory_free(values);
-    return NULL;
+    size_t pixels = area_pixels(record_area(record));
+    size_t count = pixels * record_unit(record);
+    void *values = memory_new(pixels * part_unit(record_kind(record)));
+    if (!read_at(file->handle, values, count, at + (off_t)sizeof *record) ||
+        checksum(0, values, count) != record->values) {
+        memory_free(values);
+        return NULL;
+    }
+    if (record->kind & OPAQUE)
+        values_unpack(values, pixels);
+    return values;
 }
 
 /* Where the next mark is, from `at` on; `end` if there is none. */
@@ -298,9 +347,8 @@ static void part_look(struct part_file *file, off_t at, off_t end)
         }
         memory_free(values);
         struct area area = record_area(&record);
-        tile_add(file, record.kind, area, at);
-        at +=
-            (off_t)(sizeof record + area_pixels(area) * part_unit(record.kind));
+        tile_add(file, record_kind(&record), area, at);
+        at += (off_t)(sizeof record + area_pixels(area) * record_unit(&record));
         good = at;
     }
     file->damaged |= good < end;
@@ -427,29 +475,45 @@ static char *room_for(struct part_file *file, size_t count)
     return to;
 }
 
+/* A tile's record and values, one after the other; returns what is full. */
+static struct part_room tile_put(struct part_file *file,
+                                 const struct part_record *record,
+                                 const void *values, size_t count)
+{
+    struct part_room full = { .bytes = NULL };
+    lock_take(file->lock);
+    if (file->room.used + sizeof *record + count > file->room.size)
+        full = room_taken(file);
+    tile_add(file, record_kind(record), record_area(record), file->end);
+    char *to = room_for(file, sizeof *record + count);
+    memcpy(to, record, sizeof *record);
+    memcpy(to + sizeof *record, values, count);
+    lock_give(file->lock);
+    return full;
+}
+
 void part_file_put(struct part_file *file, enum part_kind kind,
                    struct area area, const void *values)
 {
-    size_t count = area_pixels(area) * part_unit(kind);
+    size_t pixels = area_pixels(area);
     struct part_record record = { .mark = MARK,
                                   .kind = kind,
                                   .left = area.left,
                                   .top = area.top,
                                   .right = area.right,
-                                  .bottom = area.bottom,
-                                  .values = checksum(0, values, count) };
-    struct part_room full = { .bytes = NULL };
-    record.checksum = record_checksum(&record);
+                                  .bottom = area.bottom };
+    float *packed = NULL;
     if (atomic_load(&file->problem))
         return;
-    lock_take(file->lock);
-    if (file->room.used + sizeof record + count > file->room.size)
-        full = room_taken(file);
-    tile_add(file, kind, area, file->end);
-    char *to = room_for(file, sizeof record + count);
-    memcpy(to, &record, sizeof record);
-    memcpy(to + sizeof record, values, count);
-    lock_give(file->lock);
+    if (kind != PART_TALLIES && values_opaque(values, pixels)) {
+        record.kind |= OPAQUE;
+        values = packed = values_packed(values, pixels);
+    }
+    size_t count = pixels * record_unit(&record);
+    record.values = checksum(0, values, count);
+    record.checksum = record_checksum(&record);
+    struct part_room full = tile_put(file, &record, values, count);
+    memory_free(packed);
     if (full.bytes)
         room_write(file, full);
 }
@@ -499,6 +563,7 @@ void part_file_each(struct part_file *file, enum part_kind kind,
         void *values = NULL;
         if (read_at(file->handle, &record, sizeof record, tile->at) &&
             record.checksum == record_checksum(&record) &&
+            record_kind(&record) == kind &&
             area_pixels(record_area(&record)) == area_pixels(tile->area))
             values = record_values(file, &record, tile->at);
         if (values)

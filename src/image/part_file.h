@@ -8,10 +8,10 @@
  *     n      the text: what the tiles are of (cli/origin.h)
  *
  *   and for each tile:
- *     4, 4   mark, kind
+ *     4, 4   mark, kind and whether it is opaque
  *     4 x 4  left, top, right, bottom
  *     4, 4   checksum of the values, of these 28 bytes
- *     n      values, row by row
+ *     n      values, row by row; three floats a pixel where all are opaque
  *
  * Checksums are the low half of base/hash.h's; numbers are the machine's. A
  * file is used by one process at a time. */
@@ -28,8 +28,6 @@ enum part_kind {
 };
 
 enum { PART_TALLY = 56 };
-
-size_t part_unit(enum part_kind kind); /* bytes of a pixel */
 
 struct part_file;
 

@@ -6,10 +6,24 @@
 
 enum { TILE_OPEN, TILE_DONE, TILE_KEPT };
 
+static const double pause = 1; /* seconds */
+
+static long long microseconds(double seconds)
+{
+    return (long long)(1e6 * seconds);
+}
+
+void keeper_start(struct keeper *keeper, double begin)
+{
+    atomic_store(&keeper->next, microseconds(begin));
+    atomic_store(&keeper->state, keeper->file ? KEEPER_READY : KEEPER_WAITS);
+}
+
 bool keeper_ready(struct keeper *keeper)
 {
     int state = keeper ? atomic_load(&keeper->state) : KEEPER_OFF;
-    if (state != KEEPER_WAITS || clock_seconds() < keeper->begin)
+    if (state != KEEPER_WAITS ||
+        microseconds(clock_seconds()) < atomic_load(&keeper->next))
         return state == KEEPER_READY;
     if (!atomic_compare_exchange_strong(&keeper->state, &state, KEEPER_BEGINS))
         return state == KEEPER_READY;
@@ -20,18 +34,19 @@ bool keeper_ready(struct keeper *keeper)
     return state == KEEPER_READY;
 }
 
+bool keeper_due(struct keeper *keeper)
+{
+    double now = clock_seconds();
+    long long next = atomic_load(&keeper->next);
+    return microseconds(now) >= next && keeper_ready(keeper) &&
+           atomic_compare_exchange_strong(&keeper->next, &next,
+                                          microseconds(now + pause));
+}
+
 void keeper_count(struct keeper *keeper, double start)
 {
     double worked = clock_worked_here() - start;
     atomic_fetch_add(&keeper->nanoseconds, (unsigned long long)(1e9 * worked));
-}
-
-void keeper_settle(struct keeper *keeper)
-{
-    int now = (int)clock_seconds(), last = atomic_load(&keeper->second);
-    if (keeper->settle && now != last &&
-        atomic_compare_exchange_strong(&keeper->second, &last, now))
-        keeper->settle(keeper->context);
 }
 
 void keeper_pass_start(struct keeper_pass *pass, struct keeper *keeper,
@@ -40,13 +55,7 @@ void keeper_pass_start(struct keeper_pass *pass, struct keeper *keeper,
     pass->keeper = keeper;
     pass->count = count;
     pass->states = keeper ? memory_new(count) : NULL;
-    atomic_store(&pass->behind, true);
-}
-
-void keeper_pass_end(struct keeper_pass *pass)
-{
-    memory_free(pass->states);
-    pass->states = NULL;
+    atomic_store(&pass->next, count);
 }
 
 static void pass_keep(struct keeper_pass *pass, size_t tile, unsigned thread)
@@ -56,18 +65,37 @@ static void pass_keep(struct keeper_pass *pass, size_t tile, unsigned thread)
         pass->put(pass->context, tile, thread);
 }
 
+/* Whoever comes helps; the last to leave has it put onto the disk. */
+static void pass_keep_all(struct keeper_pass *pass, unsigned thread)
+{
+    size_t tile;
+    double start = clock_worked_here();
+    atomic_fetch_add(&pass->putting, 1);
+    while ((tile = atomic_fetch_add(&pass->next, 1)) < pass->count)
+        pass_keep(pass, tile, thread);
+    bool last = atomic_fetch_sub(&pass->putting, 1) == 1;
+    keeper_count(pass->keeper, start);
+    if (last)
+        pass->keeper->settle(pass->keeper->context);
+}
+
 void keeper_pass_done(struct keeper_pass *pass, size_t tile, unsigned thread)
 {
     if (!pass->keeper)
         return;
     atomic_store(&pass->states[tile], TILE_DONE);
-    if (!keeper_ready(pass->keeper))
-        return;
-    double start = clock_worked_here();
-    pass_keep(pass, tile, thread);
-    if (atomic_exchange(&pass->behind, false))
-        for (size_t i = 0; i < pass->count; i++)
-            pass_keep(pass, i, thread);
-    keeper_count(pass->keeper, start);
-    keeper_settle(pass->keeper);
+    if (keeper_due(pass->keeper))
+        atomic_store(&pass->next, 0);
+    if (atomic_load(&pass->next) < pass->count)
+        pass_keep_all(pass, thread);
+}
+
+void keeper_pass_end(struct keeper_pass *pass, bool keep)
+{
+    if (pass->keeper && keep && keeper_ready(pass->keeper)) {
+        atomic_store(&pass->next, 0);
+        pass_keep_all(pass, 0);
+    }
+    memory_free(pass->states);
+    pass->states = NULL;
 }

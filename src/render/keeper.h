@@ -11,39 +11,44 @@
  * done by then, and never have one. */
 struct keeper {
     struct part_file *file; /* NULL: not begun */
-    double begin;           /* clock_seconds(), when it is to be */
     /* Begins it, or returns NULL: then nothing is kept. */
     struct part_file *(*create)(void *context);
-    /* Each second called by a thread that has kept a tile, to put the file onto
-     * the disk; NULL: somebody else does. */
+    /* Called by a thread that has put tiles into the file, once a second: they
+     * are to go onto the disk. */
     void (*settle)(void *context);
     void *context;
     atomic_int state;  /* KEEPER_WAITS at first, KEEPER_READY with a file */
-    atomic_int second; /* of clock_seconds(), when it was settled last */
+    atomic_llong next; /* microseconds of clock_seconds(), when something is to
+                        * be kept next; the file is begun then */
     atomic_ullong nanoseconds; /* that threads worked for it, together */
 };
 
 enum { KEEPER_WAITS, KEEPER_BEGINS, KEEPER_READY, KEEPER_OFF };
 
+/* Nothing is kept before clock_seconds() is `begin`. */
+void keeper_start(struct keeper *keeper, double begin);
+
 /* Whether tiles can be kept now; begins the file when it is time to. Any
  * thread. */
 bool keeper_ready(struct keeper *keeper);
+
+/* Whether a second has passed since this was last true, and tiles can be kept.
+ * Any thread; true for one alone. */
+bool keeper_due(struct keeper *keeper);
 
 /* Counts what the calling thread has worked for it since clock_worked_here()
  * was `start`. */
 void keeper_count(struct keeper *keeper, double start);
 
-/* Calls `settle` if it is time to, by whoever has put something into the file;
- * keeper_pass_done does. */
-void keeper_settle(struct keeper *keeper);
-
-/* The tiles of a pass over a picture, numbered from 0: each is kept once, those
- * that were done before the file was begun as soon as it is. */
+/* The tiles of a pass over a picture, numbered from 0. Those that are done are
+ * kept once a second, all together: what a picture that is drawn quickly did in
+ * its last second need not be kept at all. */
 struct keeper_pass {
     struct keeper *keeper; /* NULL: nothing is kept */
     atomic_uchar *states;
     size_t count;
-    atomic_bool behind; /* some may be done and not kept */
+    atomic_size_t next;  /* tile to be looked at; `count` and more: none */
+    atomic_uint putting; /* threads that do */
     /* Puts the tile into the file. */
     void (*put)(void *context, size_t tile, unsigned thread);
     void *context;
@@ -51,9 +56,12 @@ struct keeper_pass {
 
 void keeper_pass_start(struct keeper_pass *pass, struct keeper *keeper,
                        size_t count);
-void keeper_pass_end(struct keeper_pass *pass);
 
-/* A tile is done: its values don't change any more. */
+/* A tile is done: its values don't change before the pass ends. */
 void keeper_pass_done(struct keeper_pass *pass, size_t tile, unsigned thread);
+
+/* `keep`: what is done and not kept is, by thread 0. All threads are through
+ * with it. */
+void keeper_pass_end(struct keeper_pass *pass, bool keep);
 
 #endif

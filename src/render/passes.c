@@ -149,7 +149,8 @@ static void passes_keep(struct passes *passes, size_t row)
     part_file_put(options->keeper->file, PART_TALLIES, area,
                   passes->tallies + row * passes->columns);
     keeper_count(options->keeper, start);
-    keeper_settle(options->keeper);
+    if (keeper_due(options->keeper))
+        options->keeper->settle(options->keeper->context);
 }
 
 /* A row that was kept may be a pass ahead. */
@@ -371,9 +372,7 @@ bool passes_run(const struct tracer *tracer,
     passes.kept = memory_new(passes.rows * sizeof *passes.kept);
     bool done = passes_all(&passes);
     double share = passes_show(&passes, image);
-    if (done &&
-        (options->share.count || options->image_top ||
-         image->height < options->height) &&
+    if (done && render_is_piece(options, image) &&
         keeper_ready(options->keeper))
         passes_put(&passes, image);
     memory_free(passes.kept);

@@ -181,6 +181,19 @@ static size_t tiles_in(const struct rendering *rendering, struct area area)
            tiles_over(area.top, area.bottom, rendering->sampler.tile);
 }
 
+bool render_is_piece(const struct render_options *options,
+                     const struct image *image)
+{
+    return options->share.count || options->image_top ||
+           image->height < options->height;
+}
+
+/* Whether the picture is there when it has ended. */
+static bool pass_is_last(const struct tile_work *work)
+{
+    return work == &drawing || work == &refining;
+}
+
 static bool render_pass(struct rendering *rendering, struct area area,
                         const struct tile_work *work)
 {
@@ -195,7 +208,9 @@ static bool render_pass(struct rendering *rendering, struct area area,
     bool done =
         parallel_run(threads, tiles, options->stop, render_tile, rendering) &&
         !(options->stop && atomic_load(options->stop));
-    keeper_pass_end(&rendering->keeping);
+    keeper_pass_end(&rendering->keeping,
+                    !done || !pass_is_last(work) ||
+                        render_is_piece(options, rendering->sampler.image));
     return done;
 }
 

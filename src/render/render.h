@@ -68,6 +68,11 @@ struct render_stats {
     double share; /* of the pixels, that have been drawn; 1 if not stopped */
 };
 
+/* Whether the picture is put together from the keeper's file: `image` is a band
+ * of it, or other processes have other parts. */
+bool render_is_piece(const struct render_options *options,
+                     const struct image *image);
+
 /* Renders into `image` (of width x height, black), in the working space.
  * The same bits for any number of threads, for any share and whatever was kept.
  * Returns false if stopped: the image then has the pixels that were ready.

@@ -139,16 +139,37 @@ bool sampler_needs_any(const struct sampler *sampler, struct area tile)
     return false;
 }
 
+/* Whether that is known of all places of a row, and there is one. */
+static bool row_is(const struct sampler *sampler, struct area area, int y,
+                   int known)
+{
+    const unsigned char *states = sampler_state(sampler, area.left, y);
+    int all = known;
+    for (int i = 0; i < area.right - area.left; i++)
+        all &= states[i];
+    return all && area.right > area.left;
+}
+
+static void take_row(const struct sampler *sampler, struct area tile, int y,
+                     float *values)
+{
+    for (int x = tile.left; x < tile.right; x++, values += 4)
+        if (*sampler_state(sampler, x, y) & SAMPLER_SEEN)
+            memcpy(values, sampler_place(sampler, x, y), 4 * sizeof *values);
+        else
+            values[3] = UNSEEN;
+}
+
 void sampler_take_first(const struct sampler *sampler, struct area tile,
                         float *values)
 {
-    for (int y = tile.top; y < tile.bottom; y++)
-        for (int x = tile.left; x < tile.right; x++, values += 4)
-            if (*sampler_state(sampler, x, y) & SAMPLER_SEEN)
-                memcpy(values, sampler_place(sampler, x, y),
-                       4 * sizeof *values);
-            else
-                values[3] = UNSEEN;
+    size_t wide = (size_t)(tile.right - tile.left) * 4;
+    for (int y = tile.top; y < tile.bottom; y++, values += wide)
+        if (tile.left >= 0 && y >= 0 && row_is(sampler, tile, y, SAMPLER_SEEN))
+            memcpy(values, sampler_place(sampler, tile.left, y),
+                   wide * sizeof *values);
+        else
+            take_row(sampler, tile, y, values);
 }
 
 struct area sampler_take_pixels(const struct sampler *sampler, struct area tile,
@@ -156,12 +177,13 @@ struct area sampler_take_pixels(const struct sampler *sampler, struct area tile,
 {
     int known = sampler->direct ? SAMPLER_SEEN : SAMPLER_DONE;
     struct area here = area_both(tile, sampler->wanted);
-    for (int y = here.top; y < here.bottom; y++)
-        for (int x = here.left; x < here.right; x++, values += 4) {
-            if (!(*sampler_state(sampler, x, y) & known))
-                return (struct area){ 0 };
-            memcpy(values, sampler_pixel(sampler, x, y), 4 * sizeof *values);
-        }
+    size_t wide = (size_t)(here.right - here.left) * 4;
+    for (int y = here.top; y < here.bottom; y++, values += wide) {
+        if (!row_is(sampler, here, y, known))
+            return (struct area){ 0 };
+        memcpy(values, sampler_pixel(sampler, here.left, y),
+               wide * sizeof *values);
+    }
     return here;
 }
 

@@ -97,10 +97,7 @@ bool texture_is_plain(const struct texture *texture)
     if (texture->choice || texture->count != 1)
         return false;
     const struct layer *layer = &texture->layers[0];
-    const struct finish *finish = layer->finish;
-    return finish->brilliance == 1 && !(finish->crand > 0) &&
-           !finish_tints(finish) &&
-           (!layer->normal || normal_is_of_space(layer->normal)) &&
+    return (!layer->normal || normal_is_of_space(layer->normal)) &&
            pigment_is_of_space(layer->pigment);
 }
 

@@ -253,9 +253,8 @@ bool pigment_is_of_space(const struct pigment *pigment);
 bool normal_is_of_space(const struct normal *perturbation);
 bool texture_is_opaque(const struct texture *texture);
 
-/* Whether it is one layer of paint whose light a loop can work out (brilliance
- * 1, no grain, no tint), and that needs to know no more of a surface than the
- * point and the normal. */
+/* Whether it is one layer of paint that needs to know no more of a surface than
+ * the point and the normal. */
 bool texture_is_plain(const struct texture *texture);
 
 /* Whether it has a pattern or an image: else it only holds what others begin

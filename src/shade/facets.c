@@ -41,7 +41,8 @@ void facets_start(struct facets *facets, const struct rays *rays,
                   const struct world_faces *faces)
 {
     facets->faces = faces;
-    facets->all = facets->layered = facets->matt = facets->shining = 0;
+    facets->all = facets->layered = 0;
+    facets->shining = facets->uneven = facets->tinted = 0;
     memcpy(facets->point, faces->point, sizeof facets->point);
     memset(facets->front, 0, sizeof facets->front);
     memset(facets->back, 0, sizeof facets->back);
@@ -65,6 +66,8 @@ static void set_finish(struct facets *facets, unsigned i,
     facets->diffuse[i] = finish->diffuse;
     facets->diffuse_back[i] = finish->diffuse_back;
     facets->shining |= (unsigned)finish_shines(finish) << i;
+    facets->uneven |= (unsigned)finish_is_uneven(finish) << i;
+    facets->tinted |= (unsigned)finish_tints(finish) << i;
 }
 
 static void set_paint(struct facets *facets, unsigned i,
@@ -84,8 +87,6 @@ void facets_set(struct facets *facets, unsigned i,
     const struct finish *finish = layer->finish;
     bool layered = surface->count != 1;
     vec3 normal = layered ? surface->normal : layer->normal;
-    bool matt = !layered && finish->brilliance == 1 && !(finish->crand > 0) &&
-                !finish_tints(finish);
     facets->all |= 1u << i;
     facets->surface[i] = surface;
     facets->leaf[i] = surface->at->leaf;
@@ -95,8 +96,7 @@ void facets_set(struct facets *facets, unsigned i,
     set_faces(facets, i, finish, layered);
     lane_put(facets->normal, i, normal);
     lane_put(facets->light, i, vec3_of(light));
-    facets->matt |= (unsigned)matt << i;
-    if (matt)
+    if (!layered)
         set_paint(facets, i, layer);
 }
 
@@ -172,6 +172,8 @@ static void paint_as(struct facets *facets, unsigned i, unsigned other)
     facets->diffuse[i] = facets->diffuse[other];
     facets->diffuse_back[i] = facets->diffuse_back[other];
     facets->shining |= (facets->shining >> other & 1) << i;
+    facets->uneven |= (facets->uneven >> other & 1) << i;
+    facets->tinted |= (facets->tinted >> other & 1) << i;
 }
 
 /* Those of one leaf. */
@@ -194,7 +196,6 @@ void facets_paint(struct facets *facets, const struct world_hit *hits,
                   unsigned lanes)
 {
     facets->all |= lanes;
-    facets->matt |= lanes;
     while (lanes) {
         const struct leaf *leaf = hits[__builtin_ctz(lanes)].leaf;
         unsigned same = 0;
@@ -313,6 +314,46 @@ CLONES static void diffuse_shares(const struct facets *restrict facets,
     }
 }
 
+static struct finish_meeting meeting_at(const struct facets *facets,
+                                        const struct facets_lit *lit,
+                                        unsigned i)
+{
+    return (struct finish_meeting){ lane_get(facets->normal, i),
+                                    lane_get(facets->view, i),
+                                    lane_get(lit->direction, i) };
+}
+
+/* Those of the finishes that are no number times the cosine. */
+static void uneven_shares(const struct facets *facets,
+                          const struct facets_lit *lit, unsigned lanes,
+                          struct shares *shares)
+{
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct finish_meeting meeting = meeting_at(facets, lit, i);
+        double diffuse = finish_diffused(
+            facets->finish[i], &meeting, lane_get(facets->point, i),
+            facets->twice[i] != 0, facets->opacity[i]);
+        lane_put(shares->of, i,
+                 vec3_scale(lane_get(facets->pigment, i), diffuse));
+    }
+}
+
+static void tint_shares(const struct facets *facets,
+                        const struct facets_lit *lit, unsigned lanes,
+                        struct shares *shares)
+{
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct finish_meeting meeting = meeting_at(facets, lit, i);
+        rgb tint = finish_tint(facets->finish[i], lane_get(facets->point, i),
+                               shares->cosine[i],
+                               fabs(vec3_dot(meeting.view, meeting.normal)));
+        lane_put(shares->of, i,
+                 vec3_mul(lane_get(shares->of, i), vec3_of(tint)));
+    }
+}
+
 /* Of one finish. */
 static void highlight_same(const struct facets *facets,
                            const struct finish *finish,
@@ -397,16 +438,18 @@ static void add_each(struct facets *facets, const struct facets_lit *lit,
 void facets_add(struct facets *facets, const struct facets_lit *lit,
                 unsigned lanes)
 {
-    unsigned matt = lanes & facets->matt;
+    unsigned single = lanes & ~facets->layered;
     struct shares shares;
     LANE_LINES lane_flag is_lit[RAY_LANES];
-    add_each(facets, lit, lanes & ~matt);
-    if (!matt)
+    add_each(facets, lit, lanes & facets->layered);
+    if (!single)
         return;
     for (unsigned i = 0; i < RAY_LANES; i++)
-        is_lit[i] = -(lane_flag)(matt >> i & 1);
+        is_lit[i] = -(lane_flag)(single >> i & 1);
     diffuse_shares(facets, lit->direction, &shares);
+    uneven_shares(facets, lit, single & facets->uneven, &shares);
     if (lit->highlights)
-        highlight_shares(facets, lit, matt & facets->shining, &shares);
+        highlight_shares(facets, lit, single & facets->shining, &shares);
+    tint_shares(facets, lit, single & facets->tinted, &shares);
     add_shares(facets, &shares, lit, is_lit);
 }

@@ -12,8 +12,9 @@ typedef const struct surface *facet_surface(void *context, unsigned i);
 struct facets {
     unsigned all;     /* that are set */
     unsigned layered; /* of other than one layer: they face any lamp */
-    unsigned matt;    /* with diffuse light that a loop can work out, */
-    unsigned shining; /* and of these with highlights */
+    unsigned shining; /* of one, with highlights, */
+    unsigned uneven;  /* finish_is_uneven, */
+    unsigned tinted;  /* or finish_tints */
     facet_surface *tell;
     void *context;
     const struct world_faces *faces;    /* that they are */
@@ -23,7 +24,7 @@ struct facets {
     const struct leaf *leaf[RAY_LANES];
     const struct interiors *inside[RAY_LANES]; /* of the viewer's ray */
     double worth[RAY_LANES];                   /* as a surface's weight */
-    const struct finish *finish[RAY_LANES];    /* of those that are matt */
+    const struct finish *finish[RAY_LANES];    /* of those of one layer */
     LANE_LINES double point[3][RAY_LANES];
     double view[3][RAY_LANES]; /* unit, to the viewer */
     /* Of the layer; whether light from its front and its back does anything to

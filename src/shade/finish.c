@@ -38,6 +38,17 @@ static double finish_grain(const struct finish *finish, vec3 point, vec3 light)
     return finish->crand * random_unit(key);
 }
 
+double finish_diffused(const struct finish *finish,
+                       const struct finish_meeting *meeting, vec3 point,
+                       bool twice, double opacity)
+{
+    double cosine = vec3_dot(meeting->normal, meeting->light);
+    double diffuse = finish_diffuse(finish, cosine, twice) * opacity;
+    if (finish->crand > 0 && diffuse != 0)
+        diffuse -= finish_grain(finish, point, meeting->light);
+    return diffuse;
+}
+
 /* What one layer sends of it, before the layer's weight: diffuse, phong and
  * specular. */
 static inline rgb finish_light(const struct surface *surface,
@@ -47,15 +58,14 @@ static inline rgb finish_light(const struct surface *surface,
     const struct finish *finish = layer->finish;
     double cosine = vec3_dot(layer->normal, sample->direction);
     bool twice = surface->at->leaf->double_illuminate;
-    double diffuse = sample->diffused ? 0
-                                      : finish_diffuse(finish, cosine, twice) *
-                                            layer_opacity(layer);
-    if (finish->crand > 0 && diffuse != 0)
-        diffuse -= finish_grain(finish, surface->point, sample->direction);
+    const struct finish_meeting meeting = { layer->normal, surface->view,
+                                            sample->direction };
+    double diffuse = sample->diffused
+                         ? 0
+                         : finish_diffused(finish, &meeting, surface->point,
+                                           twice, layer_opacity(layer));
     rgb share = rgb_scale(colour_rgb(layer->pigment), diffuse);
     if ((cosine > 0 || twice) && sample->highlights && finish_shines(finish)) {
-        const struct finish_meeting meeting = { layer->normal, surface->view,
-                                                sample->direction };
         rgb highlights =
             finish_highlights_tinted(finish, finish_highlight(finish, &meeting),
                                      colour_rgb(layer->pigment), cosine);

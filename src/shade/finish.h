@@ -10,6 +10,18 @@
 void surface_add_light(const struct surface *surface,
                        const struct light_sample *sample, rgb *sum);
 
+/* What white paint that is so opaque sends of light, without highlights: by
+ * Lambert's law, brilliance and crand. `point`: where, in the world. */
+double finish_diffused(const struct finish *finish,
+                       const struct finish_meeting *meeting, vec3 point,
+                       bool twice, double opacity);
+
+/* Whether that is more than the cosine times a number. */
+static inline bool finish_is_uneven(const struct finish *finish)
+{
+    return finish->brilliance != 1 || finish->crand > 0;
+}
+
 /* The part of a layer that is no pane. In scenes before version 3.7 a filter
  * takes from the surface's own light only what its brightest colour lets
  * through (measured). */
@@ -85,6 +97,22 @@ struct finish_mirror {
  * away). `ior` is that of the medium behind the surface over that in front. */
 struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
                                    double cosine, double ior);
+
+/* The same of paint there, tints and all; `view` is unit, to the viewer. */
+static inline struct finish_mirror
+finish_mirror_seen(const struct finish *finish,
+                   const struct surface_paint *paint, vec3 view, double ior)
+{
+    if (!finish_mirrors(finish))
+        return (struct finish_mirror){ rgb_grey(0), 0 };
+    double cosine = vec3_dot(view, paint->bumped);
+    struct finish_mirror mirror =
+        finish_mirror(finish, colour_rgb(paint->pigment), cosine, ior);
+    if (finish_tints(finish))
+        mirror.colour = rgb_mul(
+            mirror.colour, finish_tint(finish, paint->point, cosine, cosine));
+    return mirror;
+}
 
 /* Reflectance of a dielectric for unpolarised light (Fresnel); 1 in total
  * internal reflection. */

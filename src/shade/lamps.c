@@ -20,7 +20,7 @@ struct lamps lamps_new(const struct world *world, const struct scene *scene,
     bool air = quality >= QUALITY_FOG;
     lamps.foggy = air && (scene->fogs.count > 0 || scene->media.count > 0);
     lamps.misty = air && scene->misty;
-    lamps.clear = quality >= QUALITY_SHADOWS && !lamps.foggy && !lamps.misty;
+    lamps.clear = quality >= QUALITY_SHADOWS && !lamps.misty;
     lamps.plain = lamps.clear && world_is_opaque(world);
     lamps.items = memory_new(lamps.count * sizeof *lamps.items);
     for (size_t i = 0; i < lamps.count; i++)
@@ -70,11 +70,6 @@ static struct lamp_question lamp_question(const struct lamps *lamps,
     };
 }
 
-static bool lamp_fog(const struct lamps *lamps, const struct lamp *lamp)
-{
-    return lamps->foggy && lamp->light->media_attenuation;
-}
-
 static struct shadow_path lamp_path(const struct lamps *lamps,
                                     const struct lamp *lamp,
                                     const struct lamp_target *target)
@@ -85,7 +80,7 @@ static struct shadow_path lamp_path(const struct lamps *lamps,
         .distance = target->view.distance,
         .light = lamp->number,
         .inside = target->inside,
-        .fog = lamp_fog(lamps, lamp) ? lamps->scene : NULL,
+        .fog = lamps_dim(lamps, lamp) ? lamps->scene : NULL,
         .misty = lamps->misty,
         .photons =
             lamps->photons && !target->straight ? &lamp->light->photons : NULL,
@@ -170,7 +165,7 @@ static void lamp_shaft(struct lamp_question *q, const struct area_grid *grid,
     struct shaft_rays rays = lamp_rays(q, grid);
     world_shaft(q->lamps->world, &rays, shaft);
     q->shaft = shaft;
-    q->clear = !shaft->crowded && !lamp_fog(q->lamps, q->lamp) &&
+    q->clear = !shaft->crowded && !lamps_dim(q->lamps, q->lamp) &&
                !q->lamps->misty && !q->lamp->light->pane;
     q->plain = q->clear && shaft->plain;
 }

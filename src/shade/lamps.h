@@ -18,9 +18,11 @@ struct lamps {
     int quality;   /* +Q */
     bool photons;  /* they bring the light that is bent on its way */
     uint64_t seed; /* of the jitter of area lights */
-    bool foggy;    /* fogs or media between objects weaken light */
+    bool foggy;    /* fogs or media between objects weaken light, if the lamp
+                    * says so */
     bool misty;    /* media in objects do */
-    bool clear;    /* there are shadows, and nothing but surfaces casts them */
+    bool clear;    /* there are shadows, and but for fogs surfaces alone cast
+                    * them */
     bool plain;    /* and these are opaque */
 };
 
@@ -32,13 +34,20 @@ void lamps_free(struct lamps *lamps);
 /* Whether the quality asks for the lamp's true, soft shadow. */
 bool lamps_soft(const struct lamps *lamps, const struct lamp *lamp);
 
+/* Whether fogs and media between objects weaken its light. */
+static inline bool lamps_dim(const struct lamps *lamps, const struct lamp *lamp)
+{
+    return lamps->foggy && lamp->light->media_attenuation;
+}
+
 /* Whether one ray tells what of its light gets to a point, of which only
  * surfaces on the way take something; and whether all or nothing does. */
 static inline bool lamps_clear(const struct lamps *lamps,
                                const struct lamp *lamp)
 {
     const struct light *light = lamp->light;
-    return lamps->clear && !light->shadowless && !light->area && !light->pane;
+    return lamps->clear && !light->shadowless && !light->area && !light->pane &&
+           !lamps_dim(lamps, lamp);
 }
 
 static inline bool lamps_plain(const struct lamps *lamps,

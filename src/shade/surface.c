@@ -171,22 +171,6 @@ static inline rgb layer_through(const struct finish *finish, colour pigment,
     return through;
 }
 
-static inline struct finish_mirror layer_mirror(const struct surface *surface,
-                                                const struct surface_view *view,
-                                                const struct finish *finish,
-                                                vec3 normal, colour pigment)
-{
-    if (!finish_mirrors(finish))
-        return (struct finish_mirror){ rgb_grey(0), 0 };
-    double cosine = vec3_dot(surface->view, normal);
-    struct finish_mirror mirror =
-        finish_mirror(finish, colour_rgb(pigment), cosine, view->ior);
-    if (finish_tints(finish))
-        mirror.colour = rgb_mul(
-            mirror.colour, finish_tint(finish, surface->point, cosine, cosine));
-    return mirror;
-}
-
 /* Adds the layers of a texture that has no choice; returns what all of them
  * let pass of `weight`. */
 static rgb surface_add_layers(struct surface *surface,
@@ -204,8 +188,10 @@ static rgb surface_add_layers(struct surface *surface,
                           ? surface->normal
                           : layer_bump(source, place, surface->normal);
         colour pigment = layer_pigment(source, place, view->quality);
-        struct finish_mirror mirror =
-            layer_mirror(surface, view, source->finish, normal, pigment);
+        const struct surface_paint paint = { surface->point, surface->normal,
+                                             normal, pigment };
+        struct finish_mirror mirror = finish_mirror_seen(
+            source->finish, &paint, surface->view, view->ior);
         layer->finish = source->finish;
         layer->weight = weight;
         layer->normal = normal;
@@ -316,7 +302,7 @@ void surface_fill_plain(struct surface *surface, const struct leaf *leaf,
     surface->normal = paint->normal;
     surface->count = 1;
     struct finish_mirror mirror =
-        layer_mirror(surface, view, finish, paint->bumped, paint->pigment);
+        finish_mirror_seen(finish, paint, surface->view, view->ior);
     struct surface_layer *layer = &surface->layer[0];
     layer->finish = finish;
     layer->pigment = paint->pigment;

@@ -55,7 +55,11 @@ void path_start(struct path *path, const struct picture_place *place);
 /* What it meets next: false if nothing. */
 bool path_meet(struct path *path, struct intersection *at);
 
-/* To the surface that it meets, or into the sky: false if the ray ends there.
+/* Through all that the air is full of, so far (INFINITY: to the end). */
+void path_air(struct path *path, double distance);
+
+/* The same, and to the surface that it meets, or into the sky: false if the ray
+ * ends there.
  */
 bool path_arrive(struct path *path, struct crossing *crossing, bool met);
 

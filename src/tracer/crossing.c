@@ -176,12 +176,17 @@ void tracer_inside(const struct tracer *tracer, vec3 point,
     world_containing(tracer->world, point, interiors_enter, inside);
 }
 
+static bool tracer_is_painted(const struct tracer *tracer)
+{
+    return !tracer->scene->settings.subsurface.on && !tracer->photons &&
+           tracer->quality >= QUALITY_TRANSPARENCY;
+}
+
 static bool tracer_is_airless(const struct tracer *tracer)
 {
     const struct scene *scene = tracer->scene;
     return scene->fogs.count == 0 && scene->rainbows.count == 0 &&
-           !scene->misty && !scene->settings.subsurface.on &&
-           !tracer->photons && tracer->quality >= QUALITY_TRANSPARENCY;
+           !scene->misty;
 }
 
 void tracer_ready(struct tracer *tracer)
@@ -199,6 +204,7 @@ void tracer_ready(struct tracer *tracer)
         tracer->ready = camera->kind->lines != CAMERA_SCATTERED &&
                         !world_may_contain(tracer->world, origins);
     tracer->airless = tracer->ready && tracer_is_airless(tracer);
+    tracer->painted = tracer_is_painted(tracer);
 }
 
 void tracer_enter(const struct tracer *tracer, struct worker *worker,

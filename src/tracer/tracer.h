@@ -17,8 +17,9 @@ struct tracer {
     bool alpha; /* +UA: the background's transparency shows as opacity */
     /* By tracer_ready: what camera rays start in, if it is known for all. */
     bool ready;
-    bool airless; /* nothing is met on the way but surfaces, which look as their
-                   * paint says: leaves that are plain need no more */
+    bool airless; /* that, and nothing is met on the way but surfaces */
+    bool painted; /* surfaces look as their paint says: leaves that are plain
+                   * need no more */
     struct interiors start;
     double typical; /* by path_ready: mean light of a pixel; 0: not known */
 };

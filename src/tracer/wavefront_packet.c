@@ -16,8 +16,8 @@ struct sights {
     unsigned count;
     const struct picture_place *places; /* of the camera's; else NULL */
     struct radiance *out;               /* likewise */
-    struct path *path[WORLD_RAYS];      /* NULL: a camera's that is plain, and
-                                         * hasn't gone on */
+    struct path *path[WORLD_RAYS];      /* NULL: a camera's that is plain, came
+                                         * through nothing and hasn't gone on */
     struct world_faces faces;
     struct facets facets;
     unsigned plain; /* meet a leaf that is: painted and lit without more */
@@ -55,7 +55,7 @@ static const struct surface *sights_surface(void *context, unsigned i)
     crossing_fill(crossing, tracer, rays_direction(sights->rays, (int)i),
                   sight_inside(sights, i), tracer->scene->settings.adc_bailout,
                   false);
-    crossing->surface.place = path ? NULL : &sights->places[i];
+    crossing->surface.place = path ? path->place : &sights->places[i];
     crossing->surface.weight = sight_worth(sights, i);
     return &crossing->surface;
 }
@@ -71,6 +71,26 @@ static void sights_paint(struct sights *sights)
     }
 }
 
+/* A ray of the camera sets out on what is not plain. */
+static struct path *sights_start(struct sights *sights, unsigned i)
+{
+    struct path *path = wavefront_root(sights->wavefront, &sights->out[i]);
+    path->ray = rays_at(sights->rays, (int)i);
+    path_start(path, &sights->places[i]);
+    return path;
+}
+
+/* To plain leaves. */
+static void sights_air(struct sights *sights)
+{
+    for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
+        unsigned i = (unsigned)__builtin_ctz(plain);
+        if (!sights->path[i])
+            sights->path[i] = sights_start(sights, i);
+        path_air(sights->path[i], sights->faces.hit[i].t);
+    }
+}
+
 /* What is met, and which leaves are plain. Returns which meet any. */
 static unsigned sights_meet(struct sights *sights, unsigned seen)
 {
@@ -83,9 +103,7 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
         sights->plain |= (unsigned)(leaf && leaf->plain) << i;
     }
     meet &= seen;
-    if (!tracer->airless)
-        sights->plain = 0;
-    sights->plain &= seen;
+    sights->plain &= tracer->painted ? seen : 0;
     if (!meet)
         return 0;
     world_face_many(sights->rays, sights->hits, meet, &sights->faces);
@@ -93,17 +111,10 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
     sights->facets.places = sights->places;
     sights->facets.tell = sights_surface;
     sights->facets.context = sights;
+    if (!tracer->airless)
+        sights_air(sights);
     sights_paint(sights);
     return meet;
-}
-
-/* A ray of the camera sets out on what is not plain. */
-static struct path *sights_start(struct sights *sights, unsigned i)
-{
-    struct path *path = wavefront_root(sights->wavefront, &sights->out[i]);
-    path->ray = rays_at(sights->rays, (int)i);
-    path_start(path, &sights->places[i]);
-    return path;
 }
 
 /* To the surfaces of leaves that are not plain; some end there. */

@@ -434,6 +434,8 @@ static void rays_lit_together_are_as_alone(void **state)
         "light_group { light_source { <-6, 8, -9> rgb .7 } "
         "sphere { <1.3, 0, -2>, .3 } global_lights off }"
         "light_source { <2, 4, -6> rgb .5 }",
+        "light_source { <-6, 8, -9> rgb .7 media_attenuation on }"
+        "light_source { <7, 3, -9> rgb .4 media_interaction off }",
     };
     static const char *const things[] = {
         "",
@@ -486,6 +488,21 @@ static void rays_lit_together_are_as_alone(void **state)
         "reflection { .3 metallic } } }"
         "mesh { triangle { <1, -1, 0>, <2, -1, 0>, <1.5, 1, 0> } "
         "pigment { checker rgbf .8 rgb .4 scale .2 } }",
+        /* Finishes that are no number times the cosine, in air that is full of
+         * things. */
+        "sphere { <.2, .6, -.5>, .5 pigment { rgb <.9, .5, .2> } "
+        "finish { brilliance 2.5 diffuse albedo .7 phong .4 reflection .2 "
+        "irid { .4 thickness .3 turbulence .4 } } }"
+        "box { <-1.5, -1, -1>, <-.7, .6, 0> pigment { rgb .8 } "
+        "normal { dents .6 } finish { brilliance .5 crand .2 } }"
+        "mesh { triangle { <1, -1, 0>, <2, -1, 0>, <1.5, 1, 0> } "
+        "pigment { rgbt <1, .4, .6, .3> } finish { crand .3 specular .6 } "
+        "double_illuminate }"
+        "fog { distance 30 rgb <.3, .4, .5> fog_type 2 fog_offset -.5 "
+        "fog_alt .4 turbulence .5 turb_depth .3 }"
+        "rainbow { angle 40 width 15 distance 3 direction <1, -.5, -1> "
+        "color_map { [0 rgbt 1] [.5 rgbt <1, .2, .3, .6>] [1 rgbt 1] } }"
+        "media { scattering { 1, .02 } samples 5 }",
     };
     (void)state;
     for (size_t i = 0; i < sizeof lamps / sizeof *lamps; i++)

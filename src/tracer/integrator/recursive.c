@@ -63,7 +63,7 @@ static void path_media(struct path *path, double distance)
 }
 
 /* Fog is before the media (measured). */
-static void path_air(struct path *path, double distance)
+void path_air(struct path *path, double distance)
 {
     const struct tracer *tracer = path->tracer;
     if (tracer_foggy(tracer, &path->inside)) {
@@ -201,8 +201,7 @@ void path_leave_plain(struct path *path, const struct leaf *leaf,
                      ? crossing_plain_ior(leaf, &path->inside)
                      : 1;
     struct finish_mirror mirrored =
-        finish_mirror(finish, colour_rgb(paint->pigment),
-                      vec3_dot(vec3_negate(direction), paint->bumped), ior);
+        finish_mirror_seen(finish, paint, vec3_negate(direction), ior);
     double weight = path->weight * mirrored.weight;
     if (!path_is_worth(path, weight))
         return;
