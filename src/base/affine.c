@@ -150,6 +150,27 @@ bool affine_is_along_axes(affine a)
     return true;
 }
 
+struct box3 box3_complement(struct box3 box)
+{
+    double low[3] = { box.low.x, box.low.y, box.low.z };
+    double high[3] = { box.high.x, box.high.y, box.high.z };
+    int finite = 0, axis = 0;
+    bool upper = false;
+    for (int i = 0; i < 3; i++) {
+        if (isfinite(low[i]) || isfinite(high[i])) {
+            finite += isfinite(low[i]) + isfinite(high[i]);
+            axis = i;
+            upper = isfinite(high[i]);
+        }
+    }
+    struct box3 other = box3_infinite();
+    if (finite != 1)
+        return other;
+    double *side = upper ? &other.low.x : &other.high.x;
+    side[axis] = upper ? high[axis] : low[axis];
+    return other;
+}
+
 /* Arvo 1990: per output axis, each input interval adds its smaller and larger
  * product. Zero coefficients are skipped so that 0 * infinity can't arise. */
 struct box3 affine_box(const affine *a, struct box3 box)

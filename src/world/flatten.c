@@ -263,28 +263,6 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     return leaf;
 }
 
-/* The other side of a half space along an axis. */
-static struct box3 complement(struct box3 box)
-{
-    double low[3] = { box.low.x, box.low.y, box.low.z };
-    double high[3] = { box.high.x, box.high.y, box.high.z };
-    int finite = 0, axis = 0;
-    bool upper = false;
-    for (int i = 0; i < 3; i++) {
-        if (isfinite(low[i]) || isfinite(high[i])) {
-            finite += isfinite(low[i]) + isfinite(high[i]);
-            axis = i;
-            upper = isfinite(high[i]);
-        }
-    }
-    struct box3 other = box3_infinite();
-    if (finite != 1)
-        return other;
-    double *side = upper ? &other.low.x : &other.high.x;
-    side[axis] = upper ? high[axis] : low[axis];
-    return other;
-}
-
 static void measure_leaf(struct flat *flat, struct solid *solid,
                          const affine *to_tree)
 {
@@ -304,7 +282,7 @@ static void measure_leaf(struct flat *flat, struct solid *solid,
     struct box3 inside = beyond ? box3_infinite() : solid->surface;
     struct box3 region = leaf->inverse ? box3_infinite() : inside;
     if (leaf->inverse && shape && !beyond)
-        region = solid_padded(affine_box(to_tree, complement(box)));
+        region = solid_padded(affine_box(to_tree, box3_complement(box)));
     solid_set_boxes(flat->arena, solid, region,
                     leaf->inverse ? inside : box3_infinite());
 }
