@@ -17,7 +17,10 @@
 enum {
     LAMPS_MOST = 256, /* each may need ways of its own */
     HIDDEN_MOST = 8,  /* nodes in a row, after which none is looked for */
-    WALL_RAYS = 50000 /* between the skeleton's walls: a guide may be rough */
+    /* A guide may be rough: the skeleton's voxels along the longest side, if
+     * the scene names no number, and the rays between its walls. */
+    VOXELS = 64,
+    WALL_RAYS = 50000
 };
 
 /* How often a lobe is used where all light comes from one side, and its s. */
@@ -190,6 +193,7 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
     }
     struct guide *guide = memory_new(sizeof *guide);
     struct void_skeleton_wish wish = { .heuristic = "network",
+                                       .resolution = VOXELS,
                                        .ways = true,
                                        .rays = WALL_RAYS };
     if (!void_skeleton_make(&guide->made, world, scene, wish, options, diag)) {

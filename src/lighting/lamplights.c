@@ -35,7 +35,7 @@ void lamplights_start(struct lamplights *lights, struct facets *facets)
 }
 
 /* What lamp_look finds of a lamp that stands at a place, and its ways; `faces`:
- * it is before the surface and not at it. */
+ * it is before the surface, as far as one layer tells, and not at it. */
 CLONES static void look_many(const struct facets *restrict facets,
                              vec3 location, struct occlusions *ways,
                              double *restrict distances,
@@ -45,9 +45,10 @@ CLONES static void look_many(const struct facets *restrict facets,
         (const double(*)[RAY_LANES])ways->rays.origin;
     double(*restrict directions)[RAY_LANES] = ways->rays.direction;
     double *restrict far = ways->span.far;
+    const struct facet_layer *restrict layer = &facets->layer[0];
     for (unsigned i = 0; i < RAY_LANES; i++) {
         vec3 point = lane_get(points, i);
-        vec3 normal = lane_get(facets->normal, i);
+        vec3 normal = lane_get(layer->normal, i);
         double cosine = vec3_dot(normal, vec3_sub(location, point));
         vec3 offset = vec3_sub(point, location);
         double distance = vec3_length(offset);
@@ -57,8 +58,8 @@ CLONES static void look_many(const struct facets *restrict facets,
         lane_put(directions, i, direction);
         distances[i] = distance;
         far[i] = shadow_end(distance);
-        faces[i] = ((before & facets->front[i]) |
-                    (~before & behind & facets->back[i])) &
+        faces[i] = ((before & layer->front[i]) |
+                    (~before & behind & layer->back[i]) | facets->many[i]) &
                    (distance > 0 ? -1 : 0);
     }
 }
@@ -86,21 +87,14 @@ static struct lamplight lamplights_at(const struct lamplights *lights,
                                .knows = lights->knows };
 }
 
-/* Whether light from there does anything to a facet of one layer. */
-static bool facet_faces(const struct facets *facets, unsigned i, vec3 way)
-{
-    double cosine = vec3_dot(lane_get(facets->normal, i), way);
-    return cosine > 0 || facets->twice[i] ? facets->front[i]
-                                          : cosine < 0 && facets->back[i];
-}
-
 static bool lamplights_face(const struct lamplights *lights,
                             const struct lamp *lamp, unsigned i)
 {
-    if (lamp_is_parallel(lamp) && !(lights->facets->layered >> i & 1))
-        return facet_faces(lights->facets, i, vec3_negate(lamp->axis));
-    struct lamplight one = lamplights_at(lights, i);
-    return !lamplight_is_behind(&one, lamp);
+    vec3 way = lamp_is_parallel(lamp)
+                   ? vec3_negate(lamp->axis)
+                   : vec3_sub(lamp->light->location,
+                              lane_get(lights->facets->point, i));
+    return facets_face(lights->facets, i, way);
 }
 
 /* Of those that face the lamp or may do so those that do. */

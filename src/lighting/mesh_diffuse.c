@@ -79,7 +79,7 @@ struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
         .receiver = {
             .point = point,
             .side = facets_side(facets, i),
-            .normal = lane_get(facets->normal, i),
+            .normal = lane_get(facets->layer[0].normal, i),
             .from = vec3_along(point, lane_get(facets->view, i),
                                facets->faces->hit[i].t),
             .pixel = facets->places ? &facets->places[i] : NULL,
@@ -87,7 +87,7 @@ struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
         .weight = facets->worth[i],
         .albedo = facets_albedo(facets, i),
         .ambient = facets_ambient(facets, i),
-        .scatters = facets->diffuse[i] != 0,
+        .scatters = facets->layer[0].diffuse[i] != 0,
     };
     return mesh_answer(known, worker, &asker);
 }

@@ -94,11 +94,25 @@ bool texture_is_opaque(const struct texture *texture)
 
 bool texture_is_plain(const struct texture *texture)
 {
-    if (texture->choice || texture->count != 1)
+    if (texture->choice || texture->count == 0)
         return false;
-    const struct layer *layer = &texture->layers[0];
-    return (!layer->normal || normal_is_of_space(layer->normal)) &&
-           pigment_is_of_space(layer->pigment);
+    for (size_t i = 0; i < texture->count; i++) {
+        const struct layer *layer = &texture->layers[i];
+        const struct finish *finish = layer->finish;
+        if ((layer->normal && !normal_is_of_space(layer->normal)) ||
+            !pigment_is_of_space(layer->pigment) ||
+            (i > 0 && finish->conserve_energy && finish_mirrors(finish)))
+            return false;
+    }
+    return true;
+}
+
+bool texture_mirrors(const struct texture *texture)
+{
+    for (size_t i = 0; i < texture->count; i++)
+        if (finish_mirrors(texture->layers[i].finish))
+            return true;
+    return false;
 }
 
 static const struct texture *choice_moved(struct arena *arena,

@@ -253,9 +253,13 @@ bool pigment_is_of_space(const struct pigment *pigment);
 bool normal_is_of_space(const struct normal *perturbation);
 bool texture_is_opaque(const struct texture *texture);
 
-/* Whether it is one layer of paint that needs to know no more of a surface than
- * the point and the normal. */
+/* Whether it is paint that needs to know no more of a surface than the point
+ * and the normal: without choices, and no mirror takes from the layers below.
+ */
 bool texture_is_plain(const struct texture *texture);
+
+/* Whether any layer does, that of a choice included. */
+bool texture_mirrors(const struct texture *texture);
 
 /* Whether it has a pattern or an image: else it only holds what others begin
  * with, as `#default { normal { bump_size 2 } }` does. */

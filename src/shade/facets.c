@@ -17,7 +17,7 @@ static vec3 vec3_of(rgb c)
     return (vec3){ c.r, c.g, c.b };
 }
 
-/* The normals turned to the viewer, and nothing before the paint or lit. */
+/* The normals turned to the viewer, and nothing lit. */
 CLONES static void look_back(const struct rays *restrict rays,
                              const struct world_faces *restrict faces,
                              struct facets *restrict facets)
@@ -28,76 +28,82 @@ CLONES static void look_back(const struct rays *restrict rays,
         bool away = vec3_dot(normal, direction) > 0;
         lane_put(facets->normal, i, away ? vec3_negate(normal) : normal);
         lane_put(facets->view, i, vec3_negate(direction));
-        facets->opacity[i] = 1;
     }
     for (int k = 0; k < 3; k++)
-        for (int i = 0; i < RAY_LANES; i++) {
-            facets->weight[k][i] = 1;
+        for (int i = 0; i < RAY_LANES; i++)
             facets->light[k][i] = 0;
-        }
+}
+
+/* Number `k`, to be painted: the normals are without bumps so far. */
+static struct facet_layer *layer_at(struct facets *facets, unsigned k)
+{
+    for (; facets->depth <= k; facets->depth++) {
+        struct facet_layer *layer = &facets->layer[facets->depth];
+        layer->lanes = layer->shining = layer->uneven = layer->tinted = 0;
+        memcpy(layer->normal, facets->normal, sizeof layer->normal);
+        memset(layer->front, 0, sizeof layer->front);
+        memset(layer->back, 0, sizeof layer->back);
+    }
+    return &facets->layer[k];
 }
 
 void facets_start(struct facets *facets, const struct rays *rays,
                   const struct world_faces *faces)
 {
     facets->faces = faces;
-    facets->all = facets->layered = 0;
-    facets->shining = facets->uneven = facets->tinted = 0;
+    facets->all = facets->layered = facets->depth = 0;
     memcpy(facets->point, faces->point, sizeof facets->point);
-    memset(facets->front, 0, sizeof facets->front);
-    memset(facets->back, 0, sizeof facets->back);
     memset(facets->twice, 0, sizeof facets->twice);
+    memset(facets->many, 0, sizeof facets->many);
     look_back(rays, faces, facets);
+    layer_at(facets, 0);
 }
 
-static void set_faces(struct facets *facets, unsigned i,
-                      const struct finish *finish, bool layered)
+static void set_finish(struct facet_layer *layer, unsigned lanes,
+                       const struct finish *finish, bool twice)
 {
-    bool twice = layered || facets->leaf[i]->double_illuminate;
-    facets->twice[i] = flag(twice);
-    facets->front[i] = flag(layered || finish_lit_by(finish, 1, twice));
-    facets->back[i] = flag(layered || finish_lit_by(finish, -1, twice));
+    lane_flag front = flag(finish_lit_by(finish, 1, twice));
+    lane_flag back = flag(finish_lit_by(finish, -1, twice));
+    layer->lanes |= lanes;
+    layer->shining |= finish_shines(finish) ? lanes : 0;
+    layer->uneven |= finish_is_uneven(finish) ? lanes : 0;
+    layer->tinted |= finish_tints(finish) ? lanes : 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        layer->finish[i] = finish;
+        layer->front[i] = front;
+        layer->back[i] = back;
+        layer->diffuse[i] = finish->diffuse;
+        layer->diffuse_back[i] = finish->diffuse_back;
+    }
 }
 
-static void set_finish(struct facets *facets, unsigned i,
-                       const struct finish *finish)
+static void set_paint(struct facet_layer *layer, unsigned i,
+                      const struct surface_layer *from, bool twice)
 {
-    facets->finish[i] = finish;
-    facets->diffuse[i] = finish->diffuse;
-    facets->diffuse_back[i] = finish->diffuse_back;
-    facets->shining |= (unsigned)finish_shines(finish) << i;
-    facets->uneven |= (unsigned)finish_is_uneven(finish) << i;
-    facets->tinted |= (unsigned)finish_tints(finish) << i;
+    set_finish(layer, 1u << i, from->finish, twice);
+    layer->opacity[i] = layer_opacity(from);
+    lane_put(layer->normal, i, from->normal);
+    lane_put(layer->pigment, i, vec3_of(colour_rgb(from->pigment)));
+    lane_put(layer->weight, i, vec3_of(from->weight));
 }
 
-static void set_paint(struct facets *facets, unsigned i,
-                      const struct surface_layer *layer)
-{
-    set_finish(facets, i, layer->finish);
-    facets->opacity[i] = layer_opacity(layer);
-    lane_put(facets->pigment, i, vec3_of(colour_rgb(layer->pigment)));
-    lane_put(facets->weight, i, vec3_of(layer->weight));
-}
-
-/* One of several layers may face any lamp. */
 void facets_set(struct facets *facets, unsigned i,
                 const struct surface *surface, rgb light)
 {
-    const struct surface_layer *layer = &surface->layer[0];
-    const struct finish *finish = layer->finish;
+    bool twice = surface->at->leaf->double_illuminate;
     bool layered = surface->count != 1;
-    vec3 normal = layered ? surface->normal : layer->normal;
     facets->all |= 1u << i;
     facets->surface[i] = surface;
     facets->leaf[i] = surface->at->leaf;
     facets->inside[i] = surface->inside;
     facets->worth[i] = surface->weight;
     facets->layered |= (unsigned)layered << i;
-    set_faces(facets, i, finish, layered);
-    lane_put(facets->normal, i, normal);
+    facets->many[i] = flag(layered);
+    facets->twice[i] = flag(twice);
     lane_put(facets->light, i, vec3_of(light));
-    if (!layered)
-        set_paint(facets, i, layer);
+    for (int k = 0; k < surface->count; k++)
+        set_paint(layer_at(facets, (unsigned)k), i, &surface->layer[k], twice);
 }
 
 /* Some of those of a leaf, and where they are in its texture. */
@@ -106,90 +112,155 @@ struct painted {
     struct spots points;
 };
 
-static void paint_pigment(struct facets *facets, unsigned i, colour c)
+/* A layer of them, and what it is painted with. */
+struct coating {
+    struct facet_layer *to;
+    const struct layer *from;
+    const struct world_coat *coat;
+};
+
+static void paint_pigment(const struct coating *coating, unsigned i, colour c)
 {
-    lane_put(facets->pigment, i, vec3_of(colour_rgb(c)));
-    facets->clear[0][i] = c.filter;
-    facets->clear[1][i] = c.transmit;
-    facets->opacity[i] = finish_opacity(facets->finish[i], c);
+    struct facet_layer *to = coating->to;
+    lane_put(to->pigment, i, vec3_of(colour_rgb(c)));
+    to->clear[0][i] = c.filter;
+    to->clear[1][i] = c.transmit;
+    to->opacity[i] = finish_opacity(coating->from->finish, c);
 }
 
-static void paint_pigments(struct facets *facets, const struct painted *painted,
-                           const struct pigment *pigment)
+static void paint_pigments(const struct coating *coating,
+                           const struct painted *painted)
 {
     colour colours[SPOTS_MAX];
-    pigment_colours(pigment, &painted->points, colours);
+    pigment_colours(coating->from->pigment, &painted->points, colours);
     for (int i = 0; i < painted->points.count; i++)
-        paint_pigment(facets, painted->lane[i], colours[i]);
+        paint_pigment(coating, painted->lane[i], colours[i]);
 }
 
-static void paint_bumps(struct facets *facets, const struct painted *painted,
-                        const struct leaf *leaf, const struct layer *layer)
+static void paint_bumps(const struct coating *coating,
+                        const struct painted *painted)
 {
+    const struct world_coat *coat = coating->coat;
+    double(*normals)[RAY_LANES] = coating->to->normal;
     for (int k = 0; k < painted->points.count; k++) {
         unsigned i = painted->lane[k];
-        vec3 normal = layer_bumped(layer, leaf->to_texture, leaf->from_texture,
-                                   spots_at(&painted->points, k),
-                                   lane_get(facets->normal, i), NULL);
-        lane_put(facets->normal, i, normal);
+        vec3 bumped = layer_bumped(
+            coating->from, coat->to_texture, coat->from_texture,
+            spots_at(&painted->points, k), lane_get(normals, i), NULL);
+        lane_put(normals, i, bumped);
     }
 }
 
 /* The pigments, and the normals' bumps. */
-static void paint_points(struct facets *facets, unsigned lanes,
-                         const struct leaf *leaf)
+static void paint_points(const struct facets *facets,
+                         const struct coating *coating, unsigned lanes)
 {
-    const struct layer *layer = &leaf->texture->layers[0];
-    const struct pigment *pigment = layer->pigment;
-    bool bumpy = layer->normal && normal_tilts(layer->normal);
+    const struct pigment *pigment = coating->from->pigment;
+    const struct normal *normal = coating->from->normal;
+    bool bumpy = normal && normal_tilts(normal);
     bool even = pigment->kind == PIGMENT_COLOUR;
     for (unsigned each = lanes; even && each; each &= each - 1)
-        paint_pigment(facets, (unsigned)__builtin_ctz(each), pigment->colour);
+        paint_pigment(coating, (unsigned)__builtin_ctz(each), pigment->colour);
     while (lanes && (bumpy || !even)) {
         struct painted painted = { .points.count = 0 };
         for (; lanes && painted.points.count < SPOTS_MAX; lanes &= lanes - 1) {
             unsigned i = (unsigned)__builtin_ctz(lanes);
             painted.lane[painted.points.count] = i;
-            spots_add(
-                &painted.points,
-                affine_point(leaf->to_texture, lane_get(facets->point, i)));
+            spots_add(&painted.points,
+                      affine_point(coating->coat->to_texture,
+                                   lane_get(facets->point, i)));
         }
         if (!even)
-            paint_pigments(facets, &painted, pigment);
+            paint_pigments(coating, &painted);
         if (bumpy)
-            paint_bumps(facets, &painted, leaf, layer);
+            paint_bumps(coating, &painted);
     }
 }
 
-/* What is the same all over a leaf: copied from another of its facets. */
-static void paint_as(struct facets *facets, unsigned i, unsigned other)
+static colour pigment_at(const struct facet_layer *layer, unsigned i)
 {
-    facets->leaf[i] = facets->leaf[other];
-    facets->finish[i] = facets->finish[other];
-    facets->twice[i] = facets->twice[other];
-    facets->front[i] = facets->front[other];
-    facets->back[i] = facets->back[other];
-    facets->diffuse[i] = facets->diffuse[other];
-    facets->diffuse_back[i] = facets->diffuse_back[other];
-    facets->shining |= (facets->shining >> other & 1) << i;
-    facets->uneven |= (facets->uneven >> other & 1) << i;
-    facets->tinted |= (facets->tinted >> other & 1) << i;
+    return (colour){ layer->pigment[0][i], layer->pigment[1][i],
+                     layer->pigment[2][i], layer->clear[0][i],
+                     layer->clear[1][i] };
+}
+
+static rgb weight_at(const struct facet_layer *layer, unsigned i)
+{
+    return (rgb){ layer->weight[0][i], layer->weight[1][i],
+                  layer->weight[2][i] };
+}
+
+/* What the layer, whose mirror takes nothing of it, lets through to the next
+ * one. Returns where that can be seen. */
+static unsigned weigh_next(struct facets *facets, unsigned k, unsigned lanes)
+{
+    const struct facet_layer *layer = &facets->layer[k];
+    struct facet_layer *next = layer_at(facets, k + 1);
+    unsigned seen = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        rgb through = colour_transmittance(pigment_at(layer, i));
+        rgb weight = rgb_mul(weight_at(layer, i), through);
+        bool is_seen = !(fabs(rgb_brightness(weight)) < facets->bailout);
+        lane_put(next->weight, i, vec3_of(weight));
+        seen |= (unsigned)is_seen << i;
+    }
+    return seen;
+}
+
+/* Those of one leaf and one texture. */
+static void paint_coat(struct facets *facets, const struct world_coat *coat,
+                       bool twice, unsigned lanes)
+{
+    const struct texture *texture = coat->texture;
+    for (unsigned each = lanes; each; each &= each - 1)
+        lane_put(facets->layer[0].weight, (unsigned)__builtin_ctz(each),
+                 vec3_make(1, 1, 1));
+    for (size_t left = texture->count; left > 0 && lanes; left--) {
+        unsigned k = (unsigned)(texture->count - left);
+        const struct layer *from = &texture->layers[left - 1];
+        const struct coating coating = { layer_at(facets, k), from, coat };
+        set_finish(coating.to, lanes, from->finish, twice);
+        paint_points(facets, &coating, lanes);
+        facets->layered |= k > 0 ? lanes : 0;
+        lanes = left > 1 ? weigh_next(facets, k, lanes) : 0;
+    }
+}
+
+static struct world_coat coat_of(const struct facets *facets,
+                                 const struct leaf *leaf, unsigned i)
+{
+    if (leaf->coated)
+        return world_face_coat(leaf, facets->faces, i,
+                               vec3_negate(lane_get(facets->view, i)));
+    return (struct world_coat){ leaf->texture, leaf->to_texture,
+                                leaf->from_texture };
 }
 
 /* Those of one leaf. */
 static void paint_leaf(struct facets *facets, const struct leaf *leaf,
                        unsigned lanes)
 {
-    const struct finish *finish = leaf->texture->layers[0].finish;
-    unsigned first = (unsigned)__builtin_ctz(lanes);
-    facets->leaf[first] = leaf;
-    set_faces(facets, first, finish, false);
-    set_finish(facets, first, finish);
-    for (unsigned each = lanes & (lanes - 1); each; each &= each - 1)
-        paint_as(facets, (unsigned)__builtin_ctz(each), first);
-    for (unsigned each = lanes; each; each &= each - 1)
-        facets->surface[__builtin_ctz(each)] = NULL;
-    paint_points(facets, lanes, leaf);
+    for (unsigned each = lanes; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        facets->leaf[i] = leaf;
+        facets->surface[i] = NULL;
+        facets->twice[i] = flag(leaf->double_illuminate);
+    }
+    while (lanes) {
+        struct world_coat coat =
+            coat_of(facets, leaf, (unsigned)__builtin_ctz(lanes));
+        unsigned same = lanes;
+        for (unsigned each = leaf->coated ? lanes : 0; each; each &= each - 1) {
+            unsigned i = (unsigned)__builtin_ctz(each);
+            struct world_coat other = coat_of(facets, leaf, i);
+            if (other.texture != coat.texture ||
+                other.to_texture != coat.to_texture)
+                same &= ~(1u << i);
+        }
+        paint_coat(facets, &coat, leaf->double_illuminate, same);
+        lanes &= ~same;
+    }
 }
 
 void facets_paint(struct facets *facets, const struct world_hit *hits,
@@ -206,6 +277,8 @@ void facets_paint(struct facets *facets, const struct world_hit *hits,
         paint_leaf(facets, leaf, same);
         lanes &= ~same;
     }
+    for (unsigned each = facets->layered; each; each &= each - 1)
+        facets->many[__builtin_ctz(each)] = flag(true);
 }
 
 const struct surface *facets_surface(struct facets *facets, unsigned i)
@@ -225,231 +298,111 @@ vec3 facets_side(const struct facets *facets, unsigned i)
                                                          : side;
 }
 
-/* What is plain has one layer, which nothing hides. */
+/* How many layers of it can be seen. */
+static unsigned facet_depth(const struct facets *facets, unsigned i)
+{
+    unsigned k = 0;
+    while (k < facets->depth && facets->layer[k].lanes >> i & 1)
+        k++;
+    return k;
+}
+
+bool facets_face(const struct facets *facets, unsigned i, vec3 way)
+{
+    unsigned depth = facet_depth(facets, i);
+    for (unsigned k = 0; k < depth; k++) {
+        const struct facet_layer *layer = &facets->layer[k];
+        double cosine = vec3_dot(lane_get(layer->normal, i), way);
+        if (cosine > 0 || facets->twice[i] ? layer->front[i]
+                                           : cosine < 0 && layer->back[i])
+            return true;
+    }
+    return false;
+}
+
 rgb facets_albedo(const struct facets *facets, unsigned i)
 {
+    rgb sum = rgb_grey(0);
+    unsigned depth = facet_depth(facets, i);
     if (facets->surface[i])
         return surface_albedo(facets->surface[i]);
-    vec3 pigment = lane_get(facets->pigment, i);
-    return albedo_bounded(rgb_scale(rgb_make(pigment.x, pigment.y, pigment.z),
-                                    facets->diffuse[i] * facets->opacity[i]));
+    for (unsigned k = 0; k < depth; k++) {
+        const struct facet_layer *layer = &facets->layer[k];
+        rgb albedo = rgb_scale(colour_rgb(pigment_at(layer, i)),
+                               layer->diffuse[i] * layer->opacity[i]);
+        sum = rgb_add(sum, rgb_mul(weight_at(layer, i), albedo));
+    }
+    return albedo_bounded(sum);
 }
 
 rgb facets_ambient(const struct facets *facets, unsigned i)
 {
+    rgb sum = rgb_grey(0);
+    unsigned depth = facet_depth(facets, i);
     if (facets->surface[i])
         return surface_ambient(facets->surface[i]);
-    vec3 pigment = lane_get(facets->pigment, i);
-    rgb share = rgb_mul(facets->finish[i]->ambient,
-                        rgb_make(pigment.x, pigment.y, pigment.z));
-    return rgb_scale(share, facets->opacity[i]);
+    for (unsigned k = 0; k < depth; k++) {
+        const struct facet_layer *layer = &facets->layer[k];
+        rgb share = rgb_mul(layer->finish[i]->ambient,
+                            colour_rgb(pigment_at(layer, i)));
+        share = rgb_scale(share, layer->opacity[i]);
+        sum = rgb_add(sum, rgb_mul(weight_at(layer, i), share));
+    }
+    return sum;
 }
 
-colour facets_paint_of(const struct facets *facets, unsigned i)
+static struct surface_paint paint_at(const struct facets *facets,
+                                     const struct facet_layer *layer,
+                                     unsigned i)
 {
-    return (colour){ facets->pigment[0][i], facets->pigment[1][i],
-                     facets->pigment[2][i], facets->clear[0][i],
-                     facets->clear[1][i] };
+    return (struct surface_paint){
+        .finish = layer->finish[i],
+        .point = lane_get(facets->point, i),
+        .normal = lane_get(facets->normal, i),
+        .bumped = lane_get(layer->normal, i),
+        .pigment = pigment_at(layer, i),
+    };
+}
+
+struct surface_paint facets_paint_of(const struct facets *facets, unsigned i)
+{
+    return paint_at(facets, &facets->layer[0], i);
+}
+
+/* Returns what it lets through of what gets to it. */
+static rgb fill_layer(const struct facets *facets, unsigned i, double ior,
+                      const struct facet_layer *layer, struct surface_layer *to)
+{
+    struct surface_paint paint = paint_at(facets, layer, i);
+    struct finish_mirror mirror =
+        finish_mirror_seen(&paint, lane_get(facets->view, i), ior);
+    to->finish = paint.finish;
+    to->pigment = paint.pigment;
+    to->normal = paint.bumped;
+    to->weight = weight_at(layer, i);
+    to->reflection = mirror.colour;
+    to->reflection_weight = mirror.weight;
+    return finish_through(paint.finish, paint.pigment, mirror.colour);
+}
+
+void facets_fill(const struct facets *facets, unsigned i, double ior,
+                 struct surface *surface)
+{
+    unsigned depth = facet_depth(facets, i);
+    surface->point = lane_get(facets->point, i);
+    surface->view = lane_get(facets->view, i);
+    surface->normal = lane_get(facets->normal, i);
+    surface->count = (int)depth;
+    surface->through = rgb_grey(1);
+    for (unsigned k = 0; k < depth; k++) {
+        struct surface_layer *to = &surface->layer[k];
+        rgb through = fill_layer(facets, i, ior, &facets->layer[k], to);
+        surface->through = rgb_mul(to->weight, through);
+    }
 }
 
 rgb facets_light(const struct facets *facets, unsigned i)
 {
     return (rgb){ facets->light[0][i], facets->light[1][i],
                   facets->light[2][i] };
-}
-
-/* What white paint of these finishes makes of light without a direction. */
-struct glows {
-    LANE_LINES double given[3][RAY_LANES], own[3][RAY_LANES];
-};
-
-CLONES static void add_glows(struct facets *restrict facets,
-                             const struct glows *restrict glows)
-{
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < RAY_LANES; i++) {
-            double pigment = facets->pigment[k][i];
-            double given = glows->given[k][i] * pigment * facets->opacity[i];
-            double own = glows->own[k][i] * pigment * facets->opacity[i];
-            facets->light[k][i] += facets->weight[k][i] * (given + own);
-        }
-}
-
-void facets_glow(struct facets *facets, unsigned lanes,
-                 const struct diffuse_light diffuse[RAY_LANES])
-{
-    struct glows glows = { { { 0 } }, { { 0 } } };
-    for (; lanes; lanes &= lanes - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct finish *finish = facets->finish[i];
-        rgb own = finish->glow, given = finish_given(finish, diffuse[i].ambient,
-                                                     diffuse[i].irradiance);
-        lane_put(glows.given, i, vec3_of(given));
-        lane_put(glows.own, i, vec3_of(own));
-    }
-    add_glows(facets, &glows);
-}
-
-/* What the layers make of white light. */
-struct shares {
-    LANE_LINES double cosine[RAY_LANES], of[3][RAY_LANES];
-};
-
-CLONES static void diffuse_shares(const struct facets *restrict facets,
-                                  const double (*restrict direction)[RAY_LANES],
-                                  struct shares *restrict shares)
-{
-    for (int i = 0; i < RAY_LANES; i++) {
-        vec3 normal = lane_get(facets->normal, i);
-        vec3 light = lane_get(direction, i);
-        double cosine = vec3_dot(normal, light);
-        lane_flag before = (cosine > 0 ? -1 : 0) | facets->twice[i];
-        double front = facets->diffuse[i], back = facets->diffuse_back[i];
-        double diffuse = before ? front : back;
-        diffuse = diffuse * fabs(cosine) * facets->opacity[i];
-        shares->cosine[i] = cosine;
-        shares->of[0][i] = facets->pigment[0][i] * diffuse;
-        shares->of[1][i] = facets->pigment[1][i] * diffuse;
-        shares->of[2][i] = facets->pigment[2][i] * diffuse;
-    }
-}
-
-static struct finish_meeting meeting_at(const struct facets *facets,
-                                        const struct facets_lit *lit,
-                                        unsigned i)
-{
-    return (struct finish_meeting){ lane_get(facets->normal, i),
-                                    lane_get(facets->view, i),
-                                    lane_get(lit->direction, i) };
-}
-
-/* Those of the finishes that are no number times the cosine. */
-static void uneven_shares(const struct facets *facets,
-                          const struct facets_lit *lit, unsigned lanes,
-                          struct shares *shares)
-{
-    for (; lanes; lanes &= lanes - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct finish_meeting meeting = meeting_at(facets, lit, i);
-        double diffuse = finish_diffused(
-            facets->finish[i], &meeting, lane_get(facets->point, i),
-            facets->twice[i] != 0, facets->opacity[i]);
-        lane_put(shares->of, i,
-                 vec3_scale(lane_get(facets->pigment, i), diffuse));
-    }
-}
-
-static void tint_shares(const struct facets *facets,
-                        const struct facets_lit *lit, unsigned lanes,
-                        struct shares *shares)
-{
-    for (; lanes; lanes &= lanes - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct finish_meeting meeting = meeting_at(facets, lit, i);
-        rgb tint = finish_tint(facets->finish[i], lane_get(facets->point, i),
-                               shares->cosine[i],
-                               fabs(vec3_dot(meeting.view, meeting.normal)));
-        lane_put(shares->of, i,
-                 vec3_mul(lane_get(shares->of, i), vec3_of(tint)));
-    }
-}
-
-/* Of one finish. */
-static void highlight_same(const struct facets *facets,
-                           const struct finish *finish,
-                           const struct facets_lit *lit, unsigned lanes,
-                           struct shares *shares)
-{
-    LANE_LINES double highlights[RAY_LANES];
-    const struct finish_meetings meetings = {
-        (const double(*)[RAY_LANES])facets->normal,
-        (const double(*)[RAY_LANES])facets->view, lit->direction
-    };
-    finish_highlight_many(finish, &meetings, lanes, highlights);
-    for (; lanes; lanes &= lanes - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lanes);
-        vec3 pigment = lane_get(facets->pigment, i);
-        rgb share = finish_highlights_tinted(
-            finish, highlights[i], rgb_make(pigment.x, pigment.y, pigment.z),
-            shares->cosine[i]);
-        lane_put(shares->of, i,
-                 vec3_add(lane_get(shares->of, i), vec3_of(share)));
-    }
-}
-
-static void highlight_shares(const struct facets *facets,
-                             const struct facets_lit *lit, unsigned lanes,
-                             struct shares *shares)
-{
-    for (unsigned i = 0; i < RAY_LANES; i++)
-        if (!(shares->cosine[i] > 0 || facets->twice[i]))
-            lanes &= ~(1u << i);
-    while (lanes) {
-        const struct finish *finish = facets->finish[__builtin_ctz(lanes)];
-        unsigned same = 0;
-        for (unsigned each = lanes; each; each &= each - 1) {
-            unsigned i = (unsigned)__builtin_ctz(each);
-            same |= (unsigned)(facets->finish[i] == finish) << i;
-        }
-        highlight_same(facets, finish, lit, same, shares);
-        lanes &= ~same;
-    }
-}
-
-CLONES static void add_shares(struct facets *restrict facets,
-                              const struct shares *restrict shares,
-                              const struct facets_lit *restrict lit,
-                              const lane_flag *restrict is_lit)
-{
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < RAY_LANES; i++) {
-            double sent = shares->of[k][i] * lit->colour[k][i];
-            double light = facets->light[k][i];
-            double more = light + facets->weight[k][i] * sent;
-            facets->light[k][i] = is_lit[i] ? more : light;
-        }
-}
-
-void facets_add_one(struct facets *facets, unsigned i,
-                    const struct light_sample *sample)
-{
-    rgb light = facets_light(facets, i);
-    surface_add_light(facets_surface(facets, i), sample, &light);
-    lane_put(facets->light, i, vec3_of(light));
-}
-
-/* Those that no loop can do. */
-static void add_each(struct facets *facets, const struct facets_lit *lit,
-                     unsigned lanes)
-{
-    for (; lanes; lanes &= lanes - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct light_sample sample = {
-            .direction = { lit->direction[0][i], lit->direction[1][i],
-                           lit->direction[2][i] },
-            .colour = { lit->colour[0][i], lit->colour[1][i],
-                        lit->colour[2][i] },
-            .highlights = lit->highlights,
-        };
-        facets_add_one(facets, i, &sample);
-    }
-}
-
-void facets_add(struct facets *facets, const struct facets_lit *lit,
-                unsigned lanes)
-{
-    unsigned single = lanes & ~facets->layered;
-    struct shares shares;
-    LANE_LINES lane_flag is_lit[RAY_LANES];
-    add_each(facets, lit, lanes & facets->layered);
-    if (!single)
-        return;
-    for (unsigned i = 0; i < RAY_LANES; i++)
-        is_lit[i] = -(lane_flag)(single >> i & 1);
-    diffuse_shares(facets, lit->direction, &shares);
-    uneven_shares(facets, lit, single & facets->uneven, &shares);
-    if (lit->highlights)
-        highlight_shares(facets, lit, single & facets->shining, &shares);
-    tint_shares(facets, lit, single & facets->tinted, &shares);
-    add_shares(facets, &shares, lit, is_lit);
 }

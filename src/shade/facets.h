@@ -9,14 +9,27 @@
 /* Tells the surface of number i, for what isn't done side by side. */
 typedef const struct surface *facet_surface(void *context, unsigned i);
 
-struct facets {
-    unsigned all;     /* that are set */
-    unsigned layered; /* of other than one layer: they face any lamp */
-    unsigned shining; /* of one, with highlights, */
+/* A layer of their paint. */
+struct facet_layer {
+    unsigned lanes;   /* that have it; of them */
+    unsigned shining; /* those with highlights, */
     unsigned uneven;  /* finish_is_uneven, */
     unsigned tinted;  /* or finish_tints */
+    const struct finish *finish[RAY_LANES];
+    LANE_LINES double normal[3][RAY_LANES]; /* with its bumps */
+    /* Whether light from its front and its back does anything to it. */
+    lane_flag front[RAY_LANES], back[RAY_LANES];
+    double diffuse[RAY_LANES], diffuse_back[RAY_LANES], opacity[RAY_LANES];
+    double pigment[3][RAY_LANES], weight[3][RAY_LANES];
+    double clear[2][RAY_LANES]; /* of plain ones: filter and transmit */
+};
+
+struct facets {
+    unsigned all;     /* that are set */
+    unsigned layered; /* of other than one layer */
     facet_surface *tell;
     void *context;
+    double bailout;                     /* as of a surface_view */
     const struct world_faces *faces;    /* that they are */
     const struct picture_place *places; /* where the camera sees each; NULL:
                                          * none is seen at first sight */
@@ -24,17 +37,14 @@ struct facets {
     const struct leaf *leaf[RAY_LANES];
     const struct interiors *inside[RAY_LANES]; /* of the viewer's ray */
     double worth[RAY_LANES];                   /* as a surface's weight */
-    const struct finish *finish[RAY_LANES];    /* of those of one layer */
     LANE_LINES double point[3][RAY_LANES];
-    double view[3][RAY_LANES]; /* unit, to the viewer */
-    /* Of the layer; whether light from its front and its back does anything to
-     * it, and whether both sides are its front. */
-    double normal[3][RAY_LANES];
-    lane_flag front[RAY_LANES], back[RAY_LANES], twice[RAY_LANES];
-    double diffuse[RAY_LANES], diffuse_back[RAY_LANES], opacity[RAY_LANES];
-    double pigment[3][RAY_LANES], weight[3][RAY_LANES];
-    double clear[2][RAY_LANES]; /* of plain ones: filter and transmit */
-    double light[3][RAY_LANES]; /* the sum of what they send to the viewer */
+    double view[3][RAY_LANES];   /* unit, to the viewer */
+    double normal[3][RAY_LANES]; /* unit, turned to the viewer, without bumps */
+    lane_flag twice[RAY_LANES];  /* both of their sides are the front */
+    lane_flag many[RAY_LANES];   /* those that are layered */
+    double light[3][RAY_LANES];  /* the sum of what they send to the viewer */
+    unsigned depth;              /* how many layers are in use */
+    struct facet_layer layer[TEXTURE_LAYERS]; /* the top one first */
 };
 
 /* At the faces that the rays meet, which must stay, none of them set. */
@@ -52,14 +62,22 @@ void facets_paint(struct facets *facets, const struct world_hit *hits,
 
 const struct surface *facets_surface(struct facets *facets, unsigned i);
 
+/* Whether light from there does anything to it, as surface_faces. */
+bool facets_face(const struct facets *facets, unsigned i, vec3 way);
+
 /* As a surface has them: `side`, and what it makes of irradiance and of ambient
  * light 1 (surface_albedo, surface_ambient). */
 vec3 facets_side(const struct facets *facets, unsigned i);
 rgb facets_albedo(const struct facets *facets, unsigned i);
 rgb facets_ambient(const struct facets *facets, unsigned i);
 
-/* The pigment of a plain one. */
-colour facets_paint_of(const struct facets *facets, unsigned i);
+/* What is known of the top layer of a plain one. */
+struct surface_paint facets_paint_of(const struct facets *facets, unsigned i);
+
+/* Of the surface of a plain one what decides how a ray goes on; the rest isn't
+ * set. `ior` as of a surface_view. */
+void facets_fill(const struct facets *facets, unsigned i, double ior,
+                 struct surface *surface);
 
 rgb facets_light(const struct facets *facets, unsigned i);
 

@@ -100,9 +100,9 @@ struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
 
 /* The same of paint there, tints and all; `view` is unit, to the viewer. */
 static inline struct finish_mirror
-finish_mirror_seen(const struct finish *finish,
-                   const struct surface_paint *paint, vec3 view, double ior)
+finish_mirror_seen(const struct surface_paint *paint, vec3 view, double ior)
 {
+    const struct finish *finish = paint->finish;
     if (!finish_mirrors(finish))
         return (struct finish_mirror){ rgb_grey(0), 0 };
     double cosine = vec3_dot(view, paint->bumped);
@@ -112,6 +112,16 @@ finish_mirror_seen(const struct finish *finish,
         mirror.colour = rgb_mul(
             mirror.colour, finish_tint(finish, paint->point, cosine, cosine));
     return mirror;
+}
+
+/* What light passes a layer down to the next. */
+static inline rgb finish_through(const struct finish *finish, colour pigment,
+                                 rgb reflection)
+{
+    rgb through = colour_transmittance(pigment);
+    if (finish->conserve_energy)
+        through = rgb_mul(through, rgb_sub(rgb_grey(1), reflection));
+    return through;
 }
 
 /* Reflectance of a dielectric for unpolarised light (Fresnel); 1 in total

@@ -161,16 +161,6 @@ static vec3 layer_bump(const struct layer *layer, struct place *place,
     return bumped;
 }
 
-/* What light passes a layer down to the next. */
-static inline rgb layer_through(const struct finish *finish, colour pigment,
-                                rgb reflection)
-{
-    rgb through = colour_transmittance(pigment);
-    if (finish->conserve_energy)
-        through = rgb_mul(through, rgb_sub(rgb_grey(1), reflection));
-    return through;
-}
-
 /* Adds the layers of a texture that has no choice; returns what all of them
  * let pass of `weight`. */
 static rgb surface_add_layers(struct surface *surface,
@@ -188,10 +178,10 @@ static rgb surface_add_layers(struct surface *surface,
                           ? surface->normal
                           : layer_bump(source, place, surface->normal);
         colour pigment = layer_pigment(source, place, view->quality);
-        const struct surface_paint paint = { surface->point, surface->normal,
-                                             normal, pigment };
-        struct finish_mirror mirror = finish_mirror_seen(
-            source->finish, &paint, surface->view, view->ior);
+        const struct surface_paint paint = { source->finish, surface->point,
+                                             surface->normal, normal, pigment };
+        struct finish_mirror mirror =
+            finish_mirror_seen(&paint, surface->view, view->ior);
         layer->finish = source->finish;
         layer->weight = weight;
         layer->normal = normal;
@@ -200,8 +190,8 @@ static rgb surface_add_layers(struct surface *surface,
          * tracer/integrator/recursive.c. */
         layer->reflection = rgb_scale(mirror.colour, place->share);
         layer->reflection_weight = mirror.weight;
-        weight = rgb_mul(weight,
-                         layer_through(source->finish, pigment, mirror.colour));
+        weight = rgb_mul(
+            weight, finish_through(source->finish, pigment, mirror.colour));
         if (fabs(rgb_brightness(weight)) < view->bailout)
             break;
     }
@@ -290,27 +280,6 @@ static void surface_fill_quick(struct surface *surface,
         if (fabs(rgb_brightness(weight)) < view->bailout)
             break;
     }
-}
-
-void surface_fill_plain(struct surface *surface, const struct leaf *leaf,
-                        const struct surface_view *view,
-                        const struct surface_paint *paint)
-{
-    const struct finish *finish = leaf->texture->layers[0].finish;
-    surface->point = paint->point;
-    surface->view = vec3_negate(view->direction);
-    surface->normal = paint->normal;
-    surface->count = 1;
-    struct finish_mirror mirror =
-        finish_mirror_seen(finish, paint, surface->view, view->ior);
-    struct surface_layer *layer = &surface->layer[0];
-    layer->finish = finish;
-    layer->pigment = paint->pigment;
-    layer->normal = paint->bumped;
-    layer->weight = rgb_grey(1);
-    layer->reflection = mirror.colour;
-    layer->reflection_weight = mirror.weight;
-    surface->through = layer_through(finish, paint->pigment, mirror.colour);
 }
 
 void surface_fill(struct surface *surface, const struct intersection *at,

@@ -60,17 +60,13 @@ struct surface_view {
 void surface_fill(struct surface *surface, const struct intersection *at,
                   const struct surface_view *view);
 
-/* What is known of a point of a plain leaf (world/solid.h): unit normals,
- * turned to the viewer, without bumps and with them, and the pigment. */
+/* A layer of paint at a point: unit normals, turned to the viewer, without
+ * bumps and with them. */
 struct surface_paint {
+    const struct finish *finish;
     vec3 point, normal, bumped;
     colour pigment;
 };
-
-/* Of the surface there what decides how a ray goes on; the rest isn't set. */
-void surface_fill_plain(struct surface *surface, const struct leaf *leaf,
-                        const struct surface_view *view,
-                        const struct surface_paint *paint);
 
 /* What all layers let pass straight through: a shadow ray's view. */
 rgb surface_transmittance(const struct intersection *at);

@@ -82,7 +82,8 @@ rgb path_light(const struct path *path, struct crossing *crossing);
  * that branch off are the wavefront's. */
 bool path_leave(struct path *path, const struct crossing *crossing, rgb light);
 
-/* The same from an opaque plain leaf (world/solid.h), where it ends. */
+/* The same from an opaque plain leaf (world/solid.h) of one layer, where it
+ * ends. */
 void path_leave_plain(struct path *path, const struct leaf *leaf,
                       const struct surface_paint *paint, rgb light);
 

@@ -35,19 +35,16 @@ double crossing_plain_ior(const struct leaf *leaf,
     return crossing_mirror_ior(&crossing, inside);
 }
 
-void crossing_fill_plain(struct crossing *crossing, const struct tracer *tracer,
-                         vec3 direction, const struct interiors *inside,
-                         const struct surface_paint *paint)
+void crossing_fill_facet(struct crossing *crossing, const struct facets *facets,
+                         unsigned i)
 {
+    const struct interiors *inside = facets->inside[i];
+    crossing->at.leaf = facets->leaf[i];
+    crossing->at.t = facets->faces->hit[i].t;
+    crossing->at.point = lane_get(facets->point, i);
     crossing_pass(crossing, inside);
-    crossing->at.point = paint->point;
-    struct surface_view view = {
-        .direction = direction,
-        .inside = inside,
-        .ior = crossing_mirror_ior(crossing, inside),
-        .quality = tracer->quality,
-    };
-    surface_fill_plain(&crossing->surface, crossing->at.leaf, &view, paint);
+    facets_fill(facets, i, crossing_mirror_ior(crossing, inside),
+                &crossing->surface);
 }
 
 void crossing_fill(struct crossing *crossing, const struct tracer *tracer,

@@ -3,6 +3,7 @@
 #ifndef TRACER_CROSSING_H
 #define TRACER_CROSSING_H
 
+#include "shade/facets.h"
 #include "tracer/tracer.h"
 
 /* One surface, and the list of bodies after crossing it. */
@@ -25,11 +26,10 @@ void crossing_fill(struct crossing *crossing, const struct tracer *tracer,
 double crossing_plain_ior(const struct leaf *leaf,
                           const struct interiors *inside);
 
-/* Fills of the crossing of a plain leaf, `at.leaf`, what a ray that goes on
- * asks for, of POV-Ray's mirrors; `at.t` must be known, too. */
-void crossing_fill_plain(struct crossing *crossing, const struct tracer *tracer,
-                         vec3 direction, const struct interiors *inside,
-                         const struct surface_paint *paint);
+/* Of the crossing of a plain leaf what a ray that goes on asks for, of
+ * POV-Ray's mirrors. */
+void crossing_fill_facet(struct crossing *crossing, const struct facets *facets,
+                         unsigned i);
 
 /* The mirrored direction, unit, for the normal of a surface's layer and that of
  * the surface, which is turned to the viewer. It never goes into the

@@ -21,6 +21,7 @@ struct tracer {
     bool painted; /* surfaces look as their paint says: leaves that are plain
                    * need no more */
     struct interiors start;
+    bool guided;    /* by path_ready: pictures' paths ask the guide */
     double typical; /* by path_ready: mean light of a pixel; 0: not known */
 };
 

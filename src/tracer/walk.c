@@ -49,7 +49,7 @@ static const double path_least = 1.0 / 4;
  * pixels, or of one that is darker: there of a mean of the two, of logarithms 3
  * to 1. Rays that bring less than worth_least of that are left to roulette, but
  * for copies_least of them. Measured: tests/path/guide. */
-static const double worth_share = 0.3, worth_least = 0.5, copies_least = 0.05;
+static const double worth_share = 0.2, worth_least = 0.5, copies_least = 0.05;
 
 /* Layers darker than this are left out. */
 static const double layer_least = 1e-7;
@@ -238,7 +238,7 @@ static bool walk_scatters(const struct walk *walk)
 static const struct guide *walk_guide(const struct walk *walk)
 {
     const struct light_set *set = walk->tracer->lighting_state;
-    return set->guide;
+    return walk->tracer->guided ? set->guide : NULL;
 }
 
 /* What a ray should bring, once the path knows how bright its pixel is. */

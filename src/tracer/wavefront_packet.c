@@ -109,6 +109,7 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
     world_face_many(sights->rays, sights->hits, meet, &sights->faces);
     facets_start(&sights->facets, sights->rays, &sights->faces);
     sights->facets.places = sights->places;
+    sights->facets.bailout = tracer->scene->settings.adc_bailout;
     sights->facets.tell = sights_surface;
     sights->facets.context = sights;
     if (!tracer->airless)
@@ -138,38 +139,20 @@ static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet)
     }
 }
 
-/* Through a plain leaf. */
-static void sight_pass(struct sights *sights, unsigned i,
-                       const struct surface_paint *paint, rgb light)
-{
-    struct path *path = sights->path[i];
-    struct crossing crossing; /* one after the other in the same place */
-    crossing.at.leaf = sights->facets.leaf[i];
-    crossing.at.t = sights->faces.hit[i].t;
-    crossing_fill_plain(&crossing, path->tracer, path->ray.direction,
-                        &path->inside, paint);
-    wavefront_leave(path, &crossing, light);
-}
-
 /* From a plain leaf that is not the last. */
 static void sight_go_on(struct sights *sights, unsigned i, rgb light)
 {
     const struct facets *facets = &sights->facets;
     struct path *path = sights->path[i];
-    vec3 view = lane_get(facets->view, i);
-    vec3 normal = lane_get(sights->faces.normal, i);
-    const struct surface_paint paint = {
-        .point = lane_get(facets->point, i),
-        .normal = vec3_dot(normal, view) < 0 ? vec3_negate(normal) : normal,
-        .bumped = lane_get(facets->normal, i),
-        .pigment = facets_paint_of(facets, i),
-    };
     path->place = NULL;
-    if (facets->leaf[i]->opaque) {
+    if (facets->leaf[i]->opaque && !(facets->layered >> i & 1)) {
+        struct surface_paint paint = facets_paint_of(facets, i);
         path_leave_plain(path, facets->leaf[i], &paint, light);
         wavefront_end(path);
     } else {
-        sight_pass(sights, i, &paint, light);
+        struct crossing crossing; /* one after the other in the same place */
+        crossing_fill_facet(&crossing, facets, i);
+        wavefront_leave(path, &crossing, light);
     }
 }
 

@@ -69,44 +69,42 @@ static inline vec3 face_unit(const struct leaf *leaf, const struct hit *hit,
     return vec3_dot(face, normal) < 0 ? vec3_negate(face) : face;
 }
 
-static inline void describe_texture(const struct leaf *leaf,
-                                    const struct hit *hit,
-                                    struct intersection *out)
+static struct world_coat outer_coat(const struct leaf *leaf, int part)
 {
-    out->texture = leaf->texture;
-    out->to_texture = leaf->to_texture;
-    out->from_texture = leaf->from_texture;
+    const struct world_coat usual = { leaf->texture, leaf->to_texture,
+                                      leaf->from_texture };
     if (leaf->object->kind != OBJECT_MESH)
-        return;
+        return usual;
     const struct mesh *mesh = leaf->object->mesh;
-    uint32_t number = mesh->triangles[hit->part].texture;
+    uint32_t number = mesh->triangles[part].texture;
     if (number >= mesh->texture_count || !mesh->textures[number])
-        return;
-    out->texture = mesh->textures[number];
-    out->to_texture = leaf->to_object;
-    out->from_texture = leaf->to_world;
+        return usual;
+    return (struct world_coat){ mesh->textures[number], leaf->to_object,
+                                leaf->to_world };
 }
 
 /* The outside of a mesh's triangle is where its corners turn to the left, not
  * where its normals are (measured); see also mesh.h. */
-static bool describe_inside(const struct ray *ray, const struct leaf *leaf,
-                            const struct intersection *out)
+static bool comes_from_inside(const struct leaf *leaf, int part, vec3 face,
+                              vec3 direction)
 {
     const struct object *object = leaf->object;
     if (object->kind != OBJECT_MESH)
-        return vec3_dot(out->face, ray->direction) > 0;
-    vec3 face = mesh_face(object->mesh, (size_t)out->part);
+        return vec3_dot(face, direction) > 0;
+    face = mesh_face(object->mesh, (size_t)part);
     if (leaf->moved)
         face = affine_normal(leaf->to_object, face);
-    return (vec3_dot(face, ray->direction) < 0) != object->mesh->turned;
+    return (vec3_dot(face, direction) < 0) != object->mesh->turned;
 }
 
-static void describe_inner(const struct leaf_inner *inner,
-                           struct intersection *out)
+static inline struct world_coat coat_at(const struct leaf *leaf, int part,
+                                        vec3 face, vec3 direction)
 {
-    out->texture = inner->texture;
-    out->to_texture = &inner->to_texture;
-    out->from_texture = &inner->from_texture;
+    const struct leaf_inner *inner = leaf->inner;
+    if (inner && comes_from_inside(leaf, part, face, direction))
+        return (struct world_coat){ inner->texture, &inner->to_texture,
+                                    &inner->from_texture };
+    return outer_coat(leaf, part);
 }
 
 /* All but the point and the normal: what depends on them and on the part. */
@@ -114,11 +112,12 @@ static inline void describe_rest(const struct ray *ray, const struct leaf *leaf,
                                  const struct hit *hit,
                                  struct intersection *out)
 {
-    out->face = face_unit(leaf, hit, out->normal);
-    if (leaf->inner && describe_inside(ray, leaf, out))
-        describe_inner(leaf->inner, out);
-    else
-        describe_texture(leaf, hit, out);
+    vec3 face = face_unit(leaf, hit, out->normal);
+    struct world_coat coat = coat_at(leaf, hit->part, face, ray->direction);
+    out->face = face;
+    out->texture = coat.texture;
+    out->to_texture = coat.to_texture;
+    out->from_texture = coat.from_texture;
 }
 
 /* Of a unit normal, or of 0 where there is none. */
@@ -226,6 +225,14 @@ vec3 world_face_side(const struct leaf *leaf, const struct world_faces *faces,
                      unsigned i)
 {
     return face_unit(leaf, &faces->hit[i], lane_get(faces->normal, i));
+}
+
+struct world_coat world_face_coat(const struct leaf *leaf,
+                                  const struct world_faces *faces, unsigned i,
+                                  vec3 direction)
+{
+    return coat_at(leaf, faces->hit[i].part, world_face_side(leaf, faces, i),
+                   direction);
 }
 
 void world_describe_face(const struct ray *ray, const struct leaf *leaf,

@@ -6,26 +6,33 @@
 #include "scene/primitive.h"
 #include "world/mesh_tree.h"
 
-static bool mesh_is_opaque(const struct mesh *mesh)
+/* What all textures of a leaf are. */
+struct judgement {
+    bool opaque, plain, mirrors;
+};
+
+static void judge_texture(struct judgement *all, const struct texture *texture)
 {
-    for (size_t i = 0; i < mesh->texture_count; i++)
-        if (mesh->textures[i] && !texture_is_opaque(mesh->textures[i]))
-            return false;
-    return true;
+    all->opaque = all->opaque && texture_is_opaque(texture);
+    all->plain = all->plain && texture_is_plain(texture);
+    all->mirrors = all->mirrors || texture_mirrors(texture);
 }
 
 void leaf_judge_paint(struct leaf *leaf)
 {
     const struct object *object = leaf->object;
-    bool shape = object->kind == OBJECT_SHAPE;
-    leaf->opaque = texture_is_opaque(leaf->texture) &&
-                   (!leaf->inner || texture_is_opaque(leaf->inner->texture)) &&
-                   (shape || mesh_is_opaque(object->mesh));
-    leaf->plain = !leaf->inner && !leaf->uv_mapping &&
-                  (shape || object->mesh->texture_count == 0) &&
-                  texture_is_plain(leaf->texture);
-    leaf->last = leaf->plain && leaf->opaque &&
-                 !finish_mirrors(leaf->texture->layers[0].finish);
+    const struct mesh *mesh = object->kind == OBJECT_MESH ? object->mesh : NULL;
+    struct judgement all = { .opaque = true, .plain = !leaf->uv_mapping };
+    judge_texture(&all, leaf->texture);
+    if (leaf->inner)
+        judge_texture(&all, leaf->inner->texture);
+    for (size_t i = 0; mesh && i < mesh->texture_count; i++)
+        if (mesh->textures[i])
+            judge_texture(&all, mesh->textures[i]);
+    leaf->opaque = all.opaque;
+    leaf->plain = all.plain;
+    leaf->last = all.plain && all.opaque && !all.mirrors;
+    leaf->coated = leaf->inner || (mesh && mesh->texture_count > 0);
 }
 
 const double solid_limit = 1e9;

@@ -49,6 +49,7 @@ struct leaf {
     int looks_like;  /* number of the light it stands for, or -1 */
     unsigned number; /* 0..leaf_count-1 */
     bool opaque;     /* no texture of it lets light pass */
+    bool coated;     /* its texture is not the same all over it */
     bool plain;      /* its paint is plain (texture_is_plain) wherever it is */
     bool last;       /* it is plain, and no ray goes on from it: it is opaque
                       * and mirrors nothing */
@@ -62,7 +63,7 @@ struct leaf {
     bool inverse; /* turned inside out, all its ancestors considered */
 };
 
-/* Sets opaque, plain and last from its textures. */
+/* Sets opaque, coated, plain and last from its textures. */
 void leaf_judge_paint(struct leaf *leaf);
 
 /* A corner, 0 to 2, of a mesh's triangle in the world. */

@@ -95,6 +95,17 @@ void world_face_many(const struct rays *rays, const struct world_hit *hits,
 vec3 world_face_side(const struct leaf *leaf, const struct world_faces *faces,
                      unsigned i);
 
+/* What a leaf is painted with somewhere. */
+struct world_coat {
+    const struct texture *texture;
+    const affine *to_texture, *from_texture; /* world <-> the texture's space */
+};
+
+/* The same, where a ray of that direction meets it. */
+struct world_coat world_face_coat(const struct leaf *leaf,
+                                  const struct world_faces *faces, unsigned i,
+                                  vec3 direction);
+
 /* As world_describe, of number `i` of these. */
 void world_describe_face(const struct ray *ray, const struct leaf *leaf,
                          const struct world_faces *faces, unsigned i,

@@ -503,6 +503,26 @@ static void rays_lit_together_are_as_alone(void **state)
         "rainbow { angle 40 width 15 distance 3 direction <1, -.5, -1> "
         "color_map { [0 rgbt 1] [.5 rgbt <1, .2, .3, .6>] [1 rgbt 1] } }"
         "media { scattering { 1, .02 } samples 5 }",
+        /* Several layers, of which some end early, and leaves that have not
+         * the same paint all over. */
+        "sphere { <.2, .6, -.5>, .5 texture { pigment { rgb <.9, .5, .2> } "
+        "normal { granite .3 } finish { phong .4 reflection .2 } } "
+        "texture { pigment { bozo color_map { [.3 rgb <.2, .5, .3>] "
+        "[.6 rgbft <.3, .8, .9, .6, .3>] [.9 rgbt <1, 1, 1, .999>] } "
+        "scale .1 } normal { bumps .5 scale .1 } finish { brilliance 2 "
+        "specular .3 } } texture { pigment { rgbf <.9, .9, .5, .7> } "
+        "finish { crand .1 diffuse .3, .2 } } interior_texture { pigment { "
+        "rgb <.2, .3, .9> } } }"
+        "difference { box { <-1.5, -1, -1>, <-.7, .6, 0> } "
+        "sphere { <-1.5, .6, -1>, .6 } texture { pigment { rgbt .5 } "
+        "finish { reflection .1 conserve_energy } } texture { pigment { "
+        "checker rgbt .8 rgb .4 scale .2 } } interior_texture { pigment { "
+        "rgb <.9, .2, .1> } finish { reflection .3 } } rotate y * 20 }"
+        "mesh2 { vertex_vectors { 4, <1, -1, 0>, <2, -1, 0>, <1.5, 1, 0>, "
+        "<2.5, 1, -.5> } texture_list { 2, texture { pigment { rgb <.9, .9, "
+        ".1> } normal { dents .4 scale .1 } } texture { pigment { checker rgb "
+        "1 rgbt .6 scale .2 } } } face_indices { 2, <0, 1, 2>, 0, <1, 2, 3>, 1 "
+        "} pigment { rgb .5 } }",
     };
     (void)state;
     for (size_t i = 0; i < sizeof lamps / sizeof *lamps; i++)

@@ -11,6 +11,7 @@
 #include "skeleton/exchange.h"
 #include "skeleton/heuristic.h"
 #include "skeleton/shore.h"
+#include "skeleton/spread.h"
 #include "skeleton/stream.h"
 
 enum { LOOKS = 128 }; /* rays that tell where light comes from */
@@ -49,31 +50,21 @@ static struct side_light network_piece(const struct enclosure *enclosure,
     return light;
 }
 
-/* Pieces without any walls have the mean light of their chambers' walls. */
-static void network_fill(struct network *network)
+/* Pieces without any walls, in the middle of the void, have the light of those
+ * around them. */
+static void network_fill(struct network *network, const struct voxels *voxels)
 {
-    const struct pieces *pieces = network->pieces;
-    struct {
-        rgb light;
-        double area;
-    } *chambers = memory_new(pieces->chambers * sizeof *chambers);
-    for (size_t i = 0; i < SIDES * pieces->count; i++) {
-        const struct zone *zone = &network->enclosure->zones[i];
-        uint32_t chamber = pieces->chamber[i / SIDES];
-        chambers[chamber].light =
-            rgb_add_scaled(chambers[chamber].light, zone->light, zone->area);
-        chambers[chamber].area += zone->area;
-    }
-    for (size_t i = 0; i < pieces->count; i++) {
-        uint32_t chamber = pieces->chamber[i];
-        bool any = false;
+    size_t count = network->pieces->count;
+    struct piece_light *light = memory_new(count * sizeof *light);
+    for (size_t i = 0; i < count; i++) {
+        light[i].light = network->light[i].mean;
         for (int side = 0; side < SIDES; side++)
-            any |= network->light[i].known[side];
-        if (!any && chambers[chamber].area > 0)
-            network->light[i].mean =
-                rgb_scale(chambers[chamber].light, 1 / chambers[chamber].area);
+            light[i].known |= network->light[i].known[side];
     }
-    memory_free(chambers);
+    spread_light(network->pieces, voxels, light);
+    for (size_t i = 0; i < count; i++)
+        network->light[i].mean = light[i].light;
+    memory_free(light);
 }
 
 static void network_solve(struct network *network,
@@ -90,7 +81,7 @@ static void network_solve(struct network *network,
     network->light = ARENA_ARRAY(network->arena, struct side_light, count);
     for (uint32_t i = 0; i < count; i++)
         network->light[i] = network_piece(enclosure, i);
-    network_fill(network);
+    network_fill(network, skeleton->voxels);
 }
 
 static vec3 side_normal(int side)

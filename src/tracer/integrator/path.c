@@ -19,6 +19,12 @@ enum {
     SLOT_LENS,
 }; /* of draws; the rest belongs to direct.c */
 
+/* Paths are guided where that leaves less than this of the variance times the
+ * rays. Guided rays take longer, and samples that are split are less evenly
+ * spread: what is 0.6 here (blocks) takes 1.4 times the time for the same error
+ * by tests/path/guide, what is 0.25 (rooms) half of it, 0.17 (maze) 0.4. */
+static const double guide_most = 0.4;
+
 /* Of a pixel that has several rays, those that there are take turns. False: it
  * has one. */
 static bool path_other_ray(const struct camera *camera, double x, double y,
@@ -65,25 +71,65 @@ struct radiance path_camera(const struct tracer *tracer, struct worker *worker,
     return walk_follow(&walk);
 }
 
+/* What a few samples of the picture tell: the mean light of a pixel; the
+ * variance of one sample, the mean over all pixels; and the rays it takes. */
+struct trial {
+    double light, variance, rays;
+};
+
+static double worker_rays(const struct worker *worker)
+{
+    return (double)worker->counters.camera_rays +
+           (double)worker->counters.secondary_rays +
+           (double)worker->counters.shadow_rays;
+}
+
+static void trial_place(const struct tracer *tracer, struct worker *worker,
+                        int place, struct trial *trial)
+{
+    const struct light_set *set = tracer->lighting_state;
+    double x = (place % TYPICAL_EDGE + 0.5) / TYPICAL_EDGE;
+    double y = (place / TYPICAL_EDGE + 0.5) / TYPICAL_EDGE;
+    double sum = 0, squares = 0, n = TYPICAL_SAMPLES;
+    for (uint32_t i = 0; i < TYPICAL_SAMPLES; i++) {
+        struct draws draws = { random_key(set->seed, (uint64_t)place), i };
+        double seen =
+            rgb_peak(path_camera(tracer, worker, x, y, &draws).colour);
+        arena_reset(worker->scratch);
+        if (!isfinite(seen))
+            continue;
+        sum += fabs(seen);
+        squares += seen * seen;
+    }
+    trial->light += sum / n;
+    trial->variance += fmax(0, squares / n - sum / n * (sum / n));
+}
+
+static struct trial path_try(const struct tracer *tracer, struct worker *worker)
+{
+    struct trial trial = { .rays = -worker_rays(worker) };
+    enum { PLACES = TYPICAL_EDGE * TYPICAL_EDGE };
+    for (int place = 0; place < PLACES; place++)
+        trial_place(tracer, worker, place, &trial);
+    trial.light /= PLACES;
+    trial.variance /= PLACES;
+    trial.rays += worker_rays(worker);
+    return trial;
+}
+
 void path_ready(struct tracer *tracer, struct worker *worker)
 {
     const struct light_set *set = tracer->lighting_state;
-    double sum = 0, n = TYPICAL_EDGE * TYPICAL_EDGE * TYPICAL_SAMPLES;
     tracer->typical = 0;
+    tracer->guided = false;
     if (!set->guide)
         return;
-    for (int i = 0; i < (int)n; i++) {
-        int place = i / TYPICAL_SAMPLES;
-        struct draws draws = { random_key(set->seed, (uint64_t)place),
-                               (uint32_t)(i % TYPICAL_SAMPLES) };
-        double x = (place % TYPICAL_EDGE + 0.5) / TYPICAL_EDGE;
-        double y = (place / TYPICAL_EDGE + 0.5) / TYPICAL_EDGE;
-        rgb seen = path_camera(tracer, worker, x, y, &draws).colour;
-        if (isfinite(rgb_peak(seen)))
-            sum += fabs(rgb_peak(seen)) / n;
-        arena_reset(worker->scratch);
-    }
-    tracer->typical = sum;
+    struct trial plain = path_try(tracer, worker);
+    tracer->typical = plain.light;
+    tracer->guided = true;
+    struct trial guided = path_try(tracer, worker);
+    tracer->guided = guided.variance * guided.rays <
+                     guide_most * plain.variance * plain.rays;
 }
 
 /* Irradiance: light counts by its cosine. */

@@ -190,7 +190,7 @@ static void path_mirrors(struct path *path, const struct crossing *crossing)
 void path_leave_plain(struct path *path, const struct leaf *leaf,
                       const struct surface_paint *paint, rgb light)
 {
-    const struct finish *finish = leaf->texture->layers[0].finish;
+    const struct finish *finish = paint->finish;
     const struct tracer *tracer = path->tracer;
     vec3 direction = path->ray.direction;
     path_gather(path, light);
@@ -201,7 +201,7 @@ void path_leave_plain(struct path *path, const struct leaf *leaf,
                      ? crossing_plain_ior(leaf, &path->inside)
                      : 1;
     struct finish_mirror mirrored =
-        finish_mirror_seen(finish, paint, vec3_negate(direction), ior);
+        finish_mirror_seen(paint, vec3_negate(direction), ior);
     double weight = path->weight * mirrored.weight;
     if (!path_is_worth(path, weight))
         return;
