@@ -255,10 +255,8 @@ static inline struct along quadric_along(const struct quadric *q, vec3 o,
 static inline bool quadric_plain(const struct quadric *q, vec3 origin, vec3 d,
                                  double roots[2])
 {
-    const double rounding = 1e-15, grazing = 1e-8, flat = 1e-5;
+    const double rounding = 1e-15, grazing = 1e-8, far = 1e4;
     const double none = (double)INFINITY;
-    double size = fabs(q->square.x) + fabs(q->square.y) + fabs(q->square.z) +
-                  fabs(q->mixed.x) + fabs(q->mixed.y) + fabs(q->mixed.z);
     struct along line = quadric_along(q, origin, d);
     double rest = line.b * line.b - line.a * line.c, root = sqrt(rest);
     double first = (-line.b - root) / line.a;
@@ -269,7 +267,7 @@ static inline bool quadric_plain(const struct quadric *q, vec3 origin, vec3 d,
     roots[1] = rest > 0 ? roots[1] : none;
     return (fabs(vec3_dot(d, d) - 1) < rounding) &
            (fabs(rest) > grazing * line.b * line.b) &
-           (fabs(line.a) > flat * size);
+           (fabs(line.b) < far * fabs(line.a));
 }
 
 /* Begun where the ray passes the shape's origin nothing cancels, however far it
