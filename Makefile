@@ -47,7 +47,8 @@ NO_LTO_LINK = -fno-lto
 endif
 endif
 
-# Embree 4 or 3, as <embree4/rtcore.h> is found or not: see src/world/rtcore.h.
+# Embree 4 or 3, as <embree4/rtcore.h> is found or not; its library,
+# libembree4.so.4 or libembree3.so.3, is loaded when needed: see src/world/rtcore.h.
 EMBREE := $(shell $(CC) $(CPPFLAGS) -E -x c -include embree4/rtcore.h \
 	/dev/null > /dev/null 2>&1 && echo 4 || echo 3)
 
@@ -56,7 +57,7 @@ override CXXFLAGS += -std=c++17 $(WARNINGS) -Wno-cast-qual $(FLAGS)
 override CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
 	-DGLIM_VERSION='"$(VERSION)"' -DGLIM_VERSION_NUMBER=$(VERSION) \
 	-DGLIM_EMBREE=$(EMBREE)
-override LDLIBS   += -lembree$(EMBREE) -lpng -lz -lpthread -lm -ldl
+override LDLIBS   += -lpng -lz -lpthread -lm -ldl
 # Image files are a module of their own, loaded when needed: see src/image/codec.h.
 # PNG needs none of it.
 ifneq ($(IMAGES),png)

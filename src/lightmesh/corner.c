@@ -1,7 +1,7 @@
 /* Places that ask for others: see corner.h. */
 #include "lightmesh/corner.h"
 
-#include "lightmesh/near_field.h"
+#include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
 
 void corner_here(struct corner *corner, const struct indirect_mesh *mesh,
@@ -50,9 +50,8 @@ void corner_ask(struct corner_light *light, const struct indirect_mesh *mesh,
                 struct worker *worker, const struct receiver *receiver,
                 int rays)
 {
-    light->light = indirect_mesh_blend(mesh, worker, receiver);
     light->share =
-        near_field_share(mesh, worker, receiver, rays, &light->light);
+        indirect_mesh_around(mesh, worker, receiver, rays, &light->light);
 }
 
 bool corner_serves(const struct corner *corner, const struct receiver *receiver)

@@ -6,6 +6,7 @@
 #include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/indirect.h"
+#include "lightmesh/near_field.h"
 #include "lightmesh/tuning.h"
 #include "shade/background.h"
 #include "shade/finish.h"
@@ -78,14 +79,6 @@ static rgb gathering_direct(const struct gathering *gathering,
                             GATHER_LAMP, receiver->point, receiver->normal);
 }
 
-rgb bounce_toned(const struct bounce_tone *tone, rgb light)
-{
-    rgb grey = rgb_grey(rgb_brightness(light));
-    if (tone->grey != 0)
-        light = rgb_mix(light, grey, tone->grey);
-    return rgb_scale(light, tone->brightness);
-}
-
 /* What is picked of what glows, as irradiance. */
 static rgb gathering_picked(const struct gathering *gathering,
                             const struct surface *surface,
@@ -153,15 +146,60 @@ bool gather_closes(const struct gather *gather, struct worker *worker,
     return true;
 }
 
+/* What the points around say of a surface close to the place that asks. In a
+ * crevice, which is dark inside, what hides it from the place hides it from
+ * that surface as well: one ray more tells. */
+static struct indirect_share gathering_here(const struct gathering *gathering,
+                                            const struct surface *surface,
+                                            double matters)
+{
+    const struct gather *gather = gathering->gather;
+    struct indirect_share share =
+        indirect_light_share(gather->here, surface->normal);
+    struct gathered_ray found = { .open = 0 };
+    struct draws draws =
+        draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
+    double chance = fmin(often_near * matters, 1), u[2];
+    if (gathering->before > 0 || gather->crevice == 0 ||
+        draw_unit(&draws, GATHER_CHANCE) >= chance)
+        return share;
+    draw_pair(&draws, GATHER_DIRECTION, u);
+    struct gathering further = {
+        .gather = gather,
+        .worker = gathering->worker,
+        .draws = &draws,
+        .ray = { surface->point, warp_lobe(u, surface->side, 1) },
+        .share = rgb_grey(1),
+        .open = &found.open,
+        .mirrors = gathering->mirrors,
+        .before = gathering->before + 1,
+        .known = true,
+    };
+    gathering->worker->counters.shadow_rays++;
+    if (!world_within(gather->lamps->world, &further.ray,
+                      surface_offset(surface->point), gather->reach,
+                      RAY_REFLECTION, &found.at))
+        return share;
+    double close = gather->crevice / chance *
+                   near_field_closeness(found.at.t, gather->reach);
+    found.light = gathering_follow(&further, &found.at, &found.glow);
+    if (rgb_peak(found.glow) > 0)
+        return share;
+    share.light = rgb_mix(share.light, found.light, close);
+    share.open += (found.open - share.open) * close;
+    return share;
+}
+
 /* What surfaces send to the receiver, if mesh points or the skeleton know. */
 static bool gathering_known(const struct gathering *gathering,
-                            const struct receiver *receiver,
+                            const struct surface *surface,
+                            const struct receiver *receiver, double matters,
                             struct indirect_share *share)
 {
     const struct gather *gather = gathering->gather;
     bool here = gather->here && gathering->met == 0;
     if (here)
-        *share = indirect_light_share(gather->here, receiver->normal);
+        *share = gathering_here(gathering, surface, matters);
     return here ||
            (gather->indirect &&
             indirect_mesh_nearest(gather->indirect, gathering->worker, receiver,
@@ -186,7 +224,7 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .weight = 1 };
     rgb light = gathering_direct(gathering, &receiver);
     struct indirect_share more = gather->around;
-    bool found = gathering_known(gathering, &receiver, &more);
+    bool found = gathering_known(gathering, surface, &receiver, matters, &more);
     if (!found && gather->onward)
         more = gathering_onward(gathering, surface, matters);
     else if (!found && gather->indirect)
@@ -212,7 +250,7 @@ static rgb gathering_shade(const struct gathering *gathering,
 {
     double solid = 1 - fmin(surface_sky(surface), 1);
     rgb light = surface_glow(surface);
-    rgb albedo = rgb_scale(surface_albedo(surface), solid);
+    rgb albedo = rgb_scale(surface_returned(surface), solid);
     double matters = rgb_peak(rgb_mul(albedo, gathering->share));
     double chance = often_lit * matters;
     uint32_t slot = GATHER_MEETING + gathering->met;
@@ -260,25 +298,6 @@ static rgb gathering_mirrors(const struct gathering *gathering,
         light = rgb_add(light, gathering_follow(&branch, NULL, NULL));
     }
     return light;
-}
-
-static double surface_ior(const struct intersection *at)
-{
-    const struct interior *interior = at->leaf->interior;
-    return interior ? interior->ior : 1;
-}
-
-void gather_surface(const struct gather *gather, const struct ray *ray,
-                    const struct intersection *at, struct surface *surface)
-{
-    struct surface_view view = {
-        .direction = ray->direction,
-        .ior = surface_ior(at),
-        .quality = gather->lamps->quality,
-        .bailout = gather_least,
-        .smooth = true,
-    };
-    surface_fill(surface, at, &view);
 }
 
 /* One surface on the way; returns false if it ends here. Its own light into

@@ -12,7 +12,6 @@
 #include "shade/emitters.h"
 
 struct indirect_mesh;
-struct surface;
 
 /* The irradiance of light from everywhere that ends a row of bounces, and
  * stands in where a place sees no mesh point; false where it isn't known.
@@ -27,7 +26,10 @@ struct gather {
     const struct indirect_mesh *indirect; /* of one bounce less, or NULL */
     const struct indirect_light *here;    /* around what rays meet first; NULL:
                                            * `indirect` is asked */
-    struct lattice_view view;             /* of what its rays meet */
+    double reach; /* of what `here` does not know: what is nearer hides part of
+                   * it from what rays meet, ... */
+    double crevice;           /* as much as the place is in one, 0 to 1 */
+    struct lattice_view view; /* of what its rays meet */
     const struct emitters *emitters;
     const struct ambience *ambience;
     struct bounce_tone tone; /* of what `indirect` says */
@@ -40,10 +42,6 @@ struct gather {
     struct indirect_share around; /* what ends the bounces where nothing else
                                    * does */
 };
-
-/* Light of surfaces as POV-Ray's radiosity has it (measured): brighter, or with
- * less colour. */
-rgb bounce_toned(const struct bounce_tone *tone, rgb light);
 
 /* What `close` says of a receiver; false where nothing is known. */
 bool gather_closes(const struct gather *gather, struct worker *worker,
@@ -66,11 +64,6 @@ enum gather_slot {
     GATHER_CHANCE = GATHER_MEETING + 128, /* whether a ray goes on */
     GATHER_ONWARD,                        /* what is drawn for that one */
 };
-
-/* The surface that a gather ray met; `at` must stay as long. Of `gather` only
- * the lamps count. */
-void gather_surface(const struct gather *gather, const struct ray *ray,
-                    const struct intersection *at, struct surface *surface);
 
 /* What comes along a ray. */
 struct gathered_ray {

@@ -1,6 +1,7 @@
 /* Glowing things, picked: see gather_glow.h. */
 #include "lightmesh/gather_glow.h"
 
+#include "lightmesh/gather_paint.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
 

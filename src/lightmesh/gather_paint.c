@@ -1,7 +1,9 @@
-/* The mean of blocks: see gather_paint.h. */
+/* What a gather ray sees: see gather_paint.h. */
 #include "lightmesh/gather_paint.h"
 
 #include "base/warp.h"
+#include "lightmesh/gather.h"
+#include "lightmesh/tuning.h"
 #include "scene/material.h"
 #include "scene/pattern.h"
 
@@ -44,4 +46,23 @@ void gather_paint(struct surface *surface, double radius)
     layer->pigment.r = sum.r;
     layer->pigment.g = sum.g;
     layer->pigment.b = sum.b;
+}
+
+static double surface_ior(const struct intersection *at)
+{
+    const struct interior *interior = at->leaf->interior;
+    return interior ? interior->ior : 1;
+}
+
+void gather_surface(const struct gather *gather, const struct ray *ray,
+                    const struct intersection *at, struct surface *surface)
+{
+    struct surface_view view = {
+        .direction = ray->direction,
+        .ior = surface_ior(at),
+        .quality = gather->lamps->quality,
+        .bailout = gather_least,
+        .smooth = true,
+    };
+    surface_fill(surface, at, &view);
 }

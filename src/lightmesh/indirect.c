@@ -298,17 +298,27 @@ const char *indirect_mesh_source(const struct indirect_mesh *mesh,
                : "what is usual: the picture shows too little of it";
 }
 
-struct indirect_light indirect_mesh_blend(const struct indirect_mesh *mesh,
-                                          struct worker *worker,
-                                          const struct receiver *receiver)
+static struct indirect_light blend_light(const struct mesh_blend *blend)
+{
+    struct indirect_light sum = indirect_light_none;
+    for (int i = 0; i < blend->count; i++)
+        indirect_light_mix(&sum, blend->at[i].payload,
+                           (float)blend->at[i].weight);
+    return sum;
+}
+
+/* A point that is the place itself sees by itself what is close. */
+struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
+                                           struct worker *worker,
+                                           const struct receiver *receiver,
+                                           int rays,
+                                           struct indirect_light *light)
 {
     struct mesh_blend blend;
-    struct indirect_light sum = indirect_light_none;
     point_mesh_blend(&mesh->points, worker, receiver, &blend);
-    for (int i = 0; i < blend.count; i++)
-        indirect_light_mix(&sum, blend.at[i].payload,
-                           (float)blend.at[i].weight);
-    return sum;
+    *light = blend_light(&blend);
+    return blend.here ? indirect_light_share(light, receiver->side)
+                      : near_field_share(mesh, worker, receiver, rays, light);
 }
 
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
@@ -321,10 +331,14 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
         gather_closes(gather, worker, receiver, &share);
         return share;
     }
-    struct indirect_light light = indirect_mesh_blend(mesh, worker, receiver);
-    if (!receiver->pixel)
+    struct indirect_light light;
+    if (!receiver->pixel) {
+        struct mesh_blend blend;
+        point_mesh_blend(&mesh->points, worker, receiver, &blend);
+        light = blend_light(&blend);
         return indirect_light_share(&light, receiver->normal);
-    struct indirect_share share = near_field_share(
+    }
+    struct indirect_share share = indirect_mesh_around(
         mesh, worker, receiver, mesh->near / NEAR_LONE_PART, &light);
     if (vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat)
         share = indirect_light_share(&light, receiver->normal);

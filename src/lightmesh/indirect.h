@@ -59,10 +59,14 @@ void indirect_mesh_free(struct indirect_mesh *mesh);
 bool indirect_mesh_leaves(const struct indirect_mesh *mesh,
                           const struct receiver *receiver);
 
-/* What the mesh points around know together, before the receiver's cosines. */
-struct indirect_light indirect_mesh_blend(const struct indirect_mesh *mesh,
-                                          struct worker *worker,
-                                          const struct receiver *receiver);
+/* What the mesh points around know together, before the receiver's cosines,
+ * into *light, mended by so many rays to what stands close (near_field.h).
+ * Returns what the receiver's side gets of it, without bumps. */
+struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
+                                           struct worker *worker,
+                                           const struct receiver *receiver,
+                                           int rays,
+                                           struct indirect_light *light);
 
 /* What is worth little is less exact. */
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,

@@ -2,6 +2,7 @@
 #include "lightmesh/indirect_light.h"
 
 #include "base/warp.h"
+#include "shade/surface.h"
 
 const struct indirect_light indirect_light_none = { { { 0 }, { 0 }, { 0 } },
                                                     { 0 } };
@@ -50,4 +51,12 @@ struct indirect_share indirect_light_share(const struct indirect_light *light,
         harmonics_irradiance(&light->light, normal, 1),
         harmonics_share(light->open, normal),
     };
+}
+
+rgb bounce_toned(const struct bounce_tone *tone, rgb light)
+{
+    rgb grey = rgb_grey(rgb_brightness(light));
+    if (tone->grey != 0)
+        light = rgb_mix(light, grey, tone->grey);
+    return rgb_scale(light, tone->brightness);
 }

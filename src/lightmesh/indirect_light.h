@@ -3,6 +3,7 @@
 #define LIGHTMESH_INDIRECT_LIGHT_H
 
 #include "lightmesh/harmonics.h"
+#include "scene/light_settings.h"
 
 struct indirect_light {
     struct harmonics light; /* first: a mesh_alone looks at it */
@@ -35,5 +36,9 @@ struct indirect_share {
 
 struct indirect_share indirect_light_share(const struct indirect_light *light,
                                            vec3 normal);
+
+/* Light of surfaces as POV-Ray's radiosity has it (measured): brighter, or with
+ * less colour. */
+rgb bounce_toned(const struct bounce_tone *tone, rgb light);
 
 #endif

@@ -76,11 +76,10 @@ static void nearby_trace(const struct nearby *nearby, int first,
 }
 
 /* How near that is: what comes into reach does so by and by. */
-static double nearby_closeness(const struct nearby *nearby, double distance)
+double near_field_closeness(double distance, double reach)
 {
-    double far =
-        (distance / nearby->reach - near_field_whole) / (1 - near_field_whole);
-    return fmin(1 - far, 1);
+    double far = (distance / reach - near_field_whole) / (1 - near_field_whole);
+    return fmin(fmax(1 - far, 0), 1);
 }
 
 /* One of them. Returns how much of it counts as met, which is nothing of what
@@ -98,7 +97,7 @@ static double nearby_meet(struct nearby *nearby, const struct ray *ray,
     gather_met(&nearby->gather, nearby->worker, ray, draws, &found);
     if (rgb_peak(found.glow) > 0)
         return 0;
-    double close = nearby_closeness(nearby, found.at.t);
+    double close = near_field_closeness(found.at.t, nearby->reach);
     rgb light = rgb_scale(found.light, close);
     double open = close * found.open;
     indirect_light_add(&nearby->met, ray->direction, light, open,
@@ -124,12 +123,19 @@ static void nearby_add(struct nearby *nearby, const struct nearby_rays *sent,
     }
 }
 
-static bool nearby_met(const struct nearby_rays *sent)
+/* How many of them. */
+static unsigned nearby_met(const struct nearby_rays *sent)
 {
+    unsigned met = 0;
     for (unsigned i = 0; i < sent->count; i++)
-        if (sent->hits[i].leaf)
-            return true;
-    return false;
+        met += sent->hits[i].leaf != NULL;
+    return met;
+}
+
+/* In a crevice most rays meet something. */
+static double share_deep(double met)
+{
+    return fmin(fmax((met - near_shallow) / (near_deep - near_shallow), 0), 1);
 }
 
 /* Returns whether anything is near. */
@@ -140,7 +146,9 @@ static bool nearby_look_around(struct nearby *nearby,
     for (int first = 0; first < nearby->rays; first += RAY_LANES) {
         struct nearby_rays sent;
         nearby_trace(nearby, first, &sent);
-        any = nearby_met(&sent) || any;
+        unsigned met = nearby_met(&sent);
+        any = any || met > 0;
+        nearby->gather.crevice = share_deep((double)met / sent.count);
         if (any || first + RAY_LANES < nearby->rays)
             nearby_add(nearby, &sent, light);
     }
@@ -178,6 +186,7 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
     };
     nearby.gather.indirect = mesh;
     nearby.gather.here = light;
+    nearby.gather.reach = nearby.reach;
     bool any = nearby_look_around(&nearby, light);
     if (any)
         indirect_light_dim(light,

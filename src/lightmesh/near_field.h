@@ -21,4 +21,8 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
                                        const struct receiver *receiver,
                                        int rays, struct indirect_light *light);
 
+/* How much what is so far off counts as what mesh points see past, of what is
+ * within reach: 1 nearby, 0 out of it. */
+double near_field_closeness(double distance, double reach);
+
 #endif

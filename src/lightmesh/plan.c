@@ -1,6 +1,7 @@
 /* Decisions: see plan.h. */
 #include "lightmesh/plan.h"
 
+#include "base/warp.h"
 #include "lightmesh/light_tree.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/tuning.h"
@@ -157,10 +158,26 @@ enum mesh_shadows plan_held(const struct light_mesh_settings *said,
                : MESH_SHADOWS_SOFT;
 }
 
+/* Whether a place has to do with few lamps, all in all: a spotlight counts by
+ * the share of a half space that it lights. */
+static bool lamps_are_few(const struct lamps *lamps)
+{
+    double felt = 0;
+    for (size_t i = 0; i < lamps->count; i++) {
+        const struct light *light = lamps->items[i].light;
+        double edge = fmin(light->falloff, 90) * WARP_PI / 180;
+        felt += light->kind == LIGHT_SPOT ? 1 - cos(edge) : 1;
+    }
+    return felt <= FEW_LAMPS && lamps->count <= SPOTS_MOST;
+}
+
 static enum plan_lamps plan_lamps(const struct light_mesh_settings *said,
-                                  size_t lamps)
+                                  const struct lamps *asked)
 {
     bool sharp = said->shadows == MESH_SHADOWS_SHARP;
+    size_t lamps = asked->count;
+    if (said->shadows == MESH_SHADOWS_AUTO && lamps_are_few(asked))
+        return PLAN_EACH;
     if (lamps > (sharp ? SHARP_LAMPS : FEW_LAMPS))
         return PLAN_SUMMED;
     if (said->shadows == MESH_SHADOWS_SOFT)
@@ -262,7 +279,7 @@ struct plan plan_new(const struct scene *scene, const struct lamps *lamps,
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     struct plan plan = {
-        .lamps = plan_lamps(said, lamps->count),
+        .lamps = plan_lamps(said, lamps),
         .finer = plan_finer(said),
         .frame = *frame,
     };

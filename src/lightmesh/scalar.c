@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "base/warp.h"
 #include "lightmesh/gather.h"
+#include "lightmesh/gather_paint.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
 

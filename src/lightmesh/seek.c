@@ -231,6 +231,7 @@ static void seek_here(struct seeker *seeker)
     point_mesh_fill(mesh, seeker->worker, &site, payload);
     atomic_fetch_add_explicit(&mesh->work->lone, 1, memory_order_relaxed);
     seeker->blend->count = 1;
+    seeker->blend->here = true;
     seeker->blend->at[0].payload = payload;
     seeker->blend->at[0].weight = 1;
 }
@@ -298,6 +299,7 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     struct seeker seeker = seeker_new(mesh, worker, receiver, &finest, &coarse);
     seeker.blend = blend;
     blend->count = 0;
+    blend->here = false;
     seek_levels(seeker, finest, coarse);
     if (blend->count == 0 && mesh->least > 0) {
         seeker.least = 0;

@@ -3,6 +3,7 @@
 
 #include "base/warp.h"
 #include "lightmesh/drawn_lamp.h"
+#include "lightmesh/gather_paint.h"
 #include "lightmesh/tuning.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
@@ -14,6 +15,7 @@ struct sight {
     struct surface surface;
     struct intersection at;
     rgb albedo, ambient; /* what it makes of irradiance and ambient light 1 */
+    rgb returned;        /* and what other surfaces get of irradiance */
     double shown;        /* brightness without what is gathered */
 };
 
@@ -43,6 +45,7 @@ static void sight_light(struct sight *sight, const struct gather *gather,
     rgb direct = drawn_lamp_light(gather->lamps, worker, draws, GATHER_LAMP,
                                   surface->point, surface->normal);
     sight->albedo = surface_albedo(surface);
+    sight->returned = surface_returned(surface);
     sight->ambient = rgb_mul(surface_ambient(surface), gather->ambience->light);
     rgb shown = rgb_add(rgb_mul(sight->albedo, direct), surface_shine(surface));
     sight->shown = rgb_brightness(rgb_add(shown, surface_glow(surface)));
@@ -51,7 +54,7 @@ static void sight_light(struct sight *sight, const struct gather *gather,
 /* Sums over all gather rays. */
 struct sums {
     int sights, rays;
-    double open, ends, worth, rough, albedo;
+    double open, ends, worth, rough, returned;
     rgb light;
     size_t hit; /* of the rays, surfaces: */
     struct bright_hit hits[SURVEY_HITS];
@@ -106,14 +109,15 @@ static void sight_gather(const struct sight *sight, const struct gather *gather,
     sums->rays += SURVEY_RAYS;
     sums->worth += changed / SURVEY_RAYS / shown;
     sums->rough += fmax(spread, 0) / (shown * shown);
-    sums->albedo += rgb_brightness(sight->albedo);
+    sums->returned += rgb_brightness(sight->returned);
 }
 
 /* Light goes on from surface to surface: a geometric series. */
 static struct indirect_share sums_around(const struct sums *sums)
 {
-    double open = sums->open / sums->rays, albedo = sums->albedo / sums->sights;
-    double again = fmin(albedo * (1 - open), ALBEDO_MOST);
+    double open = sums->open / sums->rays;
+    double returned = sums->returned / sums->sights;
+    double again = fmin(returned * (1 - open), RETURNED_MOST);
     return (struct indirect_share){
         rgb_scale(sums->light, 1 / (sums->rays * (1 - again))), open
     };

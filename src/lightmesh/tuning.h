@@ -10,9 +10,11 @@
 
 /* Who is asked. */
 enum {
-    FEW_LAMPS = 24, /* lamps that shadow rays ask one by one, at most; of more
-                     * the light is summed at mesh points [lights-10,
-                     * lights-100, hall] */
+    FEW_LAMPS = 24,   /* lamps that shadow rays ask one by one, at most; of more
+                       * the light is summed at mesh points [lights-10,
+                       * lights-100, hall] */
+    SPOTS_MOST = 256, /* spotlights count by what they light, of so many lamps
+                       */
     SHARP_LAMPS = 1000, /* the same where `shadows sharp` is said [hall] */
     GATHER_LAMPS = 24,  /* of which a gather ray asks one itself [room] */
     GATHER_EACH = 3,    /* of so few each */
@@ -237,6 +239,11 @@ static const double near_field_reach = 0.75; /* spacings: what stands farther
 static const double near_field_whole = 0.75; /* and what is nearer than that
                                               * share of them they don't */
 
+static const double near_shallow = 0.3, near_deep = 0.6; /* of short rays that
+                                                          * meet something: a
+                                                          * corner, a crevice
+                                                          */
+
 static const double bright_times = 4;  /* as bright as the mean is bright; */
 static const double bright_gain = 15;  /* square of their part of the light over
                                         * that of the ways: less is not worth
@@ -273,7 +280,8 @@ static const double gather_worth_around = 0.01; /* or, in the open, what is
                                                  * usual */
 static const double gather_worth_whole = 0.5;   /* less gathers fewer rays */
 static const double gather_least = 0.02;        /* share that is followed */
-static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
+static const double often_mirrored = 2, often_lit = 4,
+                    often_near = 1;   /* roulette, factors, */
 static const double onward_often = 1; /* of where it goes on [truth]; */
 static const double onward_often_blind =
     2; /* of the first step where no survey says what is usual [plates] */

@@ -257,6 +257,17 @@ static void settings_glows(struct parser *p)
     }
 }
 
+/* Where `ambient` stands for what surfaces give each other: see scene/finish.h.
+ * Before settings_glows takes it away. */
+static void settings_returned(struct parser *p)
+{
+    for (size_t i = 0; i < p->finishes.count; i++) {
+        struct finish *finish = p->finishes.items[i];
+        if (rgb_peak(finish->ambient) > 0 && !settings_sky(&p->scene->settings))
+            finish->returned_most = RETURNED_USUAL;
+    }
+}
+
 /* The last irid_wavelength is that of all. */
 static void settings_films(struct parser *p)
 {
@@ -270,6 +281,7 @@ static void settings_films(struct parser *p)
 void settings_finish(struct parser *p)
 {
     settings_filters(p);
+    settings_returned(p);
     settings_glows(p);
     settings_films(p);
     if (p->scene->settings.gamma_kind != GAMMA_NONE || p->failed)

@@ -139,6 +139,7 @@ struct finish finish_default(void)
     return (struct finish){
         .ambient = { 0.1, 0.1, 0.1 },
         .diffuse = 0.6,
+        .returned_most = RETURNED_MOST,
         .brilliance = 1,
         .phong_size = 40,
         .roughness = 0.05,

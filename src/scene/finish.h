@@ -36,12 +36,23 @@ struct film {
     const struct noise_settings *noise;
 };
 
+/* Surfaces never send on all light, whatever their finish says, or that between
+ * two of them would grow without end: this is whiter than any paint. Whoever
+ * writes an `ambient` has guessed by it what surfaces give each other, and
+ * painted for that, often whiter than anything is: where that guess is replaced
+ * by what light does, they send on no more than walls and furniture do in the
+ * mean (0.5 is what lighting engineers reckon with). */
+#define RETURNED_MOST  0.95
+#define RETURNED_USUAL 0.5
+
 /* POV-Ray 3.7's defaults are in finish_default. */
 struct finish {
     rgb ambient, emission;
     rgb glow; /* ambient light of what is meant to glow, ambient_light and all:
                * seen whatever stands before it, and lights nothing else */
     double diffuse, diffuse_back; /* light on the viewer's / the other side */
+    double returned_most; /* share of light that it sends on to other surfaces,
+                           * at most */
     bool diffuse_albedo;
     double brilliance;
     double phong, phong_size;

@@ -332,7 +332,7 @@ rgb facets_albedo(const struct facets *facets, unsigned i)
                                layer->diffuse[i] * layer->opacity[i]);
         sum = rgb_add(sum, rgb_mul(weight_at(layer, i), albedo));
     }
-    return albedo_bounded(sum);
+    return albedo_bounded(sum, RETURNED_MOST);
 }
 
 rgb facets_ambient(const struct facets *facets, unsigned i)

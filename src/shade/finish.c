@@ -189,7 +189,7 @@ rgb surface_shine(const struct surface *surface)
     return sum;
 }
 
-rgb surface_albedo(const struct surface *surface)
+static rgb surface_scattered(const struct surface *surface)
 {
     rgb sum = rgb_grey(0);
     for (int i = 0; i < surface->count; i++) {
@@ -198,5 +198,31 @@ rgb surface_albedo(const struct surface *surface)
         rgb albedo = rgb_scale(colour_rgb(layer->pigment), share);
         sum = rgb_add(sum, rgb_mul(layer->weight, albedo));
     }
-    return albedo_bounded(sum);
+    return sum;
+}
+
+rgb surface_albedo(const struct surface *surface)
+{
+    return albedo_bounded(surface_scattered(surface), RETURNED_MOST);
+}
+
+static double surface_returned_most(const struct surface *surface)
+{
+    double most = RETURNED_MOST;
+    for (int i = 0; i < surface->count; i++)
+        most = fmin(most, surface->layer[i].finish->returned_most);
+    return most;
+}
+
+double surface_restraint(const struct surface *surface)
+{
+    double peak = rgb_peak(surface_scattered(surface));
+    double most = surface_returned_most(surface);
+    return peak > most ? most / peak : 1;
+}
+
+rgb surface_returned(const struct surface *surface)
+{
+    return albedo_bounded(surface_scattered(surface),
+                          surface_returned_most(surface));
 }

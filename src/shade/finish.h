@@ -63,20 +63,23 @@ rgb surface_glow(const struct surface *surface);
 /* The sum of finish_shine. */
 rgb surface_shine(const struct surface *surface);
 
-/* Whiter than any paint. */
-#define ALBEDO_MOST 0.95
-
 /* No more than that. */
-static inline rgb albedo_bounded(rgb albedo)
+static inline rgb albedo_bounded(rgb albedo, double most)
 {
     double peak = rgb_peak(albedo);
-    return peak > ALBEDO_MOST ? rgb_scale(albedo, ALBEDO_MOST / peak) : albedo;
+    return peak > most ? rgb_scale(albedo, most / peak) : albedo;
 }
 
-/* What it sends back of irradiance, without highlights and mirrors, on to other
- * surfaces: never all of it, whatever the finish says, or the light between two
- * of them would grow without end. */
+/* What it sends back of irradiance, without highlights and mirrors: never all
+ * of it. */
 rgb surface_albedo(const struct surface *surface);
+
+/* How much of that goes on to other surfaces, which get no more than
+ * `returned_most` of its layers allows: a factor, at most 1. */
+double surface_restraint(const struct surface *surface);
+
+/* What they get of irradiance. */
+rgb surface_returned(const struct surface *surface);
 
 /* Whether light that meets the layer at this cosine (negative: from behind)
  * does anything. `twice`: the object says double_illuminate. */

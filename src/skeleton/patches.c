@@ -54,6 +54,7 @@ static void patch_paint(struct patch_point *point)
         point->albedo =
             rgb_add(point->albedo, rgb_mul(layer->weight, rgb_sub(lit, dark)));
     }
+    point->albedo = rgb_scale(point->albedo, surface_restraint(surface));
 }
 
 /* The surface at point->at, met by a ray of this direction. */

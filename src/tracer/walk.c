@@ -506,17 +506,19 @@ static void walk_ambient(struct walk *walk, const struct meeting *meeting)
 
 /* Finishes may send back more than they get. What the camera sees of such a
  * surface is as bright as it says; from one surface to the next the light must
- * not grow (shade/finish.h, surface_albedo), and a sky sends none of it on
+ * not grow (shade/finish.h, surface_returned), and a sky sends none of it on
  * (shade/ambience.h). */
 static void walk_restrain(struct walk *walk, const struct meeting *meeting)
 {
     double total = meeting->lobes.total;
     if (walk->split)
         return;
-    double solid = 1 - fmin(surface_sky(&meeting->crossing.surface), 1);
-    walk->share = rgb_scale(walk->share, solid);
-    if (total > ALBEDO_MOST)
-        walk->share = rgb_scale(walk->share, ALBEDO_MOST / total);
+    const struct surface *surface = &meeting->crossing.surface;
+    double solid = 1 - fmin(surface_sky(surface), 1);
+    double restraint = surface_restraint(surface);
+    if (total * restraint > RETURNED_MOST)
+        restraint = RETURNED_MOST / total;
+    walk->share = rgb_scale(walk->share, solid * restraint);
 }
 
 /* What lies beyond all surfaces. */

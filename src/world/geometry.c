@@ -201,15 +201,16 @@ static void add_solids(struct geometry *geometry)
     size_t count = geometry->solids.count;
     if (count == 0)
         return;
-    RTCGeometry user = rtcNewGeometry(geometry->device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(user, (unsigned)count);
-    rtcSetGeometryUserData(user, geometry);
-    rtcSetGeometryBoundsFunction(user, solid_bounds, NULL);
-    rtcSetGeometryIntersectFunction(user, solid_intersect);
-    rtcSetGeometryOccludedFunction(user, solid_occluded);
-    rtcCommitGeometry(user);
-    rtcAttachGeometry(geometry->scene, user);
-    rtcReleaseGeometry(user);
+    RTCGeometry user =
+        embree.NewGeometry(geometry->device, RTC_GEOMETRY_TYPE_USER);
+    embree.SetGeometryUserPrimitiveCount(user, (unsigned)count);
+    embree.SetGeometryUserData(user, geometry);
+    embree.SetGeometryBoundsFunction(user, solid_bounds, NULL);
+    embree.SetGeometryIntersectFunction(user, solid_intersect);
+    embree.SetGeometryOccludedFunction(user, solid_occluded);
+    embree.CommitGeometry(user);
+    embree.AttachGeometry(geometry->scene, user);
+    embree.ReleaseGeometry(user);
 }
 
 static void embree_error(void *context, enum RTCError code, const char *text)
@@ -231,11 +232,11 @@ static void choose_build(struct geometry *geometry, size_t triangles,
     bool large = triangles > LARGE;
     bool many =
         camera_rays <= 0 || camera_rays > SPLITS_WORTH * (double)triangles;
-    rtcSetSceneFlags(geometry->scene,
-                     large ? RTC_SCENE_FLAG_COMPACT : RTC_SCENE_FLAG_NONE);
-    rtcSetSceneBuildQuality(geometry->scene, many && !large
-                                                 ? RTC_BUILD_QUALITY_HIGH
-                                                 : RTC_BUILD_QUALITY_MEDIUM);
+    embree.SetSceneFlags(geometry->scene,
+                         large ? RTC_SCENE_FLAG_COMPACT : RTC_SCENE_FLAG_NONE);
+    embree.SetSceneBuildQuality(geometry->scene,
+                                many && !large ? RTC_BUILD_QUALITY_HIGH
+                                               : RTC_BUILD_QUALITY_MEDIUM);
 }
 
 /* If fewer rays are to come than a large mesh has triangles, sorting these
@@ -256,7 +257,23 @@ static RTCDevice device_new(const struct flat *flat, unsigned threads,
         threads = 1;
     snprintf(configuration, sizeof configuration, "threads=%u%s",
              threads ? threads : 1, hasty ? ",tri_builder=morton" : "");
-    return rtcNewDevice(configuration);
+    return embree.NewDevice(configuration);
+}
+
+static bool geometry_start(struct geometry *geometry, const struct flat *flat,
+                           unsigned threads, double camera_rays)
+{
+    const char *failure = embree_load();
+    if (failure) {
+        diag_print(geometry->diag, DIAG_ERROR, span_none(), NULL,
+                   "Embree can't be loaded: %s", failure);
+        return false;
+    }
+    geometry->device = device_new(flat, threads, camera_rays);
+    if (!geometry->device)
+        diag_print(geometry->diag, DIAG_ERROR, span_none(), NULL,
+                   "Embree can't be started on this machine");
+    return geometry->device != NULL;
 }
 
 bool geometry_build(struct geometry *geometry, struct flat *flat,
@@ -270,21 +287,17 @@ bool geometry_build(struct geometry *geometry, struct flat *flat,
         geometry->few = find_few(geometry, flat->arena);
         return true;
     }
-    geometry->device = device_new(flat, threads, camera_rays);
-    if (!geometry->device) {
-        diag_print(diag, DIAG_ERROR, span_none(), NULL,
-                   "Embree can't be started on this machine");
+    if (!geometry_start(geometry, flat, threads, camera_rays))
         return false;
-    }
-    rtcSetDeviceErrorFunction(geometry->device, embree_error, geometry);
-    geometry->scene = rtcNewScene(geometry->device);
+    embree.SetDeviceErrorFunction(geometry->device, embree_error, geometry);
+    geometry->scene = embree.NewScene(geometry->device);
     geometry->coherent = flat->triangle_count > geometry->solids.count;
     choose_build(geometry, flat->triangle_count, camera_rays);
     add_solids(geometry);
     bool good = triangles_add(&geometry->triangles, flat, geometry->device,
                               geometry->scene, geometry->centre);
     if (good)
-        rtcCommitScene(geometry->scene);
+        embree.CommitScene(geometry->scene);
     geometry->diag = NULL;
     return good && !geometry->failed;
 }
@@ -294,8 +307,8 @@ void geometry_free(struct geometry *geometry, struct flat *flat)
     if (!geometry->device)
         return;
     triangles_free(flat);
-    rtcReleaseScene(geometry->scene);
-    rtcReleaseDevice(geometry->device);
+    embree.ReleaseScene(geometry->scene);
+    embree.ReleaseDevice(geometry->device);
 }
 
 /* What a ray sets out with: begun where it enters the bounds, a little before,

@@ -15,6 +15,50 @@ typedef struct RTCRayQueryContext embree_context;
 typedef struct RTCIntersectContext embree_context;
 #endif
 
+/* Those of its functions that are asked for. The library is loaded with the
+ * first scene that has triangles or many solids: to load it takes longer than
+ * all else that a program does before its first ray. */
+#define EMBREE_FUNCTIONS(X)                                                    \
+    X(NewDevice)                                                               \
+    X(ReleaseDevice)                                                           \
+    X(SetDeviceErrorFunction)                                                  \
+    X(NewScene)                                                                \
+    X(ReleaseScene)                                                            \
+    X(SetSceneFlags)                                                           \
+    X(SetSceneBuildQuality)                                                    \
+    X(CommitScene)                                                             \
+    X(NewGeometry)                                                             \
+    X(ReleaseGeometry)                                                         \
+    X(CommitGeometry)                                                          \
+    X(AttachGeometry)                                                          \
+    X(SetNewGeometryBuffer)                                                    \
+    X(SetGeometryUserData)                                                     \
+    X(SetGeometryUserPrimitiveCount)                                           \
+    X(SetGeometryBoundsFunction)                                               \
+    X(SetGeometryIntersectFunction)                                            \
+    X(SetGeometryOccludedFunction)                                             \
+    X(SetGeometryIntersectFilterFunction)                                      \
+    X(SetGeometryOccludedFilterFunction)                                       \
+    X(SetGeometryInstancedScene)                                               \
+    X(SetGeometryTransform)                                                    \
+    X(Intersect1)                                                              \
+    X(Intersect16)                                                             \
+    X(Occluded1)                                                               \
+    X(Occluded16)
+
+struct embree {
+#define X(name) __typeof__(rtc##name) *name;
+    EMBREE_FUNCTIONS(X)
+#undef X
+};
+
+/* Not to be used before embree_load has returned NULL. */
+extern struct embree embree;
+
+/* Once is enough; any thread may. Returns why it can't be, which is valid as
+ * long as the program runs, or NULL. */
+const char *embree_load(void);
+
 /* These hand `context`, whatever it is the beginning of, to the callbacks
  * and fill it in first. The nearest crossing: */
 static inline void embree_nearest(RTCScene scene, embree_context *context,
@@ -25,10 +69,10 @@ static inline void embree_nearest(RTCScene scene, embree_context *context,
     rtcInitRayQueryContext(context);
     rtcInitIntersectArguments(&arguments);
     arguments.context = context;
-    rtcIntersect1(scene, rayhit, &arguments);
+    embree.Intersect1(scene, rayhit, &arguments);
 #else
     rtcInitIntersectContext(context);
-    rtcIntersect1(scene, context, rayhit);
+    embree.Intersect1(scene, context, rayhit);
 #endif
 }
 
@@ -41,10 +85,10 @@ static inline void embree_any(RTCScene scene, embree_context *context,
     rtcInitRayQueryContext(context);
     rtcInitOccludedArguments(&arguments);
     arguments.context = context;
-    rtcOccluded1(scene, ray, &arguments);
+    embree.Occluded1(scene, ray, &arguments);
 #else
     rtcInitIntersectContext(context);
-    rtcOccluded1(scene, context, ray);
+    embree.Occluded1(scene, context, ray);
 #endif
 }
 
@@ -61,12 +105,12 @@ static inline void embree_nearest16(const int *valid, RTCScene scene,
     arguments.context = context;
     arguments.flags =
         coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
-    rtcIntersect16(valid, scene, rayhit, &arguments);
+    embree.Intersect16(valid, scene, rayhit, &arguments);
 #else
     rtcInitIntersectContext(context);
     context->flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
                               : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    rtcIntersect16(valid, scene, context, rayhit);
+    embree.Intersect16(valid, scene, context, rayhit);
 #endif
 }
 
@@ -81,11 +125,11 @@ static inline void embree_any16(const int *valid, RTCScene scene,
     rtcInitOccludedArguments(&arguments);
     arguments.context = context;
     arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
-    rtcOccluded16(valid, scene, rays, &arguments);
+    embree.Occluded16(valid, scene, rays, &arguments);
 #else
     rtcInitIntersectContext(context);
     context->flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    rtcOccluded16(valid, scene, context, rays);
+    embree.Occluded16(valid, scene, context, rays);
 #endif
 }
 

@@ -132,18 +132,19 @@ static RTCGeometry geometry_new(RTCDevice device, size_t vertex_count,
                                 size_t triangle_count, float **vertices,
                                 unsigned **indices)
 {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry geometry =
+        embree.NewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     if (!geometry)
         return NULL;
-    *vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                        RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                        vertex_count);
-    *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-                                       RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
-                                       triangle_count);
+    *vertices = embree.SetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                            RTC_FORMAT_FLOAT3,
+                                            3 * sizeof(float), vertex_count);
+    *indices = embree.SetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+        3 * sizeof(unsigned), triangle_count);
     if (*vertices && *indices)
         return geometry;
-    rtcReleaseGeometry(geometry);
+    embree.ReleaseGeometry(geometry);
     return NULL;
 }
 
@@ -151,12 +152,12 @@ static unsigned geometry_attach(RTCScene scene, RTCGeometry geometry,
                                 struct triangle_set *set,
                                 RTCFilterFunctionN shadow)
 {
-    rtcSetGeometryUserData(geometry, set);
-    rtcSetGeometryIntersectFilterFunction(geometry, nearest_filter);
-    rtcSetGeometryOccludedFilterFunction(geometry, shadow);
-    rtcCommitGeometry(geometry);
-    unsigned number = rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
+    embree.SetGeometryUserData(geometry, set);
+    embree.SetGeometryIntersectFilterFunction(geometry, nearest_filter);
+    embree.SetGeometryOccludedFilterFunction(geometry, shadow);
+    embree.CommitGeometry(geometry);
+    unsigned number = embree.AttachGeometry(scene, geometry);
+    embree.ReleaseGeometry(geometry);
     return number;
 }
 
@@ -208,12 +209,12 @@ static bool share_mesh(struct triangles *triangles, struct mesh_entry *entry,
         device, mesh->vertex_count, mesh->triangle_count, &vertices, &indices);
     if (!geometry)
         return false;
-    RTCScene scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    RTCScene scene = embree.NewScene(device);
+    embree.SetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     write_vertices(vertices, mesh, &identity);
     write_indices(indices, mesh, 0);
     geometry_attach(scene, geometry, &triangles->shared, shadow_filter);
-    rtcCommitScene(scene);
+    embree.CommitScene(scene);
     entry->instance = scene;
     return true;
 }
@@ -230,13 +231,14 @@ static bool add_instance(struct triangles *triangles, struct mesh_entry *entry,
     for (int row = 0; row < 3; row++)
         for (int column = 0; column < 4; column++)
             columns[3 * column + row] = triangles_float(move.m[row][column]);
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(geometry, entry->instance);
-    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                            columns);
-    rtcCommitGeometry(geometry);
-    unsigned number = rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
+    RTCGeometry geometry =
+        embree.NewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    embree.SetGeometryInstancedScene(geometry, entry->instance);
+    embree.SetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                                columns);
+    embree.CommitGeometry(geometry);
+    unsigned number = embree.AttachGeometry(scene, geometry);
+    embree.ReleaseGeometry(geometry);
     if (number >= triangles->leaf_room)
         return false;
     triangles->leaves[number] = leaf;
@@ -301,5 +303,5 @@ void triangles_free(struct flat *flat)
 {
     for (size_t i = 0; i < flat->meshes_used.capacity; i++)
         if (flat->meshes_used.entries[i].instance)
-            rtcReleaseScene(flat->meshes_used.entries[i].instance);
+            embree.ReleaseScene(flat->meshes_used.entries[i].instance);
 }

@@ -74,21 +74,21 @@ static void add_plane(float *corners, unsigned *faces, unsigned first)
 
 static RTCScene scene_of(RTCDevice device)
 {
-    RTCScene scene = rtcNewScene(device);
-    RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    float *corners = rtcSetNewGeometryBuffer(
+    RTCScene scene = embree.NewScene(device);
+    RTCGeometry mesh = embree.NewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    float *corners = embree.SetNewGeometryBuffer(
         mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
         BALLS * CORNERS + 4);
-    unsigned *faces = rtcSetNewGeometryBuffer(
+    unsigned *faces = embree.SetNewGeometryBuffer(
         mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
         BALLS * FACES + 2);
     add_balls(corners, faces);
     add_plane(corners + 3 * BALLS * CORNERS, faces + 3 * BALLS * FACES,
               BALLS * CORNERS);
-    rtcCommitGeometry(mesh);
-    rtcAttachGeometry(scene, mesh);
-    rtcReleaseGeometry(mesh);
-    rtcCommitScene(scene);
+    embree.CommitGeometry(mesh);
+    embree.AttachGeometry(scene, mesh);
+    embree.ReleaseGeometry(mesh);
+    embree.CommitScene(scene);
     return scene;
 }
 
@@ -171,7 +171,12 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: limit WIDTH HEIGHT SHADOWS RUNS\n");
         return 2;
     }
-    RTCDevice device = rtcNewDevice("threads=1");
+    const char *failure = embree_load();
+    if (failure) {
+        fprintf(stderr, "limit: %s\n", failure);
+        return 1;
+    }
+    RTCDevice device = embree.NewDevice("threads=1");
     struct limit limit = { scene_of(device), atoi(argv[1]), atoi(argv[2]), 0,
                            0 };
     double least = INFINITY;
@@ -185,7 +190,7 @@ int main(int argc, char **argv)
     }
     printf("%.4f\n", least);
     fprintf(stderr, "lit %ld, not asked %ld\n", limit.lit, limit.shadows);
-    rtcReleaseScene(limit.scene);
-    rtcReleaseDevice(device);
+    embree.ReleaseScene(limit.scene);
+    embree.ReleaseDevice(device);
     return 0;
 }

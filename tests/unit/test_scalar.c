@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "lightmesh/gather.h"
+#include "lightmesh/gather_paint.h"
 #include "lightmesh/scalar.h"
 #include "scene_world.h"
 
