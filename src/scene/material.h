@@ -271,6 +271,12 @@ bool normal_tilts(const struct normal *perturbation);
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
                       vec3 normal, const struct uv_source *surface);
 
+/* The same at several points of what is of space; `perturbed` is neither of the
+ * others. */
+void normals_perturbed(const struct normal *perturbation,
+                       const struct spots *points, const struct spots *normals,
+                       struct spots *perturbed);
+
 /* Copies in `arena`, moved by an invertible transformation. */
 const struct pigment *pigment_moved(struct arena *arena,
                                     const struct pigment *pigment,

@@ -1,6 +1,9 @@
 /* Normals: bumps that exist only in the shading. All was measured with POV-Ray
  * 3.7: the tilt is computed in the pattern's own space, so that a texture's
  * bumps grow with it when it is scaled. */
+#include <float.h>
+
+#include "base/clones.h"
 #include "scene/image_map.h"
 #include "scene/map_entry.h"
 #include "scene/material.h"
@@ -20,28 +23,38 @@ static double slope_height(const struct slope_map *map, double value)
            s * t * (s * a->slope - t * b->slope);
 }
 
+enum { CORNERS = 4, SLOPES_MAX = SPOTS_MAX / CORNERS };
+
 /* The value's slope by differences along the corners of a tetrahedron; where
- * the value is linear this is 2/15 of its gradient for whatever accuracy. */
-static vec3 normal_slope(const struct normal *normal, vec3 point)
+ * the value is linear this is 2/15 of its gradient for whatever accuracy. Of so
+ * many points from the first on, at most SLOPES_MAX. */
+static void normal_slopes(const struct normal *normal,
+                          const struct spots *points, int first, int count,
+                          vec3 *slopes)
 {
-    static const vec3 corners[4] = {
+    static const vec3 corners[CORNERS] = {
         { 0.94280904158206336, -1.0 / 3, 0 },
         { -0.47140452079103168, -1.0 / 3, 0.81649658092772603 },
         { -0.47140452079103168, -1.0 / 3, -0.81649658092772603 },
         { 0, 1, 0 },
     };
     struct spots at;
-    double value[4];
-    vec3 sum = { 0, 0, 0 };
+    double values[SPOTS_MAX];
     at.count = 0;
-    for (int i = 0; i < 4; i++)
-        spots_add(&at, vec3_along(point, corners[i], normal->accuracy));
-    pattern_values_at(&normal->pattern, &at, value);
-    for (int i = 0; i < 4; i++)
-        sum = vec3_along(sum, corners[i],
-                         normal->slopes ? slope_height(normal->slopes, value[i])
-                                        : value[i]);
-    return vec3_scale(sum, 0.1 / normal->accuracy);
+    for (int k = 0; k < count * CORNERS; k++)
+        spots_add(&at, vec3_along(spots_at(points, first + k / CORNERS),
+                                  corners[k % CORNERS], normal->accuracy));
+    pattern_values_at(&normal->pattern, &at, values);
+    for (int k = 0; k < count; k++) {
+        vec3 sum = { 0, 0, 0 };
+        for (int i = 0; i < CORNERS; i++) {
+            double value = values[k * CORNERS + i];
+            sum = vec3_along(
+                sum, corners[i],
+                normal->slopes ? slope_height(normal->slopes, value) : value);
+        }
+        slopes[first + k] = vec3_scale(sum, 0.1 / normal->accuracy);
+    }
 }
 
 /* The unit normal in the pattern's space: by the cofactors of the map there,
@@ -100,23 +113,50 @@ static vec3 map_normal(const struct normal *perturbation, const struct bend *at)
     return vec3_mix(entry_normal(entry - 1, at), high, place.share);
 }
 
+/* What bends the normals, which have no map, for amount 1; all of it is in the
+ * pattern's own space. */
+static void normal_tilts_at(const struct normal *perturbation,
+                            const struct spots *points,
+                            const struct spots *normals, vec3 *tilts)
+{
+    const struct pattern *pattern = &perturbation->pattern;
+    const int count = points->count;
+    if (perturbation->bumps) {
+        for (int i = 0; i < count; i++)
+            tilts[i] = image_map_tilt(perturbation->bumps, spots_at(points, i),
+                                      spots_at(normals, i));
+    } else if (pattern->kind->perturbation && !perturbation->slopes) {
+        for (int i = 0; i < count; i++)
+            tilts[i] = pattern->kind->perturbation(pattern, spots_at(points, i),
+                                                   spots_at(normals, i));
+    } else {
+        for (int i = 0; i < count; i += SLOPES_MAX)
+            normal_slopes(perturbation, points, i,
+                          count - i < SLOPES_MAX ? count - i : SLOPES_MAX,
+                          tilts);
+        for (int i = 0; i < count; i++)
+            tilts[i] = vec3_negate(tilts[i]);
+    }
+}
+
+static double normal_amount(const struct normal *perturbation)
+{
+    const struct pattern_kind *kind = perturbation->pattern.kind;
+    return kind && kind->full ? 1 : perturbation->amount;
+}
+
 /* `length` is that of the normal for bumps that are not scaled; else 1. */
 static vec3 normal_tilted(const struct normal *perturbation,
                           const struct bend *at, double length)
 {
-    const struct pattern *pattern = &perturbation->pattern;
-    vec3 point = at->point, normal = at->normal, tilt;
     if (perturbation->map)
         return map_normal(perturbation, at);
-    if (perturbation->bumps)
-        tilt = image_map_tilt(perturbation->bumps, point, normal);
-    else if (pattern->kind->perturbation && !perturbation->slopes)
-        tilt = pattern->kind->perturbation(pattern, point, normal);
-    else
-        tilt = vec3_negate(normal_slope(perturbation, point));
-    bool full = pattern->kind && pattern->kind->full;
-    return vec3_along(vec3_scale(normal, length), tilt,
-                      full ? 1 : perturbation->amount);
+    const struct spots point = spots_of(at->point);
+    const struct spots normal = spots_of(at->normal);
+    vec3 tilt;
+    normal_tilts_at(perturbation, &point, &normal, &tilt);
+    return vec3_along(vec3_scale(at->normal, length), tilt,
+                      normal_amount(perturbation));
 }
 
 bool normal_tilts(const struct normal *perturbation)
@@ -143,33 +183,113 @@ bool normal_is_of_space(const struct normal *perturbation)
     return normal_spatial(perturbation, &budget);
 }
 
+static bool normal_is_level(const struct normal *perturbation)
+{
+    return !normal_tilts(perturbation) ||
+           (perturbation->amount == 0 && !perturbation->map);
+}
+
+/* The way into the pattern's own space. */
+struct normal_space {
+    const affine *inward;
+    const struct cofactors *cofactors;
+    affine warped; /* what they are of a pattern with warps */
+    struct cofactors of_warped;
+};
+
+static void normal_space_of(struct normal_space *space,
+                            const struct pattern *pattern)
+{
+    space->inward = &pattern->inverse;
+    space->cofactors = &pattern->cofactors;
+    if (pattern->warps) {
+        space->warped = pattern_affine(pattern);
+        space->of_warped = affine_cofactors(&space->warped);
+        space->inward = &space->warped;
+        space->cofactors = &space->of_warped;
+    }
+}
+
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
                       vec3 normal, const struct uv_source *surface)
 {
     const struct pattern *pattern = &perturbation->pattern;
-    if (!normal_tilts(perturbation) ||
-        (perturbation->amount == 0 && !perturbation->map))
+    if (normal_is_level(perturbation))
         return normal;
     struct bend at = { .point = pattern_locate(pattern, point),
                        .surface = surface };
-    const affine *inward = &pattern->inverse;
-    const struct cofactors *cofactors = &pattern->cofactors;
-    affine warped;
-    struct cofactors of_warped;
-    if (pattern->warps) {
-        warped = pattern_affine(pattern);
-        of_warped = affine_cofactors(&warped);
-        inward = &warped;
-        cofactors = &of_warped;
-    }
+    struct normal_space space;
+    normal_space_of(&space, pattern);
     double height;
-    at.normal = normal_into_pattern(cofactors, normal, &height);
+    at.normal = normal_into_pattern(space.cofactors, normal, &height);
     if (!perturbation->level || !isfinite(height))
         height = 1;
     vec3 local = normal_tilted(perturbation, &at, height);
-    vec3 result = vec3_normalise(affine_normal(inward, local));
+    vec3 result = vec3_normalise(affine_normal(space.inward, local));
     double length = vec3_dot(result, result);
     return length > 0.5 && length < 2 ? result : normal;
+}
+
+CLONES static void normals_into_pattern(const struct cofactors *restrict map,
+                                        const struct spots *restrict normals,
+                                        struct spots *restrict inner,
+                                        double *restrict heights)
+{
+    for (int i = 0; i < normals->count; i++) {
+        double height;
+        vec3 local = normal_into_pattern(map, spots_at(normals, i), &height);
+        heights[i] = fabs(height) <= DBL_MAX ? height : 1;
+        spots_put(inner, i, local);
+    }
+}
+
+/* The bent ones, where they are in the pattern, brought back; where nothing
+ * sensible comes of it those that there were. */
+CLONES static void normals_out_of_pattern(const affine *restrict inward,
+                                          const struct spots *restrict local,
+                                          const struct spots *restrict normals,
+                                          struct spots *restrict perturbed)
+{
+    for (int i = 0; i < normals->count; i++) {
+        vec3 normal = spots_at(normals, i);
+        vec3 result = vec3_normalise(affine_normal(inward, spots_at(local, i)));
+        double length = vec3_dot(result, result);
+        bool good = (length > 0.5) & (length < 2);
+        spots_put(perturbed, i,
+                  vec3_make(good ? result.x : normal.x,
+                            good ? result.y : normal.y,
+                            good ? result.z : normal.z));
+    }
+}
+
+void normals_perturbed(const struct normal *perturbation,
+                       const struct spots *points, const struct spots *normals,
+                       struct spots *perturbed)
+{
+    const int count = points->count;
+    perturbed->count = count;
+    if (normal_is_level(perturbation) || perturbation->map) {
+        for (int i = 0; i < count; i++)
+            spots_put(perturbed, i,
+                      normal_perturbed(perturbation, spots_at(points, i),
+                                       spots_at(normals, i), NULL));
+        return;
+    }
+    struct normal_space space;
+    struct spots located, inner;
+    double heights[SPOTS_MAX];
+    vec3 tilts[SPOTS_MAX];
+    inner.count = count;
+    normal_space_of(&space, &perturbation->pattern);
+    pattern_locate_all(&perturbation->pattern, points, &located);
+    normals_into_pattern(space.cofactors, normals, &inner, heights);
+    normal_tilts_at(perturbation, &located, &inner, tilts);
+    for (int i = 0; i < count; i++)
+        spots_put(&inner, i,
+                  vec3_along(vec3_scale(spots_at(&inner, i),
+                                        perturbation->level ? heights[i] : 1),
+                             tilts[i], normal_amount(perturbation)));
+    normals_out_of_pattern(space.inward, &inner, normals, perturbed);
 }
 
 const struct normal *normal_moved(struct arena *arena,

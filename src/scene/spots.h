@@ -13,12 +13,16 @@ struct spots {
     double x[SPOTS_MAX], y[SPOTS_MAX], z[SPOTS_MAX];
 };
 
-static inline void spots_add(struct spots *spots, vec3 point)
+static inline void spots_put(struct spots *spots, int i, vec3 point)
 {
-    int i = spots->count++;
     spots->x[i] = point.x;
     spots->y[i] = point.y;
     spots->z[i] = point.z;
+}
+
+static inline void spots_add(struct spots *spots, vec3 point)
+{
+    spots_put(spots, spots->count++, point);
 }
 
 static inline vec3 spots_at(const struct spots *spots, int i)

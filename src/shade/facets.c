@@ -142,13 +142,14 @@ static void paint_bumps(const struct coating *coating,
 {
     const struct world_coat *coat = coating->coat;
     double(*normals)[RAY_LANES] = coating->to->normal;
-    for (int k = 0; k < painted->points.count; k++) {
-        unsigned i = painted->lane[k];
-        vec3 bumped = layer_bumped(
-            coating->from, coat->to_texture, coat->from_texture,
-            spots_at(&painted->points, k), lane_get(normals, i), NULL);
-        lane_put(normals, i, bumped);
-    }
+    struct spots bumped;
+    bumped.count = 0;
+    for (int k = 0; k < painted->points.count; k++)
+        spots_add(&bumped, lane_get(normals, painted->lane[k]));
+    layer_bump_many(coating->from, coat->to_texture, coat->from_texture,
+                    &painted->points, &bumped);
+    for (int k = 0; k < painted->points.count; k++)
+        lane_put(normals, painted->lane[k], spots_at(&bumped, k));
 }
 
 /* The pigments, and the normals' bumps. */

@@ -4,6 +4,10 @@
  * with conserve_energy of (1 - reflection), over the layers above it. */
 #include "shade/surface.h"
 
+#include <float.h>
+
+#include "base/clones.h"
+#include "scene/spots.h"
 #include "shade/finish.h"
 
 /* The normal with the last bumps that were worked out at the point. Layers
@@ -125,14 +129,50 @@ static inline colour layer_pigment(const struct layer *layer,
 }
 
 /* Bumps live in the texture's space: the normal goes there and back. */
-vec3 layer_bumped(const struct layer *layer, const affine *to,
-                  const affine *from, vec3 point, vec3 normal,
-                  const struct uv_source *surface)
+static vec3 layer_bumped(const struct layer *layer, const affine *to,
+                         const affine *from, vec3 point, vec3 normal,
+                         const struct uv_source *surface)
 {
     vec3 there = vec3_normalise(affine_normal(from, normal));
     vec3 bumped = normal_perturbed(layer->normal, point, there, surface);
     vec3 back = vec3_normalise(affine_normal(to, bumped));
     return vec3_finite(back) ? back : normal;
+}
+
+CLONES static void normals_there(const affine *restrict from,
+                                 const struct spots *restrict normals,
+                                 struct spots *restrict there)
+{
+    for (int i = 0; i < normals->count; i++)
+        spots_put(there, i,
+                  vec3_normalise(affine_normal(from, spots_at(normals, i))));
+}
+
+CLONES static void normals_back(const affine *restrict to,
+                                const struct spots *restrict bumped,
+                                struct spots *restrict normals)
+{
+    for (int i = 0; i < normals->count; i++) {
+        vec3 normal = spots_at(normals, i);
+        vec3 back = vec3_normalise(affine_normal(to, spots_at(bumped, i)));
+        bool finite = (fabs(back.x) <= DBL_MAX) & (fabs(back.y) <= DBL_MAX) &
+                      (fabs(back.z) <= DBL_MAX);
+        spots_put(normals, i,
+                  vec3_make(finite ? back.x : normal.x,
+                            finite ? back.y : normal.y,
+                            finite ? back.z : normal.z));
+    }
+}
+
+void layer_bump_many(const struct layer *layer, const affine *to,
+                     const affine *from, const struct spots *points,
+                     struct spots *normals)
+{
+    struct spots there, bumped;
+    there.count = normals->count;
+    normals_there(from, normals, &there);
+    normals_perturbed(layer->normal, points, &there, &bumped);
+    normals_back(to, &bumped, normals);
 }
 
 static vec3 layer_normal(const struct layer *layer, struct place *place,

@@ -71,13 +71,12 @@ struct surface_paint {
 /* What all layers let pass straight through: a shadow ray's view. */
 rgb surface_transmittance(const struct intersection *at);
 
-/* The unit normal with a layer's bumps, at a point of the texture's space, of
- * an unperturbed one, both in the world. `to` and `from`: world <-> the
- * texture's space. `surface` as of normal_perturbed. Not of bumps that are laid
- * by the surface's own coordinates and don't turn with its texture. */
-vec3 layer_bumped(const struct layer *layer, const affine *to,
-                  const affine *from, vec3 point, vec3 normal,
-                  const struct uv_source *surface);
+/* Gives unit normals in the world a layer's bumps, at points of the texture's
+ * space; all of it must be of space. `to` and `from`: world <-> the texture's
+ * space. */
+void layer_bump_many(const struct layer *layer, const affine *to,
+                     const affine *from, const struct spots *points,
+                     struct spots *normals);
 
 /* The unit normal there, turned against the ray's direction, with the bumps of
  * the topmost layer. */

@@ -401,6 +401,43 @@ static void patterns_survive_anything(void **state)
     }
 }
 
+/* To the bit, by every pattern, moved and warped, with slopes and without, in
+ * any number. */
+static void normals_together_are_as_alone(void **state)
+{
+    (void)state;
+    static struct slope_entry slopes[] = { { 0, 0, 1 }, { 1, 0.4, -1 } };
+    static const struct slope_map map = { slopes, 2 };
+    const affine move = affine_scaling(vec3_make(0.3, -2, 1));
+    const struct pattern_kind *kind;
+    for (size_t i = 0; (kind = pattern_at(i)); i++)
+        for (int k = 0; k < 16; k++) {
+            struct normal normal = { .pattern = pattern_new(arena, kind),
+                                     .amount = 0.7,
+                                     .accuracy = 0.02,
+                                     .slopes = k & 1 ? &map : NULL };
+            if (kind->seen || kind->average)
+                continue;
+            normal.level = k & 2;
+            normal.pattern.turbulent = k & 4;
+            if (k & 8)
+                pattern_transform(&normal.pattern, &move);
+            struct spots points = { .count = 0 }, normals = points, together;
+            for (int n = 0; n < k + 1; n++) {
+                vec3 p = { 0.37 * n - 1, 0.71 * n, 0.29 - n };
+                spots_add(&points, n == 5 ? vec3_make(1e300, 0, NAN) : p);
+                spots_add(&normals, vec3_normalise(vec3_make(1, p.y, -p.x)));
+            }
+            normals_perturbed(&normal, &points, &normals, &together);
+            for (int n = 0; n < points.count; n++) {
+                vec3 alone = normal_perturbed(&normal, spots_at(&points, n),
+                                              spots_at(&normals, n), NULL);
+                vec3 found = spots_at(&together, n);
+                assert_memory_equal(&alone, &found, sizeof alone);
+            }
+        }
+}
+
 static void list_is_complete(void **state)
 {
     (void)state;
@@ -513,6 +550,7 @@ int main(void)
         cmocka_unit_test(patterns_survive_anything),
         cmocka_unit_test(orbits_may_leave_out_whole_rounds),
         cmocka_unit_test(pigments_of_many_points_are_those_of_each),
+        cmocka_unit_test(normals_together_are_as_alone),
         cmocka_unit_test(list_is_complete),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
