@@ -87,21 +87,44 @@ struct cofactors affine_cofactors(const affine *a)
                                vec3_dot(row[0], first) };
 }
 
+/* Whether it only turns, to the last digits. */
+static bool affine_turns(const affine *a, double determinant)
+{
+    const double rounding = 4e-16;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j <= i; j++) {
+            double dot = a->m[0][i] * a->m[0][j] + a->m[1][i] * a->m[1][j] +
+                         a->m[2][i] * a->m[2][j];
+            if (fabs(dot - (i == j)) > rounding)
+                return false;
+        }
+    return determinant > 0;
+}
+
+/* Of the linear part. */
+static double inverse_entry(const affine *a, double determinant, int i, int j)
+{
+    int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+    return (a->m[j1][i1] * a->m[j2][i2] - a->m[j1][i2] * a->m[j2][i1]) /
+           determinant;
+}
+
+/* The inverses of scalings and rotations are as exact as these. */
 bool affine_inverse(affine a, affine *inverse)
 {
     double determinant = affine_determinant(a);
     if (determinant == 0 || !isfinite(determinant))
         return false;
-    affine out;
-    for (int i = 0; i < 3; i++) {
-        int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-        for (int j = 0; j < 3; j++) {
-            int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            out.m[i][j] =
-                (a.m[j1][i1] * a.m[j2][i2] - a.m[j1][i2] * a.m[j2][i1]) /
-                determinant;
-        }
-    }
+    affine out = affine_identity();
+    bool scaling = affine_is_along_axes(a);
+    bool turns = !scaling && affine_turns(&a, determinant);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            if (scaling)
+                out.m[i][j] = i == j ? 1 / a.m[i][i] : 0;
+            else
+                out.m[i][j] =
+                    turns ? a.m[j][i] : inverse_entry(&a, determinant, i, j);
     for (int i = 0; i < 3; i++)
         out.m[i][3] = -(out.m[i][0] * a.m[0][3] + out.m[i][1] * a.m[1][3] +
                         out.m[i][2] * a.m[2][3]);
@@ -116,6 +139,36 @@ bool affine_is_identity(affine a)
             if (a.m[i][j] != (i == j ? 1 : 0))
                 return false;
     return true;
+}
+
+bool affine_is_along_axes(affine a)
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            if (i == j ? !(a.m[i][j] > 0) : a.m[i][j] != 0)
+                return false;
+    return true;
+}
+
+struct box3 box3_complement(struct box3 box)
+{
+    double low[3] = { box.low.x, box.low.y, box.low.z };
+    double high[3] = { box.high.x, box.high.y, box.high.z };
+    int finite = 0, axis = 0;
+    bool upper = false;
+    for (int i = 0; i < 3; i++) {
+        if (isfinite(low[i]) || isfinite(high[i])) {
+            finite += isfinite(low[i]) + isfinite(high[i]);
+            axis = i;
+            upper = isfinite(high[i]);
+        }
+    }
+    struct box3 other = box3_infinite();
+    if (finite != 1)
+        return other;
+    double *side = upper ? &other.low.x : &other.high.x;
+    side[axis] = upper ? high[axis] : low[axis];
+    return other;
 }
 
 /* Arvo 1990: per output axis, each input interval adds its smaller and larger

@@ -37,6 +37,13 @@ bool affine_inverse(affine a, affine *inverse);
 double affine_determinant(affine a);
 bool affine_is_identity(affine a);
 
+/* Whether it only moves and scales: the axes stay what they are, and point to
+ * the same side. */
+bool affine_is_along_axes(affine a);
+
+/* The other side of a box that ends on one side alone; else everything. */
+struct box3 box3_complement(struct box3 box);
+
 /* The identity, which whoever is not moved can point to. */
 extern const affine affine_unmoved;
 

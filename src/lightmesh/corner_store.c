@@ -8,6 +8,9 @@
 #include "scene/camera.h"
 #include "shade/shadow.h"
 
+/* Of a cell's step: what is no higher is on one plane, but for rounding. */
+static const double cell_thickness = 1e-6;
+
 enum { CELLS_ACROSS = 8, CELLS_DOWN = 4, CELL_LEVELS = 2 };
 
 struct cells {
@@ -171,6 +174,87 @@ const struct corner_light *corner_store_light(const struct corner_store *store,
     if (state == TABLE_MINE)
         table_publish(store->lights, record);
     return record;
+}
+
+/* Normals that are the same but for rounding. */
+static bool sides_agree(vec3 a, vec3 b)
+{
+    return vec3_dot(a, b) > 1 - 1e-9;
+}
+
+static bool on_plane(const struct corner_cell *cell, vec3 point)
+{
+    vec3 between = vec3_sub(point, cell->at[0]);
+    return fabs(vec3_dot(between, cell->side)) <= cell->thick;
+}
+
+/* Says the same whoever asks first. */
+static bool cell_flat(const struct corner_store *store, struct worker *worker,
+                      struct corner_cell *cell, const struct receiver *like)
+{
+    cell->thick = cell_thickness * store->grid->step[cell->name.level];
+    cell->reach2 = HUGE_VAL;
+    for (int i = 0; i < GRID_CORNERS; i++) {
+        const struct corner *corner =
+            corner_store_corner(store, worker, cell, i, like);
+        if (!corner->met)
+            return false;
+        cell->at[i] = corner->point;
+        if (i == 0)
+            cell->side = corner->side;
+        if (!sides_agree(corner->side, cell->side) ||
+            !on_plane(cell, corner->point))
+            return false;
+        cell->reach2 = fmin(cell->reach2, corner->reach * corner->reach);
+    }
+    return true;
+}
+
+enum corner_hold corner_cell_holds(const struct corner_store *store,
+                                   struct worker *worker,
+                                   struct corner_cell *cell,
+                                   const struct receiver *receiver)
+{
+    double apart[GRID_CORNERS];
+    if (cell->flat == 0)
+        cell->flat = cell_flat(store, worker, cell, receiver) ? 1 : -1;
+    if (cell->flat < 0 || !sides_agree(receiver->side, cell->side) ||
+        !on_plane(cell, receiver->point))
+        return CELL_BENT;
+    for (int i = 0; i < GRID_CORNERS; i++) {
+        vec3 between = vec3_sub(receiver->point, cell->at[i]);
+        apart[i] = vec3_dot(between, between);
+    }
+    bool near = apart[0] <= cell->reach2 && apart[1] <= cell->reach2 &&
+                apart[2] <= cell->reach2 && apart[3] <= cell->reach2;
+    return near ? CELL_HOLDS : CELL_FAR;
+}
+
+double shares_differ(const struct indirect_share *const *shares, int count)
+{
+    double least = HUGE_VAL, most = 0;
+    for (int i = 0; i < count; i++) {
+        double amount = rgb_brightness(shares[i]->light) +
+                        indirect_pixels_open * shares[i]->open;
+        least = fmin(least, amount);
+        most = fmax(most, amount);
+    }
+    return (most - least) / (most + indirect_pixels_dim);
+}
+
+void corner_cell_ask(const struct corner_store *store, struct worker *worker,
+                     struct corner_cell *cell, const struct receiver *like)
+{
+    const struct indirect_share *shares[GRID_CORNERS];
+    if (cell->told)
+        return;
+    for (int i = 0; i < GRID_CORNERS; i++) {
+        cell->share[i] =
+            corner_store_light(store, worker, cell, i, like)->share;
+        shares[i] = &cell->share[i];
+    }
+    cell->differ = shares_differ(shares, GRID_CORNERS);
+    cell->told = true;
 }
 
 static bool cell_clear(const struct corner_store *store, struct worker *worker,

@@ -30,6 +30,15 @@ struct corner_cell {
     const struct corner *corner[GRID_CORNERS]; /* NULL: not asked yet, or not
                                                 * kept */
     const struct corner_light *light[GRID_CORNERS]; /* likewise */
+    /* Whether all corners are on one plane (corner_cell_holds): -1 no, 1 yes, 0
+     * not asked yet; if so where it is, and, once known, what they say. */
+    signed char flat;
+    bool told;
+    vec3 at[GRID_CORNERS], side;
+    double thick;  /* how far from the plane a place is on it, units */
+    double reach2; /* square of how far all corners may serve */
+    struct indirect_share share[GRID_CORNERS];
+    double differ; /* by how much, of the largest of them */
 };
 
 /* The cell of that name: the worker keeps the last that it came by, as
@@ -51,6 +60,22 @@ const struct corner_light *corner_store_light(const struct corner_store *store,
                                               struct worker *worker,
                                               struct corner_cell *cell, int i,
                                               const struct receiver *like);
+
+/* Whether all corners of the cell are on the receiver's plane, and near enough
+ * to serve it. */
+enum corner_hold { CELL_BENT, CELL_FAR, CELL_HOLDS };
+
+enum corner_hold corner_cell_holds(const struct corner_store *store,
+                                   struct worker *worker,
+                                   struct corner_cell *cell,
+                                   const struct receiver *receiver);
+
+/* Sets what the corners of a cell that holds the receiver say. */
+void corner_cell_ask(const struct corner_store *store, struct worker *worker,
+                     struct corner_cell *cell, const struct receiver *like);
+
+/* By how much two of so many shares differ, as a part of the larger one. */
+double shares_differ(const struct indirect_share *const *shares, int count);
 
 /* Whether all corners are there and see each other: then nothing stands between
  * them and a place in their midst. */

@@ -196,7 +196,7 @@ static bool square_fill(const struct leaf *leaf, size_t part,
     const struct object *object = leaf->object;
     struct patch patches[PATCHES_MAX];
     facet->square = true;
-    if ((int)part >= object->primitive->patches(object->shape, patches) ||
+    if ((int)part >= object->primitive->patches(leaf->shape, patches) ||
         patches[part].kind != PATCH_PARALLELOGRAM)
         return false;
     struct patch patch = patch_moved(&patches[part], leaf->to_world);

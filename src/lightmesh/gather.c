@@ -316,7 +316,7 @@ static bool gathering_meet(struct gathering *gathering,
     rgb sent = gathering_shade(gathering, &surface);
     sent = rgb_add(sent, gathering_mirrors(gathering, &surface));
     *light = rgb_add(*light, rgb_mul(gathering->share, sent));
-    gathering->share = rgb_mul(gathering->share, surface.through);
+    gathering->share = rgb_mul(gathering->share, surface_passed(&surface));
     gathering->ray.origin = surface.point;
     gathering->met++;
     return rgb_peak(gathering->share) >= gather_least;

@@ -67,7 +67,9 @@ size_t indirect_pixels_bytes(const struct indirect_pixels *pixels)
 
 /* The corners around a place that serve it, with their weights. */
 struct corners {
-    struct corner_cell *cell, own; /* own: where the worker keeps none */
+    struct grid_cell name;
+    struct corner_cell *cell, own; /* own: where the worker keeps none; NULL:
+                                    * there is none */
     int count;
     bool missing; /* another is on another surface */
     double sum;
@@ -79,23 +81,32 @@ struct corners {
     } at[GRID_CORNERS];
 };
 
-/* Those of a level; what they know isn't asked yet. */
+/* Names the cell around a place on a level. */
+static void corners_begin(struct corners *corners,
+                          const struct indirect_pixels *pixels,
+                          const struct worker *worker,
+                          const struct receiver *receiver, int level)
+{
+    struct grid_cell *name = &corners->name;
+    corners->cell = NULL;
+    if (surface_grid_cell(&pixels->grid, receiver, level, name))
+        corners->cell = corner_store_cell(pixels->store, worker, name,
+                                          point_mesh_worth(receiver->weight),
+                                          &corners->own);
+}
+
+/* What they know isn't asked yet. */
 static void corners_find(struct corners *corners,
                          const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver,
-                         int level)
+                         struct worker *worker, const struct receiver *receiver)
 {
-    struct grid_cell name;
+    const struct grid_cell *name = &corners->name;
     corners->count = 0;
-    corners->missing = true;
-    if (!surface_grid_cell(&pixels->grid, receiver, level, &name))
+    corners->missing = !corners->cell;
+    if (corners->missing)
         return;
-    corners->cell =
-        corner_store_cell(pixels->store, worker, &name,
-                          point_mesh_worth(receiver->weight), &corners->own);
-    corners->missing = false;
     for (int i = 0; i < GRID_CORNERS; i++) {
-        if (name.weight[i] < indirect_pixels_least)
+        if (name->weight[i] < indirect_pixels_least)
             continue;
         const struct corner *corner = corner_store_corner(
             pixels->store, worker, corners->cell, i, receiver);
@@ -104,7 +115,7 @@ static void corners_find(struct corners *corners,
             continue;
         }
         corners->at[corners->count].number = i;
-        corners->at[corners->count].weight = name.weight[i];
+        corners->at[corners->count].weight = name->weight[i];
         corners->at[corners->count++].corner = corner;
     }
 }
@@ -125,15 +136,10 @@ static void corners_ask(struct corners *corners,
 /* Where they differ much something may stand between, or on a corner. */
 static bool corners_alike(const struct corners *corners, double even)
 {
-    double least = HUGE_VAL, most = 0;
-    for (int i = 0; i < corners->count; i++) {
-        const struct indirect_share *share = &corners->at[i].light->share;
-        double amount =
-            rgb_brightness(share->light) + indirect_pixels_open * share->open;
-        least = fmin(least, amount);
-        most = fmax(most, amount);
-    }
-    return most - least <= even * (most + indirect_pixels_dim);
+    const struct indirect_share *shares[GRID_CORNERS];
+    for (int i = 0; i < corners->count; i++)
+        shares[i] = &corners->at[i].light->share;
+    return corners->count == 0 || shares_differ(shares, corners->count) <= even;
 }
 
 /* Leaves out what can't be seen from the place, where it matters: where another
@@ -236,6 +242,13 @@ static struct indirect_share corners_light(const struct corners *corners,
                : corners_smooth(corners);
 }
 
+static void share_blend(struct indirect_share *share,
+                        const struct indirect_share *coarse, double blend)
+{
+    share->light = rgb_mix(share->light, coarse->light, blend);
+    share->open += (coarse->open - share->open) * blend;
+}
+
 /* By corners of a level, and so much by those twice as far apart. */
 static bool corners_blend(const struct indirect_pixels *pixels,
                           struct worker *worker,
@@ -252,31 +265,120 @@ static bool corners_blend(const struct indirect_pixels *pixels,
     if (at[1].sum < indirect_pixels_enough)
         return true;
     struct indirect_share coarse = corners_light(&at[1], receiver);
-    share->light = rgb_mix(share->light, coarse.light, blend);
-    share->open += (coarse.open - share->open) * blend;
+    share_blend(share, &coarse, blend);
     return true;
 }
 
-/* Corners twice as far apart are enough where they say about the same. */
+/* Most pixels are on one plane with all corners of their cell, which then says
+ * at once by how much they differ. */
+static enum corner_hold corners_flat(const struct corners *corners,
+                                     const struct indirect_pixels *pixels,
+                                     struct worker *worker,
+                                     const struct receiver *receiver)
+{
+    if (!corners->cell || receiver_is_bumpy(receiver))
+        return CELL_BENT;
+    enum corner_hold hold =
+        corner_cell_holds(pixels->store, worker, corners->cell, receiver);
+    if (hold == CELL_HOLDS)
+        corner_cell_ask(pixels->store, worker, corners->cell, receiver);
+    return hold;
+}
+
+static struct indirect_share corners_flat_share(const struct corners *corners)
+{
+    const struct corner_cell *cell = corners->cell;
+    struct indirect_share share = { rgb_grey(0), 0 };
+    for (int i = 0; i < GRID_CORNERS; i++) {
+        double weight = corners->name.weight[i];
+        share.light = rgb_add_scaled(share.light, cell->share[i].light, weight);
+        share.open += weight * cell->share[i].open;
+    }
+    return share;
+}
+
+/* By corners twice as far apart, which are enough where they say about the
+ * same. */
+static bool corners_coarse(struct corners *corners,
+                           const struct indirect_pixels *pixels,
+                           struct worker *worker,
+                           const struct receiver *receiver,
+                           struct indirect_share *share)
+{
+    corners_find(corners, pixels, worker, receiver);
+    if (corners->missing)
+        return false;
+    corners_ask(corners, pixels, worker, receiver);
+    if (!corners_alike(corners, indirect_pixels_same))
+        return false;
+    *share = corners_light(corners, receiver);
+    return true;
+}
+
+/* Flat cells that are as even as that. */
+static bool cell_is_even(const struct corners *corners, enum corner_hold hold,
+                         double even)
+{
+    return hold == CELL_HOLDS && corners->cell->differ <= even;
+}
+
+/* Between flat cells that are even, if both are that are wanted. */
+static bool cells_light(const struct corners at[2],
+                        const enum corner_hold hold[2], double blend,
+                        struct indirect_share *share)
+{
+    bool mixed = blend > 0 && hold[1] != CELL_FAR;
+    if (!cell_is_even(&at[0], hold[0], indirect_pixels_even) ||
+        (mixed && !cell_is_even(&at[1], hold[1], indirect_pixels_even)))
+        return false;
+    *share = corners_flat_share(&at[0]);
+    if (mixed) {
+        const struct indirect_share coarse = corners_flat_share(&at[1]);
+        share_blend(share, &coarse, blend);
+    }
+    return true;
+}
+
+/* By those twice as far apart, where they are enough. If not, they are there
+ * for corners_blend, unless cells_light needs none. */
+static bool coarse_light(struct corners *corners, enum corner_hold hold,
+                         const struct indirect_pixels *pixels,
+                         struct worker *worker, const struct receiver *receiver,
+                         struct indirect_share *share)
+{
+    corners->missing = true;
+    if (cell_is_even(corners, hold, indirect_pixels_same)) {
+        *share = corners_flat_share(corners);
+        return true;
+    }
+    return hold == CELL_BENT &&
+           corners_coarse(corners, pixels, worker, receiver, share);
+}
+
 bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            struct worker *worker,
                            const struct receiver *receiver,
                            struct indirect_share *share)
 {
     struct corners at[2];
+    enum corner_hold hold[2];
     double blend;
     if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
     int level = surface_grid_level(&pixels->grid, receiver, &blend);
-    corners_find(&at[1], pixels, worker, receiver, level + 1);
-    if (!at[1].missing) {
+    corners_begin(&at[1], pixels, worker, receiver, level + 1);
+    hold[1] = corners_flat(&at[1], pixels, worker, receiver);
+    if (coarse_light(&at[1], hold[1], pixels, worker, receiver, share))
+        return true;
+    corners_begin(&at[0], pixels, worker, receiver, level);
+    hold[0] = corners_flat(&at[0], pixels, worker, receiver);
+    if (cells_light(at, hold, blend, share))
+        return true;
+    if (hold[1] == CELL_HOLDS) {
+        corners_find(&at[1], pixels, worker, receiver);
         corners_ask(&at[1], pixels, worker, receiver);
-        if (corners_alike(&at[1], indirect_pixels_same)) {
-            *share = corners_light(&at[1], receiver);
-            return true;
-        }
     }
-    corners_find(&at[0], pixels, worker, receiver, level);
+    corners_find(&at[0], pixels, worker, receiver);
     corners_ask(&at[0], pixels, worker, receiver);
     return corners_blend(pixels, worker, receiver, at, blend, share) ||
            lone_light(pixels, worker, receiver, share);

@@ -272,7 +272,7 @@ static const double gather_rough = 0.2; /* what is usual, likewise; rougher
                                          * light gets more, a factor: */
 static const double gather_rough_least = 0.5, gather_rough_most = 1.75;
 static const double gather_chamber = 31; /* times as many where light stays */
-static const double gather_coarser_most = 2; /* factor of the spacing */
+static const double gather_coarser_most = 3; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
                                         * scene: it has no chambers */
 static const double gather_worth_least = 0.02;  /* then the skeleton answers */

@@ -174,6 +174,8 @@ static bool object_prepare(struct parser *p, struct object **out,
         warning_at(p, span, NULL, "'%s' left out: %s", primitive->name,
                    warning);
         *out = object_empty(p, span);
+    } else {
+        object_settle(p->scene_arena, *out);
     }
     return true;
 }

@@ -33,6 +33,22 @@ struct box3 conic_bounds(const void *shape)
                       rim_bounds(conic->apex, conic->axis, conic->apex_radius));
 }
 
+/* POV-Ray keeps the map of these: moved they only cost less. */
+bool conic_move(void *shape, const affine *outward, const affine *inward)
+{
+    struct conic *conic = shape;
+    double scale = outward->m[0][0];
+    (void)inward;
+    if (!affine_is_along_axes(*outward) || outward->m[1][1] != scale ||
+        outward->m[2][2] != scale)
+        return false;
+    conic->base = affine_point(outward, conic->base);
+    conic->apex = affine_point(outward, conic->apex);
+    conic->base_radius *= scale;
+    conic->apex_radius *= scale;
+    return conic_prepare(conic);
+}
+
 static inline vec3 reject(vec3 p, vec3 axis, double along)
 {
     return vec3_along(p, axis, -along);

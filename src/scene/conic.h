@@ -18,6 +18,7 @@ struct conic {
 bool conic_prepare(struct conic *conic);
 
 /* For shapes made of a struct conic. */
+bool conic_move(void *shape, const affine *outward, const affine *inward);
 struct box3 conic_bounds(const void *shape);
 void conic_intersect(const void *shape, const struct ray *ray,
                      struct hits *hits);

@@ -145,6 +145,7 @@ struct march {
     const struct julia_fractal *fractal;
     const struct ray *ray;
     double speed; /* length of the ray's direction */
+    bool rough;   /* between which steps it crosses is near enough */
     struct julia_fate fate;
 };
 
@@ -207,23 +208,20 @@ static bool march_start(struct march *m, double *tmin, double *tmax)
     return *tmin < *tmax;
 }
 
-static void julia_crossings(const void *shape, const struct ray *ray,
-                            double tmin, double tmax, hit_visit *visit,
-                            void *context)
+static void march_along(struct march *m, double tmin, double tmax,
+                        hit_visit *visit, void *context)
 {
-    struct march m;
-    m.fractal = shape;
-    m.ray = ray;
-    if (!march_start(&m, &tmin, &tmax))
+    if (!march_start(m, &tmin, &tmax))
         return;
     double t = tmin;
-    bool stays = march_look(&m, t);
+    bool stays = march_look(m, t);
     for (int i = 0; i < JULIA_STEPS && t < tmax; i++) {
-        double next = fmin(t + march_step(&m), tmax);
+        double next = fmin(t + march_step(m), tmax);
         bool stayed = stays;
-        stays = march_look(&m, next);
+        stays = march_look(m, next);
         if (stays != stayed) {
-            struct hit hit = { march_refine(&m, t, next), 0, 0, 0 };
+            double at = m->rough ? (t + next) / 2 : march_refine(m, t, next);
+            struct hit hit = { at, 0, 0, 0 };
             if (hit.t > tmin && hit.t < tmax && visit(context, &hit))
                 return;
         }
@@ -231,6 +229,14 @@ static void julia_crossings(const void *shape, const struct ray *ray,
             return;
         t = next;
     }
+}
+
+static void julia_crossings(const void *shape, const struct ray *ray,
+                            double tmin, double tmax, hit_visit *visit,
+                            void *context)
+{
+    struct march m = { .fractal = shape, .ray = ray };
+    march_along(&m, tmin, tmax, visit, context);
 }
 
 static bool take_all(void *context, const struct hit *hit)
@@ -271,8 +277,10 @@ static bool julia_first(const void *shape, const struct ray *ray, double tmin,
 static bool julia_crosses(const void *shape, const struct ray *ray, double tmin,
                           double tmax)
 {
-    struct hit hit;
-    return julia_first(shape, ray, tmin, tmax, &hit);
+    struct march m = { .fractal = shape, .ray = ray, .rough = true };
+    struct first_crossing first = { .found = false };
+    march_along(&m, tmin, tmax, take_first, &first);
+    return first.found;
 }
 
 static vec3 julia_normal(const void *shape, vec3 point, const struct hit *hit)

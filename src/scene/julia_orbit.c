@@ -99,7 +99,7 @@ double julia_halves_step(const struct julia_fractal *f, struct julia_halves *h)
     return fmax(complex_square(slope_a), complex_square(slope_b));
 }
 
-/* The commonest. */
+/* The commonest: what julia_step makes of them. */
 static inline struct quad square_step(const double c[4], struct quad q)
 {
     double twice = 2 * q.x;
@@ -108,6 +108,18 @@ static inline struct quad square_step(const double c[4], struct quad q)
         twice * q.y + c[1],
         twice * q.z + c[2],
         twice * q.w + c[3],
+    };
+}
+
+static inline struct quad cube_step(const double c[4], struct quad q)
+{
+    double imaginary = q.y * q.y + q.z * q.z + q.w * q.w;
+    double real = q.x * q.x, factor = 3 * real - imaginary;
+    return (struct quad){
+        q.x * (real - 3 * imaginary) + c[0],
+        factor * q.y + c[1],
+        factor * q.z + c[2],
+        factor * q.w + c[3],
     };
 }
 
@@ -151,12 +163,14 @@ void julia_orbit_follow(const struct julia_fractal *fractal, vec3 point,
 double julia_orbit_beyond(const struct julia_fractal *fractal, vec3 point)
 {
     const double far = 1e6;
-    bool quick = fractal->algebra == JULIA_QUATERNION && !fractal->cube;
+    bool quaternion = fractal->algebra == JULIA_QUATERNION;
     struct quad q = slice_point(fractal, point);
     double size2 = quad_square(q);
     int i = 1;
     for (; i < fractal->iterations && size2 < far; i++) {
-        q = quick ? square_step(fractal->c, q) : julia_step(fractal, q);
+        q = !quaternion     ? julia_step(fractal, q)
+            : fractal->cube ? cube_step(fractal->c, q)
+                            : square_step(fractal->c, q);
         size2 = quad_square(q);
     }
     /* What is far has its logarithm doubled at each step that is left. */

@@ -31,6 +31,19 @@ rgb medium_density(const struct medium *medium, vec3 point)
     return density;
 }
 
+void medium_densities(const struct medium *medium, const struct spots *points,
+                      rgb *densities)
+{
+    colour colours[SPOTS_MAX];
+    for (int k = 0; k < points->count; k++)
+        densities[k] = rgb_grey(1);
+    for (size_t i = 0; i < medium->density_count; i++) {
+        pigment_colours(medium->densities[i], points, colours);
+        for (int k = 0; k < points->count; k++)
+            densities[k] = rgb_mul(densities[k], colour_rgb(colours[k]));
+    }
+}
+
 static rgb rgb_most(rgb a, rgb b)
 {
     return (rgb){ fmax(a.r, b.r), fmax(a.g, b.g), fmax(a.b, b.b) };

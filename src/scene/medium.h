@@ -4,6 +4,7 @@
 #define SCENE_MEDIUM_H
 
 #include "scene/material.h"
+#include "scene/spots.h"
 
 enum { MEDIUM_INTERVALS_LIMIT = 10000 }; /* the parser refuses more */
 
@@ -36,6 +37,10 @@ struct medium medium_default(void);
 
 /* Density at a point of the medium's space; white if it has none of its own. */
 rgb medium_density(const struct medium *medium, vec3 point);
+
+/* The same of points side by side. */
+void medium_densities(const struct medium *medium, const struct spots *points,
+                      rgb *densities);
 
 /* No component of the density is larger anywhere. */
 rgb medium_density_most(const struct medium *medium);

@@ -52,6 +52,29 @@ static const affine *affine_moved(struct arena *arena, const affine *transform,
     return affine_kept(arena, &moved);
 }
 
+/* Moves a shape that can be moved where it is; false: the node must keep the
+ * map. */
+static bool shape_move(struct arena *arena, struct object *object,
+                       const affine *transform)
+{
+    if (!object->settled || object->transform != &affine_unmoved)
+        return false;
+    const void *moved =
+        primitive_moved(arena, object->primitive, object->shape, transform);
+    if (moved)
+        object->shape = moved;
+    return moved;
+}
+
+void object_settle(struct arena *arena, struct object *object)
+{
+    const affine *transform = object->transform;
+    object->transform = &affine_unmoved;
+    object->settled = true;
+    if (transform != &affine_unmoved && !shape_move(arena, object, transform))
+        object->transform = transform;
+}
+
 void object_move(struct arena *arena, struct object *object,
                  const affine *transform)
 {
@@ -60,7 +83,8 @@ void object_move(struct arena *arena, struct object *object,
     const affine **all[] = { &object->texture_transform,
                              &object->inner_transform,
                              &object->interior_transform };
-    object->transform = after;
+    if (!shape_move(arena, object, transform))
+        object->transform = after;
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
         *all[i] = affine_moved(arena, transform, *all[i], before, after);
     object->clips =

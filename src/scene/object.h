@@ -74,6 +74,7 @@ struct object {
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
     bool uv_mapping; /* the texture is of the surface's own coordinates */
+    bool settled;    /* the shape is prepared, and may be moved itself */
 };
 
 /* A new node of this kind with identity transformations. */
@@ -86,6 +87,10 @@ struct object *object_copy(struct arena *arena, const struct object *object);
 /* Moves the node, its texture, its clips and bounds. */
 void object_move(struct arena *arena, struct object *object,
                  const affine *transform);
+
+/* The node's shape is prepared: if it can be moved, it takes over the node's
+ * map. */
+void object_settle(struct arena *arena, struct object *object);
 
 /* Whether media fill the node's interior, which its last part decides; a node
  * that is hollow, or below one (`hollow`), makes all its parts so (measured).

@@ -52,6 +52,10 @@ struct primitive {
     struct box3 (*within)(const void *shape, struct box3 box);
     /* The inside is all points p with normal.p <= distance; NULL: it isn't. */
     void (*half_space)(const void *shape, vec3 *normal, double *distance);
+    /* `shape`, a copy, moved as POV-Ray moves it to the last bit (measured),
+     * so that rays are met where they are; false: it can't be, rays must be
+     * taken into its space. NULL: always so. */
+    bool (*move)(void *shape, const affine *outward, const affine *inward);
     void (*intersect)(const void *shape, const struct ray *ray,
                       struct hits *hits);
     /* As intersect from t = 0 on, for trace(): with the error that POV-Ray's
@@ -108,6 +112,12 @@ struct primitive {
      * NULL: as a lamp it is found by chance alone. */
     int (*patches)(const void *shape, struct patch *patches);
 };
+
+/* The shape as the map moves it, new in `arena`, or NULL if it must keep its
+ * map. */
+const void *primitive_moved(struct arena *arena,
+                            const struct primitive *primitive,
+                            const void *shape, const affine *map);
 
 /* The primitive whose keyword is `name`, or NULL. */
 const struct primitive *primitive_find(const char *name);

@@ -122,7 +122,7 @@ double ambience_open(const struct ambience *ambience, const struct world *world,
                                      .smooth = true };
         surface_fill(&surface, &at, &view);
         open += left * surface_sky(&surface);
-        left *= fmax(rgb_brightness(surface.through), 0);
+        left *= rgb_brightness(surface_passed(&surface));
         rest.origin = at.point;
     }
     return open;

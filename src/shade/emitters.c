@@ -75,7 +75,7 @@ static struct patch part_patch(const struct leaf *leaf, uint32_t number)
     struct patch patches[PATCHES_MAX];
     if (leaf->object->kind == OBJECT_MESH)
         return triangle_patch(leaf, number);
-    leaf->object->primitive->patches(leaf->object->shape, patches);
+    leaf->object->primitive->patches(leaf->shape, patches);
     if (patches[number].kind == PATCH_BALL)
         return patches[number];
     return patch_moved(&patches[number], leaf->to_world);
@@ -119,7 +119,7 @@ static void add_shape(struct emitters *emitters, const struct leaf *leaf)
     if (glow == 0 || !primitive->patches ||
         emitters->parts.count + PATCHES_MAX > PARTS_MAX)
         return;
-    int count = primitive->patches(leaf->object->shape, patches);
+    int count = primitive->patches(leaf->shape, patches);
     emitters->picked[leaf->number] = true;
     for (int i = 0; i < count; i++)
         add_part(emitters, leaf, (uint32_t)i, glow);

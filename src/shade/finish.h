@@ -81,6 +81,16 @@ double surface_restraint(const struct surface *surface);
 /* What they get of irradiance. */
 rgb surface_returned(const struct surface *surface);
 
+/* What goes through it on to other surfaces: a pane whose `transmit` says that
+ * it lets more pass than there is, or less than nothing, is a trick for the eye
+ * of the camera. */
+static inline rgb surface_passed(const struct surface *surface)
+{
+    rgb through = surface->through;
+    return rgb_make(fmin(fmax(through.r, 0), 1), fmin(fmax(through.g, 0), 1),
+                    fmin(fmax(through.b, 0), 1));
+}
+
 /* Whether light that meets the layer at this cosine (negative: from behind)
  * does anything. `twice`: the object says double_illuminate. */
 static inline bool finish_lit_by(const struct finish *finish, double cosine,

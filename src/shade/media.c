@@ -22,19 +22,12 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "shade/lamps.h"
-#include "shade/photon_map.h"
-#include "shade/surface.h"
+#include "shade/media_places.h"
 
 const double media_horizon = 2e10;
 
 /* Less light than this comes through: the rest is not looked at. */
 static const double media_dark = 1e-7;
-
-/* At one place: light that is added, and what is lost, in a unit of length. */
-struct media_sample {
-    rgb light, depth;
-};
 
 static struct media_sample sample_mix(struct media_sample a, double share,
                                       struct media_sample b, double rest)
@@ -66,83 +59,6 @@ void media_find(struct media_list *list, const struct media *everywhere,
     }
 }
 
-/* ---- one place ---- */
-
-/* The mean of the media's phase functions. */
-static double way_phase(const struct media_way *way, vec3 from)
-{
-    double phase = 0, cosine = vec3_dot(from, way->direction);
-    for (int i = 0; i < way->media->count; i++)
-        phase += medium_phase(way->media->at[i], cosine) / way->media->count;
-    return phase;
-}
-
-/* The light of one lamp that is scattered to the viewer there. */
-static rgb sample_lamp(const struct media_way *way, const struct lamp *lamp,
-                       vec3 point, rgb scattered)
-{
-    const struct light *light = lamp->light;
-    struct lamp_target target = { .point = point, .inside = way->inside };
-    if (light->shadowless || light->no_media ||
-        !lamp_look(lamp, light->location, point, &target.view))
-        return rgb_grey(0);
-    double phase = way_phase(way, target.view.direction);
-    rgb arriving = lamps_share(way->lamps, lamp, way->worker, &target);
-    arriving = rgb_mul(rgb_mul(arriving, light->colour), scattered);
-    return rgb_scale(arriving, phase * target.view.attenuation);
-}
-
-/* What photons bring there. */
-struct gathering {
-    const struct media_way *way;
-    rgb light;
-};
-
-static void gather_photon(void *context, const struct photon *photon,
-                          rgb irradiance)
-{
-    struct gathering *gathering = context;
-    double phase = way_phase(gathering->way, photon_unpack(photon->from));
-    gathering->light = rgb_add_scaled(gathering->light, irradiance, phase);
-}
-
-static rgb sample_photons(const struct media_way *way, vec3 point)
-{
-    struct gathering gathering = { way, rgb_grey(0) };
-    photon_map_visit_within(way->photons, way->worker, point, gather_photon,
-                            &gathering);
-    return gathering.light;
-}
-
-static struct media_sample media_sample(const struct media_way *way, double t,
-                                        bool lit)
-{
-    struct media_sample sample = { rgb_grey(0), rgb_grey(0) };
-    rgb scattered = rgb_grey(0);
-    vec3 point = vec3_along(way->origin, way->direction, t);
-    if (worker_stopped(way->worker))
-        return sample;
-    for (int i = 0; i < way->media->count; i++) {
-        const struct medium *medium = way->media->at[i];
-        rgb density = medium_density(medium, point);
-        scattered = rgb_add(scattered, rgb_mul(medium->scattering, density));
-        sample.depth =
-            rgb_add(sample.depth, rgb_mul(medium_extinction(medium), density));
-        if (way->lamps)
-            sample.light =
-                rgb_add(sample.light, rgb_mul(medium->emission, density));
-    }
-    if (way->photons && !rgb_is_black(scattered))
-        sample.light = rgb_add(sample.light,
-                               rgb_mul(scattered, sample_photons(way, point)));
-    lit = lit && !rgb_is_black(scattered);
-    for (size_t i = 0; lit && i < way->lamps->count; i++)
-        sample.light =
-            rgb_add(sample.light,
-                    sample_lamp(way, &way->lamps->items[i], point, scattered));
-    return sample;
-}
-
 /* ---- an interval ---- */
 
 /* The way so far, and the interval that is next. */
@@ -161,18 +77,23 @@ static double march_random(struct march *march)
     return random_unit(march->key);
 }
 
-/* At this share of the interval. */
-static struct media_sample march_sample(const struct march *march, double share)
+/* At this share of the interval there is a place to look at. */
+static void march_place(const struct march *march, struct places *places,
+                        double share)
 {
-    return media_sample(march->way, march->from + share * march->length,
-                        march->lit);
+    double t = march->from + share * march->length;
+    spots_add(&places->at,
+              vec3_along(march->way->origin, march->way->direction, t));
 }
 
-/* Between places of the interval, of which the values are known. */
-struct piece {
-    double from, to;
-    struct media_sample a, b;
-};
+static struct media_sample march_sample(const struct march *march, double share)
+{
+    struct places one;
+    one.at.count = 0;
+    march_place(march, &one, share);
+    media_samples(march->way, march->lit, &one);
+    return one.sample[0];
+}
 
 static bool sample_differs(const struct march *march, struct media_sample a,
                            struct media_sample b)
@@ -181,23 +102,118 @@ static bool sample_differs(const struct march *march, struct media_sample a,
     return fabs(d.r) + fabs(d.g) + fabs(d.b) >= march->how->threshold;
 }
 
-/* The mean of the piece; at most aa_level levels. */
-static struct media_sample piece_mean(const struct march *march,
-                                      const struct piece *piece, int level)
+/* Between places of the interval: what is at both ends and in the middle. */
+struct piece {
+    double from, to;
+    struct media_sample a, m, b;
+    int half[2]; /* that are looked at by themselves; 0: it isn't */
+    int levels;  /* that it may be divided into, itself included */
+};
+
+/* So many pieces in a row are looked at together, their halves after them. */
+enum { PIECES = (SPOTS_MAX - 1) / 2, PIECES_DEEP = 3 };
+
+struct pieces {
+    int count;
+    struct piece at[PIECES * ((1 << PIECES_DEEP) - 1)];
+};
+
+static double piece_middle(const struct piece *piece)
 {
-    double middle = (piece->from + piece->to) / 2;
-    struct media_sample m = march_sample(march, middle);
-    struct media_sample left = sample_mix(piece->a, 2.0 / 3, m, 1.0 / 3);
-    struct media_sample right = sample_mix(m, 1.0 / 3, piece->b, 2.0 / 3);
-    if (level > 1 && sample_differs(march, piece->a, m)) {
-        struct piece half = { piece->from, middle, piece->a, m };
-        left = piece_mean(march, &half, level - 1);
+    return (piece->from + piece->to) / 2;
+}
+
+static struct piece piece_half(const struct piece *piece, int which)
+{
+    double middle = piece_middle(piece);
+    return which == 0 ? (struct piece){ .from = piece->from,
+                                        .to = middle,
+                                        .a = piece->a,
+                                        .b = piece->m,
+                                        .levels = piece->levels - 1 }
+                      : (struct piece){ .from = middle,
+                                        .to = piece->to,
+                                        .a = piece->m,
+                                        .b = piece->b,
+                                        .levels = piece->levels - 1 };
+}
+
+static bool piece_divides(const struct march *march, const struct piece *piece,
+                          int which)
+{
+    return piece->levels > 1 &&
+           sample_differs(march, which == 0 ? piece->a : piece->m,
+                          which == 0 ? piece->m : piece->b);
+}
+
+/* The middles of the pieces from `first` on. */
+static void pieces_look(const struct march *march, struct pieces *pieces,
+                        int first)
+{
+    while (first < pieces->count) {
+        struct places places;
+        places.at.count = 0;
+        int some = pieces->count - first;
+        some = some < SPOTS_MAX ? some : SPOTS_MAX;
+        for (int i = 0; i < some; i++)
+            march_place(march, &places, piece_middle(&pieces->at[first + i]));
+        media_samples(march->way, march->lit, &places);
+        for (int i = 0; i < some; i++)
+            pieces->at[first + i].m = places.sample[i];
+        first += some;
     }
-    if (level > 1 && sample_differs(march, m, piece->b)) {
-        struct piece half = { middle, piece->to, m, piece->b };
-        right = piece_mean(march, &half, level - 1);
+}
+
+/* Halves of those whose middles are known, level by level. */
+static void pieces_divide(const struct march *march, struct pieces *pieces)
+{
+    int first = 0;
+    for (int deep = 1; deep < PIECES_DEEP; deep++) {
+        int end = pieces->count;
+        for (int i = first; i < end; i++)
+            for (int k = 0; k < 2; k++)
+                if (piece_divides(march, &pieces->at[i], k)) {
+                    pieces->at[i].half[k] = pieces->count;
+                    pieces->at[pieces->count++] = piece_half(&pieces->at[i], k);
+                }
+        first = end;
+        pieces_look(march, pieces, first);
     }
-    return sample_mix(left, 0.5, right, 0.5);
+}
+
+/* The mean of a piece that is divided further one by one. */
+static struct media_sample piece_mean(const struct march *march,
+                                      const struct piece *piece)
+{
+    struct media_sample half[2] = {
+        sample_mix(piece->a, 2.0 / 3, piece->m, 1.0 / 3),
+        sample_mix(piece->m, 1.0 / 3, piece->b, 2.0 / 3)
+    };
+    for (int k = 0; k < 2; k++)
+        if (piece_divides(march, piece, k)) {
+            struct piece next = piece_half(piece, k);
+            next.m = march_sample(march, piece_middle(&next));
+            half[k] = piece_mean(march, &next);
+        }
+    return sample_mix(half[0], 0.5, half[1], 0.5);
+}
+
+/* Of one of those that were looked at `deep` levels deep. */
+static struct media_sample pieces_mean(const struct march *march,
+                                       const struct pieces *pieces, int number,
+                                       int deep)
+{
+    const struct piece *piece = &pieces->at[number];
+    if (deep == PIECES_DEEP)
+        return piece_mean(march, piece);
+    struct media_sample half[2] = {
+        sample_mix(piece->a, 2.0 / 3, piece->m, 1.0 / 3),
+        sample_mix(piece->m, 1.0 / 3, piece->b, 2.0 / 3)
+    };
+    for (int k = 0; k < 2; k++)
+        if (piece->half[k])
+            half[k] = pieces_mean(march, pieces, piece->half[k], deep + 1);
+    return sample_mix(half[0], 0.5, half[1], 0.5);
 }
 
 static void veil_add(struct veil *veil, rgb light)
@@ -207,6 +223,8 @@ static void veil_add(struct veil *veil, rgb light)
 
 static rgb depth_through(rgb depth, double length)
 {
+    if (depth.r == depth.g && depth.g == depth.b)
+        return rgb_grey(exp(-depth.r * length));
     return (rgb){ exp(-depth.r * length), exp(-depth.g * length),
                   exp(-depth.b * length) };
 }
@@ -237,6 +255,51 @@ static bool march_alike(struct march *march)
     return true;
 }
 
+/* All places are known from the start but those between two that differ:
+ * `count` pieces between the shares at `ends`, of which `first` is known. */
+static void pieces_begin(const struct march *march, struct pieces *pieces,
+                         const double *ends, int count,
+                         const struct media_sample *first)
+{
+    struct places places;
+    places.at.count = 0;
+    for (int i = first ? 1 : 0; i <= count; i++)
+        march_place(march, &places, ends[i]);
+    for (int i = 0; i < count; i++)
+        march_place(march, &places, (ends[i] + ends[i + 1]) / 2);
+    media_samples(march->way, march->lit, &places);
+    const struct media_sample *b = places.sample + (first ? 0 : 1);
+    const struct media_sample *m = b + count;
+    pieces->count = count;
+    for (int i = 0; i < count; i++) {
+        struct media_sample before = i > 0   ? b[i - 1]
+                                     : first ? *first
+                                             : places.sample[0];
+        pieces->at[i] = (struct piece){ .from = ends[i],
+                                        .to = ends[i + 1],
+                                        .a = before,
+                                        .m = m[i],
+                                        .b = b[i],
+                                        .levels = march->how->levels };
+    }
+}
+
+/* Dims the way by the first of the pieces, each `length` long; false: nothing
+ * comes through any more. */
+static bool pieces_dim(struct march *march, const struct pieces *pieces,
+                       int count, double length)
+{
+    for (int i = 0; i < count; i++) {
+        struct media_sample mean = pieces_mean(march, pieces, i, 1);
+        veil_add(&march->veil, rgb_scale(mean.light, length));
+        march->veil.through =
+            rgb_mul(march->veil.through, depth_through(mean.depth, length));
+        if (rgb_peak(march->veil.through) < media_dark)
+            return false;
+    }
+    return true;
+}
+
 static void march_refining(struct march *march)
 {
     int count = refining_count(march);
@@ -246,20 +309,20 @@ static void march_refining(struct march *march)
         march->how->jitter > 0
             ? march->how->jitter * (1.476 * march_random(march) - 0.29)
             : 0;
-    struct piece piece = { .from = fmax(moved, 0) / count };
-    piece.a = march_sample(march, piece.from);
-    for (int i = 1; i < count; i++) {
-        piece.to = fmin((i + moved) / count, 1);
-        piece.b = march_sample(march, piece.to);
-        struct media_sample mean =
-            piece_mean(march, &piece, march->how->levels);
-        veil_add(&march->veil, rgb_scale(mean.light, length));
-        march->veil.through =
-            rgb_mul(march->veil.through, depth_through(mean.depth, length));
-        if (rgb_peak(march->veil.through) < media_dark)
+    struct pieces pieces;
+    struct media_sample last, *known = NULL;
+    double ends[PIECES + 1] = { fmax(moved, 0) / count };
+    for (int from = 1, some; from < count; from += some) {
+        some = count - from < PIECES ? count - from : PIECES;
+        for (int i = 0; i < some; i++)
+            ends[i + 1] = fmin((from + i + moved) / count, 1);
+        pieces_begin(march, &pieces, ends, some, known);
+        pieces_divide(march, &pieces);
+        if (!pieces_dim(march, &pieces, some, length))
             return;
-        piece.from = piece.to;
-        piece.a = piece.b;
+        last = pieces.at[some - 1].b;
+        known = &last;
+        ends[0] = ends[some];
     }
 }
 
@@ -271,15 +334,26 @@ struct tally {
 };
 
 static void tally_add(struct tally *tally, const struct march *march,
-                      double share)
+                      double share, struct media_sample sample)
 {
-    struct media_sample sample = march_sample(march, share);
     rgb dimmed = depth_through(sample.depth, share * march->length);
     sample.light = rgb_mul(sample.light, dimmed);
     tally->sum = sample_mix(tally->sum, 1, sample, 1);
     tally->squares =
         rgb_add(tally->squares, rgb_mul(sample.light, sample.light));
     tally->count++;
+}
+
+static void tally_add_all(struct tally *tally, const struct march *march,
+                          const double *shares, int count)
+{
+    struct places places;
+    places.at.count = 0;
+    for (int i = 0; i < count; i++)
+        march_place(march, &places, shares[i]);
+    media_samples(march->way, march->lit, &places);
+    for (int i = 0; i < count; i++)
+        tally_add(tally, march, shares[i], places.sample[i]);
 }
 
 /* What share of a normal distribution is within z of its middle, turned round:
@@ -297,20 +371,34 @@ static bool tally_settled(const struct tally *tally, const struct medium *how)
     return rgb_peak(spread) * width * width <= n * how->variance;
 }
 
+/* Of the sample number `i` of those that are always taken. */
+static double march_share(struct march *march, int i)
+{
+    const struct medium *how = march->how;
+    bool row = how->method == 2;
+    double moved = row ? 0.5 : march_random(march);
+    if (row && how->jitter > 0)
+        moved += how->jitter * (march_random(march) - 0.5);
+    double share = row ? (i + moved) / how->samples : moved;
+    return fmin(fmax(share, 0), 1);
+}
+
 static void march_averaging(struct march *march)
 {
     const struct medium *how = march->how;
     struct tally tally = { .count = 0 };
-    bool row = how->method == 2;
-    for (int i = 0; i < how->samples; i++) {
-        double moved = row ? 0.5 : march_random(march);
-        if (row && how->jitter > 0)
-            moved += how->jitter * (march_random(march) - 0.5);
-        double share = row ? (i + moved) / how->samples : moved;
-        tally_add(&tally, march, fmin(fmax(share, 0), 1));
+    double shares[SPOTS_MAX];
+    for (int from = 0, some; from < how->samples; from += some) {
+        some = how->samples - from;
+        some = some < SPOTS_MAX ? some : SPOTS_MAX;
+        for (int i = 0; i < some; i++)
+            shares[i] = march_share(march, from + i);
+        tally_add_all(&tally, march, shares, some);
     }
-    while (tally.count < how->samples_most && !tally_settled(&tally, how))
-        tally_add(&tally, march, march_random(march));
+    while (tally.count < how->samples_most && !tally_settled(&tally, how)) {
+        double share = march_random(march);
+        tally_add_all(&tally, march, &share, 1);
+    }
     struct media_sample mean =
         sample_mix(tally.sum, 1.0 / tally.count, tally.sum, 0);
     veil_add(&march->veil, rgb_scale(mean.light, march->length));

@@ -165,7 +165,7 @@ static void ways_find(struct ways *ways, const struct walk *walk,
 {
     const struct surface *surface = &crossing->surface;
     vec3 normal = surface->layer[0].normal, direction = walk->ray.direction;
-    rgb through = surface->through;
+    rgb through = walk->split ? surface->through : surface_passed(surface);
     ways->count = 0;
     if (walk->level >= tracer_levels(walk->tracer))
         return;

@@ -87,8 +87,7 @@ static void take_space(struct taking *taking, const struct leaf *leaf)
         taking->failed = true;
         return;
     }
-    object->primitive->half_space(object->shape, &space.normal,
-                                  &space.distance);
+    object->primitive->half_space(leaf->shape, &space.normal, &space.distance);
     vec3 origin = affine_point(leaf->to_object, vec3_make(0, 0, 0));
     space.distance -= vec3_dot(space.normal, origin);
     space.normal = affine_normal(leaf->to_object, space.normal);
@@ -102,7 +101,7 @@ static bool take_patches(struct taking *taking, const struct leaf *leaf)
     struct patch patches[PATCHES_MAX];
     if (!object->primitive->patches || !object->primitive->solid)
         return false;
-    int count = object->primitive->patches(object->shape, patches);
+    int count = object->primitive->patches(leaf->shape, patches);
     for (int i = 0; i < count; i++)
         if (patches[i].kind != PATCH_PARALLELOGRAM)
             return false;

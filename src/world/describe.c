@@ -35,19 +35,20 @@ static inline vec3 leaf_normal(const struct leaf *leaf, vec3 point,
         point = affine_point(leaf->to_object, point);
     if (object->primitive->normal_placed)
         return object->primitive->normal_placed(
-            object->shape, point, hit, leaf->moved ? leaf->to_object : NULL);
-    return object->primitive->normal(object->shape, point, hit);
+            leaf->shape, point, hit, leaf->moved ? leaf->to_object : NULL);
+    return object->primitive->normal(leaf->shape, point, hit);
 }
 
 /* Of what was hit of a shape or a mesh whose normals are interpolated there; 0:
  * they are not. */
-static vec3 leaf_face(const struct object *object, const struct hit *hit)
+static vec3 leaf_face(const struct leaf *leaf, const struct hit *hit)
 {
+    const struct object *object = leaf->object;
     if (object->kind == OBJECT_MESH) {
         if (object->mesh->triangles[hit->part].normal[0] != MESH_NONE)
             return mesh_face(object->mesh, (size_t)hit->part);
     } else if (object->primitive->face) {
-        return object->primitive->face(object->shape, hit);
+        return object->primitive->face(leaf->shape, hit);
     }
     return vec3_make(0, 0, 0);
 }
@@ -57,7 +58,7 @@ static vec3 leaf_face(const struct object *object, const struct hit *hit)
 static inline vec3 face_unit(const struct leaf *leaf, const struct hit *hit,
                              vec3 normal)
 {
-    vec3 face = leaf_face(leaf->object, hit);
+    vec3 face = leaf_face(leaf, hit);
     if (vec3_dot(face, face) == 0)
         return normal;
     if (leaf->moved)

@@ -18,6 +18,7 @@ struct limits {
 struct inherited {
     affine to_world; /* of the space the children's transform leads to */
     affine to_tree;  /* the same to the space that the tree is kept in */
+    const struct frame *frame; /* that space; NULL: the world, or a clip's */
     const struct texture *texture;
     affine from_texture;
     const struct texture *inner;
@@ -134,6 +135,7 @@ static struct limits build_limits(struct flat *flat, const struct clip *clips,
     struct inherited in = { .from_texture = affine_identity(),
                             .looks_like = -1,
                             .clip = true,
+                            .frame = up->frame,
                             .depth = up->depth + 1 };
     for (size_t i = 0; i < count; i++) {
         in.to_world = affine_compose(up->to_world, clips[i].transform);
@@ -197,18 +199,40 @@ static bool find_place(struct flat *flat, const affine *outward,
     return true;
 }
 
-/* NULL if its transformation squeezes it flat. */
-static struct leaf *build_leaf(struct flat *flat, const struct object *object,
+static const struct flat_place unmoved = { &affine_unmoved, &affine_unmoved };
+
+/* Where a shape is that was moved into its tree: where that is. */
+static struct flat_place tree_place(const struct inherited *in)
+{
+    return in->frame
+               ? (struct flat_place){ in->frame->outward, in->frame->inward }
+               : unmoved;
+}
+
+/* The shape moved into the space its tree is kept in, so that rays needn't be
+ * taken into its own; NULL: it can't be, or has no need. */
+static const void *moved_shape(struct flat *flat, const struct object *object,
                                const struct inherited *in)
 {
-    struct flat_place place, texture;
-    if (!find_place(flat, &in->to_world, object->transform, &place))
+    bool can = object->kind == OBJECT_SHAPE && !affine_is_identity(in->to_tree);
+    return can ? primitive_moved(flat->arena, object->primitive, object->shape,
+                                 &in->to_tree)
+               : NULL;
+}
+
+/* `moved` is of moved_shape. NULL if its transformation squeezes it flat. */
+static struct leaf *build_leaf(struct flat *flat, const struct object *object,
+                               const void *moved, const struct inherited *in)
+{
+    struct flat_place place = tree_place(in), texture;
+    if (!moved && !find_place(flat, &in->to_world, object->transform, &place))
         return NULL;
     if (!find_place(flat, &in->from_texture, object->texture_transform,
                     &texture))
         texture = (struct flat_place){ &affine_unmoved, &affine_unmoved };
     struct leaf *leaf = ARENA_NEW(flat->arena, struct leaf);
     leaf->object = object;
+    leaf->shape = moved ? moved : object->shape;
     leaf->to_world = place.outward;
     leaf->to_object = place.inward;
     leaf->moved = place.inward != &affine_unmoved;
@@ -239,28 +263,6 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     return leaf;
 }
 
-/* The other side of a half space along an axis. */
-static struct box3 complement(struct box3 box)
-{
-    double low[3] = { box.low.x, box.low.y, box.low.z };
-    double high[3] = { box.high.x, box.high.y, box.high.z };
-    int finite = 0, axis = 0;
-    bool upper = false;
-    for (int i = 0; i < 3; i++) {
-        if (isfinite(low[i]) || isfinite(high[i])) {
-            finite += isfinite(low[i]) + isfinite(high[i]);
-            axis = i;
-            upper = isfinite(high[i]);
-        }
-    }
-    struct box3 other = box3_infinite();
-    if (finite != 1)
-        return other;
-    double *side = upper ? &other.low.x : &other.high.x;
-    side[axis] = upper ? high[axis] : low[axis];
-    return other;
-}
-
 static void measure_leaf(struct flat *flat, struct solid *solid,
                          const affine *to_tree)
 {
@@ -270,7 +272,7 @@ static void measure_leaf(struct flat *flat, struct solid *solid,
     bool beyond = shape && object->primitive->beyond;
     bool has_inside = shape ? object->primitive->solid : object->mesh->solid;
     struct box3 box =
-        shape ? object->primitive->bounds(object->shape) : object->mesh->bounds;
+        shape ? object->primitive->bounds(leaf->shape) : object->mesh->bounds;
     solid->surface = solid_padded(affine_box(to_tree, box));
     solid->region = &solid_nothing;
     solid->holes = &solid_everything;
@@ -280,7 +282,7 @@ static void measure_leaf(struct flat *flat, struct solid *solid,
     struct box3 inside = beyond ? box3_infinite() : solid->surface;
     struct box3 region = leaf->inverse ? box3_infinite() : inside;
     if (leaf->inverse && shape && !beyond)
-        region = solid_padded(affine_box(to_tree, complement(box)));
+        region = solid_padded(affine_box(to_tree, box3_complement(box)));
     solid_set_boxes(flat->arena, solid, region,
                     leaf->inverse ? inside : box3_infinite());
 }
@@ -299,9 +301,11 @@ static struct solid *build_leaf_solid(struct flat *flat,
                                       const struct object *object,
                                       const struct inherited *in)
 {
-    struct leaf *leaf = build_leaf(flat, object, in);
-    struct flat_place place;
-    if (!leaf || !find_place(flat, &in->to_tree, object->transform, &place))
+    const void *moved = moved_shape(flat, object, in);
+    struct leaf *leaf = build_leaf(flat, object, moved, in);
+    struct flat_place place = unmoved;
+    if (!leaf ||
+        (!moved && !find_place(flat, &in->to_tree, object->transform, &place)))
         return NULL;
     struct solid *solid = ARENA_NEW(flat->arena, struct solid);
     solid->kind = object->kind;
@@ -311,7 +315,7 @@ static struct solid *build_leaf_solid(struct flat *flat,
     solid->moved = solid->to_shape != &affine_unmoved;
     if (object->kind == OBJECT_MESH)
         solid->tree = flat_tree(flat, object->mesh);
-    measure_leaf(flat, solid, &in->to_tree);
+    measure_leaf(flat, solid, moved ? &affine_unmoved : &in->to_tree);
     return solid;
 }
 
@@ -331,6 +335,7 @@ static void add_light(struct flat *flat, const struct object *object,
     shown.no_shadow = true;
     shown.body = flat->bodies++;
     shown.to_tree = in->to_world;
+    shown.frame = NULL;
     shown.flipped = shown.inverted = false;
     struct light moved = light_moved(light, &in->to_world);
     moved.group = in->light_group;
@@ -459,8 +464,9 @@ static struct solid *build_solid(struct flat *flat, const struct object *object,
     if (object->kind == OBJECT_SHAPE || object->kind == OBJECT_MESH) {
         solid = build_leaf_solid(flat, object, &in);
     } else {
-        if (root && !affine_is_identity(in.to_tree)) {
-            frame = build_frame(flat, &in.to_tree, object->transform);
+        if (root && !affine_is_along_axes(in.to_tree)) {
+            in.frame = frame =
+                build_frame(flat, &in.to_tree, object->transform);
             if (!frame)
                 return NULL;
             in.to_tree = affine_identity();
@@ -512,7 +518,7 @@ static void add_mesh(struct flat *flat, const struct object *object,
         *ARRAY_PUSH(flat->arena, &flat->containers) = solid;
         *ARRAY_PUSH(flat->arena, &flat->meshes) = solid->leaf;
     } else {
-        const struct leaf *leaf = build_leaf(flat, object, &in);
+        const struct leaf *leaf = build_leaf(flat, object, NULL, &in);
         if (!leaf)
             return;
         *ARRAY_PUSH(flat->arena, &flat->meshes) = leaf;

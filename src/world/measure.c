@@ -28,8 +28,7 @@ static bool child_half_space(const struct solid *child, struct halfspace *out)
     if (child->kind != OBJECT_SHAPE ||
         !child->leaf->object->primitive->half_space)
         return false;
-    child->leaf->object->primitive->half_space(child->leaf->object->shape, &n,
-                                               &d);
+    child->leaf->object->primitive->half_space(child->leaf->shape, &n, &d);
     const affine *a = child->to_shape;
     vec3 origin = { a->m[0][3], a->m[1][3], a->m[2][3] };
     d -= vec3_dot(n, origin);
@@ -64,7 +63,7 @@ static struct box3 narrowed(const struct solid *solid, struct box3 region)
         if (!affine_inverse(*child->to_shape, &outward))
             continue;
         struct box3 box = affine_box(child->to_shape, region);
-        box = object->primitive->within(object->shape, box);
+        box = object->primitive->within(child->leaf->shape, box);
         region =
             box3_intersection(region, solid_padded(affine_box(&outward, box)));
     }

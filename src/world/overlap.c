@@ -24,9 +24,9 @@ static inline bool apart(const struct cell *cell, const struct box3 *box)
 
 /* Without a test of its own a shape is asked along the sides, the diagonals
  * and the middle lines of the cell. */
-static unsigned searched(const struct object *object, const struct cell *cell)
+static unsigned searched(const struct leaf *leaf, const struct cell *cell)
 {
-    const struct primitive *primitive = object->primitive;
+    const struct primitive *primitive = leaf->object->primitive;
     vec3 way[7];
     for (int i = 0; i < 4; i++)
         way[i] = vec3_sub(cell_corner(cell, 7 - i), cell->centre);
@@ -35,7 +35,7 @@ static unsigned searched(const struct object *object, const struct cell *cell)
     for (int i = 0; i < 7; i++) {
         struct ray ray = { cell->centre, way[i] };
         struct hits hits = { .count = 0 };
-        primitive->intersect(object->shape, &ray, &hits);
+        primitive->intersect(leaf->shape, &ray, &hits);
         for (int k = 0; k < hits.count; k++)
             if (fabs(hits.at[k].t) <= 1)
                 return CELL_SURFACE | CELL_BORDER;
@@ -44,16 +44,16 @@ static unsigned searched(const struct object *object, const struct cell *cell)
 }
 
 /* Without a test of its own a shape may be anywhere in large cells. */
-static unsigned shape_meets(const struct object *object,
-                            const struct cell *cell, bool last)
+static unsigned shape_meets(const struct leaf *leaf, const struct cell *cell,
+                            bool last)
 {
-    const struct primitive *primitive = object->primitive;
+    const struct primitive *primitive = leaf->object->primitive;
     if (primitive->meets)
-        return primitive->meets(object->shape, cell);
-    struct box3 box = primitive->bounds(object->shape);
+        return primitive->meets(leaf->shape, cell);
+    struct box3 box = primitive->bounds(leaf->shape);
     if (apart(cell, &box))
         return 0;
-    return last ? searched(object, cell) : CELL_SURFACE | CELL_BORDER;
+    return last ? searched(leaf, cell) : CELL_SURFACE | CELL_BORDER;
 }
 
 static const struct overlap nothing = { 0, false, true };
@@ -69,7 +69,7 @@ static struct overlap leaf_overlap(const struct overlap_query *query,
     if (solid->moved)
         moved = cell_moved(cell, solid->to_shape);
     bool shape = solid->kind == OBJECT_SHAPE;
-    unsigned meets = shape ? shape_meets(object, &moved, query->last)
+    unsigned meets = shape ? shape_meets(leaf, &moved, query->last)
                      : mesh_tree_meets(solid->tree, &moved)
                          ? CELL_SURFACE | CELL_BORDER
                          : 0;
@@ -78,7 +78,7 @@ static struct overlap leaf_overlap(const struct overlap_query *query,
         found.marks = query->marks[leaf->number];
     if (shape ? !object->primitive->solid : !object->mesh->solid)
         return found;
-    bool inside = shape ? object->primitive->inside(object->shape, moved.centre)
+    bool inside = shape ? object->primitive->inside(leaf->shape, moved.centre)
                         : mesh_tree_inside(solid->tree, moved.centre);
     found.inside = (meets & CELL_BORDER) || inside != leaf->inverse;
     found.outside = (meets & CELL_BORDER) || inside == leaf->inverse;

@@ -145,9 +145,9 @@ static void packet_first(struct packet *packet, const struct solid *solid,
         span_asked(packet, object->primitive, lanes, &asked);
     memset(met.u, 0, sizeof met.u);
     if (object->primitive->first_many) {
-        object->primitive->first_many(object->shape, rays, span, &met);
+        object->primitive->first_many(solid->leaf->shape, rays, span, &met);
     } else {
-        object->primitive->all_many(object->shape, rays, &all);
+        object->primitive->all_many(solid->leaf->shape, rays, &all);
         rays_first_of(&all, span, &met);
     }
     for (; lanes; lanes &= lanes - 1) {
@@ -189,9 +189,9 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
     const struct rays_span *span =
         span_asked(packet, object->primitive, lanes, &asked);
     if (object->primitive->crosses_many) {
-        object->primitive->crosses_many(object->shape, rays, span, met);
+        object->primitive->crosses_many(solid->leaf->shape, rays, span, met);
     } else {
-        object->primitive->all_many(object->shape, rays, &all);
+        object->primitive->all_many(solid->leaf->shape, rays, &all);
         rays_crosses_of(&all, span, met);
     }
     lanes &= rays_bits(met);

@@ -46,7 +46,7 @@ static unsigned leaf_inside_each(const struct solid *solid,
         unsigned i = (unsigned)__builtin_ctz(lanes);
         vec3 p = lane_get(points->at, i);
         if (solid->kind == OBJECT_SHAPE
-                ? object->primitive->inside(object->shape, p)
+                ? object->primitive->inside(solid->leaf->shape, p)
                 : mesh_tree_inside(solid->tree, p))
             inside |= 1u << i;
     }
@@ -65,7 +65,7 @@ static unsigned leaf_inside(const struct solid *solid,
         points = &local;
     }
     if (solid->kind == OBJECT_SHAPE && object->primitive->inside_many) {
-        object->primitive->inside_many(object->shape, points, flags);
+        object->primitive->inside_many(solid->leaf->shape, points, flags);
         inside = rays_bits(flags);
     } else {
         inside = leaf_inside_each(solid, points, lanes);
@@ -223,7 +223,7 @@ static unsigned look_at_shape(const struct tree_look *look,
         rays_into(solid->to_shape, rays, &local);
         rays = &local;
     }
-    object->primitive->all_many(object->shape, rays, &all);
+    object->primitive->all_many(solid->leaf->shape, rays, &all);
     for (int k = 0; k < all.count; k++) {
         LANE_LINES lane_flag near[RAY_LANES];
         find_near(&packet->span, all.t[k], !packet->occlusion, near);

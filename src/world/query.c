@@ -130,8 +130,8 @@ static bool query_crossings(struct query *query, const struct solid *solid,
         leave = slab_min(leave, space->leave);
         slabs_clip(&space->slabs, &solid->surface, &enter, &leave);
     }
-    object->primitive->crossings(object->shape, inner, enter, leave, take_next,
-                                 &context);
+    object->primitive->crossings(solid->leaf->shape, inner, enter, leave,
+                                 take_next, &context);
     return query->blocked;
 }
 
@@ -150,7 +150,7 @@ static bool query_shape(struct query *query, const struct solid *solid,
     }
     if (primitive->crossings)
         return query_crossings(query, solid, ray, inner, space);
-    primitive->intersect(object->shape, inner, &hits);
+    primitive->intersect(solid->leaf->shape, inner, &hits);
     for (int i = 0; i < hits.count; i++)
         if (take_if_counts(query, solid, ray, &hits.at[i]))
             return true;
@@ -232,8 +232,8 @@ bool query_simple(struct query *query, const struct solid *solid)
         local = ray_into(solid->to_shape, ray);
         ray = &local;
     }
-    return primitive->first(object->shape, ray, query->tmin, query_reach(query),
-                            &hit) &&
+    return primitive->first(solid->leaf->shape, ray, query->tmin,
+                            query_reach(query), &hit) &&
            query_wants(query, solid->leaf, hit.t) &&
            query_take(query, solid->leaf, &hit);
 }

@@ -51,7 +51,7 @@ static bool leaf_inside(const struct solid *solid, vec3 point)
     const struct object *object = leaf->object;
     vec3 p = solid->moved ? affine_point(solid->to_shape, point) : point;
     bool inside = solid->kind == OBJECT_SHAPE
-                      ? object->primitive->inside(object->shape, p)
+                      ? object->primitive->inside(leaf->shape, p)
                       : mesh_tree_inside(solid->tree, p);
     return inside != leaf->inverse;
 }
@@ -165,8 +165,8 @@ bool solid_crosses(const struct solid *solid, const struct ray *ray,
         ray = &local;
     }
     if (object->primitive->crosses)
-        return object->primitive->crosses(object->shape, ray, tmin, tmax);
+        return object->primitive->crosses(solid->leaf->shape, ray, tmin, tmax);
     hits.count = 0;
-    object->primitive->intersect(object->shape, ray, &hits);
+    object->primitive->intersect(solid->leaf->shape, ray, &hits);
     return hits_between(&hits, tmin, tmax);
 }

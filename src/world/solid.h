@@ -29,6 +29,7 @@ struct leaf_inner {
 /* A shape or a mesh in the world. */
 struct leaf {
     const struct object *object; /* OBJECT_SHAPE or OBJECT_MESH */
+    const void *shape;           /* the object's, or that moved into its tree */
     const struct solid *solid;   /* its node in the tree; NULL: a mesh that is
                                   * no part of a CSG object */
     const affine *to_object, *to_world; /* points; many leaves share these */

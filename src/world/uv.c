@@ -14,7 +14,7 @@ vec3 world_uv(const struct intersection *at)
     if (mesh && object->mesh->mapped)
         mesh_uv(object->mesh, (size_t)at->part, point, uv);
     else if (!mesh && object->primitive->uv)
-        object->primitive->uv(object->shape, point, uv);
+        object->primitive->uv(leaf->shape, point, uv);
     vec3 place = { uv[0], uv[1], 0 };
     return vec3_finite(place) ? place : (vec3){ 0, 0, 0 };
 }

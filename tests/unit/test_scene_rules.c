@@ -65,10 +65,13 @@ static void assert_vector(vec3 v, double x, double y, double z)
     assert_number(v.z, z);
 }
 
-/* Where the object's own origin is in the scene. */
+/* Where the middle of a shape is in the scene: it was moved itself, or keeps
+ * its map. */
 static vec3 object_place(const struct object *object)
 {
-    return affine_point(object->transform, vec3_make(0, 0, 0));
+    struct box3 box = object->primitive->bounds(object->shape);
+    return affine_point(object->transform,
+                        vec3_scale(vec3_add(box.low, box.high), 0.5));
 }
 
 static const struct layer *object_layer(const struct object *object, size_t i)

@@ -31,6 +31,17 @@ static struct box3 box_bounds(const void *shape)
     return (struct box3){ box->low, box->high };
 }
 
+static bool box_move(void *shape, const affine *outward, const affine *inward)
+{
+    struct box *box = shape;
+    (void)inward;
+    if (!affine_is_along_axes(*outward))
+        return false;
+    box->low = affine_point(outward, box->low);
+    box->high = affine_point(outward, box->high);
+    return true;
+}
+
 /* The interval of the ray between two parallel sides (Kay and Kajiya 1986).
  * `part` of a hit is axis * 2, + 1 for the high side. */
 struct interval {
@@ -273,6 +284,7 @@ const struct primitive box_primitive = {
     .convex = true,
     .prepare = box_prepare,
     .bounds = box_bounds,
+    .move = box_move,
     .intersect = box_intersect,
     .crosses = box_crosses,
     .first = box_first,

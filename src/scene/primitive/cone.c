@@ -37,6 +37,7 @@ const struct primitive cone_primitive = {
     .bounded = BOUNDS_AS_BOX,
     .prepare = cone_prepare,
     .bounds = conic_bounds,
+    .move = conic_move,
     .intersect = conic_intersect,
     .all_many = conic_all_many,
     .crosses = conic_crosses,

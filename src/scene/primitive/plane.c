@@ -50,6 +50,23 @@ static void plane_half_space(const void *shape, vec3 *normal, double *distance)
     *distance = plane->distance;
 }
 
+static bool plane_move(void *shape, const affine *outward, const affine *inward)
+{
+    struct plane *plane = shape;
+    vec3 origin = { inward->m[0][3], inward->m[1][3], inward->m[2][3] };
+    vec3 normal = affine_normal(inward, plane->normal);
+    const double rounding = 1e-15;
+    double length = vec3_length(normal);
+    double distance = plane->distance - vec3_dot(plane->normal, origin);
+    (void)outward;
+    if (fabs(length - 1) < rounding)
+        length = 1;
+    plane->normal =
+        vec3_make(normal.x / length, normal.y / length, normal.z / length);
+    plane->distance = distance / length;
+    return length > 0 && isfinite(length) && isfinite(plane->distance);
+}
+
 static void plane_intersect(const void *shape, const struct ray *ray,
                             struct hits *hits)
 {
@@ -173,6 +190,7 @@ const struct primitive plane_primitive = {
     .prepare = plane_prepare,
     .bounds = plane_bounds,
     .half_space = plane_half_space,
+    .move = plane_move,
     .intersect = plane_intersect,
     .crosses = plane_crosses,
     .first = plane_first,

@@ -187,49 +187,152 @@ static struct box3 quadric_within(const void *shape, struct box3 box)
                           { range[0][1], range[1][1], range[2][1] } };
 }
 
-/* The ray starts where it passes the shape's origin: from afar the
- * coefficients would cancel. */
-struct restricted {
-    double shift, a, b, c; /* a t^2 + 2 b t + c */
+/* With m the matrix above the diagonal, that of a quadric in the place of p is
+ * that of one in the place of m p: p is `inward` of a point. */
+static bool quadric_move(void *shape, const affine *outward,
+                         const affine *inward)
+{
+    const double near = 1000; /* else the new constant would cancel */
+    struct quadric *q = shape;
+    double from[4][4] = {
+        { q->square.x, q->mixed.x, q->mixed.y, q->linear.x },
+        { 0, q->square.y, q->mixed.z, q->linear.y },
+        { 0, 0, q->square.z, q->linear.z },
+        { 0, 0, 0, q->constant },
+    };
+    double in[4][4] = { { 0 } }, half[4][4], m[4][4];
+    (void)outward;
+    for (int i = 0; i < 3; i++) {
+        if (!(fabs(inward->m[i][3]) < near))
+            return false;
+        for (int j = 0; j < 4; j++)
+            in[j][i] = inward->m[i][j];
+    }
+    in[3][3] = 1;
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            half[i][j] = in[i][0] * from[0][j] + in[i][1] * from[1][j] +
+                         in[i][2] * from[2][j] + in[i][3] * from[3][j];
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            m[i][j] = half[i][0] * in[j][0] + half[i][1] * in[j][1] +
+                      half[i][2] * in[j][2] + half[i][3] * in[j][3];
+    q->square = vec3_make(m[0][0], m[1][1], m[2][2]);
+    q->mixed =
+        vec3_make(m[0][1] + m[1][0], m[0][2] + m[2][0], m[1][2] + m[2][1]);
+    q->linear =
+        vec3_make(m[0][3] + m[3][0], m[1][3] + m[3][1], m[2][3] + m[3][2]);
+    q->constant = m[3][3];
+    q->bounds = quadric_find_bounds(q);
+    return true;
+}
+
+/* a t^2 + 2 b t + c along a ray. */
+struct along {
+    double a, b, c;
 };
 
-static inline struct restricted quadric_restricted(const struct quadric *q,
-                                                   vec3 origin, vec3 d)
+/* With the operations in POV-Ray's order (measured). */
+static inline struct along quadric_along(const struct quadric *q, vec3 o,
+                                         vec3 d)
+{
+    const vec3 s = q->square, m = q->mixed, l = q->linear;
+    return (struct along){
+        d.x * (s.x * d.x + m.x * d.y + m.y * d.z) +
+            d.y * (s.y * d.y + m.z * d.z) + d.z * (s.z * d.z),
+        d.x * (s.x * o.x + 0.5 * (m.x * o.y + m.y * o.z + l.x)) +
+            d.y * (s.y * o.y + 0.5 * (m.x * o.x + m.z * o.z + l.y)) +
+            d.z * (s.z * o.z + 0.5 * (m.y * o.x + m.z * o.y + l.z)),
+        o.x * (s.x * o.x + m.x * o.y + m.y * o.z + l.x) +
+            o.y * (s.y * o.y + m.z * o.z + l.y) + o.z * (s.z * o.z + l.z) +
+            q->constant,
+    };
+}
+
+/* The crossings in increasing order, INFINITY where there is none, of a unit
+ * ray: POV-Ray's to the last bit (measured): what is seen through glass may
+ * hang on it. False where digits cancel. */
+static inline bool quadric_plain(const struct quadric *q, vec3 origin, vec3 d,
+                                 double roots[2])
+{
+    const double rounding = 1e-15, grazing = 1e-8, far = 1e4;
+    const double none = (double)INFINITY;
+    struct along line = quadric_along(q, origin, d);
+    double rest = line.b * line.b - line.a * line.c, root = sqrt(rest);
+    double first = (-line.b - root) / line.a;
+    double second = (-line.b + root) / line.a;
+    roots[0] = first < second ? first : second;
+    roots[1] = first < second ? second : first;
+    roots[0] = rest > 0 ? roots[0] : none;
+    roots[1] = rest > 0 ? roots[1] : none;
+    return (fabs(vec3_dot(d, d) - 1) < rounding) &
+           (fabs(rest) > grazing * line.b * line.b) &
+           (fabs(line.b) < far * fabs(line.a));
+}
+
+/* Begun where the ray passes the shape's origin nothing cancels, however far it
+ * comes from. */
+static inline void quadric_far(const struct quadric *q, vec3 origin, vec3 d,
+                               double roots[2])
 {
     double shift = -vec3_dot(origin, d) / vec3_dot(d, d);
-    vec3 o = vec3_along(origin, d, shift);
-    vec3 md = quadric_matrix(q, d);
-    return (struct restricted){ shift, vec3_dot(md, d),
-                                vec3_dot(md, o) + vec3_dot(q->linear, d) / 2,
-                                quadric_value(q, o) };
+    struct along line = quadric_along(q, vec3_along(origin, d, shift), d);
+    quadratic_roots_lane(line.a, line.b, line.c, roots);
+    roots[0] += shift;
+    roots[1] += shift;
 }
 
 static void quadric_intersect(const void *shape, const struct ray *ray,
                               struct hits *hits)
 {
-    struct restricted line =
-        quadric_restricted(shape, ray->origin, ray->direction);
     double roots[2];
-    int count = quadratic_roots(line.a, line.b, line.c, roots);
-    for (int i = 0; i < count; i++)
-        hits_add(hits, roots[i] + line.shift, 0);
+    if (!quadric_plain(shape, ray->origin, ray->direction, roots))
+        quadric_far(shape, ray->origin, ray->direction, roots);
+    for (int i = 0; i < 2; i++)
+        if (roots[i] < (double)INFINITY)
+            hits_add(hits, roots[i], 0);
 }
 
-CLONES static void quadric_all_many(const void *shape,
-                                    const struct rays *restrict rays,
-                                    struct rays_crossings *restrict all)
+CLONES static void plain_lanes(const struct quadric *shape,
+                               const struct rays *restrict rays,
+                               struct rays_crossings *restrict all,
+                               lane_flag *restrict plain)
 {
-    const struct quadric quadric = *(const struct quadric *)shape;
-    all->count = 2;
+    const struct quadric quadric = *shape;
     for (int i = 0; i < RAY_LANES; i++) {
-        struct restricted line = quadric_restricted(
-            &quadric, rays_origin(rays, i), rays_direction(rays, i));
         double roots[2];
-        quadratic_roots_lane(line.a, line.b, line.c, roots);
-        all->t[0][i] = roots[0] + line.shift;
-        all->t[1][i] = roots[1] + line.shift;
+        bool is = quadric_plain(&quadric, rays_origin(rays, i),
+                                rays_direction(rays, i), roots);
+        all->t[0][i] = roots[0];
+        all->t[1][i] = roots[1];
         all->part[0][i] = all->part[1][i] = 0;
+        plain[i] = is ? -1 : 0;
     }
+}
+
+CLONES static void far_lanes(const struct quadric *shape,
+                             const struct rays *restrict rays,
+                             struct rays_crossings *restrict all,
+                             const lane_flag *restrict plain)
+{
+    const struct quadric quadric = *shape;
+    for (int i = 0; i < RAY_LANES; i++) {
+        double roots[2];
+        quadric_far(&quadric, rays_origin(rays, i), rays_direction(rays, i),
+                    roots);
+        all->t[0][i] = plain[i] ? all->t[0][i] : roots[0];
+        all->t[1][i] = plain[i] ? all->t[1][i] : roots[1];
+    }
+}
+
+static void quadric_all_many(const void *shape, const struct rays *rays,
+                             struct rays_crossings *all)
+{
+    LANE_LINES lane_flag plain[RAY_LANES];
+    all->count = 2;
+    plain_lanes(shape, rays, all, plain);
+    if (rays_bits(plain) != (1u << RAY_LANES) - 1)
+        far_lanes(shape, rays, all, plain);
 }
 
 static vec3 quadric_normal(const void *shape, vec3 point, const struct hit *hit)
@@ -286,6 +389,7 @@ const struct primitive quadric_primitive = {
     .bounded = BOUNDS_AS_BOX,
     .prepare = quadric_prepare,
     .bounds = quadric_bounds,
+    .move = quadric_move,
     .within = quadric_within,
     .intersect = quadric_intersect,
     .all_many = quadric_all_many,

@@ -28,6 +28,20 @@ static struct box3 sphere_bounds(const void *shape)
                           vec3_add(sphere->centre, half) };
 }
 
+static bool sphere_move(void *shape, const affine *outward,
+                        const affine *inward)
+{
+    struct sphere *sphere = shape;
+    double scale = outward->m[0][0];
+    (void)inward;
+    if (!affine_is_along_axes(*outward) || outward->m[1][1] != scale ||
+        outward->m[2][2] != scale)
+        return false;
+    sphere->centre = affine_point(outward, sphere->centre);
+    sphere->radius *= scale;
+    return true;
+}
+
 /* With the vector from the centre to the point where the ray passes nearest
  * nothing cancels, however far the ray comes from (Haines, Gunther and
  * Akenine-Moller, Ray Tracing Gems, 2019, chapter 7). A unit ray from not so
@@ -223,6 +237,7 @@ const struct primitive sphere_primitive = {
     .convex = true,
     .unseen = sphere_unseen,
     .bounds = sphere_bounds,
+    .move = sphere_move,
     .intersect = sphere_intersect,
     .crosses = sphere_crosses,
     .first = sphere_first,
