@@ -12,11 +12,6 @@ static lane_flag flag(bool is)
     return is ? -1 : 0;
 }
 
-static vec3 vec3_of(rgb c)
-{
-    return (vec3){ c.r, c.g, c.b };
-}
-
 /* The normals turned to the viewer, and nothing lit. */
 CLONES static void look_back(const struct rays *restrict rays,
                              const struct world_faces *restrict faces,

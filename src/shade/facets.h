@@ -6,6 +6,12 @@
 #include "scene/rays.h"
 #include "shade/surface.h"
 
+/* A colour as lane_put takes it. */
+static inline vec3 vec3_of(rgb c)
+{
+    return (vec3){ c.r, c.g, c.b };
+}
+
 /* Tells the surface of number i, for what isn't done side by side. */
 typedef const struct surface *facet_surface(void *context, unsigned i);
 

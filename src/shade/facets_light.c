@@ -3,11 +3,6 @@
 
 #include "shade/finish.h"
 
-static vec3 vec3_of(rgb c)
-{
-    return (vec3){ c.r, c.g, c.b };
-}
-
 /* What white paint of these finishes makes of light without a direction. */
 struct glows {
     LANE_LINES double given[3][RAY_LANES], own[3][RAY_LANES];

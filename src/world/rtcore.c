@@ -4,7 +4,8 @@
 #include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
-#include <threads.h>
+
+#include "base/parallel.h"
 
 #define TEXT_OF(number) #number
 #define LIBRARY(number) "libembree" TEXT_OF(number) ".so." TEXT_OF(number)
@@ -39,7 +40,7 @@ static void load(void)
 
 const char *embree_load(void)
 {
-    static once_flag once = ONCE_FLAG_INIT;
-    call_once(&once, load);
+    static struct once once;
+    once_only(&once, load);
     return *failure ? failure : NULL;
 }
