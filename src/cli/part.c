@@ -19,8 +19,10 @@
 
 enum { WHY_SIZE = 600 };
 
-/* Seconds of drawing before there is a file. */
-static const double begin_after = 1;
+/* Seconds of drawing before there is a file, whatever the picture, and for each
+ * pixel and thread: putting one there takes 8 ns, of which there are few
+ * enough then. */
+static const double begin_after = 1, begin_pixel = 5e-7;
 /* Seconds between two looks whether there is something for the disk. */
 static const double look_pause = 0.05;
 
@@ -87,6 +89,15 @@ static void part_settle(const struct part *part)
         return;
     fsync(file);
     close(file);
+}
+
+static double part_begin(const struct render_options *render)
+{
+    double columns = render->column_end - render->column_start;
+    double rows = render->row_end - render->row_start;
+    unsigned threads = render->threads ? render->threads : 1;
+    double pixels = begin_pixel * columns * rows / threads;
+    return pixels > begin_after ? pixels : begin_after;
 }
 
 static struct part_file *part_create(void *context)
@@ -158,7 +169,8 @@ bool part_start(struct part *part, const struct options *options,
     part->keeper.context = part;
     part->keeper.file = options->continue_trace ? part_take_up(part) : NULL;
     bool piece = shared || part_has_bands(options, name);
-    keeper_start(&part->keeper, clock_seconds() + (piece ? 0 : begin_after));
+    keeper_start(&part->keeper, clock_seconds() +
+                                    (piece ? 0 : part_begin(&options->render)));
     if (!piece || keeper_ready(&part->keeper))
         return true;
     char why[256];

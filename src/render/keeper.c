@@ -1,12 +1,16 @@
 /* Tiles to disk, without threads waiting for each other: see keeper.h. */
 #include "render/keeper.h"
 
+#include <sched.h>
+
 #include "base/clock.h"
 #include "base/memory.h"
 
-enum { TILE_OPEN, TILE_DONE, TILE_KEPT };
+enum { TILE_OPEN, TILE_DONE, TILE_PUTTING, TILE_CLOSED };
 
 static const double pause = 1; /* seconds */
+/* What keeping takes at most of all time, nearly: a 64th. */
+static const double rest = 64;
 
 static long long microseconds(double seconds)
 {
@@ -49,53 +53,83 @@ void keeper_count(struct keeper *keeper, double start)
     atomic_fetch_add(&keeper->nanoseconds, (unsigned long long)(1e9 * worked));
 }
 
-void keeper_pass_start(struct keeper_pass *pass, struct keeper *keeper,
-                       size_t count)
+void keeper_tiles_start(struct keeper_tiles *tiles, struct keeper *keeper,
+                        size_t count)
 {
-    pass->keeper = keeper;
-    pass->count = count;
-    pass->states = keeper ? memory_new(count) : NULL;
-    atomic_store(&pass->next, count);
+    tiles->keeper = keeper;
+    tiles->count = count;
+    tiles->states = keeper ? memory_new(count) : NULL;
+    atomic_store(&tiles->next, count);
 }
 
-static void pass_keep(struct keeper_pass *pass, size_t tile, unsigned thread)
+static void tile_put(struct keeper_tiles *tiles, size_t tile, unsigned thread)
 {
     unsigned char done = TILE_DONE;
-    if (atomic_compare_exchange_strong(&pass->states[tile], &done, TILE_KEPT))
-        pass->put(pass->context, tile, thread);
+    if (!atomic_compare_exchange_strong(&tiles->states[tile], &done,
+                                        TILE_PUTTING))
+        return;
+    tiles->put(tiles->context, tile, thread);
+    atomic_store(&tiles->states[tile], TILE_CLOSED);
+}
+
+/* The longer it took the longer nothing is kept. */
+static void tiles_rest(struct keeper_tiles *tiles)
+{
+    long long now = microseconds(clock_seconds());
+    long long took = now - atomic_load(&tiles->since);
+    long long then = now + (long long)(rest * (double)took);
+    if (then > atomic_load(&tiles->keeper->next))
+        atomic_store(&tiles->keeper->next, then);
 }
 
 /* Whoever comes helps; the last to leave has it put onto the disk. */
-static void pass_keep_all(struct keeper_pass *pass, unsigned thread)
+static void tiles_put(struct keeper_tiles *tiles, unsigned thread)
 {
     size_t tile;
     double start = clock_worked_here();
-    atomic_fetch_add(&pass->putting, 1);
-    while ((tile = atomic_fetch_add(&pass->next, 1)) < pass->count)
-        pass_keep(pass, tile, thread);
-    bool last = atomic_fetch_sub(&pass->putting, 1) == 1;
-    keeper_count(pass->keeper, start);
-    if (last)
-        pass->keeper->settle(pass->keeper->context);
-}
-
-void keeper_pass_done(struct keeper_pass *pass, size_t tile, unsigned thread)
-{
-    if (!pass->keeper)
+    atomic_fetch_add(&tiles->putting, 1);
+    while ((tile = atomic_fetch_add(&tiles->next, 1)) < tiles->count)
+        tile_put(tiles, tile, thread);
+    bool last = atomic_fetch_sub(&tiles->putting, 1) == 1;
+    keeper_count(tiles->keeper, start);
+    if (!last)
         return;
-    atomic_store(&pass->states[tile], TILE_DONE);
-    if (keeper_due(pass->keeper))
-        atomic_store(&pass->next, 0);
-    if (atomic_load(&pass->next) < pass->count)
-        pass_keep_all(pass, thread);
+    tiles_rest(tiles);
+    tiles->keeper->settle(tiles->keeper->context);
 }
 
-void keeper_pass_end(struct keeper_pass *pass, bool keep)
+void keeper_tiles_done(struct keeper_tiles *tiles, size_t tile, unsigned thread)
 {
-    if (pass->keeper && keep && keeper_ready(pass->keeper)) {
-        atomic_store(&pass->next, 0);
-        pass_keep_all(pass, 0);
+    if (!tiles->keeper)
+        return;
+    atomic_store(&tiles->states[tile], TILE_DONE);
+    if (keeper_due(tiles->keeper)) {
+        atomic_store(&tiles->since, microseconds(clock_seconds()));
+        atomic_store(&tiles->next, 0);
     }
-    memory_free(pass->states);
-    pass->states = NULL;
+    if (atomic_load(&tiles->next) < tiles->count)
+        tiles_put(tiles, thread);
+}
+
+/* Copying a tile takes microseconds: waiting for that needs no lock. */
+void keeper_tiles_drop(struct keeper_tiles *tiles, size_t tile)
+{
+    unsigned char state = TILE_DONE;
+    if (!tiles->keeper ||
+        atomic_compare_exchange_strong(&tiles->states[tile], &state,
+                                       TILE_CLOSED))
+        return;
+    while (atomic_load(&tiles->states[tile]) == TILE_PUTTING)
+        sched_yield();
+}
+
+void keeper_tiles_end(struct keeper_tiles *tiles, size_t from)
+{
+    if (tiles->keeper && from < tiles->count && keeper_ready(tiles->keeper)) {
+        atomic_store(&tiles->since, microseconds(clock_seconds()));
+        atomic_store(&tiles->next, from);
+        tiles_put(tiles, 0);
+    }
+    memory_free(tiles->states);
+    tiles->states = NULL;
 }

@@ -13,8 +13,8 @@ struct keeper {
     struct part_file *file; /* NULL: not begun */
     /* Begins it, or returns NULL: then nothing is kept. */
     struct part_file *(*create)(void *context);
-    /* Called by a thread that has put tiles into the file, once a second: they
-     * are to go onto the disk. */
+    /* Called by a thread that has put tiles into the file, at most once a
+     * second: they are to go onto the disk. */
     void (*settle)(void *context);
     void *context;
     atomic_int state;  /* KEEPER_WAITS at first, KEEPER_READY with a file */
@@ -32,36 +32,43 @@ void keeper_start(struct keeper *keeper, double begin);
  * thread. */
 bool keeper_ready(struct keeper *keeper);
 
-/* Whether a second has passed since this was last true, and tiles can be kept.
- * Any thread; true for one alone. */
+/* Whether tiles are to be kept again, a second after this was last true or
+ * later. Any thread; true for one alone. */
 bool keeper_due(struct keeper *keeper);
 
 /* Counts what the calling thread has worked for it since clock_worked_here()
  * was `start`. */
 void keeper_count(struct keeper *keeper, double start);
 
-/* The tiles of a pass over a picture, numbered from 0. Those that are done are
- * kept once a second, all together: what a picture that is drawn quickly did in
- * its last second need not be kept at all. */
-struct keeper_pass {
+/* The tiles of a picture, those of all its passes, numbered from 0. Those that
+ * are done are kept once a second, or more seldom where that takes long, all
+ * together: what was replaced by a later
+ * pass in the meantime, or is drawn in the picture's last second, need not be
+ * kept at all. */
+struct keeper_tiles {
     struct keeper *keeper; /* NULL: nothing is kept */
     atomic_uchar *states;
     size_t count;
     atomic_size_t next;  /* tile to be looked at; `count` and more: none */
     atomic_uint putting; /* threads that do */
+    atomic_llong since;  /* microseconds of clock_seconds(), when they began */
     /* Puts the tile into the file. */
     void (*put)(void *context, size_t tile, unsigned thread);
     void *context;
 };
 
-void keeper_pass_start(struct keeper_pass *pass, struct keeper *keeper,
-                       size_t count);
+void keeper_tiles_start(struct keeper_tiles *tiles, struct keeper *keeper,
+                        size_t count);
 
-/* A tile is done: its values don't change before the pass ends. */
-void keeper_pass_done(struct keeper_pass *pass, size_t tile, unsigned thread);
+/* A tile is done: its values don't change before it is dropped. */
+void keeper_tiles_done(struct keeper_tiles *tiles, size_t tile,
+                       unsigned thread);
 
-/* `keep`: what is done and not kept is, by thread 0. All threads are through
- * with it. */
-void keeper_pass_end(struct keeper_pass *pass, bool keep);
+/* The tile's values are about to change: it is not put after this. */
+void keeper_tiles_drop(struct keeper_tiles *tiles, size_t tile);
+
+/* Tiles from number `from` on are put as far as they are done and were not, by
+ * thread 0; `count`: none. All threads are through with it. */
+void keeper_tiles_end(struct keeper_tiles *tiles, size_t from);
 
 #endif

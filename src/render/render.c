@@ -29,9 +29,8 @@ struct tile_work {
     bool (*wanted)(const struct sampler *sampler, struct area tile);
     void (*draw)(struct rendering *rendering, struct thread_state *thread,
                  struct area tile);
-    /* Puts it into the keeper's file; NULL: it isn't kept. */
-    void (*keep)(struct rendering *rendering, struct thread_state *thread,
-                 struct area tile);
+    bool kept;     /* the keeper gets what it has made of tiles */
+    bool replaces; /* the first samples of a tile are of no use after it */
 };
 
 struct rendering {
@@ -40,9 +39,9 @@ struct rendering {
     struct thread_state *threads;
     const struct tile_work *work; /* of the pass */
     struct area area;             /* of the pass */
-    size_t tiles_across;
     struct tile_order order;
-    struct keeper_pass keeping;
+    struct keeper_tiles keeping; /* those of first samples, then pixels' */
+    size_t kept_first;           /* how many of them are of first samples */
     atomic_size_t tiles_done;
     size_t tiles_total;     /* of all passes */
     struct first_hits hits; /* while they are used */
@@ -97,9 +96,25 @@ static void tile_pixels(struct rendering *rendering,
         sampler_tell(&rendering->sampler, tile, thread->told);
 }
 
+/* While pixels take the place of first samples a tile's begin is its
+ * neighbours' too, who may have replaced it. */
+static struct area first_own(const struct rendering *rendering,
+                             struct area tile)
+{
+    const struct sampler *sampler = &rendering->sampler;
+    if (rendering->work->replaces) {
+        tile.left += sampler->tiled.left - sampler->first.left;
+        tile.top += sampler->tiled.top - sampler->first.top;
+    }
+    return tile;
+}
+
 static void keep_first(struct rendering *rendering, struct thread_state *thread,
                        struct area tile)
 {
+    tile = first_own(rendering, tile);
+    if (tile.left >= tile.right || tile.top >= tile.bottom)
+        return;
     sampler_take_first(&rendering->sampler, tile, thread->values);
     part_file_put(rendering->options->keeper->file, PART_FIRST, tile,
                   thread->values);
@@ -115,55 +130,14 @@ static void keep_pixels(struct rendering *rendering,
                       thread->values);
 }
 
-static const struct tile_work meeting = { NULL, tile_meet, NULL };
-static const struct tile_work sampling = { sampler_needs_any, tile_first,
-                                           keep_first };
+static const struct tile_work meeting = { NULL, tile_meet, false, false };
+static const struct tile_work sampling = { sampler_needs_any, tile_first, true,
+                                           false };
 /* Without antialiasing: the first samples are the pixels. */
-static const struct tile_work drawing = { sampler_needs_any, tile_first,
-                                          keep_pixels };
-static const struct tile_work refining = { sampler_wants, tile_pixels,
-                                           keep_pixels };
-
-static struct area pass_tile(const struct rendering *rendering, size_t item)
-{
-    const struct area *area = &rendering->area;
-    int edge = rendering->sampler.tile;
-    struct area tile;
-    tile.left = area->left + (int)(item % rendering->tiles_across) * edge;
-    tile.top = area->top + (int)(item / rendering->tiles_across) * edge;
-    tile.right = smaller(tile.left + edge, area->right);
-    tile.bottom = smaller(tile.top + edge, area->bottom);
-    return tile;
-}
-
-/* keeper_pass.put */
-static void render_keep(void *context, size_t item, unsigned thread)
-{
-    struct rendering *rendering = context;
-    rendering->work->keep(rendering, &rendering->threads[thread],
-                          pass_tile(rendering, item));
-}
-
-static void render_tile(void *context, size_t item, unsigned number)
-{
-    struct rendering *rendering = context;
-    const struct render_options *options = rendering->options;
-    const struct tile_work *work = rendering->work;
-    struct thread_state *thread = &rendering->threads[number];
-    size_t index = tile_order_at(&rendering->order, item);
-    struct area tile = pass_tile(rendering, index);
-    bool wanted = !work->wanted || work->wanted(&rendering->sampler, tile);
-    double start = clock_seconds();
-    if (wanted)
-        work->draw(rendering, thread, tile);
-    tile_order_note(&rendering->order, index, clock_seconds() - start);
-    if (wanted && work->keep && !worker_stopped(&thread->worker))
-        keeper_pass_done(&rendering->keeping, index, number);
-    size_t done = atomic_fetch_add(&rendering->tiles_done, 1) + 1;
-    if (options->progress)
-        options->progress(options->progress_context,
-                          (double)done / (double)rendering->tiles_total);
-}
+static const struct tile_work drawing = { sampler_needs_any, tile_first, true,
+                                          false };
+static const struct tile_work refining = { sampler_wants, tile_pixels, true,
+                                           true };
 
 static size_t tiles_over(int from, int to, int tile)
 {
@@ -181,17 +155,84 @@ static size_t tiles_in(const struct rendering *rendering, struct area area)
            tiles_over(area.top, area.bottom, rendering->sampler.tile);
 }
 
+static struct area tile_of(const struct rendering *rendering, struct area area,
+                           size_t index)
+{
+    int edge = rendering->sampler.tile;
+    size_t across = tiles_wide(rendering, area);
+    struct area tile;
+    tile.left = area.left + (int)(index % across) * edge;
+    tile.top = area.top + (int)(index / across) * edge;
+    tile.right = smaller(tile.left + edge, area.right);
+    tile.bottom = smaller(tile.top + edge, area.bottom);
+    return tile;
+}
+
+/* keeper_tiles.put */
+static void render_keep(void *context, size_t item, unsigned number)
+{
+    struct rendering *rendering = context;
+    const struct sampler *sampler = &rendering->sampler;
+    struct thread_state *thread = &rendering->threads[number];
+    size_t firsts = rendering->kept_first;
+    if (item < firsts)
+        keep_first(rendering, thread,
+                   tile_of(rendering, sampler->first, item));
+    else
+        keep_pixels(rendering, thread,
+                    tile_of(rendering,
+                            sampler->direct ? sampler->first : sampler->tiled,
+                            item - firsts));
+}
+
+/* Before the pixels of a tile are made: they may take the place of its first
+ * samples. */
+static void render_drop_first(struct rendering *rendering, struct area tile)
+{
+    const struct area *first = &rendering->sampler.first;
+    const int edge = rendering->sampler.tile;
+    size_t column = (size_t)((tile.left - first->left) / edge);
+    size_t row = (size_t)((tile.top - first->top) / edge);
+    keeper_tiles_drop(&rendering->keeping,
+                      row * tiles_wide(rendering, *first) + column);
+}
+
+static void render_draw(struct rendering *rendering, unsigned number,
+                        size_t index, struct area tile)
+{
+    const struct tile_work *work = rendering->work;
+    struct thread_state *thread = &rendering->threads[number];
+    if (work->replaces)
+        render_drop_first(rendering, tile);
+    work->draw(rendering, thread, tile);
+    if (work->kept && !worker_stopped(&thread->worker))
+        keeper_tiles_done(&rendering->keeping,
+                          (work->replaces ? rendering->kept_first : 0) + index,
+                          number);
+}
+
+static void render_tile(void *context, size_t item, unsigned number)
+{
+    struct rendering *rendering = context;
+    const struct render_options *options = rendering->options;
+    const struct tile_work *work = rendering->work;
+    size_t index = tile_order_at(&rendering->order, item);
+    struct area tile = tile_of(rendering, rendering->area, index);
+    double start = clock_seconds();
+    if (!work->wanted || work->wanted(&rendering->sampler, tile))
+        render_draw(rendering, number, index, tile);
+    tile_order_note(&rendering->order, index, clock_seconds() - start);
+    size_t done = atomic_fetch_add(&rendering->tiles_done, 1) + 1;
+    if (options->progress)
+        options->progress(options->progress_context,
+                          (double)done / (double)rendering->tiles_total);
+}
+
 bool render_is_piece(const struct render_options *options,
                      const struct image *image)
 {
     return options->share.count || options->image_top ||
            image->height < options->height;
-}
-
-/* Whether the picture is there when it has ended. */
-static bool pass_is_last(const struct tile_work *work)
-{
-    return work == &drawing || work == &refining;
 }
 
 static bool render_pass(struct rendering *rendering, struct area area,
@@ -201,17 +242,20 @@ static bool render_pass(struct rendering *rendering, struct area area,
     unsigned threads = options->threads ? options->threads : 1;
     rendering->area = area;
     rendering->work = work;
-    rendering->tiles_across = tiles_wide(rendering, area);
-    size_t tiles = tiles_in(rendering, area);
-    struct keeper *keeper = work->keep ? options->keeper : NULL;
-    keeper_pass_start(&rendering->keeping, keeper, tiles);
-    bool done =
-        parallel_run(threads, tiles, options->stop, render_tile, rendering) &&
-        !(options->stop && atomic_load(options->stop));
-    keeper_pass_end(&rendering->keeping,
-                    !done || !pass_is_last(work) ||
-                        render_is_piece(options, rendering->sampler.image));
-    return done;
+    return parallel_run(threads, tiles_in(rendering, area), options->stop,
+                        render_tile, rendering) &&
+           !(options->stop && atomic_load(options->stop));
+}
+
+/* Of a picture that is there nothing is kept any more; of a piece of one,
+ * pixels alone. */
+static size_t kept_from(const struct rendering *rendering, bool done)
+{
+    if (!done)
+        return 0;
+    return render_is_piece(rendering->options, rendering->sampler.image)
+               ? rendering->kept_first
+               : rendering->keeping.count;
 }
 
 static void threads_start(struct rendering *rendering, unsigned count)
@@ -341,13 +385,18 @@ static bool render_tiles(const struct tracer *tracer,
         .options = options,
         .keeping = { .put = render_keep, .context = &rendering },
     };
-    bool direct = rendering.sampler.direct;
+    size_t firsts = tiles_in(&rendering, rendering.sampler.first);
+    rendering.kept_first = rendering.sampler.direct ? 0 : firsts;
     rendering.tiles_total =
-        tiles_in(&rendering, rendering.sampler.first) +
-        (direct ? 0 : tiles_in(&rendering, rendering.sampler.tiled));
+        rendering.sampler.direct
+            ? firsts
+            : firsts + tiles_in(&rendering, rendering.sampler.tiled);
     threads_start(&rendering, threads);
+    keeper_tiles_start(&rendering.keeping, options->keeper,
+                       rendering.tiles_total);
     bool done =
         !render_know(&rendering) || render_passes(&rendering, tracer, threads);
+    keeper_tiles_end(&rendering.keeping, kept_from(&rendering, done));
     if (stats)
         stats->share = done ? 1 : sampler_rescue(&rendering.sampler);
     threads_end(&rendering, threads, stats);

@@ -1,4 +1,4 @@
-/* Tiles are kept once a second, each once, and what is left as the pass's end
+/* Tiles are kept once a second, each once, and what is left at the end as that
  * is asked to. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -43,16 +43,16 @@ static struct part_file *make_fails(void *context)
     return NULL;
 }
 
-static void start(struct keeper *keeper, struct keeper_pass *pass,
+static void start(struct keeper *keeper, struct keeper_tiles *tiles,
                   struct record *record, double begin)
 {
     memset(record, 0, sizeof *record);
     *keeper = (struct keeper){ .create = make_none,
                                .settle = note_settle,
                                .context = record };
-    *pass = (struct keeper_pass){ .put = note_put, .context = record };
+    *tiles = (struct keeper_tiles){ .put = note_put, .context = record };
     keeper_start(keeper, begin);
-    keeper_pass_start(pass, keeper, TILES);
+    keeper_tiles_start(tiles, keeper, TILES);
 }
 
 static void check_puts(const struct record *record, int first, int others)
@@ -65,21 +65,21 @@ static void tiles_wait_for_their_second(void **state)
 {
     (void)state;
     struct keeper keeper;
-    struct keeper_pass pass;
+    struct keeper_tiles tiles;
     struct record record;
-    start(&keeper, &pass, &record, clock_seconds() + 1000);
-    keeper_pass_done(&pass, 0, 0);
-    keeper_pass_done(&pass, 1, 0);
+    start(&keeper, &tiles, &record, clock_seconds() + 1000);
+    keeper_tiles_done(&tiles, 0, 0);
+    keeper_tiles_done(&tiles, 1, 0);
     check_puts(&record, 0, 0);
     assert_null(keeper.file);
     atomic_store(&keeper.next, 0);
-    keeper_pass_done(&pass, 2, 0);
+    keeper_tiles_done(&tiles, 2, 0);
     check_puts(&record, 1, 0);
     assert_int_equal(record.settled, 1);
     for (size_t i = 3; i < TILES; i++)
-        keeper_pass_done(&pass, i, 0);
+        keeper_tiles_done(&tiles, i, 0);
     check_puts(&record, 1, 0);
-    keeper_pass_end(&pass, true);
+    keeper_tiles_end(&tiles, 0);
     check_puts(&record, 1, 1);
     assert_int_equal(record.settled, 2);
 }
@@ -88,29 +88,61 @@ static void the_last_second_can_be_left_out(void **state)
 {
     (void)state;
     struct keeper keeper;
-    struct keeper_pass pass;
+    struct keeper_tiles tiles;
     struct record record;
-    start(&keeper, &pass, &record, 0);
-    keeper_pass_done(&pass, 0, 0);
+    start(&keeper, &tiles, &record, 0);
+    keeper_tiles_done(&tiles, 0, 0);
     for (size_t i = 1; i < TILES; i++)
-        keeper_pass_done(&pass, i, 0);
-    keeper_pass_end(&pass, false);
+        keeper_tiles_done(&tiles, i, 0);
+    keeper_tiles_end(&tiles, TILES);
     assert_int_equal(record.puts[0], 1);
     for (size_t i = 1; i < TILES; i++)
         assert_int_equal(record.puts[i], 0);
+}
+
+static void what_was_dropped_is_not_kept(void **state)
+{
+    (void)state;
+    struct keeper keeper;
+    struct keeper_tiles tiles;
+    struct record record;
+    start(&keeper, &tiles, &record, clock_seconds() + 1000);
+    for (size_t i = 0; i < TILES; i++)
+        keeper_tiles_done(&tiles, i, 0);
+    for (size_t i = 0; i < 3; i++)
+        keeper_tiles_drop(&tiles, i);
+    atomic_store(&keeper.next, 0);
+    keeper_tiles_done(&tiles, TILES - 1, 0);
+    check_puts(&record, 0, 1);
+    keeper_tiles_end(&tiles, 0);
+    check_puts(&record, 0, 1);
+}
+
+static void the_end_can_begin_later(void **state)
+{
+    (void)state;
+    struct keeper keeper;
+    struct keeper_tiles tiles;
+    struct record record;
+    start(&keeper, &tiles, &record, clock_seconds() + 1000);
+    for (size_t i = 0; i < TILES; i++)
+        keeper_tiles_done(&tiles, i, 0);
+    atomic_store(&keeper.next, 0);
+    keeper_tiles_end(&tiles, 3);
+    check_puts(&record, 0, 1);
 }
 
 static void what_cannot_be_begun_is_not_kept(void **state)
 {
     (void)state;
     struct keeper keeper;
-    struct keeper_pass pass;
+    struct keeper_tiles tiles;
     struct record record;
-    start(&keeper, &pass, &record, 0);
+    start(&keeper, &tiles, &record, 0);
     keeper.create = make_fails;
     for (size_t i = 0; i < TILES; i++)
-        keeper_pass_done(&pass, i, 0);
-    keeper_pass_end(&pass, true);
+        keeper_tiles_done(&tiles, i, 0);
+    keeper_tiles_end(&tiles, 0);
     check_puts(&record, 0, 0);
     assert_int_equal(record.settled, 0);
 }
@@ -120,6 +152,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tiles_wait_for_their_second),
         cmocka_unit_test(the_last_second_can_be_left_out),
+        cmocka_unit_test(what_was_dropped_is_not_kept),
+        cmocka_unit_test(the_end_can_begin_later),
         cmocka_unit_test(what_cannot_be_begun_is_not_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
