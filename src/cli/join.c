@@ -234,8 +234,10 @@ static bool join_covers(struct joining *joining)
 {
     const struct area all = { 0, 0, joining->width, joining->height };
     joining->known = memory_new(area_pixels(all) / 8 + 1);
-    for (size_t i = 0; i < joining->names.count; i++)
+    for (size_t i = 0; i < joining->names.count; i++) {
         part_file_each(joining->files[i], PART_PIXELS, all, join_note, joining);
+        part_file_each(joining->files[i], PART_LEVELS, all, join_note, joining);
+    }
     size_t lacking = join_lacks(joining, NULL, 0);
     return !lacking || join_tell_missing(joining, lacking);
 }

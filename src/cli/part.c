@@ -15,6 +15,7 @@
 #include "cli/origin.h"
 #include "cli/output_name.h"
 #include "cli/part_image.h"
+#include "cli/picture.h"
 #include "tracer/integrator.h"
 
 enum { WHY_SIZE = 600 };
@@ -100,9 +101,19 @@ static double part_begin(const struct render_options *render)
     return pixels > begin_after ? pixels : begin_after;
 }
 
+/* What would be rounded for the picture's file needs no more room here. */
+static void part_use_levels(struct part *part)
+{
+    if (!output_has_levels(&part->space))
+        return;
+    output_levels_fill(&part->space, &part->levels);
+    part->keeper.levels = &part->levels;
+}
+
 static struct part_file *part_create(void *context)
 {
     struct part *part = context;
+    part_use_levels(part);
     const struct render_options *render = &part->options->render;
     char why[256];
     struct part_file *file = part_file_create(
@@ -141,8 +152,10 @@ static struct part_file *part_take_up(struct part *part)
     struct part_file *file = part_file_open(part->path, why, sizeof why);
     if (!file && !*why)
         snprintf(why, sizeof why, "another glim is using it");
-    if (file && part_is_ours(part, file, why, sizeof why))
+    if (file && part_is_ours(part, file, why, sizeof why)) {
+        part_use_levels(part);
         return file;
+    }
     part_file_close(file);
     diag_print(part->diag, DIAG_WARNING, span_none(), NULL,
                "'%s' is not gone on with: %s", part->path, why);
@@ -161,6 +174,8 @@ bool part_start(struct part *part, const struct options *options,
     part_name(options, name, part->path);
     part->text = part_text(settings, origin);
     part->picture = name;
+    struct image_format format;
+    picture_describe(options, settings, &format, &part->space);
     /* Under make one thread more than there are tokens is one too many. */
     if (jobserver_state() == JOBSERVER_NONE)
         part->ticker = ticker_start(begin_after, look_pause, part_tick, part);

@@ -7,6 +7,8 @@
 #include <limits.h>
 
 #include "cli/options.h"
+#include "image/output.h"
+#include "image/tone.h"
 
 struct part {
     const struct options *options;
@@ -15,6 +17,8 @@ struct part {
     char *text;            /* of its head; NULL: there is no such file */
     struct keeper keeper;  /* for render_options */
     const char *picture;   /* its name */
+    struct output_space space;
+    struct tone_table levels; /* of a picture that has them */
     struct ticker *ticker; /* puts it onto the disk, for when power fails */
     atomic_bool unsettled; /* there is something for it */
 };

@@ -10,6 +10,7 @@
 #include "cli/origin.h"
 #include "cli/output_name.h"
 #include "cli/picture.h"
+#include "image/tone.h"
 
 /* After the origin, which ends with its files: the working space. */
 static const char space_line[] = "\nspace ";
@@ -72,21 +73,43 @@ struct reading {
     size_t count;
     const struct options *options;
     const struct output_space *space;
+    const struct tone_table *levels; /* NULL: the space has none */
     struct image *band;
     int top;
 };
 
+/* Where a row of a tile goes; NULL: not into the band. */
+static float *reading_row(const struct reading *reading, struct area area,
+                          int y)
+{
+    const struct image *band = reading->band;
+    bool there = y >= reading->top && y < reading->top + band->height &&
+                 area.left >= 0 && area.right <= band->width;
+    return there ? image_pixel(band, area.left, y - reading->top) : NULL;
+}
+
 static void reading_take(void *context, struct area area, const void *values)
 {
-    const struct reading *reading = context;
-    const struct image *band = reading->band;
     const float *from = values;
     size_t wide = (size_t)(area.right - area.left) * 4;
-    for (int y = area.top; y < area.bottom; y++, from += wide)
-        if (y >= reading->top && y < reading->top + band->height &&
-            area.left >= 0 && area.right <= band->width)
-            memcpy(image_pixel(band, area.left, y - reading->top), from,
-                   wide * sizeof *from);
+    for (int y = area.top; y < area.bottom; y++, from += wide) {
+        float *to = reading_row(context, area, y);
+        if (to)
+            memcpy(to, from, wide * sizeof *from);
+    }
+}
+
+static void reading_take_levels(void *context, struct area area,
+                                const void *values)
+{
+    const struct reading *reading = context;
+    const unsigned char *from = values;
+    size_t wide = (size_t)(area.right - area.left);
+    for (int y = area.top; y < area.bottom; y++, from += wide * OUTPUT_LEVELS) {
+        float *to = reading_row(reading, area, y);
+        if (to)
+            output_levels_numbers(reading->levels, from, wide, to);
+    }
 }
 
 /* image_bands.at */
@@ -99,9 +122,14 @@ static const struct image *reading_at(void *context, int y, int *top)
     memset(band->pixels, 0,
            (size_t)band->width * (size_t)band->height * 4 * sizeof(float));
     for (size_t i = 0; i < reading->count; i++)
-        part_file_each(reading->files[i], PART_PIXELS, all, reading_take,
-                       reading);
-    output_convert(band, reading->space, reading->options->render.threads);
+        if (reading->levels)
+            part_file_each(reading->files[i], PART_LEVELS, all,
+                           reading_take_levels, reading);
+        else
+            part_file_each(reading->files[i], PART_PIXELS, all, reading_take,
+                           reading);
+    if (!reading->levels)
+        output_convert(band, reading->space, reading->options->render.threads);
     return band;
 }
 
@@ -111,6 +139,7 @@ bool part_image_write(struct part_file *const *files, size_t count,
     const char *name = picture->name;
     struct image_format format;
     struct output_space space;
+    struct tone_table levels;
     int width = part_file_width(files[0]), height = part_file_height(files[0]);
     int rows = part_band_rows(width);
     char why[256];
@@ -121,6 +150,10 @@ bool part_image_write(struct part_file *const *files, size_t count,
                                .count = count,
                                .options = picture->options,
                                .space = &space };
+    if (output_has_levels(&space)) {
+        output_levels_fill(&space, &levels);
+        reading.levels = &levels;
+    }
     reading.band = image_new(width, bands && rows < height ? rows : height);
     const struct image_bands source = { width, height, reading_at, &reading };
     bool done;

@@ -18,13 +18,6 @@ static double output_clamp(double value, double low, double high)
     return value < high ? value : high;
 }
 
-/* The same for 0 to 1, in two instructions. */
-static inline double share_of_1(double value)
-{
-    value = value > 0 ? value : 0;
-    return value < 1 ? value : 1;
-}
-
 /* Of linear light before clipping (measured). */
 static void output_grey(double c[3])
 {
@@ -50,17 +43,22 @@ static double space_file(const struct output_space *space)
     return space->keep_numbers ? 0 : space->file_gamma;
 }
 
+/* Undoes the premultiplication: POV-Ray does in the working space. */
+static void pixel_straighten(float *pixel, double alpha)
+{
+    for (int i = 0; i < 3; i++)
+        pixel[i] = (float)((double)pixel[i] / alpha);
+}
+
 static void output_pixel(float *pixel, const struct output_space *space)
 {
     double alpha = output_clamp((double)pixel[3], 0, 1);
-    double c[3] = { (double)pixel[0], (double)pixel[1], (double)pixel[2] };
     double gamma = space_gamma(space);
-    /* POV-Ray undoes the premultiplication in the working space, yet decodes
-     * premultiplied numbers for float files. */
-    bool straight = space->alpha && !space->linear_file && alpha > 0;
     double most = space->half ? largest_half : largest_float;
-    for (int i = 0; straight && i < 3; i++)
-        c[i] /= alpha;
+    /* POV-Ray decodes premultiplied numbers for float files. */
+    if (space->alpha && !space->linear_file && alpha > 0)
+        pixel_straighten(pixel, alpha);
+    double c[3] = { (double)pixel[0], (double)pixel[1], (double)pixel[2] };
     for (int i = 0; gamma != 1 && i < 3; i++)
         c[i] = tone_decode(c[i], gamma);
     if (space->grey)
@@ -75,31 +73,52 @@ static void output_pixel(float *pixel, const struct output_space *space)
     pixel[3] = (float)alpha;
 }
 
+enum { RUN = 64 }; /* pixels at once */
+
 /* As output_pixel, where each channel has a level of its own. */
-static void output_levels(float *pixel, const struct conversion *conversion)
+static void output_by_table(float *pixels, size_t count,
+                            const struct conversion *conversion)
 {
     const struct tone_table *table = conversion->table;
-    double alpha = share_of_1((double)pixel[3]);
-    double whole = conversion->space->alpha && alpha > 0 ? alpha : 1;
-    for (int i = 0; i < 3; i++) {
-        double v = share_of_1((double)pixel[i] / whole);
-        pixel[i] = table->number[tone_table_level(table, v)];
+    int32_t levels[4 * RUN];
+    for (size_t p = 0; p < count; p++) {
+        double alpha = output_clamp((double)pixels[4 * p + 3], 0, 1);
+        if (conversion->space->alpha && alpha > 0)
+            pixel_straighten(pixels + 4 * p, alpha);
     }
-    pixel[3] = (float)alpha;
+    tone_table_levels(table, pixels, 4 * count, levels);
+    for (size_t i = 0; i < 4 * count; i++)
+        pixels[i] = i % 4 < 3
+                        ? table->number[levels[i]]
+                        : (float)output_clamp((double)pixels[i], 0, 1);
 }
 
 static void output_row(void *context, size_t row, unsigned thread)
 {
     const struct conversion *conversion = context;
     const struct image *image = conversion->image;
+    size_t wide = (size_t)image->width;
+    float *pixels = image_pixel(image, 0, (int)row);
     (void)thread;
-    for (int x = 0; x < image->width; x++) {
-        float *pixel = image_pixel(image, x, (int)row);
-        if (conversion->table)
-            output_levels(pixel, conversion);
-        else
-            output_pixel(pixel, conversion->space);
-    }
+    if (!conversion->table)
+        for (size_t x = 0; x < wide; x++)
+            output_pixel(pixels + 4 * x, conversion->space);
+    for (size_t x = 0; conversion->table && x < wide; x += RUN)
+        output_by_table(pixels + 4 * x, wide - x < RUN ? wide - x : RUN,
+                        conversion);
+}
+
+static bool output_is_table(const struct output_space *space)
+{
+    return space->bits > 0 && space->bits <= 8 && !space->linear_file &&
+           !space->grey;
+}
+
+void output_levels_fill(const struct output_space *space,
+                        struct tone_table *table)
+{
+    tone_table_fill(table, space_gamma(space), space_file(space),
+                    (1u << space->bits) - 1);
 }
 
 void output_convert(struct image *image, const struct output_space *space,
@@ -108,11 +127,51 @@ void output_convert(struct image *image, const struct output_space *space,
     struct conversion conversion = { image, space, NULL };
     struct tone_table table;
     size_t pixels = (size_t)image->width * (size_t)image->height;
-    if (space->bits > 0 && space->bits <= 8 && !space->linear_file &&
-        !space->grey && pixels >= TABLE_WORTH) {
-        tone_table_fill(&table, space_gamma(space), space_file(space),
-                        (1u << space->bits) - 1);
+    if (output_is_table(space) && pixels >= TABLE_WORTH) {
+        output_levels_fill(space, &table);
         conversion.table = &table;
     }
     parallel_run(threads, (size_t)image->height, NULL, output_row, &conversion);
+}
+
+bool output_has_levels(const struct output_space *space)
+{
+    return output_is_table(space) && !space->alpha;
+}
+
+void output_levels_of(const struct tone_table *table, const float *pixels,
+                      size_t count, unsigned char *levels)
+{
+    int32_t found[4 * RUN];
+    for (size_t from = 0; from < count; from += RUN) {
+        size_t run = count - from < RUN ? count - from : RUN;
+        tone_table_levels(table, pixels + 4 * from, 4 * run, found);
+        for (size_t p = 0; p < run; p++, levels += OUTPUT_LEVELS)
+            for (int i = 0; i < OUTPUT_LEVELS; i++)
+                levels[i] = (unsigned char)found[4 * p + (size_t)i];
+    }
+}
+
+void output_levels_working(const struct tone_table *table,
+                           const unsigned char *levels, size_t count,
+                           float *pixels)
+{
+    for (size_t p = 0; p < count; p++, pixels += 4, levels += OUTPUT_LEVELS) {
+        for (int i = 0; i < OUTPUT_LEVELS; i++)
+            pixels[i] =
+                table->begin[levels[i] < table->top ? levels[i] : table->top];
+        pixels[3] = 1;
+    }
+}
+
+void output_levels_numbers(const struct tone_table *table,
+                           const unsigned char *levels, size_t count,
+                           float *pixels)
+{
+    for (size_t p = 0; p < count; p++, pixels += 4, levels += OUTPUT_LEVELS) {
+        for (int i = 0; i < OUTPUT_LEVELS; i++)
+            pixels[i] =
+                table->number[levels[i] < table->top ? levels[i] : table->top];
+        pixels[3] = 1;
+    }
 }

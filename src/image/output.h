@@ -26,4 +26,30 @@ struct output_space {
 void output_convert(struct image *image, const struct output_space *space,
                     unsigned threads);
 
+/* Whether the file has no opacity and at most 256 levels of each of three
+ * channels: then they are all that has to be known of finished pixels. */
+bool output_has_levels(const struct output_space *space);
+
+enum { OUTPUT_LEVELS = 3 }; /* bytes of a pixel */
+
+struct tone_table;
+
+/* For such a space: what the next three want. */
+void output_levels_fill(const struct output_space *space,
+                        struct tone_table *table);
+
+/* Of pixels of the working space, four floats each; they may begin at the same
+ * place. */
+void output_levels_of(const struct tone_table *table, const float *pixels,
+                      size_t count, unsigned char *levels);
+
+/* The other way, to opaque pixels: numbers of the working space that have those
+ * levels, and the file's numbers. */
+void output_levels_working(const struct tone_table *table,
+                           const unsigned char *levels, size_t count,
+                           float *pixels);
+void output_levels_numbers(const struct tone_table *table,
+                           const unsigned char *levels, size_t count,
+                           float *pixels);
+
 #endif

@@ -19,9 +19,10 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "image/image.h"
+#include "image/output.h"
 
 enum {
-    PART_VERSION = 3,
+    PART_VERSION = 4,
     ORDER = 0x01020304,
     MARK = 0x454c4954,
     TEXT_LIMIT = 8 << 20,
@@ -81,10 +82,21 @@ struct part_file {
     atomic_int problem; /* errno of the first failure; 0: none */
 };
 
+static bool part_has_floats(enum part_kind kind)
+{
+    return kind == PART_FIRST || kind == PART_PIXELS;
+}
+
 /* Bytes of a pixel, as they are given and taken. */
 static size_t part_unit(enum part_kind kind)
 {
-    return kind == PART_TALLIES ? PART_TALLY : RGBA_BYTES;
+    static const size_t units[PART_KINDS] = {
+        [PART_FIRST] = RGBA_BYTES,
+        [PART_PIXELS] = RGBA_BYTES,
+        [PART_LEVELS] = OUTPUT_LEVELS,
+        [PART_TALLIES] = PART_TALLY,
+    };
+    return units[kind];
 }
 
 static enum part_kind record_kind(const struct part_record *record)
@@ -245,7 +257,7 @@ static bool record_possible(const struct part_file *file,
                             const struct part_record *r, off_t at, off_t end)
 {
     if (r->mark != MARK || record_kind(r) >= PART_KINDS ||
-        r->kind == (PART_TALLIES | OPAQUE) ||
+        (r->kind & OPAQUE && !part_has_floats(record_kind(r))) ||
         r->checksum != record_checksum(r) || r->left < -1 || r->top < -1 ||
         r->right <= r->left || r->bottom <= r->top ||
         r->right > file->width + 1 || r->bottom > file->height + 1)
@@ -505,7 +517,7 @@ void part_file_put(struct part_file *file, enum part_kind kind,
     float *packed = NULL;
     if (atomic_load(&file->problem))
         return;
-    if (kind != PART_TALLIES && values_opaque(values, pixels)) {
+    if (part_has_floats(kind) && values_opaque(values, pixels)) {
         record.kind |= OPAQUE;
         values = packed = values_packed(values, pixels);
     }

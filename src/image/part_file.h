@@ -11,7 +11,7 @@
  *     4, 4   mark, kind and whether it is opaque
  *     4 x 4  left, top, right, bottom
  *     4, 4   checksum of the values, of these 28 bytes
- *     n      values, row by row; three floats a pixel where all are opaque
+ *     n      values, row by row; where all floats' pixels are opaque only three
  *
  * Checksums are the low half of base/hash.h's; numbers are the machine's. A
  * file is used by one process at a time. */
@@ -23,6 +23,7 @@
 enum part_kind {
     PART_FIRST,   /* first samples, four floats for a place of the grid */
     PART_PIXELS,  /* finished pixels, four floats */
+    PART_LEVELS,  /* finished pixels, levels of the file (image/output.h) */
     PART_TALLIES, /* sums of samples (render/passes.c), PART_TALLY bytes */
     PART_KINDS,
 };

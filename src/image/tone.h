@@ -2,6 +2,10 @@
 #ifndef IMAGE_TONE_H
 #define IMAGE_TONE_H
 
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
 /* The sRGB transfer curve (IEC 61966-2-1). Its straight foot goes on below
  * zero, as in POV-Ray (measured: srgb -0.2 decodes to -0.01548). */
 double tone_srgb_encode(double linear);
@@ -24,29 +28,30 @@ enum { TONE_TOP = 255, TONE_PARTS = 4096 };
 
 /* tone_level(tone_encode(tone_decode(v, from), to), top) without computing
  * powers for each number: where the levels begin, found with those functions.
- * */
+ * Its numbers are as wide as floats, so that many are looked up at once. */
 struct tone_table {
     unsigned top;
-    double from, to;                     /* gammas */
-    double begin[TONE_TOP + 2];          /* of each level; above all none */
-    unsigned char level[TONE_PARTS + 1]; /* at each 1/4096 */
-    float number[TONE_TOP + 1];          /* of each level, in 0..1 */
+    double from, to;               /* gammas */
+    float begin[TONE_TOP + 2];     /* of each level; above all none */
+    int32_t level[TONE_PARTS + 1]; /* at each 1/4096 */
+    bool steep;                    /* several begin within one of these */
+    float number[TONE_TOP + 1];    /* of each level, in 0..1 */
 };
 
 /* For `top` of 1..255. */
 void tone_table_fill(struct tone_table *table, double from, double to,
                      unsigned top);
 
-/* The level of v in 0..1. */
-static inline unsigned tone_table_level(const struct tone_table *table,
-                                        double v)
+/* The levels of numbers: below 0 and NaN is 0, above 1 the top. */
+void tone_table_levels(const struct tone_table *table, const float *numbers,
+                       size_t count, int32_t *levels);
+
+/* Of one. */
+static inline unsigned tone_table_level(const struct tone_table *table, float v)
 {
-    unsigned level = table->level[(int)(v * TONE_PARTS)];
-    /* Mostly one more or none, which no processor can foresee. */
-    level += v >= table->begin[level + 1];
-    while (v >= table->begin[level + 1])
-        level++;
-    return level;
+    int32_t level;
+    tone_table_levels(table, &v, 1, &level);
+    return (unsigned)level;
 }
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 #include "base/memory.h"
+#include "image/output.h"
 
 enum { TILE_OPEN, TILE_DONE, TILE_PUTTING, TILE_CLOSED };
 
@@ -51,6 +52,49 @@ void keeper_count(struct keeper *keeper, double start)
 {
     double worked = clock_worked_here() - start;
     atomic_fetch_add(&keeper->nanoseconds, (unsigned long long)(1e9 * worked));
+}
+
+/* In place. That the picture needs them isn't the keeper's doing. */
+static void levels_put(struct keeper *keeper, float *values, size_t pixels)
+{
+    double start = clock_worked_here();
+    output_levels_of(keeper->levels, values, pixels, (unsigned char *)values);
+    double worked = clock_worked_here() - start;
+    atomic_fetch_sub(&keeper->nanoseconds, (unsigned long long)(1e9 * worked));
+}
+
+void keeper_put_pixels(struct keeper *keeper, struct area area, float *values)
+{
+    if (keeper->levels)
+        levels_put(keeper, values, area_pixels(area));
+    part_file_put(keeper->file, keeper->levels ? PART_LEVELS : PART_PIXELS,
+                  area, values);
+}
+
+struct taking {
+    const struct tone_table *levels;
+    part_take *take;
+    void *context;
+};
+
+static void take_levels(void *context, struct area area, const void *values)
+{
+    const struct taking *taking = context;
+    size_t pixels = area_pixels(area);
+    float *floats = memory_resize(NULL, pixels * 4 * sizeof *floats);
+    output_levels_working(taking->levels, values, pixels, floats);
+    taking->take(taking->context, area, floats);
+    memory_free(floats);
+}
+
+void keeper_each_pixels(const struct keeper *keeper, struct area within,
+                        part_take *take, void *context)
+{
+    struct taking taking = { keeper->levels, take, context };
+    if (keeper->levels)
+        part_file_each(keeper->file, PART_LEVELS, within, take_levels, &taking);
+    else
+        part_file_each(keeper->file, PART_PIXELS, within, take, context);
 }
 
 void keeper_tiles_start(struct keeper_tiles *tiles, struct keeper *keeper,

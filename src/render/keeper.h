@@ -11,6 +11,9 @@
  * done by then, and never have one. */
 struct keeper {
     struct part_file *file; /* NULL: not begun */
+    /* Finished pixels are kept as levels of the picture's file; NULL: as they
+     * are. Set before there is a file. */
+    const struct tone_table *levels;
     /* Begins it, or returns NULL: then nothing is kept. */
     struct part_file *(*create)(void *context);
     /* Called by a thread that has put tiles into the file, at most once a
@@ -35,6 +38,15 @@ bool keeper_ready(struct keeper *keeper);
 /* Whether tiles are to be kept again, a second after this was last true or
  * later. Any thread; true for one alone. */
 bool keeper_due(struct keeper *keeper);
+
+/* Puts finished pixels into the file, four floats each, which are not to be
+ * used after it. */
+void keeper_put_pixels(struct keeper *keeper, struct area area, float *values);
+
+/* Gives those of the file that touch `within` to `take`, as part_file_each,
+ * four floats for each pixel. */
+void keeper_each_pixels(const struct keeper *keeper, struct area within,
+                        part_take *take, void *context);
 
 /* Counts what the calling thread has worked for it since clock_worked_here()
  * was `start`. */

@@ -304,7 +304,7 @@ static void passes_put(const struct passes *passes, const struct image *image)
                 memcpy(values + (size_t)(y - top) * wide * 4,
                        image_pixel(image, left, y - options->image_top),
                        wide * 4 * sizeof *values);
-            part_file_put(options->keeper->file, PART_PIXELS, area, values);
+            keeper_put_pixels(options->keeper, area, values);
         }
     memory_free(values);
 }

@@ -126,8 +126,7 @@ static void keep_pixels(struct rendering *rendering,
     struct area here =
         sampler_take_pixels(&rendering->sampler, tile, thread->values);
     if (area_pixels(here) > 0)
-        part_file_put(rendering->options->keeper->file, PART_PIXELS, here,
-                      thread->values);
+        keeper_put_pixels(rendering->options->keeper, here, thread->values);
 }
 
 static const struct tile_work meeting = { NULL, tile_meet, false, false };
@@ -340,8 +339,7 @@ static bool render_know(struct rendering *rendering)
     if (file && !sampler->direct)
         part_file_each(file, PART_FIRST, sampler->first, take_first, sampler);
     if (file)
-        part_file_each(file, PART_PIXELS, sampler->wanted, take_pixels,
-                       sampler);
+        keeper_each_pixels(keeper, sampler->wanted, take_pixels, sampler);
     return sampler_need(sampler);
 }
 

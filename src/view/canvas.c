@@ -64,7 +64,7 @@ static double tone_light(const struct canvas_tone *tone, float value)
 
 static unsigned tone_number(const struct canvas_tone *tone, double light)
 {
-    return tone_table_level(&tone->table, light);
+    return tone_table_level(&tone->table, (float)light);
 }
 
 static unsigned tone_colour(const struct canvas_tone *tone, const float *pixel)
