@@ -184,8 +184,8 @@ bool part_start(struct part *part, const struct options *options,
     part->keeper.context = part;
     part->keeper.file = options->continue_trace ? part_take_up(part) : NULL;
     bool piece = shared || part_has_bands(options, name);
-    keeper_start(&part->keeper, clock_seconds() +
-                                    (piece ? 0 : part_begin(&options->render)));
+    keeper_start(&part->keeper,
+                 clock_seconds() + (piece ? 0 : part_begin(&options->render)));
     if (!piece || keeper_ready(&part->keeper))
         return true;
     char why[256];

@@ -14,13 +14,13 @@ struct part {
     const struct options *options;
     struct diag *diag;
     char path[PATH_MAX];
-    char *text;            /* of its head; NULL: there is no such file */
-    struct keeper keeper;  /* for render_options */
-    const char *picture;   /* its name */
+    char *text;           /* of its head; NULL: there is no such file */
+    struct keeper keeper; /* for render_options */
+    const char *picture;  /* its name */
     struct output_space space;
     struct tone_table levels; /* of a picture that has them */
-    struct ticker *ticker; /* puts it onto the disk, for when power fails */
-    atomic_bool unsettled; /* there is something for it */
+    struct ticker *ticker;    /* puts it onto the disk, for when power fails */
+    atomic_bool unsettled;    /* there is something for it */
 };
 
 /* The name of the part file for the picture `name`, in path[PATH_MAX]. */

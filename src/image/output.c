@@ -88,9 +88,8 @@ static void output_by_table(float *pixels, size_t count,
     }
     tone_table_levels(table, pixels, 4 * count, levels);
     for (size_t i = 0; i < 4 * count; i++)
-        pixels[i] = i % 4 < 3
-                        ? table->number[levels[i]]
-                        : (float)output_clamp((double)pixels[i], 0, 1);
+        pixels[i] = i % 4 < 3 ? table->number[levels[i]]
+                              : (float)output_clamp((double)pixels[i], 0, 1);
 }
 
 static void output_row(void *context, size_t row, unsigned thread)

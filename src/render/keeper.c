@@ -159,9 +159,8 @@ void keeper_tiles_done(struct keeper_tiles *tiles, size_t tile, unsigned thread)
 void keeper_tiles_drop(struct keeper_tiles *tiles, size_t tile)
 {
     unsigned char state = TILE_DONE;
-    if (!tiles->keeper ||
-        atomic_compare_exchange_strong(&tiles->states[tile], &state,
-                                       TILE_CLOSED))
+    if (!tiles->keeper || atomic_compare_exchange_strong(&tiles->states[tile],
+                                                         &state, TILE_CLOSED))
         return;
     while (atomic_load(&tiles->states[tile]) == TILE_PUTTING)
         sched_yield();

@@ -175,8 +175,7 @@ static void render_keep(void *context, size_t item, unsigned number)
     struct thread_state *thread = &rendering->threads[number];
     size_t firsts = rendering->kept_first;
     if (item < firsts)
-        keep_first(rendering, thread,
-                   tile_of(rendering, sampler->first, item));
+        keep_first(rendering, thread, tile_of(rendering, sampler->first, item));
     else
         keep_pixels(rendering, thread,
                     tile_of(rendering,

@@ -115,6 +115,37 @@ static void large_pictures_have_the_same_levels(void **state)
     }
 }
 
+/* What a part file holds of finished pixels: as good as all of them. */
+static void levels_stand_for_pixels(void **state)
+{
+    (void)state;
+    enum { COUNT = 200 };
+    const struct output_space space = { .working_gamma = 1, .bits = 8 };
+    struct output_space others[] = { space, space, space, space };
+    struct tone_table table;
+    unsigned char levels[COUNT * OUTPUT_LEVELS], again[COUNT * OUTPUT_LEVELS];
+    float pixels[COUNT * 4], numbers[COUNT * 4];
+    for (int i = 0; i < COUNT * 4; i++)
+        pixels[i] = (float)(i - 40) / (COUNT * 3);
+    output_levels_fill(&space, &table);
+    output_levels_of(&table, pixels, COUNT, levels);
+    output_levels_working(&table, levels, COUNT, numbers);
+    output_levels_of(&table, numbers, COUNT, again);
+    assert_memory_equal(levels, again, sizeof levels);
+    output_levels_numbers(&table, levels, COUNT, numbers);
+    for (int i = 0; i < COUNT * 4; i++) {
+        double light = i % 4 < 3 ? (double)pixels[i] : 1;
+        light = light > 0 ? light : 0;
+        assert_int_equal(tone_level(numbers[i], 255),
+                         tone_level((float)tone_srgb_encode(light), 255));
+    }
+    others[0].alpha = others[1].grey = others[2].linear_file = true;
+    others[3].bits = 16;
+    assert_true(output_has_levels(&space));
+    for (int i = 0; i < 4; i++)
+        assert_false(output_has_levels(&others[i]));
+}
+
 /* One pixel through output_convert. */
 static struct image *convert(const float pixel[4], struct output_space space)
 {
@@ -437,6 +468,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tables_of_levels_are_exact),
         cmocka_unit_test(large_pictures_have_the_same_levels),
+        cmocka_unit_test(levels_stand_for_pixels),
         cmocka_unit_test(curves_are_those_of_the_standard),
         cmocka_unit_test(linear_scenes_are_encoded),
         cmocka_unit_test(gamma_scenes_are_decoded_first),

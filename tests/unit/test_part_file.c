@@ -14,6 +14,7 @@
 
 #include <cmocka.h>
 
+#include "image/output.h"
 #include "image/part_file.h"
 #include "render/share.h"
 
@@ -172,6 +173,34 @@ static void damaged_files_go_on(void **state)
     assert_int_equal(known_pixels(), before + WIDTH * HEIGHT);
 }
 
+static void take_levels(void *context, struct area area, const void *values)
+{
+    const unsigned char *from = values, *wanted = context;
+    assert_int_equal(area.top, 2);
+    assert_memory_equal(from, wanted, area_pixels(area) * OUTPUT_LEVELS);
+}
+
+/* Levels are bytes, which are not floats where they look like these. */
+static void levels_are_given_as_they_were(void **state)
+{
+    (void)state;
+    char why[100];
+    const struct area all = { 0, 0, WIDTH, HEIGHT }, area = { 1, 2, 5, 6 };
+    unsigned char levels[16 * OUTPUT_LEVELS];
+    float ones[4] = { 1, 1, 1, 1 };
+    for (size_t i = 0; i < sizeof levels; i++)
+        levels[i] = ((unsigned char *)ones)[i % sizeof ones];
+    struct part_file *file =
+        part_file_create(name, text, WIDTH, HEIGHT, why, sizeof why);
+    part_file_put(file, PART_LEVELS, area, levels);
+    part_file_close(file);
+    file = part_file_open(name, why, sizeof why);
+    assert_false(part_file_was_damaged(file));
+    part_file_each(file, PART_LEVELS, all, take_levels, levels);
+    part_file_close(file);
+    assert_int_equal(known_pixels(), 0);
+}
+
 static void one_process_at_a_time(void **state)
 {
     (void)state;
@@ -238,6 +267,7 @@ int main(void)
         cmocka_unit_test(every_byte_may_be_wrong),
         cmocka_unit_test(every_length_is_taken),
         cmocka_unit_test(damaged_files_go_on),
+        cmocka_unit_test(levels_are_given_as_they_were),
         cmocka_unit_test(one_process_at_a_time),
         cmocka_unit_test(full_disks_are_told),
         cmocka_unit_test(shares_are_even),
