@@ -25,6 +25,7 @@ void lamplights_start(struct lamplights *lights, struct facets *facets)
     struct occlusions *ways = &lights->ways;
     lights->facets = facets;
     lights->global = 0;
+    ways->shaft = NULL;
     for (unsigned all = facets->all; all; all &= all - 1) {
         unsigned i = (unsigned)__builtin_ctz(all);
         lights->global |= (unsigned)!facets->leaf[i]->no_global_lights << i;

@@ -40,14 +40,22 @@ static inline bool lamps_dim(const struct lamps *lamps, const struct lamp *lamp)
     return lamps->foggy && lamp->light->media_attenuation;
 }
 
+/* Whether on the way from any of its places only surfaces take something of its
+ * light. */
+static inline bool lamps_clear_ways(const struct lamps *lamps,
+                                    const struct lamp *lamp)
+{
+    const struct light *light = lamp->light;
+    return lamps->clear && !light->shadowless && !light->pane &&
+           !lamps_dim(lamps, lamp);
+}
+
 /* Whether one ray tells what of its light gets to a point, of which only
  * surfaces on the way take something; and whether all or nothing does. */
 static inline bool lamps_clear(const struct lamps *lamps,
                                const struct lamp *lamp)
 {
-    const struct light *light = lamp->light;
-    return lamps->clear && !light->shadowless && !light->area && !light->pane &&
-           !lamps_dim(lamps, lamp);
+    return !lamp->light->area && lamps_clear_ways(lamps, lamp);
 }
 
 static inline bool lamps_plain(const struct lamps *lamps,
