@@ -269,10 +269,8 @@ static struct shaft_rays lamp_rays(const struct lamp_question *q,
     struct shaft_rays rays = { .from = point, .tmin = shadow_start(point) };
     rays.middle = vec3_add(point, lamp_offset(&ways, q->lamp->light->location));
     area_grid_hull(grid, rays.half);
-    if (q->target->at) {
-        rays.leaf = q->target->at->leaf;
-        rays.normal = q->target->at->face;
-    }
+    rays.leaf = q->target->leaf;
+    rays.normal = q->target->face;
     return rays;
 }
 
@@ -337,18 +335,40 @@ static void hull_widen(vec3 half[2], const struct light *light, double radius,
         half[k] = vec3_scale(half[k], wider);
 }
 
-double lamps_blur(const struct lamps *lamps, const struct lamp *lamp,
-                  const struct lamp_target *target, double radius, double bend,
-                  double enough)
+static struct shaft_rays piece_rays(const struct lamps *lamps,
+                                    const struct lamp *lamp,
+                                    const struct lamp_piece *piece,
+                                    const struct area_grid *grid)
 {
+    const struct lamp_target *target = &piece->middle;
     struct lamp_question q = lamp_question(lamps, lamp, NULL, target);
+    struct shaft_rays rays = lamp_rays(&q, grid);
+    hull_widen(rays.half, lamp->light, piece->radius, target->view.distance);
+    rays.radius = piece->radius;
+    rays.bend = piece->bend;
+    return rays;
+}
+
+bool lamps_open(const struct lamps *lamps, const struct lamp *lamp,
+                const struct lamp_piece *piece)
+{
+    const struct lamp_target *target = &piece->middle;
+    if (!lamps_clear_ways(lamps, lamp) || lamp_is_parallel(lamp) ||
+        lamp->light->orient || !(target->view.distance > 0))
+        return false;
+    struct area_grid grid = area_grid_new(lamp, target->point, lamps->seed);
+    struct shaft_rays rays = piece_rays(lamps, lamp, piece, &grid);
+    return world_blur(lamps->world, &rays, HUGE_VAL) == HUGE_VAL;
+}
+
+double lamps_blur(const struct lamps *lamps, const struct lamp *lamp,
+                  const struct lamp_piece *piece, double enough)
+{
+    const struct lamp_target *target = &piece->middle;
     struct area_grid grid = area_grid_new(lamp, target->point, lamps->seed);
     if (!(target->view.distance > 0))
         return 0;
     area_grid_refine(&grid);
-    struct shaft_rays rays = lamp_rays(&q, &grid);
-    hull_widen(rays.half, lamp->light, radius, target->view.distance);
-    rays.radius = radius;
-    rays.bend = bend;
+    struct shaft_rays rays = piece_rays(lamps, lamp, piece, &grid);
     return world_blur(lamps->world, &rays, enough);
 }
