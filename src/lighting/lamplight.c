@@ -8,9 +8,14 @@ static struct lamp_target lamplight_target(const struct lamplight *light,
                                            const struct lamp_view *view)
 {
     const struct surface *surface = light->surface;
-    return (struct lamp_target){ surface->point, surface->inside, *view,
-                                 surface->at,
-                                 surface->at->leaf->photons->unlit };
+    return (struct lamp_target){
+        .point = surface->point,
+        .inside = surface->inside,
+        .view = *view,
+        .leaf = surface->at->leaf,
+        .face = surface->at->face,
+        .straight = surface->at->leaf->photons->unlit,
+    };
 }
 
 rgb lamplight_trace(struct lamplight *light, const struct lamp *lamp,

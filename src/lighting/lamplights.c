@@ -25,6 +25,7 @@ void lamplights_start(struct lamplights *lights, struct facets *facets)
     struct occlusions *ways = &lights->ways;
     lights->facets = facets;
     lights->global = 0;
+    ways->shaft = NULL;
     for (unsigned all = facets->all; all; all &= all - 1) {
         unsigned i = (unsigned)__builtin_ctz(all);
         lights->global |= (unsigned)!facets->leaf[i]->no_global_lights << i;
@@ -196,6 +197,34 @@ static void lamplights_tint(struct lamp_looks *looks, struct facets_lit *lit,
     lit->colour[2][i] *= share.b;
 }
 
+static struct lamp_target lamplights_target(const struct lamplights *lights,
+                                            unsigned i,
+                                            const struct lamp_looks *looks)
+{
+    const struct facets *facets = lights->facets;
+    const struct leaf *leaf = facets->leaf[i];
+    return (struct lamp_target){
+        .point = lane_get(facets->point, i),
+        .inside = facets->inside[i],
+        .view = { rays_direction(&lights->ways.rays, (int)i),
+                  looks->distance[i], looks->attenuation[i] },
+        .leaf = leaf,
+        .face = world_face_side(leaf, facets->faces, i),
+        .straight = leaf->photons->unlit,
+    };
+}
+
+static rgb lamplights_share(const struct lamplights *lights,
+                            const struct lamp *lamp, unsigned i,
+                            const struct lamp_looks *looks)
+{
+    const struct lamp_target target = lamplights_target(lights, i, looks);
+    if (lights->traced)
+        return lamps_share(lights->lamps, lamp, lights->worker, &target);
+    struct lamplight one = lamplights_at(lights, i);
+    return lights->share(&one, lamp, &target.view);
+}
+
 /* The share of each of `lanes` by itself. Those that are dark are lit no more.
  */
 static void lamplights_shares(const struct lamplights *lights,
@@ -204,12 +233,8 @@ static void lamplights_shares(const struct lamplights *lights,
 {
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        struct lamplight one = lamplights_at(lights, i);
-        const struct lamp_view view = {
-            rays_direction(&lights->ways.rays, (int)i), looks->distance[i],
-            looks->attenuation[i]
-        };
-        lamplights_tint(looks, lit, i, lights->share(&one, lamp, &view));
+        lamplights_tint(looks, lit, i,
+                        lamplights_share(lights, lamp, i, looks));
     }
 }
 
@@ -235,6 +260,67 @@ static unsigned lamplights_fall(struct lamplights *lights,
     return found.left;
 }
 
+/* Those of `lanes` that are on the leaf of the first. */
+static unsigned lamplights_same(const struct lamplights *lights, unsigned lanes)
+{
+    const struct leaf *leaf = lights->facets->leaf[__builtin_ctz(lanes)];
+    unsigned same = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        same |= (unsigned)(lights->facets->leaf[i] == leaf) << i;
+    }
+    return same;
+}
+
+/* The one in their middle and what is around it, as far as they are. */
+static struct lamp_piece lamplights_piece(const struct lamplights *lights,
+                                          unsigned lanes,
+                                          const struct lamp_looks *looks)
+{
+    const struct facets *facets = lights->facets;
+    vec3 sum = vec3_make(0, 0, 0);
+    double count = __builtin_popcount(lanes), nearest = HUGE_VAL;
+    unsigned middle = 0;
+    struct lamp_piece piece = { .radius = 0 };
+    for (unsigned each = lanes; each; each &= each - 1)
+        sum = vec3_add(sum,
+                       lane_get(facets->point, (unsigned)__builtin_ctz(each)));
+    for (unsigned each = lanes; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        vec3 off =
+            vec3_sub(lane_get(facets->point, i), vec3_scale(sum, 1 / count));
+        middle = vec3_dot(off, off) < nearest ? i : middle;
+        nearest = fmin(nearest, vec3_dot(off, off));
+    }
+    piece.middle = lamplights_target(lights, middle, looks);
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        vec3 face = world_face_side(piece.middle.leaf, facets->faces, i);
+        vec3 off = vec3_sub(lane_get(facets->point, i), piece.middle.point);
+        piece.radius = fmax(piece.radius, vec3_length(off));
+        piece.bend =
+            fmax(piece.bend, vec3_length(vec3_sub(face, piece.middle.face)));
+    }
+    return piece;
+}
+
+/* Of `lanes` those to which all light of a lamp with a size gets because
+ * nothing is near its way to all of them that are on one leaf. */
+static unsigned lamplights_open(const struct lamplights *lights,
+                                const struct lamp *lamp, unsigned lanes,
+                                const struct lamp_looks *looks)
+{
+    unsigned open = 0;
+    while (lanes && lights->traced && lamps_soft(lights->lamps, lamp)) {
+        unsigned same = lamplights_same(lights, lanes);
+        struct lamp_piece piece = lamplights_piece(lights, same, looks);
+        lanes &= ~same;
+        if (lamps_open(lights->lamps, lamp, &piece))
+            open |= same;
+    }
+    return open;
+}
+
 /* Most are wholly lit or wholly dark. */
 static void lamplights_shadow(struct lamplights *lights,
                               const struct lamp *lamp, struct lamp_looks *looks,
@@ -246,6 +332,7 @@ static void lamplights_shadow(struct lamplights *lights,
         looks->lit &= ~known.dark;
         left &= ~known.dark & ~known.lit;
     }
+    left &= ~lamplights_open(lights, lamp, left, looks);
     left = lamplights_fall(lights, lamp, left, looks, lit);
     lamplights_shares(lights, lamp, left, looks, lit);
 }

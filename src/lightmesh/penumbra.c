@@ -119,17 +119,17 @@ static uint8_t block_try(const struct penumbra_pass *pass, int i, int j)
     if (!block_corners(all, i, j, pass->side, block.at) ||
         !block_measure(all, &block))
         return 0;
-    struct intersection at = { .leaf = pixel_lattice_hit(lattice, i, j)->leaf,
-                               .face = block.normal };
-    struct lamp_target target = { .point = block.middle, .at = &at };
+    struct lamp_target middle = { block.middle, .face = block.normal };
+    struct lamp_piece piece = { middle, block.radius, 2 * block.bend };
     double facing = lattice->points[block.at[0]].facing;
-    if (!lamp_is_before(lamp, block.middle, block.normal, facing, &target.view))
+    double least = penumbra_wide * block.side;
+    piece.middle.leaf = pixel_lattice_hit(lattice, i, j)->leaf;
+    if (!lamp_is_before(lamp, block.middle, block.normal, facing,
+                        &piece.middle.view))
         return 0;
-    double blur = lamps_blur(all->lamps, lamp, &target, block.radius,
-                             2 * block.bend, penumbra_wide * block.side);
-    if (blur < penumbra_wide * block.side)
-        return 0;
-    return (uint8_t)(pass->side | (blur < HUGE_VAL ? TRIED : LIT));
+    double blur = lamps_blur(all->lamps, lamp, &piece, least);
+    uint8_t tried = (uint8_t)(pass->side | (blur < HUGE_VAL ? TRIED : LIT));
+    return blur < least ? 0 : tried;
 }
 
 static void block_fill(const struct penumbra_pass *pass, int i, int j,
@@ -179,7 +179,7 @@ static void corner_ask(const struct penumbra_pass *pass, int i, int j,
     size_t number = pixel_lattice_at(lattice, i, j);
     float *share = pass->of->shares[number];
     pixel_lattice_describe(lattice, i, j, &ray, &at);
-    struct lamp_target target = { .point = at.point, .at = &at };
+    struct lamp_target target = { at.point, .leaf = at.leaf, .face = at.face };
     share[0] = none;
     if (!lamp_is_before(lamp, at.point, at.face, lattice->points[number].facing,
                         &target.view))

@@ -49,3 +49,16 @@ CLONES void rays_crosses_of(const struct rays_crossings *restrict all,
             met[i] |= ((t > span->near[i]) & (t < span->far[i])) ? -1 : 0;
         }
 }
+
+const struct rays_span *rays_span_asked(const struct rays_span *span,
+                                        unsigned lanes, bool lane_by_lane,
+                                        struct rays_span *out)
+{
+    unsigned others = ~lanes & ((1u << RAY_LANES) - 1);
+    if (!lane_by_lane || !others)
+        return span;
+    *out = *span;
+    for (; others; others &= others - 1)
+        out->far[__builtin_ctz(others)] = -(double)INFINITY;
+    return out;
+}

@@ -96,6 +96,12 @@ void rays_first_of(const struct rays_crossings *all,
 void rays_crosses_of(const struct rays_crossings *all,
                      const struct rays_span *span, lane_flag *met);
 
+/* The span, or, if that would be work for a shape that looks at rays one by
+ * one, in *out that without the rays that are not asked about. */
+const struct rays_span *rays_span_asked(const struct rays_span *span,
+                                        unsigned lanes, bool lane_by_lane,
+                                        struct rays_span *out);
+
 /* Bit by bit what the flags of all lanes say. */
 static inline unsigned rays_bits(const lane_flag flags[RAY_LANES])
 {

@@ -6,18 +6,13 @@
 
 #include "scene/box_tree.h"
 #include "scene/polynomial.h"
+#include "scene/sweep_lanes.h"
 
 enum {
     SWEEP_PIECES = 500000, /* of one sweep, more or less */
     SWEEP_CUTS = 512,      /* of one segment */
     SWEEP_STRETCHES = 64,  /* of one ray, apart from each other */
     SWEEP_ROUNDS = 8,      /* of Newton's method */
-};
-
-/* A ball: middle and radius, or how they change. */
-struct ball {
-    vec3 at;
-    double radius;
 };
 
 /* The ball for s from 0 to 1 is the sum of s^i powers[i]. */
@@ -29,6 +24,12 @@ struct sweep_piece {
     struct ball from, to;
     size_t segment;
     double s[2];
+};
+
+/* Neighbours, so that a ray meets them together. */
+struct sweep_row {
+    struct sweep_lanes lanes;
+    size_t first, count;
 };
 
 static const struct field sphere_sweep_arguments[] = {
@@ -131,6 +132,37 @@ static double sweep_extent(const struct sphere_sweep *sweep)
     return vec3_length(vec3_sub(box.high, box.low));
 }
 
+static void row_make(const struct sphere_sweep *sweep, size_t first,
+                     size_t count, struct sweep_row *row, struct box3 *box)
+{
+    row->first = first;
+    row->count = count;
+    *box = box3_empty();
+    for (size_t i = 0; i < OCTET; i++) {
+        size_t number = first + (i < count ? i : 0);
+        const struct sweep_piece *piece = &sweep->pieces[number];
+        sweep_lanes_set(&row->lanes, i, &piece->from, &piece->to, number == 0);
+        *box = box3_union(*box, ball_box(&piece->from));
+        *box = box3_union(*box, ball_box(&piece->to));
+    }
+}
+
+static void sweep_rows(struct sphere_sweep *sweep, struct arena *arena,
+                       size_t pieces)
+{
+    size_t count = (pieces + OCTET - 1) / OCTET;
+    struct box3 *boxes = ARENA_ARRAY(arena, struct box3, count);
+    sweep->rows = ARENA_ARRAY(arena, struct sweep_row, count);
+    sweep->bounds = box3_empty();
+    for (size_t i = 0; i < count; i++) {
+        size_t first = i * OCTET, rest = pieces - first;
+        row_make(sweep, first, rest < OCTET ? rest : OCTET, &sweep->rows[i],
+                 &boxes[i]);
+        sweep->bounds = box3_union(sweep->bounds, boxes[i]);
+    }
+    sweep->tree = box_tree_new(arena, boxes, count);
+}
+
 static void sweep_cut(struct sphere_sweep *sweep, struct arena *arena,
                       size_t segments)
 {
@@ -139,8 +171,6 @@ static void sweep_cut(struct sphere_sweep *sweep, struct arena *arena,
     for (size_t i = 0; i < segments; i++)
         count += segment_cuts(&sweep->segments[i], extent, segments);
     sweep->pieces = ARENA_ARRAY(arena, struct sweep_piece, count);
-    struct box3 *boxes = ARENA_ARRAY(arena, struct box3, count);
-    sweep->bounds = box3_empty();
     for (size_t i = 0; i < segments; i++) {
         const struct sweep_segment *segment = &sweep->segments[i];
         size_t cuts = segment_cuts(segment, extent, segments);
@@ -152,13 +182,10 @@ static void sweep_cut(struct sphere_sweep *sweep, struct arena *arena,
             };
             piece.from.radius = fmax(piece.from.radius, 0);
             piece.to.radius = fmax(piece.to.radius, 0);
-            sweep->pieces[number] = piece;
-            boxes[number] =
-                box3_union(ball_box(&piece.from), ball_box(&piece.to));
-            sweep->bounds = box3_union(sweep->bounds, boxes[number++]);
+            sweep->pieces[number++] = piece;
         }
     }
-    sweep->tree = box_tree_new(arena, boxes, count);
+    sweep_rows(sweep, arena, count);
 }
 
 static const char *sphere_sweep_prepare(void *shape, struct arena *arena,
@@ -185,7 +212,7 @@ static struct box3 sphere_sweep_bounds(const void *shape)
     return ((const struct sphere_sweep *)shape)->bounds;
 }
 
-/* ---- one piece ---- */
+/* ---- all pieces ---- */
 
 struct stretch_end {
     double t;
@@ -196,97 +223,6 @@ struct stretch {
     struct stretch_end ends[2];
 };
 
-static void stretch_take(struct stretch *stretch, double t)
-{
-    if (t < stretch->ends[0].t)
-        stretch->ends[0].t = t;
-    if (t > stretch->ends[1].t)
-        stretch->ends[1].t = t;
-}
-
-/* The ray through a ball. */
-static void stretch_ball(struct stretch *stretch, const struct ball *ball,
-                         vec3 o, vec3 d)
-{
-    double roots[2];
-    vec3 w = vec3_sub(o, ball->at);
-    if (quadratic_roots(vec3_dot(d, d), vec3_dot(w, d),
-                        vec3_dot(w, w) - ball->radius * ball->radius,
-                        roots) != 2)
-        return;
-    stretch_take(stretch, roots[0]);
-    stretch_take(stretch, roots[1]);
-}
-
-/* What a cone tells of its piece, which is convex, and lies in it. */
-enum cone_met {
-    CONE_UNKNOWN,
-    CONE_MISSED,  /* so is the piece */
-    CONE_CROSSED, /* between its balls: the ray meets nothing else of it */
-    CONE_BEFORE,  /* the first ball: it is the last one of the piece before */
-};
-
-/* All balls between the ends of a piece touch a cone. That of the share s at
- * which |p - c(s)|^2 - r(s)^2 is least touches it nearest to p: s is
- * (w axis + r0 dr) / a, w from the first ball's middle. */
-static enum cone_met stretch_cone(struct stretch *stretch,
-                                  const struct sweep_piece *piece, vec3 o,
-                                  vec3 d)
-{
-    vec3 axis = vec3_sub(piece->to.at, piece->from.at);
-    double growth = piece->to.radius - piece->from.radius;
-    double a = vec3_dot(axis, axis) - growth * growth, roots[2];
-    if (!(a > 0))
-        return CONE_UNKNOWN;
-    vec3 w = vec3_sub(o, piece->from.at);
-    double along = vec3_dot(w, axis) + piece->from.radius * growth;
-    double speed = vec3_dot(d, axis);
-    double square = vec3_dot(d, d) - speed * speed / a;
-    int count = quadratic_roots(square, vec3_dot(w, d) - along * speed / a,
-                                vec3_dot(w, w) -
-                                    piece->from.radius * piece->from.radius -
-                                    along * along / a,
-                                roots);
-    int before = 0, on = 0;
-    for (int i = 0; i < count; i++) {
-        double s = (along + roots[i] * speed) / a;
-        before += s < 0;
-        on += s >= 0 && s <= 1;
-        if (s >= 0 && s <= 1)
-            stretch_take(stretch, roots[i]);
-    }
-    if (!(square > 0) || count == 1)
-        return CONE_UNKNOWN;
-    return count == 0    ? CONE_MISSED
-           : on == 2     ? CONE_CROSSED
-           : before == 2 ? CONE_BEFORE
-                         : CONE_UNKNOWN;
-}
-
-/* Where the ray is in the piece, from near it, where numbers are small. */
-static bool piece_stretch(const struct sweep_piece *piece, bool first,
-                          const struct ray *ray, struct stretch *stretch)
-{
-    vec3 d = ray->direction;
-    double shift =
-        vec3_dot(vec3_sub(piece->from.at, ray->origin), d) / vec3_dot(d, d);
-    vec3 o = ray_point(ray, shift);
-    stretch->ends[0].t = HUGE_VAL;
-    stretch->ends[1].t = -HUGE_VAL;
-    enum cone_met met = stretch_cone(stretch, piece, o, d);
-    if (met == CONE_MISSED || (met == CONE_BEFORE && !first))
-        return false;
-    if (met != CONE_CROSSED) {
-        stretch_ball(stretch, &piece->from, o, d);
-        stretch_ball(stretch, &piece->to, o, d);
-    }
-    stretch->ends[0].t += shift;
-    stretch->ends[1].t += shift;
-    return stretch->ends[0].t < stretch->ends[1].t;
-}
-
-/* ---- all pieces ---- */
-
 struct sweep_search {
     const struct sphere_sweep *sweep;
     const struct ray *ray;
@@ -294,25 +230,24 @@ struct sweep_search {
     int count;
 };
 
-/* Joins a stretch with those that it meets. */
-static bool search_piece(void *context, size_t number)
+static void stretch_join(struct stretch *to, const struct stretch *other)
 {
-    struct sweep_search *search = context;
-    struct stretch *all = search->stretches, one;
-    if (!piece_stretch(&search->sweep->pieces[number], number == 0, search->ray,
-                       &one))
-        return false;
-    one.ends[0].piece = one.ends[1].piece = number;
+    if (other->ends[0].t < to->ends[0].t)
+        to->ends[0] = other->ends[0];
+    if (other->ends[1].t > to->ends[1].t)
+        to->ends[1] = other->ends[1];
+}
+
+/* Joins a stretch with those that it meets; true: there is no more room. */
+static bool search_join(struct sweep_search *search, struct stretch one)
+{
+    struct stretch *all = search->stretches;
     int first = 0, kept;
     while (first < search->count && all[first].ends[1].t < one.ends[0].t)
         first++;
     for (kept = first;
-         kept < search->count && all[kept].ends[0].t <= one.ends[1].t; kept++) {
-        if (all[kept].ends[0].t < one.ends[0].t)
-            one.ends[0] = all[kept].ends[0];
-        if (all[kept].ends[1].t > one.ends[1].t)
-            one.ends[1] = all[kept].ends[1];
-    }
+         kept < search->count && all[kept].ends[0].t <= one.ends[1].t; kept++)
+        stretch_join(&one, &all[kept]);
     int grown = search->count - (kept - first) + 1;
     if (grown > SWEEP_STRETCHES)
         return true;
@@ -321,6 +256,35 @@ static bool search_piece(void *context, size_t number)
     all[first] = one;
     search->count = grown;
     return false;
+}
+
+/* Of neighbours, most meet each other. */
+static bool search_row(void *context, size_t number)
+{
+    struct sweep_search *search = context;
+    const struct sweep_row *row = &search->sweep->rows[number];
+    struct sweep_stretches found;
+    struct stretch joined;
+    bool any = false;
+    if (!sweep_lanes_meet(&row->lanes, search->ray, &found))
+        return false;
+    for (size_t i = 0; i < row->count; i++) {
+        size_t piece = row->first + i;
+        struct stretch one = { { { found.near[i], piece },
+                                 { found.far[i], piece } } };
+        if (!(found.near[i] < found.far[i]))
+            continue;
+        if (any && one.ends[0].t <= joined.ends[1].t &&
+            joined.ends[0].t <= one.ends[1].t) {
+            stretch_join(&joined, &one);
+            continue;
+        }
+        if (any && search_join(search, joined))
+            return true;
+        joined = one;
+        any = true;
+    }
+    return any && search_join(search, joined);
 }
 
 /* ---- the true surface ---- */
@@ -384,7 +348,7 @@ static void sphere_sweep_intersect(const void *shape, const struct ray *ray,
     search.sweep = sweep;
     search.ray = ray;
     search.count = 0;
-    box_tree_ray(sweep->tree, ray, -HUGE_VAL, &far, search_piece, &search);
+    box_tree_ray(sweep->tree, ray, -HUGE_VAL, &far, search_row, &search);
     for (int i = 0; i < search.count; i++)
         for (int side = 0; side < 2; side++) {
             const struct stretch_end *end = &search.stretches[i].ends[side];
@@ -431,8 +395,10 @@ struct place_search {
 static bool place_visit(void *context, size_t number)
 {
     struct place_search *search = context;
-    search->inside =
-        piece_depth(&search->sweep->pieces[number], search->point) < 0;
+    const struct sweep_row *row = &search->sweep->rows[number];
+    const struct sweep_piece *pieces = search->sweep->pieces + row->first;
+    for (size_t i = 0; i < row->count && !search->inside; i++)
+        search->inside = piece_depth(&pieces[i], search->point) < 0;
     return search->inside;
 }
 
@@ -451,10 +417,9 @@ struct cell_search {
     bool met, within; /* some piece; altogether in one */
 };
 
-static bool cell_visit(void *context, size_t number)
+static bool cell_takes(struct cell_search *search,
+                       const struct sweep_piece *piece)
 {
-    struct cell_search *search = context;
-    const struct sweep_piece *piece = &search->sweep->pieces[number];
     vec3 axis = vec3_sub(piece->to.at, piece->from.at);
     vec3 w = vec3_sub(search->cell->centre, piece->from.at);
     double length2 = vec3_dot(axis, axis);
@@ -465,6 +430,16 @@ static bool cell_visit(void *context, size_t number)
     search->met |= distance - most <= search->cell->radius;
     search->within = distance + search->cell->radius < 0.999 * least;
     return search->within;
+}
+
+static bool cell_visit(void *context, size_t number)
+{
+    struct cell_search *search = context;
+    const struct sweep_row *row = &search->sweep->rows[number];
+    for (size_t i = 0; i < row->count; i++)
+        if (cell_takes(search, &search->sweep->pieces[row->first + i]))
+            return true;
+    return false;
 }
 
 static unsigned sphere_sweep_meets(const void *shape, const struct cell *cell)

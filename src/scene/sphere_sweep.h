@@ -9,6 +9,7 @@ enum sweep_kind { SWEEP_LINEAR, SWEEP_CUBIC, SWEEP_B_SPLINE };
 
 struct sweep_segment;
 struct sweep_piece;
+struct sweep_row;
 
 struct sphere_sweep {
     enum sweep_kind kind;
@@ -16,6 +17,7 @@ struct sphere_sweep {
     double tolerance;   /* needless */
     struct sweep_segment *segments;
     struct sweep_piece *pieces;
+    struct sweep_row *rows; /* of pieces; over them: */
     const struct box_tree *tree;
     struct box3 bounds;
 };

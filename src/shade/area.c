@@ -8,11 +8,18 @@
 /* How far POV-Ray's round grids are off, in sides (measured). */
 static const double area_shift = 0.001;
 
-static uint64_t bits_of(double value)
+static inline uint64_t bits_of(double value)
 {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
     return bits;
+}
+
+static inline double of_bits(uint64_t bits)
+{
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
 }
 
 /* Axes perpendicular to the view of the point: one level with z, the other
@@ -76,33 +83,73 @@ void area_grid_refine(struct area_grid *grid)
 
 /* The square [-1/2,1/2]^2 pressed into the disc in it along the radii, moved
  * a little, which keeps the middle from dividing by zero (POV-Ray's way). */
-static void area_round(double *u, double *v)
+static inline void area_round(double *u, double *v)
 {
     *u += area_shift;
     *v += area_shift;
     double length = sqrt(*u * *u + *v * *v);
-    double scale = length > 0 ? fmax(fabs(*u), fabs(*v)) / length : 1;
+    double a = fabs(*u), b = fabs(*v);
+    double scale = length > 0 ? (a > b ? a : b) / length : 1;
     *u *= scale;
     *v *= scale;
 }
 
-/* A point of the grid in units of the axes, from the middle. */
-static void area_grid_place(const struct area_grid *grid, int i, int j,
-                            double *u, double *v)
+static inline double side_place(double x, int size)
 {
-    const struct light *light = grid->light;
-    double x = i, y = j;
-    if (grid->key) {
-        uint64_t key = random_key(grid->key, (uint64_t)i);
-        key = random_key(key, (uint64_t)j);
-        x += random_unit(key) - 0.5;
-        y += random_unit(key + 1) - 0.5;
-    }
-    *u = grid->size1 > 1 ? x / (grid->size1 - 1) - 0.5 : 0;
-    *v = grid->size2 > 1 ? y / (grid->size2 - 1) - 0.5 : 0;
-    if (light->circular ||
-        (light->orient && light->size1 > 1 && light->size2 > 1))
-        area_round(u, v);
+    return size > 1 ? x / (size - 1) - 0.5 : 0;
+}
+
+/* A whole number below 2^52, and as random_unit has it, by ways that
+ * instructions for several lanes know. */
+static inline uint64_t whole_number(double x)
+{
+    return bits_of(x + 0x1p52) & ((1ull << 52) - 1);
+}
+
+static inline double unit_number(uint64_t key)
+{
+    const uint64_t bits = random_mix(key) >> 11;
+    const uint64_t low = (bits & 0xffffffff) | 0x433ull << 52;
+    const uint64_t high = bits >> 32 | 0x453ull << 52;
+    return ((of_bits(high) - 0x1p84) + (of_bits(low) - 0x1p52)) * 0x1p-53;
+}
+
+/* How far a point's neighbours let it be moved. */
+static inline void area_jitter(uint64_t grid_key, double *i, double *j)
+{
+    uint64_t key = random_key(grid_key, whole_number(*i));
+    key = random_key(key, whole_number(*j));
+    *i += unit_number(key) - 0.5;
+    *j += unit_number(key + 1) - 0.5;
+}
+
+/* Of a point (i, j) that may have been moved. */
+static inline void area_locate(const struct area_grid *grid, bool round,
+                               struct area_points *points, unsigned k)
+{
+    double u = side_place(points->place[0][k], grid->size1);
+    double v = side_place(points->place[1][k], grid->size2);
+    if (round)
+        area_round(&u, &v);
+    vec3 along = vec3_along(grid->light->location, grid->axis1, u);
+    lane_put(points->location, k, vec3_along(along, grid->axis2, v));
+    points->place[0][k] = u * grid->scale[0];
+    points->place[1][k] = v * grid->scale[1];
+}
+
+CLONES static void points_jitter(uint64_t grid_key,
+                                 struct area_points *restrict points)
+{
+    for (int k = 0; k < RAY_LANES; k++)
+        area_jitter(grid_key, &points->place[0][k], &points->place[1][k]);
+}
+
+CLONES static void points_locate(const struct area_grid *restrict grid,
+                                 bool round,
+                                 struct area_points *restrict points)
+{
+    for (unsigned k = 0; k < RAY_LANES; k++)
+        area_locate(grid, round, points, k);
 }
 
 void area_grid_hull(const struct area_grid *grid, vec3 half[2])
@@ -111,18 +158,45 @@ void area_grid_hull(const struct area_grid *grid, vec3 half[2])
     half[1] = vec3_scale(grid->axis2, 1 / grid->scale[1]);
 }
 
-struct area_point area_grid_at(const struct area_grid *grid, int i, int j)
+static bool grid_is_round(const struct area_grid *grid)
 {
-    double u, v;
-    area_grid_place(grid, i, j, &u, &v);
-    return (struct area_point){
-        .location = vec3_along(
-            vec3_along(grid->light->location, grid->axis1, u), grid->axis2, v),
-        .place = { u * grid->scale[0], v * grid->scale[1] },
-    };
+    const struct light *light = grid->light;
+    return light->circular ||
+           (light->orient && light->size1 > 1 && light->size2 > 1);
+}
+
+/* One without the others. */
+static void point_find(const struct area_grid *grid, struct area_points *points)
+{
+    points->place[0][0] = points->at[0][0];
+    points->place[1][0] = points->at[1][0];
+    if (grid->key)
+        area_jitter(grid->key, &points->place[0][0], &points->place[1][0]);
+    area_locate(grid, grid_is_round(grid), points, 0);
+}
+
+void area_grid_points(const struct area_grid *grid, struct area_points *points)
+{
+    if (points->count == 1) {
+        point_find(grid, points);
+        return;
+    }
+    for (int k = 0; k < RAY_LANES; k++) {
+        int from = k < points->count ? k : 0;
+        points->place[0][k] = points->at[0][from];
+        points->place[1][k] = points->at[1][from];
+    }
+    if (grid->key)
+        points_jitter(grid->key, points);
+    points_locate(grid, grid_is_round(grid), points);
 }
 
 vec3 area_grid_point(const struct area_grid *grid, int i, int j)
 {
-    return area_grid_at(grid, i, j).location;
+    struct area_points points;
+    points.count = 1;
+    points.at[0][0] = i;
+    points.at[1][0] = j;
+    point_find(grid, &points);
+    return lane_get((const double(*)[RAY_LANES])points.location, 0);
 }

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "base/rgb.h"
+#include "scene/rays.h"
 #include "shade/lamp.h"
 
 /* The grid as one surface point sees it. */
@@ -33,18 +34,25 @@ void area_grid_refine(struct area_grid *grid);
  * points of the grid. */
 void area_grid_hull(const struct area_grid *grid, vec3 half[2]);
 
-/* A point of the grid. */
-struct area_point {
-    vec3 location;
-    double place[2]; /* in that parallelogram, in units of its half sides */
-};
-
 /* Point (i, j) of the grid, 0 <= i < size1, 0 <= j < size2. */
-struct area_point area_grid_at(const struct area_grid *grid, int i, int j);
 vec3 area_grid_point(const struct area_grid *grid, int i, int j);
 
-/* What part of the light comes from a point of the grid. */
-typedef rgb area_visit(void *context, const struct area_point *point);
+/* Points of the grid side by side. What is in lanes beyond their number doesn't
+ * matter; if there are several, they are numbers. */
+struct area_points {
+    int count;                          /* 1 to RAY_LANES */
+    LANE_LINES double at[2][RAY_LANES]; /* i and j */
+    double location[3][RAY_LANES];
+    double place[2][RAY_LANES]; /* in that parallelogram, in units of its half
+                                 * sides */
+};
+
+/* Finds out about so many whose i and j are set. */
+void area_grid_points(const struct area_grid *grid, struct area_points *points);
+
+/* What part of the light comes from each of these points. */
+typedef void area_visit(void *context, const struct area_points *points,
+                        rgb seen[RAY_LANES]);
 
 /* The share of the whole light that is seen: not the mean of the points, but
  * POV-Ray's recursive bisection with weights, adaptive if the light says so:

@@ -1,4 +1,5 @@
 /* What share of an area light is seen, by points of its grid: see area.h. */
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,23 +9,38 @@
  * their edges. A point that has lost its place is seen again. */
 enum { AREA_PLACES = 1021 };
 
+/* So many parts at a time are looked at in advance. */
+enum { AREA_FRONT = 64 };
+
 /* Of outlines: how often the light is cut in halves each way before parts are
  * cut along them; and where it isn't adaptive. */
 enum { OUTLINE_LEAST = 2, OUTLINE_MOST = 5, OUTLINE_FULL = 3 };
+
+/* Part of the grid, both ends included, and how often it was cut. */
+struct area_part {
+    int i0, i1, j0, j1;
+    int level;
+};
+
+struct area_walk;
+
+/* Whether the part is to be cut in smaller ones, by what is seen of it. */
+typedef bool area_cuts(struct area_walk *walk, const struct area_part *part);
 
 struct area_walk {
     const struct area_grid *grid;
     rgb light; /* unshadowed */
     area_visit *visit;
     void *context;
-    bool thorough;              /* outlines */
+    area_cuts *cuts;
+    int surely;    /* parts of lower levels always are, if they
+                    * can be */
+    bool thorough; /* outlines */
+    bool same;     /* all that was seen is like this, to the bit */
+    rgb first;
+    struct area_points wanted;  /* known soon: their places are taken */
     int64_t known[AREA_PLACES]; /* number of the point, -1: none */
     rgb seen[AREA_PLACES];
-};
-
-/* Part of the grid, both ends included. */
-struct area_part {
-    int i0, i1, j0, j1;
 };
 
 static void area_walk_start(struct area_walk *walk,
@@ -35,19 +51,71 @@ static void area_walk_start(struct area_walk *walk,
     walk->light = arriving;
     walk->visit = visit;
     walk->context = context;
+    walk->same = true;
+    walk->first = rgb_grey(-1);
+    walk->wanted.count = 0;
     int64_t points = (int64_t)grid->size1 * grid->size2;
     size_t places = points < AREA_PLACES ? (size_t)points : AREA_PLACES;
     memset(walk->known, -1, places * sizeof *walk->known);
 }
 
+static int64_t area_number(const struct area_walk *walk, int i, int j)
+{
+    return (int64_t)i * walk->grid->size2 + j;
+}
+
+static size_t area_place(int64_t number)
+{
+    return (size_t)(number % AREA_PLACES);
+}
+
+static bool rgb_same(rgb a, rgb b)
+{
+    return a.r == b.r && a.g == b.g && a.b == b.b;
+}
+
+/* Sees all that are wanted. */
+static void area_flush(struct area_walk *walk)
+{
+    struct area_points *wanted = &walk->wanted;
+    rgb seen[RAY_LANES];
+    if (wanted->count == 0)
+        return;
+    area_grid_points(walk->grid, wanted);
+    walk->visit(walk->context, wanted, seen);
+    if (walk->first.r < 0)
+        walk->first = seen[0];
+    for (int k = 0; k < wanted->count; k++) {
+        int64_t number =
+            area_number(walk, (int)wanted->at[0][k], (int)wanted->at[1][k]);
+        walk->known[area_place(number)] = number;
+        walk->seen[area_place(number)] = seen[k];
+        walk->same = walk->same && rgb_same(walk->first, seen[k]);
+    }
+    wanted->count = 0;
+}
+
+/* Has the point seen in advance, with others. */
+static void area_want(struct area_walk *walk, int i, int j)
+{
+    struct area_points *wanted = &walk->wanted;
+    int64_t number = area_number(walk, i, j);
+    if (walk->known[area_place(number)] == number)
+        return;
+    walk->known[area_place(number)] = number;
+    wanted->at[0][wanted->count] = i;
+    wanted->at[1][wanted->count++] = j;
+    if (wanted->count == RAY_LANES)
+        area_flush(walk);
+}
+
 static rgb area_see(struct area_walk *walk, int i, int j)
 {
-    int64_t number = (int64_t)i * walk->grid->size2 + j;
-    size_t place = (size_t)(number % AREA_PLACES);
+    int64_t number = area_number(walk, i, j);
+    size_t place = area_place(number);
     if (walk->known[place] != number) {
-        struct area_point point = area_grid_at(walk->grid, i, j);
-        walk->seen[place] = walk->visit(walk->context, &point);
-        walk->known[place] = number;
+        area_want(walk, i, j);
+        area_flush(walk);
     }
     return walk->seen[place];
 }
@@ -55,6 +123,8 @@ static rgb area_see(struct area_walk *walk, int i, int j)
 /* POV-Ray's measure: less than 0.1 in all of the light that arrives. */
 static bool area_agree(const struct area_walk *walk, rgb a, rgb b)
 {
+    if (rgb_same(a, b))
+        return true;
     rgb d = rgb_mul(rgb_sub(a, b), walk->light);
     return fabs(d.r) + fabs(d.g) + fabs(d.b) < 0.1;
 }
@@ -66,13 +136,13 @@ struct area_corners {
 };
 
 static struct area_corners area_corners(struct area_walk *walk,
-                                        struct area_part part)
+                                        const struct area_part *part)
 {
     struct area_corners at;
-    at.a = area_see(walk, part.i0, part.j0);
-    at.b = area_see(walk, part.i1, part.j0);
-    at.c = area_see(walk, part.i0, part.j1);
-    at.d = area_see(walk, part.i1, part.j1);
+    at.a = area_see(walk, part->i0, part->j0);
+    at.b = area_see(walk, part->i1, part->j0);
+    at.c = area_see(walk, part->i0, part->j1);
+    at.d = area_see(walk, part->i1, part->j1);
     at.agree = area_agree(walk, at.a, at.b) && area_agree(walk, at.a, at.c) &&
                area_agree(walk, at.b, at.d) && area_agree(walk, at.c, at.d);
     return at;
@@ -84,51 +154,150 @@ static rgb corners_mean(const struct area_corners *at)
                      0.25);
 }
 
-/* The mean of what `share` says of the halves, of a part that can be cut only
- * one way, or of the quarters. Halves overlap in the middle point where there
- * is one. */
-static rgb area_halves(struct area_walk *walk, struct area_part part, int level,
-                       rgb (*share)(struct area_walk *walk,
-                                    struct area_part part, int level))
+static bool part_is_smallest(const struct area_part *part)
 {
-    bool wide = part.i1 - part.i0 > 1, high = part.j1 - part.j0 > 1;
-    rgb sum = rgb_grey(0);
-    int columns = wide ? 2 : 1, rows = high ? 2 : 1;
-    for (int k = 0; k < columns * rows; k++) {
-        struct area_part half = part;
-        int i = part.i0 + part.i1, j = part.j0 + part.j1;
-        if (wide && k % columns == 0)
-            half.i1 = i / 2;
-        else if (wide)
-            half.i0 = (i + 1) / 2;
-        if (high && k / columns == 0)
-            half.j1 = j / 2;
-        else if (high)
-            half.j0 = (j + 1) / 2;
-        sum = rgb_add(sum, share(walk, half, level + 1));
-    }
-    return rgb_scale(sum, 1.0 / (columns * rows));
+    return part->i1 - part->i0 <= 1 && part->j1 - part->j0 <= 1;
 }
 
-/* Depth is limited by the bits of a size. */
-static rgb area_part_seen(struct area_walk *walk, struct area_part part,
-                          int level)
+/* Its quarters, or the halves of one that can be cut only one way; they overlap
+ * in the middle point where there is one. Returns how many. */
+static int part_cut(const struct area_part *part, struct area_part cut[4])
 {
-    int adaptive = walk->grid->adaptive;
+    bool wide = part->i1 - part->i0 > 1, high = part->j1 - part->j0 > 1;
+    int columns = wide ? 2 : 1, rows = high ? 2 : 1;
+    int i = part->i0 + part->i1, j = part->j0 + part->j1;
+    for (int k = 0; k < columns * rows; k++) {
+        cut[k] = *part;
+        cut[k].level++;
+        if (wide && k % columns == 0)
+            cut[k].i1 = i / 2;
+        else if (wide)
+            cut[k].i0 = (i + 1) / 2;
+        if (high && k / columns == 0)
+            cut[k].j1 = j / 2;
+        else if (high)
+            cut[k].j0 = (j + 1) / 2;
+    }
+    return columns * rows;
+}
+
+/* Parts of which it is still to be seen whether they are cut. */
+struct area_front {
+    int count;
+    struct area_part at[AREA_FRONT];
+};
+
+/* Wants the corners of the part, and of what it is surely cut into. Depth is
+ * limited by the bits of a size. */
+static void area_foresee_part(struct area_walk *walk,
+                              const struct area_part *part,
+                              struct area_front *front)
+{
+    struct area_part cut[4];
+    area_want(walk, part->i0, part->j0);
+    area_want(walk, part->i1, part->j0);
+    area_want(walk, part->i0, part->j1);
+    area_want(walk, part->i1, part->j1);
+    if (part_is_smallest(part))
+        return;
+    if (part->level < walk->surely) {
+        int count = part_cut(part, cut);
+        for (int k = 0; k < count; k++)
+            area_foresee_part(walk, &cut[k], front);
+    } else if (front->count < AREA_FRONT) {
+        front->at[front->count++] = *part;
+    }
+}
+
+/* Leaves those that are cut. */
+static void front_decide(struct area_walk *walk, struct area_front *front)
+{
+    int kept = 0;
+    for (int n = 0; n < front->count; n++)
+        if (walk->cuts(walk, &front->at[n]))
+            front->at[kept++] = front->at[n];
+    front->count = kept;
+}
+
+/* Sees the points that are to be asked about, many at a time, as far as there
+ * is room to tell which: level by level, since what is seen decides what is
+ * next. */
+static void area_foresee(struct area_walk *walk, const struct area_part *part)
+{
+    struct area_front fronts[2] = { { .count = 0 }, { .count = 0 } };
+    struct area_front *now = &fronts[0], *next = &fronts[1];
+    area_foresee_part(walk, part, now);
+    area_flush(walk);
+    while (now->count > 0) {
+        front_decide(walk, now);
+        next->count = 0;
+        for (int n = 0; n < now->count; n++) {
+            struct area_part cut[4];
+            int count = part_cut(&now->at[n], cut);
+            for (int k = 0; k < count; k++)
+                area_foresee_part(walk, &cut[k], next);
+        }
+        area_flush(walk);
+        struct area_front *done = now;
+        now = next;
+        next = done;
+    }
+}
+
+/* The mean of what `share` says of what the part is cut into. */
+static rgb area_halves(struct area_walk *walk, const struct area_part *part,
+                       rgb (*share)(struct area_walk *walk,
+                                    const struct area_part *part))
+{
+    struct area_part cut[4];
+    int count = part_cut(part, cut);
+    rgb sum = rgb_grey(0);
+    for (int k = 0; k < count; k++)
+        sum = rgb_add(sum, share(walk, &cut[k]));
+    return rgb_scale(sum, 1.0 / count);
+}
+
+static bool part_cuts(struct area_walk *walk, const struct area_part *part)
+{
+    return part->level < walk->surely || !area_corners(walk, part).agree;
+}
+
+static rgb area_part_seen(struct area_walk *walk, const struct area_part *part)
+{
     struct area_corners at = area_corners(walk, part);
-    bool smallest = part.i1 - part.i0 <= 1 && part.j1 - part.j0 <= 1;
-    if (smallest || (adaptive >= 0 && level >= adaptive && at.agree))
+    bool whole = part->level >= walk->surely && at.agree;
+    if (whole || part_is_smallest(part))
         return corners_mean(&at);
-    return area_halves(walk, part, level, area_part_seen);
+    return area_halves(walk, part, area_part_seen);
+}
+
+/* A part of so many points that they have no places all is cut first, if it
+ * surely is. */
+static rgb area_part_foreseen(struct area_walk *walk,
+                              const struct area_part *part)
+{
+    int64_t points =
+        (int64_t)(part->i1 - part->i0 + 1) * (part->j1 - part->j0 + 1);
+    if (points > AREA_PLACES && part->level < walk->surely)
+        return area_halves(walk, part, area_part_foreseen);
+    area_foresee(walk, part);
+    return walk->same ? walk->first : area_part_seen(walk, part);
+}
+
+static struct area_part area_all(const struct area_grid *grid)
+{
+    return (struct area_part){ 0, grid->size1 - 1, 0, grid->size2 - 1, 0 };
 }
 
 rgb area_visibility(const struct area_grid *grid, rgb arriving,
                     area_visit *visit, void *context)
 {
+    const struct area_part all = area_all(grid);
     struct area_walk walk;
     area_walk_start(&walk, grid, arriving, visit, context);
-    return area_part_seen(
-        &walk, (struct area_part){ 0, grid->size1 - 1, 0, grid->size2 - 1 }, 0);
+    walk.cuts = part_cuts;
+    walk.surely = grid->adaptive < 0 ? INT_MAX : grid->adaptive;
+    return area_part_foreseen(&walk, &all);
 }
 
 /* How far from one end of an edge to the other the light changes, 0..1. */
@@ -202,11 +371,11 @@ static rgb saddle_seen(struct area_walk *walk, const struct area_ring *ring)
 
 /* A part whose corners disagree, cut in two by a straight line. */
 static rgb outline_cut(struct area_walk *walk, const struct area_corners *at,
-                       struct area_part part)
+                       const struct area_part *part)
 {
     const struct area_ring ring = {
-        { part.i0, part.i1, part.i1, part.i0 },
-        { part.j0, part.j0, part.j1, part.j1 },
+        { part->i0, part->i1, part->i1, part->i0 },
+        { part->j0, part->j0, part->j1, part->j1 },
         { at->a, at->b, at->d, at->c },
     };
     bool like[4];
@@ -247,24 +416,36 @@ static int outline_least(const struct area_walk *walk, rgb seen)
     return closely ? cuts : cuts - 1;
 }
 
-static rgb outline_part_seen(struct area_walk *walk, struct area_part part,
-                             int level)
+static bool outline_cuts_part(struct area_walk *walk,
+                              const struct area_part *part)
+{
+    if (part->level >= outline_cuts(walk->grid->adaptive))
+        return false;
+    struct area_corners at = area_corners(walk, part);
+    return !at.agree || part->level < outline_least(walk, at.a);
+}
+
+static rgb outline_part_seen(struct area_walk *walk,
+                             const struct area_part *part)
 {
     int cuts = outline_cuts(walk->grid->adaptive);
     struct area_corners at = area_corners(walk, part);
-    if (at.agree && level >= outline_least(walk, at.a))
+    if (at.agree && part->level >= outline_least(walk, at.a))
         return corners_mean(&at);
-    if (level >= cuts)
+    if (part->level >= cuts)
         return outline_cut(walk, &at, part);
-    return area_halves(walk, part, level, outline_part_seen);
+    return area_halves(walk, part, outline_part_seen);
 }
 
 rgb area_outline(const struct area_grid *grid, rgb arriving, bool thorough,
                  area_visit *visit, void *context)
 {
+    const struct area_part all = area_all(grid);
     struct area_walk walk;
     area_walk_start(&walk, grid, arriving, visit, context);
     walk.thorough = thorough;
-    return outline_part_seen(
-        &walk, (struct area_part){ 0, grid->size1 - 1, 0, grid->size2 - 1 }, 0);
+    walk.cuts = outline_cuts_part;
+    walk.surely = outline_cuts(grid->adaptive) - 1;
+    area_foresee(&walk, &all);
+    return walk.same ? walk.first : outline_part_seen(&walk, &all);
 }

@@ -58,6 +58,7 @@ struct lamp_question {
     const struct shaft *shaft; /* to all of it, or NULL */
     bool clear;                /* where nothing is in it all light comes */
     bool plain;                /* and none where something is */
+    bool even; /* on the way only surfaces take something of it */
 };
 
 static struct lamp_question lamp_question(const struct lamps *lamps,
@@ -100,33 +101,149 @@ static rgb lamp_trace(const struct lamp_question *q, vec3 direction,
     return shadow_visibility(q->lamps->world, q->worker, &path);
 }
 
-/* From the point to a place of the lamp. Parallel light comes from the grid
- * moved to stand over the point. */
-static vec3 lamp_offset(const struct lamp_question *q, vec3 location)
+/* The rays to places of the lamp: as long as the way there, or unit. */
+struct lamp_ways {
+    vec3 point;
+    vec3 from;  /* what is subtracted from a place, */
+    vec3 shift; /* and added, if it is */
+    bool shifted, unit;
+};
+
+/* Parallel light comes from the grid moved to stand over the point. */
+static struct lamp_ways lamp_ways(const struct lamp_question *q)
 {
     const struct lamp_view *view = &q->target->view;
-    return lamp_is_parallel(q->lamp)
-               ? vec3_along(vec3_sub(location, q->lamp->light->location),
-                            view->direction, view->distance)
-               : vec3_sub(location, q->target->point);
+    bool parallel = lamp_is_parallel(q->lamp);
+    return (struct lamp_ways){
+        .point = q->target->point,
+        .from = parallel ? q->lamp->light->location : q->target->point,
+        .shift = vec3_scale(view->direction, view->distance),
+        .shifted = parallel,
+        .unit = !q->plain,
+    };
 }
 
-static rgb lamp_see(void *context, const struct area_point *point)
+static inline vec3 lamp_offset(const struct lamp_ways *ways, vec3 location)
 {
-    const struct lamp_question *q = context;
+    vec3 offset = vec3_sub(location, ways->from);
+    return ways->shifted ? vec3_add(offset, ways->shift) : offset;
+}
+
+/* One of them, which is `offset` from the point. */
+static inline vec3 lamp_way(const struct lamp_ways *ways, vec3 offset,
+                            double *near, double *far)
+{
+    double length = vec3_length(offset), part = 1 / length;
+    double start = shadow_start(ways->point);
+    *near = ways->unit ? start : start * part;
+    *far = ways->unit ? shadow_end(length) : 1 - SHADOW_MARGIN * part;
+    return vec3_scale(offset, ways->unit && length > 0 ? part : 1);
+}
+
+CLONES static void ways_to(const struct lamp_ways *restrict from,
+                           const double (*restrict places)[RAY_LANES],
+                           struct occlusions *restrict ways)
+{
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        vec3 offset = lamp_offset(from, lane_get(places, i));
+        lane_put(ways->rays.origin, i, from->point);
+        lane_put(
+            ways->rays.direction, i,
+            lamp_way(from, offset, &ways->span.near[i], &ways->span.far[i]));
+    }
+}
+
+/* What comes from that place. */
+static rgb lamp_see_one(const struct lamp_question *q,
+                        const struct area_points *points, unsigned i)
+{
+    const struct lamp_ways ways = lamp_ways(q);
+    vec3 location = lane_get((const double(*)[RAY_LANES])points->location, i);
+    vec3 offset = lamp_offset(&ways, location);
+    const double place[2] = { points->place[0][i], points->place[1][i] };
     if (worker_stopped(q->worker))
         return rgb_grey(0);
-    if (q->clear && shaft_clear(q->shaft, point->place))
-        return rgb_grey(1);
-    vec3 offset = lamp_offset(q, point->location);
     if (q->plain) {
+        double near, far;
+        vec3 way = lamp_way(&ways, offset, &near, &far);
+        const struct ray ray = { ways.point, way };
         q->worker->counters.shadow_rays++;
-        bool whole =
-            shadow_is_whole(q->shaft, point->place, q->target->point, offset);
-        return rgb_grey(whole ? 0 : 1);
+        return rgb_grey(!shaft_hides(q->shaft, place, &ray, near, far));
     }
-    return lamp_trace(q, vec3_normalise(offset), vec3_length(offset),
-                      point->place);
+    return lamp_trace(q, vec3_normalise(offset), vec3_length(offset), place);
+}
+
+/* From which of `lanes` nothing comes, where opaque shapes stand in the way. */
+static unsigned lamp_dark(const struct lamp_question *q,
+                          const struct occlusions *ways, unsigned lanes)
+{
+    q->worker->counters.shadow_rays += (unsigned)__builtin_popcount(lanes);
+    return shaft_hides_many(q->shaft, ways->place, &ways->rays, &ways->span,
+                            lanes);
+}
+
+/* What comes from several together, as far as that can be said. */
+static void lamp_fall(const struct lamp_question *q, struct occlusions *ways,
+                      unsigned lanes, struct shadows *shadows)
+{
+    const struct interiors *inside[RAY_LANES];
+    for (int i = 0; i < RAY_LANES; i++)
+        inside[i] = q->target->inside;
+    ways->light = q->lamp->number;
+    shadow_falls_many(q->lamps->world, q->worker, ways, lanes,
+                      q->lamps->photons ? NULL : inside, shadows);
+}
+
+/* From those that are not clear. */
+static void lamp_see_shaded(const struct lamp_question *q,
+                            const struct area_points *points, unsigned lanes,
+                            rgb *seen)
+{
+    const struct lamp_ways from = lamp_ways(q);
+    struct shadows shadows;
+    struct occlusions ways;
+    bool together = q->even && lanes & (lanes - 1);
+    shadows.dark = shadows.tinted = 0;
+    shadows.left = together ? 0 : lanes;
+    ways.shaft = q->shaft;
+    ways.place = (const double(*)[RAY_LANES])points->place;
+    if (together)
+        ways_to(&from, (const double(*)[RAY_LANES])points->location, &ways);
+    if (together && q->plain)
+        shadows.dark = lamp_dark(q, &ways, lanes);
+    else if (together)
+        lamp_fall(q, &ways, lanes, &shadows);
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        seen[i] = shadows.left >> i & 1 ? lamp_see_one(q, points, i)
+                  : shadows.tinted >> i & 1
+                      ? shadows.share[i]
+                      : rgb_grey(!(shadows.dark >> i & 1));
+    }
+}
+
+/* To which of them something may be on the way. */
+static unsigned lamp_shaded(const struct lamp_question *q,
+                            const struct area_points *points)
+{
+    const double place[2] = { points->place[0][0], points->place[1][0] };
+    if (points->count == 1)
+        return !shaft_clear(q->shaft, place);
+    return shaft_shaded_many(q->shaft,
+                             (const double(*)[RAY_LANES])points->place);
+}
+
+static void lamp_see(void *context, const struct area_points *points, rgb *seen)
+{
+    const struct lamp_question *q = context;
+    unsigned lanes = (1u << points->count) - 1;
+    bool stopped = worker_stopped(q->worker);
+    for (int i = 0; i < points->count; i++)
+        seen[i] = rgb_grey(stopped ? 0 : 1);
+    if (q->clear)
+        lanes &= lamp_shaded(q, points);
+    if (lanes && !stopped)
+        lamp_see_shaded(q, points, lanes, seen);
 }
 
 static bool lamp_casts(const struct lamps *lamps, const struct lamp *lamp)
@@ -148,13 +265,12 @@ static struct shaft_rays lamp_rays(const struct lamp_question *q,
                                    const struct area_grid *grid)
 {
     vec3 point = q->target->point;
+    const struct lamp_ways ways = lamp_ways(q);
     struct shaft_rays rays = { .from = point, .tmin = shadow_start(point) };
-    rays.middle = vec3_add(point, lamp_offset(q, q->lamp->light->location));
+    rays.middle = vec3_add(point, lamp_offset(&ways, q->lamp->light->location));
     area_grid_hull(grid, rays.half);
-    if (q->target->at) {
-        rays.leaf = q->target->at->leaf;
-        rays.normal = q->target->at->face;
-    }
+    rays.leaf = q->target->leaf;
+    rays.normal = q->target->face;
     return rays;
 }
 
@@ -165,8 +281,8 @@ static void lamp_shaft(struct lamp_question *q, const struct area_grid *grid,
     struct shaft_rays rays = lamp_rays(q, grid);
     world_shaft(q->lamps->world, &rays, shaft);
     q->shaft = shaft;
-    q->clear = !shaft->crowded && !lamps_dim(q->lamps, q->lamp) &&
-               !q->lamps->misty && !q->lamp->light->pane;
+    q->even = lamps_clear_ways(q->lamps, q->lamp);
+    q->clear = !shaft->crowded && q->even;
     q->plain = q->clear && shaft->plain;
 }
 
@@ -219,18 +335,40 @@ static void hull_widen(vec3 half[2], const struct light *light, double radius,
         half[k] = vec3_scale(half[k], wider);
 }
 
-double lamps_blur(const struct lamps *lamps, const struct lamp *lamp,
-                  const struct lamp_target *target, double radius, double bend,
-                  double enough)
+static struct shaft_rays piece_rays(const struct lamps *lamps,
+                                    const struct lamp *lamp,
+                                    const struct lamp_piece *piece,
+                                    const struct area_grid *grid)
 {
+    const struct lamp_target *target = &piece->middle;
     struct lamp_question q = lamp_question(lamps, lamp, NULL, target);
+    struct shaft_rays rays = lamp_rays(&q, grid);
+    hull_widen(rays.half, lamp->light, piece->radius, target->view.distance);
+    rays.radius = piece->radius;
+    rays.bend = piece->bend;
+    return rays;
+}
+
+bool lamps_open(const struct lamps *lamps, const struct lamp *lamp,
+                const struct lamp_piece *piece)
+{
+    const struct lamp_target *target = &piece->middle;
+    if (!lamps_clear_ways(lamps, lamp) || lamp_is_parallel(lamp) ||
+        lamp->light->orient || !(target->view.distance > 0))
+        return false;
+    struct area_grid grid = area_grid_new(lamp, target->point, lamps->seed);
+    struct shaft_rays rays = piece_rays(lamps, lamp, piece, &grid);
+    return world_blur(lamps->world, &rays, HUGE_VAL) == HUGE_VAL;
+}
+
+double lamps_blur(const struct lamps *lamps, const struct lamp *lamp,
+                  const struct lamp_piece *piece, double enough)
+{
+    const struct lamp_target *target = &piece->middle;
     struct area_grid grid = area_grid_new(lamp, target->point, lamps->seed);
     if (!(target->view.distance > 0))
         return 0;
     area_grid_refine(&grid);
-    struct shaft_rays rays = lamp_rays(&q, &grid);
-    hull_widen(rays.half, lamp->light, radius, target->view.distance);
-    rays.radius = radius;
-    rays.bend = bend;
+    struct shaft_rays rays = piece_rays(lamps, lamp, piece, &grid);
     return world_blur(lamps->world, &rays, enough);
 }

@@ -40,14 +40,22 @@ static inline bool lamps_dim(const struct lamps *lamps, const struct lamp *lamp)
     return lamps->foggy && lamp->light->media_attenuation;
 }
 
+/* Whether on the way from any of its places only surfaces take something of its
+ * light. */
+static inline bool lamps_clear_ways(const struct lamps *lamps,
+                                    const struct lamp *lamp)
+{
+    const struct light *light = lamp->light;
+    return lamps->clear && !light->shadowless && !light->pane &&
+           !lamps_dim(lamps, lamp);
+}
+
 /* Whether one ray tells what of its light gets to a point, of which only
  * surfaces on the way take something; and whether all or nothing does. */
 static inline bool lamps_clear(const struct lamps *lamps,
                                const struct lamp *lamp)
 {
-    const struct light *light = lamp->light;
-    return lamps->clear && !light->shadowless && !light->area && !light->pane &&
-           !lamps_dim(lamps, lamp);
+    return !lamp->light->area && lamps_clear_ways(lamps, lamp);
 }
 
 static inline bool lamps_plain(const struct lamps *lamps,
@@ -66,7 +74,8 @@ struct lamp_target {
     vec3 point;
     const struct interiors *inside; /* bodies the point is in; may be NULL */
     struct lamp_view view;          /* of the lamp's centre, by lamp_look */
-    const struct intersection *at;  /* what it is on; NULL: in the open */
+    const struct leaf *leaf;        /* what it is on; NULL: in the open */
+    vec3 face;     /* the unit, true, outward normal there, if it is */
     bool straight; /* photons bring nothing there: bent light goes straight */
 };
 
@@ -90,14 +99,25 @@ static inline rgb lamps_share_plain(const struct lamps *lamps,
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
                      struct worker *worker, const struct lamp_target *target);
 
+/* The piece of a surface around a target: within `radius` of it, with normals
+ * that differ from its own by `bend` at most. */
+struct lamp_piece {
+    struct lamp_target middle;
+    double radius, bend;
+};
+
+/* Whether nothing can cast a shadow of the lamp there: what is white by
+ * lamps_share in all of it. The lamp must be soft. False where that isn't to be
+ * told in a moment. */
+bool lamps_open(const struct lamps *lamps, const struct lamp *lamp,
+                const struct lamp_piece *piece);
+
 /* How wide the lamp's penumbras are at least, in units of the world, on the
- * piece of a surface within `radius` of the target, whose normals differ from
- * the target's by `bend` at most; HUGE_VAL: nothing casts a shadow there, and
+ * piece; HUGE_VAL: nothing casts a shadow there, and
  * the share is white. Widths below `enough` aren't told apart. The lamp must be
  * soft. */
 double lamps_blur(const struct lamps *lamps, const struct lamp *lamp,
-                  const struct lamp_target *target, double radius, double bend,
-                  double enough);
+                  const struct lamp_piece *piece, double enough);
 
 /* The share of one shadow ray to where target->view looks: a point of the
  * lamp. */

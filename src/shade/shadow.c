@@ -161,14 +161,6 @@ static rgb shadow_share(const struct shadow_ray *shadow,
     return rgb_mul(share, shadow_air(path, &inside, from, rest, worker));
 }
 
-bool shadow_is_whole(const struct shaft *shaft, const double place[2],
-                     vec3 point, vec3 way)
-{
-    double part = 1 / vec3_length(way);
-    double from = shadow_start(point) * part, to = 1 - SHADOW_MARGIN * part;
-    return to > from && shaft_hides(shaft, place, point, way, from, to);
-}
-
 static bool shadow_blocked(const struct world *world,
                            const struct shadow_path *path, double from,
                            double to, struct shadow_ray *shadow)

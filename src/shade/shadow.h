@@ -56,11 +56,6 @@ void shadow_falls_many(const struct world *world, struct worker *worker,
                        const struct interiors *const *inside,
                        struct shadows *shadows);
 
-/* Whether none does of a lamp's place that is `way` from the point: what is in
- * the shaft must be plain. `place` are its coordinates there. */
-bool shadow_is_whole(const struct shaft *shaft, const double place[2],
-                     vec3 point, vec3 way);
-
 /* Shadow rays see nothing closer than this to the lamp, the surface, or the
  * filter before. */
 #define SHADOW_MARGIN 1e-3

@@ -269,7 +269,8 @@ static rgb lamp_within(const struct seen_body *body, const struct lamp *lamp,
     if (!body_exit(body, &ray, 0, &at) || at.t > target.view.distance)
         return rgb_grey(0);
     target.point = at.point;
-    target.at = &at;
+    target.leaf = at.leaf;
+    target.face = at.face;
     if (!lamp_look(lamp, lamp->light->location, at.point, &target.view))
         return rgb_grey(0);
     double outside = vec3_dot(at.normal, target.view.direction);

@@ -117,22 +117,6 @@ void packet_set_out(struct packet *packet, const double shift[RAY_LANES],
     }
 }
 
-/* Without the rays that are not asked about, for a shape to which these would
- * be work. */
-static const struct rays_span *span_asked(const struct packet *packet,
-                                          const struct primitive *primitive,
-                                          unsigned lanes,
-                                          struct rays_span *asked)
-{
-    unsigned others = packet->open & ~lanes;
-    if (!primitive->lane_by_lane || !others)
-        return &packet->span;
-    *asked = packet->span;
-    for (; others; others &= others - 1)
-        asked->far[__builtin_ctz(others)] = -(double)INFINITY;
-    return asked;
-}
-
 /* Takes the nearest crossings of the shape. */
 static void packet_first(struct packet *packet, const struct solid *solid,
                          const struct rays *rays, unsigned lanes)
@@ -141,8 +125,8 @@ static void packet_first(struct packet *packet, const struct solid *solid,
     struct rays_met met;
     struct rays_span asked;
     struct rays_crossings all;
-    const struct rays_span *span =
-        span_asked(packet, object->primitive, lanes, &asked);
+    const struct rays_span *span = rays_span_asked(
+        &packet->span, lanes, object->primitive->lane_by_lane, &asked);
     memset(met.u, 0, sizeof met.u);
     if (object->primitive->first_many) {
         object->primitive->first_many(solid->leaf->shape, rays, span, &met);
@@ -180,21 +164,9 @@ static unsigned packet_each(struct packet *packet, const struct solid *solid,
 
 /* Those to a lamp that the shape is in the way of. */
 static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
-                               const struct rays *rays, unsigned lanes)
+                               unsigned lanes)
 {
-    const struct object *object = solid->leaf->object;
-    LANE_LINES lane_flag met[RAY_LANES];
-    struct rays_span asked;
-    struct rays_crossings all;
-    const struct rays_span *span =
-        span_asked(packet, object->primitive, lanes, &asked);
-    if (object->primitive->crosses_many) {
-        object->primitive->crosses_many(solid->leaf->shape, rays, span, met);
-    } else {
-        object->primitive->all_many(solid->leaf->shape, rays, &all);
-        rays_crosses_of(&all, span, met);
-    }
-    lanes &= rays_bits(met);
+    lanes = solid_crosses_many(solid, packet->rays, &packet->span, lanes);
     if (solid->leaf->opaque || packet->opaque)
         return lanes;
     if (packet->filter)
@@ -211,12 +183,12 @@ static unsigned packet_together(struct packet *packet,
     struct rays local;
     if (!packet_sees(packet, solid->leaf))
         return 0;
+    if (packet->occlusion)
+        return packet_crosses(packet, solid, lanes);
     if (solid->moved) {
         rays_into(solid->to_shape, rays, &local);
         rays = &local;
     }
-    if (packet->occlusion)
-        return packet_crosses(packet, solid, rays, lanes);
     packet_first(packet, solid, rays, lanes);
     return 0;
 }

@@ -397,14 +397,3 @@ void shaft_find(const struct shaft_tree *tree, const struct shaft_rays *rays,
         i = missed ? node->next : i + 1;
     }
 }
-
-bool shaft_hides(const struct shaft *shaft, const double place[2], vec3 from,
-                 vec3 way, double tmin, double tmax)
-{
-    struct ray ray = { from, way };
-    for (int i = 0; i < shaft->count; i++)
-        if (shaft_shades(&shaft->at[i], place) &&
-            solid_crosses(shaft->at[i].solid, &ray, tmin, tmax))
-            return true;
-    return false;
-}

@@ -5,6 +5,7 @@
 #ifndef WORLD_SHAFT_H
 #define WORLD_SHAFT_H
 
+#include "scene/rays.h"
 #include "world/flatten.h"
 
 enum { SHAFT_SOLIDS = 8 };
@@ -54,10 +55,25 @@ static inline bool shaft_clear(const struct shaft *shaft, const double place[2])
     return true;
 }
 
-/* Whether a crossing lies on the way from the point to the place of these
- * coordinates, which is `way` from it, between parts tmin and tmax. */
-bool shaft_hides(const struct shaft *shaft, const double place[2], vec3 from,
-                 vec3 way, double tmin, double tmax);
+/* Whether a crossing lies on the ray, of any length, to the place of these
+ * coordinates between tmin and tmax. */
+bool shaft_hides(const struct shaft *shaft, const double place[2],
+                 const struct ray *ray, double tmin, double tmax);
+
+/* The same of rays side by side, those of `lanes`, in their spans. */
+unsigned shaft_hides_many(const struct shaft *shaft,
+                          const double (*place)[RAY_LANES],
+                          const struct rays *rays, const struct rays_span *span,
+                          unsigned lanes);
+
+/* Looks at what is in it with a packet of rays to these places. */
+struct packet;
+void shaft_look(const struct shaft *shaft, const double (*place)[RAY_LANES],
+                struct packet *packet);
+
+/* Which rays to those places may meet something, as shaft_clear. */
+unsigned shaft_shaded_many(const struct shaft *shaft,
+                           const double (*place)[RAY_LANES]);
 
 struct shaft_tree;
 

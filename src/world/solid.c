@@ -170,3 +170,42 @@ bool solid_crosses(const struct solid *solid, const struct ray *ray,
     object->primitive->intersect(solid->leaf->shape, ray, &hits);
     return hits_between(&hits, tmin, tmax);
 }
+
+/* One after the other. */
+static unsigned crosses_each(const struct solid *solid, const struct rays *rays,
+                             const struct rays_span *span, unsigned lanes)
+{
+    unsigned met = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        int i = __builtin_ctz(lanes);
+        const struct ray ray = rays_at(rays, i);
+        bool is = solid_crosses(solid, &ray, span->near[i], span->far[i]);
+        met |= (unsigned)is << i;
+    }
+    return met;
+}
+
+unsigned solid_crosses_many(const struct solid *solid, const struct rays *rays,
+                            const struct rays_span *span, unsigned lanes)
+{
+    const struct primitive *primitive = solid->leaf->object->primitive;
+    const void *shape = solid->leaf->shape;
+    LANE_LINES lane_flag met[RAY_LANES];
+    struct rays local;
+    struct rays_span asked;
+    if (!primitive->crosses_many && !primitive->all_many)
+        return crosses_each(solid, rays, span, lanes);
+    if (solid->moved) {
+        rays_into(solid->to_shape, rays, &local);
+        rays = &local;
+    }
+    span = rays_span_asked(span, lanes, primitive->lane_by_lane, &asked);
+    if (primitive->crosses_many) {
+        primitive->crosses_many(shape, rays, span, met);
+    } else {
+        struct rays_crossings all;
+        primitive->all_many(shape, rays, &all);
+        rays_crosses_of(&all, span, met);
+    }
+    return lanes & rays_bits(met);
+}

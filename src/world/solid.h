@@ -16,7 +16,7 @@
 
 #include "scene/mesh.h"
 #include "scene/object.h"
-#include "scene/ray.h"
+#include "scene/rays.h"
 
 struct photon_flags;
 
@@ -130,6 +130,11 @@ bool solid_inside(const struct solid *solid, vec3 point);
 /* Whether the ray has a crossing of a simple shape between tmin and tmax. */
 bool solid_crosses(const struct solid *solid, const struct ray *ray,
                    double tmin, double tmax);
+
+/* The same of rays side by side, each within its span: bit by bit of `lanes`.
+ */
+unsigned solid_crosses_many(const struct solid *solid, const struct rays *rays,
+                            const struct rays_span *span, unsigned lanes);
 
 /* Whether the box is known to be inside the solid, so that no ray can meet the
  * box and miss the solid. */

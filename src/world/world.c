@@ -253,6 +253,16 @@ bool world_occluded(const struct world *world,
            trace_unbounded(world, &query, world->shape_count, count);
 }
 
+static bool occluded_one(const struct world *world,
+                         const struct occlusions *asked, unsigned i,
+                         const struct occlusion *one)
+{
+    if (!asked->shaft)
+        return world_occluded(world, one);
+    const double place[2] = { asked->place[0][i], asked->place[1][i] };
+    return world_occluded_in(world, asked->shaft, place, one);
+}
+
 /* Rays that are too few to be a packet. */
 static unsigned occluded_each(const struct world *world,
                               const struct occlusions *asked, unsigned lanes)
@@ -265,7 +275,7 @@ static unsigned occluded_each(const struct world *world,
                                        .tmin = asked->span.near[i],
                                        .tmax = asked->span.far[i],
                                        .light = asked->light };
-        if (world_occluded(world, &one))
+        if (occluded_one(world, asked, (unsigned)i, &one))
             blocked |= 1u << i;
     }
     return blocked;
@@ -281,10 +291,14 @@ struct occluded world_occluded_many(const struct world *world,
         return opaque
                    ? (struct occluded){ occluded_each(world, asked, lanes), 0 }
                    : (struct occluded){ 0, lanes };
+    bool known = asked->shaft && !asked->shaft->crowded;
     packet.opaque = opaque;
-    packet_to_lamp(&packet, asked, lanes, world_limit, world->boxed);
+    packet_to_lamp(&packet, asked, lanes, world_limit, known || world->boxed);
     unsigned started = packet.open;
-    packet_trace(world, &packet);
+    if (known)
+        shaft_look(asked->shaft, asked->place, &packet);
+    else
+        packet_trace(world, &packet);
     return (struct occluded){ started & ~packet.open & ~packet.panes,
                               packet.panes };
 }

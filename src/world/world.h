@@ -146,6 +146,9 @@ struct occlusions {
     int light;
     world_lane_filter *filter; /* or NULL */
     void *context;             /* of the filter */
+    const struct shaft *shaft; /* they are all in it, the rays to the places
+                                * of these coordinates; NULL: in none */
+    const double (*place)[RAY_LANES];
 };
 
 /* Bit by bit what is so of a ray. */
@@ -155,7 +158,8 @@ struct occluded {
                      * filter was not asked; no more is known */
 };
 
-/* The same of several, those of the bits `lanes`; of few nothing may be found
+/* The same of several, those of the bits `lanes`, as world_occluded_in has it
+ * if they are in a shaft; of few nothing may be found
  * out, if there is anything that lets light pass. Several times as quick if
  * they begin and go close together. */
 struct occluded world_occluded_many(const struct world *world,

@@ -52,7 +52,9 @@ static void compare(struct stage *stage, const struct penumbras *penumbras,
         return;
     for (size_t i = 0; i < stage->lamps.count; i++) {
         const struct lamp *lamp = &stage->lamps.items[i];
-        struct lamp_target target = { .point = seen.at.point, .at = &seen.at };
+        struct lamp_target target = { .point = seen.at.point,
+                                      .leaf = seen.at.leaf,
+                                      .face = seen.at.face };
         rgb share;
         bool there =
             lamp_look(lamp, lamp->light->location, seen.at.point, &target.view);

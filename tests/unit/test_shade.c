@@ -295,11 +295,12 @@ struct only {
     int asked;
 };
 
-static rgb only_one(void *context, const struct area_point *point)
+static void only_one(void *context, const struct area_points *points, rgb *seen)
 {
     struct only *only = context;
-    only->asked++;
-    return rgb_grey(fabs(point->location.x - only->place) < 1e-6);
+    only->asked += points->count;
+    for (int k = 0; k < points->count; k++)
+        seen[k] = rgb_grey(fabs(points->location[0][k] - only->place) < 1e-6);
 }
 
 static double weight_of(int n, int i)
@@ -336,12 +337,12 @@ static void test_area_weights(void **state)
             near(weight_of(n, i), 1 / wanted[n - 2][i]);
 }
 
-static rgb all_seen(void *context, const struct area_point *point)
+static void all_seen(void *context, const struct area_points *points, rgb *seen)
 {
     struct only *only = context;
-    (void)point;
-    only->asked++;
-    return rgb_grey(1);
+    only->asked += points->count;
+    for (int k = 0; k < points->count; k++)
+        seen[k] = rgb_grey(1);
 }
 
 /* Points looked at where nothing stands in the way, 17 x 17. */
@@ -372,15 +373,19 @@ struct edge {
     int asked;
 };
 
-static rgb edge_seen(void *context, const struct area_point *point)
+static void edge_seen(void *context, const struct area_points *points,
+                      rgb *seen)
 {
     struct edge *edge = context;
-    vec3 p = point->location;
-    edge->asked++;
-    /* Coordinates say where the point is. */
-    near(point->place[0] * 0.501, p.x);
-    return p.x * edge->across + p.y * edge->along < edge->limit ? rgb_grey(1)
-                                                                : edge->beyond;
+    edge->asked += points->count;
+    for (int k = 0; k < points->count; k++) {
+        double x = points->location[0][k], y = points->location[1][k];
+        /* Coordinates say where the point is. */
+        near(points->place[0][k] * 0.501, x);
+        seen[k] = x * edge->across + y * edge->along < edge->limit
+                      ? rgb_grey(1)
+                      : edge->beyond;
+    }
 }
 
 /* The share of the unit square before the line, by many thin strips. */
@@ -440,12 +445,14 @@ static void test_area_outline(void **state)
 
 /* A disc before the light, wider than the parts that are looked at. Chords
  * leave out some of it: less with every step of `adaptive` from 2 on. */
-static rgb around_disc(void *context, const struct area_point *point)
+static void around_disc(void *context, const struct area_points *points,
+                        rgb *seen)
 {
-    vec3 p = vec3_sub(point->location, vec3_make(0.05, -0.1, 0));
     struct only *only = context;
-    only->asked++;
-    return rgb_grey(hypot(p.x, p.y) >= only->place);
+    only->asked += points->count;
+    for (int k = 0; k < points->count; k++)
+        seen[k] = rgb_grey(hypot(points->location[0][k] - 0.05,
+                                 points->location[1][k] + 0.1) >= only->place);
 }
 
 static void test_area_outline_of_disc(void **state)

@@ -11,8 +11,14 @@ static bool rays_one_lamp(struct asking *asking, const struct lamp *lamp,
                           const struct lamp_view *view, rgb *share)
 {
     const struct receiver *receiver = &asking->receiver;
-    const struct lamp_target target = { receiver->point, asking->inside, *view,
-                                        receiver->at };
+    const struct intersection *at = receiver->at;
+    const struct lamp_target target = {
+        .point = receiver->point,
+        .inside = asking->inside,
+        .view = *view,
+        .leaf = at ? at->leaf : NULL,
+        .face = at ? at->face : vec3_make(0, 0, 0),
+    };
     *share =
         lamps_share_fine(asking->knowers->lamps, lamp, asking->worker, &target);
     return true;
