@@ -12,6 +12,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "base/clock.h"
+
 #ifndef MADV_COLLAPSE
 #define MADV_COLLAPSE 25 /* of Linux 6.1; refused by older ones */
 #endif
@@ -43,26 +45,79 @@ static _Noreturn void memory_exhausted(size_t size)
     exit(1);
 }
 
+/* A virtual machine may have given free memory back to its host ("free page
+ * reporting"), whole large pages of it: then a large page takes 3 ms instead of
+ * 0.2 (measured), and usual ones, of what is left in small pieces, a quarter of
+ * that. So a program that needs little has none, and of others the first page
+ * of each block is timed: after one that took long some blocks are made of
+ * usual pages, 1, then 2, 4 and so on. */
+static const double large_page_slow = 1e-3; /* seconds; usual ones take 0.8 */
+static atomic_size_t usual_bytes;
+static atomic_uint usual_next, usual_blocks;
+
+enum { USUAL_LEAST = 32 * LARGE_PAGE, USUAL_MOST = 16 };
+
+/* Whether the next block is to be of large pages. */
+static bool large_pages_wanted(size_t size)
+{
+    unsigned left = atomic_load(&usual_next);
+    if (atomic_load(&usual_bytes) < USUAL_LEAST) {
+        atomic_fetch_add(&usual_bytes, size);
+        return false;
+    }
+    while (left > 0)
+        if (atomic_compare_exchange_strong(&usual_next, &left, left - 1))
+            return false;
+    return true;
+}
+
+/* Returns whether it took long. */
+static bool large_page_timed(double start)
+{
+    bool slow = clock_seconds() - start > large_page_slow;
+    unsigned blocks = atomic_load(&usual_blocks);
+    unsigned more = blocks ? 2 * blocks : 1;
+    if (more > USUAL_MOST)
+        more = USUAL_MOST;
+    atomic_store(&usual_blocks, slow ? more : 0);
+    if (slow)
+        atomic_store(&usual_next, more);
+    return slow;
+}
+
 /* Pages of the usual size are got from the system one by one, when they are
- * first touched, which on virtual machines takes longer than to fill them. */
-static void memory_in_large_pages(uintptr_t from, uintptr_t end)
+ * first touched, which mostly takes longer than to fill them. The first page
+ * is touched, unless the block is `sparse`. */
+static void memory_in_large_pages(uintptr_t from, uintptr_t end, bool sparse)
 {
 #ifdef MADV_HUGEPAGE
     from += LARGE_PAGE - 1;
     from -= from % LARGE_PAGE;
     end -= end % LARGE_PAGE;
-    if (end > from)
-        madvise((void *)from, end - from, MADV_HUGEPAGE);
+    if (end <= from || !large_pages_wanted(end - from))
+        return;
+    madvise((void *)from, end - from, MADV_HUGEPAGE);
+    if (sparse)
+        return;
+    double start = clock_seconds();
+    *(volatile char *)from = 0;
+    if (large_page_timed(start))
+        madvise((void *)from, end - from, MADV_NOHUGEPAGE);
 #else
     (void)from;
     (void)end;
+    (void)sparse;
 #endif
 }
 
 /* A page that was touched too early. */
 static void memory_made_large(uintptr_t at)
 {
+    if (!large_pages_wanted(LARGE_PAGE))
+        return;
+    double start = clock_seconds();
     madvise((void *)(at - at % LARGE_PAGE), LARGE_PAGE, MADV_COLLAPSE);
+    large_page_timed(start);
 }
 
 /* The same for what everybody's heap has grown by. It begins with a large page
@@ -84,8 +139,8 @@ static void heap_in_large_pages(uintptr_t newest_end)
         mallopt(M_MMAP_THRESHOLD, HEAP_STEP);
         mallopt(M_TRIM_THRESHOLD, HEAP_KEPT);
     } else if (end > before) {
-        memory_in_large_pages(before, end);
         memory_made_large(newest_end);
+        memory_in_large_pages(before, end, true);
     }
 #endif
 }
@@ -122,7 +177,7 @@ static struct head *mapped_block(size_t size, bool sparse)
     if (mapping + all > end)
         munmap(end, (size_t)(mapping + all - end));
     if (!sparse)
-        memory_in_large_pages((uintptr_t)block, (uintptr_t)end);
+        memory_in_large_pages((uintptr_t)block, (uintptr_t)end, false);
     struct head *head = (struct head *)block - 1;
     *head = (struct head){ from, HEAD_ROOM + rounded };
     return head;
