@@ -442,6 +442,19 @@ CLONES static void embree_rays(const struct rays *restrict rays,
     }
 }
 
+/* Rays that nobody asks about are still looked at by Embree where it has no
+ * packets of 16 (without AVX-512 it takes two of 8, and does not know which are
+ * valid): they get numbers, and a length below 0, by which it leaves them out. */
+static void embree_leave_out(struct RTCRay16 *rays, unsigned lanes)
+{
+    for (; lanes; lanes &= lanes - 1) {
+        int i = __builtin_ctz(lanes);
+        rays->org_x[i] = rays->org_y[i] = rays->org_z[i] = 0;
+        rays->dir_x[i] = rays->dir_y[i] = rays->dir_z[i] = 1;
+        rays->tfar[i] = -1;
+    }
+}
+
 static void look_scene(const struct geometry *geometry, struct packet *packet)
 {
     struct RTCRayHit16 rays;
@@ -453,6 +466,7 @@ static void look_scene(const struct geometry *geometry, struct packet *packet)
         return;
     packet_set_out(packet, starts.shift, geometry_doubt(geometry));
     embree_rays(packet->rays, &starts, &rays.ray);
+    embree_leave_out(&rays.ray, ~lanes & ((1u << RAY_LANES) - 1));
     for (unsigned i = 0; i < RAY_LANES; i++) {
         valid[i] = lanes >> i & 1 ? -1 : 0;
         rays.hit.geomID[i] = rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
