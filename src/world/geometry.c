@@ -444,7 +444,8 @@ CLONES static void embree_rays(const struct rays *restrict rays,
 
 /* Rays that nobody asks about are still looked at by Embree where it has no
  * packets of 16 (without AVX-512 it takes two of 8, and does not know which are
- * valid): they get numbers, and a length below 0, by which it leaves them out. */
+ * valid): they get numbers, and a length below 0, by which it leaves them out.
+ */
 static void embree_leave_out(struct RTCRay16 *rays, unsigned lanes)
 {
     for (; lanes; lanes &= lanes - 1) {
