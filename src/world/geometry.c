@@ -423,36 +423,34 @@ static inline float embree_component(double d)
     return (float)(fabs(d) < least ? copysign(least, d) : d);
 }
 
+/* Embree's packets stumble over rays that aren't valid, too, if they aren't
+ * numbers, as those of lanes that nobody has filled may be. */
+static inline float embree_lane(int valid, float number)
+{
+    return valid ? number : 0;
+}
+
 CLONES static void embree_rays(const struct rays *restrict rays,
                                const struct setting_outs *restrict starts,
+                               const int *restrict valid,
                                struct RTCRay16 *restrict out)
 {
     for (int i = 0; i < RAY_LANES; i++) {
-        out->org_x[i] = (float)starts->origin[0][i];
-        out->org_y[i] = (float)starts->origin[1][i];
-        out->org_z[i] = (float)starts->origin[2][i];
-        out->dir_x[i] = embree_component(rays->direction[0][i]);
-        out->dir_y[i] = embree_component(rays->direction[1][i]);
-        out->dir_z[i] = embree_component(rays->direction[2][i]);
-        out->tfar[i] = (float)starts->far[i];
+        int here = valid[i];
+        out->org_x[i] = embree_lane(here, (float)starts->origin[0][i]);
+        out->org_y[i] = embree_lane(here, (float)starts->origin[1][i]);
+        out->org_z[i] = embree_lane(here, (float)starts->origin[2][i]);
+        out->dir_x[i] =
+            embree_lane(here, embree_component(rays->direction[0][i]));
+        out->dir_y[i] =
+            embree_lane(here, embree_component(rays->direction[1][i]));
+        out->dir_z[i] =
+            embree_lane(here, embree_component(rays->direction[2][i]));
+        out->tfar[i] = embree_lane(here, (float)starts->far[i]);
         out->tnear[i] = out->time[i] = 0;
         out->mask[i] = 0xffffffff;
         out->id[i] = (unsigned)i;
         out->flags[i] = 0;
-    }
-}
-
-/* Rays that nobody asks about are still looked at by Embree where it has no
- * packets of 16 (without AVX-512 it takes two of 8, and does not know which are
- * valid): they get numbers, and a length below 0, by which it leaves them out.
- */
-static void embree_leave_out(struct RTCRay16 *rays, unsigned lanes)
-{
-    for (; lanes; lanes &= lanes - 1) {
-        int i = __builtin_ctz(lanes);
-        rays->org_x[i] = rays->org_y[i] = rays->org_z[i] = 0;
-        rays->dir_x[i] = rays->dir_y[i] = rays->dir_z[i] = 1;
-        rays->tfar[i] = -1;
     }
 }
 
@@ -466,12 +464,11 @@ static void look_scene(const struct geometry *geometry, struct packet *packet)
     if (!lanes)
         return;
     packet_set_out(packet, starts.shift, geometry_doubt(geometry));
-    embree_rays(packet->rays, &starts, &rays.ray);
-    embree_leave_out(&rays.ray, ~lanes & ((1u << RAY_LANES) - 1));
-    for (unsigned i = 0; i < RAY_LANES; i++) {
+    for (unsigned i = 0; i < RAY_LANES; i++)
         valid[i] = lanes >> i & 1 ? -1 : 0;
+    embree_rays(packet->rays, &starts, valid, &rays.ray);
+    for (unsigned i = 0; i < RAY_LANES; i++)
         rays.hit.geomID[i] = rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    }
     embree_context *context = &packet->query[0].embree;
     if (!packet->occlusion) {
         embree_nearest16(valid, geometry->scene, context, geometry->coherent,
