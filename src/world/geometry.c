@@ -423,22 +423,30 @@ static inline float embree_component(double d)
     return (float)(fabs(d) < least ? copysign(least, d) : d);
 }
 
-/* Those that aren't `valid` are rays as well: some builds of Embree
- * (Debian's, where processors lack AVX-512) end the program for a NaN among
- * those that they don't look at. */
+/* Embree's packets stumble over rays that aren't valid, too, if they aren't
+ * numbers, as those of lanes that nobody has filled may be. */
+static inline float embree_lane(int valid, float number)
+{
+    return valid ? number : 0;
+}
+
 CLONES static void embree_rays(const struct rays *restrict rays,
                                const struct setting_outs *restrict starts,
                                const int *restrict valid,
                                struct RTCRay16 *restrict out)
 {
     for (int i = 0; i < RAY_LANES; i++) {
-        out->org_x[i] = valid[i] ? (float)starts->origin[0][i] : 0;
-        out->org_y[i] = valid[i] ? (float)starts->origin[1][i] : 0;
-        out->org_z[i] = valid[i] ? (float)starts->origin[2][i] : 0;
-        out->dir_x[i] = valid[i] ? embree_component(rays->direction[0][i]) : 1;
-        out->dir_y[i] = valid[i] ? embree_component(rays->direction[1][i]) : 0;
-        out->dir_z[i] = valid[i] ? embree_component(rays->direction[2][i]) : 0;
-        out->tfar[i] = valid[i] ? (float)starts->far[i] : 0;
+        int here = valid[i];
+        out->org_x[i] = embree_lane(here, (float)starts->origin[0][i]);
+        out->org_y[i] = embree_lane(here, (float)starts->origin[1][i]);
+        out->org_z[i] = embree_lane(here, (float)starts->origin[2][i]);
+        out->dir_x[i] =
+            embree_lane(here, embree_component(rays->direction[0][i]));
+        out->dir_y[i] =
+            embree_lane(here, embree_component(rays->direction[1][i]));
+        out->dir_z[i] =
+            embree_lane(here, embree_component(rays->direction[2][i]));
+        out->tfar[i] = embree_lane(here, (float)starts->far[i]);
         out->tnear[i] = out->time[i] = 0;
         out->mask[i] = 0xffffffff;
         out->id[i] = (unsigned)i;
@@ -456,11 +464,11 @@ static void look_scene(const struct geometry *geometry, struct packet *packet)
     if (!lanes)
         return;
     packet_set_out(packet, starts.shift, geometry_doubt(geometry));
-    for (unsigned i = 0; i < RAY_LANES; i++) {
+    for (unsigned i = 0; i < RAY_LANES; i++)
         valid[i] = lanes >> i & 1 ? -1 : 0;
-        rays.hit.geomID[i] = rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    }
     embree_rays(packet->rays, &starts, valid, &rays.ray);
+    for (unsigned i = 0; i < RAY_LANES; i++)
+        rays.hit.geomID[i] = rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     embree_context *context = &packet->query[0].embree;
     if (!packet->occlusion) {
         embree_nearest16(valid, geometry->scene, context, geometry->coherent,

@@ -697,6 +697,10 @@ static int expect_the_same(const struct world *world, struct dice *dice)
     rays[count / 3].direction.y = -1e-30;
     for (unsigned i = 0; i < count; i++)
         rays_set(&together, (int)i, rays[i].origin, rays[i].direction);
+    const double nobodys = (double)NAN;
+    for (unsigned i = count; i < WORLD_RAYS; i++)
+        rays_set(&together, (int)i, vec3_make(nobodys, nobodys, nobodys),
+                 vec3_make(nobodys, nobodys, nobodys));
     world_closest_many(world, &together, &span, count, RAY_CAMERA, hit);
     for (unsigned i = 0; i < count; i++) {
         bool met = world_within(world, &rays[i], span.near[i], span.far[i],
