@@ -139,10 +139,18 @@ static void corners_ask(struct corners *corners,
     }
 }
 
-/* Where they differ much something may stand between, or on a corner. */
-static bool corners_alike(const struct corners *corners, double even)
+/* Where they differ much something may stand between, or on a corner. Cells
+ * remember by how much all of theirs do. */
+static bool corners_alike(const struct corners *corners,
+                          const struct indirect_pixels *pixels,
+                          struct worker *worker,
+                          const struct receiver *receiver, double even)
 {
     const struct indirect_share *shares[GRID_CORNERS];
+    if (corners->count == GRID_CORNERS) {
+        corner_cell_ask(pixels->store, worker, corners->cell, receiver);
+        return corners->cell->differ <= even;
+    }
     for (int i = 0; i < corners->count; i++)
         shares[i] = &corners->at[i].light->share;
     return corners->count == 0 || shares_differ(shares, corners->count) <= even;
@@ -155,7 +163,8 @@ static void corners_look(struct corners *corners,
                          struct worker *worker, const struct receiver *receiver)
 {
     int count = corners->count;
-    bool alike = corners_alike(corners, indirect_pixels_even);
+    bool alike =
+        corners_alike(corners, pixels, worker, receiver, indirect_pixels_even);
     if (corners->missing ? alike && count > 2
                          : alike || corner_store_clear(pixels->store, worker,
                                                        corners->cell, receiver))
@@ -315,7 +324,7 @@ static bool corners_coarse(struct corners *corners,
     if (corners->missing)
         return false;
     corners_ask(corners, pixels, worker, receiver);
-    if (!corners_alike(corners, indirect_pixels_same))
+    if (!corners_alike(corners, pixels, worker, receiver, indirect_pixels_same))
         return false;
     *share = corners_light(corners, receiver);
     return true;
