@@ -227,8 +227,10 @@ bool parse_radiosity(struct parser *p)
         return false;
     if (first.source && !p->scene->settings.radiosity)
         warning_at(p, span, "light_mesh { indirect { samples 200 bounces 3 } }",
-                   "how POV-Ray is to find the light of surfaces means nothing "
-                   "here; how glim is to, is said like this");
+                   "'%.*s' and what else says how POV-Ray computes radiosity "
+                   "is not used; glim computes it in its own way, which is set "
+                   "like this",
+                   (int)first.length, first.source->text + first.offset);
     p->scene->settings.radiosity = true;
     return true;
 }
