@@ -423,11 +423,13 @@ static inline float embree_component(double d)
     return (float)(fabs(d) < least ? copysign(least, d) : d);
 }
 
-/* Embree's packets stumble over rays that aren't valid, too, if they aren't
- * numbers, as those of lanes that nobody has filled may be. */
-static inline float embree_lane(int valid, float number)
+/* Of rays that nobody asks about. Without AVX-512 Embree takes two packets of 8
+ * for one of 16, and does not know which of theirs are valid: those get
+ * numbers, for it stops at what is none, and a length below 0, by which it
+ * leaves them out. */
+static inline float embree_lane(int valid, float number, float other)
 {
-    return valid ? number : 0;
+    return valid ? number : other;
 }
 
 CLONES static void embree_rays(const struct rays *restrict rays,
@@ -437,16 +439,16 @@ CLONES static void embree_rays(const struct rays *restrict rays,
 {
     for (int i = 0; i < RAY_LANES; i++) {
         int here = valid[i];
-        out->org_x[i] = embree_lane(here, (float)starts->origin[0][i]);
-        out->org_y[i] = embree_lane(here, (float)starts->origin[1][i]);
-        out->org_z[i] = embree_lane(here, (float)starts->origin[2][i]);
+        out->org_x[i] = embree_lane(here, (float)starts->origin[0][i], 0);
+        out->org_y[i] = embree_lane(here, (float)starts->origin[1][i], 0);
+        out->org_z[i] = embree_lane(here, (float)starts->origin[2][i], 0);
         out->dir_x[i] =
-            embree_lane(here, embree_component(rays->direction[0][i]));
+            embree_lane(here, embree_component(rays->direction[0][i]), 1);
         out->dir_y[i] =
-            embree_lane(here, embree_component(rays->direction[1][i]));
+            embree_lane(here, embree_component(rays->direction[1][i]), 1);
         out->dir_z[i] =
-            embree_lane(here, embree_component(rays->direction[2][i]));
-        out->tfar[i] = embree_lane(here, (float)starts->far[i]);
+            embree_lane(here, embree_component(rays->direction[2][i]), 1);
+        out->tfar[i] = embree_lane(here, (float)starts->far[i], -1);
         out->tnear[i] = out->time[i] = 0;
         out->mask[i] = 0xffffffff;
         out->id[i] = (unsigned)i;
