@@ -190,6 +190,7 @@ void stretches_sweep(struct stretches *all, double threshold, hit_visit *visit,
     int next = 0;
     stretches_sort(all);
     sweep.count = 0;
+    sweep.at = 0;
     sweep.last = -1;
     while (sweep.count > 0 || next < all->count) {
         double roots[2 * BERNSTEIN_DEGREE];
