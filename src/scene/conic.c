@@ -276,14 +276,14 @@ void conic_crosses_many(const void *shape, const struct rays *rays,
 {
     const struct conic *conic = shape;
     LANE_LINES lane_flag doubtful[RAY_LANES];
-    bool whole =
-        !conic->open && conic->base_radius >= 0 && conic->apex_radius >= 0;
-    unsigned left = (1u << RAY_LANES) - 1;
-    if (whole) {
-        pieces_cross(conic, rays, span, met, doubtful);
-        left = rays_bits(doubtful);
+    if (conic->open || conic->base_radius < 0 || conic->apex_radius < 0) {
+        struct rays_crossings all;
+        conic_all_many(conic, rays, &all);
+        rays_crosses_of(&all, span, met);
+        return;
     }
-    for (; left; left &= left - 1) {
+    pieces_cross(conic, rays, span, met, doubtful);
+    for (unsigned left = rays_bits(doubtful); left; left &= left - 1) {
         int i = __builtin_ctz(left);
         struct ray ray = rays_at(rays, i);
         met[i] =
