@@ -37,16 +37,25 @@ static vec3 warp_around(vec3 axis, double cosine, double sine, double turn)
 
 /* Lambert's is the disc lifted to the hemisphere (Malley), which keeps the
  * samples as even as the disc's. */
+vec3 warp_lambert(const double u[2])
+{
+    double x, y;
+    warp_disc(u, &x, &y);
+    return vec3_make(x, y, sqrt(fmax(0, 1 - x * x - y * y)));
+}
+
+vec3 warp_turned(vec3 way, vec3 axis)
+{
+    vec3 a, b;
+    warp_frame(axis, &a, &b);
+    vec3 v = vec3_along(vec3_scale(axis, way.z), a, way.x);
+    return vec3_normalise(vec3_along(v, b, way.y));
+}
+
 vec3 warp_lobe(const double u[2], vec3 axis, double m)
 {
-    if (m == 1) {
-        vec3 a, b;
-        double x, y;
-        warp_frame(axis, &a, &b);
-        warp_disc(u, &x, &y);
-        vec3 v = vec3_scale(axis, sqrt(fmax(0, 1 - x * x - y * y)));
-        return vec3_normalise(vec3_along(vec3_along(v, a, x), b, y));
-    }
+    if (m == 1)
+        return warp_turned(warp_lambert(u), axis);
     double cosine = pow(1 - u[0], 1 / (m + 1));
     return warp_around(axis, cosine, sqrt(fmax(0, 1 - cosine * cosine)), u[1]);
 }

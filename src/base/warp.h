@@ -15,6 +15,11 @@ void warp_disc(const double u[2], double *x, double *y);
 
 /* Around `axis` with density (m + 1)/(2 pi) cos^m, m >= 0; m = 1 is Lambert. */
 vec3 warp_lobe(const double u[2], vec3 axis, double m);
+/* Lambert's in two steps, for many places that look in the same directions:
+ * around z, and then with z turned to the axis. */
+vec3 warp_lambert(const double u[2]);
+vec3 warp_turned(vec3 way, vec3 axis);
+
 double warp_lobe_density(double cosine, double m);
 
 /* Uniform within the cone whose half angle has 1 - cosine = `rise`: the

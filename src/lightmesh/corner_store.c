@@ -188,26 +188,54 @@ static bool on_plane(const struct corner_cell *cell, vec3 point)
     return fabs(vec3_dot(between, cell->side)) <= cell->thick;
 }
 
-/* Says the same whoever asks first. */
+static bool on_cell(const struct corner_cell *cell,
+                    const struct receiver *receiver)
+{
+    return sides_agree(receiver->side, cell->side) &&
+           on_plane(cell, receiver->point);
+}
+
+/* The plane that the first corner is on. Returns whether there is one. */
+static bool cell_plane(const struct corner_store *store, struct worker *worker,
+                       struct corner_cell *cell, const struct receiver *like)
+{
+    const struct corner *corner =
+        corner_store_corner(store, worker, cell, 0, like);
+    cell->thick = cell_thickness * store->grid->step[cell->name.level];
+    cell->at[0] = corner->point;
+    cell->side = corner->side;
+    return corner->met;
+}
+
+/* Whether the others are on it. Says the same whoever asks first. */
 static bool cell_flat(const struct corner_store *store, struct worker *worker,
                       struct corner_cell *cell, const struct receiver *like)
 {
-    cell->thick = cell_thickness * store->grid->step[cell->name.level];
     cell->reach2 = HUGE_VAL;
     for (int i = 0; i < GRID_CORNERS; i++) {
         const struct corner *corner =
             corner_store_corner(store, worker, cell, i, like);
-        if (!corner->met)
-            return false;
-        cell->at[i] = corner->point;
-        if (i == 0)
-            cell->side = corner->side;
-        if (!sides_agree(corner->side, cell->side) ||
+        if (!corner->met || !sides_agree(corner->side, cell->side) ||
             !on_plane(cell, corner->point))
             return false;
+        cell->at[i] = corner->point;
         cell->reach2 = fmin(cell->reach2, corner->reach * corner->reach);
     }
     return true;
+}
+
+/* What is not on the plane of the first corner needs no others. */
+static bool cell_bends(const struct corner_store *store, struct worker *worker,
+                       struct corner_cell *cell,
+                       const struct receiver *receiver)
+{
+    if (cell->flat == 0 && !cell_plane(store, worker, cell, receiver))
+        cell->flat = -1;
+    if (cell->flat < 0 || !on_cell(cell, receiver))
+        return true;
+    if (cell->flat == 0)
+        cell->flat = cell_flat(store, worker, cell, receiver) ? 1 : -1;
+    return cell->flat < 0;
 }
 
 enum corner_hold corner_cell_holds(const struct corner_store *store,
@@ -216,10 +244,7 @@ enum corner_hold corner_cell_holds(const struct corner_store *store,
                                    const struct receiver *receiver)
 {
     double apart[GRID_CORNERS];
-    if (cell->flat == 0)
-        cell->flat = cell_flat(store, worker, cell, receiver) ? 1 : -1;
-    if (cell->flat < 0 || !sides_agree(receiver->side, cell->side) ||
-        !on_plane(cell, receiver->point))
+    if (cell_bends(store, worker, cell, receiver))
         return CELL_BENT;
     for (int i = 0; i < GRID_CORNERS; i++) {
         vec3 between = vec3_sub(receiver->point, cell->at[i]);

@@ -70,7 +70,8 @@ enum corner_hold corner_cell_holds(const struct corner_store *store,
                                    struct corner_cell *cell,
                                    const struct receiver *receiver);
 
-/* Sets what the corners of a cell that holds the receiver say. */
+/* Sets what the corners of a cell say, which have all been met, and by how much
+ * they differ. */
 void corner_cell_ask(const struct corner_store *store, struct worker *worker,
                      struct corner_cell *cell, const struct receiver *like);
 

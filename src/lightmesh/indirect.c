@@ -219,6 +219,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     if (options->bright && options->bright->count > 0)
         mesh->bright = options->bright;
     mesh->near = options->near;
+    mesh->near_ways = near_field_ways(&mesh->gather, mesh->near);
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
         mesh->lone_samples /= LONE_PART;
@@ -275,6 +276,7 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
         struct indirect_mesh *next = mesh->next;
         point_mesh_free(&mesh->points);
         memory_free(mesh->ways);
+        memory_free(mesh->near_ways);
         memory_free(mesh);
         mesh = next;
     }

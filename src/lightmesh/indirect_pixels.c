@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "lightmesh/corner_store.h"
+#include "lightmesh/pixel_answers.h"
 #include "lightmesh/pixel_blocks.h"
 #include "lightmesh/tuning.h"
 #include "shade/first_hits.h"
@@ -12,6 +13,7 @@ struct indirect_pixels {
     struct surface_grid grid;
     struct corner_store *store;
     struct pixel_blocks *blocks;
+    struct pixel_answers *answers;
     unsigned threads;
     struct lone_places *lone; /* of each worker */
 };
@@ -43,6 +45,7 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
         .grid = surface_grid_new(camera, size, apart, mesh->gather.view.eye,
                                  lattice_spacing(lattice, lattice->usual)),
         .blocks = pixel_blocks_new(mesh, camera, size, apart, threads),
+        .answers = pixel_answers_new(threads),
         .threads = threads,
         .lone = memory_new(threads * LONE_PIXELS * sizeof(struct lone_places)),
     };
@@ -56,6 +59,7 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
         return;
     corner_store_free(pixels->store);
     pixel_blocks_free(pixels->blocks);
+    pixel_answers_free(pixels->answers);
     memory_free(pixels->lone);
     memory_free(pixels);
 }
@@ -95,17 +99,19 @@ static void corners_begin(struct corners *corners,
                                           &corners->own);
 }
 
-/* What they know isn't asked yet. */
+/* What they know isn't asked yet. Leaves off at the first that is on another
+ * surface if only all of them are wanted. */
 static void corners_find(struct corners *corners,
                          const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver)
+                         struct worker *worker, const struct receiver *receiver,
+                         bool all)
 {
     const struct grid_cell *name = &corners->name;
     corners->count = 0;
     corners->missing = !corners->cell;
     if (corners->missing)
         return;
-    for (int i = 0; i < GRID_CORNERS; i++) {
+    for (int i = 0; i < GRID_CORNERS && !(all && corners->missing); i++) {
         if (name->weight[i] < indirect_pixels_least)
             continue;
         const struct corner *corner = corner_store_corner(
@@ -133,10 +139,18 @@ static void corners_ask(struct corners *corners,
     }
 }
 
-/* Where they differ much something may stand between, or on a corner. */
-static bool corners_alike(const struct corners *corners, double even)
+/* Where they differ much something may stand between, or on a corner. Cells
+ * remember by how much all of theirs do. */
+static bool corners_alike(const struct corners *corners,
+                          const struct indirect_pixels *pixels,
+                          struct worker *worker,
+                          const struct receiver *receiver, double even)
 {
     const struct indirect_share *shares[GRID_CORNERS];
+    if (corners->count == GRID_CORNERS) {
+        corner_cell_ask(pixels->store, worker, corners->cell, receiver);
+        return corners->cell->differ <= even;
+    }
     for (int i = 0; i < corners->count; i++)
         shares[i] = &corners->at[i].light->share;
     return corners->count == 0 || shares_differ(shares, corners->count) <= even;
@@ -149,7 +163,8 @@ static void corners_look(struct corners *corners,
                          struct worker *worker, const struct receiver *receiver)
 {
     int count = corners->count;
-    bool alike = corners_alike(corners, indirect_pixels_even);
+    bool alike =
+        corners_alike(corners, pixels, worker, receiver, indirect_pixels_even);
     if (corners->missing ? alike && count > 2
                          : alike || corner_store_clear(pixels->store, worker,
                                                        corners->cell, receiver))
@@ -305,11 +320,11 @@ static bool corners_coarse(struct corners *corners,
                            const struct receiver *receiver,
                            struct indirect_share *share)
 {
-    corners_find(corners, pixels, worker, receiver);
+    corners_find(corners, pixels, worker, receiver, true);
     if (corners->missing)
         return false;
     corners_ask(corners, pixels, worker, receiver);
-    if (!corners_alike(corners, indirect_pixels_same))
+    if (!corners_alike(corners, pixels, worker, receiver, indirect_pixels_same))
         return false;
     *share = corners_light(corners, receiver);
     return true;
@@ -355,17 +370,13 @@ static bool coarse_light(struct corners *corners, enum corner_hold hold,
            corners_coarse(corners, pixels, worker, receiver, share);
 }
 
-bool indirect_pixels_light(const struct indirect_pixels *pixels,
-                           struct worker *worker,
-                           const struct receiver *receiver,
-                           struct indirect_share *share)
+/* By corners that are about `level` apart, or blocks, or the receiver alone. */
+static bool grid_light(const struct indirect_pixels *pixels,
+                       struct worker *worker, const struct receiver *receiver,
+                       int level, double blend, struct indirect_share *share)
 {
     struct corners at[2];
     enum corner_hold hold[2];
-    double blend;
-    if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
-        return false;
-    int level = surface_grid_level(&pixels->grid, receiver, &blend);
     corners_begin(&at[1], pixels, worker, receiver, level + 1);
     hold[1] = corners_flat(&at[1], pixels, worker, receiver);
     if (coarse_light(&at[1], hold[1], pixels, worker, receiver, share))
@@ -375,11 +386,29 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
     if (cells_light(at, hold, blend, share))
         return true;
     if (hold[1] == CELL_HOLDS) {
-        corners_find(&at[1], pixels, worker, receiver);
+        corners_find(&at[1], pixels, worker, receiver, true);
         corners_ask(&at[1], pixels, worker, receiver);
     }
-    corners_find(&at[0], pixels, worker, receiver);
+    corners_find(&at[0], pixels, worker, receiver, false);
     corners_ask(&at[0], pixels, worker, receiver);
     return corners_blend(pixels, worker, receiver, at, blend, share) ||
            lone_light(pixels, worker, receiver, share);
+}
+
+bool indirect_pixels_light(const struct indirect_pixels *pixels,
+                           struct worker *worker,
+                           const struct receiver *receiver,
+                           struct indirect_share *share)
+{
+    double blend;
+    if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
+        return false;
+    if (pixel_answers_find(pixels->answers, worker, receiver, share))
+        return true;
+    int level = surface_grid_level(&pixels->grid, receiver, &blend);
+    if (!grid_light(pixels, worker, receiver, level, blend, share))
+        return false;
+    pixel_answers_keep(pixels->answers, worker, receiver,
+                       answer_reach * pixels->grid.step[level], share);
+    return true;
 }

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/memory.h"
 #include "base/warp.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
@@ -52,21 +53,37 @@ struct nearby_rays {
     unsigned count;
 };
 
+static struct draws near_draws(const struct gather *gather, unsigned number)
+{
+    return (struct draws){ gather->lamps->seed ^ near_key, number };
+}
+
+vec3 *near_field_ways(const struct gather *gather, int rays)
+{
+    vec3 *ways = memory_new((size_t)rays * sizeof *ways);
+    for (int i = 0; i < rays; i++) {
+        const struct draws draws = near_draws(gather, (unsigned)i);
+        double u[2];
+        draw_pair(&draws, GATHER_DIRECTION, u);
+        ways[i] = warp_lambert(u);
+    }
+    return ways;
+}
+
 /* Numbers from `first` on. */
 static void nearby_trace(const struct nearby *nearby, int first,
                          struct nearby_rays *sent)
 {
     const struct receiver *receiver = nearby->receiver;
-    uint64_t key = nearby->mesh->gather.lamps->seed ^ near_key;
+    const struct gather *gather = &nearby->mesh->gather;
     double from = surface_offset(receiver->point);
     memset(&sent->span, 0, sizeof sent->span);
     sent->count = (unsigned)fmin(nearby->rays - first, RAY_LANES);
     for (unsigned i = 0; i < sent->count; i++) {
-        double u[2];
-        sent->draws[i] = (struct draws){ key, (uint32_t)first + i };
-        draw_pair(&sent->draws[i], GATHER_DIRECTION, u);
+        unsigned number = (unsigned)first + i;
+        sent->draws[i] = near_draws(gather, number);
         rays_set(&sent->rays, (int)i, receiver->point,
-                 warp_lobe(u, receiver->side, 1));
+                 warp_turned(nearby->mesh->near_ways[number], receiver->side));
         sent->span.near[i] = from;
         sent->span.far[i] = nearby->reach;
     }

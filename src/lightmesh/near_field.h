@@ -6,11 +6,15 @@
 #ifndef LIGHTMESH_NEAR_FIELD_H
 #define LIGHTMESH_NEAR_FIELD_H
 
-#include "lightmesh/indirect_light.h"
+#include "lightmesh/gather.h"
 
 struct indirect_mesh;
 struct receiver;
 struct worker;
+
+/* Its rays look along these, around a z that is the side; nets of them
+ * (base/draw.h) begin with the first. The caller frees them. */
+vec3 *near_field_ways(const struct gather *gather, int rays);
 
 /* What the receiver gets of *light, a blend of the mesh's points, by so many
  * rays; *light is mended as well, and the share is that of the receiver's side,

@@ -72,6 +72,13 @@ static void grid_place(const struct surface_grid *grid, vec3 point, int level,
     at[2] = (point.z - grid->origin.z) * within + grid_shift[2];
 }
 
+/* As floor, of what an int holds. */
+static inline int floor_of(double x)
+{
+    int whole = (int)x;
+    return whole - (whole > x);
+}
+
 bool surface_grid_cell(const struct surface_grid *grid,
                        const struct receiver *receiver, int level,
                        struct grid_cell *cell)
@@ -86,19 +93,19 @@ bool surface_grid_cell(const struct surface_grid *grid,
           fabs(at[2]) < GRID_RIM))
         return false;
     int axis = main_axis(side), across = after[axis], down = after[across];
-    double left = floor(at[across]), top = floor(at[down]);
+    int left = floor_of(at[across]), top = floor_of(at[down]);
     double x = at[across] - left, y = at[down] - top;
     double slope = -side[across] / side[axis], fall = -side[down] / side[axis];
     double rise = at[axis] - slope * x - fall * y;
     cell->level = level;
     cell->axis = axis;
     cell->down = side[axis] < 0;
-    cell->at[0] = (int)left;
-    cell->at[1] = (int)top;
-    cell->slab[0] = (int)floor(rise);
-    cell->slab[1] = (int)floor(rise + slope);
-    cell->slab[2] = (int)floor(rise + fall);
-    cell->slab[3] = (int)floor(rise + slope + fall);
+    cell->at[0] = left;
+    cell->at[1] = top;
+    cell->slab[0] = floor_of(rise);
+    cell->slab[1] = floor_of(rise + slope);
+    cell->slab[2] = floor_of(rise + fall);
+    cell->slab[3] = floor_of(rise + slope + fall);
     cell->weight[0] = (1 - x) * (1 - y);
     cell->weight[1] = x * (1 - y);
     cell->weight[2] = (1 - x) * y;

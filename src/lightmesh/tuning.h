@@ -185,6 +185,8 @@ enum {
     NEAR_LONE_PART = 2, /* one in so many where only a pixel shares them */
     LONE_PLACES = 4,    /* of a pixel, that its rays share */
     LONE_PIXELS = 16,   /* of which these are kept, of those last refined */
+    ANSWERS_MOST = 4,   /* of a pixel, that its rays share, and */
+    ANSWER_PIXELS = 4,  /* of these, of those last refined */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 
@@ -228,6 +230,12 @@ static const double block_places = 0.25; /* of the grid's step, from one place
 static const double block_bend = 0.95;   /* cosine of normals that share one */
 static const double block_beside = 1.5;  /* of that: what is no farther is one
                                           * surface, or shows no difference */
+
+static const double answer_reach = 0.5;  /* of the grid's step: rays of a pixel
+                                          * that are no farther apart have one
+                                          * answer, if their normals are so */
+static const double answer_bend = 0.985; /* near to each other, cosine, */
+static const double answer_rise = 0.3;   /* and on one surface, as corners */
 
 static const double one_point_worth = 0.02; /* what is worth no more beyond
                                              * mirrors and glass takes one mesh

@@ -28,7 +28,7 @@ extern const struct tile_outline tile_outlines[];
 
 struct tiling;
 
-/* The parameters of the pattern. */
+/* The parameters of the pattern; both NULL until there is a number. */
 struct tiling_use {
     int number;
     const struct tiling *tiling; /* made of the number, up to TILING_COUNT; */

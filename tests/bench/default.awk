@@ -6,6 +6,12 @@ function judge(what, found, most) {
     missed += found > most
 }
 
+function judge_least(what, found, least) {
+    printf "%-44s %10.4f  >= %-6s %s\n", what, found, least,
+        (found >= least ? "met" : "MISSED")
+    missed += found < least
+}
+
 NR > 1 && $3 != "" {
     n = ++count[$1]
     name[$1, n] = $2
@@ -27,6 +33,16 @@ END {
         n = count["price"]
         judge("price, geometric mean of " n, exp(sum["price"] / n), 2.5)
         judge("price of " who["price"], worst["price"], 6)
+    }
+    if (count["large"]) {
+        n = count["large"]
+        judge("price at 1280x960 +A0.3, mean of " n, exp(sum["large"] / n), 1.6)
+        judge("of " who["large"], worst["large"], 6)
+    }
+    if (count["beside"]) {
+        n = count["beside"]
+        judge_least("POV-Ray over it, mean of " n, exp(sum["beside"] / n), 1.5)
+        judge_least("of " name["beside", 1], value["beside", 1], 0.5)
     }
     if (count["seam"])
         judge("seam at " who["seam"] " lamps, of all pixels", worst["seam"],

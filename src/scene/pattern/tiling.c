@@ -7,7 +7,7 @@ static double tiling_pattern_value(const struct pattern *pattern, vec3 point)
     const struct tiling_use *use = pattern->parameters;
     if (use->penrose)
         return use->penrose(point.x, point.z);
-    return tiling_value(use->tiling, point.x, point.z);
+    return use->tiling ? tiling_value(use->tiling, point.x, point.z) : 0;
 }
 
 static const struct field tiling_arguments[] = {

@@ -1,0 +1,105 @@
+/* Answers that the rays of a pixel share: see pixel_answers.h. */
+#include "lightmesh/pixel_answers.h"
+
+#include "base/memory.h"
+#include "lightmesh/tuning.h"
+#include "shade/first_hits.h"
+
+struct pixel_answer {
+    vec3 point, side, normal;
+    double reach2; /* square of its reach */
+    int coarser;   /* as of a corner_cell */
+    struct indirect_share share;
+};
+
+/* Those of one pixel. */
+struct told {
+    unsigned long long pixel; /* worker_pixel's */
+    unsigned count;
+    struct pixel_answer at[ANSWERS_MOST];
+};
+
+struct pixel_answers {
+    unsigned threads;
+    struct told *told; /* of each worker */
+};
+
+struct pixel_answers *pixel_answers_new(unsigned threads)
+{
+    struct pixel_answers *answers = memory_new(sizeof *answers);
+    size_t count = (size_t)threads * ANSWER_PIXELS;
+    *answers = (struct pixel_answers){
+        .threads = threads,
+        .told = memory_new(count * sizeof *answers->told),
+    };
+    return answers;
+}
+
+void pixel_answers_free(struct pixel_answers *answers)
+{
+    if (!answers)
+        return;
+    memory_free(answers->told);
+    memory_free(answers);
+}
+
+/* NULL: the only ray of its pixel. */
+static struct told *told_of(const struct pixel_answers *answers,
+                            const struct worker *worker,
+                            const struct receiver *receiver)
+{
+    unsigned long long pixel = receiver->pixel->pixel;
+    if (pixel == 0 || worker->number >= answers->threads)
+        return NULL;
+    struct told *told =
+        &answers->told[worker->number * ANSWER_PIXELS + pixel % ANSWER_PIXELS];
+    if (told->pixel != pixel)
+        told->count = 0;
+    told->pixel = pixel;
+    return told;
+}
+
+static bool answer_serves(const struct pixel_answer *answer,
+                          const struct receiver *receiver)
+{
+    vec3 between = vec3_sub(answer->point, receiver->point);
+    double apart2 = vec3_dot(between, between);
+    double rise = vec3_dot(between, receiver->side);
+    return apart2 <= answer->reach2 &&
+           rise * rise <= answer_rise * answer_rise * apart2 &&
+           vec3_dot(answer->side, receiver->side) >= answer_bend &&
+           vec3_dot(answer->normal, receiver->normal) >= answer_bend &&
+           answer->coarser == point_mesh_worth(receiver->weight);
+}
+
+bool pixel_answers_find(const struct pixel_answers *answers,
+                        const struct worker *worker,
+                        const struct receiver *receiver,
+                        struct indirect_share *share)
+{
+    const struct told *told = told_of(answers, worker, receiver);
+    for (unsigned i = 0; told && i < told->count && i < ANSWERS_MOST; i++)
+        if (answer_serves(&told->at[i], receiver)) {
+            *share = told->at[i].share;
+            return true;
+        }
+    return false;
+}
+
+void pixel_answers_keep(const struct pixel_answers *answers,
+                        const struct worker *worker,
+                        const struct receiver *receiver, double reach,
+                        const struct indirect_share *share)
+{
+    struct told *told = told_of(answers, worker, receiver);
+    if (!told)
+        return;
+    told->at[told->count++ % ANSWERS_MOST] = (struct pixel_answer){
+        .point = receiver->point,
+        .side = receiver->side,
+        .normal = receiver->normal,
+        .reach2 = reach * reach,
+        .coarser = point_mesh_worth(receiver->weight),
+        .share = *share,
+    };
+}
