@@ -21,4 +21,15 @@ static inline bool area_meet(struct area a, struct area b)
            b.top < a.bottom;
 }
 
+/* What is in both; a side is negative unless they meet. */
+static inline struct area area_common(struct area a, struct area b)
+{
+    return (struct area){
+        a.left > b.left ? a.left : b.left,
+        a.top > b.top ? a.top : b.top,
+        a.right < b.right ? a.right : b.right,
+        a.bottom < b.bottom ? a.bottom : b.bottom,
+    };
+}
+
 #endif

@@ -179,6 +179,17 @@ bool array_copy(struct parser *p, struct span span, struct array *array,
 
 /* ---- declaration ---- */
 
+/* Why there are fewer values than somebody counted. */
+static const char *array_layers(const struct array *array, int dimension,
+                                const struct value *next)
+{
+    bool layers =
+        dimension + 1 == array->dimensions && next[-1].kind == VALUE_TEXTURE;
+    return layers ? "; textures without a comma between them are the layers "
+                    "of one"
+                  : "";
+}
+
 /* All values must be there; a comma between two is optional.
  * array_values = "{" ( array_values {[","] array_values}
  *              | value {[","] value} ) [","] "}" . */
@@ -194,8 +205,9 @@ static bool parse_array_values(struct parser *p, struct array *array,
             accept(p, TOKEN_COMMA);
         if (stream_peek(p)->kind == TOKEN_RBRACE)
             ok = error_at(p, p->token_span, NULL,
-                          "expected %d values in these braces, found %d",
-                          array->size[dimension], i);
+                          "expected %d values in these braces, found %d%s",
+                          array->size[dimension], i,
+                          i > 0 ? array_layers(array, dimension, *next) : "");
         else if (dimension + 1 < array->dimensions)
             ok = parse_array_values(p, array, dimension + 1, next);
         else
@@ -203,7 +215,10 @@ static bool parse_array_values(struct parser *p, struct array *array,
     }
     if (ok) {
         accept(p, TOKEN_COMMA);
-        if (stream_peek(p)->kind != TOKEN_RBRACE)
+        enum token_kind kind = stream_peek(p)->kind;
+        if (kind == TOKEN_SEMICOLON || kind == TOKEN_END)
+            ok = expect(p, TOKEN_RBRACE, open);
+        else if (kind != TOKEN_RBRACE)
             ok = error_at(p, p->token_span, NULL,
                           "these braces have more values than the %d the "
                           "array has room for",

@@ -110,6 +110,23 @@ static bool point_same(vec3 a, vec3 b)
     return a.x == b.x && a.y == b.y;
 }
 
+/* Outlines of Bezier curves end where they began. A prism with one that does
+ * not POV-Ray leaves out. */
+static void curve_leave_open(struct parser *p, struct curve_builder *b)
+{
+    const vec3 *points = b->points.items;
+    size_t closed = 0;
+    for (size_t i = 0; i < b->segments.count; i++)
+        if (point_same(points[4 * i + 3], points[4 * closed]))
+            closed = i + 1;
+    if (closed == b->segments.count)
+        return;
+    warning_at(p, b->span, NULL,
+               "an outline is not closed, so that the prism is left out, as by "
+               "POV-Ray: its last point must be its first");
+    b->segments.count = 0;
+}
+
 /* POV-Ray closes polygons, and only those. */
 static void curve_close(struct parser *p, struct curve_builder *b, size_t first)
 {
@@ -200,10 +217,12 @@ static bool parse_prism_arguments(struct parser *p, void *shape)
     if (!parse_curve_points(p, &b) ||
         !curve_check(p, &b, curve_reach(b.curve) + 1))
         return false;
-    if (b.curve == CURVE_BEZIER)
+    if (b.curve == CURVE_BEZIER) {
         curve_open(p, &b);
-    else if (!curve_closed(p, &b))
+        curve_leave_open(p, &b);
+    } else if (!curve_closed(p, &b)) {
         return false;
+    }
     prism->segments = curve_terms(p, &b);
     return true;
 }

@@ -1,5 +1,6 @@
 /* Errors of a scene: with the trace of macros and includes, each place once,
  * and with what to type. */
+#include <ctype.h>
 #include <stdio.h>
 
 #include "base/text.h"
@@ -169,6 +170,18 @@ static const char *error_kind(struct parser *p)
     return value ? value_kind_name(value->kind) : NULL;
 }
 
+/* `ior = 1.5`, as other languages have it. */
+static const char *error_assigned(struct parser *p, const char *wanted)
+{
+    enum token_kind kind = stream_peek(p)->kind;
+    struct span last = p->last_span;
+    if (*wanted == '\'' || (kind != TOKEN_EQUAL && kind != TOKEN_COLON) ||
+        !last.source || !isalpha((unsigned char)last.source->text[last.offset]))
+        return "";
+    return kind == TOKEN_EQUAL ? "; no '=' stands between a word and its value"
+                               : "; no ':' stands between a word and its value";
+}
+
 bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
 {
     if (p->blamed.source && p->blamed.source == p->last_span.source &&
@@ -184,8 +197,9 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
         return false;
     const char *kind = error_kind(p);
     return error_at(p, stream_span(p), hint ? hint : wanted_signature(p, 1),
-                    "expected %s, found %s%s%s", wanted, error_found(p),
-                    kind ? ", " : "", kind ? kind : "");
+                    "expected %s, found %s%s%s%s", wanted, error_found(p),
+                    kind ? ", " : "", kind ? kind : "",
+                    error_assigned(p, wanted));
 }
 
 bool error_expected(struct parser *p, const char *wanted)

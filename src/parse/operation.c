@@ -18,14 +18,17 @@ bool expression_enter(struct parser *p)
 
 /* Operators that are legal in parentheses only: `2 = 2` outside them is not
  * read as the end of the value but explained. '<' may begin the next vector,
- * '>' end the one this is in. */
-static bool operator_misplaced(struct parser *p, enum precedence lowest)
+ * '>' end the one this is in. Of what was wrong itself nothing is said. */
+static bool operator_misplaced(struct parser *p, enum precedence lowest,
+                               const struct value *left)
 {
     enum token_kind kind = stream_peek_infix(p)->kind;
     if (lowest < PRECEDENCE_WHOLE || kind == TOKEN_LESS ||
         (kind == TOKEN_GREATER && lowest != PRECEDENCE_WHOLE) ||
         operator_precedence(kind) >= PRECEDENCE_SUM)
         return false;
+    if (value_is_poison(left))
+        return true;
     const char *text = p->token_span.source->text + p->token_span.offset;
     int length = (int)p->token_span.length;
     error_at(p, p->token_span, NULL,
@@ -187,7 +190,7 @@ bool parse_operation(struct parser *p, enum precedence lowest,
     if (!expression_enter(p))
         return false;
     bool ok = operation_climb(p, lowest, wanted, value);
-    if (ok && operator_misplaced(p, lowest)) {
+    if (ok && operator_misplaced(p, lowest, value)) {
         *value = value_poison();
         ok = operation_continue(p, PRECEDENCE_CONDITION, start, wanted, value);
     }

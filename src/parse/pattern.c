@@ -10,6 +10,7 @@
 #include "scene/object_probe.h"
 #include "scene/orbit.h"
 #include "scene/pavement.h"
+#include "scene/penrose.h"
 #include "scene/samples.h"
 #include "scene/tiling.h"
 
@@ -153,15 +154,17 @@ static bool density_file_read(struct parser *p, struct pattern *pattern)
 
 static bool parse_tiling(struct parser *p, struct pattern *pattern)
 {
+    double (*const penrose[])(double x, double z) = { penrose_pentagons,
+                                                      penrose_kites,
+                                                      penrose_rhombs };
     struct tiling_use *use = pattern->parameters;
     stream_next(p);
-    struct span span = stream_span(p);
     if (!parse_arguments(p, pattern->kind->arguments, use))
         return false;
     if (use->number > TILING_COUNT)
-        return error_unsupported(p, span_join(span, p->last_span),
-                                 "Penrose's tilings");
-    use->tiling = tiling_make(p->scene_arena, use->number);
+        use->penrose = penrose[use->number - TILING_COUNT - 1];
+    else
+        use->tiling = tiling_make(p->scene_arena, use->number);
     return true;
 }
 

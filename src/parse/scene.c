@@ -340,6 +340,10 @@ static bool scene_unknown(struct parser *p)
                  "no ';' stands here: it ends #declare, #local and #version");
     else if (kind == TOKEN_RBRACE)
         error_at(p, stream_span(p), NULL, "this '}' closes nothing");
+    else if (kind == TOKEN_LBRACE)
+        error_at(p, stream_span(p), NULL,
+                 "no item of the scene stands before this '{'; what belongs "
+                 "to a directive ends with '#end' and has no braces");
     else
         error_expected(p, "an object or another item of the scene");
     if (kind != TOKEN_LBRACE)

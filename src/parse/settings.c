@@ -34,10 +34,6 @@ static const struct field setting_names[] = {
     { .name = "mm_per_unit" },     { .name = NULL },
 };
 
-static const struct unsupported_word setting_unsupported[] = {
-    { KEYWORD_NONE, NULL },
-};
-
 /* assumed_gamma = "assumed_gamma" ( "srgb" | float ) .
  * Only the first counts. */
 static bool parse_assumed_gamma(struct parser *p)
@@ -205,8 +201,7 @@ bool parse_global_setting(struct parser *p)
         taken = parse_setting_without_effect(p);
     if (taken != NOT_MINE)
         return taken;
-    return check_supported(p, setting_unsupported) &&
-           error_unknown_item(p, "global_settings", setting_names);
+    return error_unknown_item(p, "global_settings", setting_names);
 }
 
 /* global_settings = "global_settings" "{" {global_setting} "}" . */

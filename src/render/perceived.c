@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "image/tone.h"
+
 /* Powers below 1 are steepest where a number begins, others where it ends. */
 static void fill_slopes(struct perceived *table)
 {
@@ -25,6 +27,7 @@ void perceived_fill(struct perceived *table, double exponent)
     double g = exponent;
     double bend = fabs(g * (g - 1)) * fmax(1, exp2(g - 2));
     table->exponent = exponent;
+    table->decoded = false;
     table->error = 1e-9 + 1.01 * bend * h * h / 8;
     table->rough = !(table->error < 1e-3) || exponent > 4;
     for (int i = 0; i <= PERCEIVED_PARTS; i++)
@@ -32,6 +35,14 @@ void perceived_fill(struct perceived *table, double exponent)
     for (int i = 0; i < PERCEIVED_EXPONENTS; i++)
         table->power[i] = pow(2, (i + PERCEIVED_LEAST_EXPONENT) * g);
     fill_slopes(table);
+}
+
+void perceived_fill_srgb(struct perceived *table, double exponent)
+{
+    table->exponent = exponent;
+    table->decoded = table->rough = true;
+    for (int i = 0; i < PERCEIVED_BEGINNINGS; i++)
+        table->slope[i] = (double)INFINITY;
 }
 
 /* No less than the difference; infinite or NaN if nothing is known. */
@@ -63,7 +74,9 @@ static double perceived_near(const struct perceived *table, float value)
 
 static double perceived(const struct perceived *table, float value)
 {
-    return value > 0 ? pow((double)value, table->exponent) : 0;
+    double light =
+        table->decoded ? tone_decode((double)value, 0) : (double)value;
+    return light > 0 ? pow(light, table->exponent) : 0;
 }
 
 static bool differ_exactly(const struct perceived *table, const float *a,

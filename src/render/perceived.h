@@ -1,5 +1,7 @@
 /* How far apart two colours look, for antialiasing: the sum of the differences
- * of their components, each to a power. Most pairs are decided by a table. */
+ * of their components, each to a power. Most pairs are decided by a table. The
+ * power is that of light, as POV-Ray's is: numbers of a working space of gamma
+ * 2.2 get 2.2 times the exponent, those of sRGB are decoded first. */
 #ifndef RENDER_PERCEIVED_H
 #define RENDER_PERCEIVED_H
 
@@ -14,6 +16,7 @@ enum {
 
 struct perceived {
     double exponent;
+    bool decoded; /* by the sRGB curve before the power */
     double error; /* of the table, relative, at most */
     bool rough;   /* the table is too rough to decide anything */
     double mantissa[PERCEIVED_PARTS + 1];
@@ -25,6 +28,9 @@ struct perceived {
 
 /* Of values to the power `exponent`, above 0. */
 void perceived_fill(struct perceived *table, double exponent);
+
+/* Of sRGB values. Slower: no table is made of them. */
+void perceived_fill_srgb(struct perceived *table, double exponent);
 
 /* Whether the sum over three components of |a^exponent - b^exponent|, and
  * `more`, is above the threshold; values below 0 count as 0. Says exactly what

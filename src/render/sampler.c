@@ -52,6 +52,21 @@ static float *sampler_edges_new(const struct sampler *sampler)
 
 /* Method 1 compares with the pixels to the left and above, outside the picture
  * too, as POV-Ray does. */
+static struct perceived *perceived_new(const struct settings *settings,
+                                       const struct render_options *options)
+{
+    struct perceived *perceived = memory_new(sizeof *perceived);
+    double gamma = options->antialias_gamma;
+    double exponent = gamma > 0 ? 1 / gamma : 1;
+    if (settings->gamma_kind == GAMMA_SRGB)
+        perceived_fill_srgb(perceived, exponent);
+    else
+        perceived_fill(perceived, settings->gamma_kind == GAMMA_POWER
+                                      ? exponent * settings->assumed_gamma
+                                      : exponent);
+    return perceived;
+}
+
 struct sampler sampler_new(const struct tracer *tracer,
                            const struct render_options *options,
                            struct image *image)
@@ -77,11 +92,8 @@ struct sampler sampler_new(const struct tracer *tracer,
     }
     size_t columns = (size_t)(sampler.first.right - sampler.first.left);
     size_t rows = (size_t)(sampler.first.bottom - sampler.first.top);
-    if (options->antialias) {
-        double gamma = options->antialias_gamma;
-        sampler.perceived = memory_new(sizeof *sampler.perceived);
-        perceived_fill(sampler.perceived, gamma > 0 ? 1 / gamma : 1);
-    }
+    if (options->antialias)
+        sampler.perceived = perceived_new(&tracer->scene->settings, options);
     sampler.direct = !options->antialias;
     if (sampler_in_place(&sampler, image))
         sampler.edges = sampler_edges_new(&sampler);

@@ -4,7 +4,7 @@
 
 #include "base/arena.h"
 
-/* Numbers of tilings are 1 to TILING_COUNT. */
+/* Numbers of tilings with a lattice are 1 to TILING_COUNT. */
 enum { TILING_COUNT = 24, TILING_SIDES = 12 };
 
 /* A tile: where it starts, and a letter a side of length 1, anticlockwise: `a`
@@ -31,7 +31,8 @@ struct tiling;
 /* The parameters of the pattern. */
 struct tiling_use {
     int number;
-    const struct tiling *tiling; /* made of the number */
+    const struct tiling *tiling; /* made of the number, up to TILING_COUNT; */
+    double (*penrose)(double x, double z); /* after it, see scene/penrose.h */
 };
 
 /* Tiling `number`, in the arena. */

@@ -1,1 +1,1 @@
-sphere { 0, 1 pigment { tiling 25 } }
+sphere { 0, 1 pigment { gradient x normal_map { [0 bumps] [1 dents] } } }

@@ -259,6 +259,8 @@ static void crossings_asked_for_alone_agree(void **state)
         "superellipsoid { <.3,.6> }",
         "superellipsoid { <1.5,1> }",
         "superellipsoid { <2.5,.7> }",
+        "superellipsoid { <.25,3> }",
+        "superellipsoid { <2.2,2.1> }",
         "superellipsoid { .2 }",
         "superellipsoid { <.4,.3> }",
         "superellipsoid { <.5,2> }",

@@ -82,11 +82,25 @@ static void test_not_numbers(void **state)
     check(&table, plain, plain);
 }
 
+/* Light of 0.5 in sRGB is 0.2140411, of 0.02 a 12.92th. */
+static void test_srgb(void **state)
+{
+    const float bright[3] = { 0.5F, 0, 0 }, dark[3] = { 0.02F, 0, 0 };
+    const double apart = pow(0.2140411, 0.4) - pow(0.02 / 12.92, 0.4);
+    struct perceived table;
+    (void)state;
+    perceived_fill_srgb(&table, 0.4);
+    assert_true(perceived_differ(&table, bright, dark, 0, apart - 1e-6));
+    assert_false(perceived_differ(&table, bright, dark, 0, apart + 1e-6));
+    assert_false(perceived_differ(&table, dark, dark, 0, 0));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_exact),
         cmocka_unit_test(test_not_numbers),
+        cmocka_unit_test(test_srgb),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -598,15 +598,18 @@ static void unsupported_things_wait_for_their_use(void **state)
 {
     (void)state;
     struct reading r = scene_good(
-        "#declare A = texture { pigment { tiling 25 } }"
+        "#declare A = texture { pigment { gradient x normal_map { [0 dents] } "
+        "} }"
         "#declare B = texture { gradient x texture_map { [0 A] [1 A] } }"
         "             texture { pigment { rgb 1 } }"
-        "#declare C = sphere { 0, 1 pigment { tiling 25 } }"
+        "#declare C = sphere { 0, 1 pigment { gradient x slope_map { [0 x] } } "
+        "}"
         "#declare D = union { object { C } sphere { 0, 1 } }"
         "sphere { 0, 1 }");
     assert_int_equal(r.scene->objects.count, 1);
     scene_end(&r);
-    r = scene_read("#declare C = sphere { 0, 1 pigment { tiling 25 } }"
+    r = scene_read("#declare C = sphere { 0, 1 pigment { gradient x slope_map "
+                   "{ [0 x] } } }"
                    "#declare D = union { object { C } } object { D }");
     assert_null(r.scene);
     assert_int_equal(r.diag.errors, 1);

@@ -676,12 +676,14 @@ static void endless_scenes_are_refused(void **state)
 static int expect_the_same(const struct world *world, struct dice *dice)
 {
     struct ray rays[WORLD_RAYS], first = random_ray(dice);
-    struct rays together = { { { 0 } }, { { 0 } } };
+    struct rays together;
     struct world_hit hit[WORLD_RAYS];
     struct intersection at, alone;
-    struct rays_span span = { { 0 }, { 0 } };
+    struct rays_span span;
     unsigned count = 1 + (unsigned)dice_between(dice, 0, WORLD_RAYS - 1e-9);
     int hits = 0;
+    memset(&together, 0xff, sizeof together); /* NaN: nobody's lanes */
+    memset(&span, 0xff, sizeof span);
     for (unsigned i = 0; i < count; i++) {
         rays[i] = first;
         span.near[i] = dice_between(dice, 0, 1);
@@ -695,6 +697,10 @@ static int expect_the_same(const struct world *world, struct dice *dice)
     rays[count / 3].direction.y = -1e-30;
     for (unsigned i = 0; i < count; i++)
         rays_set(&together, (int)i, rays[i].origin, rays[i].direction);
+    const double nobodys = (double)NAN;
+    for (unsigned i = count; i < WORLD_RAYS; i++)
+        rays_set(&together, (int)i, vec3_make(nobodys, nobodys, nobodys),
+                 vec3_make(nobodys, nobodys, nobodys));
     world_closest_many(world, &together, &span, count, RAY_CAMERA, hit);
     for (unsigned i = 0; i < count; i++) {
         bool met = world_within(world, &rays[i], span.near[i], span.far[i],

@@ -153,16 +153,93 @@ static bool superellipsoid_holds(const struct superellipsoid *s,
     return superellipsoid_value(s, ray_point(ray, t), &unused) < 0;
 }
 
+/* ---- pinched ones: an exponent above 2, so that a power is below 1 ---- */
+
+/* (|x|^p + |y|^p)^(q/p) + |z|^q - 1. */
+static double pinched_value(const struct superellipsoid *s, vec3 at)
+{
+    double p = 2 / s->exponents[0], q = 2 / s->exponents[1];
+    double ring = pow(fabs(at.x), p) + pow(fabs(at.y), p);
+    return (p == q ? ring : pow(ring, q / p)) + pow(fabs(at.z), q) - 1;
+}
+
+/* x^power at least, x from 0 to 1: by as many square roots, or squares, as make
+ * a power that is no smaller. */
+static double power_least(double x, double power)
+{
+    for (; power <= 0.5; power *= 2)
+        x = sqrt(x);
+    for (; power > 1; power /= 2)
+        x *= x;
+    return x;
+}
+
+/* And at most: a power that is no larger. */
+static double power_most(double x, double power)
+{
+    for (; power < 1; power *= 2)
+        x = sqrt(x);
+    for (; power >= 2; power /= 2)
+        x *= x;
+    return x;
+}
+
+/* As pinched_value below 0; most places need no power to be computed. */
+static bool pinched_holds(const struct superellipsoid *s, vec3 at)
+{
+    double p = 2 / s->exponents[0], q = 2 / s->exponents[1];
+    double x = fabs(at.x), y = fabs(at.y), z = fabs(at.z);
+    if (!(x < 1) || !(y < 1) || !(z < 1))
+        return false;
+    double ring = power_least(x, p) + power_least(y, p);
+    if (ring >= 1 || power_least(ring, q / p) + power_least(z, q) >= 1)
+        return false;
+    ring = power_most(x, p) + power_most(y, p);
+    return (ring < 1 && power_most(ring, q / p) + power_most(z, q) < 1) ||
+           pinched_value(s, at) < 0;
+}
+
+/* Where |normal * p| is less than 1. */
+static bool line_in_slab(const struct ray *ray, vec3 normal, double *low,
+                         double *high)
+{
+    double o = vec3_dot(ray->origin, normal);
+    double d = vec3_dot(ray->direction, normal);
+    if (d == 0)
+        return fabs(o) < 1;
+    double a = (-1 - o) / d, b = (1 - o) / d;
+    *low = fmax(*low, fmin(a, b));
+    *high = fmin(*high, fmax(a, b));
+    return *low < *high;
+}
+
+/* The part of the line in the pyramids around the shape: a number from 0 to 1
+ * to a power below 1 is no less than itself. */
+static bool line_in_pyramids(const struct superellipsoid *s,
+                             const struct ray *ray, double *low, double *high)
+{
+    static const vec3 slabs[3][4] = {
+        { { 1, 1, 1 }, { 1, 1, -1 }, { 1, -1, 1 }, { -1, 1, 1 } },
+        { { 1, 1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { 1, -1, 0 } },
+        { { 1, 0, 1 }, { 1, 0, -1 }, { 0, 1, 1 }, { 0, 1, -1 } },
+    };
+    int which = s->exponents[1] <= 2 ? 1 : s->exponents[0] <= 2 ? 2 : 0;
+    for (int i = 0; i < 4; i++)
+        if (!line_in_slab(ray, slabs[which][i], low, high))
+            return false;
+    return true;
+}
+
 enum { PIECES = 32 };
 
-/* Where pinched ones are looked at, increasing: in even steps, and where the
- * line passes the planes of two axes, for there are their thin edges. */
+/* Where they are looked at, increasing: in even steps, and where the line
+ * passes the planes of two axes, for there are their thin edges. */
 static int pinched_places(const struct ray *ray, double low, double high,
-                          double places[PIECES + 4])
+                          int pieces, double places[PIECES + 4])
 {
     int count = 0;
-    for (int i = 0; i <= PIECES; i++)
-        places[count++] = low + (high - low) * i / PIECES;
+    for (int i = 0; i <= pieces; i++)
+        places[count++] = low + (high - low) * i / pieces;
     for (int i = 0; i < 3; i++) {
         double t =
             -vec3_component(ray->origin, i) / vec3_component(ray->direction, i);
@@ -177,29 +254,112 @@ static int pinched_places(const struct ray *ray, double low, double high,
     return count;
 }
 
-/* Between places of which one is in and one is out the line meets it. */
+/* Between a and b, of which one is in and one is out: by the false position,
+ * whose end that stays counts half (Illinois), and by halves now and then. */
+static double pinched_root(const struct superellipsoid *s,
+                           const struct ray *ray, double a, double b)
+{
+    double at_a = pinched_value(s, ray_point(ray, a));
+    double at_b = pinched_value(s, ray_point(ray, b));
+    double t = a;
+    int stays = 0;
+    for (int round = 0; round < 100; round++) {
+        t = (a * at_b - b * at_a) / (at_b - at_a);
+        if (round % 4 == 3 || !(t > a && t < b))
+            t = 0.5 * (a + b);
+        double value = pinched_value(s, ray_point(ray, t));
+        if (fabs(value) <= 1e-15 || b - a <= 1e-15 * fmax(1, fabs(b)))
+            break;
+        if ((value < 0) == (at_a < 0)) {
+            a = t;
+            at_a = value;
+            at_b = stays > 0 ? at_b / 2 : at_b;
+            stays = 1;
+        } else {
+            b = t;
+            at_b = value;
+            at_a = stays < 0 ? at_a / 2 : at_a;
+            stays = -1;
+        }
+    }
+    return t;
+}
+
+/* On its way along the line. */
+struct pinched_walk {
+    double places[PIECES + 4];
+    int count, at; /* of places; how many are behind */
+    bool in;       /* whether the last of these is in */
+};
+
+/* False: the line stays away from the shape. */
+static bool pinched_walk_start(struct pinched_walk *walk,
+                               const struct superellipsoid *s,
+                               const struct ray *ray, double low, double high)
+{
+    double whole = high - low;
+    if (!line_in_pyramids(s, ray, &low, &high))
+        return false;
+    int pieces = (int)ceil(PIECES * (high - low) / whole);
+    walk->count = pinched_places(ray, low, high, pieces, walk->places);
+    walk->at = 1;
+    walk->in = false;
+    return true;
+}
+
+/* To the next two places of which one is in and one is out: between them, ends
+ * of the part [a, b], the line meets the surface. */
+static bool pinched_walk_on(struct pinched_walk *walk,
+                            const struct superellipsoid *s,
+                            const struct ray *ray, double *a, double *b)
+{
+    while (walk->at < walk->count) {
+        int i = walk->at++;
+        bool was = walk->in;
+        walk->in = i < walk->count - 1 &&
+                   pinched_holds(s, ray_point(ray, walk->places[i]));
+        *a = walk->places[i - 1];
+        *b = walk->places[i];
+        if (walk->in != was)
+            return true;
+    }
+    return false;
+}
+
 static void pinched_intersect(const struct superellipsoid *s,
                               const struct ray *ray, double low, double high,
                               struct hits *hits)
 {
-    double places[PIECES + 4];
-    int count = pinched_places(ray, low, high, places);
-    bool was = false;
-    for (int i = 1; i < count; i++) {
-        bool in = i < count - 1 && superellipsoid_holds(s, ray, places[i]);
-        double a = places[i - 1], b = places[i];
-        if (in == was)
+    struct pinched_walk walk;
+    double a, b;
+    if (!pinched_walk_start(&walk, s, ray, low, high))
+        return;
+    while (pinched_walk_on(&walk, s, ray, &a, &b))
+        hits_add(hits, pinched_root(s, ray, a, b), 0);
+}
+
+/* The first between tmin and tmax; `any`: whether there is one, *t need not be
+ * it. */
+static bool pinched_first(const struct superellipsoid *s, const struct ray *ray,
+                          double tmin, double tmax, bool any, double *t)
+{
+    struct pinched_walk walk;
+    double low, high, a, b;
+    if (!line_in_box(ray, &low, &high) || !(low < tmax) || !(high > tmin) ||
+        !pinched_walk_start(&walk, s, ray, low, high))
+        return false;
+    while (pinched_walk_on(&walk, s, ray, &a, &b)) {
+        if (b <= tmin)
             continue;
-        for (int round = 0; round < 50; round++) {
-            double middle = 0.5 * (a + b);
-            if (superellipsoid_holds(s, ray, middle) == was)
-                a = middle;
-            else
-                b = middle;
-        }
-        hits_add(hits, 0.5 * (a + b), 0);
-        was = in;
+        if (a >= tmax)
+            return false;
+        if (any && a > tmin && b < tmax)
+            return true;
+        *t = pinched_root(s, ray, a, b);
+        if (*t > tmin && *t < tmax)
+            return true;
     }
+    return false;
 }
 
 static bool superellipsoid_pinched(const struct superellipsoid *s)
@@ -231,14 +391,11 @@ static bool superellipsoid_first(const void *shape, const struct ray *ray,
 {
     const struct superellipsoid *s = shape;
     double low, high;
-    if (superellipsoid_pinched(s)) {
-        struct hits hits = { .count = 0 };
-        superellipsoid_intersect(shape, ray, &hits);
-        return hits_first(&hits, tmin, tmax, hit);
-    }
+    *hit = (struct hit){ 0, 0, 0, 0 };
+    if (superellipsoid_pinched(s))
+        return pinched_first(s, ray, tmin, tmax, false, &hit->t);
     if (!line_in_box(ray, &low, &high) || !(low < tmax) || !(high > tmin))
         return false;
-    *hit = (struct hit){ 0, 0, 0, 0 };
     bool inside = low <= tmin && superellipsoid_holds(s, ray, tmin);
     bool met = inside ? convex_root(s, ray, high, -1, &hit->t)
                       : convex_root(s, ray, fmax(low, tmin), 1, &hit->t);
@@ -249,6 +406,8 @@ static bool superellipsoid_crosses(const void *shape, const struct ray *ray,
                                    double tmin, double tmax)
 {
     struct hit hit;
+    if (superellipsoid_pinched(shape))
+        return pinched_first(shape, ray, tmin, tmax, true, &hit.t);
     return superellipsoid_first(shape, ray, tmin, tmax, &hit);
 }
 

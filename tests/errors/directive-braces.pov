@@ -1,0 +1,5 @@
+// Braces instead of #end.
+#if (1) {
+  sphere { 0, 1 }
+}
+#end
