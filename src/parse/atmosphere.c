@@ -2,7 +2,8 @@
 #include "parse/rules.h"
 #include "parse/tables.h"
 
-/* background = "background" "{" [colour] "}" . */
+/* Before version 3.7 a background is opaque, or, with +UA, not there at all.
+ * background = "background" "{" [colour] "}" . */
 bool parse_background(struct parser *p, colour *out)
 {
     struct span open;
@@ -13,6 +14,10 @@ bool parse_background(struct parser *p, colour *out)
     bool ok = !at_any_colour(p) || parse_colour(p, out);
     if (ok && stream_peek(p)->kind != TOKEN_RBRACE)
         ok = error_unknown_item(p, "background", NULL);
+    if (!p->version_said || p->version < 3.7) {
+        out->filter = out->transmit = 0;
+        p->scene->settings.clear_background = true;
+    }
     return block_end(p, open, ok);
 }
 

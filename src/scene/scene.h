@@ -58,7 +58,8 @@ struct settings {
     double adc_bailout;  /* 1/255 */
     bool radiosity;      /* radiosity {} was said, */
     struct radiosity_settings radiosity_said; /* and that in it */
-    bool old_filter; /* of skies before 3.7: see shade/background.c */
+    bool old_filter;       /* of skies before 3.7: see shade/background.c */
+    bool clear_background; /* said before 3.7: with +UA seen in mirrors only */
     struct light_mesh_settings light_mesh;
     struct skeleton_settings skeleton;
     struct photon_settings photons;

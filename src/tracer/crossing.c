@@ -142,17 +142,25 @@ bool tracer_misty(const struct tracer *tracer)
 
 /* Without +UA the background's transmit darkens it and its filter does
  * nothing. With +UA both make it transparent where the camera sees it, and
- * neither matters in a mirror. */
+ * neither matters in a mirror; before version 3.7 sky and background are not
+ * seen by the camera at all (measured). */
 rgb tracer_background(const struct tracer *tracer, vec3 direction,
                       bool straight, double *clear)
 {
     colour c = tracer->scene->background;
+    const struct settings *settings = &tracer->scene->settings;
+    bool transparent = tracer->alpha && straight;
+    *clear = 1;
+    if (transparent && settings->old_filter)
+        return rgb_grey(0);
+    if (transparent && settings->clear_background)
+        c = (colour){ .transmit = 1 };
     struct veil sky = sky_veil(tracer->scene, direction);
     double share = 1 - c.transmit;
     *clear = 0;
     if (tracer->alpha)
         share = straight ? 1 - c.filter - c.transmit : 1;
-    if (tracer->alpha && straight)
+    if (transparent)
         *clear = rgb_brightness(sky.through) *
                  rgb_brightness(colour_transmittance(c));
     rgb light = rgb_scale(colour_rgb(c), share);
