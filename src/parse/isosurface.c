@@ -21,14 +21,11 @@ static bool parse_evaluation(struct parser *p, struct isosurface *surface)
     return true;
 }
 
-/* isosurface_item = contained_by | evaluation | "max_trace" float
- *                 | "all_intersections" | ISOSURFACE_ITEM .
- * max_trace and all_intersections say how many crossings POV-Ray looks for;
- * glim finds all. ISOSURFACE_ITEM is in the table of src/scene/isosurface.c. */
+/* isosurface_item = contained_by | evaluation | ISOSURFACE_ITEM .
+ * ISOSURFACE_ITEM is in the table of src/scene/isosurface.c. */
 static enum taken parse_isosurface_item(struct parser *p,
                                         struct isosurface *surface)
 {
-    double ignored;
     const struct field *field = accept_field(p, isosurface_primitive.items);
     if (field)
         return parse_field(p, field, surface);
@@ -37,12 +34,6 @@ static enum taken parse_isosurface_item(struct parser *p,
         return parse_contained_by(p, &surface->container);
     case KEYWORD_EVALUATE:
         return parse_evaluation(p, surface);
-    case KEYWORD_MAX_TRACE:
-        stream_next(p);
-        return parse_float(p, &ignored);
-    case KEYWORD_ALL_INTERSECTIONS:
-        stream_next(p);
-        return TAKEN;
     default:
         return NOT_MINE;
     }

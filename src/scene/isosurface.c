@@ -5,6 +5,9 @@
 #include "scene/isosurface_search.h"
 #include "scene/spots.h"
 
+/* Crossings of the function by a ray, but the container's two. */
+enum { MOST = HITS_MAX - 2 };
+
 static const struct field isosurface_arguments[] = {
     { "samples", FIELD_TERMS, offsetof(struct isosurface, samples), 0, 0,
       "values of the function" },
@@ -21,6 +24,11 @@ static const struct field isosurface_items[] = {
       0, "how fast the function changes at most, 1.1" },
     { "open", FIELD_FLAG, offsetof(struct isosurface, open), 0, 0,
       "without the box or ball around it" },
+    { "max_trace", FIELD_INTEGER, offsetof(struct isosurface, max_trace), 0, 0,
+      "how many crossings of a ray CSG and clips get to see, 1" },
+    { "all_intersections", FIELD_FLAG,
+      offsetof(struct isosurface, all_intersections), 0, 0,
+      "CSG and clips see them all" },
     { NULL },
 };
 
@@ -29,6 +37,7 @@ void isosurface_init(struct isosurface *surface)
     surface->container = container_default();
     surface->accuracy = 0.001;
     surface->max_gradient = 1.1;
+    surface->max_trace = 1;
 }
 
 static const char *isosurface_prepare(void *shape, struct arena *arena,
@@ -144,41 +153,58 @@ static void seekers_search(const struct isosurface *s,
     search_run(s, searches, live);
 }
 
-/* From t on. Where the container cuts through the inside, it is the surface. */
+/* From t on, up to `wanted` crossings. Where the container cuts through the
+ * inside, it is the surface, but not where rays leave that have entered it: in
+ * POV-Ray such a surface is not there, either (measured). */
 static void isosurface_hits(const struct isosurface *s, const struct ray *ray,
-                            double t, bool coarse, struct hits *hits)
+                            double t, int wanted, bool coarse,
+                            struct hits *hits)
 {
     struct seeker seeker, *one = &seeker;
     struct search *search = &seeker.search;
-    double crossings[HITS_MAX - 2];
+    double crossings[MOST];
     search->ray = *ray;
     if (!seeker_enters(&seeker, s))
         return;
     seeker.from.t = fmax(seeker.ends[0].t, t);
     seeker.to.t = seeker.ends[1].t;
+    if (seeker.from.t >= seeker.to.t)
+        return;
     seekers_find_ends(s, &one, 1);
-    search_set_out(search, s, crossings, HITS_MAX - 2);
+    bool enters = seeker.ends[0].t > t;
+    if (enters && seeker.from.value < 0 && !s->open) {
+        hits->at[hits->count++] = seeker.ends[0];
+        wanted--;
+    }
+    search_set_out(search, s, crossings, wanted);
     search->coarse = coarse;
     search_stretch(search, seeker.from, seeker.to);
     search_run(s, &search, 1);
-    if (seeker.from.value < 0 && !s->open && seeker.from.t > t)
-        hits->at[hits->count++] = seeker.ends[0];
     for (int i = 0; i < search->found; i++)
         hits_add(hits, crossings[i], ISOSURFACE_FUNCTION);
-    if (seeker.to.value < 0 && !s->open)
+    if (!enters && search->found < wanted && seeker.to.value < 0 && !s->open)
         hits->at[hits->count++] = seeker.ends[1];
+}
+
+/* As POV-Ray, which sees no more of it but by request. What is nearer than the
+ * accuracy is where the ray begins. */
+static int isosurface_wanted(const struct isosurface *s)
+{
+    return s->all_intersections ? MOST : (int)fmax(fmin(s->max_trace, MOST), 1);
 }
 
 static void isosurface_intersect(const void *shape, const struct ray *ray,
                                  struct hits *hits)
 {
-    isosurface_hits(shape, ray, -HUGE_VAL, false, hits);
+    const struct isosurface *s = shape;
+    double begin = s->accuracy / vec3_length(ray->direction);
+    isosurface_hits(s, ray, begin, isosurface_wanted(s), false, hits);
 }
 
 static void isosurface_traced(const void *shape, const struct ray *ray,
                               struct hits *hits)
 {
-    isosurface_hits(shape, ray, 0, true, hits);
+    isosurface_hits(shape, ray, 0, MOST, true, hits);
 }
 
 /* What its search has found. */

@@ -20,6 +20,8 @@ struct isosurface {
     double accuracy;     /* two crossings nearer to each other may be missed */
     double max_gradient; /* the function changes no faster */
     bool open;           /* the box or ball is not seen */
+    int max_trace; /* of a ray in CSG or clipped, the first crossings count */
+    bool all_intersections; /* instead */
 };
 
 extern const struct primitive isosurface_primitive;
