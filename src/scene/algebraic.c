@@ -285,12 +285,12 @@ _Static_assert((int)ALGEBRAIC_FEW == (int)QUARTIC,
                "restrict_few is for quartics, too");
 
 /* As line_of and restrict_to_line, of order 4. */
-CLONES static void lanes_restrict(const double *terms,
+CLONES static void lanes_restrict(const double *terms, struct lane_run run,
                                   const struct rays *restrict rays,
                                   const struct rays_span *restrict span,
                                   struct quartic_rays *restrict out)
 {
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         vec3 d = rays_direction(rays, i), o = rays_origin(rays, i);
         double length = vec3_length(d), c[QUARTIC + 1];
         vec3 along = vec3_scale(d, 1 / length);
@@ -306,9 +306,9 @@ CLONES static void lanes_restrict(const double *terms,
 }
 
 /* Where roots are looked for, as algebraic_part has it. */
-static void lanes_limit(struct quartic_rays *lanes)
+static void lanes_limit(struct lane_run run, struct quartic_rays *lanes)
 {
-    for (int i = 0; i < RAY_LANES; i++) {
+    for (int i = run.first; i < run.end; i++) {
         double c[QUARTIC + 1];
         for (int k = 0; k <= QUARTIC; k++)
             c[k] = lanes->quartics.c[k][i];
@@ -328,26 +328,31 @@ static struct quartic_rays *algebraic_lanes(const struct algebraic *surface,
 {
     if (surface->order != QUARTIC)
         return NULL;
-    lanes_restrict(surface->terms.values, asked->rays, asked->span, lanes);
-    lanes_limit(lanes);
+    lanes_restrict(surface->terms.values, asked->run, asked->rays, asked->span,
+                   lanes);
+    lanes_limit(asked->run, lanes);
     return lanes;
 }
 
-void algebraic_shape_first_many(const void *shape, const struct rays *rays,
+void algebraic_shape_first_many(const void *shape, struct lane_run run,
+                                const struct rays *rays,
                                 const struct rays_span *span,
                                 struct rays_met *met)
 {
-    const struct quartic_asked asked = { shape, algebraic_shape_first,
-                                         algebraic_shape_crosses, rays, span };
+    const struct quartic_asked asked = {
+        shape, algebraic_shape_first, algebraic_shape_crosses, run, rays, span
+    };
     struct quartic_rays lanes;
     quartic_rays_first(algebraic_lanes(shape, &asked, &lanes), &asked, met);
 }
 
-void algebraic_shape_crosses_many(const void *shape, const struct rays *rays,
+void algebraic_shape_crosses_many(const void *shape, struct lane_run run,
+                                  const struct rays *rays,
                                   const struct rays_span *span, lane_flag *met)
 {
-    const struct quartic_asked asked = { shape, algebraic_shape_first,
-                                         algebraic_shape_crosses, rays, span };
+    const struct quartic_asked asked = {
+        shape, algebraic_shape_first, algebraic_shape_crosses, run, rays, span
+    };
     struct quartic_rays lanes;
     quartic_rays_cross(algebraic_lanes(shape, &asked, &lanes), &asked, met);
 }

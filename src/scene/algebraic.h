@@ -37,10 +37,12 @@ bool algebraic_shape_crosses(const void *shape, const struct ray *ray,
                              double tmin, double tmax);
 bool algebraic_shape_first(const void *shape, const struct ray *ray,
                            double tmin, double tmax, struct hit *hit);
-void algebraic_shape_first_many(const void *shape, const struct rays *rays,
+void algebraic_shape_first_many(const void *shape, struct lane_run run,
+                                const struct rays *rays,
                                 const struct rays_span *span,
                                 struct rays_met *met);
-void algebraic_shape_crosses_many(const void *shape, const struct rays *rays,
+void algebraic_shape_crosses_many(const void *shape, struct lane_run run,
+                                  const struct rays *rays,
                                   const struct rays_span *span, lane_flag *met);
 vec3 algebraic_shape_normal(const void *shape, vec3 point,
                             const struct hit *hit);

@@ -191,6 +191,7 @@ struct blob_lanes {
     const struct blob *blob;
     const struct rays *rays;
     const struct rays_span *span;
+    struct lane_run run;
     struct stretches of[RAY_LANES];
     struct stretch items[RAY_LANES][LANE_STRETCHES];
 };
@@ -235,30 +236,32 @@ static void lanes_look(struct blob_lanes *lanes)
     const struct rays_boxed boxed = { lanes->rays,
                                       (const double(*)[RAY_LANES])inverse,
                                       lanes->span };
-    rays_inverse(lanes->rays, inverse);
+    rays_inverse(lanes->rays, lanes->run, inverse);
     for (uint32_t at = 0; at < tree->node_count;) {
         const struct blob_node *node = &tree->nodes[at];
         LANE_LINES lane_flag flags[RAY_LANES];
-        rays_meet_box(&boxed, &node->box, flags);
-        unsigned met = rays_bits(flags);
+        rays_meet_box(&boxed, &node->box, lanes->run, flags);
+        unsigned met = rays_bits(flags) & lane_run_bits(lanes->run);
         for (uint32_t i = 0; met && i < node->count; i++)
             lanes_add(lanes, &tree->bodies[node->first + i], met);
         at = met ? at + 1 : node->next;
     }
 }
 
-static void blob_first_many(const void *shape, const struct rays *rays,
+static void blob_first_many(const void *shape, struct lane_run run,
+                            const struct rays *rays,
                             const struct rays_span *span, struct rays_met *met)
 {
     struct blob_lanes lanes;
     lanes.blob = shape;
     lanes.rays = rays;
     lanes.span = span;
-    for (int i = 0; i < RAY_LANES; i++)
+    lanes.run = run;
+    for (int i = run.first; i < run.end; i++)
         lanes.of[i] = (struct stretches){ span->near[i], span->far[i], 0,
                                           LANE_STRETCHES, lanes.items[i] };
     lanes_look(&lanes);
-    for (int i = 0; i < RAY_LANES; i++) {
+    for (int i = run.first; i < run.end; i++) {
         struct stretches *all = &lanes.of[i];
         struct hit hit;
         struct crossings_nearest nearest = { &hit, false };
@@ -274,12 +277,13 @@ static void blob_first_many(const void *shape, const struct rays *rays,
     }
 }
 
-static void blob_crosses_many(const void *shape, const struct rays *rays,
+static void blob_crosses_many(const void *shape, struct lane_run run,
+                              const struct rays *rays,
                               const struct rays_span *span, lane_flag *met)
 {
     struct rays_met first;
-    blob_first_many(shape, rays, span, &first);
-    for (int i = 0; i < RAY_LANES; i++)
+    blob_first_many(shape, run, rays, span, &first);
+    for (int i = run.first; i < run.end; i++)
         met[i] = first.t[i] < (double)INFINITY ? -1 : 0;
 }
 

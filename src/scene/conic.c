@@ -145,14 +145,14 @@ static inline double lane_cap(const struct conic *conic, vec3 o, vec3 d,
     return is ? t : (double)INFINITY;
 }
 
-CLONES static void conic_lanes(const struct conic *shape,
+CLONES static void conic_lanes(const struct conic *shape, struct lane_run run,
                                const struct rays *restrict rays,
                                struct rays_crossings *restrict all)
 {
     const struct conic conic = *shape;
     const bool single = (conic.base_radius >= 0) & (conic.apex_radius >= 0);
     const double none = (double)INFINITY;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         vec3 o = vec3_sub(rays_origin(rays, i), conic.base);
         vec3 d = rays_direction(rays, i);
         struct wall wall = wall_along(&conic, o, d);
@@ -175,11 +175,11 @@ CLONES static void conic_lanes(const struct conic *shape,
     }
 }
 
-void conic_all_many(const void *shape, const struct rays *rays,
-                    struct rays_crossings *all)
+void conic_all_many(const void *shape, struct lane_run run,
+                    const struct rays *rays, struct rays_crossings *all)
 {
     const struct conic *conic = shape;
-    conic_lanes(conic, rays, all);
+    conic_lanes(conic, run, rays, all);
     all->count = conic->open ? 2 : 4;
 }
 
@@ -253,14 +253,14 @@ static inline struct piece piece_of(const struct conic *conic, vec3 origin,
                            !(rest >= 0) | beside | !(enter <= leave) };
 }
 
-CLONES static void pieces_cross(const struct conic *shape,
+CLONES static void pieces_cross(const struct conic *shape, struct lane_run run,
                                 const struct rays *restrict rays,
                                 const struct rays_span *restrict span,
                                 lane_flag *restrict met,
                                 lane_flag *restrict doubtful)
 {
     const struct conic conic = *shape;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         struct piece piece =
             piece_of(&conic, rays_origin(rays, i), rays_direction(rays, i));
         double near = span->near[i], far = span->far[i];
@@ -271,18 +271,20 @@ CLONES static void pieces_cross(const struct conic *shape,
     }
 }
 
-void conic_crosses_many(const void *shape, const struct rays *rays,
-                        const struct rays_span *span, lane_flag *met)
+void conic_crosses_many(const void *shape, struct lane_run run,
+                        const struct rays *rays, const struct rays_span *span,
+                        lane_flag *met)
 {
     const struct conic *conic = shape;
     LANE_LINES lane_flag doubtful[RAY_LANES];
-    bool whole =
-        !conic->open && conic->base_radius >= 0 && conic->apex_radius >= 0;
-    unsigned left = (1u << RAY_LANES) - 1;
-    if (whole) {
-        pieces_cross(conic, rays, span, met, doubtful);
-        left = rays_bits(doubtful);
+    if (conic->open || conic->base_radius < 0 || conic->apex_radius < 0) {
+        struct rays_crossings all;
+        conic_all_many(conic, run, rays, &all);
+        rays_crosses_of(&all, run, span, met);
+        return;
     }
+    pieces_cross(conic, run, rays, span, met, doubtful);
+    unsigned left = lane_run_bits(run) & rays_bits(doubtful);
     for (; left; left &= left - 1) {
         int i = __builtin_ctz(left);
         struct ray ray = rays_at(rays, i);
@@ -324,12 +326,12 @@ bool conic_inside(const void *shape, vec3 point)
     return conic_holds(shape, point);
 }
 
-CLONES void conic_inside_many(const void *shape,
+CLONES void conic_inside_many(const void *shape, struct lane_run run,
                               const struct lane_points *restrict points,
                               lane_flag *restrict inside)
 {
     const struct conic conic = *(const struct conic *)shape;
-    for (unsigned i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         inside[i] = conic_holds(&conic, lane_get(points->at, i)) ? -1 : 0;
 }
 

@@ -24,13 +24,14 @@ void conic_intersect(const void *shape, const struct ray *ray,
                      struct hits *hits);
 bool conic_crosses(const void *shape, const struct ray *ray, double tmin,
                    double tmax);
-void conic_crosses_many(const void *shape, const struct rays *rays,
-                        const struct rays_span *span, lane_flag *met);
+void conic_crosses_many(const void *shape, struct lane_run run,
+                        const struct rays *rays, const struct rays_span *span,
+                        lane_flag *met);
 vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit);
-void conic_all_many(const void *shape, const struct rays *rays,
-                    struct rays_crossings *all);
-void conic_inside_many(const void *shape, const struct lane_points *points,
-                       lane_flag *inside);
+void conic_all_many(const void *shape, struct lane_run run,
+                    const struct rays *rays, struct rays_crossings *all);
+void conic_inside_many(const void *shape, struct lane_run run,
+                       const struct lane_points *points, lane_flag *inside);
 bool conic_inside(const void *shape, vec3 point);
 unsigned conic_meets(const void *shape, const struct cell *cell);
 

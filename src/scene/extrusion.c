@@ -277,8 +277,8 @@ static unsigned lanes_within(const struct extrusion *e, const struct rays *rays,
     LANE_LINES lane_flag met[RAY_LANES];
     box.low = vec3_sub(box.low, rim);
     box.high = vec3_add(box.high, rim);
-    rays_inverse(rays, inverse);
-    rays_meet_box(&boxed, &box, met);
+    rays_inverse(rays, lane_run_all(), inverse);
+    rays_meet_box(&boxed, &box, lane_run_all(), met);
     return within & rays_bits(met);
 }
 
@@ -315,11 +315,11 @@ static void lanes_sides_boxed(struct extrusion_lanes *lanes,
     const struct rays_boxed boxed = { &lanes->rays,
                                       (const double(*)[RAY_LANES])inverse,
                                       &lanes->span };
-    rays_inverse(&lanes->rays, inverse);
+    rays_inverse(&lanes->rays, lane_run_all(), inverse);
     for (size_t k = 0; k < e->outline.count && lanes->open; k++) {
         const struct box3 box = side_box(e, &e->outline.pieces[k]);
         LANE_LINES lane_flag met[RAY_LANES];
-        rays_meet_box(&boxed, &box, met);
+        rays_meet_box(&boxed, &box, lane_run_all(), met);
         unsigned meet = lanes->open & rays_bits(met);
         for (; meet; meet &= meet - 1) {
             unsigned i = (unsigned)__builtin_ctz(meet);
@@ -344,24 +344,26 @@ static void lanes_sides(struct extrusion_lanes *lanes,
         search_sides(&lanes->search[__builtin_ctz(open)]);
 }
 
-static void extrusion_first_many(const void *shape, const struct rays *rays,
+static void extrusion_first_many(const void *shape, struct lane_run run,
+                                 const struct rays *rays,
                                  const struct rays_span *span,
                                  struct rays_met *met)
 {
     struct extrusion_lanes lanes;
     lanes_begin(&lanes, shape, rays, span, false);
     lanes_sides(&lanes, shape);
-    for (int i = 0; i < RAY_LANES; i++)
+    for (int i = run.first; i < run.end; i++)
         rays_met_take(met, i, &lanes.search[i].hits);
 }
 
-static void extrusion_crosses_many(const void *shape, const struct rays *rays,
+static void extrusion_crosses_many(const void *shape, struct lane_run run,
+                                   const struct rays *rays,
                                    const struct rays_span *span, lane_flag *met)
 {
     struct extrusion_lanes lanes;
     lanes_begin(&lanes, shape, rays, span, true);
     lanes_sides(&lanes, shape);
-    for (int i = 0; i < RAY_LANES; i++)
+    for (int i = run.first; i < run.end; i++)
         met[i] = lanes.search[i].hits.found ? -1 : 0;
 }
 

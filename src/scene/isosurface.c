@@ -245,14 +245,15 @@ static bool isosurface_crosses(const void *shape, const struct ray *ray,
     return isosurface_first(shape, ray, tmin, tmax, &hit);
 }
 
-static void isosurface_first_many(const void *shape, const struct rays *rays,
+static void isosurface_first_many(const void *shape, struct lane_run run,
+                                  const struct rays *rays,
                                   const struct rays_span *span,
                                   struct rays_met *met)
 {
     struct seeker all[RAY_LANES], *seekers[RAY_LANES];
     struct hit hit;
     int count = 0;
-    for (int i = 0; i < RAY_LANES; i++) {
+    for (int i = run.first; i < run.end; i++) {
         struct seeker *seeker = seekers[count] = &all[i];
         seeker->search.ray = rays_at(rays, i);
         seeker->tmin = span->near[i];
@@ -268,13 +269,14 @@ static void isosurface_first_many(const void *shape, const struct rays *rays,
         }
 }
 
-static void isosurface_crosses_many(const void *shape, const struct rays *rays,
+static void isosurface_crosses_many(const void *shape, struct lane_run run,
+                                    const struct rays *rays,
                                     const struct rays_span *span,
                                     lane_flag *crosses)
 {
     struct rays_met met;
-    isosurface_first_many(shape, rays, span, &met);
-    for (int i = 0; i < RAY_LANES; i++)
+    isosurface_first_many(shape, run, rays, span, &met);
+    for (int i = run.first; i < run.end; i++)
         crosses[i] = met.t[i] < (double)INFINITY ? -1 : 0;
 }
 

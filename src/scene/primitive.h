@@ -74,19 +74,21 @@ struct primitive {
     /* The same, and where it does first; NULL likewise. */
     bool (*first)(const void *shape, const struct ray *ray, double tmin,
                   double tmax, struct hit *hit);
-    /* crosses and first of rays side by side, each as those have it to the
-     * bit. NULL: one by one. */
-    void (*crosses_many)(const void *shape, const struct rays *rays,
-                         const struct rays_span *span, lane_flag *met);
-    void (*first_many)(const void *shape, const struct rays *rays,
-                       const struct rays_span *span, struct rays_met *met);
+    /* crosses and first of the run's rays side by side, each as those have it
+     * to the bit; of the others nothing is said. NULL: one by one. */
+    void (*crosses_many)(const void *shape, struct lane_run run,
+                         const struct rays *rays, const struct rays_span *span,
+                         lane_flag *met);
+    void (*first_many)(const void *shape, struct lane_run run,
+                       const struct rays *rays, const struct rays_span *span,
+                       struct rays_met *met);
     /* These look at some of the rays one by one: those whose crossings nobody
      * wants are worth leaving out. */
     bool lane_by_lane;
     /* intersect of rays side by side, to the bit, of what has at most
      * RAY_CROSSINGS; NULL: one by one. */
-    void (*all_many)(const void *shape, const struct rays *rays,
-                     struct rays_crossings *all);
+    void (*all_many)(const void *shape, struct lane_run run,
+                     const struct rays *rays, struct rays_crossings *all);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */
     vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
     /* The same where normals depend on how the shape stands, to which
@@ -102,8 +104,8 @@ struct primitive {
     /* NULL when not solid. */
     bool (*inside)(const void *shape, vec3 point);
     /* The same of points side by side; NULL: one by one. */
-    void (*inside_many)(const void *shape, const struct lane_points *points,
-                        lane_flag *inside);
+    void (*inside_many)(const void *shape, struct lane_run run,
+                        const struct lane_points *points, lane_flag *inside);
     /* What the cell may meet: CELL_SURFACE, CELL_BORDER (see cell.h). Leaves
      * out nothing that it meets; says a little more than is true, the less the
      * smaller the cell. NULL: searched with rays, which may miss thin parts. */

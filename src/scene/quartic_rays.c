@@ -1,14 +1,25 @@
 /* See quartic_rays.h. */
 #include "scene/quartic_rays.h"
 
-void quartic_rays_first(const struct quartic_rays *lanes,
+/* Nothing is looked for in lanes that nobody asks about. */
+static void leave_out(struct lane_run run, struct quartics *quartics)
+{
+    for (int i = 0; i < RAY_LANES; i++)
+        if (i < run.first || i >= run.end)
+            quartics->high[i] = -(double)INFINITY;
+}
+
+void quartic_rays_first(struct quartic_rays *lanes,
                         const struct quartic_asked *asked, struct rays_met *met)
 {
     const struct rays_span *span = asked->span;
+    const struct lane_run run = asked->run;
     struct quartic_roots found;
-    if (lanes)
+    if (lanes) {
+        leave_out(run, &lanes->quartics);
         quartics_first(&lanes->quartics, lanes->least, &found);
-    for (int i = 0; i < RAY_LANES; i++) {
+    }
+    for (int i = run.first; i < run.end; i++) {
         double near = span->near[i], far = span->far[i];
         struct hit hit;
         met->t[i] = (double)INFINITY;
@@ -31,15 +42,18 @@ void quartic_rays_cross(struct quartic_rays *lanes,
                         const struct quartic_asked *asked, lane_flag *met)
 {
     const struct rays_span *span = asked->span;
+    const struct lane_run run = asked->run;
     double fate[RAY_LANES];
-    for (int i = 0; lanes && i < RAY_LANES; i++) {
+    for (int i = run.first; lanes && i < run.end; i++) {
         double *low = &lanes->quartics.low[i], *high = &lanes->quartics.high[i];
         *low = *low > lanes->least[i] ? *low : lanes->least[i];
         *high = *high < lanes->most[i] ? *high : lanes->most[i];
     }
-    if (lanes)
+    if (lanes) {
+        leave_out(run, &lanes->quartics);
         quartics_cross(&lanes->quartics, fate);
-    for (int i = 0; i < RAY_LANES; i++) {
+    }
+    for (int i = run.first; i < run.end; i++) {
         double near = span->near[i], far = span->far[i];
         const struct ray ray = rays_at(asked->rays, i);
         if (!(near < far))

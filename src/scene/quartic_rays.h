@@ -20,13 +20,15 @@ struct quartic_asked {
                   double tmax, struct hit *hit);
     bool (*crosses)(const void *shape, const struct ray *ray, double tmin,
                     double tmax);
+    struct lane_run run;
     const struct rays *rays;
     const struct rays_span *span;
 };
 
-/* As first_many and crosses_many of a primitive. `lanes` NULL: the shape alone
+/* As first_many and crosses_many of a primitive; equations of lanes that aren't
+ * in the run may be anything. `lanes` NULL: the shape alone
  * is asked. */
-void quartic_rays_first(const struct quartic_rays *lanes,
+void quartic_rays_first(struct quartic_rays *lanes,
                         const struct quartic_asked *asked,
                         struct rays_met *met);
 void quartic_rays_cross(struct quartic_rays *lanes,

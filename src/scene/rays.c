@@ -1,34 +1,36 @@
 /* Rays side by side: see rays.h. */
 #include "scene/rays.h"
 
-CLONES void rays_into(const affine *transform, const struct rays *restrict rays,
+CLONES void rays_into(const affine *transform, struct lane_run run,
+                      const struct rays *restrict rays,
                       struct rays *restrict out)
 {
     const affine to = *transform;
-    for (int i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         rays_set(out, i, affine_point(&to, rays_origin(rays, i)),
                  affine_direction(&to, rays_direction(rays, i)));
 }
 
-CLONES void lane_points_into(const affine *transform,
+CLONES void lane_points_into(const affine *transform, struct lane_run run,
                              const struct lane_points *restrict points,
                              struct lane_points *restrict out)
 {
     const affine to = *transform;
-    for (unsigned i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         lane_put(out->at, i, affine_point(&to, lane_get(points->at, i)));
 }
 
 CLONES void rays_first_of(const struct rays_crossings *restrict all,
+                          struct lane_run run,
                           const struct rays_span *restrict span,
                           struct rays_met *restrict met)
 {
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         met->t[i] = (double)INFINITY;
         met->part[i] = 0;
     }
     for (int k = 0; k < all->count; k++)
-        for (int i = 0; i < RAY_LANES; i++) {
+        EACH_LANE(i, run) {
             double t = all->t[k][i];
             bool is =
                 (t > span->near[i]) & (t < span->far[i]) & (t < met->t[i]);
@@ -38,13 +40,14 @@ CLONES void rays_first_of(const struct rays_crossings *restrict all,
 }
 
 CLONES void rays_crosses_of(const struct rays_crossings *restrict all,
+                            struct lane_run run,
                             const struct rays_span *restrict span,
                             lane_flag *restrict met)
 {
-    for (int i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         met[i] = 0;
     for (int k = 0; k < all->count; k++)
-        for (int i = 0; i < RAY_LANES; i++) {
+        EACH_LANE(i, run) {
             double t = all->t[k][i];
             met[i] |= ((t > span->near[i]) & (t < span->far[i])) ? -1 : 0;
         }

@@ -41,6 +41,40 @@ struct rays_crossings {
         part[RAY_CROSSINGS][RAY_LANES];
 };
 
+/* Lanes from `first` on, before `end`: those that are worked out, whatever is
+ * in the others. Where its vectors are of eight floats Embree follows each half
+ * of a packet by itself. */
+enum { LANE_STEP = 8 };
+
+struct lane_run {
+    int first, end; /* multiples of LANE_STEP */
+};
+
+/* The shortest that has all that the bits `lanes` stand for. */
+static inline struct lane_run lane_run_of(unsigned lanes)
+{
+    const unsigned low = (1u << LANE_STEP) - 1;
+    return (struct lane_run){ lanes & low ? 0 : LANE_STEP,
+                              lanes & ~low ? RAY_LANES : LANE_STEP };
+}
+
+static inline struct lane_run lane_run_all(void)
+{
+    return (struct lane_run){ 0, RAY_LANES };
+}
+
+static inline unsigned lane_run_bits(struct lane_run run)
+{
+    return (1u << run.end) - (1u << run.first);
+}
+
+/* A loop over them; the compiler sees that their number is a multiple of a
+ * step. (Of a loop over steps in which is one over lanes gcc 12 makes wrong
+ * code.) */
+#define EACH_LANE(i, run)                                                      \
+    for (int i = (run).first & -LANE_STEP, i##_end = (run).end & -LANE_STEP;   \
+         i < i##_end; i++)
+
 /* A point for each lane. */
 struct lane_points {
     LANE_LINES double at[3][RAY_LANES];
@@ -82,18 +116,19 @@ static inline struct ray rays_at(const struct rays *rays, int i)
 }
 
 /* All of them in another space, as ray_into takes one there. */
-void rays_into(const affine *transform, const struct rays *rays,
-               struct rays *out);
+void rays_into(const affine *transform, struct lane_run run,
+               const struct rays *rays, struct rays *out);
 
 /* Points side by side in another space. */
-void lane_points_into(const affine *transform, const struct lane_points *points,
+void lane_points_into(const affine *transform, struct lane_run run,
+                      const struct lane_points *points,
                       struct lane_points *out);
 
 /* Of all crossings the first of each ray between near and far, and whether
  * there is any. */
-void rays_first_of(const struct rays_crossings *all,
+void rays_first_of(const struct rays_crossings *all, struct lane_run run,
                    const struct rays_span *span, struct rays_met *met);
-void rays_crosses_of(const struct rays_crossings *all,
+void rays_crosses_of(const struct rays_crossings *all, struct lane_run run,
                      const struct rays_span *span, lane_flag *met);
 
 /* The span, or, if that would be work for a shape that looks at rays one by

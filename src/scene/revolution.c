@@ -270,25 +270,27 @@ static void lanes_all(struct spin_lanes *lanes, const struct revolution *r,
     }
 }
 
-static void revolution_first_many(const void *shape, const struct rays *rays,
+static void revolution_first_many(const void *shape, struct lane_run run,
+                                  const struct rays *rays,
                                   const struct rays_span *span,
                                   struct rays_met *met)
 {
     struct spin_lanes lanes;
     lanes_begin(&lanes, rays, span);
     lanes_all(&lanes, shape, false);
-    for (int i = 0; i < RAY_LANES; i++)
+    for (int i = run.first; i < run.end; i++)
         rays_met_take(met, i, &lanes.spin[i].hits);
 }
 
-static void revolution_crosses_many(const void *shape, const struct rays *rays,
+static void revolution_crosses_many(const void *shape, struct lane_run run,
+                                    const struct rays *rays,
                                     const struct rays_span *span,
                                     lane_flag *met)
 {
     struct spin_lanes lanes;
     lanes_begin(&lanes, rays, span);
     lanes_all(&lanes, shape, true);
-    for (int i = 0; i < RAY_LANES; i++)
+    for (int i = run.first; i < run.end; i++)
         met[i] = lanes.spin[i].hits.found ? -1 : 0;
 }
 

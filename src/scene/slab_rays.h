@@ -6,7 +6,8 @@
 #include "scene/slab.h"
 
 /* The inverse of the directions, as slab_inverse has it. */
-void rays_inverse(const struct rays *rays, double inverse[3][RAY_LANES]);
+void rays_inverse(const struct rays *rays, struct lane_run run,
+                  double inverse[3][RAY_LANES]);
 
 /* Which of the rays may meet the box within their span. */
 struct rays_boxed {
@@ -16,6 +17,6 @@ struct rays_boxed {
 };
 
 void rays_meet_box(const struct rays_boxed *rays, const struct box3 *box,
-                   lane_flag *met);
+                   struct lane_run run, lane_flag *met);
 
 #endif

@@ -32,7 +32,7 @@ static void packet_start(struct packet *packet, const struct rays *rays,
     packet->open = rays_bits(good) & lanes;
     packet->begun = packet->panes = 0;
     if (boxed)
-        rays_inverse(rays, packet->inverse);
+        rays_inverse(rays, lane_run_all(), packet->inverse);
 }
 
 static void packet_span(struct packet *packet, const struct rays_span *span,
@@ -125,14 +125,16 @@ static void packet_first(struct packet *packet, const struct solid *solid,
     struct rays_met met;
     struct rays_span asked;
     struct rays_crossings all;
+    const struct lane_run run = lane_run_of(lanes);
     const struct rays_span *span = rays_span_asked(
         &packet->span, lanes, object->primitive->lane_by_lane, &asked);
     memset(met.u, 0, sizeof met.u);
     if (object->primitive->first_many) {
-        object->primitive->first_many(solid->leaf->shape, rays, span, &met);
+        object->primitive->first_many(solid->leaf->shape, run, rays, span,
+                                      &met);
     } else {
-        object->primitive->all_many(solid->leaf->shape, rays, &all);
-        rays_first_of(&all, span, &met);
+        object->primitive->all_many(solid->leaf->shape, run, rays, &all);
+        rays_first_of(&all, run, span, &met);
     }
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
@@ -186,7 +188,7 @@ static unsigned packet_together(struct packet *packet,
     if (packet->occlusion)
         return packet_crosses(packet, solid, lanes);
     if (solid->moved) {
-        rays_into(solid->to_shape, rays, &local);
+        rays_into(solid->to_shape, lane_run_of(lanes), rays, &local);
         rays = &local;
     }
     packet_first(packet, solid, rays, lanes);
@@ -236,6 +238,6 @@ unsigned packet_meets(const struct packet *packet, const struct box3 *box)
     const struct rays_boxed rays = { packet->rays, packet->inverse,
                                      &packet->span };
     LANE_LINES lane_flag met[RAY_LANES];
-    rays_meet_box(&rays, box, met);
+    rays_meet_box(&rays, box, lane_run_of(packet->open), met);
     return rays_bits(met) & packet->open;
 }

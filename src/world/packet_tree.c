@@ -14,16 +14,16 @@ struct tree_look {
     const double (*inverse)[RAY_LANES];
 };
 
-CLONES static void find_inside_box(const struct box3 *box,
+CLONES static void find_inside_box(const struct box3 *box, struct lane_run run,
                                    const struct lane_points *restrict points,
                                    lane_flag *restrict inside)
 {
     const struct box3 here = *box;
-    for (unsigned i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         inside[i] = box3_contains(here, lane_get(points->at, i)) ? -1 : 0;
 }
 
-static unsigned inside_box(const struct box3 *box,
+static unsigned inside_box(const struct box3 *box, struct lane_run run,
                            const struct lane_points *points)
 {
     LANE_LINES lane_flag inside[RAY_LANES];
@@ -31,7 +31,7 @@ static unsigned inside_box(const struct box3 *box,
         return 0;
     if (box == &solid_everything)
         return (1u << RAY_LANES) - 1;
-    find_inside_box(box, points, inside);
+    find_inside_box(box, run, points, inside);
     return rays_bits(inside);
 }
 
@@ -59,13 +59,14 @@ static unsigned leaf_inside(const struct solid *solid,
     const struct object *object = solid->leaf->object;
     struct lane_points local;
     LANE_LINES lane_flag flags[RAY_LANES];
+    const struct lane_run run = lane_run_of(lanes);
     unsigned inside;
     if (solid->moved) {
-        lane_points_into(solid->to_shape, points, &local);
+        lane_points_into(solid->to_shape, run, points, &local);
         points = &local;
     }
     if (solid->kind == OBJECT_SHAPE && object->primitive->inside_many) {
-        object->primitive->inside_many(solid->leaf->shape, points, flags);
+        object->primitive->inside_many(solid->leaf->shape, run, points, flags);
         inside = rays_bits(flags);
     } else {
         inside = leaf_inside_each(solid, points, lanes);
@@ -98,7 +99,8 @@ static unsigned inside_content(const struct solid *solid,
 {
     struct lane_points local;
     if (solid->frame) {
-        lane_points_into(solid->frame->inward, points, &local);
+        lane_points_into(solid->frame->inward, lane_run_of(lanes), points,
+                         &local);
         points = &local;
     }
     if (solid->leaf)
@@ -113,8 +115,9 @@ static unsigned inside_content(const struct solid *solid,
 static unsigned lanes_inside(const struct solid *solid,
                              const struct lane_points *points, unsigned lanes)
 {
-    lanes &= inside_box(solid->region, points);
-    unsigned sure = lanes ? lanes & ~inside_box(solid->holes, points) : 0;
+    const struct lane_run run = lane_run_of(lanes);
+    lanes &= inside_box(solid->region, run, points);
+    unsigned sure = lanes ? lanes & ~inside_box(solid->holes, run, points) : 0;
     lanes &= ~sure;
     if (lanes)
         lanes = inside_content(solid, points, lanes);
@@ -140,10 +143,10 @@ static unsigned siblings_agree(const struct solid *node,
 }
 
 CLONES static void find_points(const struct rays *restrict rays,
-                               const double *restrict t,
+                               struct lane_run run, const double *restrict t,
                                struct lane_points *restrict points)
 {
-    for (int i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         lane_put(
             points->at, (unsigned)i,
             vec3_along(rays_origin(rays, i), rays_direction(rays, i), t[i]));
@@ -154,10 +157,11 @@ static unsigned crossings_count(const struct tree_look *look,
                                 const struct solid *leaf, const double *t,
                                 unsigned lanes)
 {
+    const struct lane_run run = lane_run_of(lanes);
     struct lane_points inner, outer;
-    find_points(look->rays, t, &inner);
+    find_points(look->rays, run, t, &inner);
     if (look->root->frame && look->root->clip_count)
-        find_points(look->packet->rays, t, &outer);
+        find_points(look->packet->rays, run, t, &outer);
     for (const struct solid *node = leaf; node && lanes; node = node->parent) {
         const struct lane_points *points =
             node->parent || !look->root->frame ? &inner : &outer;
@@ -170,10 +174,10 @@ static unsigned crossings_count(const struct tree_look *look,
 
 /* Which lanes' crossings may be wanted: see query_wants. */
 CLONES static void find_near(const struct rays_span *restrict span,
-                             const double *restrict t, bool ties,
-                             lane_flag *restrict near)
+                             struct lane_run run, const double *restrict t,
+                             bool ties, lane_flag *restrict near)
 {
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         double far = span->far[i];
         bool before = (t[i] < far) | (ties & (t[i] == far));
         near[i] = ((t[i] > span->near[i]) & before) ? -1 : 0;
@@ -218,15 +222,16 @@ static unsigned look_at_shape(const struct tree_look *look,
     const struct rays *rays = look->rays;
     struct rays local;
     struct rays_crossings all;
+    const struct lane_run run = lane_run_of(lanes);
     unsigned over = 0;
     if (solid->moved) {
-        rays_into(solid->to_shape, rays, &local);
+        rays_into(solid->to_shape, run, rays, &local);
         rays = &local;
     }
-    object->primitive->all_many(solid->leaf->shape, rays, &all);
+    object->primitive->all_many(solid->leaf->shape, run, rays, &all);
     for (int k = 0; k < all.count; k++) {
         LANE_LINES lane_flag near[RAY_LANES];
-        find_near(&packet->span, all.t[k], !packet->occlusion, near);
+        find_near(&packet->span, run, all.t[k], !packet->occlusion, near);
         unsigned met = lanes & ~over & rays_bits(near);
         if (met)
             met = crossings_count(look, solid, all.t[k], met);
@@ -289,7 +294,7 @@ static unsigned box_met(const struct tree_look *look, const struct box3 *box,
     const struct rays_boxed rays = { look->rays, look->inverse,
                                      &look->packet->span };
     LANE_LINES lane_flag met[RAY_LANES];
-    rays_meet_box(&rays, box, met);
+    rays_meet_box(&rays, box, lane_run_of(lanes), met);
     return lanes & rays_bits(met);
 }
 
@@ -334,8 +339,9 @@ unsigned packet_tree(struct packet *packet, const struct solid *solid,
     if (!lanes)
         return 0;
     if (solid->frame) {
-        rays_into(solid->frame->inward, packet->rays, &local);
-        rays_inverse(&local, inverse);
+        const struct lane_run run = lane_run_of(lanes);
+        rays_into(solid->frame->inward, run, packet->rays, &local);
+        rays_inverse(&local, run, inverse);
         look.rays = &local;
         look.inverse = (const double(*)[RAY_LANES])inverse;
         lanes = box_met(&look, solid->inner, lanes);

@@ -193,19 +193,20 @@ unsigned solid_crosses_many(const struct solid *solid, const struct rays *rays,
     LANE_LINES lane_flag met[RAY_LANES];
     struct rays local;
     struct rays_span asked;
+    const struct lane_run run = lane_run_of(lanes);
     if (!primitive->crosses_many && !primitive->all_many)
         return crosses_each(solid, rays, span, lanes);
     if (solid->moved) {
-        rays_into(solid->to_shape, rays, &local);
+        rays_into(solid->to_shape, run, rays, &local);
         rays = &local;
     }
     span = rays_span_asked(span, lanes, primitive->lane_by_lane, &asked);
     if (primitive->crosses_many) {
-        primitive->crosses_many(shape, rays, span, met);
+        primitive->crosses_many(shape, run, rays, span, met);
     } else {
         struct rays_crossings all;
-        primitive->all_many(shape, rays, &all);
-        rays_crosses_of(&all, span, met);
+        primitive->all_many(shape, run, rays, &all);
+        rays_crosses_of(&all, run, span, met);
     }
     return lanes & rays_bits(met);
 }

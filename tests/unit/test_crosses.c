@@ -46,6 +46,13 @@ static void shape_crossings_agree(void *context, const struct solid *solid)
     }
 }
 
+/* All lanes, the first half or the second in turn. */
+static struct lane_run run_number(int i)
+{
+    static const unsigned lanes[] = { 0xffff, 0x00a5, 0x8100 };
+    return lane_run_of(lanes[i % 3]);
+}
+
 /* Rays side by side find to the bit what each finds alone, up to just that
  * place and just not. */
 static void rays_side_by_side_agree(void *context, const struct solid *solid)
@@ -54,11 +61,12 @@ static void rays_side_by_side_agree(void *context, const struct solid *solid)
     const struct primitive *primitive = object->primitive;
     struct dice dice = { 6 };
     int *met = context;
-    for (int i = 0; i < 500; i++) {
+    for (int i = 0; i < 750; i++) {
         struct rays rays;
         struct rays_span span;
         struct rays_met first = { .u = { 0 } };
         lane_flag crosses[RAY_LANES];
+        const struct lane_run run = run_number(i);
         for (int k = 0; k < RAY_LANES; k++) {
             struct ray ray = { dice_point(&dice, 1.5), dice_point(&dice, 1.5) };
             struct hit hit;
@@ -72,10 +80,10 @@ static void rays_side_by_side_agree(void *context, const struct solid *solid)
                                  &hit))
                 span.far[k] = k % 3 == 1 ? hit.t : nextafter(hit.t, HUGE_VAL);
         }
-        primitive->crosses_many(object->shape, &rays, &span, crosses);
+        primitive->crosses_many(object->shape, run, &rays, &span, crosses);
         if (primitive->first_many)
-            primitive->first_many(object->shape, &rays, &span, &first);
-        for (int k = 0; k < RAY_LANES; k++) {
+            primitive->first_many(object->shape, run, &rays, &span, &first);
+        for (int k = run.first; k < run.end; k++) {
             struct ray ray = rays_at(&rays, k);
             struct hit hit = { .t = (double)INFINITY };
             bool is = primitive->crosses(object->shape, &ray, span.near[k],
@@ -113,11 +121,12 @@ static void crossings_side_by_side_agree(void *context,
     const struct primitive *primitive = object->primitive;
     struct dice dice = { 7 };
     int *met = context;
-    for (int i = 0; i < 500; i++) {
+    for (int i = 0; i < 750; i++) {
         struct rays rays;
         struct rays_crossings all;
         struct lane_points points;
         lane_flag inside[RAY_LANES];
+        const struct lane_run run = run_number(i);
         for (int k = 0; k < RAY_LANES; k++) {
             vec3 direction = dice_point(&dice, 1.5);
             if (k % 5 == 0)
@@ -129,9 +138,9 @@ static void crossings_side_by_side_agree(void *context,
             rays_set(&rays, k, dice_point(&dice, 1.5), direction);
             lane_put(points.at, (unsigned)k, dice_point(&dice, 1.5));
         }
-        primitive->all_many(object->shape, &rays, &all);
-        primitive->inside_many(object->shape, &points, inside);
-        for (int k = 0; k < RAY_LANES; k++) {
+        primitive->all_many(object->shape, run, &rays, &all);
+        primitive->inside_many(object->shape, run, &points, inside);
+        for (int k = run.first; k < run.end; k++) {
             struct ray ray = rays_at(&rays, k);
             struct hits alone, lane = lane_hits(&all, k);
             vec3 point = lane_get(points.at, (unsigned)k);

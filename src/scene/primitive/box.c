@@ -153,13 +153,13 @@ static inline struct interval_lane lane_clip(const struct box *box,
     return in;
 }
 
-CLONES static void box_crosses_many(const void *shape,
+CLONES static void box_crosses_many(const void *shape, struct lane_run run,
                                     const struct rays *restrict rays,
                                     const struct rays_span *restrict span,
                                     lane_flag *restrict met)
 {
     const struct box box = *(const struct box *)shape;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         struct interval_lane in = lane_clip(&box, rays, i);
         double near = span->near[i], far = span->far[i];
         bool either = ((in.enter > near) & (in.enter < far)) |
@@ -168,13 +168,13 @@ CLONES static void box_crosses_many(const void *shape,
     }
 }
 
-CLONES static void box_first_many(const void *shape,
+CLONES static void box_first_many(const void *shape, struct lane_run run,
                                   const struct rays *restrict rays,
                                   const struct rays_span *restrict span,
                                   struct rays_met *restrict met)
 {
     const struct box box = *(const struct box *)shape;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         struct interval_lane in = lane_clip(&box, rays, i);
         bool before = in.enter > span->near[i];
         double t = before ? in.enter : in.leave;
@@ -184,13 +184,13 @@ CLONES static void box_first_many(const void *shape,
     }
 }
 
-CLONES static void box_all_many(const void *shape,
+CLONES static void box_all_many(const void *shape, struct lane_run run,
                                 const struct rays *restrict rays,
                                 struct rays_crossings *restrict all)
 {
     const struct box box = *(const struct box *)shape;
     all->count = 2;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         struct interval_lane in = lane_clip(&box, rays, i);
         all->t[0][i] = in.missed ? (double)INFINITY : in.enter;
         all->t[1][i] = in.missed ? (double)INFINITY : in.leave;
@@ -214,12 +214,12 @@ static bool box_inside(const void *shape, vec3 point)
     return box3_contains((struct box3){ box->low, box->high }, point);
 }
 
-CLONES static void box_inside_many(const void *shape,
+CLONES static void box_inside_many(const void *shape, struct lane_run run,
                                    const struct lane_points *restrict points,
                                    lane_flag *restrict inside)
 {
     const struct box box = *(const struct box *)shape;
-    for (unsigned i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         inside[i] = box3_contains((struct box3){ box.low, box.high },
                                   lane_get(points->at, i))
                         ? -1

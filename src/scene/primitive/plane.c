@@ -101,26 +101,26 @@ static bool plane_crosses(const void *shape, const struct ray *ray, double tmin,
     return plane_first(shape, ray, tmin, tmax, &hit);
 }
 
-CLONES static void plane_crosses_many(const void *shape,
+CLONES static void plane_crosses_many(const void *shape, struct lane_run run,
                                       const struct rays *restrict rays,
                                       const struct rays_span *restrict span,
                                       lane_flag *restrict met)
 {
     const struct plane plane = *(const struct plane *)shape;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         double t = plane_distance(&plane, rays_origin(rays, i),
                                   rays_direction(rays, i));
         met[i] = ((t > span->near[i]) & (t < span->far[i])) ? -1 : 0;
     }
 }
 
-CLONES static void plane_first_many(const void *shape,
+CLONES static void plane_first_many(const void *shape, struct lane_run run,
                                     const struct rays *restrict rays,
                                     const struct rays_span *restrict span,
                                     struct rays_met *restrict met)
 {
     const struct plane plane = *(const struct plane *)shape;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         double t = plane_distance(&plane, rays_origin(rays, i),
                                   rays_direction(rays, i));
         bool is = (t > span->near[i]) & (t < span->far[i]);
@@ -129,13 +129,13 @@ CLONES static void plane_first_many(const void *shape,
     }
 }
 
-CLONES static void plane_all_many(const void *shape,
+CLONES static void plane_all_many(const void *shape, struct lane_run run,
                                   const struct rays *restrict rays,
                                   struct rays_crossings *restrict all)
 {
     const struct plane plane = *(const struct plane *)shape;
     all->count = 1;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         vec3 d = rays_direction(rays, i);
         double t = plane_distance(&plane, rays_origin(rays, i), d);
         bool along = vec3_dot(plane.normal, d) == 0;
@@ -162,12 +162,12 @@ static bool plane_inside(const void *shape, vec3 point)
     return plane_holds(shape, point);
 }
 
-CLONES static void plane_inside_many(const void *shape,
+CLONES static void plane_inside_many(const void *shape, struct lane_run run,
                                      const struct lane_points *restrict points,
                                      lane_flag *restrict inside)
 {
     const struct plane plane = *(const struct plane *)shape;
-    for (unsigned i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         inside[i] = plane_holds(&plane, lane_get(points->at, i)) ? -1 : 0;
 }
 

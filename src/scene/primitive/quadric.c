@@ -293,13 +293,13 @@ static void quadric_intersect(const void *shape, const struct ray *ray,
             hits_add(hits, roots[i], 0);
 }
 
-CLONES static void plain_lanes(const struct quadric *shape,
+CLONES static void plain_lanes(const struct quadric *shape, struct lane_run run,
                                const struct rays *restrict rays,
                                struct rays_crossings *restrict all,
                                lane_flag *restrict plain)
 {
     const struct quadric quadric = *shape;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         double roots[2];
         bool is = quadric_plain(&quadric, rays_origin(rays, i),
                                 rays_direction(rays, i), roots);
@@ -310,13 +310,13 @@ CLONES static void plain_lanes(const struct quadric *shape,
     }
 }
 
-CLONES static void far_lanes(const struct quadric *shape,
+CLONES static void far_lanes(const struct quadric *shape, struct lane_run run,
                              const struct rays *restrict rays,
                              struct rays_crossings *restrict all,
                              const lane_flag *restrict plain)
 {
     const struct quadric quadric = *shape;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         double roots[2];
         quadric_far(&quadric, rays_origin(rays, i), rays_direction(rays, i),
                     roots);
@@ -325,14 +325,15 @@ CLONES static void far_lanes(const struct quadric *shape,
     }
 }
 
-static void quadric_all_many(const void *shape, const struct rays *rays,
+static void quadric_all_many(const void *shape, struct lane_run run,
+                             const struct rays *rays,
                              struct rays_crossings *all)
 {
     LANE_LINES lane_flag plain[RAY_LANES];
     all->count = 2;
-    plain_lanes(shape, rays, all, plain);
-    if (rays_bits(plain) != (1u << RAY_LANES) - 1)
-        far_lanes(shape, rays, all, plain);
+    plain_lanes(shape, run, rays, all, plain);
+    if (~rays_bits(plain) & lane_run_bits(run))
+        far_lanes(shape, run, rays, all, plain);
 }
 
 static vec3 quadric_normal(const void *shape, vec3 point, const struct hit *hit)
@@ -350,12 +351,12 @@ static bool quadric_inside(const void *shape, vec3 point)
 }
 
 CLONES static void
-quadric_inside_many(const void *shape,
+quadric_inside_many(const void *shape, struct lane_run run,
                     const struct lane_points *restrict points,
                     lane_flag *restrict inside)
 {
     const struct quadric quadric = *(const struct quadric *)shape;
-    for (unsigned i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         inside[i] =
             quadric_value(&quadric, lane_get(points->at, i)) <= 0 ? -1 : 0;
 }

@@ -117,13 +117,13 @@ static bool sphere_first(const void *shape, const struct ray *ray, double tmin,
     return hit->t > tmin && hit->t < tmax;
 }
 
-CLONES static void sphere_crosses_many(const void *shape,
+CLONES static void sphere_crosses_many(const void *shape, struct lane_run run,
                                        const struct rays *restrict rays,
                                        const struct rays_span *restrict span,
                                        lane_flag *restrict met)
 {
     const struct sphere sphere = *(const struct sphere *)shape;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         struct passing passing = sphere_passing(&sphere, rays_origin(rays, i),
                                                 rays_direction(rays, i));
         double near = span->near[i], far = span->far[i], t[2];
@@ -134,13 +134,13 @@ CLONES static void sphere_crosses_many(const void *shape,
     }
 }
 
-CLONES static void sphere_first_many(const void *shape,
+CLONES static void sphere_first_many(const void *shape, struct lane_run run,
                                      const struct rays *restrict rays,
                                      const struct rays_span *restrict span,
                                      struct rays_met *restrict met)
 {
     const struct sphere sphere = *(const struct sphere *)shape;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         struct passing passing = sphere_passing(&sphere, rays_origin(rays, i),
                                                 rays_direction(rays, i));
         double near = span->near[i], far = span->far[i], t[2];
@@ -155,13 +155,13 @@ CLONES static void sphere_first_many(const void *shape,
     }
 }
 
-CLONES static void sphere_all_many(const void *shape,
+CLONES static void sphere_all_many(const void *shape, struct lane_run run,
                                    const struct rays *restrict rays,
                                    struct rays_crossings *restrict all)
 {
     const struct sphere sphere = *(const struct sphere *)shape;
     all->count = 2;
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         struct passing passing = sphere_passing(&sphere, rays_origin(rays, i),
                                                 rays_direction(rays, i));
         double t[2];
@@ -193,12 +193,12 @@ static bool sphere_inside(const void *shape, vec3 point)
     return sphere_holds(shape, point);
 }
 
-CLONES static void sphere_inside_many(const void *shape,
+CLONES static void sphere_inside_many(const void *shape, struct lane_run run,
                                       const struct lane_points *restrict points,
                                       lane_flag *restrict inside)
 {
     const struct sphere sphere = *(const struct sphere *)shape;
-    for (unsigned i = 0; i < RAY_LANES; i++)
+    EACH_LANE(i, run)
         inside[i] = sphere_holds(&sphere, lane_get(points->at, i)) ? -1 : 0;
 }
 

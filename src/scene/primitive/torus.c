@@ -175,6 +175,7 @@ static bool torus_crosses(const void *shape, const struct ray *ray, double tmin,
 
 /* As torus_part and torus_quartic. */
 CLONES static void torus_restrict(const struct torus *shape,
+                                  struct lane_run run,
                                   const struct rays *restrict rays,
                                   const struct rays_span *restrict span,
                                   struct quartic_rays *restrict out)
@@ -182,7 +183,7 @@ CLONES static void torus_restrict(const struct torus *shape,
     const struct torus torus = *shape;
     double reach = fabs(torus.major) + torus.minor;
     double r = torus.minor * (1 + 1e-9);
-    for (int i = 0; i < RAY_LANES; i++) {
+    EACH_LANE(i, run) {
         vec3 d = rays_direction(rays, i), o = rays_origin(rays, i);
         double length = vec3_length(d), c[QUARTIC + 1];
         vec3 along = vec3_scale(d, 1 / length);
@@ -217,24 +218,26 @@ static struct quartic_rays *torus_lanes(const struct torus *torus,
     if (torus->unseen || !(torus->major > 0) ||
         !(torus->major + torus->minor > 0))
         return NULL;
-    torus_restrict(torus, asked->rays, asked->span, lanes);
+    torus_restrict(torus, asked->run, asked->rays, asked->span, lanes);
     return lanes;
 }
 
-static void torus_first_many(const void *shape, const struct rays *rays,
+static void torus_first_many(const void *shape, struct lane_run run,
+                             const struct rays *rays,
                              const struct rays_span *span, struct rays_met *met)
 {
     const struct quartic_asked asked = { shape, torus_first, torus_crosses,
-                                         rays, span };
+                                         run,   rays,        span };
     struct quartic_rays lanes;
     quartic_rays_first(torus_lanes(shape, &asked, &lanes), &asked, met);
 }
 
-static void torus_crosses_many(const void *shape, const struct rays *rays,
+static void torus_crosses_many(const void *shape, struct lane_run run,
+                               const struct rays *rays,
                                const struct rays_span *span, lane_flag *met)
 {
     const struct quartic_asked asked = { shape, torus_first, torus_crosses,
-                                         rays, span };
+                                         run,   rays,        span };
     struct quartic_rays lanes;
     quartic_rays_cross(torus_lanes(shape, &asked, &lanes), &asked, met);
 }
