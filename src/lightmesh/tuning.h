@@ -186,7 +186,7 @@ enum {
     LONE_PLACES = 4,    /* of a pixel, that its rays share */
     LONE_PIXELS = 16,   /* of which these are kept, of those last refined */
     ANSWERS_MOST = 4,   /* of a pixel, that its rays share, and */
-    ANSWER_PIXELS = 4,  /* of these, of those last refined */
+    ANSWER_PIXELS = 16, /* of these, of those last refined */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 

@@ -6,7 +6,8 @@
 #include "render/sampler_refine.h"
 
 enum {
-    CORNERS_PIXELS = 16,   /* cut together; LONE_PIXELS has room for as many */
+    CORNERS_PIXELS = 16,   /* cut together; lightmesh/tuning.h has room for what
+                            * as many share: LONE_PIXELS, ANSWER_PIXELS */
     CORNERS_PLACES = 4096, /* of them all, if a pixel doesn't need more */
     CORNERS_CELL = 8,      /* pixels close together, across and down */
     ASKED = -2,            /* as opacity: will be sampled next */
