@@ -88,7 +88,9 @@ static const struct option table[] = {
     INTEGER(NULL, "Compression", compression, 0, 100,
             "quality of JPEG files, 1 to 100 (85)"),
     SWITCH("UA", "Output_Alpha", alpha,
-           "write opacity to PNG, Targa, BMP and OpenEXR (off)"),
+           "write opacity to PNG, Targa, BMP and OpenEXR (off); in scenes of a "
+           "#version before 3.7, or of none, sky and background are then left "
+           "out"),
     SWITCH("C", "Continue_Trace", continue_trace,
            "keep pictures that are whole and current (off)"),
     WORD("part", set_text, AT(part), "i/n",

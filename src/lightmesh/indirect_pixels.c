@@ -3,10 +3,10 @@
 
 #include "base/memory.h"
 #include "lightmesh/corner_store.h"
+#include "lightmesh/lone_places.h"
 #include "lightmesh/pixel_answers.h"
 #include "lightmesh/pixel_blocks.h"
 #include "lightmesh/tuning.h"
-#include "shade/first_hits.h"
 
 struct indirect_pixels {
     const struct indirect_mesh *mesh;
@@ -14,20 +14,7 @@ struct indirect_pixels {
     struct corner_store *store;
     struct pixel_blocks *blocks;
     struct pixel_answers *answers;
-    unsigned threads;
-    struct lone_places *lone; /* of each worker */
-};
-
-/* Where rays of a pixel that has several had to ask for themselves: what they
- * got serves as corners do. The oldest gives way. */
-struct lone_places {
-    unsigned long long pixel; /* worker_pixel's */
-    unsigned count;
-    struct {
-        struct corner corner;
-        struct corner_light light;
-        int coarser; /* as of a cell */
-    } at[LONE_PLACES];
+    struct lone_places *lone;
 };
 
 struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
@@ -46,8 +33,7 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
                                  lattice_spacing(lattice, lattice->usual)),
         .blocks = pixel_blocks_new(mesh, camera, size, apart, threads),
         .answers = pixel_answers_new(threads),
-        .threads = threads,
-        .lone = memory_new(threads * LONE_PIXELS * sizeof(struct lone_places)),
+        .lone = lone_places_new(mesh, threads),
     };
     pixels->store = corner_store_new(mesh, camera, &pixels->grid, threads);
     return pixels;
@@ -60,7 +46,7 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
     corner_store_free(pixels->store);
     pixel_blocks_free(pixels->blocks);
     pixel_answers_free(pixels->answers);
-    memory_free(pixels->lone);
+    lone_places_free(pixels->lone);
     memory_free(pixels);
 }
 
@@ -209,44 +195,14 @@ static bool receiver_is_bumpy(const struct receiver *receiver)
     return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
 }
 
-/* By a place of the same pixel that serves the receiver: known, or itself. */
-static struct indirect_share lone_share(const struct indirect_pixels *pixels,
-                                        struct worker *worker,
-                                        const struct receiver *receiver)
-{
-    unsigned long long pixel = receiver->pixel->pixel;
-    struct lone_places *lone =
-        &pixels->lone[worker->number * LONE_PIXELS + pixel % LONE_PIXELS];
-    int coarser = point_mesh_worth(receiver->weight);
-    if (lone->pixel != pixel)
-        lone->count = 0;
-    lone->pixel = pixel;
-    for (unsigned i = 0; i < lone->count && i < LONE_PLACES; i++)
-        if (lone->at[i].coarser == coarser &&
-            corner_serves(&lone->at[i].corner, receiver))
-            return corner_share(&lone->at[i].corner, &lone->at[i].light,
-                                receiver);
-    unsigned next = lone->count++ % LONE_PLACES;
-    lone->at[next].coarser = coarser;
-    corner_here(&lone->at[next].corner, pixels->mesh, receiver);
-    corner_ask(&lone->at[next].light, pixels->mesh, worker, receiver,
-               pixels->mesh->near / NEAR_LONE_PART);
-    return corner_share(&lone->at[next].corner, &lone->at[next].light,
-                        receiver);
-}
-
 /* Where the grid's corners are on other surfaces: pixels of a block share, or
  * else rays of a pixel. */
 static bool lone_light(const struct indirect_pixels *pixels,
                        struct worker *worker, const struct receiver *receiver,
                        struct indirect_share *share)
 {
-    if (pixel_blocks_light(pixels->blocks, worker, receiver, share))
-        return true;
-    if (!receiver->pixel->pixel || worker->number >= pixels->threads)
-        return false;
-    *share = lone_share(pixels, worker, receiver);
-    return true;
+    return pixel_blocks_light(pixels->blocks, worker, receiver, share) ||
+           lone_places_light(pixels->lone, worker, receiver, share);
 }
 
 static struct indirect_share corners_light(const struct corners *corners,

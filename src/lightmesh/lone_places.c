@@ -1,0 +1,74 @@
+/* Places of a pixel that asked for themselves: see lone_places.h. */
+#include "lightmesh/lone_places.h"
+
+#include "base/memory.h"
+#include "lightmesh/corner.h"
+#include "lightmesh/tuning.h"
+#include "shade/first_hits.h"
+
+/* Of one pixel; the oldest gives way. */
+struct lone {
+    unsigned long long pixel; /* worker_pixel's */
+    unsigned count;
+    struct {
+        struct corner corner;
+        struct corner_light light;
+        int coarser; /* as of a cell */
+    } at[LONE_PLACES];
+};
+
+struct lone_places {
+    const struct indirect_mesh *mesh;
+    unsigned threads;
+    struct lone *lone; /* of each worker */
+};
+
+struct lone_places *lone_places_new(const struct indirect_mesh *mesh,
+                                    unsigned threads)
+{
+    struct lone_places *places = memory_new(sizeof *places);
+    size_t count = (size_t)threads * LONE_PIXELS;
+    *places = (struct lone_places){
+        .mesh = mesh,
+        .threads = threads,
+        .lone = memory_new(count * sizeof *places->lone),
+    };
+    return places;
+}
+
+void lone_places_free(struct lone_places *places)
+{
+    if (!places)
+        return;
+    memory_free(places->lone);
+    memory_free(places);
+}
+
+bool lone_places_light(const struct lone_places *places, struct worker *worker,
+                       const struct receiver *receiver,
+                       struct indirect_share *share)
+{
+    unsigned long long pixel = receiver->pixel->pixel;
+    int coarser = point_mesh_worth(receiver->weight);
+    if (!pixel || worker->number >= places->threads)
+        return false;
+    struct lone *lone =
+        &places->lone[worker->number * LONE_PIXELS + pixel % LONE_PIXELS];
+    if (lone->pixel != pixel)
+        lone->count = 0;
+    lone->pixel = pixel;
+    unsigned i = 0, known = lone->count < LONE_PLACES ? lone->count
+                                                      : (unsigned)LONE_PLACES;
+    while (i < known && !(lone->at[i].coarser == coarser &&
+                          corner_serves(&lone->at[i].corner, receiver)))
+        i++;
+    if (i == known) {
+        i = lone->count++ % LONE_PLACES;
+        lone->at[i].coarser = coarser;
+        corner_here(&lone->at[i].corner, places->mesh, receiver);
+        corner_ask(&lone->at[i].light, places->mesh, worker, receiver,
+                   places->mesh->near / NEAR_LONE_PART);
+    }
+    *share = corner_share(&lone->at[i].corner, &lone->at[i].light, receiver);
+    return true;
+}
