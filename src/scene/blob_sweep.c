@@ -49,7 +49,7 @@ CLONES void lane_stretches_of(const struct blob_body *body,
         stretches->a[i] = a;
         stretches->nearest[i] = nearest;
         stretches->most[i] = most;
-        met[i] = (most > 0) & (low < high) ? -1 : 0;
+        met[i] = ((most > 0) & (low < high)) ? -1 : 0;
     }
 }
 
