@@ -22,7 +22,7 @@ static inline bool area_meet(struct area a, struct area b)
 }
 
 /* What is in both; a side is negative unless they meet. */
-static inline struct area area_common(struct area a, struct area b)
+static inline struct area area_both(struct area a, struct area b)
 {
     return (struct area){
         a.left > b.left ? a.left : b.left,
@@ -30,6 +30,11 @@ static inline struct area area_common(struct area a, struct area b)
         a.right < b.right ? a.right : b.right,
         a.bottom < b.bottom ? a.bottom : b.bottom,
     };
+}
+
+static inline bool area_is_empty(struct area area)
+{
+    return area.left >= area.right || area.top >= area.bottom;
 }
 
 #endif

@@ -3,12 +3,11 @@
 
 #include "base/memory.h"
 #include "lightmesh/corner.h"
+#include "lightmesh/pixel_slots.h"
 #include "lightmesh/tuning.h"
-#include "shade/first_hits.h"
 
 /* Of one pixel; the oldest gives way. */
 struct lone {
-    unsigned long long pixel; /* worker_pixel's */
     unsigned count;
     struct {
         struct corner corner;
@@ -19,20 +18,15 @@ struct lone {
 
 struct lone_places {
     const struct indirect_mesh *mesh;
-    unsigned threads;
-    struct lone *lone; /* of each worker */
+    struct pixel_slots *lone;
 };
 
 struct lone_places *lone_places_new(const struct indirect_mesh *mesh,
                                     unsigned threads)
 {
     struct lone_places *places = memory_new(sizeof *places);
-    size_t count = (size_t)threads * LONE_PIXELS;
-    *places = (struct lone_places){
-        .mesh = mesh,
-        .threads = threads,
-        .lone = memory_new(count * sizeof *places->lone),
-    };
+    places->mesh = mesh;
+    places->lone = pixel_slots_new(threads, sizeof(struct lone));
     return places;
 }
 
@@ -40,7 +34,7 @@ void lone_places_free(struct lone_places *places)
 {
     if (!places)
         return;
-    memory_free(places->lone);
+    pixel_slots_free(places->lone);
     memory_free(places);
 }
 
@@ -48,15 +42,13 @@ bool lone_places_light(const struct lone_places *places, struct worker *worker,
                        const struct receiver *receiver,
                        struct indirect_share *share)
 {
-    unsigned long long pixel = receiver->pixel->pixel;
     int coarser = point_mesh_worth(receiver->weight);
-    if (!pixel || worker->number >= places->threads)
+    bool fresh;
+    struct lone *lone = pixel_slots_at(places->lone, worker, receiver, &fresh);
+    if (!lone)
         return false;
-    struct lone *lone =
-        &places->lone[worker->number * LONE_PIXELS + pixel % LONE_PIXELS];
-    if (lone->pixel != pixel)
+    if (fresh)
         lone->count = 0;
-    lone->pixel = pixel;
     unsigned i = 0, known = lone->count < LONE_PLACES ? lone->count
                                                       : (unsigned)LONE_PLACES;
     while (i < known && !(lone->at[i].coarser == coarser &&

@@ -2,8 +2,8 @@
 #include "lightmesh/pixel_answers.h"
 
 #include "base/memory.h"
+#include "lightmesh/pixel_slots.h"
 #include "lightmesh/tuning.h"
-#include "shade/first_hits.h"
 
 struct pixel_answer {
     vec3 point, side, normal;
@@ -14,24 +14,18 @@ struct pixel_answer {
 
 /* Those of one pixel. */
 struct told {
-    unsigned long long pixel; /* worker_pixel's */
     unsigned count;
     struct pixel_answer at[ANSWERS_MOST];
 };
 
 struct pixel_answers {
-    unsigned threads;
-    struct told *told; /* of each worker */
+    struct pixel_slots *told;
 };
 
 struct pixel_answers *pixel_answers_new(unsigned threads)
 {
     struct pixel_answers *answers = memory_new(sizeof *answers);
-    size_t count = (size_t)threads * ANSWER_PIXELS;
-    *answers = (struct pixel_answers){
-        .threads = threads,
-        .told = memory_new(count * sizeof *answers->told),
-    };
+    answers->told = pixel_slots_new(threads, sizeof(struct told));
     return answers;
 }
 
@@ -39,7 +33,7 @@ void pixel_answers_free(struct pixel_answers *answers)
 {
     if (!answers)
         return;
-    memory_free(answers->told);
+    pixel_slots_free(answers->told);
     memory_free(answers);
 }
 
@@ -48,14 +42,10 @@ static struct told *told_of(const struct pixel_answers *answers,
                             const struct worker *worker,
                             const struct receiver *receiver)
 {
-    unsigned long long pixel = receiver->pixel->pixel;
-    if (pixel == 0 || worker->number >= answers->threads)
-        return NULL;
-    struct told *told =
-        &answers->told[worker->number * ANSWER_PIXELS + pixel % ANSWER_PIXELS];
-    if (told->pixel != pixel)
+    bool fresh;
+    struct told *told = pixel_slots_at(answers->told, worker, receiver, &fresh);
+    if (told && fresh)
         told->count = 0;
-    told->pixel = pixel;
     return told;
 }
 

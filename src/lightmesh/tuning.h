@@ -184,9 +184,8 @@ enum {
     NEAR_RAYS = 16,     /* to what is close to a place that is seen; */
     NEAR_LONE_PART = 2, /* one in so many where only a pixel shares them */
     LONE_PLACES = 4,    /* of a pixel, that its rays share */
-    LONE_PIXELS = 16,   /* of which these are kept, of those last refined */
-    ANSWERS_MOST = 4,   /* of a pixel, that its rays share, and */
-    ANSWER_PIXELS = 16, /* of these, of those last refined */
+    ANSWERS_MOST = 4,   /* likewise, of what they were told */
+    PIXEL_SLOTS = 16,   /* both are kept for so many that were last refined */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 

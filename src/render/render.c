@@ -60,8 +60,7 @@ static bool tile_block(struct area tile, int number, struct area *block)
     int across = (tile.right - tile.left + edge - 1) / edge;
     int x = tile.left + number % across * edge;
     int y = tile.top + number / across * edge;
-    *block = (struct area){ x, y, smaller(x + edge, tile.right),
-                            smaller(y + edge, tile.bottom) };
+    *block = area_both((struct area){ x, y, x + edge, y + edge }, tile);
     return y < tile.bottom;
 }
 
@@ -159,12 +158,10 @@ static struct area tile_of(const struct rendering *rendering, struct area area,
 {
     int edge = rendering->sampler.tile;
     size_t across = tiles_wide(rendering, area);
-    struct area tile;
-    tile.left = area.left + (int)(index % across) * edge;
-    tile.top = area.top + (int)(index / across) * edge;
-    tile.right = smaller(tile.left + edge, area.right);
-    tile.bottom = smaller(tile.top + edge, area.bottom);
-    return tile;
+    int left = area.left + (int)(index % across) * edge;
+    int top = area.top + (int)(index / across) * edge;
+    struct area tile = { left, top, left + edge, top + edge };
+    return area_both(tile, area);
 }
 
 /* keeper_tiles.put */

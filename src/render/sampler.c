@@ -6,11 +6,6 @@
 #include "base/memory.h"
 #include "render/sampler_block.h"
 
-static int larger(int a, int b)
-{
-    return a > b ? a : b;
-}
-
 static int smaller(int a, int b)
 {
     return a < b ? a : b;
@@ -50,8 +45,7 @@ static float *sampler_edges_new(const struct sampler *sampler)
     return memory_new(pixels * 4 * sizeof(float));
 }
 
-/* Method 1 compares with the pixels to the left and above, outside the picture
- * too, as POV-Ray does. */
+/* For the working space of the scene's light. */
 static struct perceived *perceived_new(const struct settings *settings,
                                        const struct render_options *options)
 {
@@ -67,6 +61,8 @@ static struct perceived *perceived_new(const struct settings *settings,
     return perceived;
 }
 
+/* Method 1 compares with the pixels to the left and above, outside the picture
+ * too, as POV-Ray does. */
 struct sampler sampler_new(const struct tracer *tracer,
                            const struct render_options *options,
                            struct image *image)
@@ -119,12 +115,11 @@ struct area sampler_foreseen(const struct sampler *sampler)
     const struct render_options *options = sampler->options;
     const struct area *first = &sampler->first;
     const int apron = FIRST_HITS_APRON, beyond = FIRST_HITS_BEYOND;
-    return (struct area){
-        .left = larger(first->left - apron, -beyond),
-        .top = larger(first->top - apron, -beyond),
-        .right = smaller(first->right + apron, options->width + beyond),
-        .bottom = smaller(first->bottom + apron, options->height + beyond),
-    };
+    struct area around = { first->left - apron, first->top - apron,
+                           first->right + apron, first->bottom + apron };
+    struct area picture = { -beyond, -beyond, options->width + beyond,
+                            options->height + beyond };
+    return area_both(around, picture);
 }
 
 struct first_hits sampler_grid(const struct sampler *sampler)
@@ -169,11 +164,11 @@ static bool block_start(const struct sampler *sampler,
 static bool sampler_needs_near(const struct sampler *sampler, struct area area,
                                int apron)
 {
-    const struct area *first = &sampler->first;
-    int right = smaller(area.right + apron, first->right);
-    int bottom = smaller(area.bottom + apron, first->bottom);
-    for (int y = larger(area.top - apron, first->top); y < bottom; y++)
-        for (int x = larger(area.left - apron, first->left); x < right; x++)
+    struct area near = { area.left - apron, area.top - apron,
+                         area.right + apron, area.bottom + apron };
+    near = area_both(near, sampler->first);
+    for (int y = near.top; y < near.bottom; y++)
+        for (int x = near.left; x < near.right; x++)
             if (*sampler_state(sampler, x, y) & SAMPLER_NEEDED)
                 return true;
     return false;

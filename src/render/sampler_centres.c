@@ -4,16 +4,6 @@
 
 #include "render/sampler_refine.h"
 
-static int larger(int a, int b)
-{
-    return a > b ? a : b;
-}
-
-static int smaller(int a, int b)
-{
-    return a < b ? a : b;
-}
-
 /* The first sample of a place that is another tile's, of which the picture may
  * have been made by now. */
 static float *sampler_place_beyond(const struct sampler *sampler, int x, int y)
@@ -104,13 +94,13 @@ static void group_gather(struct centre_group *group, const struct centres *c,
     int n = sampler_depth(c->sampler), few = CENTRES_RAYS / (n * n);
     int left = x - (x - tile->left) % CENTRES_CELL;
     int top = y - (y - tile->top) % CENTRES_CELL;
-    int right = smaller(left + CENTRES_CELL, tile->right);
-    int bottom = smaller(top + CENTRES_CELL, tile->bottom);
+    struct area cell = { left, top, left + CENTRES_CELL, top + CENTRES_CELL };
+    cell = area_both(cell, *tile);
     group->count = 0;
-    group->most = c->worker->telling ? 1 : larger(few, 1);
+    group->most = c->worker->telling ? 1 : few > 1 ? few : 1;
     group_add(group, c, x, y);
-    for (int v = top; v < bottom; v++)
-        for (int u = left; u < right; u++) {
+    for (int v = cell.top; v < cell.bottom; v++)
+        for (int u = cell.left; u < cell.right; u++) {
             int state = c->pixels->states[centres_index(c, u, v)];
             if (group->count == group->most)
                 return;
@@ -276,7 +266,7 @@ void centres_tile(const struct sampler *sampler, struct worker *worker,
                 return;
             centres_pixel(&c, x, y);
         }
-    struct area wanted = sampler_wanted(sampler, tile);
+    struct area wanted = area_both(tile, sampler->wanted);
     for (int y = wanted.top; y < wanted.bottom && !worker_stopped(worker); y++)
         for (int x = wanted.left; x < wanted.right; x++)
             sampler_finish(sampler, c.pixels->at[centres_index(&c, x, y)].now,

@@ -7,7 +7,7 @@
 
 enum {
     CORNERS_PIXELS = 16,   /* cut together; lightmesh/tuning.h has room for what
-                            * as many share: LONE_PIXELS, ANSWER_PIXELS */
+                            * as many share: PIXEL_SLOTS */
     CORNERS_PLACES = 4096, /* of them all, if a pixel doesn't need more */
     CORNERS_CELL = 8,      /* pixels close together, across and down */
     ASKED = -2,            /* as opacity: will be sampled next */
@@ -99,6 +99,15 @@ static bool quarters_differ(const struct corners *c, const float *corner[4])
     return false;
 }
 
+static void corners_mean(const float *corner[4], double mean[4])
+{
+    for (int k = 0; k < 4; k++) {
+        mean[k] = 0;
+        for (int part = 0; part < 4; part++)
+            mean[k] += (double)corner[part][k] / 4;
+    }
+}
+
 /* The mean over a square of `size` places: of its corners, or of its four
  * quarters if any two corners differ. Nothing while places are missing. */
 static void quarters_mean(struct corners *c, struct quarters *q, int i, int j,
@@ -128,17 +137,23 @@ static void quarters_mean(struct corners *c, struct quarters *q, int i, int j,
     }
 }
 
+static void corners_finish(const struct corners *c, const double mean[4], int x,
+                           int y)
+{
+    float pixel[4];
+    for (int k = 0; k < 4; k++)
+        pixel[k] = (float)mean[k];
+    sampler_finish(c->sampler, pixel, x, y);
+}
+
 /* A look at the pixel as far as it is known; finishes it if that suffices. */
 static void quarters_look(struct corners *c, struct quarters *q)
 {
     double mean[4];
-    float pixel[4];
     q->missing = false;
     quarters_mean(c, q, 0, 0, c->n, mean);
-    for (int k = 0; k < 4; k++)
-        pixel[k] = (float)mean[k];
     if (!q->missing && !worker_stopped(c->worker))
-        sampler_finish(c->sampler, pixel, q->x, q->y);
+        corners_finish(c, mean, q->x, q->y);
 }
 
 /* All pixels by turns, until nothing is missing. */
@@ -187,14 +202,9 @@ static void corners_pixel(struct corners *c, int x, int y)
         corners_begin(c, x, y, corner);
         return;
     }
-    float pixel[4];
-    for (int k = 0; k < 4; k++) {
-        double sum = 0;
-        for (int part = 0; part < 4; part++)
-            sum += (double)corner[part][k] / 4;
-        pixel[k] = (float)sum;
-    }
-    sampler_finish(c->sampler, pixel, x, y);
+    double mean[4];
+    corners_mean(corner, mean);
+    corners_finish(c, mean, x, y);
 }
 
 void corners_tile(const struct sampler *sampler, struct worker *worker,
@@ -207,12 +217,12 @@ void corners_tile(const struct sampler *sampler, struct worker *worker,
         .unit = corners_unit(sampler),
         .scratch = scratch,
     };
-    struct area wanted = sampler_wanted(sampler, tile);
+    struct area wanted = area_both(tile, sampler->wanted);
     const int cell = CORNERS_CELL;
     for (int top = wanted.top; top < wanted.bottom; top += cell)
         for (int left = wanted.left; left < wanted.right; left += cell) {
             struct area near = { left, top, left + cell, top + cell };
-            near = area_common(near, wanted);
+            near = area_both(near, wanted);
             for (int y = near.top; y < near.bottom; y++)
                 for (int x = near.left; x < near.right; x++) {
                     if (worker_stopped(worker))

@@ -4,19 +4,6 @@
 
 #include "render/sampler_places.h"
 
-static struct area area_both(struct area a, struct area b)
-{
-    return (struct area){ a.left > b.left ? a.left : b.left,
-                          a.top > b.top ? a.top : b.top,
-                          a.right < b.right ? a.right : b.right,
-                          a.bottom < b.bottom ? a.bottom : b.bottom };
-}
-
-static bool area_is_empty(struct area area)
-{
-    return area.left >= area.right || area.top >= area.bottom;
-}
-
 void sampler_give_first(struct sampler *sampler, struct area area,
                         const float *values)
 {

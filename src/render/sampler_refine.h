@@ -62,13 +62,6 @@ static inline void block_values(const struct sampler *sampler,
         sampler_take(&seen[i], values[i]);
 }
 
-/* The wanted part of a tile. */
-static inline struct area sampler_wanted(const struct sampler *sampler,
-                                         struct area tile)
-{
-    return area_common(tile, sampler->wanted);
-}
-
 /* A pixel of the picture, which is done with it. */
 static inline void sampler_finish(const struct sampler *sampler,
                                   const float pixel[4], int x, int y)

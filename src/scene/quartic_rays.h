@@ -26,8 +26,7 @@ struct quartic_asked {
 };
 
 /* As first_many and crosses_many of a primitive; equations of lanes that aren't
- * in the run may be anything. `lanes` NULL: the shape alone
- * is asked. */
+ * in the run may be anything. `lanes` NULL: the shape alone is asked. */
 void quartic_rays_first(struct quartic_rays *lanes,
                         const struct quartic_asked *asked,
                         struct rays_met *met);
