@@ -150,14 +150,13 @@ rgb tracer_background(const struct tracer *tracer, vec3 direction,
     colour c = tracer->scene->background;
     const struct settings *settings = &tracer->scene->settings;
     bool transparent = tracer->alpha && straight;
-    *clear = 1;
+    *clear = transparent ? 1 : 0;
     if (transparent && settings->old_filter)
         return rgb_grey(0);
     if (transparent && settings->clear_background)
         c = (colour){ .transmit = 1 };
     struct veil sky = sky_veil(tracer->scene, direction);
     double share = 1 - c.transmit;
-    *clear = 0;
     if (tracer->alpha)
         share = straight ? 1 - c.filter - c.transmit : 1;
     if (transparent)

@@ -51,7 +51,8 @@ static void lobes_add_highlights(struct lobes *lobes,
                   spreads[i].halfway);
 }
 
-void lobes_fill(struct lobes *lobes, const struct surface *surface)
+void lobes_fill(struct lobes *lobes, const struct surface *surface,
+                bool highlights)
 {
     lobes->view = surface->view;
     lobes->light = 0;
@@ -60,7 +61,8 @@ void lobes_fill(struct lobes *lobes, const struct surface *surface)
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         lobes_add_diffuse(lobes, surface, layer);
-        lobes_add_highlights(lobes, layer);
+        if (highlights)
+            lobes_add_highlights(lobes, layer);
     }
     for (int i = 0; i < lobes->count; i++)
         lobes->at[i].share /= lobes->total;

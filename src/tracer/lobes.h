@@ -27,7 +27,9 @@ struct lobes {
     struct lobe at[LOBES_MAX];
 };
 
-void lobes_fill(struct lobes *lobes, const struct surface *surface);
+/* `highlights`: with theirs. */
+void lobes_fill(struct lobes *lobes, const struct surface *surface,
+                bool highlights);
 
 /* The lobe of a plate that light falls on. */
 void lobes_fill_plate(struct lobes *lobes, vec3 normal);

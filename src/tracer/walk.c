@@ -83,6 +83,8 @@ struct ways {
 /* A surface on the path, and the numbers drawn there. */
 struct meeting {
     struct crossing crossing;
+    struct ways ways; /* but for scattering */
+    bool highlights;  /* count */
     struct lobes lobes;
     struct draws draws;
 };
@@ -212,7 +214,8 @@ static void walk_leave(struct walk *walk, const struct crossing *crossing,
 struct scatterer {
     const struct surface *surface;
     const struct lobes *lobes;
-    bool scatters; /* rays, too */
+    bool scatters;   /* rays, too */
+    bool highlights; /* count */
 };
 
 static rgb scatterer_response(const void *context, vec3 direction, bool lamp,
@@ -220,7 +223,8 @@ static rgb scatterer_response(const void *context, vec3 direction, bool lamp,
 {
     const struct scatterer *scatterer = context;
     (void)lamp;
-    return surface_response(scatterer->surface, direction, highlights);
+    return surface_response(scatterer->surface, direction,
+                            highlights && scatterer->highlights);
 }
 
 static double scatterer_density(const void *context, vec3 direction)
@@ -257,19 +261,22 @@ static void walk_value(struct walk *walk, const struct meeting *meeting,
 struct photon_asker {
     struct walk *walk;
     const struct surface *surface;
+    bool highlights;
 };
 
 /* What photons bring, which no ray finds: light of lamps that was bent. */
 static void walk_photon(void *context, const struct light_sample *sample)
 {
     const struct photon_asker *asker = context;
-    rgb response = surface_response(asker->surface, sample->direction, true);
+    rgb response =
+        surface_response(asker->surface, sample->direction, asker->highlights);
     walk_gather(asker->walk, rgb_mul(response, sample->colour));
 }
 
-static void walk_photons(struct walk *walk, const struct surface *surface)
+static void walk_photons(struct walk *walk, const struct meeting *meeting)
 {
-    struct photon_asker asker = { walk, surface };
+    const struct surface *surface = &meeting->crossing.surface;
+    struct photon_asker asker = { walk, surface, meeting->highlights };
     photons_light(walk->tracer, walk->worker, surface, walk_photon, &asker);
 }
 
@@ -277,7 +284,7 @@ static void walk_direct(struct walk *walk, struct meeting *meeting)
 {
     const struct crossing *crossing = &meeting->crossing;
     struct scatterer scatterer = { &crossing->surface, &meeting->lobes,
-                                   walk_scatters(walk) };
+                                   walk_scatters(walk), meeting->highlights };
     struct receiver receiver = {
         .point = crossing->at.point,
         .inside = &walk->inside,
@@ -291,7 +298,7 @@ static void walk_direct(struct walk *walk, struct meeting *meeting)
     };
     rgb lamps = direct_lamps(walk->tracer, walk->worker, &receiver,
                              &meeting->draws, walk->split);
-    walk_photons(walk, &crossing->surface);
+    walk_photons(walk, meeting);
     lobes_guide(&meeting->lobes, walk_guide(walk), receiver.point,
                 receiver.normal, rgb_peak(lamps) > 0);
     walk_value(walk, meeting, lamps);
@@ -311,7 +318,8 @@ static bool walk_scatter(struct walk *walk, const struct meeting *meeting,
     vec3 direction =
         lobes_sample(&meeting->lobes, draw_unit(draws, SLOT_LOBE), u);
     double density = lobes_density(&meeting->lobes, direction);
-    rgb response = surface_response(&crossing->surface, direction, true);
+    rgb response =
+        surface_response(&crossing->surface, direction, meeting->highlights);
     if (rgb_peak(response) == 0 || !(density > 0) || !isfinite(density))
         return false;
     walk->share =
@@ -453,8 +461,7 @@ static void ways_choose(struct ways *ways, double which)
 /* Onwards from the surface; false if the path ends there. */
 static bool walk_on(struct walk *walk, const struct meeting *meeting)
 {
-    struct ways ways;
-    ways_find(&ways, walk, &meeting->crossing);
+    struct ways ways = meeting->ways;
     if (walk_scatters(walk))
         ways_add(&ways, WAY_SCATTERED, walk->ray.direction,
                  rgb_grey(meeting->lobes.total), NULL);
@@ -504,19 +511,33 @@ static void walk_ambient(struct walk *walk, const struct meeting *meeting)
     walk_gather(walk, rgb_scale(share, open));
 }
 
+static double ways_total(const struct ways *ways)
+{
+    rgb sum = rgb_grey(0);
+    for (int i = 0; i < ways->count; i++)
+        sum = rgb_add(sum, ways->at[i].weight);
+    return rgb_peak(sum);
+}
+
 /* Finishes may send back more than they get. What the camera sees of such a
  * surface is as bright as it says; from one surface to the next the light must
  * not grow (shade/finish.h, surface_returned), and a sky sends none of it on
- * (shade/ambience.h). */
-static void walk_restrain(struct walk *walk, const struct meeting *meeting)
+ * (shade/ambience.h). Highlights, which stand for mirrors, are the first to go:
+ * in glass, which reflects all light at its back, it would grow for ever. */
+static void walk_restrain(struct walk *walk, struct meeting *meeting)
 {
-    double total = meeting->lobes.total;
     if (walk->split)
         return;
     const struct surface *surface = &meeting->crossing.surface;
     double solid = 1 - fmin(surface_sky(surface), 1);
     double restraint = surface_restraint(surface);
-    if (total * restraint > RETURNED_MOST)
+    double clear = ways_total(&meeting->ways);
+    if (meeting->lobes.total + clear > RETURNED_MOST) {
+        meeting->highlights = false;
+        lobes_fill(&meeting->lobes, surface, false);
+    }
+    double total = meeting->lobes.total + clear;
+    if (meeting->lobes.total > 0 && total * restraint > RETURNED_MOST)
         restraint = RETURNED_MOST / total;
     walk->share = rgb_scale(walk->share, solid * restraint);
 }
@@ -547,7 +568,9 @@ static bool walk_meet(struct walk *walk, struct meeting *meeting)
                                              walk->density, &crossing->at));
     walk_gather(walk, glow);
     walk_ambient(walk, meeting);
-    lobes_fill(&meeting->lobes, surface);
+    ways_find(&meeting->ways, walk, crossing);
+    meeting->highlights = true;
+    lobes_fill(&meeting->lobes, surface, true);
     walk_restrain(walk, meeting);
     if (meeting->lobes.total > 0)
         walk_direct(walk, meeting);

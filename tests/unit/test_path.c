@@ -147,7 +147,7 @@ static void surfaces_scatter_what_they_answer(void **state)
     for (size_t k = 0; k < sizeof finishes / sizeof *finishes; k++) {
         struct surface surface = slanted(&at, &finishes[k]);
         struct lobes lobes;
-        lobes_fill(&lobes, &surface);
+        lobes_fill(&lobes, &surface, true);
         assert_true(fabs(integral(surface_density, &lobes) - 1) < 5e-3);
         double summed = 0, drawn = 0;
         for (uint32_t i = 0; i < 65536; i++) {
