@@ -68,11 +68,13 @@ static inline unsigned lane_run_bits(struct lane_run run)
     return (1u << run.end) - (1u << run.first);
 }
 
-/* A loop over them; the compiler sees that their number is a multiple of a
- * step. (Of a loop over steps in which is one over lanes gcc 12 makes wrong
+/* A loop over them. The compiler sees between which lanes they are, without
+ * which it wouldn't make wide instructions of it: tests/tools/check-lanes
+ * looks. (Of a loop over steps in which is one over lanes gcc 12 makes wrong
  * code.) */
 #define EACH_LANE(i, run)                                                      \
-    for (int i = (run).first & -LANE_STEP, i##_end = (run).end & -LANE_STEP;   \
+    for (int i = (run).first ? LANE_STEP : 0,                                  \
+             i##_end = (run).end > LANE_STEP ? RAY_LANES : LANE_STEP;          \
          i < i##_end; i++)
 
 /* A point for each lane. */
