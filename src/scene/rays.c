@@ -31,11 +31,11 @@ CLONES void rays_first_of(const struct rays_crossings *restrict all,
     }
     for (int k = 0; k < all->count; k++)
         EACH_LANE(i, run) {
-            double t = all->t[k][i];
+            double t = all->t[k][i], part = all->part[k][i];
             bool is =
                 (t > span->near[i]) & (t < span->far[i]) & (t < met->t[i]);
             met->t[i] = is ? t : met->t[i];
-            met->part[i] = is ? all->part[k][i] : met->part[i];
+            met->part[i] = is ? part : met->part[i];
         }
 }
 

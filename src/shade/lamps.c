@@ -144,12 +144,15 @@ CLONES static void ways_to(const struct lamp_ways *restrict from,
                            const double (*restrict places)[RAY_LANES],
                            struct occlusions *restrict ways)
 {
+    const struct lamp_ways lamp = *from;
     for (unsigned i = 0; i < RAY_LANES; i++) {
-        vec3 offset = lamp_offset(from, lane_get(places, i));
-        lane_put(ways->rays.origin, i, from->point);
-        lane_put(
-            ways->rays.direction, i,
-            lamp_way(from, offset, &ways->span.near[i], &ways->span.far[i]));
+        vec3 offset = lamp_offset(&lamp, lane_get(places, i));
+        double near, far;
+        vec3 way = lamp_way(&lamp, offset, &near, &far);
+        lane_put(ways->rays.origin, i, lamp.point);
+        lane_put(ways->rays.direction, i, way);
+        ways->span.near[i] = near;
+        ways->span.far[i] = far;
     }
 }
 

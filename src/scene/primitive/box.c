@@ -131,13 +131,14 @@ static inline void lane_to_slab(struct interval_lane *in, double origin,
     double a = (low - origin) / direction, b = (high - origin) / direction;
     bool along = direction == 0, swap = a > b;
     double enter = swap ? b : a, leave = swap ? a : b;
+    double turned = swap ? 1 : 0;
     bool later = !along & (enter > in->enter);
     bool sooner = !along & (leave < in->leave);
     in->missed |= along & !((origin >= low) & (origin <= high));
     in->enter = later ? enter : in->enter;
     in->leave = sooner ? leave : in->leave;
-    in->enter_part = later ? (swap ? part + 1 : part) : in->enter_part;
-    in->leave_part = sooner ? (swap ? part : part + 1) : in->leave_part;
+    in->enter_part = later ? part + turned : in->enter_part;
+    in->leave_part = sooner ? part + 1 - turned : in->leave_part;
 }
 
 static inline struct interval_lane lane_clip(const struct box *box,
@@ -165,22 +166,6 @@ CLONES static void box_crosses_many(const void *shape, struct lane_run run,
         bool either = ((in.enter > near) & (in.enter < far)) |
                       ((in.leave > near) & (in.leave < far));
         met[i] = (!in.missed & either) ? -1 : 0;
-    }
-}
-
-CLONES static void box_first_many(const void *shape, struct lane_run run,
-                                  const struct rays *restrict rays,
-                                  const struct rays_span *restrict span,
-                                  struct rays_met *restrict met)
-{
-    const struct box box = *(const struct box *)shape;
-    EACH_LANE(i, run) {
-        struct interval_lane in = lane_clip(&box, rays, i);
-        bool before = in.enter > span->near[i];
-        double t = before ? in.enter : in.leave;
-        bool is = !in.missed & (t > span->near[i]) & (t < span->far[i]);
-        met->t[i] = is ? t : (double)INFINITY;
-        met->part[i] = before ? in.enter_part : in.leave_part;
     }
 }
 
@@ -289,7 +274,6 @@ const struct primitive box_primitive = {
     .crosses = box_crosses,
     .first = box_first,
     .crosses_many = box_crosses_many,
-    .first_many = box_first_many,
     .all_many = box_all_many,
     .normal = box_normal,
     .uv = box_uv,
