@@ -169,6 +169,29 @@ double noise_turbulence(enum noise_generator generator, vec3 point,
     return sum;
 }
 
+void noise_vectors_stir(struct spots *spots,
+                        const struct turbulence *turbulence)
+{
+    struct places places;
+    float raw[PLACES_MAX][NOISE_FIELDS];
+    struct octaves octaves = octaves_of(turbulence);
+    places_fill(&places, spots, octaves);
+    lattice_noise_fields(places_all(&places), places.count, raw);
+    for (int i = 0; i < spots->count; i++) {
+        float(*of)[NOISE_FIELDS] = raw + i * octaves.count;
+        double weight = 1, x = 0, y = 0, z = 0;
+        for (int k = 0; k < octaves.count; k++) {
+            x += weight * (double)of[k][0];
+            y += weight * (double)of[k][1];
+            z += weight * (double)of[k][2];
+            weight *= turbulence->omega;
+        }
+        spots->x[i] += turbulence->amount.x * x;
+        spots->y[i] += turbulence->amount.y * y;
+        spots->z[i] += turbulence->amount.z * z;
+    }
+}
+
 vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence)
 {
     vec3 values[OCTAVES_MAX], sum = { 0, 0, 0 };

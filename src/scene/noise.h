@@ -62,6 +62,10 @@ double noise_turbulence(enum noise_generator generator, vec3 point,
                         const struct turbulence *turbulence);
 vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence);
 
+/* Moves each spot by its turbulence. */
+void noise_vectors_stir(struct spots *spots,
+                        const struct turbulence *turbulence);
+
 /* A random point of the unit cube that belongs to the cell (x, y, z). */
 vec3 noise_cell_point(double x, double y, double z);
 

@@ -139,9 +139,14 @@ vec3 pattern_locate(const struct pattern *pattern, vec3 point)
 void pattern_locate_all(const struct pattern *pattern,
                         const struct spots *points, struct spots *located)
 {
-    located->count = 0;
+    located->count = points->count;
     for (int i = 0; i < points->count; i++)
-        spots_add(located, pattern_locate(pattern, spots_at(points, i)));
+        spots_put(located, i,
+                  affine_point(&pattern->inverse, spots_at(points, i)));
+    for (int i = 0; pattern->warps && i < points->count; i++)
+        spots_put(located, i, warp_all(pattern->warps, spots_at(located, i)));
+    if (pattern->turbulent && !(pattern->kind && pattern->kind->own_turbulence))
+        noise_vectors_stir(located, &pattern->turbulence);
 }
 
 /* As fmod, which takes long: for numbers that are not too large by differences,
@@ -159,14 +164,15 @@ static double pattern_rest(double value, double period)
 
 /* The period is 1.00001, not 1: with it a value of exactly 1 is the end of a
  * colour map and not its start. frequency 0 leaves values above 1 alone. */
+static const double pattern_period = 1.00001;
+
 static double pattern_cycle(const struct pattern *pattern, double value)
 {
-    const double period = 1.00001;
     if (pattern->frequency == 0)
         return value < 0 ? value - floor(value) : value;
     value = value * pattern->frequency + pattern->phase;
-    if (!(value >= 0 && value < period))
-        value = pattern_rest(value, period);
+    if (!(value >= 0 && value < pattern_period))
+        value = pattern_rest(value, pattern_period);
     return value < 0 ? value + 1 : value;
 }
 
@@ -195,15 +201,27 @@ static double pattern_fold(const struct pattern *pattern, double value)
     return v;
 }
 
+/* Most patterns are a ramp, and most values in its first cycle: done at once.
+ */
+static inline bool pattern_keeps(const struct pattern *pattern, double *value)
+{
+    double v = *value * pattern->frequency + pattern->phase;
+    if (pattern->wave != WAVE_RAMP || pattern->frequency == 0 ||
+        !(v >= 0 && v < pattern_period))
+        return false;
+    *value = v;
+    return true;
+}
+
 double pattern_value_at(const struct pattern *pattern, vec3 located)
 {
     return pattern_value_seen(pattern, located, NULL);
 }
 
 /* From the value of a kind's pattern to that of this one. */
-static double pattern_finish(const struct pattern *pattern, double value)
+static inline double pattern_finish(const struct pattern *pattern, double value)
 {
-    if (pattern->kind->blocks == 0)
+    if (pattern->kind->blocks == 0 && !pattern_keeps(pattern, &value))
         value = pattern_fold(pattern, value);
     return isfinite(value) ? value : 0;
 }
@@ -211,12 +229,16 @@ static double pattern_finish(const struct pattern *pattern, double value)
 void pattern_values_at(const struct pattern *pattern,
                        const struct spots *located, double *values)
 {
-    if (!pattern->kind || !pattern->kind->values) {
+    if (!pattern->kind) {
         for (int i = 0; i < located->count; i++)
-            values[i] = pattern_value_at(pattern, spots_at(located, i));
+            values[i] = 0;
         return;
     }
-    pattern->kind->values(pattern, located, values);
+    if (pattern->kind->values)
+        pattern->kind->values(pattern, located, values);
+    else
+        for (int i = 0; i < located->count; i++)
+            values[i] = pattern->kind->value(pattern, spots_at(located, i));
     for (int i = 0; i < located->count; i++)
         values[i] = vec3_finite(spots_at(located, i))
                         ? pattern_finish(pattern, values[i])

@@ -147,6 +147,43 @@ colour pigment_colour(const struct pigment *pigment, vec3 point)
     return pigment_at(pigment, point, (struct depth){ 0, NULL });
 }
 
+/* A value between entries that are colours: all there is to most maps. */
+static inline bool map_simple(const struct blend_map *map, double value,
+                              colour *made)
+{
+    const struct map_place place = map_place_of(
+        &map->entries[0].value, sizeof map->entries[0], map->count, value);
+    const struct blend_entry *entry = &map->entries[place.entry];
+    if (entry->pigment)
+        return false;
+    if (place.share >= 1) {
+        *made = entry->colour;
+        return true;
+    }
+    if (entry[-1].pigment)
+        return false;
+    *made = colour_mix(entry[-1].colour, entry->colour, place.share);
+    return true;
+}
+
+/* value_colour of several. */
+static void values_colours(const struct pigment *pigment, const double *values,
+                           const struct spots *located, colour *colours)
+{
+    const struct pattern *pattern = &pigment->pattern;
+    const struct pattern_kind *kind = pattern->kind;
+    const struct blend_map *map =
+        pigment->map ? pigment->map : pattern_map(pattern);
+    bool simple = !kind || (kind->blocks == 0 && !kind->average);
+    bool grey = simple && (!map || map->count == 0);
+    for (int i = 0; i < located->count; i++)
+        if (grey)
+            colours[i] = colour_opaque(rgb_grey(values[i]));
+        else if (!simple || !map_simple(map, values[i], &colours[i]))
+            colours[i] = value_colour(pigment, values[i], spots_at(located, i),
+                                      (struct depth){ 0, NULL });
+}
+
 void pigment_colours(const struct pigment *pigment, const struct spots *points,
                      colour *colours)
 {
@@ -159,9 +196,7 @@ void pigment_colours(const struct pigment *pigment, const struct spots *points,
     }
     pattern_locate_all(&pigment->pattern, points, &located);
     pattern_values_at(&pigment->pattern, &located, values);
-    for (int i = 0; i < points->count; i++)
-        colours[i] = value_colour(pigment, values[i], spots_at(&located, i),
-                                  (struct depth){ 0, NULL });
+    values_colours(pigment, values, &located, colours);
 }
 
 colour pigment_seen(const struct pigment *pigment, vec3 point,

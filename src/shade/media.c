@@ -300,29 +300,86 @@ static bool pieces_dim(struct march *march, const struct pieces *pieces,
     return true;
 }
 
+/* Where the pieces end: a row of which no more than PIECES are at hand. */
+struct row {
+    int next, count; /* pieces are between places 0 to count - 1 */
+    double moved;
+    int some; /* that are at hand */
+    double ends[PIECES + 1];
+};
+
+static struct row row_begin(struct march *march)
+{
+    struct row row = { .next = 1, .count = refining_count(march) };
+    /* Measured: all are moved together, forwards more than back. */
+    if (march->how->jitter > 0)
+        row.moved = march->how->jitter * (1.476 * march_random(march) - 0.29);
+    row.ends[0] = fmax(row.moved, 0) / row.count;
+    return row;
+}
+
+static bool row_more(struct row *row)
+{
+    int left = row->count - row->next;
+    if (left <= 0)
+        return false;
+    if (row->next > 1)
+        row->ends[0] = row->ends[row->some];
+    row->some = left < PIECES ? left : PIECES;
+    for (int i = 0; i < row->some; i++)
+        row->ends[i + 1] = fmin((row->next + i + row->moved) / row->count, 1);
+    row->next += row->some;
+    return true;
+}
+
+/* Whether it is a shadow ray's, on which no two places differ in their light
+ * and no piece is divided. */
+static bool march_dims(const struct march *march)
+{
+    const struct media_way *way = march->way;
+    return !way->lamps && !way->photons && march->how->method == 3 &&
+           march->how->threshold > 0;
+}
+
+/* What comes through is one exponential: of the sum of the pieces' means. */
+static void march_dimming(struct march *march)
+{
+    struct row row = row_begin(march);
+    rgb sum = rgb_grey(0), last = rgb_grey(0), depths[SPOTS_MAX];
+    for (int known = 0; row_more(&row); known = 1) {
+        struct places places;
+        places.at.count = 0;
+        for (int i = known; i <= row.some; i++)
+            march_place(march, &places, row.ends[i]);
+        for (int i = 0; i < row.some; i++)
+            march_place(march, &places, (row.ends[i] + row.ends[i + 1]) / 2);
+        media_depths(march->way, &places.at, depths);
+        for (int i = 0; i < places.at.count; i++)
+            sum = rgb_add(sum, depths[i]);
+        int end = row.some - known; /* the last; two pieces have the others */
+        for (int i = 1 - known; i < end; i++)
+            sum = rgb_add(sum, depths[i]);
+        sum = rgb_add(sum, last);
+        last = depths[end];
+    }
+    double length = march->length / (row.count - 1);
+    march->veil.through =
+        rgb_mul(march->veil.through, depth_through(sum, length / 3));
+}
+
 static void march_refining(struct march *march)
 {
-    int count = refining_count(march);
-    double length = march->length / (count - 1);
-    /* Measured: all are moved together, forwards more than back. */
-    double moved =
-        march->how->jitter > 0
-            ? march->how->jitter * (1.476 * march_random(march) - 0.29)
-            : 0;
+    struct row row = row_begin(march);
+    double length = march->length / (row.count - 1);
     struct pieces pieces;
     struct media_sample last, *known = NULL;
-    double ends[PIECES + 1] = { fmax(moved, 0) / count };
-    for (int from = 1, some; from < count; from += some) {
-        some = count - from < PIECES ? count - from : PIECES;
-        for (int i = 0; i < some; i++)
-            ends[i + 1] = fmin((from + i + moved) / count, 1);
-        pieces_begin(march, &pieces, ends, some, known);
+    while (row_more(&row)) {
+        pieces_begin(march, &pieces, row.ends, row.some, known);
         pieces_divide(march, &pieces);
-        if (!pieces_dim(march, &pieces, some, length))
+        if (!pieces_dim(march, &pieces, row.some, length))
             return;
-        last = pieces.at[some - 1].b;
+        last = pieces.at[row.some - 1].b;
         known = &last;
-        ends[0] = ends[some];
     }
 }
 
@@ -417,6 +474,8 @@ static void march_part(struct march *march, const struct media_part *part,
         march->from = part->from + i * march->length;
         if (march_alike(march))
             ;
+        else if (march_dims(march))
+            march_dimming(march);
         else if (march->how->method == 3)
             march_refining(march);
         else

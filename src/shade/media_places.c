@@ -84,6 +84,22 @@ static rgb place_scatters(const struct media_way *way,
     return light;
 }
 
+void media_depths(const struct media_way *way, const struct spots *spots,
+                  rgb *depths)
+{
+    rgb densities[SPOTS_MAX];
+    int media = worker_stopped(way->worker) ? 0 : way->media->count;
+    for (int i = 0; i < spots->count; i++)
+        depths[i] = rgb_grey(0);
+    for (int k = 0; k < media; k++) {
+        const struct medium *medium = way->media->at[k];
+        rgb extinction = medium_extinction(medium);
+        medium_densities(medium, spots, densities);
+        for (int i = 0; i < spots->count; i++)
+            depths[i] = rgb_add(depths[i], rgb_mul(extinction, densities[i]));
+    }
+}
+
 void media_samples(const struct media_way *way, bool lit, struct places *places)
 {
     places->count = places->at.count;

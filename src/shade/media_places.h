@@ -18,6 +18,11 @@ struct places {
     rgb scattered[SPOTS_MAX];
 };
 
+/* What is lost in a unit of length at each spot: all that shadow rays ask.
+ * Nothing is there once the worker is told to stop. */
+void media_depths(const struct media_way *way, const struct spots *spots,
+                  rgb *depths);
+
 /* Fills in the samples. Lamps light the places if `lit`. Nothing is there once
  * the worker is told to stop. */
 void media_samples(const struct media_way *way, bool lit,

@@ -1,14 +1,27 @@
 /* cylindrical: from 1 on the y axis to 0 on the unit cylinder and beyond. */
 #include "scene/pattern.h"
+#include "scene/spots.h"
 
 static double cylindrical_value(const struct pattern *pattern, vec3 point)
 {
     (void)pattern;
-    return fmax(0, 1 - hypot(point.x, point.z));
+    return fmax(0, 1 - sqrt(point.x * point.x + point.z * point.z));
+}
+
+static void cylindrical_values(const struct pattern *pattern,
+                               const struct spots *spots, double *values)
+{
+    (void)pattern;
+    for (int i = 0; i < spots->count; i++) {
+        double x = spots->x[i], z = spots->z[i];
+        double value = 1 - sqrt(x * x + z * z);
+        values[i] = value > 0 ? value : 0;
+    }
 }
 
 const struct pattern_kind cylindrical_pattern = {
     .name = "cylindrical",
     .help = "1 on the y axis to 0 at distance 1 of it",
     .value = cylindrical_value,
+    .values = cylindrical_values,
 };
