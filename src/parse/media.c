@@ -208,5 +208,6 @@ bool parse_media(struct parser *p, struct media *media)
                         MEDIA_MAX);
     *media = media_with(p->scene_arena, *media, medium);
     p->scene->misty = true;
+    p->scene->murky |= !rgb_is_black(medium_extinction(medium));
     return true;
 }

@@ -98,6 +98,7 @@ struct scene {
     unsigned light_groups;       /* how many there are: 1 to that */
     struct media media;          /* of all space */
     bool misty;                  /* there are media somewhere */
+    bool murky;                  /* and some of them take light */
     struct noise_settings noise; /* of all patterns and fogs */
     double version; /* the language's version the scene asked for */
 };

@@ -19,7 +19,7 @@ struct lamps lamps_new(const struct world *world, const struct scene *scene,
     const struct light *lights = world_lights(world, &lamps.count);
     bool air = quality >= QUALITY_FOG;
     lamps.foggy = air && (scene->fogs.count > 0 || scene->media.count > 0);
-    lamps.misty = air && scene->misty;
+    lamps.misty = air && scene->murky;
     lamps.clear = quality >= QUALITY_SHADOWS && !lamps.misty;
     lamps.plain = lamps.clear && world_is_opaque(world);
     lamps.items = memory_new(lamps.count * sizeof *lamps.items);

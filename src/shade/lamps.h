@@ -20,7 +20,7 @@ struct lamps {
     uint64_t seed; /* of the jitter of area lights */
     bool foggy;    /* fogs or media between objects weaken light, if the lamp
                     * says so */
-    bool misty;    /* media in objects do */
+    bool misty;    /* media do */
     bool clear;    /* there are shadows, and but for fogs surfaces alone cast
                     * them */
     bool plain;    /* and these are opaque */

@@ -68,11 +68,26 @@ struct march {
     struct veil veil;
     double from, length;
     bool lit, even; /* even: of no densities, the same all along */
-    uint64_t key;   /* of random numbers */
+    bool keyed;
+    uint64_t key; /* of random numbers, once they are needed */
 };
+
+static uint64_t way_key(const struct media_way *way)
+{
+    uint64_t bits[6];
+    memcpy(bits, &way->origin, sizeof way->origin);
+    memcpy(bits + 3, &way->direction, sizeof way->direction);
+    uint64_t key = 0;
+    for (int i = 0; i < 6; i++)
+        key = random_key(key, bits[i]);
+    return key;
+}
 
 static double march_random(struct march *march)
 {
+    if (!march->keyed)
+        march->key = way_key(march->way);
+    march->keyed = true;
     march->key = random_mix(march->key);
     return random_unit(march->key);
 }
@@ -393,8 +408,9 @@ struct tally {
 static void tally_add(struct tally *tally, const struct march *march,
                       double share, struct media_sample sample)
 {
-    rgb dimmed = depth_through(sample.depth, share * march->length);
-    sample.light = rgb_mul(sample.light, dimmed);
+    if (!rgb_is_black(sample.light))
+        sample.light = rgb_mul(
+            sample.light, depth_through(sample.depth, share * march->length));
     tally->sum = sample_mix(tally->sum, 1, sample, 1);
     tally->squares =
         rgb_add(tally->squares, rgb_mul(sample.light, sample.light));
@@ -512,17 +528,6 @@ static void march_parts(struct march *march, const struct media_part *parts,
     }
 }
 
-static uint64_t way_key(const struct media_way *way)
-{
-    uint64_t bits[6];
-    memcpy(bits, &way->origin, sizeof way->origin);
-    memcpy(bits + 3, &way->direction, sizeof way->direction);
-    uint64_t key = 0;
-    for (int i = 0; i < 6; i++)
-        key = random_key(key, bits[i]);
-    return key;
-}
-
 static bool media_even(const struct media_list *media)
 {
     for (int i = 0; i < media->count; i++)
@@ -542,7 +547,6 @@ struct veil media_veil(const struct media_way *way)
     finite.length = fmin(way->length, media_horizon);
     if (way->media->count == 0 || !(finite.length > 0))
         return march.veil;
-    march.key = way_key(way);
     march.even = !way->photons && media_even(way->media);
     for (int i = 0; i < way->media->count; i++)
         if (way->media->at[i]->intervals > intervals)

@@ -94,6 +94,8 @@ void media_depths(const struct media_way *way, const struct spots *spots,
     for (int k = 0; k < media; k++) {
         const struct medium *medium = way->media->at[k];
         rgb extinction = medium_extinction(medium);
+        if (rgb_is_black(extinction))
+            continue;
         medium_densities(medium, spots, densities);
         for (int i = 0; i < spots->count; i++)
             depths[i] = rgb_add(depths[i], rgb_mul(extinction, densities[i]));
