@@ -135,9 +135,9 @@ static inline bool seeker_meets_end(const struct seeker *seeker,
     return seeker->from.t > seeker->tmin && seeker->from.value < 0 && !s->open;
 }
 
-/* The first crossing for each. */
+/* The first crossing for each; `any`: or only whether there is one. */
 static void seekers_search(const struct isosurface *s,
-                           struct seeker *const *seekers, int count)
+                           struct seeker *const *seekers, int count, bool any)
 {
     struct search *searches[RAY_LANES];
     int live = 0;
@@ -145,6 +145,7 @@ static void seekers_search(const struct isosurface *s,
     for (int i = 0; i < count; i++) {
         struct seeker *seeker = seekers[i];
         search_set_out(&seeker->search, s, &seeker->crossing, 1);
+        seeker->search.any = any;
         if (seeker_meets_end(seeker, s))
             continue;
         search_stretch(&seeker->search, seeker->from, seeker->to);
@@ -225,30 +226,37 @@ static bool seeker_first(const struct seeker *seeker,
 }
 
 /* Nothing is looked for but between tmin and tmax, and up to the first. */
-static bool isosurface_first(const void *shape, const struct ray *ray,
-                             double tmin, double tmax, struct hit *hit)
+static bool isosurface_seek(const struct isosurface *s, const struct ray *ray,
+                            double tmin, double tmax, bool any, struct hit *hit)
 {
     struct seeker seeker, *one = &seeker;
     seeker.search.ray = *ray;
     seeker.tmin = tmin;
     seeker.tmax = tmax;
-    if (!seeker_begin(&seeker, shape))
+    if (!seeker_begin(&seeker, s))
         return false;
-    seekers_search(shape, &one, 1);
-    return seeker_first(&seeker, shape, hit);
+    seekers_search(s, &one, 1, any);
+    return seeker_first(&seeker, s, hit);
+}
+
+static bool isosurface_first(const void *shape, const struct ray *ray,
+                             double tmin, double tmax, struct hit *hit)
+{
+    return isosurface_seek(shape, ray, tmin, tmax, false, hit);
 }
 
 static bool isosurface_crosses(const void *shape, const struct ray *ray,
                                double tmin, double tmax)
 {
     struct hit hit;
-    return isosurface_first(shape, ray, tmin, tmax, &hit);
+    return isosurface_seek(shape, ray, tmin, tmax, true, &hit);
 }
 
-static void isosurface_first_many(const void *shape, struct lane_run run,
-                                  const struct rays *rays,
-                                  const struct rays_span *span,
-                                  struct rays_met *met)
+/* Those of the run. */
+static void isosurface_seek_many(const struct isosurface *s,
+                                 struct lane_run run, const struct rays *rays,
+                                 const struct rays_span *span, bool any,
+                                 struct rays_met *met)
 {
     struct seeker all[RAY_LANES], *seekers[RAY_LANES];
     struct hit hit;
@@ -259,14 +267,22 @@ static void isosurface_first_many(const void *shape, struct lane_run run,
         seeker->tmin = span->near[i];
         seeker->tmax = span->far[i];
         met->t[i] = (double)INFINITY;
-        count += seeker->tmin < seeker->tmax && seeker_begin(seeker, shape);
+        count += seeker->tmin < seeker->tmax && seeker_begin(seeker, s);
     }
-    seekers_search(shape, seekers, count);
+    seekers_search(s, seekers, count, any);
     for (int i = 0; i < count; i++)
-        if (seeker_first(seekers[i], shape, &hit)) {
+        if (seeker_first(seekers[i], s, &hit)) {
             met->t[seekers[i] - all] = hit.t;
             met->part[seekers[i] - all] = hit.part;
         }
+}
+
+static void isosurface_first_many(const void *shape, struct lane_run run,
+                                  const struct rays *rays,
+                                  const struct rays_span *span,
+                                  struct rays_met *met)
+{
+    isosurface_seek_many(shape, run, rays, span, false, met);
 }
 
 static void isosurface_crosses_many(const void *shape, struct lane_run run,
@@ -275,7 +291,7 @@ static void isosurface_crosses_many(const void *shape, struct lane_run run,
                                     lane_flag *crosses)
 {
     struct rays_met met;
-    isosurface_first_many(shape, run, rays, span, &met);
+    isosurface_seek_many(shape, run, rays, span, true, &met);
     for (int i = run.first; i < run.end; i++)
         crosses[i] = met.t[i] < (double)INFINITY ? -1 : 0;
 }

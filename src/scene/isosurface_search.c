@@ -24,7 +24,7 @@ void search_set_out(struct search *search, const struct isosurface *surface,
     search->accuracy = surface->accuracy / speed;
     search->left = SEARCH_STEPS - 2; /* that of the ends are spent */
     search->wanted = wanted;
-    search->coarse = false;
+    search->coarse = search->any = false;
     search->found = search->round = search->ahead = search->depth = 0;
 }
 
@@ -55,21 +55,42 @@ static bool search_refines(struct search *search)
     return false;
 }
 
+static inline bool places_differ(struct search_place a, struct search_place b)
+{
+    return (a.value < 0) != (b.value < 0);
+}
+
+/* Whether the function may reach its threshold between them. */
+static inline bool search_may_cross(const struct search *search,
+                                    struct search_place a,
+                                    struct search_place b)
+{
+    return places_differ(a, b) ||
+           !(fabs(a.value) + fabs(b.value) > search->gradient * (b.t - a.t));
+}
+
+/* Whether it is short enough to be looked at no closer. */
+static inline bool search_is_short(const struct search *search,
+                                   struct search_place a, struct search_place b)
+{
+    double middle = 0.5 * (a.t + b.t);
+    return b.t - a.t < search->accuracy || middle <= a.t || middle >= b.t;
+}
+
 /* Whether the first stretch wants a value; if not, it is passed. */
 static inline bool search_wants(struct search *search)
 {
     const struct search_place a = search->here,
                               b = search->ends[search->depth - 1];
-    bool differ = (a.value < 0) != (b.value < 0);
-    double length = b.t - a.t;
-    if (differ ||
-        !(fabs(a.value) + fabs(b.value) > search->gradient * length)) {
+    if (search_may_cross(search, a, b)) {
+        bool differ = places_differ(a, b);
         search->asked = 0.5 * (a.t + b.t);
-        if (!(length < search->accuracy || search->asked <= a.t ||
-              search->asked >= b.t || search->depth == SEARCH_DEPTH))
+        if (!(search_is_short(search, a, b) || search->depth == SEARCH_DEPTH ||
+              (differ && search->any)))
             return true;
-        if (differ && search->coarse) {
-            search->crossings[search->found++] = b.t;
+        if (differ && (search->coarse || search->any)) {
+            search->crossings[search->found++] =
+                search->any ? search->asked : b.t;
         } else if (differ) {
             search->bracket = (struct bracket){ a.t, a.value, b.t, b.value };
             search->round = 1;
@@ -132,33 +153,73 @@ struct batch {
     struct spots spots;
 };
 
-static inline void batch_add(struct batch *batch, struct search *search,
-                             double t)
+/* Where a search would go on if the function were straight between what is
+ * known of it. */
+struct foresight {
+    struct search_place here;
+    struct search_place ends[SEARCH_AHEAD + 1]; /* the nearest last; before them
+                                                 * those of the search: */
+    int own, depth;
+};
+
+static inline struct search_place foresight_end(const struct foresight *on,
+                                                const struct search *search)
 {
-    search->known[search->ahead++].t = t;
-    spots_add(&batch->spots, ray_point(&search->ray, t));
+    return on->own > 0 ? on->ends[on->own - 1] : search->ends[on->depth - 1];
 }
 
-/* The value it wants and, of a stretch, up to 2 or 6 that the next steps will
- * most likely want. */
+static inline void foresight_pass(struct foresight *on,
+                                  const struct search *search)
+{
+    on->here = foresight_end(on, search);
+    if (on->own > 0)
+        on->own--;
+    else
+        on->depth--;
+}
+
+/* Halves its first stretch. */
+static inline void foresight_halve(struct foresight *on,
+                                   struct search_place end)
+{
+    on->ends[on->own++] =
+        (struct search_place){ 0.5 * (on->here.t + end.t),
+                               0.5 * (on->here.value + end.value) };
+}
+
+/* Goes on to the stretch that will be halved next. False: that is not known. */
+static bool foresight_ask(struct foresight *on, const struct search *search)
+{
+    while (on->depth + on->own > 0) {
+        struct search_place end = foresight_end(on, search);
+        if (!search_may_cross(search, on->here, end)) {
+            foresight_pass(on, search);
+            continue;
+        }
+        bool ends = search->any && places_differ(on->here, end);
+        return !ends && !search_is_short(search, on->here, end);
+    }
+    return false;
+}
+
+/* The value it wants and, of a stretch, those that the next steps will most
+ * likely want. */
 static void batch_ask(struct batch *batch, struct search *search, int values)
 {
     batch->of[batch->count++] = search;
     search->ahead = 0;
     spots_add(&batch->spots, ray_point(&search->ray, search->asked));
-    if (search->round || values < 3)
+    if (search->round || values < 2)
         return;
-    double a = search->here.t, b = search->ends[search->depth - 1].t;
-    double middle = search->asked;
-    double low = 0.5 * (a + middle), high = 0.5 * (middle + b);
-    batch_add(batch, search, low);
-    batch_add(batch, search, high);
-    if (values < 7)
-        return;
-    batch_add(batch, search, 0.5 * (a + low));
-    batch_add(batch, search, 0.5 * (low + middle));
-    batch_add(batch, search, 0.5 * (middle + high));
-    batch_add(batch, search, 0.5 * (high + b));
+    struct foresight on = { .here = search->here, .depth = search->depth };
+    foresight_halve(&on, foresight_end(&on, search));
+    while (search->ahead < values - 1 && foresight_ask(&on, search)) {
+        struct search_place end = foresight_end(&on, search);
+        foresight_halve(&on, end);
+        double t = on.ends[on.own - 1].t;
+        search->known[search->ahead++].t = t;
+        spots_add(&batch->spots, ray_point(&search->ray, t));
+    }
 }
 
 static void batch_answer(struct batch *batch, const struct isosurface *surface)
@@ -178,9 +239,7 @@ static void batch_answer(struct batch *batch, const struct isosurface *surface)
 /* How many values for each of so many searches take as long as one. */
 static inline int values_for(const struct isosurface *surface, int searches)
 {
-    return !surface->function->even || 3 * searches > OCTET ? 1
-           : searches > 1                                   ? 3
-                                                            : 7;
+    return surface->function->even && searches < OCTET ? OCTET / searches : 1;
 }
 
 /* They wait in a ring, so that there is always a whole batch of them. */

@@ -28,6 +28,8 @@ struct search {
     int found, wanted;        /* crossings; at most: the nearest */
     bool coarse;              /* crossings are where stretches as short as the
                                * accuracy end, as POV-Ray has it (measured) */
+    bool any;                 /* whether there is a crossing will do: it is
+                               * anywhere in its stretch */
     int round;                /* of the crossing in the first, if not 0 */
     int ahead;                /* values that were worked out with others */
     struct search_place known[SEARCH_AHEAD]; /* these values */
