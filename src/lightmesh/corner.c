@@ -81,9 +81,11 @@ bool corner_sees(const struct corner *corner, const struct indirect_mesh *mesh,
         return true;
     struct ray ray = { from, vec3_scale(between, 1 / length) };
     worker->counters.shadow_rays++;
-    return !world_occluded(
-        mesh->points.world,
-        &(struct occlusion){ .ray = &ray, .tmax = length, .light = -1 });
+    return !world_occluded(mesh->points.world,
+                           &(struct occlusion){ .ray = &ray,
+                                                .tmax = length,
+                                                .light = -1,
+                                                .spread = gather_spread });
 }
 
 /* No less than nothing. */

@@ -113,7 +113,8 @@ static bool corner_shows(const struct corner_store *store,
                            &(struct occlusion){ .ray = &ray,
                                                 .tmin = surface_offset(from),
                                                 .tmax = length,
-                                                .light = -1 });
+                                                .light = -1,
+                                                .spread = gather_spread });
 }
 
 /* The surface that the corner's line meets first. */

@@ -38,7 +38,9 @@ static rgb candidate_light(const struct candidate *candidate,
                            const struct lamps *lamps, struct worker *worker,
                            const struct draws *draws, uint32_t slot, vec3 place)
 {
-    struct lamp_target target = { .point = place, .view = candidate->view };
+    struct lamp_target target = { .point = place,
+                                  .view = candidate->view,
+                                  .spread = gather_spread };
     if (lamps_soft(lamps, candidate->lamp)) {
         double u[2];
         draw_pair(draws, slot, u);

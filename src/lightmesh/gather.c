@@ -176,9 +176,10 @@ static struct indirect_share gathering_here(const struct gathering *gathering,
         .known = true,
     };
     gathering->worker->counters.shadow_rays++;
-    if (!world_within(gather->lamps->world, &further.ray,
-                      surface_offset(surface->point), gather->reach,
-                      RAY_REFLECTION, &found.at))
+    const struct glimpse near = { surface_offset(surface->point), gather->reach,
+                                  gather_spread };
+    if (!world_glimpse(gather->lamps->world, &further.ray, near, RAY_REFLECTION,
+                       &found.at))
         return share;
     double close = gather->crevice / chance *
                    near_field_closeness(found.at.t, gather->reach);
@@ -338,13 +339,14 @@ static bool gathering_trace(struct gathering *gathering,
                             struct intersection *at)
 {
     bool known = gathering->known;
-    double offset = surface_offset(gathering->ray.origin);
+    const struct glimpse glimpse = { surface_offset(gathering->ray.origin),
+                                     (double)INFINITY, gather_spread };
     gathering->known = false;
     if (known)
         return true;
     gathering->worker->counters.shadow_rays++;
-    return world_closest(gathering->gather->lamps->world, &gathering->ray,
-                         offset, RAY_REFLECTION, at);
+    return world_glimpse(gathering->gather->lamps->world, &gathering->ray,
+                         glimpse, RAY_REFLECTION, at);
 }
 
 /* All light. What is met first into *first, and that one's own light into

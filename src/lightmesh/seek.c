@@ -35,7 +35,8 @@ static bool seeker_sees(const struct seeker *seeker,
         &(struct occlusion){ .ray = &ray,
                              .tmin = surface_offset(seeker->receiver->point),
                              .tmax = length,
-                             .light = -1 });
+                             .light = -1,
+                             .spread = gather_spread });
 }
 
 /* 0 behind the surface, 1 well before it. */

@@ -287,6 +287,9 @@ static const double gather_worth_around = 0.01; /* or, in the open, what is
                                                  * usual */
 static const double gather_worth_whole = 0.5;   /* less gathers fewer rays */
 static const double gather_least = 0.02;        /* share that is followed */
+static const double gather_spread = 0.02;       /* radius of the cone that a
+                                                 * ray is, and one from what it
+                                                 * meets to a lamp */
 static const double often_mirrored = 2, often_lit = 4,
                     often_near = 1;   /* roulette, factors, */
 static const double onward_often = 1; /* of where it goes on [truth]; */

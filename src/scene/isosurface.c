@@ -135,9 +135,16 @@ static inline bool seeker_meets_end(const struct seeker *seeker,
     return seeker->from.t > seeker->tmin && seeker->from.value < 0 && !s->open;
 }
 
-/* The first crossing for each; `any`: or only whether there is one. */
+/* What is enough to know. */
+struct asking {
+    bool any;      /* whether there is a crossing; else the first, */
+    double spread; /* and that about: see primitive.h */
+};
+
+/* The first crossing for each, or any. */
 static void seekers_search(const struct isosurface *s,
-                           struct seeker *const *seekers, int count, bool any)
+                           struct seeker *const *seekers, int count,
+                           struct asking asking)
 {
     struct search *searches[RAY_LANES];
     int live = 0;
@@ -145,7 +152,8 @@ static void seekers_search(const struct isosurface *s,
     for (int i = 0; i < count; i++) {
         struct seeker *seeker = seekers[i];
         search_set_out(&seeker->search, s, &seeker->crossing, 1);
-        seeker->search.any = any;
+        seeker->search.any = asking.any;
+        seeker->search.spread = asking.spread;
         if (seeker_meets_end(seeker, s))
             continue;
         search_stretch(&seeker->search, seeker->from, seeker->to);
@@ -227,7 +235,8 @@ static bool seeker_first(const struct seeker *seeker,
 
 /* Nothing is looked for but between tmin and tmax, and up to the first. */
 static bool isosurface_seek(const struct isosurface *s, const struct ray *ray,
-                            double tmin, double tmax, bool any, struct hit *hit)
+                            double tmin, double tmax, struct asking asking,
+                            struct hit *hit)
 {
     struct seeker seeker, *one = &seeker;
     seeker.search.ray = *ray;
@@ -235,28 +244,38 @@ static bool isosurface_seek(const struct isosurface *s, const struct ray *ray,
     seeker.tmax = tmax;
     if (!seeker_begin(&seeker, s))
         return false;
-    seekers_search(s, &one, 1, any);
+    seekers_search(s, &one, 1, asking);
     return seeker_first(&seeker, s, hit);
 }
 
 static bool isosurface_first(const void *shape, const struct ray *ray,
                              double tmin, double tmax, struct hit *hit)
 {
-    return isosurface_seek(shape, ray, tmin, tmax, false, hit);
+    return isosurface_seek(shape, ray, tmin, tmax, (struct asking){ 0 }, hit);
 }
 
 static bool isosurface_crosses(const void *shape, const struct ray *ray,
                                double tmin, double tmax)
 {
     struct hit hit;
-    return isosurface_seek(shape, ray, tmin, tmax, true, &hit);
+    return isosurface_seek(shape, ray, tmin, tmax,
+                           (struct asking){ .any = true }, &hit);
+}
+
+static bool isosurface_first_roughly(const void *shape, const struct ray *ray,
+                                     double tmin, double tmax, double spread,
+                                     struct hit *hit)
+{
+    const struct asking asking = { .any = !hit, .spread = spread };
+    struct hit any;
+    return isosurface_seek(shape, ray, tmin, tmax, asking, hit ? hit : &any);
 }
 
 /* Those of the run. */
 static void isosurface_seek_many(const struct isosurface *s,
                                  struct lane_run run, const struct rays *rays,
-                                 const struct rays_span *span, bool any,
-                                 struct rays_met *met)
+                                 const struct rays_span *span,
+                                 struct asking asking, struct rays_met *met)
 {
     struct seeker all[RAY_LANES], *seekers[RAY_LANES];
     struct hit hit;
@@ -269,7 +288,7 @@ static void isosurface_seek_many(const struct isosurface *s,
         met->t[i] = (double)INFINITY;
         count += seeker->tmin < seeker->tmax && seeker_begin(seeker, s);
     }
-    seekers_search(s, seekers, count, any);
+    seekers_search(s, seekers, count, asking);
     for (int i = 0; i < count; i++)
         if (seeker_first(seekers[i], s, &hit)) {
             met->t[seekers[i] - all] = hit.t;
@@ -282,7 +301,7 @@ static void isosurface_first_many(const void *shape, struct lane_run run,
                                   const struct rays_span *span,
                                   struct rays_met *met)
 {
-    isosurface_seek_many(shape, run, rays, span, false, met);
+    isosurface_seek_many(shape, run, rays, span, (struct asking){ 0 }, met);
 }
 
 static void isosurface_crosses_many(const void *shape, struct lane_run run,
@@ -291,7 +310,8 @@ static void isosurface_crosses_many(const void *shape, struct lane_run run,
                                     lane_flag *crosses)
 {
     struct rays_met met;
-    isosurface_seek_many(shape, run, rays, span, true, &met);
+    isosurface_seek_many(shape, run, rays, span, (struct asking){ .any = true },
+                         &met);
     for (int i = run.first; i < run.end; i++)
         crosses[i] = met.t[i] < (double)INFINITY ? -1 : 0;
 }
@@ -351,6 +371,7 @@ const struct primitive isosurface_primitive = {
     .traced = isosurface_traced,
     .crosses = isosurface_crosses,
     .first = isosurface_first,
+    .first_roughly = isosurface_first_roughly,
     .crosses_many = isosurface_crosses_many,
     .lane_by_lane = true,
     .first_many = isosurface_first_many,

@@ -15,6 +15,9 @@ enum {
     SEARCH_ROUNDS = 60,    /* for one crossing */
 };
 
+/* How near to a crossing is near enough: of the accuracy, and of the spread. */
+static const double exact_enough = 1e-6, rough_enough = 0.125;
+
 void search_set_out(struct search *search, const struct isosurface *surface,
                     double *crossings, int wanted)
 {
@@ -24,6 +27,7 @@ void search_set_out(struct search *search, const struct isosurface *surface,
     search->accuracy = surface->accuracy / speed;
     search->left = SEARCH_STEPS - 2; /* that of the ends are spent */
     search->wanted = wanted;
+    search->spread = 0;
     search->coarse = search->any = false;
     search->found = search->round = search->ahead = search->depth = 0;
 }
@@ -46,11 +50,13 @@ static inline void search_pass(struct search *search)
 static bool search_refines(struct search *search)
 {
     struct bracket *in = &search->bracket;
-    double enough = 1e-6 * search->accuracy;
+    double enough = search->spread > 0 ? rough_enough * search->spread * in->a
+                                       : exact_enough * search->accuracy;
     if (search->round < SEARCH_ROUNDS && in->b - in->a > enough &&
         bracket_next(in, search->round, &search->asked))
         return true;
-    search->crossings[search->found++] = 0.5 * (in->a + in->b);
+    bool before = search->spread > 0 && in->a > search->here.t;
+    search->crossings[search->found++] = before ? in->a : 0.5 * (in->a + in->b);
     search->round = 0;
     return false;
 }
@@ -73,8 +79,9 @@ static inline bool search_may_cross(const struct search *search,
 static inline bool search_is_short(const struct search *search,
                                    struct search_place a, struct search_place b)
 {
-    double middle = 0.5 * (a.t + b.t);
-    return b.t - a.t < search->accuracy || middle <= a.t || middle >= b.t;
+    double middle = 0.5 * (a.t + b.t), length = b.t - a.t;
+    return length < search->accuracy || length < search->spread * a.t ||
+           middle <= a.t || middle >= b.t;
 }
 
 /* Whether the first stretch wants a value; if not, it is passed. */

@@ -21,6 +21,7 @@ struct search {
     struct ray ray;
     double gradient;          /* of the function by t, at most */
     double accuracy;          /* in t */
+    double spread;            /* how much more by t, if not 0 */
     double asked;             /* where a value is wanted next */
     struct search_place here; /* nothing before it is to be looked for */
     int depth;                /* stretches from here on: see ends */

@@ -74,6 +74,12 @@ struct primitive {
     /* The same, and where it does first; NULL likewise. */
     bool (*first)(const void *shape, const struct ray *ray, double tmin,
                   double tmax, struct hit *hit);
+    /* The same of a ray that is no line but a cone, of that radius where it is
+     * one unit of t long: what is smaller than the cone there may be missed,
+     * and t may be off by as much, to the side that the ray comes from. hit
+     * NULL: only whether it meets it. NULL: it takes no less time. */
+    bool (*first_roughly)(const void *shape, const struct ray *ray, double tmin,
+                          double tmax, double spread, struct hit *hit);
     /* crosses and first of the run's rays side by side, each as those have it
      * to the bit; of the others nothing is said. NULL: one by one. */
     void (*crosses_many)(const void *shape, struct lane_run run,

@@ -83,6 +83,7 @@ static struct shadow_path lamp_path(const struct lamps *lamps,
         .inside = target->inside,
         .fog = lamps_dim(lamps, lamp) ? lamps->scene : NULL,
         .misty = lamps->misty,
+        .spread = target->spread,
         .photons =
             lamps->photons && !target->straight ? &lamp->light->photons : NULL,
     };

@@ -76,6 +76,7 @@ struct lamp_target {
     struct lamp_view view;          /* of the lamp's centre, by lamp_look */
     const struct leaf *leaf;        /* what it is on; NULL: in the open */
     vec3 face;     /* the unit, true, outward normal there, if it is */
+    double spread; /* of ways to the lamp: see world_glimpse */
     bool straight; /* photons bring nothing there: bent light goes straight */
 };
 

@@ -166,8 +166,13 @@ static bool shadow_blocked(const struct world *world,
                            double to, struct shadow_ray *shadow)
 {
     const struct ray ray = { path->point, path->direction };
-    const struct occlusion asked = { &ray,        from,          to,
-                                     path->light, shadow_filter, shadow };
+    const struct occlusion asked = { .ray = &ray,
+                                     .tmin = from,
+                                     .tmax = to,
+                                     .light = path->light,
+                                     .filter = shadow_filter,
+                                     .context = shadow,
+                                     .spread = path->spread };
     return path->shaft
                ? world_occluded_in(world, path->shaft, path->place, &asked)
                : world_occluded(world, &asked);
@@ -305,9 +310,11 @@ rgb shadow_visibility(const struct world *world, struct worker *worker,
     if (!world_is_opaque(world) || path->shaft || path->fog || path->misty)
         return shadow_filtered(world, worker, path, from, to);
     const struct ray ray = { path->point, path->direction };
-    const struct occlusion asked = {
-        .ray = &ray, .tmin = from, .tmax = to, .light = path->light
-    };
+    const struct occlusion asked = { .ray = &ray,
+                                     .tmin = from,
+                                     .tmax = to,
+                                     .light = path->light,
+                                     .spread = path->spread };
     bool blocked = world_occluded(world, &asked);
     return rgb_grey(blocked ? 0 : 1);
 }

@@ -24,8 +24,9 @@ struct shadow_path {
      * no light of this way. NULL: there are none, or they light nothing there.
      */
     const struct photon_flags *photons;
-    uint64_t key; /* of random numbers: media are met without bias; 0: as
-                   * POV-Ray samples them */
+    double spread; /* of the way: see world_glimpse */
+    uint64_t key;  /* of random numbers: media are met without bias; 0: as
+                    * POV-Ray samples them */
 };
 
 /* The share of light that gets there, tinted by transparent objects and faded

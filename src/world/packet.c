@@ -88,6 +88,7 @@ struct query *packet_query(struct packet *packet, unsigned i)
     query->ray = rays_at(packet->rays, (int)i);
     query->slabs.origin = query->ray.origin;
     query->slabs.inverse = lane_get(packet->inverse, i);
+    query->spread = 0;
     query->tmin = packet->span.near[i];
     query->tmax = packet->span.far[i];
     query->shift = packet->shift[i];

@@ -95,6 +95,40 @@ static bool query_is_plain(const struct query *query, const struct solid *solid)
            (solid->leaf->opaque || !query->filter);
 }
 
+static bool query_is_rough(const struct query *query,
+                           const struct primitive *primitive)
+{
+    return query->spread > 0 && primitive->first_roughly;
+}
+
+/* The first crossing of a simple shape. */
+static bool query_first(const struct query *query, const struct solid *solid,
+                        struct hit *hit)
+{
+    const struct primitive *primitive = solid->leaf->object->primitive;
+    const void *shape = solid->leaf->shape;
+    const struct ray *ray = &query->ray;
+    struct ray local;
+    if (solid->moved) {
+        local = ray_into(solid->to_shape, ray);
+        ray = &local;
+    }
+    return query_is_rough(query, primitive)
+               ? primitive->first_roughly(shape, ray, query->tmin,
+                                          query_reach(query), query->spread,
+                                          hit)
+               : primitive->first(shape, ray, query->tmin, query_reach(query),
+                                  hit);
+}
+
+/* Whether there is any. */
+static bool query_crosses(const struct query *query, const struct solid *solid)
+{
+    return query_is_rough(query, solid->leaf->object->primitive)
+               ? query_first(query, solid, NULL)
+               : solid_crosses(solid, &query->ray, query->tmin, query->tmax);
+}
+
 struct crossing_query {
     struct query *query;
     const struct solid *solid;
@@ -185,6 +219,7 @@ bool query_gates_open(const struct solid *solid, const struct ray *ray,
         probe.tmin = 0;
         probe.tmax = HUGE_VAL;
         probe.occlusion = true;
+        probe.spread = 0;
         probe.light = -1;
         probe.filter = NULL;
         probe.leaf = NULL;
@@ -218,22 +253,14 @@ bool query_simple(struct query *query, const struct solid *solid)
 {
     const struct object *object = solid->leaf->object;
     const struct primitive *primitive = object->primitive;
-    const struct ray *ray = &query->ray;
-    struct ray local;
     struct hit hit;
     if (!query_sees(query, solid->leaf))
         return false;
     if (solid->kind == OBJECT_SHAPE && query_is_plain(query, solid))
-        return query->blocked =
-                   solid_crosses(solid, ray, query->tmin, query->tmax);
+        return query->blocked = query_crosses(query, solid);
     if (solid->kind != OBJECT_SHAPE || query->occlusion || !primitive->first)
-        return query_leaf(query, solid, ray, NULL);
-    if (solid->moved) {
-        local = ray_into(solid->to_shape, ray);
-        ray = &local;
-    }
-    return primitive->first(solid->leaf->shape, ray, query->tmin,
-                            query_reach(query), &hit) &&
+        return query_leaf(query, solid, &query->ray, NULL);
+    return query_first(query, solid, &hit) &&
            query_wants(query, solid->leaf, hit.t) &&
            query_take(query, solid->leaf, &hit);
 }

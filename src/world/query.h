@@ -22,6 +22,7 @@ struct query {
     double tmin, tmax; /* tmax: the best crossing so far */
     double shift;      /* Embree's t minus ours */
     double doubt;      /* how far Embree's t may be off */
+    double spread;     /* of a cone, see primitive.h; 0: it is a line */
     bool occlusion;    /* any crossing, not the nearest */
 
     enum ray_kind kind; /* nearest: */

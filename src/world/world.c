@@ -122,6 +122,7 @@ static inline bool query_begin(const struct world *world, struct query *query,
         query->slabs = slabs_of(ray);
     query->tmin = tmin;
     query->tmax = tmax;
+    query->spread = 0;
     query->packet = NULL;
     query->leaf = NULL;
     query->rough = false;
@@ -215,11 +216,21 @@ void world_closest_many(const struct world *world, const struct rays *rays,
 bool world_within(const struct world *world, const struct ray *ray, double tmin,
                   double tmax, enum ray_kind kind, struct intersection *out)
 {
+    const struct glimpse exact = { tmin, tmax, 0 };
+    return world_glimpse(world, ray, exact, kind, out);
+}
+
+bool world_glimpse(const struct world *world, const struct ray *ray,
+                   struct glimpse glimpse, enum ray_kind kind,
+                   struct intersection *out)
+{
     struct query query;
     query.occlusion = false;
     query.kind = kind;
-    if (!query_begin(world, &query, ray, tmin, slab_min(tmax, world_limit)))
+    if (!query_begin(world, &query, ray, glimpse.tmin,
+                     slab_min(glimpse.tmax, world_limit)))
         return false;
+    query.spread = glimpse.spread;
     trace_nearest(world, &query);
     if (!query.leaf)
         return false;
@@ -234,8 +245,10 @@ static bool occlusion_begin(const struct world *world, struct query *query,
     query->light = occlusion->light;
     query->filter = occlusion->filter;
     query->context = occlusion->context;
-    return query_begin(world, query, occlusion->ray, occlusion->tmin,
-                       slab_min(occlusion->tmax, world_limit));
+    bool begun = query_begin(world, query, occlusion->ray, occlusion->tmin,
+                             slab_min(occlusion->tmax, world_limit));
+    query->spread = occlusion->spread;
+    return begun;
 }
 
 bool world_occluded(const struct world *world,

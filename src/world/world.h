@@ -115,6 +115,17 @@ void world_describe_face(const struct ray *ray, const struct leaf *leaf,
 bool world_within(const struct world *world, const struct ray *ray, double tmin,
                   double tmax, enum ray_kind kind, struct intersection *out);
 
+struct glimpse {
+    double tmin, tmax, spread;
+};
+
+/* As world_within, of a ray that stands for a cone of that radius at a distance
+ * of 1: where that takes less time, crossings are found no more exactly, and
+ * a little before they come rather than after. */
+bool world_glimpse(const struct world *world, const struct ray *ray,
+                   struct glimpse glimpse, enum ray_kind kind,
+                   struct intersection *out);
+
 /* Called for every crossing that may let light pass (leaf->opaque false), in
  * any order; returns true when the light is all blocked and no more crossings
  * are wanted. `out` is filled as by world_closest. */
@@ -127,6 +138,7 @@ struct occlusion {
     int light;            /* what looks like this one doesn't count; -1: none */
     world_filter *filter; /* or NULL */
     void *context;        /* of the filter */
+    double spread;        /* as of a glimpse */
 };
 
 /* Whether an opaque thing lies on the ray between tmin and tmax, or the filter
