@@ -50,8 +50,8 @@ static inline void search_pass(struct search *search)
 static bool search_refines(struct search *search)
 {
     struct bracket *in = &search->bracket;
-    double enough = search->spread > 0 ? rough_enough * search->spread * in->a
-                                       : exact_enough * search->accuracy;
+    double enough = fmax(exact_enough * search->accuracy,
+                         rough_enough * search->spread * in->a);
     if (search->round < SEARCH_ROUNDS && in->b - in->a > enough &&
         bracket_next(in, search->round, &search->asked))
         return true;
