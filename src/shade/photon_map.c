@@ -46,7 +46,8 @@ void photon_pack(vec3 d, int16_t packed[2])
     packed[1] = (int16_t)lrint(y * 32767);
 }
 
-vec3 photon_unpack(const int16_t packed[2])
+/* Of some length. */
+static inline vec3 photon_direction(const int16_t packed[2])
 {
     double x = packed[0] / 32767.0, y = packed[1] / 32767.0;
     double z = 1 - fabs(x) - fabs(y);
@@ -55,7 +56,12 @@ vec3 photon_unpack(const int16_t packed[2])
         y = (1 - fabs(x)) * (y < 0 ? -1 : 1);
         x = turned;
     }
-    return vec3_normalise(vec3_make(x, y, z));
+    return vec3_make(x, y, z);
+}
+
+vec3 photon_unpack(const int16_t packed[2])
+{
+    return vec3_normalise(photon_direction(packed));
 }
 
 /* ---- building ---- */
@@ -168,47 +174,54 @@ struct near {
     const struct photon *photon;
 };
 
-/* The nearest so far: a heap with the farthest at its top, once it is full. */
+/* The nearest so far, and others: room for twice as many as are looked for. */
 struct search {
     const struct photon_map *map;
     float at[3], normal[3];
     bool any; /* whatever side it came to */
     float reach;
     struct near *near;
-    unsigned count;
+    unsigned count, most;
 };
 
-static void heap_sink(struct near *near, unsigned count, unsigned at)
+/* So many are the nearest, the farthest of them the last (Hoare 1961). */
+static void near_select(struct near *near, unsigned count, unsigned nearest)
 {
-    struct near moved = near[at];
-    for (;;) {
-        unsigned child = 2 * at + 1;
-        if (child >= count)
-            break;
-        if (child + 1 < count && near[child + 1].square > near[child].square)
-            child++;
-        if (near[child].square <= moved.square)
-            break;
-        near[at] = near[child];
-        at = child;
+    unsigned from = 0, to = count;
+    while (to - from > 1) {
+        float pivot = near[from + (to - from - 1) / 2].square;
+        unsigned i = from, j = to - 1;
+        for (;;) {
+            while (near[i].square < pivot)
+                i++;
+            while (near[j].square > pivot)
+                j--;
+            if (i >= j)
+                break;
+            struct near kept = near[i];
+            near[i++] = near[j];
+            near[j--] = kept;
+        }
+        if (nearest - 1 <= j)
+            to = j + 1;
+        else
+            from = j + 1;
     }
-    near[at] = moved;
 }
 
-static void search_add(struct search *search, const struct near *found)
+/* Forgets all but the nearest; of those there are enough. */
+static void search_settle(struct search *search)
 {
-    unsigned most = search->map->most;
-    if (search->count < most) {
-        search->near[search->count++] = *found;
-        if (search->count < most)
-            return;
-        for (unsigned i = most / 2; i-- > 0;)
-            heap_sink(search->near, most, i);
-    } else {
-        search->near[0] = *found;
-        heap_sink(search->near, most, 0);
-    }
-    search->reach = search->near[0].square;
+    near_select(search->near, search->count, search->most);
+    search->count = search->most;
+    search->reach = search->near[search->most - 1].square;
+}
+
+static inline void search_add(struct search *search, const struct near *found)
+{
+    search->near[search->count++] = *found;
+    if (search->count == 2 * search->most)
+        search_settle(search);
 }
 
 /* Whether it came to the side that the normal shows, and lies on it. */
@@ -218,11 +231,12 @@ static bool search_takes(const struct search *search,
 {
     const float *n = search->normal;
     float height = away[0] * n[0] + away[1] * n[1] + away[2] * n[2];
-    vec3 from = photon_unpack(photon->from);
-    return height * height <= flatness * flatness * square &&
-           from.x * (double)n[0] + from.y * (double)n[1] +
-                   from.z * (double)n[2] >
-               0;
+    if (height * height > flatness * flatness * square)
+        return false;
+    vec3 from = photon_direction(photon->from);
+    return from.x * (double)n[0] + from.y * (double)n[1] +
+               from.z * (double)n[2] >
+           0;
 }
 
 static void search_try(struct search *search, const struct photon *photon)
@@ -239,7 +253,7 @@ static void search_try(struct search *search, const struct photon *photon)
 }
 
 /* Nearer halves first; the others wait, with the distance to their plane. */
-static void search_run(struct search *search)
+static void search_tree(struct search *search)
 {
     const struct photon *photons = search->map->photons;
     struct {
@@ -270,6 +284,13 @@ static void search_run(struct search *search)
     }
 }
 
+static void search_run(struct search *search)
+{
+    search_tree(search);
+    if (search->count >= search->most)
+        search_settle(search);
+}
+
 static void search_start(struct search *search, const struct photon_map *map,
                          vec3 point, struct near *near)
 {
@@ -279,28 +300,19 @@ static void search_start(struct search *search, const struct photon_map *map,
     search->at[2] = (float)point.z;
     search->near = near;
     search->count = 0;
+    search->most = map->most;
     search->reach = map->reach;
-}
-
-static int near_order(const void *a, const void *b)
-{
-    const struct near *x = a, *y = b;
-    return (x->square > y->square) - (x->square < y->square);
 }
 
 /* Once more where photons are sparse, so far that there are `least` of them,
  * but at most twice as far: else each would be a speck of its own. */
 static void search_widen(struct search *search)
 {
-    unsigned least = search->map->least;
     search->count = 0;
+    if (search->most > search->map->least)
+        search->most = search->map->least + 1; /* the farthest weighs nothing */
     search->reach = 4 * search->map->reach;
     search_run(search);
-    if (search->count <= least)
-        return;
-    qsort(search->near, search->count, sizeof *search->near, near_order);
-    search->reach = search->near[least].square;
-    search->count = least;
 }
 
 /* Those that were found, `all` being the kernel's integral over its radius. */
@@ -328,10 +340,11 @@ void photon_map_visit_within(const struct photon_map *within,
     struct search search;
     if (within->count == 0)
         return;
-    search_start(&search, within, point,
-                 within->most <= NEAR_FEW
-                     ? few
-                     : ARENA_ARRAY(worker->scratch, struct near, within->most));
+    search_start(
+        &search, within, point,
+        2 * within->most <= NEAR_FEW
+            ? few
+            : ARENA_ARRAY(worker->scratch, struct near, 2 * within->most));
     search.any = true;
     search_run(&search);
     if (search.count < within->least)
@@ -348,7 +361,7 @@ void photon_map_visit(const struct photon_map *map, struct worker *worker,
     if (map->count == 0)
         return;
     search_start(&search, map, point,
-                 ARENA_ARRAY(worker->scratch, struct near, map->most));
+                 ARENA_ARRAY(worker->scratch, struct near, 2 * map->most));
     search.any = false;
     search.normal[0] = (float)normal.x;
     search.normal[1] = (float)normal.y;
@@ -366,7 +379,7 @@ static double map_radius(const struct photon_map *map)
 {
     double radii[RADII_TRIED];
     size_t tried = map->count < RADII_TRIED ? map->count : RADII_TRIED;
-    struct near *near = memory_new(map->most * sizeof *near);
+    struct near *near = memory_new(2 * map->most * sizeof *near);
     for (size_t i = 0; i < tried; i++) {
         const float *at = map->photons[i * map->count / tried].at;
         struct search search;
