@@ -93,19 +93,18 @@ static double march_random(struct march *march)
 }
 
 /* At this share of the interval there is a place to look at. */
-static void march_place(const struct march *march, struct places *places,
+static void march_place(const struct march *march, struct spots *places,
                         double share)
 {
     double t = march->from + share * march->length;
-    spots_add(&places->at,
-              vec3_along(march->way->origin, march->way->direction, t));
+    spots_add(places, vec3_along(march->way->origin, march->way->direction, t));
 }
 
 static struct media_sample march_sample(const struct march *march, double share)
 {
     struct places one;
     one.at.count = 0;
-    march_place(march, &one, share);
+    march_place(march, &one.at, share);
     media_samples(march->way, march->lit, &one);
     return one.sample[0];
 }
@@ -171,7 +170,8 @@ static void pieces_look(const struct march *march, struct pieces *pieces,
         int some = pieces->count - first;
         some = some < SPOTS_MAX ? some : SPOTS_MAX;
         for (int i = 0; i < some; i++)
-            march_place(march, &places, piece_middle(&pieces->at[first + i]));
+            march_place(march, &places.at,
+                        piece_middle(&pieces->at[first + i]));
         media_samples(march->way, march->lit, &places);
         for (int i = 0; i < some; i++)
             pieces->at[first + i].m = places.sample[i];
@@ -279,9 +279,9 @@ static void pieces_begin(const struct march *march, struct pieces *pieces,
     struct places places;
     places.at.count = 0;
     for (int i = first ? 1 : 0; i <= count; i++)
-        march_place(march, &places, ends[i]);
+        march_place(march, &places.at, ends[i]);
     for (int i = 0; i < count; i++)
-        march_place(march, &places, (ends[i] + ends[i + 1]) / 2);
+        march_place(march, &places.at, (ends[i] + ends[i + 1]) / 2);
     media_samples(march->way, march->lit, &places);
     const struct media_sample *b = places.sample + (first ? 0 : 1);
     const struct media_sample *m = b + count;
@@ -315,86 +315,33 @@ static bool pieces_dim(struct march *march, const struct pieces *pieces,
     return true;
 }
 
-/* Where the pieces end: a row of which no more than PIECES are at hand. */
-struct row {
-    int next, count; /* pieces are between places 0 to count - 1 */
-    double moved;
-    int some; /* that are at hand */
-    double ends[PIECES + 1];
-};
-
-static struct row row_begin(struct march *march)
+/* Measured: all places are moved together, forwards more than back. */
+static double refining_moved(struct march *march)
 {
-    struct row row = { .next = 1, .count = refining_count(march) };
-    /* Measured: all are moved together, forwards more than back. */
-    if (march->how->jitter > 0)
-        row.moved = march->how->jitter * (1.476 * march_random(march) - 0.29);
-    row.ends[0] = fmax(row.moved, 0) / row.count;
-    return row;
-}
-
-static bool row_more(struct row *row)
-{
-    int left = row->count - row->next;
-    if (left <= 0)
-        return false;
-    if (row->next > 1)
-        row->ends[0] = row->ends[row->some];
-    row->some = left < PIECES ? left : PIECES;
-    for (int i = 0; i < row->some; i++)
-        row->ends[i + 1] = fmin((row->next + i + row->moved) / row->count, 1);
-    row->next += row->some;
-    return true;
-}
-
-/* Whether it is a shadow ray's, on which no two places differ in their light
- * and no piece is divided. */
-static bool march_dims(const struct march *march)
-{
-    const struct media_way *way = march->way;
-    return !way->lamps && !way->photons && march->how->method == 3 &&
-           march->how->threshold > 0;
-}
-
-/* What comes through is one exponential: of the sum of the pieces' means. */
-static void march_dimming(struct march *march)
-{
-    struct row row = row_begin(march);
-    rgb sum = rgb_grey(0), last = rgb_grey(0), depths[SPOTS_MAX];
-    for (int known = 0; row_more(&row); known = 1) {
-        struct places places;
-        places.at.count = 0;
-        for (int i = known; i <= row.some; i++)
-            march_place(march, &places, row.ends[i]);
-        for (int i = 0; i < row.some; i++)
-            march_place(march, &places, (row.ends[i] + row.ends[i + 1]) / 2);
-        media_depths(march->way, &places.at, depths);
-        for (int i = 0; i < places.at.count; i++)
-            sum = rgb_add(sum, depths[i]);
-        int end = row.some - known; /* the last; two pieces have the others */
-        for (int i = 1 - known; i < end; i++)
-            sum = rgb_add(sum, depths[i]);
-        sum = rgb_add(sum, last);
-        last = depths[end];
-    }
-    double length = march->length / (row.count - 1);
-    march->veil.through =
-        rgb_mul(march->veil.through, depth_through(sum, length / 3));
+    return march->how->jitter > 0
+               ? march->how->jitter * (1.476 * march_random(march) - 0.29)
+               : 0;
 }
 
 static void march_refining(struct march *march)
 {
-    struct row row = row_begin(march);
-    double length = march->length / (row.count - 1);
+    int count = refining_count(march);
+    double length = march->length / (count - 1);
+    double moved = refining_moved(march);
     struct pieces pieces;
     struct media_sample last, *known = NULL;
-    while (row_more(&row)) {
-        pieces_begin(march, &pieces, row.ends, row.some, known);
+    double ends[PIECES + 1] = { fmax(moved, 0) / count };
+    for (int from = 1, some; from < count; from += some) {
+        some = count - from < PIECES ? count - from : PIECES;
+        for (int i = 0; i < some; i++)
+            ends[i + 1] = fmin((from + i + moved) / count, 1);
+        pieces_begin(march, &pieces, ends, some, known);
         pieces_divide(march, &pieces);
-        if (!pieces_dim(march, &pieces, row.some, length))
+        if (!pieces_dim(march, &pieces, some, length))
             return;
-        last = pieces.at[row.some - 1].b;
+        last = pieces.at[some - 1].b;
         known = &last;
+        ends[0] = ends[some];
     }
 }
 
@@ -423,7 +370,7 @@ static void tally_add_all(struct tally *tally, const struct march *march,
     struct places places;
     places.at.count = 0;
     for (int i = 0; i < count; i++)
-        march_place(march, &places, shares[i]);
+        march_place(march, &places.at, shares[i]);
     media_samples(march->way, march->lit, &places);
     for (int i = 0; i < count; i++)
         tally_add(tally, march, shares[i], places.sample[i]);
@@ -479,6 +426,85 @@ static void march_averaging(struct march *march)
         rgb_mul(march->veil.through, depth_through(mean.depth, march->length));
 }
 
+/* ---- a shadow ray ---- */
+
+/* Where there is no light no two places differ in it, and none are looked at
+ * but those that always are. What comes through is one exponential, of the sum
+ * of what is at all of them. */
+struct dimming {
+    struct march *march;
+    struct spots at;
+    double weight[SPOTS_MAX];
+    rgb sum;
+};
+
+static void dimming_look(struct dimming *dimming)
+{
+    rgb depths[SPOTS_MAX];
+    media_depths(dimming->march->way, &dimming->at, depths);
+    for (int i = 0; i < dimming->at.count; i++)
+        dimming->sum =
+            rgb_add_scaled(dimming->sum, depths[i], dimming->weight[i]);
+    dimming->at.count = 0;
+}
+
+static void dimming_place(struct dimming *dimming, double share, double weight)
+{
+    if (dimming->at.count == SPOTS_MAX)
+        dimming_look(dimming);
+    dimming->weight[dimming->at.count] = weight;
+    march_place(dimming->march, &dimming->at, share);
+}
+
+/* An interval of method 3: pieces' means are sums of their ends and middles. */
+static void dimming_refining(struct dimming *dimming)
+{
+    struct march *march = dimming->march;
+    int count = refining_count(march);
+    double moved = refining_moved(march), from = fmax(moved, 0) / count;
+    double weight = march->length / (3 * (count - 1));
+    dimming_place(dimming, from, weight);
+    for (int i = 1; i < count; i++) {
+        double to = fmin((i + moved) / count, 1);
+        dimming_place(dimming, (from + to) / 2, weight);
+        dimming_place(dimming, to, i < count - 1 ? 2 * weight : weight);
+        from = to;
+    }
+}
+
+static void dimming_averaging(struct dimming *dimming)
+{
+    struct march *march = dimming->march;
+    int count = march->how->samples;
+    for (int i = 0; i < count; i++)
+        dimming_place(dimming, march_share(march, i), march->length / count);
+}
+
+static bool march_dims(const struct march *march)
+{
+    const struct media_way *way = march->way;
+    return !way->lamps && !way->photons &&
+           (march->how->method == 3 ? march->how->threshold > 0
+                                    : march->how->variance >= 0);
+}
+
+static void march_dim(struct march *march, double from, int intervals)
+{
+    struct dimming dimming = { .march = march };
+    dimming.at.count = 0;
+    dimming.sum = rgb_grey(0);
+    for (int i = 0; i < intervals; i++) {
+        march->from = from + i * march->length;
+        if (march->how->method == 3)
+            dimming_refining(&dimming);
+        else
+            dimming_averaging(&dimming);
+    }
+    dimming_look(&dimming);
+    march->veil.through =
+        rgb_mul(march->veil.through, depth_through(dimming.sum, 1));
+}
+
 /* ---- the way ---- */
 
 static void march_part(struct march *march, const struct media_part *part,
@@ -486,12 +512,14 @@ static void march_part(struct march *march, const struct media_part *part,
 {
     march->lit = part->lit;
     march->length = (part->to - part->from) / intervals;
+    if (!march->even && march_dims(march)) {
+        march_dim(march, part->from, intervals);
+        return;
+    }
     for (int i = 0; i < intervals; i++) {
         march->from = part->from + i * march->length;
         if (march_alike(march))
             ;
-        else if (march_dims(march))
-            march_dimming(march);
         else if (march->how->method == 3)
             march_refining(march);
         else
