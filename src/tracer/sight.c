@@ -72,29 +72,105 @@ static struct radiance tracer_ray(const struct tracer *tracer,
     return seen;
 }
 
+void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
+                      unsigned count, struct world_hit *hits)
+{
+    struct rays_span span = { { 0 }, { 0 } };
+    for (unsigned i = 0; i < count; i++) {
+        span.near[i] = surface_offset(rays_origin(rays, (int)i));
+        span.far[i] = (double)INFINITY;
+    }
+    world_closest_many(tracer->world, rays, &span, count, RAY_CAMERA, hits);
+}
+
+/* Whether rays can be lit together, and nobody wants to hear of them one by
+ * one. */
+static bool tracer_may_mix(const struct tracer *tracer,
+                           const struct worker *worker)
+{
+    const struct lighting *lighting = tracer->lighting;
+    return !worker->telling && lighting->illuminate_many &&
+           lighting->in_any_order(tracer->lighting_state);
+}
+
+/* Rays through the lens at a place of the picture. */
+struct lens_rays {
+    const struct tracer *tracer;
+    struct worker *worker;
+    const struct picture_place *place;
+    uint64_t key;
+    int most;
+};
+
+static struct ray lens_ray(const struct lens_rays *all, int number)
+{
+    const struct camera *camera = &all->tracer->scene->camera;
+    double lens[2], at[2];
+    blur_spread(camera, (struct draws){ all->key, (uint32_t)number }, at);
+    if (camera->bokeh)
+        lens_shaped_point(camera->bokeh, number, all->key, lens);
+    else
+        lens_point(all->most, number, all->key, lens);
+    return camera_lens_ray(camera, all->place->at[0] + at[0],
+                           all->place->at[1] + at[1], lens);
+}
+
+/* What `count` of them see, from number `first` on. */
+static void lens_see(const struct lens_rays *all, int first, unsigned count,
+                     struct radiance *seen)
+{
+    struct rays rays;
+    struct world_hit hits[WORLD_RAYS];
+    struct wavefront wavefront;
+    struct tracer_met met = { NULL, &rays, hits, count };
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        struct ray ray = i < count ? lens_ray(all, first + (int)i)
+                                   : rays_at(&rays, (int)count - 1);
+        rays_set(&rays, (int)i, ray.origin, ray.direction);
+    }
+    tracer_meet_many(all->tracer, &rays, count, hits);
+    wavefront_start(&wavefront, all->tracer, all->worker, true);
+    wavefront_see(&wavefront, &met, seen);
+}
+
+/* So many more are followed together: few, while few may be enough. */
+static int lens_batch(const struct blur *blur, const struct camera *camera,
+                      int most)
+{
+    int least = (int)fmax(BLUR_LEAST, camera->blur_samples[0]);
+    int more =
+        blur->count < least ? least - blur->count : (blur->count / 2 + 3) & ~3;
+    more = more < most - blur->count ? more : most - blur->count;
+    return more < WORLD_RAYS ? more : WORLD_RAYS;
+}
+
 static struct radiance tracer_blurred(const struct tracer *tracer,
                                       struct worker *worker,
                                       const struct picture_place *place)
 {
     const struct camera *camera = &tracer->scene->camera;
-    double x = place->at[0], y = place->at[1];
-    int most = (int)camera->blur_samples[1];
+    struct lens_rays all = { .tracer = tracer,
+                             .worker = worker,
+                             .place = place,
+                             .most = (int)camera->blur_samples[1] };
     struct blur blur = { .count = 0 };
+    struct radiance seen[WORLD_RAYS];
+    bool mixed = tracer_may_mix(tracer, worker), settled = false;
     uint64_t bits[2];
-    memcpy(bits, (const double[]){ x, y }, sizeof bits);
-    uint64_t key = random_key(bits[0], bits[1]);
-    for (int i = 0; i < most && !worker_stopped(worker); i++) {
-        double lens[2], at[2];
-        blur_spread(camera, (struct draws){ key, (uint32_t)i }, at);
-        if (camera->bokeh)
-            lens_shaped_point(camera->bokeh, i, key, lens);
+    memcpy(bits, place->at, sizeof bits);
+    all.key = random_key(bits[0], bits[1]);
+    while (!settled && blur.count < all.most && !worker_stopped(worker)) {
+        int some = mixed ? lens_batch(&blur, camera, all.most) : 1;
+        if (mixed)
+            lens_see(&all, blur.count, (unsigned)some, seen);
         else
-            lens_point(most, i, key, lens);
-        struct ray ray = camera_lens_ray(camera, x + at[0], y + at[1], lens);
-        blur_add(&blur, tracer_ray(tracer, worker, ray, NULL));
+            seen[0] =
+                tracer_ray(tracer, worker, lens_ray(&all, blur.count), NULL);
         arena_reset(worker->scratch);
-        if (blur_settled(&blur, camera))
-            break;
+        for (int i = 0; i < some && !settled; i++) {
+            blur_add(&blur, seen[i]);
+            settled = blur_settled(&blur, camera);
+        }
     }
     return blur_mean(&blur);
 }
@@ -142,27 +218,6 @@ void tracer_rays(const struct tracer *tracer,
         at.y[i] = place[1];
     }
     camera_rays(&tracer->scene->camera, &at, count, rays);
-}
-
-void tracer_meet_many(const struct tracer *tracer, const struct rays *rays,
-                      unsigned count, struct world_hit *hits)
-{
-    struct rays_span span = { { 0 }, { 0 } };
-    for (unsigned i = 0; i < count; i++) {
-        span.near[i] = surface_offset(rays_origin(rays, (int)i));
-        span.far[i] = (double)INFINITY;
-    }
-    world_closest_many(tracer->world, rays, &span, count, RAY_CAMERA, hits);
-}
-
-/* Whether rays can be lit together, and nobody wants to hear of them one by
- * one. */
-static bool tracer_may_mix(const struct tracer *tracer,
-                           const struct worker *worker)
-{
-    const struct lighting *lighting = tracer->lighting;
-    return !worker->telling && lighting->illuminate_many &&
-           lighting->in_any_order(tracer->lighting_state);
 }
 
 /* Without the ways to what is met first. */

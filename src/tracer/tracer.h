@@ -43,7 +43,7 @@ struct radiance tracer_camera(const struct tracer *tracer,
 
 /* `count` of each. */
 struct tracer_met {
-    const struct picture_place *places;
+    const struct picture_place *places; /* NULL: of rays through a lens */
     const struct rays *rays;
     const struct world_hit *hits;
     unsigned count;

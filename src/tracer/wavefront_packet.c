@@ -14,7 +14,7 @@ struct sights {
     const struct rays *rays;
     const struct world_hit *hits;
     unsigned count;
-    const struct picture_place *places; /* of the camera's; else NULL */
+    const struct picture_place *places; /* of the camera's, if all have one */
     struct radiance *out;               /* likewise */
     struct path *path[WORLD_RAYS];      /* NULL: a camera's that is plain, came
                                          * through nothing and hasn't gone on */
@@ -30,6 +30,12 @@ static void sight_describe(struct sights *sights, unsigned i)
     const struct ray ray = rays_at(sights->rays, (int)i);
     world_describe_face(&ray, sights->hits[i].leaf, &sights->faces, i,
                         &sights->crossing[i].at);
+}
+
+static const struct picture_place *sight_place(const struct sights *sights,
+                                               unsigned i)
+{
+    return sights->places ? &sights->places[i] : NULL;
 }
 
 static const struct interiors *sight_inside(const struct sights *sights,
@@ -55,7 +61,7 @@ static const struct surface *sights_surface(void *context, unsigned i)
     crossing_fill(crossing, tracer, rays_direction(sights->rays, (int)i),
                   sight_inside(sights, i), tracer->scene->settings.adc_bailout,
                   false);
-    crossing->surface.place = path ? path->place : &sights->places[i];
+    crossing->surface.place = path ? path->place : sight_place(sights, i);
     crossing->surface.weight = sight_worth(sights, i);
     return &crossing->surface;
 }
@@ -76,7 +82,7 @@ static struct path *sights_start(struct sights *sights, unsigned i)
 {
     struct path *path = wavefront_root(sights->wavefront, &sights->out[i]);
     path->ray = rays_at(sights->rays, (int)i);
-    path_start(path, &sights->places[i]);
+    path_start(path, sight_place(sights, i));
     return path;
 }
 
@@ -204,7 +210,8 @@ static unsigned places_seen(const struct camera *camera,
 {
     unsigned seen = (1u << met->count) - 1;
     for (unsigned i = 0; camera->kind->sees && i < met->count; i++)
-        if (!camera_sees(camera, met->places[i].at[0], met->places[i].at[1]))
+        if (met->places &&
+            !camera_sees(camera, met->places[i].at[0], met->places[i].at[1]))
             seen &= ~(1u << i);
     return seen;
 }
