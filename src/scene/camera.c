@@ -272,20 +272,65 @@ bool camera_pixel_ray(const struct camera *camera, double x, double y, int i,
     return true;
 }
 
+/* The camera's axes, unit. */
+struct lens_axes {
+    vec3 ahead, right, up;
+};
+
+static struct lens_axes lens_axes_of(const struct camera *camera)
+{
+    return (struct lens_axes){ vec3_normalise(camera->direction),
+                               vec3_normalise(camera->right),
+                               vec3_normalise(camera->up) };
+}
+
 /* What is in the plane at the distance of the focal point, straight ahead,
  * stays where it is. */
+static inline struct ray ray_of_lens(const struct camera *camera,
+                                     const struct lens_axes *axes,
+                                     struct ray ray, double across,
+                                     double above)
+{
+    double ahead = vec3_dot(ray.direction, axes->ahead);
+    vec3 sharp = vec3_along(ray.origin, ray.direction, camera->focus / ahead);
+    vec3 from = vec3_along(ray.origin, axes->right, across * camera->aperture);
+    ray.origin = vec3_along(from, axes->up, above * camera->aperture);
+    ray.direction = vec3_normalise(vec3_sub(sharp, ray.origin));
+    return ray;
+}
+
 struct ray camera_lens_ray(const struct camera *camera, double x, double y,
                            const double lens[2])
 {
-    struct ray ray = camera_ray(camera, x, y);
-    double ahead = vec3_dot(ray.direction, vec3_normalise(camera->direction));
-    vec3 sharp = vec3_along(ray.origin, ray.direction, camera->focus / ahead);
-    ray.origin = vec3_along(ray.origin, vec3_normalise(camera->right),
-                            lens[0] * camera->aperture);
-    ray.origin = vec3_along(ray.origin, vec3_normalise(camera->up),
-                            lens[1] * camera->aperture);
-    ray.direction = vec3_normalise(vec3_sub(sharp, ray.origin));
-    return ray;
+    struct lens_axes axes = lens_axes_of(camera);
+    return ray_of_lens(camera, &axes, camera_ray(camera, x, y), lens[0],
+                       lens[1]);
+}
+
+CLONES static void rays_of_lens(const struct camera *camera,
+                                const struct lens_axes *axes,
+                                const struct camera_places *restrict lens,
+                                struct rays *restrict rays)
+{
+    const struct camera from = *camera;
+    const struct lens_axes along = *axes;
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        struct ray ray = { lane_get(rays->origin, i),
+                           lane_get(rays->direction, i) };
+        ray = ray_of_lens(&from, &along, ray, lens->x[i], lens->y[i]);
+        lane_put(rays->origin, i, ray.origin);
+        lane_put(rays->direction, i, ray.direction);
+    }
+}
+
+void camera_lens_rays(const struct camera *camera,
+                      const struct camera_places *places,
+                      const struct camera_places *lens, unsigned count,
+                      struct rays *rays)
+{
+    struct lens_axes axes = lens_axes_of(camera);
+    camera_rays(camera, places, count, rays);
+    rays_of_lens(camera, &axes, lens, rays);
 }
 
 vec3 camera_view(const struct camera *camera, vec3 point)

@@ -169,6 +169,12 @@ bool camera_pixel_ray(const struct camera *camera, double x, double y, int i,
 struct ray camera_lens_ray(const struct camera *camera, double x, double y,
                            const double lens[2]);
 
+/* The same of the first `count` places and points; there are RAY_LANES. */
+void camera_lens_rays(const struct camera *camera,
+                      const struct camera_places *places,
+                      const struct camera_places *lens, unsigned count,
+                      struct rays *rays);
+
 /* A point from the camera: so many rights, ups and directions away from its
  * location. Not finite if these lie in a plane. */
 vec3 camera_view(const struct camera *camera, vec3 point);

@@ -102,17 +102,27 @@ struct lens_rays {
     int most;
 };
 
-static struct ray lens_ray(const struct lens_rays *all, int number)
+/* Where one of them goes through the picture and through the lens. */
+static void lens_choose(const struct lens_rays *all, int number, double at[2],
+                        double lens[2])
 {
     const struct camera *camera = &all->tracer->scene->camera;
-    double lens[2], at[2];
     blur_spread(camera, (struct draws){ all->key, (uint32_t)number }, at);
+    for (int i = 0; i < 2; i++)
+        at[i] += all->place->at[i];
     if (camera->bokeh)
         lens_shaped_point(camera->bokeh, number, all->key, lens);
     else
         lens_point(all->most, number, all->key, lens);
-    return camera_lens_ray(camera, all->place->at[0] + at[0],
-                           all->place->at[1] + at[1], lens);
+}
+
+static struct radiance lens_see_one(const struct lens_rays *all, int number)
+{
+    double at[2], lens[2];
+    lens_choose(all, number, at, lens);
+    return tracer_ray(
+        all->tracer, all->worker,
+        camera_lens_ray(&all->tracer->scene->camera, at[0], at[1], lens), NULL);
 }
 
 /* What `count` of them see, from number `first` on. */
@@ -120,14 +130,21 @@ static void lens_see(const struct lens_rays *all, int first, unsigned count,
                      struct radiance *seen)
 {
     struct rays rays;
+    struct camera_places places, lenses;
     struct world_hit hits[WORLD_RAYS];
     struct wavefront wavefront;
     struct tracer_met met = { NULL, &rays, hits, count };
+    double at[2] = { 0, 0 }, lens[2] = { 0, 0 };
     for (unsigned i = 0; i < RAY_LANES; i++) {
-        struct ray ray = i < count ? lens_ray(all, first + (int)i)
-                                   : rays_at(&rays, (int)count - 1);
-        rays_set(&rays, (int)i, ray.origin, ray.direction);
+        if (i < count)
+            lens_choose(all, first + (int)i, at, lens);
+        places.x[i] = at[0];
+        places.y[i] = at[1];
+        lenses.x[i] = lens[0];
+        lenses.y[i] = lens[1];
     }
+    camera_lens_rays(&all->tracer->scene->camera, &places, &lenses, count,
+                     &rays);
     tracer_meet_many(all->tracer, &rays, count, hits);
     wavefront_start(&wavefront, all->tracer, all->worker, true);
     wavefront_see(&wavefront, &met, seen);
@@ -164,8 +181,7 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
         if (mixed)
             lens_see(&all, blur.count, (unsigned)some, seen);
         else
-            seen[0] =
-                tracer_ray(tracer, worker, lens_ray(&all, blur.count), NULL);
+            seen[0] = lens_see_one(&all, blur.count);
         arena_reset(worker->scratch);
         for (int i = 0; i < some && !settled; i++) {
             blur_add(&blur, seen[i]);
