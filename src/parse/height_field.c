@@ -159,7 +159,8 @@ static void height_row(const struct function *function,
     }
 }
 
-/* No function that is even takes more steps than were counted before. */
+/* No function that is worked out at several points at once takes more steps
+ * than were counted before. */
 static bool height_sample(struct parser *p, struct span span,
                           const struct function *function,
                           struct height_grid *grid)
@@ -169,7 +170,7 @@ static bool height_sample(struct parser *p, struct span span,
         uint16_t *row = grid->heights + (size_t)y * (size_t)grid->width;
         if (stream_stopped(p))
             return false;
-        if (function->even)
+        if (function->together)
             height_row(function, grid, y, row);
         else
             for (int x = 0; x < grid->width && left > 0; x++)

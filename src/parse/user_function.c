@@ -403,7 +403,7 @@ static bool compile_body(struct compiler *c)
     if (at_field_body(p) ? !parse_field_body(p, c->function)
                          : !parse_body_operation(c, 0))
         return false;
-    c->function->even = function_is_even(c->function);
+    function_join(c->function);
     if (c->function->slots + (int)c->function->height > FUNCTION_STACK)
         return error_at(p, stream_span(p), NULL,
                         "this function needs more than %d numbers of stack, "

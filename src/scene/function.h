@@ -81,7 +81,10 @@ struct step {
 struct function {
     int parameter_count;
     int slots;       /* parameters and loop variables */
-    bool even;       /* is function_is_even */
+    bool together;   /* values at several points are worked out at once, */
+    bool even;       /* and take hardly longer than one */
+    double apart;    /* steps of one evaluation that are done point by point
+                      * even then, callees included */
     unsigned depth;  /* of functions that call functions */
     unsigned height; /* doubles of stack, callees included */
     double work;     /* steps of one evaluation, those of callees and of what
@@ -123,9 +126,9 @@ double function_at(const struct function *function, vec3 point);
 void function_values_at(const struct function *function,
                         const struct spots *spots, double *values);
 
-/* Whether values at several points take hardly longer than at one: its steps
- * are worked out for all of them at once. Where it calls others, they know. */
-bool function_is_even(const struct function *function);
+/* Finds out whether values are worked out together, and are even, of a function
+ * whose steps are there. */
+void function_join(struct function *function);
 
 /* The same for samples, which are taken while the scene is read: few steps. */
 double function_sample(const struct function *function, vec3 point);

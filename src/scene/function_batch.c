@@ -13,6 +13,8 @@
 static void batch_run(const struct function *f, octet *locals, octet *top,
                       int count);
 
+enum { ARGUMENTS_MOST = 16 }; /* of an internal function */
+
 /* Where there are fewer points, the missing are as the first. */
 static void batch_gather(const double *at, int count, octet *batch)
 {
@@ -55,6 +57,16 @@ static void batch_two(const struct step *step, octet *a, const octet *b,
             (*a)[i] = step->two((*a)[i], (*b)[i]);
 }
 
+static void batch_many(const struct step *step, octet *arguments, int count)
+{
+    double own[ARGUMENTS_MOST];
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < step->slot; k++)
+            own[k] = arguments[k][i];
+        arguments[0][i] = step->many(own);
+    }
+}
+
 /* As machine_select, for each point. */
 static void batch_select(octet *arguments, int choices, int count)
 {
@@ -83,6 +95,10 @@ static octet *batch_step(const struct step *step, octet *top, int count)
     case STEP_FIELD:
         first = top - 3;
         batch_field(step->field, first, count);
+        return first;
+    case STEP_MANY:
+        first = top - step->slot;
+        batch_many(step, first, count);
         return first;
     case STEP_SELECT:
         first = top - step->slot;
@@ -201,42 +217,55 @@ bool step_set_power(struct step *step, double exponent)
 /* Places; and steps, so that those of functions in functions have an end. */
 enum { BATCH_STACK = 128, BATCH_WORK = 100000 };
 
-/* Steps that take as long as one that is done number by number. */
-enum { BATCH_COSTLY = 8 };
+/* Steps that take as long as one that is done number by number, and so many of
+ * these a pattern's value. */
+enum { BATCH_COSTLY = 8, BATCH_PATTERN = 1000 };
 
-static bool step_is_even(const struct step *step)
+static bool step_is_together(const struct step *step)
 {
     switch (step->kind) {
-    case STEP_MANY:
     case STEP_SUM:
     case STEP_PRODUCT:
         return false;
-    case STEP_FIELD:
-        return step->field->values != NULL;
+    case STEP_MANY:
+        return step->slot <= ARGUMENTS_MOST;
     case STEP_CALL:
-        return step->function->even;
+        return step->function->together;
     default:
         return true;
     }
 }
 
-static bool step_is_costly(const struct step *step)
+/* What is done point by point. */
+static double step_apart(const struct step *step)
 {
-    return (step->kind == STEP_ONE && !step->ones) ||
-           (step->kind == STEP_TWO && step->two == pow);
+    switch (step->kind) {
+    case STEP_ONE:
+        return !step->ones;
+    case STEP_TWO:
+        return step->two == pow;
+    case STEP_FIELD:
+        return step->field->values ? 0 : BATCH_PATTERN;
+    case STEP_MANY:
+        return step->slot;
+    case STEP_CALL:
+        return step->function->apart;
+    default:
+        return 0;
+    }
 }
 
 /* Each function that is called leaves a place empty: see batch_run. */
-bool function_is_even(const struct function *f)
+void function_join(struct function *f)
 {
-    bool even = !f->values && f->work < BATCH_WORK &&
-                (unsigned)f->slots + f->height + f->depth + 1 <= BATCH_STACK;
-    size_t costly = 0;
-    for (size_t i = 0; even && i < f->steps.count; i++) {
-        even = step_is_even(&f->steps.items[i]);
-        costly += step_is_costly(&f->steps.items[i]);
+    f->together = !f->values && f->work < BATCH_WORK &&
+                  (unsigned)f->slots + f->height + f->depth + 1 <= BATCH_STACK;
+    f->apart = 0;
+    for (size_t i = 0; i < f->steps.count; i++) {
+        f->together = f->together && step_is_together(&f->steps.items[i]);
+        f->apart += step_apart(&f->steps.items[i]);
     }
-    return even && costly * BATCH_COSTLY <= f->steps.count;
+    f->even = f->together && f->apart * BATCH_COSTLY <= f->work;
 }
 
 /* Of up to OCTET, from number `first` on. */
@@ -258,8 +287,9 @@ void function_values_at(const struct function *function,
                         const struct spots *spots, double *values)
 {
     int count = spots->count;
-    for (int i = 0; !function->even && i < count; i++)
+    bool together = function->even || (function->together && count > 1);
+    for (int i = 0; !together && i < count; i++)
         values[i] = function_at(function, spots_at(spots, i));
-    for (int i = 0; function->even && i < count; i += OCTET)
+    for (int i = 0; together && i < count; i += OCTET)
         batch_values(function, spots, i, values);
 }

@@ -39,7 +39,7 @@ static struct series series_begin(const double *a, double generator,
         .generator = noise_generator_of(generator),
         .lacunarity = lacunarity,
         .scale = 1,
-        .wanted = (int)fmax(ceil(octaves), 0) + 1,
+        .wanted = (int)fmax(ceil(octaves), 1) + (octaves > trunc(octaves)),
     };
 }
 

@@ -43,6 +43,14 @@ static void shape_crossings_agree(void *context, const struct solid *solid)
                     crosses);
         if (crosses)
             assert_true(fabs(hit.t - first) < 1e-6);
+        if (!primitive->first_roughly)
+            continue;
+        assert_true(primitive->first_roughly(object->shape, &ray, tmin, tmax,
+                                             1e-6, NULL) == crosses);
+        assert_true(primitive->first_roughly(object->shape, &ray, tmin, tmax,
+                                             1e-6, &hit) == crosses);
+        if (crosses)
+            assert_true(fabs(hit.t - first) < 1e-5);
     }
 }
 

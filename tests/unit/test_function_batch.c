@@ -28,7 +28,7 @@ static struct function function_of(struct step *steps, size_t count)
                           .height = 6,
                           .work = (double)count,
                           .steps = { steps, count, count } };
-    f.even = function_is_even(&f);
+    function_join(&f);
     return f;
 }
 
@@ -140,6 +140,29 @@ static void costly_functions_are_not_even(void **state)
     assert_true(function_of(steps, 2).even);
 }
 
+static double many_value(const double *a)
+{
+    return a[0] * exp(a[1]) - a[2];
+}
+
+/* What is done point by point can be a part of what is done at once. */
+static void internal_functions_go_along(void **state)
+{
+    (void)state;
+    struct step steps[16] = { { .kind = STEP_LOCAL, .slot = 0 },
+                              { .kind = STEP_LOCAL, .slot = 1 },
+                              { .kind = STEP_LOCAL, .slot = 2 },
+                              { .kind = STEP_MANY, .slot = 3 } };
+    steps[3].many = many_value;
+    assert_false(function_of(steps, 4).even);
+    assert_true(function_of(steps, 4).together);
+    for (int i = 4; i < 16; i++)
+        steps[i] = (struct step){ .kind = STEP_PLUS_NUMBER, .number = 0.1 * i };
+    struct function f = function_of(steps, 16);
+    f.even = true;
+    check_points(&f);
+}
+
 static void check_near(double found, double wanted)
 {
     assert_true(fabs(found - wanted) <= 1e-15 * fmax(1, fabs(wanted)) ||
@@ -229,6 +252,7 @@ int main(void)
         cmocka_unit_test(calls_are_even),
         cmocka_unit_test(built_in_functions_are_even),
         cmocka_unit_test(costly_functions_are_not_even),
+        cmocka_unit_test(internal_functions_go_along),
         cmocka_unit_test(angles_are_as_the_library_has_them),
         cmocka_unit_test(octets_are_as_single_numbers),
         cmocka_unit_test(what_is_no_number_is_zero),
