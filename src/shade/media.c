@@ -493,7 +493,10 @@ static void march_dim(struct march *march, double from, int intervals)
     struct dimming dimming = { .march = march };
     dimming.at.count = 0;
     dimming.sum = rgb_grey(0);
-    for (int i = 0; i < intervals; i++) {
+    march->from = from;
+    if (march->even) /* one place tells what the others would */
+        dimming_place(&dimming, 0, march->length * intervals);
+    for (int i = 0; !march->even && i < intervals; i++) {
         march->from = from + i * march->length;
         if (march->how->method == 3)
             dimming_refining(&dimming);
@@ -512,7 +515,7 @@ static void march_part(struct march *march, const struct media_part *part,
 {
     march->lit = part->lit;
     march->length = (part->to - part->from) / intervals;
-    if (!march->even && march_dims(march)) {
+    if (march_dims(march)) {
         march_dim(march, part->from, intervals);
         return;
     }
