@@ -254,6 +254,8 @@ static bool extrusion_crosses(const void *shape, const struct ray *ray,
 struct extrusion_lanes {
     struct rays rays;
     struct rays_span span;
+    double inverse[3][RAY_LANES]; /* of the directions, but of a cone's */
+    double line[3][RAY_LANES];    /* as of a search, of a cone */
     struct extrusion_search search[RAY_LANES];
     unsigned open; /* those that look for something still */
 };
@@ -300,6 +302,8 @@ static void lanes_begin(struct extrusion_lanes *lanes,
         *search = extrusion_search_new(e, &ray, span->near[i], span->far[i]);
         search->any = any;
         rays_set(&lanes->rays, i, search->ray.origin, search->ray.direction);
+        for (int k = 0; k < 3; k++)
+            lanes->line[k][i] = search->line[k];
         search_first_caps(search);
         lanes->span.far[i] = search->hits.tmax;
         if (!(any && search->hits.found))
@@ -307,20 +311,33 @@ static void lanes_begin(struct extrusion_lanes *lanes,
     }
 }
 
-/* As search_sides, but side after side, each for all of them. */
-static void lanes_sides_boxed(struct extrusion_lanes *lanes,
-                              const struct extrusion *e)
+/* Those that may meet the side. */
+static unsigned lanes_met(const struct extrusion_lanes *lanes,
+                          const struct extrusion *e, const struct piece *piece)
 {
-    double inverse[3][RAY_LANES];
-    const struct rays_boxed boxed = { &lanes->rays,
-                                      (const double(*)[RAY_LANES])inverse,
-                                      &lanes->span };
-    rays_inverse(&lanes->rays, lane_run_all(), inverse);
-    for (size_t k = 0; k < e->outline.count && lanes->open; k++) {
-        const struct box3 box = side_box(e, &e->outline.pieces[k]);
-        LANE_LINES lane_flag met[RAY_LANES];
+    LANE_LINES lane_flag met[RAY_LANES];
+    if (e->conic) {
+        outline_crosses_many(piece, (const double(*)[RAY_LANES])lanes->line,
+                             met);
+    } else {
+        const struct rays_boxed boxed = {
+            &lanes->rays, (const double(*)[RAY_LANES])lanes->inverse,
+            &lanes->span
+        };
+        const struct box3 box = side_box(e, piece);
         rays_meet_box(&boxed, &box, lane_run_all(), met);
-        unsigned meet = lanes->open & rays_bits(met);
+    }
+    return lanes->open & rays_bits(met);
+}
+
+/* As search_sides, but side after side, each for all of them. */
+static void lanes_sides(struct extrusion_lanes *lanes,
+                        const struct extrusion *e)
+{
+    if (!e->conic)
+        rays_inverse(&lanes->rays, lane_run_all(), lanes->inverse);
+    for (size_t k = 0; k < e->outline.count && lanes->open; k++) {
+        unsigned meet = lanes_met(lanes, e, &e->outline.pieces[k]);
         for (; meet; meet &= meet - 1) {
             unsigned i = (unsigned)__builtin_ctz(meet);
             struct extrusion_search *search = &lanes->search[i];
@@ -330,18 +347,6 @@ static void lanes_sides_boxed(struct extrusion_lanes *lanes,
                 lanes->open &= ~(1u << i);
         }
     }
-}
-
-/* The sides of a cone have no boxes to be left out by. */
-static void lanes_sides(struct extrusion_lanes *lanes,
-                        const struct extrusion *e)
-{
-    if (!e->conic) {
-        lanes_sides_boxed(lanes, e);
-        return;
-    }
-    for (unsigned open = lanes->open; open; open &= open - 1)
-        search_sides(&lanes->search[__builtin_ctz(open)]);
 }
 
 static void extrusion_first_many(const void *shape, struct lane_run run,

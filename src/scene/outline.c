@@ -289,6 +289,27 @@ bool outline_covers(const struct outline *outline, double x, double y)
     return odd;
 }
 
+/* Whether the line passes the piece's box. */
+static inline bool piece_is_near(const struct piece *piece, double a, double b,
+                                 double c)
+{
+    double low0 = piece->low[0], high0 = piece->high[0];
+    double low1 = piece->low[1], high1 = piece->high[1];
+    double low = a * (a > 0 ? low0 : high0) + b * (b > 0 ? low1 : high1) + c;
+    double high = a * (a > 0 ? high0 : low0) + b * (b > 0 ? high1 : low1) + c;
+    return !((low > 0) | (high < 0));
+}
+
+CLONES void outline_crosses_many(const struct piece *restrict piece,
+                                 const double (*restrict line)[RAY_LANES],
+                                 lane_flag *restrict met)
+{
+    const struct piece box = *piece;
+    for (int i = 0; i < RAY_LANES; i++)
+        met[i] =
+            piece_is_near(&box, line[0][i], line[1][i], line[2][i]) ? -1 : 0;
+}
+
 /* Signs at ends are those of the numbers that neighbours share. */
 void outline_cross(const struct outline *outline, int index,
                    const double line[3], outline_visit *visit, void *context)
@@ -296,11 +317,7 @@ void outline_cross(const struct outline *outline, int index,
     const struct piece *piece = &outline->pieces[index];
     const struct segment *curve = &piece->curve;
     double a = line[0], b = line[1], c = line[2];
-    double low = a * (a > 0 ? piece->low[0] : piece->high[0]) +
-                 b * (b > 0 ? piece->low[1] : piece->high[1]) + c;
-    double high = a * (a > 0 ? piece->high[0] : piece->low[0]) +
-                  b * (b > 0 ? piece->high[1] : piece->low[1]) + c;
-    if (low > 0 || high < 0)
+    if (!piece_is_near(piece, a, b, c))
         return;
     double side[4], turns[4] = { 0 };
     for (int i = 0; i < 4; i++)

@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "base/arena.h"
+#include "scene/rays.h"
 
 /* A curve x(s), y(s), 0 <= s <= 1, by its coefficients of 1, s, s^2, s^3, and
  * its end, which is exactly where the next one begins: so no ray slips through
@@ -66,5 +67,10 @@ bool outline_covers(const struct outline *outline, double x, double y);
 typedef void outline_visit(void *context, int piece, double s);
 void outline_cross(const struct outline *outline, int piece,
                    const double line[3], outline_visit *visit, void *context);
+
+/* Which lines may cross the piece: where it says no, outline_cross finds
+ * nothing. */
+void outline_crosses_many(const struct piece *piece,
+                          const double (*line)[RAY_LANES], lane_flag *met);
 
 #endif
