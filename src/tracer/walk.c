@@ -30,6 +30,7 @@
 #include "tracer/drift.h"
 #include "tracer/lobes.h"
 #include "tracer/photons.h"
+#include "tracer/ways.h"
 
 enum {
     VERTICES_MAX = 2000, /* of a path: for safety alone */
@@ -37,7 +38,6 @@ enum {
     EXPONENTS_MAX = 24,  /* mirrors with an exponent in a row */
     COPIES_MOST = 16,    /* rays that a surface scatters */
     COPIES_ALL = 64,     /* of a path, at all its surfaces */
-    WAYS_MAX = TEXTURE_LAYERS + 2,
 };
 
 /* Parts of a split path weigh at least this, or are left to roulette. */
@@ -63,21 +63,6 @@ enum {
     SLOT_COPY,
     SLOT_OPEN,
     SLOT_BRANCH
-};
-
-/* Where light may have come from. */
-enum way_kind { WAY_SCATTERED, WAY_MIRRORED, WAY_THROUGH, WAY_TURNED };
-
-struct way {
-    enum way_kind kind;
-    const struct surface_layer *layer; /* mirrored */
-    vec3 direction;                    /* mirrored, through, turned */
-    rgb weight; /* scattered: about, by which it is chosen */
-};
-
-struct ways {
-    int count;
-    struct way at[WAYS_MAX];
 };
 
 /* A surface on the path, and the numbers drawn there. */
@@ -129,59 +114,6 @@ static void walk_fog(struct walk *walk, double distance)
     if (!walk_sees_sky(walk))
         veil.light = rgb_grey(0);
     walk_veil(walk, &veil);
-}
-
-static double way_exponent(const struct way *way)
-{
-    return way->kind == WAY_MIRRORED ? way->layer->finish->reflection.exponent
-                                     : 1;
-}
-
-static void ways_add(struct ways *ways, enum way_kind kind, vec3 direction,
-                     rgb weight, const struct surface_layer *layer)
-{
-    if (rgb_peak(weight) > 0 && ways->count < WAYS_MAX)
-        ways->at[ways->count++] =
-            (struct way){ kind, layer, direction, weight };
-}
-
-static void ways_mirrors(struct ways *ways, const struct walk *walk,
-                         const struct crossing *crossing)
-{
-    const struct surface *surface = &crossing->surface;
-    if (walk->tracer->quality < QUALITY_REFLECTION)
-        return;
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        if (rgb_peak(layer->reflection) == 0)
-            continue;
-        vec3 direction = crossing_mirrored(crossing->surface.normal,
-                                           walk->ray.direction, layer->normal);
-        ways_add(ways, WAY_MIRRORED, direction, layer->reflection, layer);
-    }
-}
-
-/* All ways but scattering. Total reflection takes the place of the rest. */
-static void ways_find(struct ways *ways, const struct walk *walk,
-                      const struct crossing *crossing)
-{
-    const struct surface *surface = &crossing->surface;
-    vec3 normal = surface->layer[0].normal, direction = walk->ray.direction;
-    rgb through = walk->split ? surface->through : surface_passed(surface);
-    ways->count = 0;
-    if (walk->level >= tracer_levels(walk->tracer))
-        return;
-    if (walk->tracer->quality < QUALITY_TRANSPARENCY)
-        through = rgb_grey(0);
-    if (rgb_peak(through) > 0 && crossing->ior != 1 &&
-        !crossing_refracted(crossing, direction, normal, &direction)) {
-        direction = crossing_mirrored(crossing->surface.normal,
-                                      walk->ray.direction, normal);
-        ways_add(ways, WAY_TURNED, direction, rgb_grey(1), NULL);
-        return;
-    }
-    ways_add(ways, WAY_THROUGH, direction, through, NULL);
-    ways_mirrors(ways, walk, crossing);
 }
 
 static void walk_leave(struct walk *walk, const struct crossing *crossing,
@@ -442,22 +374,6 @@ static void walk_split(struct walk *walk, const struct meeting *meeting,
     }
 }
 
-/* One way is left, chosen by weight. */
-static void ways_choose(struct ways *ways, double which)
-{
-    double sum = 0;
-    for (int i = 0; i < ways->count; i++)
-        sum += rgb_peak(ways->at[i].weight);
-    double wanted = which * sum;
-    int i = 0;
-    for (; i < ways->count - 1 && wanted >= rgb_peak(ways->at[i].weight); i++)
-        wanted -= rgb_peak(ways->at[i].weight);
-    double chance = rgb_peak(ways->at[i].weight) / sum;
-    ways->at[0] = ways->at[i];
-    ways->at[0].weight = rgb_scale(ways->at[0].weight, 1 / chance);
-    ways->count = 1;
-}
-
 /* Onwards from the surface; false if the path ends there. */
 static bool walk_on(struct walk *walk, const struct meeting *meeting)
 {
@@ -511,14 +427,6 @@ static void walk_ambient(struct walk *walk, const struct meeting *meeting)
     walk_gather(walk, rgb_scale(share, open));
 }
 
-static double ways_total(const struct ways *ways)
-{
-    rgb sum = rgb_grey(0);
-    for (int i = 0; i < ways->count; i++)
-        sum = rgb_add(sum, ways->at[i].weight);
-    return rgb_peak(sum);
-}
-
 /* Finishes may send back more than they get. What the camera sees of such a
  * surface is as bright as it says; from one surface to the next the light must
  * not grow (shade/finish.h, surface_returned), and a sky sends none of it on
@@ -568,7 +476,9 @@ static bool walk_meet(struct walk *walk, struct meeting *meeting)
                                              walk->density, &crossing->at));
     walk_gather(walk, glow);
     walk_ambient(walk, meeting);
-    ways_find(&meeting->ways, walk, crossing);
+    const struct arrival arrival = { walk->tracer, walk->ray.direction,
+                                     walk->level, walk->split };
+    ways_find(&meeting->ways, &arrival, crossing);
     meeting->highlights = true;
     lobes_fill(&meeting->lobes, surface, true);
     walk_restrain(walk, meeting);
