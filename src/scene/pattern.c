@@ -226,6 +226,17 @@ static inline double pattern_finish(const struct pattern *pattern, double value)
     return isfinite(value) ? value : 0;
 }
 
+/* Places that are no numbers are no places: no kind is asked about them. */
+static void pattern_values_each(const struct pattern *pattern,
+                                const struct spots *located, double *values)
+{
+    for (int i = 0; i < located->count; i++) {
+        vec3 spot = spots_at(located, i);
+        values[i] =
+            vec3_finite(spot) ? pattern->kind->value(pattern, spot) : 0;
+    }
+}
+
 void pattern_values_at(const struct pattern *pattern,
                        const struct spots *located, double *values)
 {
@@ -237,8 +248,7 @@ void pattern_values_at(const struct pattern *pattern,
     if (pattern->kind->values)
         pattern->kind->values(pattern, located, values);
     else
-        for (int i = 0; i < located->count; i++)
-            values[i] = pattern->kind->value(pattern, spots_at(located, i));
+        pattern_values_each(pattern, located, values);
     for (int i = 0; i < located->count; i++)
         values[i] = vec3_finite(spots_at(located, i))
                         ? pattern_finish(pattern, values[i])
