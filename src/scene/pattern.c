@@ -232,8 +232,7 @@ static void pattern_values_each(const struct pattern *pattern,
 {
     for (int i = 0; i < located->count; i++) {
         vec3 spot = spots_at(located, i);
-        values[i] =
-            vec3_finite(spot) ? pattern->kind->value(pattern, spot) : 0;
+        values[i] = vec3_finite(spot) ? pattern->kind->value(pattern, spot) : 0;
     }
 }
 
