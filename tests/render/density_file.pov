@@ -18,3 +18,7 @@ object { Card(pigment { density_file df3 "parts/numbers8.df3" interpolate 1
     scale .5 rotate 20*z translate .2 }) translate <1.1, .1, 0> }
 sphere { <-1.3, -.7, 0>, .6 pigment { density_file df3 "parts/numbers16.df3"
     turbulence .3 scale 1.2 translate -.6 translate <-1.3, -.7, 0> } }
+object { Card(pigment { density_file df3 "parts/numbers8.df3" interpolate 2 })
+    translate <-.5, -1.2, 0> }
+object { Card(pigment { density_file df3 "parts/numbers16.df3" interpolate 3
+    rotate 20*z }) translate <.6, -1.2, 0> }
