@@ -141,7 +141,7 @@ static const struct field density_file_arguments[] = {
 
 static const struct field density_file_items[] = {
     { "interpolate", FIELD_INTEGER,
-      offsetof(struct density_file, interpolation), 0, 1000,
+      offsetof(struct density_file, interpolation), 0, 9,
       "0 none, 1 linear, from 2 on cubic" },
     { .name = NULL },
 };
