@@ -99,16 +99,27 @@ void noise_octaves(enum noise_generator generator, const struct spots *spots,
         values[i] = 2 * values[i] - 0.5;
 }
 
-void noise_vector_octaves(vec3 point, struct octaves octaves, vec3 *vectors)
+/* The noise at all octaves of each spot. */
+static void fields_find(const struct spots *spots, struct octaves octaves,
+                        float (*raw)[NOISE_FIELDS])
 {
     struct places places;
-    struct spots spots = spots_of(point);
+    places_fill(&places, spots, octaves);
+    lattice_noise_fields(places_all(&places), places.count, raw);
+}
+
+static inline vec3 field_vector(const float field[NOISE_FIELDS])
+{
+    return vec3_make((double)field[0], (double)field[1], (double)field[2]);
+}
+
+void noise_vector_octaves(vec3 point, struct octaves octaves, vec3 *vectors)
+{
     float raw[OCTAVES_MAX][NOISE_FIELDS];
-    places_fill(&places, &spots, octaves);
-    lattice_noise_fields(places_all(&places), octaves.count, raw);
+    const struct spots spots = spots_of(point);
+    fields_find(&spots, octaves, raw);
     for (int i = 0; i < octaves.count; i++)
-        vectors[i] =
-            vec3_make((double)raw[i][0], (double)raw[i][1], (double)raw[i][2]);
+        vectors[i] = field_vector(raw[i]);
 }
 
 vec3 noise_vector(vec3 point)
@@ -169,38 +180,40 @@ double noise_turbulence(enum noise_generator generator, vec3 point,
     return sum;
 }
 
+/* The sum of vectors, each of which counts omega times the one before. */
+static inline vec3 fields_sum(const float (*raw)[NOISE_FIELDS], int count,
+                              double omega)
+{
+    vec3 sum = { 0, 0, 0 };
+    double weight = 1;
+    for (int i = 0; i < count; i++) {
+        sum = vec3_along(sum, field_vector(raw[i]), weight);
+        weight *= omega;
+    }
+    return sum;
+}
+
 void noise_vectors_stir(struct spots *spots,
                         const struct turbulence *turbulence)
 {
-    struct places places;
     float raw[PLACES_MAX][NOISE_FIELDS];
-    struct octaves octaves = octaves_of(turbulence);
-    places_fill(&places, spots, octaves);
-    lattice_noise_fields(places_all(&places), places.count, raw);
+    const struct octaves octaves = octaves_of(turbulence);
+    const vec3 amount = turbulence->amount;
+    fields_find(spots, octaves, raw);
     for (int i = 0; i < spots->count; i++) {
-        float(*of)[NOISE_FIELDS] = raw + i * octaves.count;
-        double weight = 1, x = 0, y = 0, z = 0;
-        for (int k = 0; k < octaves.count; k++) {
-            x += weight * (double)of[k][0];
-            y += weight * (double)of[k][1];
-            z += weight * (double)of[k][2];
-            weight *= turbulence->omega;
-        }
-        spots->x[i] += turbulence->amount.x * x;
-        spots->y[i] += turbulence->amount.y * y;
-        spots->z[i] += turbulence->amount.z * z;
+        vec3 sum = fields_sum(raw + i * octaves.count, octaves.count,
+                              turbulence->omega);
+        spots->x[i] += amount.x * sum.x;
+        spots->y[i] += amount.y * sum.y;
+        spots->z[i] += amount.z * sum.z;
     }
 }
 
 vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence)
 {
-    vec3 values[OCTAVES_MAX], sum = { 0, 0, 0 };
-    double weight = 1;
-    struct octaves octaves = octaves_of(turbulence);
-    noise_vector_octaves(point, octaves, values);
-    for (int i = 0; i < octaves.count; i++) {
-        sum = vec3_along(sum, values[i], weight);
-        weight *= turbulence->omega;
-    }
-    return sum;
+    float raw[OCTAVES_MAX][NOISE_FIELDS];
+    const struct octaves octaves = octaves_of(turbulence);
+    const struct spots spots = spots_of(point);
+    fields_find(&spots, octaves, raw);
+    return fields_sum(raw, octaves.count, turbulence->omega);
 }

@@ -174,12 +174,10 @@ static void values_colours(const struct pigment *pigment, const double *values,
     const struct pattern_kind *kind = pattern->kind;
     const struct blend_map *map =
         pigment->map ? pigment->map : pattern_map(pattern);
-    bool simple = !kind || (kind->blocks == 0 && !kind->average);
-    bool grey = simple && (!map || map->count == 0);
+    bool mapped =
+        kind && kind->blocks == 0 && !kind->average && map && map->count > 0;
     for (int i = 0; i < located->count; i++)
-        if (grey)
-            colours[i] = colour_opaque(rgb_grey(values[i]));
-        else if (!simple || !map_simple(map, values[i], &colours[i]))
+        if (!mapped || !map_simple(map, values[i], &colours[i]))
             colours[i] = value_colour(pigment, values[i], spots_at(located, i),
                                       (struct depth){ 0, NULL });
 }

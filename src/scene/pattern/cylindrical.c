@@ -2,12 +2,6 @@
 #include "scene/pattern.h"
 #include "scene/spots.h"
 
-static double cylindrical_value(const struct pattern *pattern, vec3 point)
-{
-    (void)pattern;
-    return fmax(0, 1 - sqrt(point.x * point.x + point.z * point.z));
-}
-
 static void cylindrical_values(const struct pattern *pattern,
                                const struct spots *spots, double *values)
 {
@@ -22,6 +16,5 @@ static void cylindrical_values(const struct pattern *pattern,
 const struct pattern_kind cylindrical_pattern = {
     .name = "cylindrical",
     .help = "1 on the y axis to 0 at distance 1 of it",
-    .value = cylindrical_value,
     .values = cylindrical_values,
 };

@@ -33,12 +33,11 @@ struct density_step {
     double share[4];
 };
 
-/* The numbers before and behind. Measured: a neighbour beyond the last is the
- * first again. */
+/* And the number behind. Measured: a neighbour beyond the last is the first
+ * again. */
 static inline void step_linear(struct density_step *step, size_t first,
                                size_t count, double rest)
 {
-    step->at[0] = first;
     step->at[1] = first + 1 < count ? first + 1 : 0;
     step->share[1] = rest;
     step->share[0] = 1 - rest;

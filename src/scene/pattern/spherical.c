@@ -2,12 +2,6 @@
 #include "scene/pattern.h"
 #include "scene/spots.h"
 
-static double spherical_value(const struct pattern *pattern, vec3 point)
-{
-    (void)pattern;
-    return fmax(0, 1 - vec3_length(point));
-}
-
 static void spherical_values(const struct pattern *pattern,
                              const struct spots *spots, double *values)
 {
@@ -21,6 +15,5 @@ static void spherical_values(const struct pattern *pattern,
 const struct pattern_kind spherical_pattern = {
     .name = "spherical",
     .help = "1 in the middle to 0 at distance 1",
-    .value = spherical_value,
     .values = spherical_values,
 };
