@@ -103,22 +103,30 @@ struct cubic_search {
     double s;
 };
 
-/* Whether s is the root; if not, it is nearer to it afterwards. */
+/* Whether s is the root; if not, it is nearer to it afterwards, by Halley's
+ * step: as Newton's, of the curve's bend too. The cube of a step tells how much
+ * is left after it, far less than a rounding most often: then nobody need look.
+ */
 static inline bool cubic_step(const double c[4], struct cubic_search *in,
                               double value)
 {
-    double last = in->s;
+    double last = in->s, slope = cubic_slope(c, last);
+    double bend = 3 * c[3] * last + c[2], square = slope * slope;
     if (value == 0)
         return true;
     *((value < 0) == in->below ? &in->low : &in->high) = last;
-    in->s -= value / cubic_slope(c, last);
-    if (!(in->s > in->low && in->s < in->high))
+    in->s -= value * slope / (square - value * bend);
+    if (!(in->s > in->low && in->s < in->high)) {
         in->s = 0.5 * (in->low + in->high);
-    return fabs(in->s - last) <= 1e-15;
+        return fabs(in->s - last) <= 1e-15;
+    }
+    double step = fabs(in->s - last);
+    double left = (bend * bend + fabs(c[3] * slope)) * step * step * step;
+    return step <= 1e-15 || left <= 1e-17 * square;
 }
 
 /* Its root between low and high, where it has the values f and g of different
- * signs and only grows or only shrinks: Newton's steps, kept in the bracket. */
+ * signs and only grows or only shrinks: steps that are kept in the bracket. */
 static double cubic_root(const double c[4], double low, double high, double f,
                          double g)
 {

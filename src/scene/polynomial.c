@@ -35,23 +35,26 @@ static double value_at(const double *c, int degree, double t)
     return value;
 }
 
+/* The value, the derivative, and half the second one. */
 static inline double value_and_slope(const double *c, int degree, double t,
-                                     double *slope)
+                                     double *slope, double *bend)
 {
-    double value = c[degree], derivative = 0;
+    double value = c[degree], derivative = 0, half = 0;
     for (int i = degree - 1; i >= 0; i--) {
+        half = half * t + derivative;
         derivative = derivative * t + value;
         value = value * t + c[i];
     }
     *slope = derivative;
+    *bend = half;
     return value;
 }
 
 /* The root between low and high, at which the values f and g have different
- * signs. Newton's steps are taken as long as they stay in the bracket and
+ * signs. Halley's steps are taken as long as they stay in the bracket and
  * shrink twofold, else the bracket is halved: never more than some 100 rounds.
- * When a step shrank k-fold, the next one will k^2-fold: it is not taken if it
- * would be nothing. */
+ * When a step shrank k-fold, the next one will k^2-fold at least: it is not
+ * taken if it would be nothing. */
 static inline __attribute__((always_inline)) double
 newton_between(const double *c, int degree, double low, double high, double f,
                double g)
@@ -60,14 +63,15 @@ newton_between(const double *c, int degree, double low, double high, double f,
     double step = high - low, last = step;
     bool low_negative = f < 0, was_good = false;
     for (int round = 0; round < 200; round++) {
-        double slope, value = value_and_slope(c, degree, t, &slope);
+        double slope, bend;
+        double value = value_and_slope(c, degree, t, &slope, &bend);
         if (value == 0)
             return t;
         if ((value < 0) == low_negative)
             low = t;
         else
             high = t;
-        double next = t - value / slope;
+        double next = t - value * slope / (slope * slope - value * bend);
         bool good = next > low && next < high && fabs(next - t) < last / 2;
         if (!good)
             next = low + (high - low) / 2;

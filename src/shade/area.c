@@ -137,19 +137,37 @@ static inline void area_locate(const struct area_grid *grid, bool round,
     points->place[1][k] = v * grid->scale[1];
 }
 
-CLONES static void points_jitter(uint64_t grid_key,
+/* Few points are as many as the widest instructions take, or fewer. */
+enum { POINTS_FEW = 8 };
+
+CLONES static void points_jitter(uint64_t grid_key, bool few,
                                  struct area_points *restrict points)
 {
-    for (int k = 0; k < RAY_LANES; k++)
-        area_jitter(grid_key, &points->place[0][k], &points->place[1][k]);
+    for (int from = 0; from < (few ? POINTS_FEW : RAY_LANES);
+         from += POINTS_FEW)
+        for (int k = from; k < from + POINTS_FEW; k++)
+            area_jitter(grid_key, &points->place[0][k], &points->place[1][k]);
 }
 
 CLONES static void points_locate(const struct area_grid *restrict grid,
-                                 bool round,
+                                 bool round, bool few,
                                  struct area_points *restrict points)
 {
-    for (unsigned k = 0; k < RAY_LANES; k++)
-        area_locate(grid, round, points, k);
+    for (unsigned from = 0; from < (few ? POINTS_FEW : RAY_LANES);
+         from += POINTS_FEW)
+        for (unsigned k = from; k < from + POINTS_FEW; k++)
+            area_locate(grid, round, points, k);
+}
+
+/* Lanes that nobody wants are those of the first, all of which are numbers. */
+static void points_fill(struct area_points *points)
+{
+    for (int k = POINTS_FEW; k < RAY_LANES; k++) {
+        for (int axis = 0; axis < 2; axis++)
+            points->place[axis][k] = points->place[axis][0];
+        for (int axis = 0; axis < 3; axis++)
+            points->location[axis][k] = points->location[axis][0];
+    }
 }
 
 void area_grid_hull(const struct area_grid *grid, vec3 half[2])
@@ -186,9 +204,12 @@ void area_grid_points(const struct area_grid *grid, struct area_points *points)
         points->place[0][k] = points->at[0][from];
         points->place[1][k] = points->at[1][from];
     }
+    bool few = points->count <= POINTS_FEW;
     if (grid->key)
-        points_jitter(grid->key, points);
-    points_locate(grid, grid_is_round(grid), points);
+        points_jitter(grid->key, few, points);
+    points_locate(grid, grid_is_round(grid), few, points);
+    if (few)
+        points_fill(points);
 }
 
 vec3 area_grid_point(const struct area_grid *grid, int i, int j)

@@ -66,7 +66,7 @@ static int64_t area_number(const struct area_walk *walk, int i, int j)
 
 static size_t area_place(int64_t number)
 {
-    return (size_t)(number % AREA_PLACES);
+    return (size_t)(number < AREA_PLACES ? number : number % AREA_PLACES);
 }
 
 static bool rgb_same(rgb a, rgb b)
@@ -129,10 +129,9 @@ static bool area_agree(const struct area_walk *walk, rgb a, rgb b)
     return fabs(d.r) + fabs(d.g) + fabs(d.b) < 0.1;
 }
 
-/* A part's corners as they are seen, and what they say. */
+/* A part's corners as they are seen. */
 struct area_corners {
     rgb a, b, c, d; /* at (i0, j0), (i1, j0), (i0, j1), (i1, j1) */
-    bool agree;
 };
 
 static struct area_corners area_corners(struct area_walk *walk,
@@ -143,9 +142,14 @@ static struct area_corners area_corners(struct area_walk *walk,
     at.b = area_see(walk, part->i1, part->j0);
     at.c = area_see(walk, part->i0, part->j1);
     at.d = area_see(walk, part->i1, part->j1);
-    at.agree = area_agree(walk, at.a, at.b) && area_agree(walk, at.a, at.c) &&
-               area_agree(walk, at.b, at.d) && area_agree(walk, at.c, at.d);
     return at;
+}
+
+static bool corners_agree(const struct area_walk *walk,
+                          const struct area_corners *at)
+{
+    return area_agree(walk, at->a, at->b) && area_agree(walk, at->a, at->c) &&
+           area_agree(walk, at->b, at->d) && area_agree(walk, at->c, at->d);
 }
 
 static rgb corners_mean(const struct area_corners *at)
@@ -224,8 +228,8 @@ static void front_decide(struct area_walk *walk, struct area_front *front)
  * next. */
 static void area_foresee(struct area_walk *walk, const struct area_part *part)
 {
-    struct area_front fronts[2] = { { .count = 0 }, { .count = 0 } };
-    struct area_front *now = &fronts[0], *next = &fronts[1];
+    struct area_front fronts[2], *now = &fronts[0], *next = &fronts[1];
+    now->count = next->count = 0;
     area_foresee_part(walk, part, now);
     area_flush(walk);
     while (now->count > 0) {
@@ -259,14 +263,19 @@ static rgb area_halves(struct area_walk *walk, const struct area_part *part,
 
 static bool part_cuts(struct area_walk *walk, const struct area_part *part)
 {
-    return part->level < walk->surely || !area_corners(walk, part).agree;
+    if (part->level < walk->surely)
+        return true;
+    struct area_corners at = area_corners(walk, part);
+    return !corners_agree(walk, &at);
 }
 
 static rgb area_part_seen(struct area_walk *walk, const struct area_part *part)
 {
+    bool smallest = part_is_smallest(part);
+    if (part->level < walk->surely && !smallest)
+        return area_halves(walk, part, area_part_seen);
     struct area_corners at = area_corners(walk, part);
-    bool whole = part->level >= walk->surely && at.agree;
-    if (whole || part_is_smallest(part))
+    if (smallest || corners_agree(walk, &at))
         return corners_mean(&at);
     return area_halves(walk, part, area_part_seen);
 }
@@ -422,7 +431,7 @@ static bool outline_cuts_part(struct area_walk *walk,
     if (part->level >= outline_cuts(walk->grid->adaptive))
         return false;
     struct area_corners at = area_corners(walk, part);
-    return !at.agree || part->level < outline_least(walk, at.a);
+    return !corners_agree(walk, &at) || part->level < outline_least(walk, at.a);
 }
 
 static rgb outline_part_seen(struct area_walk *walk,
@@ -430,7 +439,7 @@ static rgb outline_part_seen(struct area_walk *walk,
 {
     int cuts = outline_cuts(walk->grid->adaptive);
     struct area_corners at = area_corners(walk, part);
-    if (at.agree && part->level >= outline_least(walk, at.a))
+    if (corners_agree(walk, &at) && part->level >= outline_least(walk, at.a))
         return corners_mean(&at);
     if (part->level >= cuts)
         return outline_cut(walk, &at, part);
