@@ -14,7 +14,7 @@ static void fill_slopes(struct perceived *table)
     for (int i = 0; i < PERCEIVED_BEGINNINGS; i++) {
         bool usual = i > 0 && i < 255;
         double at = exp2(i - 127 + (g > 1));
-        table->slope[i] = usual ? g * pow(at, g - 1) : (double)INFINITY;
+        table->slope[i] = usual ? g * pow(at, g - 1) : PERCEIVED_UNKNOWN;
     }
 }
 
@@ -42,19 +42,7 @@ void perceived_fill_srgb(struct perceived *table, double exponent)
     table->exponent = exponent;
     table->decoded = table->rough = true;
     for (int i = 0; i < PERCEIVED_BEGINNINGS; i++)
-        table->slope[i] = (double)INFINITY;
-}
-
-/* No less than the difference; infinite or NaN if nothing is known. */
-static inline double difference_most(const struct perceived *table, float a,
-                                     float b)
-{
-    float low = a < b ? a : b, high = a < b ? b : a;
-    float steepest = table->exponent > 1 ? high : low;
-    uint32_t bits;
-    memcpy(&bits, &steepest, sizeof bits);
-    double apart = (double)high - (double)low;
-    return apart == 0 ? 0 : apart * table->slope[bits >> 23];
+        table->slope[i] = PERCEIVED_UNKNOWN;
 }
 
 /* The number as 2^e m, m from 1 to 2; value > 0 and finite. */
@@ -89,9 +77,9 @@ static bool differ_exactly(const struct perceived *table, const float *a,
     return sum + more > threshold;
 }
 
-/* As below, with the table. */
-static bool differ_nearly(const struct perceived *table, const float *a,
-                          const float *b, double more, double threshold)
+/* With the table. */
+bool perceived_differ_closely(const struct perceived *table, const float *a,
+                              const float *b, double more, double threshold)
 {
     double sum = more, all = 1e-9 * (more + threshold);
     for (int i = 0; i < 3; i++) {
@@ -107,15 +95,4 @@ static bool differ_nearly(const struct perceived *table, const float *a,
     if (fabs(sum - threshold) > 2 * all)
         return sum > threshold;
     return differ_exactly(table, a, b, more, threshold);
-}
-
-/* Most neighbours are so much alike that slopes decide. */
-bool perceived_differ(const struct perceived *table, const float *a,
-                      const float *b, double more, double threshold)
-{
-    double most = more + difference_most(table, a[0], b[0]) +
-                  difference_most(table, a[1], b[1]) +
-                  difference_most(table, a[2], b[2]);
-    return !(most * (1 + 1e-9) < threshold) &&
-           differ_nearly(table, a, b, more, threshold);
 }

@@ -5,7 +5,10 @@
 #ifndef RENDER_PERCEIVED_H
 #define RENDER_PERCEIVED_H
 
+#include <math.h>
 #include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
 
 enum {
     PERCEIVED_PARTS = 256,           /* of numbers from 1 to 2 */
@@ -13,6 +16,10 @@ enum {
     PERCEIVED_EXPONENTS = 278,
     PERCEIVED_BEGINNINGS = 512,
 };
+
+/* So steep that floats which differ at all differ by more than any threshold;
+ * none times it is still none. */
+#define PERCEIVED_UNKNOWN 1e300
 
 struct perceived {
     double exponent;
@@ -22,7 +29,7 @@ struct perceived {
     double mantissa[PERCEIVED_PARTS + 1];
     double power[PERCEIVED_EXPONENTS]; /* of 2, to the exponent */
     /* Of floats that begin with these 9 bits, sign and exponent: how steep the
-     * power is at most; INFINITY: it isn't known. */
+     * power is at most; PERCEIVED_UNKNOWN: it isn't known. */
     double slope[PERCEIVED_BEGINNINGS];
 };
 
@@ -32,10 +39,35 @@ void perceived_fill(struct perceived *table, double exponent);
 /* Of sRGB values. Slower: no table is made of them. */
 void perceived_fill_srgb(struct perceived *table, double exponent);
 
+/* For perceived_differ: the same, whatever the numbers are. */
+bool perceived_differ_closely(const struct perceived *table, const float *a,
+                              const float *b, double more, double threshold);
+
+/* No less than the difference; or NaN. Nobody can predict which is the greater
+ * one, so there are no branches. */
+static inline double perceived_most(const struct perceived *table, float a,
+                                    float b)
+{
+    float low = a < b ? a : b, high = a > b ? a : b;
+    uint32_t bits, least, most;
+    memcpy(&least, &low, sizeof least);
+    memcpy(&most, &high, sizeof most);
+    bits = table->exponent > 1 ? most : least;
+    return fabs((double)a - (double)b) * table->slope[bits >> 23];
+}
+
 /* Whether the sum over three components of |a^exponent - b^exponent|, and
  * `more`, is above the threshold; values below 0 count as 0. Says exactly what
- * pow() would say. */
-bool perceived_differ(const struct perceived *table, const float *a,
-                      const float *b, double more, double threshold);
+ * pow() would say. Most neighbours are so much alike that slopes decide. */
+static inline bool perceived_differ(const struct perceived *table,
+                                    const float *a, const float *b, double more,
+                                    double threshold)
+{
+    double most = more + perceived_most(table, a[0], b[0]) +
+                  perceived_most(table, a[1], b[1]) +
+                  perceived_most(table, a[2], b[2]);
+    return !(most * (1 + 1e-9) < threshold) &&
+           perceived_differ_closely(table, a, b, more, threshold);
+}
 
 #endif

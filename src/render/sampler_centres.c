@@ -139,9 +139,11 @@ static void group_sample(struct centre_group *group, const struct centres *c)
         int x = group->of[p].x, y = group->of[p].y;
         unsigned long long number = worker_pixel(c->worker);
         uint64_t key = jitter_key(x, y);
-        for (int i = 0; i < n * n; i++) {
-            double u = i % n + 0.5 + jitter * jitter_number(key, 2 * i);
-            double v = i / n + 0.5 + jitter * jitter_number(key, 2 * i + 1);
+        for (int i = 0, column = 0, row = 0; i < n * n; i++, column++) {
+            if (column == n)
+                column = 0, row++;
+            double u = column + 0.5 + jitter * jitter_number(key, 2 * i);
+            double v = row + 0.5 + jitter * jitter_number(key, 2 * i + 1);
             struct picture_place *place = &block->places[block->count];
             *place = sampler_at(sampler, x + u / n, y + v / n);
             place->pixel = number;

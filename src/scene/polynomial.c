@@ -22,8 +22,8 @@ int quadratic_roots(double a, double b, double c, double roots[2])
         return 0;
     double q = -(b + copysign(sqrt(discriminant), b));
     double first = q / a, second = c / q;
-    roots[0] = fmin(first, second);
-    roots[1] = fmax(first, second);
+    roots[0] = first < second ? first : second;
+    roots[1] = first < second ? second : first;
     return 2;
 }
 
@@ -59,7 +59,8 @@ static inline __attribute__((always_inline)) double
 newton_between(const double *c, int degree, double low, double high, double f,
                double g)
 {
-    double t = low + (high - low) * fmin(fmax(f / (f - g), 0.05), 0.95);
+    double part = f / (f - g), some = part > 0.05 ? part : 0.05;
+    double t = low + (high - low) * (some < 0.95 ? some : 0.95);
     double step = high - low, last = step;
     bool low_negative = f < 0, was_good = false;
     for (int round = 0; round < 200; round++) {
@@ -374,7 +375,8 @@ bool polynomial_crosses(const double *c, int degree, double low, double high)
     return piece_crosses(&piece, 0);
 }
 
-int polynomial_bernstein_roots(const double *b, int degree, double *roots)
+static inline __attribute__((always_inline)) int
+bernstein_roots(const double *b, int degree, double *roots)
 {
     struct piece piece = { .degree = degree, .high = 1 };
     struct root_list list = { roots, 0, 2 * BERNSTEIN_DEGREE };
@@ -395,6 +397,12 @@ int polynomial_bernstein_roots(const double *b, int degree, double *roots)
     piece.c = c;
     search_piece(&search, &piece, 0);
     return list.count;
+}
+
+int polynomial_bernstein_roots(const double *b, int degree, double *roots)
+{
+    return degree == 3 ? bernstein_roots(b, 3, roots)
+                       : bernstein_roots(b, degree, roots);
 }
 
 /* As ilogb of what is neither 0 nor infinite, without a call. */

@@ -133,33 +133,58 @@ static bool sor_clip(const struct sor *sor, const struct ray *ray, double *from,
     return *from < *to;
 }
 
-/* x^2 + z^2 - square(y) along a part of the ray, within the heights of the
- * piece: in Bernstein form by its values and slopes at both ends. */
+/* x^2 + z^2 - square(y) along a part of the ray, which is within the heights of
+ * the piece: in Bernstein form by its values and slopes at both ends. */
 static void sor_cross(const struct sor *sor, size_t i, const struct ray *ray,
                       double from, double to, struct hits *hits)
 {
-    const vec3 *a = &sor->points.items[i + 1];
+    double low = sor->points.items[i + 1].y;
     const double *c = sor->squares[i];
-    vec3 o = ray->origin, d = ray->direction;
-    if (d.y != 0) {
-        from = fmax(from, (a[d.y > 0 ? 0 : 1].y - o.y) / d.y);
-        to = fmin(to, (a[d.y > 0 ? 1 : 0].y - o.y) / d.y);
-    } else if (o.y < a[0].y || o.y >= a[1].y) {
-        return;
-    }
-    if (!(from < to))
-        return;
+    vec3 d = ray->direction;
     vec3 p = ray_point(ray, from), q = ray_point(ray, to);
-    double h = p.y - a[0].y, k = q.y - a[0].y, third = (to - from) / 3;
+    double h = p.y - low, k = q.y - low, third = (to - from) / 3;
     double first = p.x * p.x + p.z * p.z - sor_square(c, h);
     double last = q.x * q.x + q.z * q.z - sor_square(c, k);
     double rise = 2 * (p.x * d.x + p.z * d.z) - d.y * sor_steep(c, h);
     double fall = 2 * (q.x * d.x + q.z * d.z) - d.y * sor_steep(c, k);
     double b[4] = { first, first + third * rise, last - third * fall, last };
+    int below = (b[0] < 0) + (b[1] < 0) + (b[2] < 0) + (b[3] < 0);
+    if (below == 0 || below == 4)
+        return;
     double roots[2 * BERNSTEIN_DEGREE];
     int count = polynomial_bernstein_roots(b, 3, roots);
     for (int n = 0; n < count; n++)
         hits_add(hits, from + (to - from) * roots[n], (int)i);
+}
+
+/* The pieces, from each one's lower end to the next one's. */
+static void sor_climb(const struct sor *sor, const struct ray *ray, double from,
+                      double to, struct hits *hits)
+{
+    const vec3 *p = sor->points.items + 1;
+    double y = ray->origin.y, rate = ray->direction.y;
+    double below = (p[0].y - y) / rate;
+    for (size_t i = 0; i < sor_pieces(sor); i++) {
+        double above = (p[i + 1].y - y) / rate;
+        double near = rate > 0 ? below : above;
+        double far = rate > 0 ? above : below;
+        near = near > from ? near : from;
+        far = far < to ? far : to;
+        below = above;
+        if (near < far)
+            sor_cross(sor, i, ray, near, far, hits);
+    }
+}
+
+/* The piece that a level ray is in. */
+static void sor_level(const struct sor *sor, const struct ray *ray, double from,
+                      double to, struct hits *hits)
+{
+    const vec3 *p = sor->points.items + 1;
+    double y = ray->origin.y;
+    for (size_t i = 0; i < sor_pieces(sor) && from < to; i++)
+        if (y >= p[i].y && y < p[i + 1].y)
+            sor_cross(sor, i, ray, from, to, hits);
 }
 
 /* Parts after the pieces are the lids. */
@@ -180,8 +205,10 @@ static void sor_meet(const struct sor *sor, const struct ray *ray, double tmin,
 {
     if (!sor_clip(sor, ray, &tmin, &tmax))
         return;
-    for (size_t i = 0; i < sor_pieces(sor); i++)
-        sor_cross(sor, i, ray, tmin, tmax, hits);
+    if (ray->direction.y != 0)
+        sor_climb(sor, ray, tmin, tmax, hits);
+    else
+        sor_level(sor, ray, tmin, tmax, hits);
     for (int lid = 0; lid < 2 && !sor->open; lid++)
         sor_lid(sor, lid, ray, hits);
 }
