@@ -145,7 +145,7 @@ static void packet_first(struct packet *packet, const struct solid *solid,
         struct query *query = packet_query(packet, i);
         if (!query_wants(query, solid->leaf, hit.t))
             continue;
-        query_take(query, solid->leaf, &hit);
+        query_keep(query, solid->leaf, hit);
         packet_met(packet, i);
     }
 }

@@ -194,7 +194,7 @@ static void take_nearest(struct packet *packet, const struct leaf *leaf,
         const struct hit hit = { all->t[k][i], (int)all->part[k][i], 0, 0 };
         if (!query_wants(query, leaf, hit.t))
             continue;
-        query_take(query, leaf, &hit);
+        query_keep(query, leaf, hit);
         packet_met(packet, i);
     }
 }

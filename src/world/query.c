@@ -6,16 +6,9 @@
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
-bool query_take(struct query *query, const struct leaf *leaf,
-                const struct hit *hit)
+bool query_block(struct query *query, const struct leaf *leaf,
+                 const struct hit *hit)
 {
-    if (!query->occlusion) {
-        query->tmax = hit->t;
-        query->leaf = leaf;
-        query->hit = *hit;
-        query->rough = false;
-        return false;
-    }
     if (leaf->opaque || !query->filter) {
         query->blocked = true;
     } else {

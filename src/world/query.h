@@ -91,10 +91,32 @@ static inline double query_reach(const struct query *query)
 /* Whether a crossing at t counts. */
 bool query_wants(const struct query *query, const struct leaf *leaf, double t);
 
-/* Takes a crossing that counts, within tmin and tmax. Returns true when the
- * search is over. */
-bool query_take(struct query *query, const struct leaf *leaf,
-                const struct hit *hit);
+/* For query_take: of a ray to a lamp. */
+bool query_block(struct query *query, const struct leaf *leaf,
+                 const struct hit *hit);
+
+/* Takes a crossing that counts, within tmin and tmax, of a ray that looks for
+ * what is nearest. By value, so that nobody writes it down before it is in its
+ * place: reading two numbers at a time that were only just written one by one
+ * waits for the memory. */
+static inline void query_keep(struct query *query, const struct leaf *leaf,
+                              struct hit hit)
+{
+    query->tmax = hit.t;
+    query->leaf = leaf;
+    query->hit = hit;
+    query->rough = false;
+}
+
+/* Of any ray. Returns true when the search is over. */
+static inline bool query_take(struct query *query, const struct leaf *leaf,
+                              const struct hit *hit)
+{
+    if (query->occlusion)
+        return query_block(query, leaf, hit);
+    query_keep(query, leaf, *hit);
+    return false;
+}
 
 /* Looks at everything in a solid that is simple, or is not. */
 bool query_simple(struct query *query, const struct solid *solid);
