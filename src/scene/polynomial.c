@@ -56,8 +56,8 @@ static inline double value_and_slope(const double *c, int degree, double t,
  * When a step shrank k-fold, the next one will k^2-fold at least: it is not
  * taken if it would be nothing. */
 static inline __attribute__((always_inline)) double
-newton_between(const double *c, int degree, double low, double high, double f,
-               double g)
+root_near(const double *c, int degree, double low, double high, double f,
+          double g)
 {
     double part = f / (f - g), some = part > 0.05 ? part : 0.05;
     double t = low + (high - low) * (some < 0.95 ? some : 0.95);
@@ -96,13 +96,13 @@ static double root_between(const double *c, int degree, double low, double high,
 {
     switch (degree) {
     case 3:
-        return newton_between(c, 3, low, high, f, g);
+        return root_near(c, 3, low, high, f, g);
     case 4:
-        return newton_between(c, 4, low, high, f, g);
+        return root_near(c, 4, low, high, f, g);
     case 6:
-        return newton_between(c, 6, low, high, f, g);
+        return root_near(c, 6, low, high, f, g);
     default:
-        return newton_between(c, degree, low, high, f, g);
+        return root_near(c, degree, low, high, f, g);
     }
 }
 
@@ -145,7 +145,7 @@ static int quadratic_roots_between(const double *c, double low, double high,
     return count;
 }
 
-/* Newton's way from all turns of the derivatives: see polynomial.h. */
+/* The way from all turns of the derivatives: see polynomial.h. */
 static int roots_by_turns(const double *c, int degree, double low, double high,
                           double *roots)
 {

@@ -37,7 +37,7 @@ static inline void quadratic_roots_lane(double a, double b, double c,
  * zero without crossing it is no root. `degree` 0 to POLYNOMIAL_DEGREE_MAX.
  *
  * Between neighbouring roots of its derivative a polynomial is monotonic, so
- * each interval holds at most one root, which a bracketed Newton finds; the
+ * each interval holds at most one root, which bracketed steps find; the
  * derivative's roots are found in the same way. */
 int polynomial_roots(const double *c, int degree, double low, double high,
                      double *roots, int limit);

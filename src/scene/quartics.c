@@ -1,5 +1,5 @@
 /* See quartics.h: Descartes' rule for Bernstein coefficients, a few halvings,
- * Newton's steps. Each lane does what polynomial.c does. */
+ * Halley's steps. Each lane does what polynomial.c does. */
 #include "scene/quartics.h"
 
 #include "scene/polynomial.h"
@@ -139,7 +139,7 @@ CLONES static void pieces_halve(struct pieces *restrict pieces,
     pieces_take(pieces, &halves, keep, left);
 }
 
-/* Newton's steps of all lanes, as newton_between takes them. */
+/* Halley's steps of all lanes, as root_near takes them. */
 struct steps {
     double low[RAY_LANES], high[RAY_LANES], t[RAY_LANES];
     double step[RAY_LANES], last[RAY_LANES];
@@ -171,8 +171,9 @@ static inline void lane_step(const struct quartics *q, struct steps *steps,
                              int i)
 {
     double t = steps->t[i], low = steps->low[i], high = steps->high[i];
-    double value = q->c[QUARTIC][i], slope = 0;
+    double value = q->c[QUARTIC][i], slope = 0, bend = 0;
     for (int k = QUARTIC - 1; k >= 0; k--) {
+        bend = bend * t + slope;
         slope = slope * t + value;
         value = value * t + q->c[k][i];
     }
@@ -180,7 +181,8 @@ static inline void lane_step(const struct quartics *q, struct steps *steps,
     bool at_low = (value < 0) == (steps->below[i] != 0);
     low = at_low ? t : low;
     high = at_low ? high : t;
-    double next = t - value / slope, last = steps->last[i];
+    double next = t - value * slope / (slope * slope - value * bend);
+    double last = steps->last[i];
     bool good = (next > low) & (next < high) & (fabs(next - t) < last / 2);
     next = good ? next : low + (high - low) / 2;
     double step = fabs(next - t), before = steps->step[i],
