@@ -82,6 +82,80 @@ CLONES void octet_abs(octet *x)
     *x = octet_magnitude(*x);
 }
 
+/* ln 2; the first part of it ends in zeros, so that whole multiples of it are
+ * exact. */
+static const double ln2_high = 0x1.62e42feep-1, ln2_low = 0x1.a39ef35793c76p-33;
+
+/* Added to a number it leaves its whole part in the last bits. */
+static const double whole = 0x1.8p52;
+
+INLINED octet octet_clamp(octet x, double least, double most)
+{
+    const octet low = x * 0 + least, high = x * 0 + most;
+    x = octet_choose(x < low, low, x);
+    return octet_choose(x > high, high, x);
+}
+
+/* parts[0] + parts[1] x + parts[2] x^2 ... of an even number of parts, those of
+ * even and of odd powers in two sums that need not wait for each other. */
+INLINED octet octet_series(octet x, const double *parts, int count)
+{
+    const octet square = x * x;
+    octet even = x * 0 + parts[count - 2], odd = x * 0 + parts[count - 1];
+#pragma GCC unroll 16
+    for (int i = count - 4; i >= 0; i -= 2) {
+        even = even * square + parts[i];
+        odd = odd * square + parts[i + 1];
+    }
+    return even + odd * x;
+}
+
+/* 2^k e^r, r at most ln 2 / 2: the series of that. */
+CLONES void octet_exp(octet *x)
+{
+    static const double parts[] = {
+        1,
+        1,
+        1.0 / 2,
+        1.0 / 6,
+        1.0 / 24,
+        1.0 / 120,
+        1.0 / 720,
+        1.0 / 5040,
+        1.0 / 40320,
+        1.0 / 362880,
+        1.0 / 3628800,
+        1.0 / 39916800,
+        1.0 / 479001600,
+        1.0 / 6227020800,
+    };
+    const octet clamped = octet_clamp(*x, -708, 708);
+    const octet shifted = clamped * (1 / 0x1.62e42fefa39efp-1) + whole;
+    const octet k = shifted - whole;
+    const octet r = (clamped - k * ln2_high) - k * ln2_low;
+    const octet_bits power =
+        (octet_bits)(((octet_bits)shifted << 52) + ((int64_t)1023 << 52));
+    *x = octet_series(r, parts, sizeof parts / sizeof *parts) * (octet)power;
+}
+
+/* x = 2^k m, m from the root of 1/2 to that of 2; with s = (m - 1) / (m + 1)
+ * its logarithm is 2 (s + s^3 / 3 + s^5 / 5 + ...). */
+CLONES void octet_ln(octet *x)
+{
+    static const double parts[] = {
+        1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11,
+        1.0 / 13, 1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21,
+    };
+    const int64_t one = (int64_t)1023 << 52, root = 0x3fe6a09e667f3bcd;
+    const octet_bits bits = (octet_bits)octet_clamp(*x, 1e-300, HUGE_VAL);
+    const octet_bits power = ((bits - root + one) >> 52) - 1023;
+    const octet m = (octet)(bits - (power << 52));
+    const octet k = (octet)(power + (octet_bits)(*x * 0 + whole)) - whole;
+    const octet s = (m - 1) / (m + 1), square = s * s;
+    const octet sum = octet_series(square, parts, sizeof parts / sizeof *parts);
+    *x = k * ln2_high + (2 * s + (2 * s * square * sum + k * ln2_low));
+}
+
 double lone_sin(double x)
 {
     return fabs(x) <= angle_limit ? pair_sine_ahead(pair_of(x), 0)[0] : sin(x);

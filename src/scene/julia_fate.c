@@ -143,38 +143,11 @@ static void fate_hypercomplex(const struct julia_fractal *f, vec3 p,
                                     fate_cap * f->radius);
 }
 
-/* The squares of a number's size and of its growth, one or the other half's,
- * along its orbit; whether it is gone, and by derivatives alone how far the
- * same is so, which is more than is sure. */
-static double function_guess(const struct julia_fractal *f, vec3 p, bool *gone)
-{
-    double w = f->w[0] * p.x + f->w[1] * p.y + f->w[2] * p.z + f->w[3];
-    struct julia_halves h = { CMPLX(p.x - w, p.y + p.z),
-                              CMPLX(p.x + w, p.y - p.z) };
-    double growth2 = 1, least = f->radius;
-    for (int i = 0;; i++) {
-        double size = sqrt(julia_halves_square(h));
-        double room = (f->radius - size) / sqrt(growth2);
-        *gone = !(size <= f->radius);
-        least = fmin(least, fabs(room));
-        if (*gone)
-            return fabs(room);
-        if (i == f->iterations - 1)
-            return least;
-        growth2 *= julia_halves_step(f, &h);
-    }
-}
-
-/* By bounds that are sure: of hypercomplex numbers asked for only where they
- * could be of use. */
+/* By bounds that are sure. */
 static void fate_sure(const struct julia_fractal *f, vec3 point,
                       struct julia_fate *fate)
 {
     struct julia_orbit orbit;
-    fate->distance = 0;
-    if (f->algebra == JULIA_HYPERCOMPLEX &&
-        !(0.8 * function_guess(f, point, &fate->gone) >= f->least * f->stretch))
-        return;
     julia_orbit_follow(f, point, &orbit);
     fate->gone = orbit.gone;
     fate->distance = julia_orbit_reach(f, &orbit, f->least);

@@ -1,19 +1,20 @@
 /* julia_fractal: see julia_fractal.h. A ray goes on by steps in which nothing
  * can change (julia_fate.h), but no shorter than a limit; where something
- * has, the place is found by regula falsi. */
+ * has, the place is found by regula falsi. Of functions of hypercomplex numbers
+ * all steps are that short (julia_steps.h). */
 #include "scene/julia_fractal.h"
 
 #include "scene/bracket.h"
 #include "scene/julia_fate.h"
 #include "scene/julia_orbit.h"
+#include "scene/julia_steps.h"
 
 enum {
     JULIA_STEPS = 20000, /* of one ray, at most */
     JULIA_ROUNDS = 60,   /* for one crossing */
 };
 
-static const double julia_coarse = 0.02; /* of functions that bend and jump more
-                                          * than bounds can follow; POV-Ray's */
+static const double julia_coarse = 0.02; /* of quaternions that may come back */
 
 static const char *const algebras[] = { "quaternion", "hypercomplex", NULL };
 
@@ -106,6 +107,7 @@ static const char *julia_prepare(void *shape, struct arena *arena,
                                  const char **warning)
 {
     struct julia_fractal *f = shape;
+    bool quaternion = f->algebra == JULIA_QUATERNION;
     double length2 = 0, c2 = 0;
     (void)warning;
     for (int i = 0; i < 4; i++) {
@@ -126,7 +128,10 @@ static const char *julia_prepare(void *shape, struct arena *arena,
     f->w[3] = f->slice[4] * sqrt(length2) / f->slice[3];
     f->stretch = sqrt(tilt);
     julia_ends(f, sqrt(c2));
-    f->least = f->polynomial ? 1 / f->precision : julia_coarse;
+    f->stepped = !f->polynomial && !quaternion;
+    f->least = f->stepped      ? 1 / fmax(f->precision, 1)
+               : f->polynomial ? 1 / f->precision
+                               : julia_coarse;
     julia_limit(f, sqrt(c2), arena);
     julia_potentials(f, arena);
     return NULL;
@@ -175,11 +180,18 @@ static double march_beyond(const struct march *m, double t)
     return fate.gone == (beyond > 0) ? beyond : fate.gone ? little : -little;
 }
 
+/* So near is near enough, of the ray's t. */
+static double march_enough(const struct march *m)
+{
+    return (m->rough ? m->fractal->least : 1e-7 * m->fractal->radius) /
+           m->speed;
+}
+
 /* The crossing between a and b. */
 static double march_refine(const struct march *m, double a, double b)
 {
     struct bracket in = { a, march_beyond(m, a), b, march_beyond(m, b) };
-    double enough = 1e-7 * m->fractal->radius / m->speed, t;
+    double enough = march_enough(m), t;
     for (int i = 1; i < JULIA_ROUNDS && in.b - in.a > enough; i++) {
         if (!bracket_next(&in, i, &t))
             break;
@@ -213,6 +225,12 @@ static void march_along(struct march *m, double tmin, double tmax,
 {
     if (!march_start(m, &tmin, &tmax))
         return;
+    if (m->fractal->stepped) {
+        julia_steps_visit(m->fractal, m->ray, tmin, tmax,
+                          m->fractal->least / m->speed, march_enough(m), visit,
+                          context);
+        return;
+    }
     double t = tmin;
     bool stays = march_look(m, t);
     for (int i = 0; i < JULIA_STEPS && t < tmax; i++) {
@@ -294,8 +312,11 @@ static vec3 julia_normal(const void *shape, vec3 point, const struct hit *hit)
 
 static bool julia_inside(const void *shape, vec3 point)
 {
+    const struct julia_fractal *f = shape;
+    if (f->stepped)
+        return !julia_orbit_gone(f, point);
     struct julia_fate fate;
-    julia_fate_find(shape, point, &fate);
+    julia_fate_find(f, point, &fate);
     return !fate.gone;
 }
 

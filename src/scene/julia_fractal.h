@@ -21,10 +21,11 @@ struct julia_fractal {
     const struct julia_function *function; /* of hypercomplex numbers */
     bool cube;                             /* of quaternions */
     bool polynomial;                       /* what is gone goes ever farther */
-    double power[2];                       /* of pwr() */
+    bool stepped;    /* not so, and its rays go by equal steps */
+    double power[2]; /* of pwr() */
     int iterations;
-    double precision; /* needless */
-    double slice[5];  /* normal, and distance from the origin along it */
+    double precision;
+    double slice[5]; /* normal, and distance from the origin along it */
     /* Made by prepare: */
     double w[4];        /* the fourth number is w . (x, y, z, 1) */
     double stretch;     /* of a way in space on the slice, at most */

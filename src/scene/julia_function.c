@@ -27,51 +27,33 @@ static void hyperbolic_both(number z, number *sinh_z, number *cosh_z)
     *cosh_z = CMPLX((e + less) * c, (e - less) * s);
 }
 
-static number sinh_both(number z, number power, number *slope)
+static number sinh_value(number z, number power)
 {
-    number value;
+    number sinh_z, cosh_z;
     (void)power;
-    hyperbolic_both(z, &value, slope);
-    return value;
+    hyperbolic_both(z, &sinh_z, &cosh_z);
+    return sinh_z;
 }
 
-static number cosh_both(number z, number power, number *slope)
+static number cosh_value(number z, number power)
 {
-    number value;
+    number sinh_z, cosh_z;
     (void)power;
-    hyperbolic_both(z, slope, &value);
-    return value;
+    hyperbolic_both(z, &sinh_z, &cosh_z);
+    return cosh_z;
 }
 
 /* sin z = -i sinh iz, cos z = cosh iz. */
-static number sin_both(number z, number power, number *slope)
+static number sin_value(number z, number power)
 {
-    number value;
-    (void)power;
-    hyperbolic_both(CMPLX(-cimag(z), creal(z)), &value, slope);
+    number value = sinh_value(CMPLX(-cimag(z), creal(z)), power);
     return CMPLX(cimag(value), -creal(value));
 }
 
-static number cos_both(number z, number power, number *slope)
+static number cos_value(number z, number power)
 {
-    number value, over;
-    (void)power;
-    hyperbolic_both(CMPLX(-cimag(z), creal(z)), &over, &value);
-    *slope = CMPLX(-cimag(over), creal(over));
-    return value;
+    return cosh_value(CMPLX(-cimag(z), creal(z)), power);
 }
-
-#define VALUE(name)                                                            \
-    static number name##_value(number z, number power)                         \
-    {                                                                          \
-        number slope;                                                          \
-        return name##_both(z, power, &slope);                                  \
-    }
-
-VALUE(sinh)
-VALUE(cosh)
-VALUE(sin)
-VALUE(cos)
 
 ONE(sqr_value, z *z)
 ONE(sqr_slope, 2 * z)
@@ -113,41 +95,6 @@ static number pwr_value(number z, number power)
 static number pwr_slope(number z, number power)
 {
     return power * cexp((power - 1) * clog(z));
-}
-
-/* ---- value and slope at once ---- */
-
-#define BOTH(name, slope_name)                                                 \
-    static number name##_both(number z, number power, number *slope)           \
-    {                                                                          \
-        *slope = slope_name(z, power);                                         \
-        return name##_value(z, power);                                         \
-    }
-
-BOTH(sqr, sqr_slope)
-BOTH(ln, ln_slope)
-BOTH(tan, tan_slope)
-BOTH(tanh, tanh_slope)
-BOTH(asin, asin_slope)
-BOTH(acos, acos_slope)
-BOTH(atan, atan_slope)
-BOTH(asinh, asinh_slope)
-BOTH(acosh, acosh_slope)
-BOTH(atanh, atanh_slope)
-BOTH(pwr, pwr_slope)
-
-static number reciprocal_both(number z, number power, number *slope)
-{
-    number value = inverse(z);
-    (void)power;
-    *slope = -(value * value);
-    return value;
-}
-
-static number exp_both(number z, number power, number *slope)
-{
-    (void)power;
-    return *slope = cexp(z);
 }
 
 /* ---- bounds ---- */
@@ -295,25 +242,25 @@ static double acosh_spread(number z, double e, number power)
 }
 
 static const struct julia_function functions[] = {
-    { "sqr", sqr_value, sqr_slope, sqr_both, sqr_spread },
-    { "cube", sqr_value, sqr_slope, sqr_both, sqr_spread },
-    { "exp", exp_value, exp_value, exp_both, exp_spread },
-    { "reciprocal", reciprocal_value, reciprocal_slope, reciprocal_both,
-      reciprocal_spread },
-    { "sin", sin_value, cos_value, sin_both, circular_spread },
-    { "asin", asin_value, asin_slope, asin_both, asin_spread },
-    { "sinh", sinh_value, cosh_value, sinh_both, hyperbolic_spread },
-    { "asinh", asinh_value, asinh_slope, asinh_both, asinh_spread },
-    { "cos", cos_value, cos_slope, cos_both, circular_spread },
-    { "acos", acos_value, acos_slope, acos_both, asin_spread },
-    { "cosh", cosh_value, sinh_value, cosh_both, hyperbolic_spread },
-    { "acosh", acosh_value, acosh_slope, acosh_both, acosh_spread },
-    { "tan", tan_value, tan_slope, tan_both, tan_spread },
-    { "atan", atan_value, atan_slope, atan_both, atan_spread },
-    { "tanh", tanh_value, tanh_slope, tanh_both, tanh_spread },
-    { "atanh", atanh_value, atanh_slope, atanh_both, atanh_spread },
-    { "ln", ln_value, ln_slope, ln_both, ln_spread },
-    { "pwr", pwr_value, pwr_slope, pwr_both, pwr_spread },
+    { "sqr", sqr_value, sqr_slope, sqr_spread, octets_sqr },
+    { "cube", sqr_value, sqr_slope, sqr_spread, octets_sqr },
+    { "exp", exp_value, exp_value, exp_spread, octets_exp },
+    { "reciprocal", reciprocal_value, reciprocal_slope, reciprocal_spread,
+      octets_reciprocal },
+    { "sin", sin_value, cos_value, circular_spread, octets_sin },
+    { "asin", asin_value, asin_slope, asin_spread, octets_asin },
+    { "sinh", sinh_value, cosh_value, hyperbolic_spread, octets_sinh },
+    { "asinh", asinh_value, asinh_slope, asinh_spread, octets_asinh },
+    { "cos", cos_value, cos_slope, circular_spread, octets_cos },
+    { "acos", acos_value, acos_slope, asin_spread, octets_acos },
+    { "cosh", cosh_value, sinh_value, hyperbolic_spread, octets_cosh },
+    { "acosh", acosh_value, acosh_slope, acosh_spread, octets_acosh },
+    { "tan", tan_value, tan_slope, tan_spread, octets_tan },
+    { "atan", atan_value, atan_slope, atan_spread, octets_atan },
+    { "tanh", tanh_value, tanh_slope, tanh_spread, octets_tanh },
+    { "atanh", atanh_value, atanh_slope, atanh_spread, octets_atanh },
+    { "ln", ln_value, ln_slope, ln_spread, octets_ln },
+    { "pwr", pwr_value, pwr_slope, pwr_spread, octets_pwr },
 };
 
 const struct julia_function *julia_function_at(int index)

@@ -5,6 +5,8 @@
 #include <complex.h>
 #include <math.h>
 
+#include "scene/julia_octets.h"
+
 /* glibc has it for gcc alone. */
 #if !defined CMPLX && defined __clang__
 #define CMPLX(re, im) __builtin_complex((double)(re), (double)(im))
@@ -26,12 +28,10 @@ struct julia_function {
     /* `power` is that of pwr(). */
     double complex (*value)(double complex z, double complex power);
     double complex (*slope)(double complex z, double complex power);
-    /* Both at once. */
-    double complex (*both)(double complex z, double complex power,
-                           double complex *slope);
     /* How far apart the values at z and at most `e` from it can be, at most:
      * HUGE_VAL where a cut or a pole is so near. */
     double (*spread)(double complex z, double e, double complex power);
+    julia_octets *octets; /* the value, of eight at once */
 };
 
 /* The function of this name, or NULL. */

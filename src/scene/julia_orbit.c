@@ -42,6 +42,10 @@ static struct quad slice_point(const struct julia_fractal *f, vec3 p)
 
 /* ---- hypercomplex numbers ---- */
 
+struct julia_halves {
+    double complex a, b;
+};
+
 static struct julia_halves quad_halves(struct quad q)
 {
     return (struct julia_halves){ CMPLX(q.x - q.w, q.y + q.z),
@@ -82,21 +86,6 @@ static struct quad hypercomplex_step(const struct julia_fractal *f,
     double complex power = julia_power(f);
     return halves_quad((struct julia_halves){ f->function->value(h.a, power),
                                               f->function->value(h.b, power) });
-}
-
-double julia_halves_square(struct julia_halves h)
-{
-    return (complex_square(h.a) + complex_square(h.b)) / 2;
-}
-
-double julia_halves_step(const struct julia_fractal *f, struct julia_halves *h)
-{
-    double complex power = julia_power(f), slope_a, slope_b;
-    h->a = f->function->both(h->a, power, &slope_a);
-    h->b = f->function->both(h->b, power, &slope_b);
-    h->a += CMPLX(f->c[0] - f->c[3], f->c[1] + f->c[2]);
-    h->b += CMPLX(f->c[0] + f->c[3], f->c[1] - f->c[2]);
-    return fmax(complex_square(slope_a), complex_square(slope_b));
 }
 
 /* The commonest: what julia_step makes of them. */
@@ -158,6 +147,13 @@ void julia_orbit_follow(const struct julia_fractal *fractal, vec3 point,
         q = julia_step(fractal, q);
         orbit_push(fractal, orbit, ++i, q);
     }
+}
+
+bool julia_orbit_gone(const struct julia_fractal *fractal, vec3 point)
+{
+    struct julia_orbit orbit;
+    julia_orbit_follow(fractal, point, &orbit);
+    return orbit.gone;
 }
 
 double julia_orbit_beyond(const struct julia_fractal *fractal, vec3 point)

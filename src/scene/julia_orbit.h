@@ -9,19 +9,6 @@ struct quad {
     double x, y, z, w;
 };
 
-/* A hypercomplex number as two complex ones: see julia_orbit.c. */
-struct julia_halves {
-    double complex a, b;
-};
-
-/* The number's size, squared. */
-double julia_halves_square(struct julia_halves h);
-
-/* The next number of a hypercomplex orbit; returns by how much a small
- * difference grows at most, squared. */
-double julia_halves_step(const struct julia_fractal *fractal,
-                         struct julia_halves *h);
-
 struct julia_orbit {
     struct quad at[JULIA_ORBIT]; /* the point and where it went */
     double size[JULIA_ORBIT];    /* of these */
@@ -34,6 +21,9 @@ struct julia_orbit {
 /* Follows the point. */
 void julia_orbit_follow(const struct julia_fractal *fractal, vec3 point,
                         struct julia_orbit *orbit);
+
+/* Whether the point is gone, once. */
+bool julia_orbit_gone(const struct julia_fractal *fractal, vec3 point);
 
 /* The logarithm of its size after the last step by the radius, no more than
  * some hundred: above 0 it is gone. */
