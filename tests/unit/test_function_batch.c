@@ -211,6 +211,40 @@ static void check_octet(octet y, octet x)
     }
 }
 
+/* Within some last bits. */
+static void check_close(double is, double should_be)
+{
+    assert_true(fabs(is - should_be) <= 1e-15 * fabs(should_be));
+}
+
+static void powers_are_as_the_library_has_them(void **state)
+{
+    (void)state;
+    for (int i = -2000; i <= 2000; i++) {
+        octet power, logarithm;
+        double x[OCTET], y[OCTET];
+        for (int k = 0; k < OCTET; k++) {
+            x[k] = (i + k * 0.1) * (k % 2 ? 0.001 : 0.35);
+            y[k] = k % 2 ? 2 + i * 0.0009 : exp(x[k] * 0.95);
+            power[k] = x[k];
+            logarithm[k] = y[k];
+        }
+        octet_exp(&power);
+        octet_ln(&logarithm);
+        for (int k = 0; k < OCTET; k++) {
+            check_close(power[k], exp(x[k]));
+            check_close(logarithm[k], log(y[k]));
+        }
+    }
+    octet ends_of = { -1000, 1000, 0, 0, 0, 0, 0, 0 };
+    octet_exp(&ends_of);
+    assert_true(ends_of[0] >= 0 && ends_of[0] < 1e-300);
+    assert_true(ends_of[1] > 1e300);
+    assert_true(ends_of[2] == 1);
+    octet_ln(&ends_of);
+    assert_true(ends_of[2] == 0);
+}
+
 static void octets_are_as_single_numbers(void **state)
 {
     octet x = { 0 }, y = x;
@@ -255,6 +289,7 @@ int main(void)
         cmocka_unit_test(internal_functions_go_along),
         cmocka_unit_test(angles_are_as_the_library_has_them),
         cmocka_unit_test(octets_are_as_single_numbers),
+        cmocka_unit_test(powers_are_as_the_library_has_them),
         cmocka_unit_test(what_is_no_number_is_zero),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

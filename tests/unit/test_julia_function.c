@@ -60,6 +60,33 @@ static void slopes_are_derivatives(void **state)
         }
 }
 
+/* Eight at once are as one, on both sides of the cuts, near 0 and far off. */
+static void octets_are_values(void **state)
+{
+    (void)state;
+    const double power[2] = { 1.5, -0.4 };
+    const struct julia_function *f;
+    for (int i = 0; (f = julia_function_at(i)); i++)
+        for (uint64_t k = 0; k < 400; k++) {
+            struct complex_octet z;
+            double complex one[OCTET];
+            for (int lane = 0; lane < OCTET; lane++) {
+                one[lane] = place(k * OCTET + lane + 9000) * (k % 4 == 0 ? 1e-3
+                                                              : k % 4 == 1 ? 2.8
+                                                                           : 1);
+                z.re[lane] = creal(one[lane]);
+                z.im[lane] = cimag(one[lane]);
+            }
+            f->octets(&z, power);
+            for (int lane = 0; lane < OCTET; lane++) {
+                double complex value =
+                    f->value(one[lane], CMPLX(power[0], power[1]));
+                double off = cabs(CMPLX(z.re[lane], z.im[lane]) - value);
+                assert_true(off <= 1e-12 * (1 + cabs(value)));
+            }
+        }
+}
+
 static void names_are_found(void **state)
 {
     (void)state;
@@ -73,6 +100,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spreads_are_bounds),
         cmocka_unit_test(slopes_are_derivatives),
+        cmocka_unit_test(octets_are_values),
         cmocka_unit_test(names_are_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
