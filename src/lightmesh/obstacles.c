@@ -36,27 +36,46 @@ void obstacles_look(struct obstacles *obstacles, const struct world *world,
     }
 }
 
+/* 1/d in a direction. */
+static double obstacle_near(const struct obstacles *obstacles, const int way[3])
+{
+    return (double)obstacles->near[obstacle_number(way[0], way[1], way[2])];
+}
+
 /* Whether what stands in a direction leaves the way to the place free: it is
  * that place's own plane, or behind it, or farther than the place is. */
-static bool obstacle_spares(const struct obstacles *obstacles, const int way[3],
+static bool obstacle_spares(double near, const int way[3],
                             const struct obstacle_view *view)
 {
     static const double unit[] = { 0, 1, 0.7071067811865476,
                                    0.5773502691896258 };
     int axes = abs(way[0]) + abs(way[1]) + abs(way[2]);
-    double near =
-        (double)obstacles->near[obstacle_number(way[0], way[1], way[2])];
     double along = way[0] * view->plane.x + way[1] * view->plane.y +
                    way[2] * view->plane.z;
     return near * view->length < 1 ||
            near <= along * unit[axes] * (1 + obstacle_plane);
 }
 
+/* The axes from the one that the offset is most along to the least. */
+static void obstacle_order(const double size[3], int order[3])
+{
+    int most = size[0] >= size[1] ? 0 : 1;
+    most = size[2] > size[most] ? 2 : most;
+    int least = most == 0 ? 1 : 0;
+    int middle = 3 - most - least;
+    bool swapped = size[middle] < size[least];
+    order[0] = most;
+    order[1] = swapped ? least : middle;
+    order[2] = swapped ? middle : least;
+}
+
 /* 1/d of the place's plane in the direction w is w plane. The offset lies
  * between three of the directions, of which the first is the axis it is most
- * along. */
-bool obstacles_clear(const struct obstacles *obstacles, vec3 offset,
-                     vec3 normal)
+ * along. The plane itself never hides the place: the offset, of length 1, is
+ * a sum of the three with weights whose sum is at least 1, so that in one of
+ * them the plane is no nearer than the place. */
+enum sight obstacles_sight(const struct obstacles *obstacles, vec3 offset,
+                           vec3 normal)
 {
     double size[3] = { fabs(offset.x), fabs(offset.y), fabs(offset.z) };
     int sign[3] = { offset.x < 0 ? -1 : 1, offset.y < 0 ? -1 : 1,
@@ -67,24 +86,16 @@ bool obstacles_clear(const struct obstacles *obstacles, vec3 offset,
         .plane =
             height < 0 ? vec3_scale(normal, 1 / height) : vec3_make(0, 0, 0),
     };
-    int most = size[0] >= size[1] ? 0 : 1;
-    most = size[2] > size[most] ? 2 : most;
-    int least = most == 0 ? 1 : 0;
-    int middle = 3 - most - least;
-    if (size[middle] < size[least]) {
-        int swap = middle;
-        middle = least;
-        least = swap;
+    int order[3], way[3] = { 0, 0, 0 };
+    bool clear = true, hidden = true;
+    obstacle_order(size, order);
+    for (int i = 0; i < 3 && (clear || hidden); i++) {
+        way[order[i]] = sign[order[i]];
+        double near = obstacle_near(obstacles, way);
+        clear = clear && obstacle_spares(near, way, &view);
+        hidden = hidden && near * view.length > obstacle_hides;
     }
-    int way[3] = { 0, 0, 0 };
-    way[most] = sign[most];
-    if (!obstacle_spares(obstacles, way, &view))
-        return false;
-    way[middle] = sign[middle];
-    if (!obstacle_spares(obstacles, way, &view))
-        return false;
-    way[least] = sign[least];
-    return obstacle_spares(obstacles, way, &view);
+    return clear ? SIGHT_CLEAR : hidden ? SIGHT_HIDDEN : SIGHT_UNSURE;
 }
 
 /* 1/d times the length of the offset that this is in axes. */
@@ -94,8 +105,7 @@ static double obstacle_slope(const struct obstacles *obstacles,
     static const double length[] = { 0, 1, 1.4142135623730951,
                                      1.7320508075688772 };
     int axes = abs(way[0]) + abs(way[1]) + abs(way[2]);
-    return length[axes] *
-           (double)obstacles->near[obstacle_number(way[0], way[1], way[2])];
+    return length[axes] * obstacle_near(obstacles, way);
 }
 
 /* 1/d of the plane that is nearest along an axis, linear in the offset: along

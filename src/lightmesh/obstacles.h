@@ -22,11 +22,17 @@ struct obstacles {
 void obstacles_look(struct obstacles *obstacles, const struct world *world,
                     vec3 place, double reach);
 
-/* Whether nothing that was found stands on the way, at most `reach` long, from
- * the mesh point along `offset` to a place whose normal, on the mesh point's
- * side, is given. False: only a ray can tell. */
-bool obstacles_clear(const struct obstacles *obstacles, vec3 offset,
-                     vec3 normal);
+/* What obstacles say of the way to a place. */
+enum sight {
+    SIGHT_CLEAR,  /* nothing that was found stands on it */
+    SIGHT_HIDDEN, /* something stands before it on all sides */
+    SIGHT_UNSURE, /* only a ray can tell */
+};
+
+/* Of the way, at most `reach` long, from the mesh point along `offset` to a
+ * place whose normal, on the mesh point's side, is given. */
+enum sight obstacles_sight(const struct obstacles *obstacles, vec3 offset,
+                           vec3 normal);
 
 /* The unit direction into the plane that is all there is nearer than `reach`;
  * zero if there is more, or nothing. */

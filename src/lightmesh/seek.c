@@ -24,8 +24,9 @@ static bool seeker_sees(const struct seeker *seeker,
     const struct obstacles *around =
         point_mesh_around(seeker->mesh, seeker->worker, point);
     vec3 offset = vec3_sub(seeker->receiver->point, from);
-    if (obstacles_clear(around, offset, seeker->receiver->side))
-        return true;
+    enum sight sight = obstacles_sight(around, offset, seeker->receiver->side);
+    if (sight != SIGHT_UNSURE)
+        return sight == SIGHT_CLEAR;
     double length = vec3_length(offset);
     struct ray ray = { seeker->receiver->point,
                        vec3_scale(offset, -1 / length) };
@@ -262,7 +263,8 @@ static struct seeker seeker_new(const struct point_mesh *mesh,
                              .worker = worker,
                              .receiver = receiver,
                              .finer = mesh->refinement.levels,
-                             .least = mesh->least };
+                             .least = mesh->least /
+                                      fmax(receiver->weight, seek_worth) };
     seeker.level =
         lattice_level(&mesh->lattice, &receiver->view, receiver->point, coarse);
     *finest = seeker.level - receiver->view.coarser;
@@ -376,9 +378,9 @@ const void *point_mesh_nearest(const struct point_mesh *mesh,
             if (-vec3_dot(offset, normal) < nearest_rise * spacing)
                 continue;
             if (traced ? seeker_sees(&seeker, &corner[i], from)
-                       : obstacles_clear(
+                       : obstacles_sight(
                              point_mesh_around(mesh, worker, &corner[i]),
-                             offset, normal))
+                             offset, normal) == SIGHT_CLEAR)
                 return point_mesh_payload(mesh, worker, &corner[i]);
         }
     return NULL;

@@ -87,12 +87,18 @@ static const double seek_rise = 0.2;    /* points lower than that count less,
 static const double seek_least = 0.02;  /* of a place's points that gather: what
                                          * counts no more isn't asked [pillars]
                                          */
+static const double seek_worth = 0.17;  /* and the more of them the less the
+                                         * place is worth, down to that [price]
+                                         */
 static const double nearest_rise = 0.1; /* likewise, of the nearest */
 static const double worth_fine = 0.25;  /* what is worth less is a level
                                          * coarser, share of the picture */
 static const double worth_step = 3;     /* and one more for each such factor */
 static const double obstacle_reach = 2.5;  /* spacings */
 static const double obstacle_plane = 0.03; /* flat within that share */
+static const double obstacle_hides = 1.25; /* of the way to what stands on all
+                                            * sides of it: a ray nearly always
+                                            * meets it as well */
 static const double asking_reach = 2.1;    /* nothing farther asks, spacings */
 static const double alike_amounts = 3;  /* of light, a factor: no matter which
                                          * points see the place */
@@ -170,7 +176,7 @@ enum {
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
     GATHER_FEW = 32,    /* and else */
     GATHER_MOST = 1024,
-    LONE_SAMPLES = 32,  /* of places that are their own mesh point */
+    LONE_SAMPLES = 16,  /* of places that are their own mesh point */
     LONE_PART = 8,      /* of later bounces one in so many */
     LATER_SAMPLES = 16, /* of kept points of later bounces, at most */
     HIT_LEVELS = 1,     /* direct light on what they meet is coarser */
@@ -181,7 +187,7 @@ enum {
     GATHER_MIRRORS = 3, /* on one way */
     CLOSE_VOXELS = 48,  /* of the closing skeleton, along the longest side */
     CLOSE_RAYS = 30000, /* between its walls */
-    NEAR_RAYS = 16,     /* to what is close to a place that is seen; */
+    NEAR_RAYS = 12,     /* to what is close to a place that is seen; */
     NEAR_LONE_PART = 2, /* one in so many where only a pixel shares them */
     LONE_PLACES = 4,    /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,   /* likewise, of what they were told */
@@ -192,7 +198,7 @@ enum {
 /* Indirect light at corners on surfaces [price, look]. */
 enum { INDIRECT_PIXELS_BYTES = 24 * 1000 * 1000 };
 static const double indirect_pixels_most = 15200;  /* corners, but for these: */
-static const double indirect_pixels_near = 4.5;    /* apart at least, pixels */
+static const double indirect_pixels_near = 6;      /* apart at least, pixels */
 static const double indirect_pixels_far = 18;      /* and at most */
 static const double indirect_pixels_flat = 0.9999; /* cosine: no bump */
 static const double indirect_pixels_bend = 0.8;  /* cosine of normals that share
@@ -224,7 +230,7 @@ static const double grid_blend = 0.84;  /* of a step the one that is a level
 static const double grid_margin = 0.25; /* of a cell, by which a corner is
                                          * looked for above and below it */
 
-static const double block_places = 0.25; /* of the grid's step, from one place
+static const double block_places = 0.45; /* of the grid's step, from one place
                                           * of a block to the next */
 static const double block_bend = 0.95;   /* cosine of normals that share one */
 static const double block_beside = 1.5;  /* of that: what is no farther is one
@@ -267,8 +273,8 @@ static const double gather_across = 1.5;   /* pictures: how large the part of a
 static const double gather_pixels = 76800; /* of a picture of that size, and of
                                             * smaller ones as many; of larger
                                             * ones they grow as edges do */
-static const double gather_pixel = 0.32;   /* gather rays for each pixel, */
-static const double gather_pixel_worth = 2.4; /* more for each unit of worth, */
+static const double gather_pixel = 0.2;    /* gather rays for each pixel, */
+static const double gather_pixel_worth = 1.6; /* more for each unit of worth, */
 static const double gather_pixel_most = 2.4;  /* in all; */
 static const double gather_mostly = 0.5;      /* worth beyond which most of the
                                                * picture is what is gathered: where

@@ -238,23 +238,33 @@ static void look_at_plane(struct obstacles *map, vec3 slope, double reach)
     }
 }
 
+/* Of a way to a place on the floor. */
+static enum sight sight_along(const struct obstacles *map, double x, double y,
+                              double z)
+{
+    return obstacles_sight(map, vec3_make(x, y, z), vec3_make(0, 1, 0));
+}
+
 /* A place's own plane doesn't hide it, nor does what is behind that plane or
- * farther than the place. */
+ * farther than the place. A wall in all directions around the way does, well
+ * before the place. */
 static void test_obstacles(void **state)
 {
     struct obstacles map;
-    vec3 up = { 0, 1, 0 }, down = { 0.3, -0.7, 0.2 };
     (void)state;
     look_at_plane(&map, vec3_make(0, -1 / 0.7, 0), HUGE_VAL);
-    assert_true(obstacles_clear(&map, down, up));
-    assert_true(obstacles_clear(&map, vec3_scale(down, 0.9), up));
-    assert_false(obstacles_clear(&map, vec3_scale(down, 1.1), up));
-    assert_true(obstacles_clear(&map, vec3_make(0.3, 2, 0.2), up));
-    assert_true(obstacles_clear(&map, vec3_make(3, -0.7, 0.2), up));
-    assert_false(obstacles_clear(&map, vec3_make(3, -0.8, 0.2), up));
-    map.near[13] = 1 / 2.0f; /* a wall at x = 2 */
-    assert_true(obstacles_clear(&map, vec3_make(1.8, -0.7, 0.2), up));
-    assert_false(obstacles_clear(&map, vec3_make(2.5, -0.7, 0.2), up));
+    assert_int_equal(sight_along(&map, 0.3, -0.7, 0.2), SIGHT_CLEAR);
+    assert_int_equal(sight_along(&map, 0.27, -0.63, 0.18), SIGHT_CLEAR);
+    assert_int_equal(sight_along(&map, 0.33, -0.77, 0.22), SIGHT_UNSURE);
+    assert_int_equal(sight_along(&map, 0.3, 2, 0.2), SIGHT_CLEAR);
+    assert_int_equal(sight_along(&map, 3, -0.7, 0.2), SIGHT_CLEAR);
+    assert_int_equal(sight_along(&map, 3, -0.8, 0.2), SIGHT_UNSURE);
+    map.near[13] = 1 / 2.0f; /* something at x = 2 */
+    assert_int_equal(sight_along(&map, 1.8, -0.7, 0.2), SIGHT_CLEAR);
+    assert_int_equal(sight_along(&map, 2.5, -0.7, 0.2), SIGHT_UNSURE);
+    look_at_plane(&map, vec3_make(0.5, 0, 0), HUGE_VAL);
+    assert_int_equal(sight_along(&map, 3.8, -0.7, 0.2), SIGHT_HIDDEN);
+    assert_int_equal(sight_along(&map, 2.1, -0.7, 0.2), SIGHT_UNSURE);
 }
 
 /* A plane is told from its corners with others, however it is tilted. */
