@@ -81,7 +81,10 @@ struct outlook outlook_of(const struct world *world, const struct scene *scene,
     };
     outlook.across = outlook.pixel * pixels;
     outlook.size = fmax(size, outlook.pixel);
-    if (camera->kind->lines != CAMERA_CENTRAL)
-        outlook.distance = 0;
+    if (camera->kind->lines == CAMERA_PARALLEL ||
+        camera->kind->lines == CAMERA_SCATTERED)
+        outlook.distance = 0; /* what is farther off is seen as large */
+    if (camera->kind->lines == CAMERA_BENT)
+        outlook.distance *= outlook_bent;
     return outlook;
 }

@@ -34,6 +34,9 @@ static const double usual_width = 640, usual_height = 480; /* pixels, where it
 static const double outlook_beside = 0.1; /* share of what is seen, at either
                                            * end, that says nothing of its size
                                            */
+static const double outlook_bent = 3;     /* of the usual distance: cameras that
+                                           * bend lines look all around, at what
+                                           * is near as well [camera-cylinder] */
 static const double survey_dark = 0.03;   /* what the picture shows is not
                                            * darker than that, to an eye */
 
