@@ -165,6 +165,20 @@ static double census_by(const struct census *census, int edge)
     return crowding;
 }
 
+/* The same where some points are asked for by many rays and others by few, as
+ * on a plane to the horizon. With exponent e the last four times as many rays
+ * found 4^e times as many: the next are taken to find 4^(e e) times as many,
+ * those after them 4^(e e e) times. */
+static double tally_uneven(double few, double count, double more)
+{
+    double e = few > 0 ? log(count / few) / log(4) : 1;
+    double rounds = log(more) / log(4);
+    if (!(e > 0))
+        return count;
+    double sum = e < 1 ? e * e * (1 - pow(e, rounds)) / (1 - e) : rounds;
+    return count * pow(4, sum);
+}
+
 double census_gathered(const struct census *census)
 {
     struct tally tally = { census, memory_new(TALLIES * sizeof *tally.wanted),
@@ -174,7 +188,7 @@ double census_gathered(const struct census *census)
     double count = distinct_count(&tally.wanted[2]);
     memory_free(tally.wanted);
     double more = fmin(fmax(census->pixels / rays, 1), census_far);
-    return tally_all(few[2], count, more);
+    return tally_uneven(few[2], count, more);
 }
 
 double census_crowding(const struct census *census)
