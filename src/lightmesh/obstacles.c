@@ -71,9 +71,7 @@ static void obstacle_order(const double size[3], int order[3])
 
 /* 1/d of the place's plane in the direction w is w plane. The offset lies
  * between three of the directions, of which the first is the axis it is most
- * along. The plane itself never hides the place: the offset, of length 1, is
- * a sum of the three with weights whose sum is at least 1, so that in one of
- * them the plane is no nearer than the place. */
+ * along. */
 enum sight obstacles_sight(const struct obstacles *obstacles, vec3 offset,
                            vec3 normal)
 {
@@ -92,8 +90,9 @@ enum sight obstacles_sight(const struct obstacles *obstacles, vec3 offset,
     for (int i = 0; i < 3 && (clear || hidden); i++) {
         way[order[i]] = sign[order[i]];
         double near = obstacle_near(obstacles, way);
-        clear = clear && obstacle_spares(near, way, &view);
-        hidden = hidden && near * view.length > obstacle_hides;
+        bool spares = obstacle_spares(near, way, &view);
+        clear = clear && spares;
+        hidden = hidden && !spares && near * view.length > obstacle_hides;
     }
     return clear ? SIGHT_CLEAR : hidden ? SIGHT_HIDDEN : SIGHT_UNSURE;
 }

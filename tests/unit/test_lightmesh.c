@@ -259,7 +259,7 @@ static void test_obstacles(void **state)
     assert_int_equal(sight_along(&map, 0.3, 2, 0.2), SIGHT_CLEAR);
     assert_int_equal(sight_along(&map, 3, -0.7, 0.2), SIGHT_CLEAR);
     assert_int_equal(sight_along(&map, 3, -0.8, 0.2), SIGHT_UNSURE);
-    map.near[13] = 1 / 2.0f; /* something at x = 2 */
+    map.near[13] = 1 / 2.0f; /* a post at x = 2 */
     assert_int_equal(sight_along(&map, 1.8, -0.7, 0.2), SIGHT_CLEAR);
     assert_int_equal(sight_along(&map, 2.5, -0.7, 0.2), SIGHT_UNSURE);
     look_at_plane(&map, vec3_make(0.5, 0, 0), HUGE_VAL);
