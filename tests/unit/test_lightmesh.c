@@ -263,8 +263,8 @@ static void test_obstacles(void **state)
     assert_int_equal(sight_along(&map, 1.8, -0.7, 0.2), SIGHT_CLEAR);
     assert_int_equal(sight_along(&map, 2.5, -0.7, 0.2), SIGHT_UNSURE);
     look_at_plane(&map, vec3_make(0.5, 0, 0), HUGE_VAL);
-    assert_int_equal(sight_along(&map, 4.8, -0.7, 0.2), SIGHT_HIDDEN);
-    assert_int_equal(sight_along(&map, 2.1, -0.7, 0.2), SIGHT_UNSURE);
+    assert_int_equal(sight_along(&map, 4.8, 0.7, 0.2), SIGHT_HIDDEN);
+    assert_int_equal(sight_along(&map, 2.1, 0.7, 0.2), SIGHT_UNSURE);
 }
 
 /* A plane is told from its corners with others, however it is tilted. */
