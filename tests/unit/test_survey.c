@@ -64,12 +64,12 @@ static void test_afford(void **state)
     (void)state;
     assert_false(plan_afford(&few, all->scene, &survey, 100, 100000));
     assert_true(few.samples == 128 && few.gather == 1);
-    assert_true(plan_afford(&many, all->scene, &survey, 400, 100000));
+    assert_true(plan_afford(&many, all->scene, &survey, 200, 100000));
     assert_true(many.samples < 128 && many.samples >= 32 && many.gather == 1);
     assert_true(plan_afford(&crowd, all->scene, &survey, 50000, 100000));
     assert_true(crowd.samples == 16 && crowd.gather > 1);
     /* As long as points can be fewer, none has less than 32. */
-    for (int points = 400; points < 50000; points += 7) {
+    for (int points = 200; points < 50000; points += 7) {
         struct mesh_frame frame = few;
         plan_afford(&frame, all->scene, &survey, points, 100000);
         assert_true(frame.samples >= 32 || frame.gather == 3);
