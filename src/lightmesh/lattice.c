@@ -2,6 +2,7 @@
 #include "lightmesh/lattice.h"
 
 #include "base/random.h"
+#include "base/smooth.h"
 #include "lightmesh/tuning.h"
 
 /* Where the origin lies in its cell of the usual level, less 1/3: irrational
@@ -96,9 +97,7 @@ int lattice_level(const struct lattice *lattice,
     if (exact >= LATTICE_LEVELS - 1)
         return LATTICE_LEVELS - 1;
     double level = floor(exact);
-    double over = (exact - level - level_blend) / (1 - level_blend);
-    if (over > 0)
-        *blend = over;
+    *blend = smooth_step((exact - level - level_blend) / (1 - level_blend));
     return (int)level;
 }
 

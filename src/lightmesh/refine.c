@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "base/smooth.h"
+
 static double rgb_size(rgb c)
 {
     return fabs(c.r) + fabs(c.g) + fabs(c.b);
@@ -23,8 +25,5 @@ double refine_difference(const struct refine_views *views)
 
 double refine_share(const struct refinement *refinement, double difference)
 {
-    double t = difference / refinement->threshold - 1;
-    if (t <= 0)
-        return 0;
-    return t >= 1 ? 1 : t * t * (3 - 2 * t);
+    return smooth_step(difference / refinement->threshold - 1);
 }

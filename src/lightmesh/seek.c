@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "base/smooth.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/point_mesh.h"
 #include "lightmesh/tuning.h"
@@ -46,10 +47,7 @@ static double seeker_rise(const struct seeker *seeker, vec3 from,
 {
     double rise = vec3_dot(vec3_sub(from, seeker->receiver->point),
                            seeker->receiver->side);
-    double t = rise / (seek_rise * spacing);
-    if (t <= 0)
-        return 0;
-    return t >= 1 ? 1 : t * t * (3 - 2 * t);
+    return smooth_step(rise / (seek_rise * spacing));
 }
 
 /* Mesh points of one level that are before the surface. */

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/smooth.h"
 #include "lightmesh/tuning.h"
 #include "scene/camera.h"
 
@@ -49,8 +50,7 @@ int surface_grid_level(const struct surface_grid *grid,
         return 0;
     if (level >= GRID_LEVELS - 1)
         return GRID_LEVELS - 1;
-    if (part > grid_blend)
-        *blend = (part - grid_blend) / (1 - grid_blend);
+    *blend = smooth_step((part - grid_blend) / (1 - grid_blend));
     return level;
 }
 

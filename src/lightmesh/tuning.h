@@ -103,9 +103,9 @@ static const double obstacle_hides = 1.25; /* of the way to what stands on all
                                             * sides of it: a ray nearly always
                                             * meets it as well */
 static const double asking_reach = 2.1;    /* nothing farther asks, spacings */
-static const double alike_amounts = 3;  /* of light, a factor: no matter which
-                                         * points see the place */
-static const double level_blend = 0.75; /* of a level, then the next begins */
+static const double alike_amounts = 3; /* of light, a factor: no matter which
+                                        * points see the place */
+static const double level_blend = 0.5; /* of a level, then the next begins */
 
 /* Few lamps under `shadows soft` and `sharp` [hall]. */
 enum { AGREEING_POINTS = 3 };           /* fewer don't decide what is sharp */
