@@ -128,7 +128,7 @@ static void test_lattice(void **state)
     assert_true(blend == 0);
     assert_int_equal(
         lattice_level(&dense, &here, vec3_make(0, 1.95, 0), &blend), 1);
-    assert_true(fabs(blend - 0.6) < 1e-9);
+    assert_true(fabs(blend - 0.896) < 1e-9);
     assert_int_equal(lattice_level(&dense, &here, vec3_make(9, 0, 0), &blend),
                      2);
     box.factor = 0.5;
