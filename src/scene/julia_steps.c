@@ -1,6 +1,8 @@
-/* See julia_steps.h. POV-Ray looks at the places that are 1 / precision apart
- * (measured), from where the ray meets the ball or begins; so what it finds and
- * what it steps over is the same here. */
+/* See julia_steps.h. Depths of POV-Ray's pictures are mostly multiples of
+ * 1 / precision from where the ray meets the ball or begins, which is the step
+ * here. With `reciprocal` all surfaces were where POV-Ray has them; it leaves
+ * out some of `exp`, `sinh` and `cosh`, and its places are one end of the step
+ * where here they are between: why isn't known. */
 #include "scene/julia_steps.h"
 
 #include "base/clones.h"
