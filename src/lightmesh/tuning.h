@@ -233,7 +233,7 @@ static const double grid_blend = 0.84;  /* of a step the one that is a level
 static const double grid_margin = 0.25; /* of a cell, by which a corner is
                                          * looked for above and below it */
 
-static const double block_places = 0.45; /* of the grid's step, from one place
+static const double block_places = 0.25; /* of the grid's step, from one place
                                           * of a block to the next */
 static const double block_bend = 0.95;   /* cosine of normals that share one */
 static const double block_beside = 1.5;  /* of that: what is no farther is one
