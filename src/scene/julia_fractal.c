@@ -226,9 +226,10 @@ static void march_along(struct march *m, double tmin, double tmax,
     if (!march_start(m, &tmin, &tmax))
         return;
     if (m->fractal->stepped) {
-        julia_steps_visit(m->fractal, m->ray, tmin, tmax,
-                          m->fractal->least / m->speed, march_enough(m), visit,
-                          context);
+        const struct julia_walk walk = { m->ray, tmin, tmax,
+                                         m->fractal->least / m->speed,
+                                         march_enough(m) };
+        julia_steps_visit(m->fractal, &walk, visit, context);
         return;
     }
     double t = tmin;

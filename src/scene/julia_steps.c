@@ -100,23 +100,24 @@ static double steps_refine(const struct julia_fractal *f, const struct ray *ray,
     return stays ? a : b;
 }
 
-void julia_steps_visit(const struct julia_fractal *f, const struct ray *ray,
-                       double tmin, double tmax, double step, double enough,
-                       hit_visit *visit, void *context)
+void julia_steps_visit(const struct julia_fractal *f,
+                       const struct julia_walk *walk, hit_visit *visit,
+                       void *context)
 {
-    double last = tmin, pace = fmax(step, (tmax - tmin) / JULIA_STEPS);
+    double tmin = walk->tmin, tmax = walk->tmax, last = tmin;
+    double pace = fmax(walk->step, (tmax - tmin) / JULIA_STEPS);
     bool stayed = false, begun = false;
     for (int n = 0; last < tmax; n += OCTET) {
         octet t;
         octet_bits stays;
         for (int k = 0; k < OCTET; k++)
             t[k] = fmin(tmin + (n + k) * pace, tmax);
-        octet_look(f, ray, &t, &stays);
+        octet_look(f, walk->ray, &t, &stays);
         for (int k = 0; k < OCTET; k++) {
             bool stay = stays[k] != 0;
             if (begun && stay != stayed) {
-                struct hit hit = { .t = steps_refine(f, ray, last, t[k], stayed,
-                                                     enough) };
+                struct hit hit = { .t = steps_refine(f, walk->ray, last, t[k],
+                                                     stayed, walk->enough) };
                 if (hit.t > tmin && hit.t < tmax && visit(context, &hit))
                     return;
             }

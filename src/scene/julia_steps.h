@@ -5,11 +5,18 @@
 
 #include "scene/julia_fractal.h"
 
-/* Where the ray goes in or out between tmin and tmax, to `visit` until that
- * returns true; `enough`: so near is near enough. A step is `step` of t. */
+/* The part of a ray that is walked; lengths in units of its t. */
+struct julia_walk {
+    const struct ray *ray;
+    double tmin, tmax;
+    double step;
+    double enough; /* so near is near enough */
+};
+
+/* Where the ray goes in or out on the way, to `visit` until that returns true.
+ */
 void julia_steps_visit(const struct julia_fractal *fractal,
-                       const struct ray *ray, double tmin, double tmax,
-                       double step, double enough, hit_visit *visit,
+                       const struct julia_walk *walk, hit_visit *visit,
                        void *context);
 
 #endif
