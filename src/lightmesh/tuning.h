@@ -277,7 +277,7 @@ static const double gather_pixels = 76800; /* of a picture of that size, and of
                                             * smaller ones as many; of larger
                                             * ones they grow as edges do */
 static const double gather_pixel = 0.2;    /* gather rays for each pixel, */
-static const double gather_pixel_worth = 2.4; /* more for each unit of worth, */
+static const double gather_pixel_worth = 2.2; /* more for each unit of worth, */
 static const double gather_pixel_most = 2.4;  /* in all; */
 static const double gather_mostly = 0.5;      /* worth beyond which most of the
                                                * picture is what is gathered: where
