@@ -9,8 +9,6 @@
 #include "base/pair.h"
 
 typedef int64_t pair_bits __attribute__((vector_size(PAIR * sizeof(int64_t))));
-typedef int64_t octet_bits
-    __attribute__((vector_size(OCTET * sizeof(int64_t))));
 
 /* No vector is handed on but within a function for one kind of processor. */
 #pragma GCC diagnostic ignored "-Wpsabi"

@@ -103,20 +103,40 @@ static double tally_room(const struct census *census, int number)
     return mesh ? (double)table_capacity(mesh->points.table) : HUGE_VAL;
 }
 
+/* `few` rays' finds to those of four times as many, `count`, as a power of the
+ * number of rays: 1 where each ray finds as much as the first. */
+static double tally_exponent(double few, double count)
+{
+    return few > 0 ? log(count / few) / log(4) : 1;
+}
+
 /* What `more` times as many rays find, where a quarter of them found `few`.
  * Far from that many it is only sure that each finds no more than the last. */
 static double tally_all(double few, double count, double more)
 {
     double low = 1e-9, high = 10;
     if (!(few > 0) || more > census_far)
-        return count *
-               (few > 0 ? pow(more, fmin(log(count / few) / log(4), 1)) : more);
+        return count * pow(more, fmin(tally_exponent(few, count), 1));
     for (int i = 0; i < 60; i++) { /* x = a n / 4 */
         double x = (low + high) / 2;
         bool less = (1 - exp(-4 * x)) / (1 - exp(-x)) < count / few;
         *(less ? &high : &low) = x;
     }
     return few / (1 - exp(-low)) * (1 - exp(-4 * low * more));
+}
+
+/* The same where some points are asked for by many rays and others by few, as
+ * on a plane to the horizon. With exponent e the last four times as many rays
+ * found 4^e times as many: the next are taken to find 4^(e e) times as many,
+ * those after them 4^(e e e) times. */
+static double tally_uneven(double few, double count, double more)
+{
+    double e = tally_exponent(few, count);
+    double rounds = log(more) / log(4);
+    if (!(e > 0))
+        return count;
+    double sum = e < 1 ? e * e * (1 - pow(e, rounds)) / (1 - e) : rounds;
+    return count * pow(4, sum);
 }
 
 static double tally_crowding(const struct tally *tally, double rays,
@@ -163,20 +183,6 @@ static double census_by(const struct census *census, int edge)
     double crowding = tally_crowding(&tally, (double)edge * edge, few);
     memory_free(tally.wanted);
     return crowding;
-}
-
-/* The same where some points are asked for by many rays and others by few, as
- * on a plane to the horizon. With exponent e the last four times as many rays
- * found 4^e times as many: the next are taken to find 4^(e e) times as many,
- * those after them 4^(e e e) times. */
-static double tally_uneven(double few, double count, double more)
-{
-    double e = few > 0 ? log(count / few) / log(4) : 1;
-    double rounds = log(more) / log(4);
-    if (!(e > 0))
-        return count;
-    double sum = e < 1 ? e * e * (1 - pow(e, rounds)) / (1 - e) : rounds;
-    return count * pow(4, sum);
 }
 
 double census_gathered(const struct census *census)

@@ -60,7 +60,8 @@ struct point_mesh {
     const struct interpolation *interpolation;
     double radius;        /* of interpolation, in spacings */
     double least;         /* share of a place's points that isn't asked, unless
-                           * there are no others */
+                           * there are no others; more where the place is worth
+                           * less (seek_worth) */
     struct table *table;  /* payloads; and beside them, by the same keys, */
     struct table *around; /* obstacles */
     struct point_mesh_work *work;

@@ -10,8 +10,7 @@
 #include "scene/julia_steps.h"
 
 enum {
-    JULIA_STEPS = 20000, /* of one ray, at most */
-    JULIA_ROUNDS = 60,   /* for one crossing */
+    JULIA_ROUNDS = 60, /* for one crossing */
 };
 
 static const double julia_coarse = 0.02; /* of quaternions that may come back */

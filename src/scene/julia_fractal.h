@@ -10,6 +10,7 @@
 enum julia_algebra { JULIA_QUATERNION, JULIA_HYPERCOMPLEX };
 
 enum {
+    JULIA_STEPS = 20000,     /* of one ray, at most */
     JULIA_ITERATIONS = 1000, /* at most */
     JULIA_MORE = 4, /* steps beyond what decides: the farther, the surer */
     JULIA_ORBIT = JULIA_ITERATIONS + JULIA_MORE,

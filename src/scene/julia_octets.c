@@ -6,7 +6,6 @@
 #include "base/octet_math.h"
 
 typedef struct complex_octet number;
-typedef int64_t octet_bits __attribute__((vector_size(sizeof(octet))));
 
 /* No vector is handed on but within a function for one kind of processor. */
 #pragma GCC diagnostic ignored "-Wpsabi"

@@ -13,11 +13,8 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 enum {
-    JULIA_STEPS = 20000, /* of one ray, at most */
-    JULIA_ROUNDS = 20,   /* for one crossing */
+    JULIA_ROUNDS = 20, /* for one crossing */
 };
-
-typedef int64_t octet_bits __attribute__((vector_size(sizeof(octet))));
 
 struct octet_halves {
     struct complex_octet a, b;

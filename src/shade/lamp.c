@@ -1,6 +1,8 @@
 /* Point, spot, cylinder and parallel lights: see lamp.h. */
 #include "shade/lamp.h"
 
+#include "base/smooth.h"
+
 static double radians(double degrees)
 {
     return degrees * (3.14159265358979323846 / 180);
@@ -20,11 +22,10 @@ struct lamp lamp_new(const struct light *light, int number)
     return lamp;
 }
 
-/* 0 at `zero`, 1 at `one` and beyond, s^2 (3 - 2 s) between. */
-static double smoothstep(double zero, double one, double x)
+/* 0 at `zero`, 1 at `one` and beyond, smooth between. */
+static double smooth_between(double zero, double one, double x)
 {
-    double s = (x - zero) / (one - zero);
-    return s * s * (3 - 2 * s);
+    return smooth_step((x - zero) / (one - zero));
 }
 
 /* Smooth in the cosine of the angle to the axis, not in the angle; nothing
@@ -37,7 +38,8 @@ static double spot_attenuation(const struct lamp *lamp, double cosine)
     if (cosine < lamp->cosine_radius) {
         if (cosine <= lamp->cosine_falloff)
             return 0;
-        share = smoothstep(lamp->cosine_falloff, lamp->cosine_radius, cosine);
+        share =
+            smooth_between(lamp->cosine_falloff, lamp->cosine_radius, cosine);
     }
     if (lamp->light->tightness != 0)
         share *= pow(cosine, lamp->light->tightness);
@@ -55,7 +57,7 @@ static double cylinder_attenuation(const struct lamp *lamp, vec3 offset)
         return 0;
     double share = 1;
     if (r > light->radius && light->radius > 0)
-        share = smoothstep(light->falloff, light->radius, r);
+        share = smooth_between(light->falloff, light->radius, r);
     if (light->tightness != 0)
         share *= pow(1 - r / light->falloff, light->tightness);
     return share;
