@@ -24,7 +24,6 @@ struct shadow_crossing {
 };
 
 struct shadow_ray {
-    vec3 direction;                     /* unit */
     rgb share;                          /* of those that found no place */
     const struct photon_flags *photons; /* as in the path */
     int count;
@@ -38,10 +37,9 @@ static bool crossing_before(const struct shadow_crossing *a,
     return a->t < b->t || (a->t == b->t && a->leaf->number < b->leaf->number);
 }
 
-static void shadow_begin(struct shadow_ray *shadow, vec3 direction,
+static void shadow_begin(struct shadow_ray *shadow,
                          const struct photon_flags *photons)
 {
-    shadow->direction = direction;
     shadow->photons = photons;
     shadow->share = rgb_grey(1);
     shadow->count = 0;
@@ -49,15 +47,29 @@ static void shadow_begin(struct shadow_ray *shadow, vec3 direction,
 
 /* What light gets from `caustics` c at a surface, bumps and all: 1 + |cos|^(45
  * c) times. */
-static double shadow_caustics(const struct shadow_ray *shadow,
-                              const struct intersection *at)
+static double pane_caustics(const struct intersection *at, vec3 direction)
 {
     const struct interior *interior = at->leaf->interior;
     if (!interior || interior->caustics == 0)
         return 1;
-    double cosine =
-        fabs(vec3_dot(surface_bumps(at, shadow->direction), shadow->direction));
+    double cosine = fabs(vec3_dot(surface_bumps(at, direction), direction));
     return 1 + pow(cosine, 45 * interior->caustics);
+}
+
+/* What a surface lets pass of the light along the ray. Of most only the place
+ * matters. */
+static rgb pane_through(const struct ray *ray, const struct world_hit *hit)
+{
+    const struct leaf *leaf = hit->leaf;
+    struct intersection at;
+    if (leaf->plain && !leaf->coated &&
+        !(leaf->interior && leaf->interior->caustics != 0))
+        return texture_transmittance(
+            leaf->texture,
+            affine_point(leaf->to_texture, ray_point(ray, hit->hit.t)), NULL);
+    world_describe(ray, hit, &at);
+    return rgb_scale(surface_transmittance(&at),
+                     pane_caustics(&at, ray->direction));
 }
 
 /* Whether this light goes through it, or round it, as photons. */
@@ -68,16 +80,16 @@ static bool shadow_is_bent(const struct photon_flags *photons,
            photon_happens(photons->refraction, leaf->photons->refraction);
 }
 
-static bool shadow_filter(void *context, const struct intersection *at)
+static bool shadow_filter(void *context, const struct ray *ray,
+                          const struct world_hit *hit)
 {
     struct shadow_ray *shadow = context;
-    if (shadow_is_bent(shadow->photons, at->leaf))
+    if (shadow_is_bent(shadow->photons, hit->leaf))
         return true;
-    struct shadow_crossing crossing = { at->t, at->leaf,
-                                        surface_transmittance(at) };
+    struct shadow_crossing crossing = { hit->hit.t, hit->leaf,
+                                        pane_through(ray, hit) };
     if (rgb_peak(crossing.through) == 0)
         return true;
-    crossing.through = rgb_scale(crossing.through, shadow_caustics(shadow, at));
     if (shadow->count == shadow->room) {
         shadow->share = rgb_mul(shadow->share, crossing.through);
         return rgb_peak(shadow->share) < 1e-9;
@@ -185,7 +197,7 @@ static rgb shadow_filtered(const struct world *world, struct worker *worker,
 {
     struct shadow_crossing crossings[CROSSINGS_MAX];
     struct shadow_ray shadow;
-    shadow_begin(&shadow, path->direction, path->photons);
+    shadow_begin(&shadow, path->photons);
     shadow.at = crossings;
     shadow.room = CROSSINGS_MAX;
     if (shadow_blocked(world, path, from, to, &shadow))
@@ -238,18 +250,18 @@ struct shadow_rays {
 };
 
 static bool shadow_filter_lane(void *context, unsigned lane,
-                               const struct intersection *at)
+                               const struct world_hit *hit)
 {
     struct shadow_rays *shadows = context;
     struct shadow_ray *shadow = &shadows->at[lane];
+    const struct ray ray = rays_at(&shadows->ways->rays, (int)lane);
     if (!(shadows->begun >> lane & 1))
-        shadow_begin(shadow, rays_direction(&shadows->ways->rays, (int)lane),
-                     NULL);
+        shadow_begin(shadow, NULL);
     shadows->begun |= 1u << lane;
     shadow->at = shadows->crossings[lane];
     shadow->room = CROSSINGS_LANE;
     shadows->full |= (unsigned)(shadow->count == CROSSINGS_LANE) << lane;
-    return shadows->full >> lane & 1 || shadow_filter(shadow, at);
+    return shadows->full >> lane & 1 || shadow_filter(shadow, &ray, hit);
 }
 
 /* Which are dark, where something may let light pass. */

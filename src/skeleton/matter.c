@@ -83,10 +83,12 @@ const uint8_t *matter_marks(const struct world *world, struct box3 space,
     return marking.marks;
 }
 
-static bool has_mark(void *context, const struct intersection *at)
+static bool has_mark(void *context, const struct ray *ray,
+                     const struct world_hit *hit)
 {
     const uint8_t *const *marks = context;
-    return (*marks)[at->leaf->number] != 0;
+    (void)ray;
+    return (*marks)[hit->leaf->number] != 0;
 }
 
 bool matter_hides(const struct world *world, const uint8_t *marks, vec3 from,

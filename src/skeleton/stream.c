@@ -12,10 +12,12 @@
 enum { LAMPS_ASKED = 128 }; /* of many, at a point */
 
 /* Whatever lets some light pass is no obstacle. */
-static bool stream_passes(void *context, const struct intersection *at)
+static bool stream_passes(void *context, const struct ray *ray,
+                          const struct world_hit *hit)
 {
     (void)context;
-    (void)at;
+    (void)ray;
+    (void)hit;
     return false;
 }
 

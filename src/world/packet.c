@@ -68,13 +68,15 @@ void packet_to_nearest(struct packet *packet, const struct nearest *asked,
 }
 
 /* For the filter of a query, whose context it is. */
-static bool meet_pane(void *context, const struct intersection *at)
+static bool meet_pane(void *context, const struct ray *ray,
+                      const struct world_hit *hit)
 {
     const struct query *query = context;
     struct packet *packet = query->packet;
     const unsigned lane = (unsigned)(query - packet->query);
+    (void)ray;
     if (packet->filter)
-        return packet->filter(packet->context, lane, at);
+        return packet->filter(packet->context, lane, hit);
     packet->panes |= 1u << lane;
     return true;
 }
@@ -169,12 +171,15 @@ static unsigned packet_each(struct packet *packet, const struct solid *solid,
 static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
                                unsigned lanes)
 {
+    const struct leaf *leaf = solid->leaf;
+    bool asked = !leaf->opaque && packet->filter;
+    if (asked && leaf->object->primitive->all_many)
+        return packet_shape(packet, solid, lanes);
     lanes = solid_crosses_many(solid, packet->rays, &packet->span, lanes);
-    if (solid->leaf->opaque || packet->opaque)
-        return lanes;
-    if (packet->filter)
+    if (asked)
         return packet_each(packet, solid, lanes);
-    packet->panes |= lanes;
+    if (!leaf->opaque && !packet->opaque)
+        packet->panes |= lanes;
     return lanes;
 }
 

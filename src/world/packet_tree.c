@@ -205,10 +205,16 @@ static unsigned take_panes(struct packet *packet, const struct leaf *leaf,
                            unsigned lanes)
 {
     unsigned over = 0;
+    if (!packet->filter) {
+        packet->panes |= packet->opaque ? 0 : lanes;
+        return lanes;
+    }
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct hit hit = { all->t[k][i], (int)all->part[k][i], 0, 0 };
-        over |= (unsigned)query_take(packet_query(packet, i), leaf, &hit) << i;
+        const struct world_hit hit = {
+            leaf, { all->t[k][i], (int)all->part[k][i], 0, 0 }
+        };
+        over |= (unsigned)packet->filter(packet->context, i, &hit) << i;
     }
     return over;
 }
@@ -233,7 +239,7 @@ static unsigned look_at_shape(const struct tree_look *look,
         LANE_LINES lane_flag near[RAY_LANES];
         find_near(&packet->span, run, all.t[k], !packet->occlusion, near);
         unsigned met = lanes & ~over & rays_bits(near);
-        if (met)
+        if (met && !solid->simple)
             met = crossings_count(look, solid, all.t[k], met);
         if (!packet->occlusion)
             take_nearest(packet, solid->leaf, &all, k, met);
@@ -347,4 +353,11 @@ unsigned packet_tree(struct packet *packet, const struct solid *solid,
         lanes = box_met(&look, solid->inner, lanes);
     }
     return look_inside(&look, solid, lanes);
+}
+
+unsigned packet_shape(struct packet *packet, const struct solid *solid,
+                      unsigned lanes)
+{
+    const struct tree_look look = { packet, solid, packet->rays, NULL };
+    return look_at_shape(&look, solid, lanes);
 }

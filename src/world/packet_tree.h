@@ -10,4 +10,8 @@
 unsigned packet_tree(struct packet *packet, const struct solid *solid,
                      unsigned lanes);
 
+/* The same of a simple shape that tells all crossings at once. */
+unsigned packet_shape(struct packet *packet, const struct solid *solid,
+                      unsigned lanes);
+
 #endif

@@ -1,7 +1,6 @@
 /* A ray meets leaves and solids: see query.h. */
 #include "world/query.h"
 
-#include "world/describe.h"
 #include "world/mesh_tree.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
@@ -9,13 +8,9 @@
 bool query_block(struct query *query, const struct leaf *leaf,
                  const struct hit *hit)
 {
-    if (leaf->opaque || !query->filter) {
-        query->blocked = true;
-    } else {
-        struct intersection crossing;
-        describe_hit(&query->ray, leaf, hit, &crossing);
-        query->blocked = query->filter(query->context, &crossing);
-    }
+    const struct world_hit crossing = { leaf, *hit };
+    query->blocked = leaf->opaque || !query->filter ||
+                     query->filter(query->context, &query->ray, &crossing);
     return query->blocked;
 }
 
@@ -325,7 +320,6 @@ bool query_take_triangle(struct query *query, const struct leaf *leaf,
                 return false;
         query->recent[query->recent_count % QUERY_RECENT].leaf = leaf;
         query->recent[query->recent_count++ % QUERY_RECENT].t = t;
-        query_refine(&query->ray, leaf, &hit);
     }
     bool over = query_take(query, leaf, &hit);
     query->rough = true;

@@ -128,8 +128,9 @@ bool world_glimpse(const struct world *world, const struct ray *ray,
 
 /* Called for every crossing that may let light pass (leaf->opaque false), in
  * any order; returns true when the light is all blocked and no more crossings
- * are wanted. `out` is filled as by world_closest. */
-typedef bool world_filter(void *context, const struct intersection *out);
+ * are wanted. world_describe tells the rest, which few panes ask for. */
+typedef bool world_filter(void *context, const struct ray *ray,
+                          const struct world_hit *hit);
 
 /* What world_occluded is asked. */
 struct occlusion {
@@ -149,7 +150,7 @@ bool world_occluded(const struct world *world,
 
 /* The same of ray number `lane` of several. */
 typedef bool world_lane_filter(void *context, unsigned lane,
-                               const struct intersection *out);
+                               const struct world_hit *hit);
 
 /* Ways to one lamp, as above. */
 struct occlusions {

@@ -189,11 +189,13 @@ struct counted {
     double sum;
 };
 
-static bool count_crossing(void *context, const struct intersection *at)
+static bool count_crossing(void *context, const struct ray *ray,
+                           const struct world_hit *hit)
 {
     struct counted *counted = context;
     counted->count++;
-    counted->sum += at->t;
+    counted->sum += hit->hit.t;
+    (void)ray;
     return false;
 }
 
