@@ -72,9 +72,11 @@ struct lighting {
     void (*finish)(void *state);
     /* Whether the method wants to know what the camera sees first at all places
      * of a grid (whose `at` is not there yet) before it lights any of it; then
-     * `prepare` is called, once, with a worker for each thread. It may leave
-     * off when they are told to stop. It may lower the grid's apron. NULL:
-     * never. */
+     * `prepare` is called, with a worker for each thread, and `at` is the
+     * method's, to be given back by memory_free: what it knows may be looked at
+     * when all is drawn. It may leave off when they are told to stop. It may
+     * lower the grid's apron. Of a picture in bands each is asked about in its
+     * turn. NULL: never. */
     bool (*foresees)(void *state, struct first_hits *grid);
     void (*prepare)(void *state, const struct first_hits *hits,
                     struct worker *const *workers, unsigned threads);

@@ -256,10 +256,19 @@ static const struct lamps *mesh_lamps(const void *state)
     return &mesh->lamps;
 }
 
+/* What those who ask and tell are to know of the pixels. */
+static void mesh_show_pixels(struct mesh_lighting *mesh)
+{
+    mesh->report.pixels = mesh->knowers.pixels = mesh->pixels.mesh;
+    mesh->report.penumbras = mesh->knowers.penumbras = mesh->pixels.penumbras;
+}
+
 static bool mesh_foresees(void *state, struct first_hits *grid)
 {
     struct mesh_lighting *mesh = state;
-    return mesh_pixels_wanted(&mesh->pixels, grid);
+    bool wanted = mesh_pixels_wanted(&mesh->pixels, grid);
+    mesh_show_pixels(mesh);
+    return wanted;
 }
 
 static void mesh_look_ahead(void *state, const struct first_hits *hits,
@@ -267,8 +276,7 @@ static void mesh_look_ahead(void *state, const struct first_hits *hits,
 {
     struct mesh_lighting *mesh = state;
     mesh_pixels_make(&mesh->pixels, hits, workers, threads);
-    mesh->report.pixels = mesh->knowers.pixels = mesh->pixels.mesh;
-    mesh->report.penumbras = mesh->knowers.penumbras = mesh->pixels.penumbras;
+    mesh_show_pixels(mesh);
 }
 
 static void mesh_tell(const void *state, lighting_row *row, void *context)

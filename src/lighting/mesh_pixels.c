@@ -36,10 +36,19 @@ struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
     };
 }
 
-void mesh_pixels_free(struct mesh_pixels *pixels)
+static void pixels_forget(struct mesh_pixels *pixels)
 {
     pixel_mesh_free(pixels->mesh);
     penumbras_free(pixels->penumbras);
+    memory_free(pixels->hits);
+    pixels->mesh = NULL;
+    pixels->penumbras = NULL;
+    pixels->hits = NULL;
+}
+
+void mesh_pixels_free(struct mesh_pixels *pixels)
+{
+    pixels_forget(pixels);
     casters_free(&pixels->casters);
     memory_free(pixels->takes);
 }
@@ -129,6 +138,7 @@ static bool pixels_sharp(struct mesh_pixels *pixels,
 
 bool mesh_pixels_wanted(struct mesh_pixels *pixels, struct first_hits *grid)
 {
+    pixels_forget(pixels);
     pixels->soft = pixels_soft(pixels, grid);
     pixels->off = !pixels_sharp(pixels, grid);
     if (!pixels->soft && pixels->each) /* a pixel asks no other */
@@ -147,6 +157,7 @@ void mesh_pixels_make(struct mesh_pixels *pixels, const struct first_hits *hits,
         .apart = pixels_apart(pixels),
         .each = pixels->each,
     };
+    pixels->hits = hits->at;
     if (!pixels->off)
         pixels->mesh = pixel_mesh_new(&options, hits, workers, threads);
     if (pixels->soft)

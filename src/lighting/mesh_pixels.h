@@ -16,6 +16,7 @@ struct mesh_pixels {
     const struct scene *scene;
     struct casters casters;
     bool *takes;             /* by lamp: it can look at many points at once */
+    struct world_hit *hits;  /* those that both of these look at */
     struct pixel_mesh *mesh; /* or NULL */
     struct penumbras *penumbras; /* or NULL */
 };
@@ -26,7 +27,8 @@ struct mesh_pixels mesh_pixels_new(const struct lamps *lamps,
                                    const struct plan *plan, double pixel);
 void mesh_pixels_free(struct mesh_pixels *pixels);
 
-/* As foresees and prepare of lighting/lighting.h. */
+/* As foresees and prepare of lighting/lighting.h. The first forgets what the
+ * second made for an earlier band. */
 bool mesh_pixels_wanted(struct mesh_pixels *pixels, struct first_hits *grid);
 void mesh_pixels_make(struct mesh_pixels *pixels, const struct first_hits *hits,
                       struct worker *const *workers, unsigned threads);

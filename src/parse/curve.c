@@ -180,7 +180,7 @@ static struct terms curve_terms(struct parser *p, struct curve_builder *b)
         p->curves = ARENA_NEW(p->arena, struct curves_made);
     uint64_t hash = hash_numbers(0, made.values, made.count);
     struct terms *slot = &p->curves->slots[hash % CURVE_SLOTS];
-    if (slot->count == made.count &&
+    if (made.count > 0 && slot->count == made.count &&
         memcmp(slot->values, made.values, size) == 0)
         arena_resize(p->scene_arena, made.values, size, 0);
     else

@@ -394,8 +394,9 @@ static bool render_tiles(const struct tracer *tracer,
     if (stats)
         stats->share = done ? 1 : sampler_rescue(&rendering.sampler);
     threads_end(&rendering, threads, stats);
+    if (!rendering.sampler.hits) /* else they are the lighting's */
+        memory_free(rendering.hits.at);
     sampler_free(&rendering.sampler);
-    memory_free(rendering.hits.at);
     return done;
 }
 
