@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "image/tone.h"
+#include "scene/rays.h"
 
 /* Powers below 1 are steepest where a number begins, others where it ends. */
 static void fill_slopes(struct perceived *table)
@@ -95,4 +96,34 @@ bool perceived_differ_closely(const struct perceived *table, const float *a,
     if (fabs(sum - threshold) > 2 * all)
         return sum > threshold;
     return differ_exactly(table, a, b, more, threshold);
+}
+
+/* With opacity, as perceived_differ has it. */
+CLONES static void find_unsure(const struct perceived *restrict table,
+                               const float *restrict a, const float *restrict b,
+                               const struct perceived_limit *restrict limit,
+                               lane_flag *restrict unsure)
+{
+    const double *restrict slopes = table->slope;
+    const uint32_t over = perceived_over(table);
+    const double opacity = limit->opacity, threshold = limit->threshold;
+    for (int i = 0; i < PERCEIVED_ROW; i++) {
+        const float *here = a + 4 * i, *there = b + 4 * i;
+        double most = opacity * fabs((double)here[3] - (double)there[3]);
+        for (int k = 0; k < 3; k++)
+            most += perceived_most(slopes, here[k], there[k], over);
+        unsure[i] = most * (1 + 1e-9) < threshold ? 0 : -1;
+    }
+}
+
+uint32_t perceived_may_differ(const struct perceived *table,
+                              const float (*a)[4], const float (*b)[4],
+                              struct perceived_limit limit)
+{
+    LANE_LINES lane_flag unsure[PERCEIVED_ROW];
+    uint32_t bits = 0;
+    find_unsure(table, a[0], b[0], &limit, unsure);
+    for (int i = 0; i < PERCEIVED_ROW; i += RAY_LANES)
+        bits |= (uint32_t)rays_bits(unsure + i) << i;
+    return bits;
 }

@@ -43,17 +43,28 @@ void perceived_fill_srgb(struct perceived *table, double exponent);
 bool perceived_differ_closely(const struct perceived *table, const float *a,
                               const float *b, double more, double threshold);
 
-/* No less than the difference; or NaN. Nobody can predict which is the greater
- * one, so there are no branches. */
-static inline double perceived_most(const struct perceived *table, float a,
-                                    float b)
+/* Where a power below 1 or, with `over` all ones, above it is steepest between
+ * two numbers: a beginning. */
+static inline uint32_t perceived_steepest(float a, float b, uint32_t over)
 {
     float low = a < b ? a : b, high = a > b ? a : b;
-    uint32_t bits, least, most;
+    uint32_t least, most;
     memcpy(&least, &low, sizeof least);
     memcpy(&most, &high, sizeof most);
-    bits = table->exponent > 1 ? most : least;
-    return fabs((double)a - (double)b) * table->slope[bits >> 23];
+    return ((least & ~over) | (most & over)) >> 23;
+}
+
+static inline uint32_t perceived_over(const struct perceived *table)
+{
+    return table->exponent > 1 ? UINT32_MAX : 0;
+}
+
+/* No less than the difference; or NaN. Nobody can predict which is the greater
+ * one, so there are no branches. */
+static inline double perceived_most(const double *slopes, float a, float b,
+                                    uint32_t over)
+{
+    return fabs((double)a - (double)b) * slopes[perceived_steepest(a, b, over)];
 }
 
 /* Whether the sum over three components of |a^exponent - b^exponent|, and
@@ -63,11 +74,26 @@ static inline bool perceived_differ(const struct perceived *table,
                                     const float *a, const float *b, double more,
                                     double threshold)
 {
-    double most = more + perceived_most(table, a[0], b[0]) +
-                  perceived_most(table, a[1], b[1]) +
-                  perceived_most(table, a[2], b[2]);
+    const uint32_t over = perceived_over(table);
+    double most = more + perceived_most(table->slope, a[0], b[0], over) +
+                  perceived_most(table->slope, a[1], b[1], over) +
+                  perceived_most(table->slope, a[2], b[2], over);
     return !(most * (1 + 1e-9) < threshold) &&
            perceived_differ_closely(table, a, b, more, threshold);
 }
+
+/* Pixels side by side. */
+enum { PERCEIVED_ROW = 32 };
+
+struct perceived_limit {
+    double opacity; /* how much a difference of opacity counts */
+    double threshold;
+};
+
+/* Those of a row, bit by bit, that may differ from the others: most are sure
+ * not to. */
+uint32_t perceived_may_differ(const struct perceived *table,
+                              const float (*a)[4], const float (*b)[4],
+                              struct perceived_limit limit);
 
 #endif

@@ -12,33 +12,27 @@ static float *sampler_place_beyond(const struct sampler *sampler, int x, int y)
                           : sampler_place(sampler, x, y);
 }
 
-/* A pixel of method 1. */
-struct centre {
-    float now[4];     /* as it is by now */
-    float refined[4]; /* the mean of the centre and R x R samples, if known */
+enum { CENTRES_WIDE = CENTRES_TILE + 1 };
+
+/* Of the pixels of a row, one more to the left first, which ones are such:
+ * their first samples differ from those to the left or above; they will most
+ * likely be refined; it is known how they would be; they are. */
+struct centre_row {
+    uint64_t left, above, likely, known, done;
 };
 
-/* What is known of it: that the first samples differ from those to the left or
- * above; that it will most likely be refined; that `refined` is known, and that
- * it is what it is now. */
-enum {
-    CENTRE_LEFT = 1,
-    CENTRE_ABOVE = 2,
-    CENTRE_LIKELY = 4,
-    CENTRE_KNOWN = 8,
-    CENTRE_DONE = 16,
-};
-
-enum {
-    CENTRES_WIDE = CENTRES_TILE + 1,
-    CENTRES_ALL = CENTRES_WIDE * CENTRES_WIDE
-};
-
-/* A tile of method 1: its pixels as far as they are done, with one more column
- * to the left and one more row above, which are only looked at. */
+/* A tile of method 1, with one more column to the left and one more row above,
+ * which are only looked at: its pixels as they are by now, and the means of
+ * their centres and R x R samples as far as these are known. */
 struct centre_pixels {
-    struct centre at[CENTRES_ALL];
-    unsigned char states[CENTRES_ALL];
+    struct centre_row rows[CENTRES_WIDE];
+    float now[CENTRES_WIDE][CENTRES_WIDE][4];
+    float refined[CENTRES_WIDE][CENTRES_WIDE][4];
+};
+
+/* A pixel's place in these. */
+struct centre {
+    int row, column;
 };
 
 struct centres {
@@ -53,60 +47,49 @@ enum {
     CENTRES_CELL = 8,              /* pixels close together, across and down */
 };
 
-static inline int centres_index(const struct centres *c, int x, int y)
+static inline uint64_t row_bit(int column)
 {
-    return (y - c->tile.top + 1) * CENTRES_WIDE + x - c->tile.left + 1;
-}
-
-static inline bool centres_inside(const struct centres *c, int x, int y)
-{
-    return x >= c->tile.left && y >= c->tile.top;
+    return UINT64_C(1) << column;
 }
 
 /* Pixels that are refined together: a sample is the same whoever asks. */
 struct centre_group {
     int count, most;
     struct {
-        int x, y, index;
+        struct centre at;
         double sum[4];
     } of[CENTRES_RAYS];
 };
 
 static void group_add(struct centre_group *group, const struct centres *c,
-                      int x, int y)
+                      struct centre at)
 {
-    int i = group->count++, index = centres_index(c, x, y);
-    c->pixels->states[index] |= CENTRE_KNOWN;
-    group->of[i].x = x;
-    group->of[i].y = y;
-    group->of[i].index = index;
+    int i = group->count++;
+    c->pixels->rows[at.row].known |= row_bit(at.column);
+    group->of[i].at = at;
     for (int k = 0; k < 4; k++)
-        group->of[i].sum[k] = (double)c->pixels->at[index].now[k];
+        group->of[i].sum[k] = (double)c->pixels->now[at.row][at.column][k];
 }
 
 /* The pixel, and those close to it that will most likely be asked for after it:
  * most of their rays meet the same. Nobody who follows the rays one by one
  * wants others between them. */
 static void group_gather(struct centre_group *group, const struct centres *c,
-                         int x, int y)
+                         struct centre at)
 {
-    const struct area *tile = &c->tile;
     int n = sampler_depth(c->sampler), few = CENTRES_RAYS / (n * n);
-    int left = x - (x - tile->left) % CENTRES_CELL;
-    int top = y - (y - tile->top) % CENTRES_CELL;
-    struct area cell = { left, top, left + CENTRES_CELL, top + CENTRES_CELL };
-    cell = area_both(cell, *tile);
+    int left = at.column - (at.column - 1) % CENTRES_CELL;
+    int top = at.row - (at.row - 1) % CENTRES_CELL;
+    uint64_t cell = row_bit(left + CENTRES_CELL) - row_bit(left);
     group->count = 0;
     group->most = c->worker->telling ? 1 : few > 1 ? few : 1;
-    group_add(group, c, x, y);
-    for (int v = cell.top; v < cell.bottom; v++)
-        for (int u = cell.left; u < cell.right; u++) {
-            int state = c->pixels->states[centres_index(c, u, v)];
-            if (group->count == group->most)
-                return;
-            if ((state & (CENTRE_LIKELY | CENTRE_KNOWN)) == CENTRE_LIKELY)
-                group_add(group, c, u, v);
-        }
+    group_add(group, c, at);
+    for (int i = top; i < top + CENTRES_CELL && i < CENTRES_WIDE; i++) {
+        const struct centre_row *row = &c->pixels->rows[i];
+        uint64_t likely = row->likely & ~row->known & cell;
+        for (; likely && group->count < group->most; likely &= likely - 1)
+            group_add(group, c, (struct centre){ i, __builtin_ctzll(likely) });
+    }
 }
 
 /* Samples that are seen together, and whose they are. */
@@ -136,7 +119,8 @@ static void group_sample(struct centre_group *group, const struct centres *c)
     struct sampler_block *block = &samples.block;
     block->count = 0;
     for (int p = 0; p < group->count; p++) {
-        int x = group->of[p].x, y = group->of[p].y;
+        int x = c->tile.left + group->of[p].at.column - 1;
+        int y = c->tile.top + group->of[p].at.row - 1;
         unsigned long long number = worker_pixel(c->worker);
         uint64_t key = jitter_key(x, y);
         for (int i = 0, column = 0, row = 0; i < n * n; i++, column++) {
@@ -145,7 +129,7 @@ static void group_sample(struct centre_group *group, const struct centres *c)
             double u = column + 0.5 + jitter * jitter_number(key, 2 * i);
             double v = row + 0.5 + jitter * jitter_number(key, 2 * i + 1);
             struct picture_place *place = &block->places[block->count];
-            *place = sampler_at(sampler, x + u / n, y + v / n);
+            sampler_at(sampler, x + u / n, y + v / n, place);
             place->pixel = number;
             samples.of[block->count++] = p;
             if (block->count == BLOCK_MOST)
@@ -154,105 +138,141 @@ static void group_sample(struct centre_group *group, const struct centres *c)
     }
     if (block->count > 0)
         samples_see(&samples, c, group);
-    for (int p = 0; p < group->count; p++)
+    for (int p = 0; p < group->count; p++) {
+        struct centre at = group->of[p].at;
         for (int k = 0; k < 4; k++)
-            c->pixels->at[group->of[p].index].refined[k] =
+            c->pixels->refined[at.row][at.column][k] =
                 (float)(group->of[p].sum[k] / (n * n + 1));
+    }
 }
 
-static void centres_refine(const struct centres *c, int x, int y)
+static void centres_refine(const struct centres *c, struct centre at)
 {
-    int index = centres_index(c, x, y);
-    struct centre *pixel = &c->pixels->at[index];
-    unsigned char *state = &c->pixels->states[index];
-    if (!centres_inside(c, x, y) || *state & CENTRE_DONE)
+    struct centre_row *row = &c->pixels->rows[at.row];
+    uint64_t bit = row_bit(at.column);
+    if (at.row == 0 || at.column == 0 || row->done & bit)
         return;
-    if (!(*state & CENTRE_KNOWN)) {
+    if (!(row->known & bit)) {
         struct centre_group group;
-        group_gather(&group, c, x, y);
+        group_gather(&group, c, at);
         group_sample(&group, c);
     }
-    memcpy(pixel->now, pixel->refined, sizeof pixel->now);
-    *state |= CENTRE_DONE;
+    memcpy(c->pixels->now[at.row][at.column],
+           c->pixels->refined[at.row][at.column], 4 * sizeof(float));
+    row->done |= bit;
 }
 
-static bool centres_differ(const struct centres *c, int a, int b)
+/* Whether a pixel differs from a neighbour as they are by now. */
+static bool centres_differ(const struct centres *c, struct centre at,
+                           struct centre other, bool differed)
 {
-    return sampler_differ(c->sampler, c->pixels->at[a].now,
-                          c->pixels->at[b].now);
+    if (!(c->pixels->rows[other.row].done & row_bit(other.column)))
+        return differed;
+    return sampler_differ(c->sampler, c->pixels->now[at.row][at.column],
+                          c->pixels->now[other.row][other.column]);
 }
 
 /* The pixel is compared with its neighbours as they are by now, refined or
  * not; where they differ both are refined, if they aren't yet. */
-static void centres_pixel(const struct centres *c, int x, int y)
+static void centres_pixel(const struct centres *c, struct centre at)
 {
-    const unsigned char *states = c->pixels->states;
-    int here = centres_index(c, x, y), beside = here - 1;
-    int over = here - CENTRES_WIDE;
-    bool left = states[beside] & CENTRE_DONE ? centres_differ(c, here, beside)
-                                             : states[here] & CENTRE_LEFT;
-    bool above = states[over] & CENTRE_DONE ? centres_differ(c, here, over)
-                                            : states[here] & CENTRE_ABOVE;
+    const struct centre_row *row = &c->pixels->rows[at.row];
+    struct centre beside = { at.row, at.column - 1 };
+    struct centre over = { at.row - 1, at.column };
+    uint64_t bit = row_bit(at.column);
+    bool left = centres_differ(c, at, beside, row->left & bit);
+    bool above = centres_differ(c, at, over, row->above & bit);
     if (left)
-        centres_refine(c, x - 1, y);
+        centres_refine(c, beside);
     if (above)
-        centres_refine(c, x, y - 1);
+        centres_refine(c, over);
     if (left || above)
-        centres_refine(c, x, y);
+        centres_refine(c, at);
+}
+
+/* The pixels of a row that may differ from a neighbour by now. */
+static uint64_t row_uncertain(const struct centre_row *row)
+{
+    return row->left | row->above | row->done << 1 | row[-1].done;
+}
+
+static void centres_row(const struct centres *c, int row)
+{
+    const int wide = c->tile.right - c->tile.left;
+    uint64_t ahead = row_bit(wide + 1) - row_bit(1), look;
+    while ((look = row_uncertain(&c->pixels->rows[row]) & ahead) &&
+           !worker_stopped(c->worker)) {
+        int column = __builtin_ctzll(look);
+        centres_pixel(c, (struct centre){ row, column });
+        ahead &= -row_bit(column + 1);
+    }
+}
+
+/* Which of the pixels of a row, bit by bit from number i on, differ from the
+ * others beside them by their first samples. */
+static uint64_t row_differs(const struct centres *c, const float (*row)[4],
+                            const float (*other)[4])
+{
+    const struct sampler *sampler = c->sampler;
+    const int wide = c->tile.right - c->tile.left;
+    uint64_t differ = perceived_may_differ(
+        sampler->perceived, row, other,
+        (struct perceived_limit){ sampler->tracer->alpha ? 1 : 0,
+                                  sampler->options->threshold });
+    differ &= row_bit(wide) - 1;
+    for (uint64_t each = differ; each; each &= each - 1) {
+        int i = __builtin_ctzll(each);
+        if (!sampler_differ(sampler, row[i], other[i]))
+            differ &= ~row_bit(i);
+    }
+    return differ;
 }
 
 /* Compares the first samples. Who differs from the next to the right or below
  * will be refined, if not before then because of it. */
 static void centres_compare(const struct centres *c)
 {
-    const struct area *tile = &c->tile;
-    unsigned char *states = c->pixels->states;
-    for (int y = tile->top; y < tile->bottom; y++)
-        for (int x = tile->left; x < tile->right; x++) {
-            int here = centres_index(c, x, y), over = here - CENTRES_WIDE;
-            if (centres_differ(c, here, here - 1)) {
-                states[here] |= CENTRE_LEFT;
-                states[here - 1] |= CENTRE_LIKELY;
-            }
-            if (centres_differ(c, here, over)) {
-                states[here] |= CENTRE_ABOVE;
-                states[over] |= CENTRE_LIKELY;
-            }
-        }
+    const int rows = c->tile.bottom - c->tile.top;
+    for (int i = 1; i <= rows; i++) {
+        const float(*now)[4] = c->pixels->now[i];
+        struct centre_row *row = &c->pixels->rows[i];
+        row->left = row_differs(c, now + 1, now) << 1;
+        row->above = row_differs(c, now + 1, c->pixels->now[i - 1] + 1) << 1;
+        row->likely = row->left >> 1;
+        row[-1].likely |= row->above;
+    }
 }
 
 /* And who differs from one that nothing refines before: what is refined may
  * not differ any more. */
 static void centres_foresee(const struct centres *c)
 {
-    const struct area *tile = &c->tile;
-    unsigned char *states = c->pixels->states;
-    const int differs = CENTRE_LEFT | CENTRE_ABOVE;
-    for (int y = tile->top; y < tile->bottom; y++)
-        for (int x = tile->left; x < tile->right; x++) {
-            int here = centres_index(c, x, y), over = here - CENTRES_WIDE;
-            bool right = x + 1 < tile->right && states[over + 1] & CENTRE_LEFT;
-            if ((states[here] & CENTRE_LEFT && !(states[here - 1] & differs)) ||
-                (states[here] & CENTRE_ABOVE && !(states[over] & differs) &&
-                 !right))
-                states[here] |= CENTRE_LIKELY;
-        }
+    const int rows = c->tile.bottom - c->tile.top;
+    for (int i = 1; i <= rows; i++) {
+        struct centre_row *row = &c->pixels->rows[i];
+        uint64_t beside = (row->left | row->above) << 1;
+        uint64_t over = row[-1].left | row[-1].above | row[-1].left >> 1;
+        row->likely |= (row->left & ~beside) | (row->above & ~over);
+    }
 }
 
 /* Takes the first samples, and foresees what will be refined. */
 static void centres_look(const struct centres *c)
 {
     const struct area *tile = &c->tile;
-    memset(c->pixels->states, 0, sizeof c->pixels->states);
-    for (int y = tile->top - 1; y < tile->bottom; y++)
-        for (int x = tile->left - 1; x < tile->right; x++) {
-            float *pixel = c->pixels->at[centres_index(c, x, y)].now;
-            memcpy(pixel,
-                   centres_inside(c, x, y)
-                       ? sampler_place(c->sampler, x, y)
-                       : sampler_place_beyond(c->sampler, x, y),
-                   4 * sizeof *pixel);
-        }
+    const struct sampler *sampler = c->sampler;
+    const size_t wide = (size_t)(tile->right - tile->left);
+    struct centre_pixels *pixels = c->pixels;
+    const size_t pixel = sizeof pixels->now[0][0];
+    memset(pixels->rows, 0, sizeof pixels->rows);
+    for (int x = tile->left - 1; x < tile->right; x++)
+        memcpy(pixels->now[0][x - tile->left + 1],
+               sampler_place_beyond(sampler, x, tile->top - 1), pixel);
+    for (int y = tile->top; y < tile->bottom; y++) {
+        float(*row)[4] = pixels->now[y - tile->top + 1];
+        memcpy(row[0], sampler_place_beyond(sampler, tile->left - 1, y), pixel);
+        memcpy(row[1], sampler_place(sampler, tile->left, y), wide * pixel);
+    }
     centres_compare(c);
     centres_foresee(c);
 }
@@ -262,17 +282,14 @@ void centres_tile(const struct sampler *sampler, struct worker *worker,
 {
     struct centres c = { sampler, worker, tile, (void *)scratch };
     centres_look(&c);
-    for (int y = tile.top; y < tile.bottom; y++)
-        for (int x = tile.left; x < tile.right; x++) {
-            if (worker_stopped(worker))
-                return;
-            centres_pixel(&c, x, y);
-        }
+    for (int i = 1; i <= tile.bottom - tile.top; i++)
+        centres_row(&c, i);
     struct area wanted = area_both(tile, sampler->wanted);
     for (int y = wanted.top; y < wanted.bottom && !worker_stopped(worker); y++)
-        for (int x = wanted.left; x < wanted.right; x++)
-            sampler_finish(sampler, c.pixels->at[centres_index(&c, x, y)].now,
-                           x, y);
+        sampler_finish(
+            sampler,
+            c.pixels->now[y - tile.top + 1][wanted.left - tile.left + 1],
+            wanted.left, y, wanted.right - wanted.left);
 }
 
 size_t centres_scratch(void)

@@ -67,8 +67,8 @@ static void corners_ask(struct corners *c, const struct quarters *q, int i,
     double u = i + jitter * jitter_number(key, number);
     double v = j + jitter * jitter_number(key, number + 1);
     unsigned next = c->block.count++;
-    c->block.places[next] =
-        sampler_at(c->sampler, q->x + u / c->n, q->y + v / c->n);
+    sampler_at(c->sampler, q->x + u / c->n, q->y + v / c->n,
+               &c->block.places[next]);
     c->block.places[next].pixel = q->number;
     c->to[next] = to;
     if (c->block.count == BLOCK_MOST)
@@ -143,7 +143,7 @@ static void corners_finish(const struct corners *c, const double mean[4], int x,
     float pixel[4];
     for (int k = 0; k < 4; k++)
         pixel[k] = (float)mean[k];
-    sampler_finish(c->sampler, pixel, x, y);
+    sampler_finish(c->sampler, pixel, x, y, 1);
 }
 
 /* A look at the pixel as far as it is known; finishes it if that suffices. */

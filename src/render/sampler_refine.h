@@ -14,16 +14,17 @@ static inline int sampler_depth(const struct sampler *sampler)
     return depth < 1 ? 1 : depth > most ? most : depth;
 }
 
-/* (x, y) in pixels from the top left. */
-static inline struct picture_place sampler_at(const struct sampler *sampler,
-                                              double x, double y)
+/* (x, y) in pixels from the top left. Into its place: to copy what was only
+ * just written number by number waits for the memory. */
+static inline void sampler_at(const struct sampler *sampler, double x, double y,
+                              struct picture_place *place)
 {
     const struct render_options *options = sampler->options;
     double middle = sampler_middle(sampler);
-    return (struct picture_place){
-        .at = { x / options->width, y / options->height },
-        .grid = { x - middle, y - middle },
-    };
+    place->at[0] = x / options->width;
+    place->at[1] = y / options->height;
+    place->grid[0] = x - middle;
+    place->grid[1] = y - middle;
 }
 
 /* Sum of the differences after gamma correction; opacity counts when it is
@@ -62,12 +63,15 @@ static inline void block_values(const struct sampler *sampler,
         sampler_take(&seen[i], values[i]);
 }
 
-/* A pixel of the picture, which is done with it. */
+/* `count` pixels of the picture beside each other, which is done with them. */
 static inline void sampler_finish(const struct sampler *sampler,
-                                  const float pixel[4], int x, int y)
+                                  const float *pixels, int x, int y, int count)
 {
-    memcpy(sampler_pixel(sampler, x, y), pixel, 4 * sizeof *pixel);
-    *sampler_state(sampler, x, y) |= SAMPLER_DONE;
+    unsigned char *states = sampler_state(sampler, x, y);
+    memcpy(sampler_pixel(sampler, x, y), pixels,
+           (size_t)count * 4 * sizeof *pixels);
+    for (int i = 0; i < count; i++)
+        states[i] |= SAMPLER_DONE;
 }
 
 /* sampler_tile by each method, and the floats of scratch that it needs. */
