@@ -10,7 +10,7 @@
 #include "base/hash.h"
 #include "base/memory.h"
 
-enum { FILE_LIST_LIMIT = 10000, FILE_CHUNK = 1 << 20 };
+enum { FILE_LIST_LIMIT = 10000, FILE_CHUNK = 1 << 15 };
 
 /* Editors write a new file and rename it: then the number is another. */
 struct file_mark {
@@ -127,7 +127,7 @@ static bool mark_read(const char *path, uint64_t *hash)
     int file = open(path, O_RDONLY | O_CLOEXEC);
     if (file < 0)
         return false;
-    char *chunk = memory_new(FILE_CHUNK);
+    char chunk[FILE_CHUNK];
     ssize_t count;
     size_t have = 0;
     *hash = 1;
@@ -139,7 +139,6 @@ static bool mark_read(const char *path, uint64_t *hash)
         have = 0;
     }
     *hash = hash_bytes(*hash, chunk, have) | 1;
-    memory_free(chunk);
     close(file);
     return count == 0;
 }

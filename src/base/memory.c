@@ -146,12 +146,13 @@ static void heap_in_large_pages(uintptr_t newest_end)
 }
 
 /* The heap may grow for it: its new pages must not be touched before they are
- * large. */
+ * large. They come zeroed, which calloc knows: a block that nobody fills costs
+ * no pages. */
 static struct head *heap_block(size_t size)
 {
-    struct head *head = malloc(sizeof *head + size);
+    struct head *head = calloc(1, sizeof *head + size);
     heap_in_large_pages((uintptr_t)head + sizeof *head + size);
-    return head ? memset(head, 0, sizeof *head + size) : NULL;
+    return head;
 }
 
 /* Of large blocks some are never filled: their pages come when they are
