@@ -8,7 +8,6 @@
 
 #include "base/array.h"
 #include "base/hash.h"
-#include "base/memory.h"
 
 enum { FILE_LIST_LIMIT = 10000, FILE_CHUNK = 1 << 15 };
 

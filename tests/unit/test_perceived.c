@@ -95,12 +95,41 @@ static void test_srgb(void **state)
     assert_false(perceived_differ(&table, dark, dark, 0, 0));
 }
 
+/* A row leaves out none that differs, and most that do not. */
+static void test_rows(void **state)
+{
+    float a[PERCEIVED_ROW][4], b[PERCEIVED_ROW][4];
+    struct perceived table;
+    unsigned unsure = 0;
+    (void)state;
+    perceived_fill(&table, 0.4);
+    for (uint64_t n = 0; n < 500; n++) {
+        const struct perceived_limit limit = { n % 2 ? 1 : 0, 0.3 };
+        for (uint64_t i = 0; i < PERCEIVED_ROW; i++)
+            for (uint64_t k = 0; k < 4; k++) {
+                a[i][k] = random_light(random_key(n, 4 * i + k));
+                b[i][k] = i % 4 ? a[i][k] * (1 + 1e-3F * (float)k)
+                                : random_light(random_key(n + 500, 4 * i + k));
+            }
+        uint32_t bits = perceived_may_differ(&table, (const float(*)[4])a,
+                                             (const float(*)[4])b, limit);
+        for (unsigned i = 0; i < PERCEIVED_ROW; i++) {
+            double apart = limit.opacity * fabs((double)(a[i][3] - b[i][3]));
+            bool differ = perceived_differ(&table, a[i], b[i], apart, 0.3);
+            assert_true(!differ || bits >> i & 1);
+            unsure += !differ && bits >> i & 1;
+        }
+    }
+    assert_true(unsure < 500 * PERCEIVED_ROW / 4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_exact),
         cmocka_unit_test(test_not_numbers),
         cmocka_unit_test(test_srgb),
+        cmocka_unit_test(test_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
