@@ -1,18 +1,13 @@
 /* Sine, cosine and arc tangent of NUMBERS, a vector of doubles, with BITS, the
- * vector of as many int64_t; octet_math.c includes it for each such vector and
- * names the functions with NAMED.
+ * vector of as many int64_t; octet_math.c includes it for each such vector, of
+ * which there are choose and less as in octet.h, and names the functions with
+ * NAMED.
  *
  * Angles are taken modulo pi/2, which is subtracted in three parts of 33 bits
  * (Cody and Waite, "Software Manual for the Elementary Functions", 1980). The
  * polynomials are minimax ones: those of sine and cosine between -pi/4 and pi/4
  * have the coefficients of Sun's fdlibm (1993), the quotient of the arc tangent
  * those of Moshier's Cephes library (1989). */
-
-/* Number `yes` where the bits are set, else `no`. */
-INLINED NUMBERS NAMED(choose)(BITS where, NUMBERS yes, NUMBERS no)
-{
-    return (NUMBERS)((where & (BITS)yes) | (~where & (BITS)no));
-}
 
 INLINED NUMBERS NAMED(magnitude)(NUMBERS x)
 {
@@ -88,18 +83,19 @@ INLINED NUMBERS NAMED(arc_of)(NUMBERS y, NUMBERS x)
                  pi_half_rest = 0x1.1a62633145c07p-54;
     NUMBERS across = NAMED(magnitude)(x), high = NAMED(magnitude)(y),
             zero = { 0 };
-    BITS steep = high > across;
+    BITS steep = NAMED(less)(across, high);
     NUMBERS large = NAMED(choose)(steep, high, across);
     NUMBERS small = NAMED(choose)(steep, across, high);
-    NUMBERS slope = NAMED(choose)(large > zero, small / large, zero);
-    BITS far = slope > 0.41421356237309503;
+    NUMBERS slope =
+        NAMED(choose)(NAMED(less)(zero, large), small / large, zero);
+    BITS far = NAMED(less)(zero + 0.41421356237309503, slope);
     NUMBERS near = NAMED(choose)(far, (slope - 1) / (slope + 1), slope);
     NUMBERS angle = NAMED(arc_near)(near);
     NUMBERS quarter = NAMED(choose)(far, zero + pi_half / 2, zero);
     NUMBERS rest = NAMED(choose)(far, zero + pi_half_rest / 2, zero);
     angle = quarter + (angle + rest);
     angle = NAMED(choose)(steep, pi_half - (angle - pi_half_rest), angle);
-    BITS back = ((BITS)x & INT64_MIN) != 0;
+    BITS back = (BITS)x >> 63;
     angle =
         NAMED(choose)(back, 2 * pi_half - (angle - 2 * pi_half_rest), angle);
     return (NUMBERS)((BITS)angle | ((BITS)y & INT64_MIN));

@@ -4,6 +4,7 @@
 #ifndef BASE_OCTET_H
 #define BASE_OCTET_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 enum { OCTET = 8 };
@@ -13,5 +14,36 @@ typedef double octet __attribute__((vector_size(OCTET * sizeof(double))));
 /* What comparing two of them gives: all bits set where it is so. */
 typedef int64_t octet_bits
     __attribute__((vector_size(OCTET * sizeof(int64_t))));
+
+/* These belong to the function that they are in, whatever processor that is
+ * for. */
+#define INLINED __attribute__((always_inline)) static inline
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+/* `yes` where the bits are set, else `no`. */
+INLINED octet octet_choose(octet_bits where, octet yes, octet no)
+{
+    return (octet)((where & (octet_bits)yes) | (~where & (octet_bits)no));
+}
+
+/* Where a < b: by the sign of the difference, since of a comparison of vectors
+ * this wide gcc 12 makes eight comparisons of numbers. -0 is less than 0, and
+ * of what is no number anything may be said. */
+INLINED octet_bits octet_less(octet a, octet b)
+{
+    return (octet_bits)(a - b) >> 63;
+}
+
+/* Whether any bit is set. */
+INLINED bool octet_any(octet_bits bits)
+{
+    int64_t any = 0;
+    for (int i = 0; i < OCTET; i++)
+        any |= bits[i];
+    return any != 0;
+}
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -12,7 +12,16 @@ typedef int64_t pair_bits __attribute__((vector_size(PAIR * sizeof(int64_t))));
 
 /* No vector is handed on but within a function for one kind of processor. */
 #pragma GCC diagnostic ignored "-Wpsabi"
-#define INLINED __attribute__((always_inline)) static inline
+
+INLINED pair pair_choose(pair_bits where, pair yes, pair no)
+{
+    return (pair)((where & (pair_bits)yes) | (~where & (pair_bits)no));
+}
+
+INLINED pair_bits pair_less(pair a, pair b)
+{
+    return a < b;
+}
 
 #define NUMBERS     pair
 #define BITS        pair_bits
@@ -34,11 +43,8 @@ static const double arc_limit = 1e150;
 
 INLINED bool octet_within(const octet *x, double limit)
 {
-    const octet_bits within = octet_magnitude(*x) <= limit;
-    int64_t all = -1;
-    for (int i = 0; i < OCTET; i++)
-        all &= within[i];
-    return all != 0;
+    const octet none = { 0 };
+    return !octet_any(octet_less(none + limit, octet_magnitude(*x)));
 }
 
 CLONES void octet_sin(octet *x)
@@ -89,9 +95,9 @@ static const double whole = 0x1.8p52;
 
 INLINED octet octet_clamp(octet x, double least, double most)
 {
-    const octet low = x * 0 + least, high = x * 0 + most;
-    x = octet_choose(x < low, low, x);
-    return octet_choose(x > high, high, x);
+    const octet none = { 0 }, low = none + least, high = none + most;
+    x = octet_choose(octet_less(x, low), low, x);
+    return octet_choose(octet_less(high, x), high, x);
 }
 
 /* parts[0] + parts[1] x + parts[2] x^2 ... of an even number of parts, those of

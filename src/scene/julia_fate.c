@@ -5,7 +5,14 @@
  * by its own potential: ln |z| shrinks to that of its surface. */
 #include "scene/julia_fate.h"
 
-#include "scene/julia_orbit.h"
+#include <math.h>
+#include <string.h>
+
+#include "base/clones.h"
+#include "base/octet_math.h"
+
+/* No vector is handed on but within a function for one kind of processor. */
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 /* Of all that stays a ray goes at most so much of the radius at a time: an
  * estimate by derivatives knows nothing of what is farther. */
@@ -14,155 +21,294 @@ static const double fate_cap = 0.02;
 /* The size that ends an orbit, squared: its logarithm is then the potential. */
 static const double fate_far = 1e4;
 
-/* What has become of a point after `steps` steps: its size and the length of
- * its derivative, both squared. */
-struct flight {
-    double size2, growth2;
-    int steps;
-    bool gone; /* out of the radius that a step allows, once */
+/* That from which on the logarithm is doubled by each step. */
+static const double beyond_far = 1e6;
+
+/* Whose points they are. */
+enum julia_kind { JULIA_SQUARES, JULIA_CUBES, JULIA_TWINS };
+
+/* Numbers of four parts; a hypercomplex one is two complex ones that know
+ * nothing of each other (julia_orbit.c): first the one, then the other. */
+struct numbers {
+    octet part[4];
+    octet half2[2], size2; /* sizes, squared: of complex ones, and of all */
 };
 
-static double flight_distance(const struct julia_fractal *f,
-                              const struct flight *flight)
+INLINED void numbers_start(const struct julia_fractal *f,
+                           const struct julia_points *p, enum julia_kind kind,
+                           struct numbers *n)
 {
-    double height = 0.5 * log(flight->size2);
-    double potential = f->potentials[flight->steps];
-    return height > potential ? 0.5 * (1 - potential / height) * height *
-                                    sqrt(flight->size2 / flight->growth2)
-                              : 0;
+    const octet w = f->w[0] * p->x + f->w[1] * p->y + f->w[2] * p->z + f->w[3];
+    bool twins = kind == JULIA_TWINS;
+    n->part[0] = twins ? p->x - w : p->x;
+    n->part[1] = twins ? p->y + p->z : p->y;
+    n->part[2] = twins ? p->x + w : p->z;
+    n->part[3] = twins ? p->y - p->z : w;
 }
 
-/* Whether all is known with this step: it is far away, or the last step has
- * not left, or it has, and went on for long enough. */
-static bool flight_ends(const struct julia_fractal *f, struct flight *flight,
-                        double size2, int steps)
+INLINED void numbers_measure(struct numbers *n, enum julia_kind kind)
 {
-    int last = f->iterations - 1;
-    flight->size2 = size2;
-    flight->steps = steps;
-    flight->gone = flight->gone || size2 > f->limits[steps] * f->limits[steps];
-    return size2 > fate_far || (steps >= last && !flight->gone) ||
-           steps == last + JULIA_MORE;
+    const octet *v = n->part;
+    n->half2[0] = v[0] * v[0] + v[1] * v[1];
+    n->half2[1] = v[2] * v[2] + v[3] * v[3];
+    n->size2 = n->half2[0] + n->half2[1];
+    if (kind == JULIA_TWINS)
+        n->size2 /= 2;
 }
 
-static struct flight square_flight(const struct julia_fractal *f, vec3 p)
+/* Those that are measured. */
+INLINED void numbers_step(const struct julia_fractal *f, struct numbers *n,
+                          enum julia_kind kind)
 {
-    double x = p.x, y = p.y, z = p.z;
-    double w = f->w[0] * x + f->w[1] * y + f->w[2] * z + f->w[3];
-    struct flight fl = { .growth2 = 1 };
-    for (int i = 0;; i++) {
-        double rest = y * y + z * z + w * w, twice = 2 * x;
-        if (flight_ends(f, &fl, x * x + rest, i))
-            return fl;
-        fl.growth2 *= 4 * fl.size2;
-        x = x * x - rest + f->c[0];
-        y = twice * y + f->c[1];
-        z = twice * z + f->c[2];
-        w = twice * w + f->c[3];
-    }
-}
-
-static struct flight cube_flight(const struct julia_fractal *f, vec3 p)
-{
-    double x = p.x, y = p.y, z = p.z;
-    double w = f->w[0] * x + f->w[1] * y + f->w[2] * z + f->w[3];
-    struct flight fl = { .growth2 = 1 };
-    for (int i = 0;; i++) {
-        double rest = y * y + z * z + w * w, real = x * x;
-        double factor = 3 * real - rest;
-        if (flight_ends(f, &fl, real + rest, i))
-            return fl;
-        fl.growth2 *= 9 * fl.size2 * fl.size2;
-        x = x * (real - 3 * rest) + f->c[0];
-        y = factor * y + f->c[1];
-        z = factor * z + f->c[2];
-        w = factor * w + f->c[3];
-    }
-}
-
-static void fate_quaternion(const struct julia_fractal *f, vec3 point,
-                            struct julia_fate *fate)
-{
-    struct flight fl =
-        f->cube ? cube_flight(f, point) : square_flight(f, point);
-    fate->gone = fl.gone;
-    if (fate->gone) {
-        fate->distance = flight_distance(f, &fl);
+    octet *v = n->part;
+    const octet real = v[0] * v[0], rest = n->size2 - real;
+    const octet factor = kind == JULIA_CUBES ? 3 * real - rest : 2 * v[0];
+    if (kind == JULIA_TWINS) {
+        v[1] = factor * v[1] + (f->c[1] + f->c[2]);
+        v[0] = 2 * real - n->half2[0] + (f->c[0] - f->c[3]);
+        v[3] = 2 * v[2] * v[3] + (f->c[1] - f->c[2]);
+        v[2] = 2 * v[2] * v[2] - n->half2[1] + (f->c[0] + f->c[3]);
         return;
     }
-    double room = f->radius - sqrt(fl.size2);
-    fate->distance = fmin(0.5 * room / sqrt(fl.growth2), fate_cap * f->radius);
+    v[0] = (kind == JULIA_CUBES ? v[0] * (real - 3 * rest) : real - rest) +
+           f->c[0];
+    for (int k = 1; k < 4; k++)
+        v[k] = factor * v[k] + f->c[k];
 }
 
-/* The two complex numbers that a hypercomplex one is: what stays does so in
- * both. */
-struct twins {
-    double x[2], y[2], growth2[2];
+/* By how much the step lengthens derivatives, squared: of either complex
+ * number. */
+INLINED octet numbers_growth(const struct numbers *n, enum julia_kind kind,
+                             int half)
+{
+    return kind == JULIA_TWINS   ? 4 * n->half2[half]
+           : kind == JULIA_CUBES ? 9 * n->size2 * n->size2
+                                 : 4 * n->size2;
+}
+
+/* What has become of points: of each the size and the length of its derivative
+ * when all was known, both squared. */
+struct flights {
+    octet size2, half2[2], growth2[2];
+    octet_bits steps;
+    octet_bits gone; /* out of the radius that a step allows, once */
+    octet_bits open; /* not all is known */
 };
 
-static double twin_distance(const struct julia_fractal *f,
-                            const struct twins *twins, int i, int steps)
+/* All is known of what is far away, of what the last step has not left, and of
+ * what has left and went on for long enough. Returns whether that leaves any
+ * after that many steps. */
+INLINED bool flights_judge(const struct julia_fractal *f, struct flights *fl,
+                           const struct numbers *n, int steps)
 {
-    struct flight fl = { .size2 = twins->x[i] * twins->x[i] +
-                                  twins->y[i] * twins->y[i],
-                         .growth2 = twins->growth2[i],
-                         .steps = steps };
-    return flight_distance(f, &fl);
+    const int last = f->iterations - 1;
+    const double limit = f->limits[steps];
+    octet_bits ends = n->size2 > fate_far;
+    fl->gone |= fl->open & (n->size2 > limit * limit);
+    if (steps >= last)
+        ends |= ~fl->gone;
+    fl->open &= ~ends;
+    return steps < last + JULIA_MORE && octet_any(fl->open);
 }
 
-static void fate_hypercomplex(const struct julia_fractal *f, vec3 p,
-                              struct julia_fate *fate)
+INLINED void flights_follow(const struct julia_fractal *f,
+                            const struct julia_points *p, enum julia_kind kind,
+                            struct flights *fl)
 {
-    double w = f->w[0] * p.x + f->w[1] * p.y + f->w[2] * p.z + f->w[3];
-    struct twins t = { { p.x - w, p.x + w },
-                       { p.y + p.z, p.y - p.z },
-                       { 1, 1 } };
-    const double cx[2] = { f->c[0] - f->c[3], f->c[0] + f->c[3] };
-    const double cy[2] = { f->c[1] + f->c[2], f->c[1] - f->c[2] };
-    struct flight fl = { .gone = false };
+    const octet_bits none = { 0 };
+    octet growth2[2] = { p->x * 0 + 1, p->x * 0 + 1 };
+    const int halves = kind == JULIA_TWINS ? 2 : 1;
+    struct flights now = *fl; /* at hand */
+    struct numbers n;
+    numbers_start(f, p, kind, &n);
     for (int i = 0;; i++) {
-        double xx[2], yy[2];
-        for (int k = 0; k < 2; k++) {
-            xx[k] = t.x[k] * t.x[k];
-            yy[k] = t.y[k] * t.y[k];
+        numbers_measure(&n, kind);
+        const octet_bits open = now.open;
+        now.size2 = octet_choose(open, n.size2, now.size2);
+        now.steps = (open & (none + i)) | (~open & now.steps);
+        for (int k = 0; k < halves; k++) {
+            now.half2[k] = octet_choose(open, n.half2[k], now.half2[k]);
+            now.growth2[k] = octet_choose(open, growth2[k], now.growth2[k]);
         }
-        if (flight_ends(f, &fl, (xx[0] + yy[0] + xx[1] + yy[1]) / 2, i))
+        if (!flights_judge(f, &now, &n, i))
             break;
-        for (int k = 0; k < 2; k++) {
-            t.growth2[k] *= 4 * (xx[k] + yy[k]);
-            t.y[k] = 2 * t.x[k] * t.y[k] + cy[k];
-            t.x[k] = xx[k] - yy[k] + cx[k];
-        }
+        for (int k = 0; k < halves; k++)
+            growth2[k] *= numbers_growth(&n, kind, k);
+        numbers_step(f, &n, kind);
     }
-    double growth = sqrt(fmax(t.growth2[0], t.growth2[1]));
-    fate->gone = fl.gone;
-    fate->distance = fl.gone ? fmax(twin_distance(f, &t, 0, fl.steps),
-                                    twin_distance(f, &t, 1, fl.steps)) /
-                                   sqrt(2)
-                             : fmin(0.5 * (f->radius - sqrt(fl.size2)) / growth,
-                                    fate_cap * f->radius);
+    *fl = now;
 }
 
-/* By bounds that are sure. */
-static void fate_sure(const struct julia_fractal *f, vec3 point,
-                      struct julia_fate *fate)
+/* The number of steps that are left when they are far, and their size then,
+ * squared. */
+INLINED void numbers_leave(const struct julia_fractal *f,
+                           const struct julia_points *p, enum julia_kind kind,
+                           const octet_bits *open, octet *size2,
+                           octet_bits *left)
 {
-    struct julia_orbit orbit;
-    julia_orbit_follow(f, point, &orbit);
-    fate->gone = orbit.gone;
-    fate->distance = julia_orbit_reach(f, &orbit, f->least);
+    const octet_bits none = { 0 };
+    octet_bits near = *open;
+    struct numbers n;
+    numbers_start(f, p, kind, &n);
+    for (int i = 1;; i++) {
+        numbers_measure(&n, kind);
+        *size2 = octet_choose(near, n.size2, *size2);
+        *left = (near & (none + (f->iterations - i))) | (~near & *left);
+        near &= n.size2 < beyond_far;
+        if (i >= f->iterations || !octet_any(near))
+            return;
+        numbers_step(f, &n, kind);
+    }
 }
 
-void julia_fate_find(const struct julia_fractal *fractal, vec3 point,
-                     struct julia_fate *fate)
+/* Of each kind what is worked out eight at a time. */
+struct kind {
+    void (*flights)(const struct julia_fractal *f, const struct julia_points *p,
+                    struct flights *fl);
+    void (*leave)(const struct julia_fractal *f, const struct julia_points *p,
+                  const octet_bits *open, octet *size2, octet_bits *left);
+};
+
+#define KIND(name, kind)                                                       \
+    CLONES static void name##_flights(const struct julia_fractal *f,           \
+                                      const struct julia_points *p,            \
+                                      struct flights *fl)                      \
+    {                                                                          \
+        flights_follow(f, p, kind, fl);                                        \
+    }                                                                          \
+    CLONES static void name##_leave(                                           \
+        const struct julia_fractal *f, const struct julia_points *p,           \
+        const octet_bits *open, octet *size2, octet_bits *left)                \
+    {                                                                          \
+        numbers_leave(f, p, kind, open, size2, left);                          \
+    }
+
+KIND(squares, JULIA_SQUARES)
+KIND(cubes, JULIA_CUBES)
+KIND(twins, JULIA_TWINS)
+
+static const struct kind *kind_of(const struct julia_fractal *f)
 {
-    if (!fractal->polynomial) {
-        fate_sure(fractal, point, fate);
+    static const struct kind squares = { squares_flights, squares_leave };
+    static const struct kind cubes = { cubes_flights, cubes_leave };
+    static const struct kind twins = { twins_flights, twins_leave };
+    return f->algebra != JULIA_QUATERNION ? &twins
+           : f->cube                      ? &cubes
+                                          : &squares;
+}
+
+/* The logarithm that the surface's size has after as many steps. Put together
+ * by name: numbers that were just stored one by one are read as a vector late.
+ */
+INLINED octet flights_potential(const struct julia_fractal *f,
+                                const struct flights *fl)
+{
+    const double *p = f->potentials;
+    const octet_bits at = fl->steps;
+    return (octet){ p[at[0]], p[at[1]], p[at[2]], p[at[3]],
+                    p[at[4]], p[at[5]], p[at[6]], p[at[7]] };
+}
+
+/* How far what is gone is from what stays, by one size and its derivative. */
+CLONES static void flights_outside(const struct julia_fractal *f,
+                                   const struct flights *fl, const octet *size2,
+                                   const octet *growth2, octet *distance)
+{
+    octet height = *size2, ratio = *size2 / *growth2;
+    octet_ln(&height);
+    octet_sqrt(&ratio);
+    const octet over = 0.5 * height - flights_potential(f, fl);
+    *distance =
+        octet_choose(octet_less(over * 0, over), 0.5 * over * ratio, over * 0);
+}
+
+/* The same of two complex numbers, when that of one is known. */
+CLONES static void twins_outside(const octet *other, octet *distance)
+{
+    const octet_bits less = octet_less(*distance, *other);
+    *distance = octet_choose(less, *other, *distance) / sqrt(2);
+}
+
+/* How far what stays is from what doesn't, or so near that it may be. */
+CLONES static void flights_inside(const struct julia_fractal *f,
+                                  const struct flights *fl, octet *distance)
+{
+    octet size = fl->size2;
+    octet growth = octet_choose(octet_less(fl->growth2[0], fl->growth2[1]),
+                                fl->growth2[1], fl->growth2[0]);
+    octet_sqrt(&size);
+    octet_sqrt(&growth);
+    const octet room = 0.5 * (f->radius - size) / growth;
+    const octet cap = size * 0 + fate_cap * f->radius;
+    *distance = octet_choose(octet_less(room, cap), room, cap);
+}
+
+/* Where a distance is a number, that of the slice's points; nothing is known
+ * where numbers may come back. */
+CLONES static void fates_finish(const struct julia_fractal *f,
+                                const struct flights *fl, const octet *inside,
+                                const octet *outside, struct julia_fates *fates)
+{
+    const octet all = octet_choose(fl->gone, *outside, *inside) / f->stretch;
+    const octet_bits bits = (octet_bits)all,
+                     infinite = (octet_bits){ 0 } + ((int64_t)0x7ff << 52);
+    const octet_bits known = ~(bits >> 63) & ((bits - infinite) >> 63);
+    fates->gone = fl->gone;
+    fates->distance =
+        octet_choose(f->polynomial ? known : known * 0, all, all * 0);
+}
+
+void julia_fates_find(const struct julia_fractal *fractal,
+                      const struct julia_points *points, const octet_bits *open,
+                      struct julia_fates *fates)
+{
+    struct flights fl;
+    octet inside = { 0 }, outside = { 0 }, other;
+    memset(&fl, 0, sizeof fl);
+    fl.open = *open;
+    kind_of(fractal)->flights(fractal, points, &fl);
+    if (octet_any(*open & ~fl.gone))
+        flights_inside(fractal, &fl, &inside);
+    if (octet_any(fl.gone) && fractal->algebra == JULIA_QUATERNION) {
+        flights_outside(fractal, &fl, &fl.size2, &fl.growth2[0], &outside);
+    } else if (octet_any(fl.gone)) {
+        flights_outside(fractal, &fl, &fl.half2[0], &fl.growth2[0], &outside);
+        flights_outside(fractal, &fl, &fl.half2[1], &fl.growth2[1], &other);
+        twins_outside(&other, &outside);
+    }
+    fates_finish(fractal, &fl, &inside, &outside, fates);
+}
+
+/* What is far has its logarithm doubled at each step that is left. */
+CLONES static void beyond_finish(const struct julia_fractal *f,
+                                 const octet *size2, const octet_bits *left,
+                                 octet *beyond)
+{
+    const octet_bits most = (octet_bits){ 0 } + 8;
+    const octet_bits few = (*left - most) >> 63;
+    const octet_bits doubled = (few & *left) | (~few & most);
+    const octet most_height = *size2 * 0 + 1e4;
+    octet height = *size2;
+    octet_ln(&height);
+    height *= (octet)((doubled + 1023) << 52);
+    *beyond =
+        octet_choose(octet_less(height, most_height), height, most_height) -
+        2 * log(f->radius);
+}
+
+void julia_fates_beyond(const struct julia_fractal *fractal,
+                        const struct julia_points *points,
+                        const octet_bits *open, octet *beyond)
+{
+    octet size2 = { 0 };
+    octet_bits left = { 0 };
+    struct julia_fates fates;
+    if (fractal->polynomial) {
+        kind_of(fractal)->leave(fractal, points, open, &size2, &left);
+        beyond_finish(fractal, &size2, &left, beyond);
         return;
     }
-    (fractal->algebra == JULIA_QUATERNION
-         ? fate_quaternion
-         : fate_hypercomplex)(fractal, point, fate);
-    fate->distance =
-        isfinite(fate->distance) ? fate->distance / fractal->stretch : 0;
+    julia_fates_find(fractal, points, open, &fates);
+    for (int k = 0; k < OCTET; k++)
+        (*beyond)[k] = fates.gone[k] ? 1 : -1;
 }

@@ -1,17 +1,14 @@
-/* julia_fractal: see julia_fractal.h. A ray goes on by steps in which nothing
- * can change (julia_fate.h), but no shorter than a limit; where something
- * has, the place is found by regula falsi. Of functions of hypercomplex numbers
- * all steps are that short (julia_steps.h). */
+/* julia_fractal: see julia_fractal.h. Rays go by steps in which nothing can
+ * change (julia_march.h), or, of functions of hypercomplex numbers, by short
+ * ones (julia_steps.h). */
 #include "scene/julia_fractal.h"
 
-#include "scene/bracket.h"
-#include "scene/julia_fate.h"
+#include <string.h>
+
+#include "scene/julia_march.h"
 #include "scene/julia_orbit.h"
 #include "scene/julia_steps.h"
-
-enum {
-    JULIA_ROUNDS = 60, /* for one crossing */
-};
+#include "scene/julia_steps.h"
 
 static const double julia_coarse = 0.02; /* of quaternions that may come back */
 
@@ -145,116 +142,27 @@ static struct box3 julia_bounds(const void *shape)
 
 /* ---- rays ---- */
 
-struct march {
-    const struct julia_fractal *fractal;
-    const struct ray *ray;
-    double speed; /* length of the ray's direction */
-    bool rough;   /* between which steps it crosses is near enough */
-    struct julia_fate fate;
-};
-
-/* Whether the point at t stays; and then how far all do as it does. */
-static bool march_look(struct march *m, double t)
-{
-    julia_fate_find(m->fractal, ray_point(m->ray, t), &m->fate);
-    return !m->fate.gone;
-}
-
-static double march_step(const struct march *m)
-{
-    return fmax(m->fate.distance, m->fractal->least) / m->speed;
-}
-
-/* Above 0 where the point at t is gone: julia_orbit_beyond, but for what went
- * and came back before the last step. */
-static double march_beyond(const struct march *m, double t)
-{
-    const double little = 1e-3;
-    vec3 point = ray_point(m->ray, t);
-    double beyond = julia_orbit_beyond(m->fractal, point);
-    struct julia_fate fate;
-    if (m->fractal->polynomial)
-        return beyond;
-    julia_fate_find(m->fractal, point, &fate);
-    return fate.gone == (beyond > 0) ? beyond : fate.gone ? little : -little;
-}
-
-/* So near is near enough, of the ray's t. */
-static double march_enough(const struct march *m)
-{
-    return (m->rough ? m->fractal->least : 1e-7 * m->fractal->radius) /
-           m->speed;
-}
-
-/* The crossing between a and b. */
-static double march_refine(const struct march *m, double a, double b)
-{
-    struct bracket in = { a, march_beyond(m, a), b, march_beyond(m, b) };
-    double enough = march_enough(m), t;
-    for (int i = 1; i < JULIA_ROUNDS && in.b - in.a > enough; i++) {
-        if (!bracket_next(&in, i, &t))
-            break;
-        double at_t = march_beyond(m, t);
-        bracket_narrow(&in, t, at_t, (at_t <= 0) == (in.at_a <= 0));
-    }
-    /* The one that stays: its slope is the last's. */
-    return in.at_a <= 0 ? in.a : in.b;
-}
-
-/* Where the ray is in the ball around it, a little within: where the ball cuts
- * through what stays there is no surface (measured). */
-static bool march_start(struct march *m, double *tmin, double *tmax)
-{
-    vec3 o = m->ray->origin, d = m->ray->direction;
-    double dd = vec3_dot(d, d), middle = -vec3_dot(o, d) / dd;
-    vec3 nearest = vec3_along(o, d, middle);
-    const struct julia_fractal *f = m->fractal;
-    double radius = f->limits[0] * (1 - 1e-6);
-    double rest = radius * radius - vec3_dot(nearest, nearest);
-    if (!(rest > 0))
-        return false;
-    *tmin = fmax(*tmin, middle - sqrt(rest / dd));
-    *tmax = fmin(*tmax, middle + sqrt(rest / dd));
-    m->speed = sqrt(dd);
-    return *tmin < *tmax;
-}
-
-static void march_along(struct march *m, double tmin, double tmax,
-                        hit_visit *visit, void *context)
-{
-    if (!march_start(m, &tmin, &tmax))
-        return;
-    if (m->fractal->stepped) {
-        const struct julia_walk walk = { m->ray, tmin, tmax,
-                                         m->fractal->least / m->speed,
-                                         march_enough(m) };
-        julia_steps_visit(m->fractal, &walk, visit, context);
-        return;
-    }
-    double t = tmin;
-    bool stays = march_look(m, t);
-    for (int i = 0; i < JULIA_STEPS && t < tmax; i++) {
-        double next = fmin(t + march_step(m), tmax);
-        bool stayed = stays;
-        stays = march_look(m, next);
-        if (stays != stayed) {
-            double at = m->rough ? (t + next) / 2 : march_refine(m, t, next);
-            struct hit hit = { at, 0, 0, 0 };
-            if (hit.t > tmin && hit.t < tmax && visit(context, &hit))
-                return;
-        }
-        if (!(next > t))
-            return;
-        t = next;
-    }
-}
-
 static void julia_crossings(const void *shape, const struct ray *ray,
                             double tmin, double tmax, hit_visit *visit,
                             void *context)
 {
-    struct march m = { .fractal = shape, .ray = ray };
-    march_along(&m, tmin, tmax, visit, context);
+    const struct julia_fractal *f = shape;
+    struct julia_march march;
+    octet at;
+    octet_bits met;
+    if (f->stepped) {
+        const struct julia_walk walk = { ray, tmin, tmax, false };
+        julia_steps_visit(f, &walk, visit, context);
+        return;
+    }
+    julia_march_alone(f, ray, tmin, tmax, &march);
+    julia_march_start(f, &march);
+    while (march.open[0]) {
+        julia_march_next(f, &march, false, &at, &met);
+        struct hit hit = { .t = at[0] };
+        if (met[0] && visit(context, &hit))
+            return;
+    }
 }
 
 static bool take_all(void *context, const struct hit *hit)
@@ -270,35 +178,179 @@ static void julia_intersect(const void *shape, const struct ray *ray,
     julia_crossings(shape, ray, -HUGE_VAL, HUGE_VAL, take_all, hits);
 }
 
+/* Where each that is open first goes in; HUGE_VAL: nowhere. */
+static void march_first(const struct julia_fractal *f,
+                        struct julia_march *march, bool rough, double *first)
+{
+    octet at;
+    octet_bits met;
+    for (int k = 0; k < OCTET; k++)
+        first[k] = HUGE_VAL;
+    while (octet_any(march->open)) {
+        julia_march_next(f, march, rough, &at, &met);
+        for (int k = 0; k < OCTET; k++) {
+            first[k] = met[k] ? at[k] : first[k];
+            march->open[k] &= ~met[k];
+        }
+    }
+}
+
 struct first_crossing {
-    struct hit hit;
+    double t;
     bool found;
 };
 
 static bool take_first(void *context, const struct hit *hit)
 {
     struct first_crossing *first = context;
-    first->hit = *hit;
-    first->found = true;
+    *first = (struct first_crossing){ hit->t, true };
     return true;
+}
+
+/* Where the ray first goes in; HUGE_VAL: nowhere. */
+static double julia_first_t(const struct julia_fractal *f,
+                            const struct ray *ray, double tmin, double tmax,
+                            bool rough)
+{
+    struct julia_march march;
+    double first[OCTET];
+    if (f->stepped) {
+        struct first_crossing crossing = { HUGE_VAL, false };
+        const struct julia_walk walk = { ray, tmin, tmax, rough };
+        julia_steps_visit(f, &walk, take_first, &crossing);
+        return crossing.t;
+    }
+    julia_march_alone(f, ray, tmin, tmax, &march);
+    julia_march_start(f, &march);
+    march_first(f, &march, rough, first);
+    return first[0];
 }
 
 static bool julia_first(const void *shape, const struct ray *ray, double tmin,
                         double tmax, struct hit *hit)
 {
-    struct first_crossing first = { .found = false };
-    julia_crossings(shape, ray, tmin, tmax, take_first, &first);
-    *hit = first.hit;
-    return first.found;
+    *hit = (struct hit){ .t = julia_first_t(shape, ray, tmin, tmax, false) };
+    return hit->t < HUGE_VAL;
 }
 
 static bool julia_crosses(const void *shape, const struct ray *ray, double tmin,
                           double tmax)
 {
-    struct march m = { .fractal = shape, .ray = ray, .rough = true };
-    struct first_crossing first = { .found = false };
-    march_along(&m, tmin, tmax, take_first, &first);
-    return first.found;
+    return julia_first_t(shape, ray, tmin, tmax, true) < HUGE_VAL;
+}
+
+/* Rays side by side, from lane `from` on. */
+static void march_put_lanes(struct julia_march *march, const struct rays *rays,
+                            const struct rays_span *span, int from)
+{
+    memset(march, 0, sizeof *march);
+    for (int k = 0; k < OCTET; k++) {
+        const struct ray ray = rays_at(rays, from + k);
+        double near = span->near[from + k], far = span->far[from + k];
+        julia_march_put(march, k, &ray, near, far);
+        march->open[k] = near < far ? -1 : 0;
+    }
+}
+
+static void julia_first_lanes(const struct julia_fractal *f,
+                              const struct rays *rays,
+                              const struct rays_span *span, int from,
+                              bool rough, double *first)
+{
+    struct julia_march march;
+    if (!f->stepped) {
+        march_put_lanes(&march, rays, span, from);
+        julia_march_enter(f, &march);
+        julia_march_start(f, &march);
+        march_first(f, &march, rough, first);
+        return;
+    }
+    for (int k = 0; k < OCTET; k++) {
+        const struct ray ray = rays_at(rays, from + k);
+        double near = span->near[from + k], far = span->far[from + k];
+        first[k] =
+            near < far ? julia_first_t(f, &ray, near, far, rough) : HUGE_VAL;
+    }
+}
+
+/* Every crossing. */
+static void march_all(const struct julia_fractal *f, struct julia_march *march,
+                      int from, rays_visit *visit, void *context)
+{
+    LANE_LINES double t[RAY_LANES];
+    octet at;
+    octet_bits met;
+    while (octet_any(march->open)) {
+        unsigned bits = 0, over;
+        julia_march_next(f, march, false, &at, &met);
+        for (int k = 0; k < OCTET; k++) {
+            t[from + k] = at[k];
+            bits |= (unsigned)(met[k] != 0) << (from + k);
+        }
+        over = bits ? visit(context, bits, t) : 0;
+        for (int k = 0; k < OCTET; k++)
+            march->open[k] = over >> (from + k) & 1 ? 0 : march->open[k];
+    }
+}
+
+/* One ray of several. */
+struct lane_visit {
+    rays_visit *visit;
+    void *context;
+    int lane;
+};
+
+static bool visit_lane(void *context, const struct hit *hit)
+{
+    const struct lane_visit *one = context;
+    LANE_LINES double t[RAY_LANES];
+    t[one->lane] = hit->t;
+    return one->visit(one->context, 1u << one->lane, t) >> one->lane & 1;
+}
+
+static void julia_crossings_many(const void *shape, struct lane_run run,
+                                 const struct rays *rays,
+                                 const struct rays_span *span,
+                                 rays_visit *visit, void *context)
+{
+    const struct julia_fractal *f = shape;
+    struct julia_march march;
+    for (int from = run.first; !f->stepped && from < run.end; from += OCTET) {
+        march_put_lanes(&march, rays, span, from);
+        julia_march_enter(f, &march);
+        julia_march_start(f, &march);
+        march_all(f, &march, from, visit, context);
+    }
+    for (int i = run.first; f->stepped && i < run.end; i++) {
+        const struct ray ray = rays_at(rays, i);
+        struct lane_visit one = { visit, context, i };
+        if (span->near[i] < span->far[i])
+            julia_crossings(f, &ray, span->near[i], span->far[i], visit_lane,
+                            &one);
+    }
+}
+
+_Static_assert((int)OCTET == (int)LANE_STEP, "an octet is a step of lanes");
+
+static void julia_first_many(const void *shape, struct lane_run run,
+                             const struct rays *rays,
+                             const struct rays_span *span, struct rays_met *met)
+{
+    for (int from = run.first; from < run.end; from += OCTET)
+        julia_first_lanes(shape, rays, span, from, false, met->t + from);
+    memset(met->part, 0, sizeof met->part);
+}
+
+static void julia_crosses_many(const void *shape, struct lane_run run,
+                               const struct rays *rays,
+                               const struct rays_span *span, lane_flag *met)
+{
+    double first[RAY_LANES];
+    for (int from = run.first; from < run.end; from += OCTET) {
+        julia_first_lanes(shape, rays, span, from, true, first + from);
+        for (int i = from; i < from + OCTET; i++)
+            met[i] = first[i] < HUGE_VAL ? -1 : 0;
+    }
 }
 
 static vec3 julia_normal(const void *shape, vec3 point, const struct hit *hit)
@@ -312,12 +364,7 @@ static vec3 julia_normal(const void *shape, vec3 point, const struct hit *hit)
 
 static bool julia_inside(const void *shape, vec3 point)
 {
-    const struct julia_fractal *f = shape;
-    if (f->stepped)
-        return !julia_orbit_gone(f, point);
-    struct julia_fate fate;
-    julia_fate_find(f, point, &fate);
-    return !fate.gone;
+    return !julia_orbit_gone(shape, point);
 }
 
 static unsigned julia_meets(const void *shape, const struct cell *cell)
@@ -344,6 +391,10 @@ const struct primitive julia_fractal_primitive = {
     .crossings = julia_crossings,
     .crosses = julia_crosses,
     .first = julia_first,
+    .crosses_many = julia_crosses_many,
+    .first_many = julia_first_many,
+    .crossings_many = julia_crossings_many,
+    .lane_by_lane = true,
     .normal = julia_normal,
     .inside = julia_inside,
     .meets = julia_meets,

@@ -9,21 +9,15 @@ typedef struct complex_octet number;
 
 /* No vector is handed on but within a function for one kind of processor. */
 #pragma GCC diagnostic ignored "-Wpsabi"
-#define INLINED __attribute__((always_inline)) static inline
 
 /* Beyond it tanh is 1. */
 static const double tanh_limit = 20;
 
-/* `yes` where the bits are set, else `no`. */
-INLINED octet chosen(octet_bits where, octet yes, octet no)
-{
-    return (octet)((where & (octet_bits)yes) | (~where & (octet_bits)no));
-}
-
 /* Its opposite where the bits are set. */
 INLINED number mirrored(octet_bits where, number z)
 {
-    return (number){ chosen(where, -z.re, z.re), chosen(where, -z.im, z.im) };
+    return (number){ octet_choose(where, -z.re, z.re),
+                     octet_choose(where, -z.im, z.im) };
 }
 
 INLINED number turned(number z)
@@ -78,12 +72,14 @@ CLONES static void number_root(number *z)
     octet_abs(&real);
     octet large = 0.5 * (size + real);
     octet_sqrt(&large);
-    const octet small = chosen(large > none, 0.5 * z->im / large, none);
+    const octet small =
+        octet_choose(octet_less(none, large), 0.5 * z->im / large, none);
     octet small_size = small;
     octet_abs(&small_size);
-    const octet signed_large = chosen(z->im >= none, large, -large);
-    *z = (number){ chosen(z->re >= none, large, small_size),
-                   chosen(z->re >= none, small, signed_large) };
+    const octet signed_large =
+        octet_choose(octet_less(z->im, none), -large, large);
+    *z = (number){ octet_choose(octet_less(z->re, none), small_size, large),
+                   octet_choose(octet_less(z->re, none), signed_large, small) };
 }
 
 /* sinh z and cosh z by the same e^x, cos y and sin y. */
@@ -103,8 +99,8 @@ CLONES static void number_tanh(number *z)
 {
     number over, under, in = *z;
     const octet most = in.re * 0 + tanh_limit;
-    in.re = chosen(in.re > most, most, in.re);
-    in.re = chosen(in.re < -most, -most, in.re);
+    in.re = octet_choose(octet_less(most, in.re), most, in.re);
+    in.re = octet_choose(octet_less(in.re, -most), -most, in.re);
     number_hyperbolic(&in, &over, &under);
     const octet part = 1 / (under.re * under.re + under.im * under.im);
     const number conjugate = { under.re * part, -under.im * part };
@@ -115,7 +111,7 @@ CLONES static void number_tanh(number *z)
  * opposite, where nothing cancels. */
 CLONES static void number_asinh(number *z)
 {
-    const octet_bits left = z->re < z->re * 0;
+    const octet_bits left = octet_less(z->re, z->re * 0);
     const number in = mirrored(left, *z);
     number root = beside(product(in, in), 1);
     number_root(&root);

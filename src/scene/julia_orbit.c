@@ -67,18 +67,6 @@ static double complex julia_power(const struct julia_fractal *f)
 
 /* ---- steps ---- */
 
-static struct quad quaternion_step(const struct julia_fractal *f, struct quad q)
-{
-    double imaginary = q.y * q.y + q.z * q.z + q.w * q.w;
-    double real = q.x * q.x, factor = f->cube ? 3 * real - imaginary : 2 * q.x;
-    return (struct quad){
-        f->cube ? q.x * (real - 3 * imaginary) : real - imaginary,
-        factor * q.y,
-        factor * q.z,
-        factor * q.w,
-    };
-}
-
 static struct quad hypercomplex_step(const struct julia_fractal *f,
                                      struct quad q)
 {
@@ -88,36 +76,28 @@ static struct quad hypercomplex_step(const struct julia_fractal *f,
                                               f->function->value(h.b, power) });
 }
 
-/* The commonest: what julia_step makes of them. */
-static inline struct quad square_step(const double c[4], struct quad q)
+static inline struct quad square_step(struct quad q)
 {
     double twice = 2 * q.x;
-    return (struct quad){
-        q.x * q.x - (q.y * q.y + q.z * q.z + q.w * q.w) + c[0],
-        twice * q.y + c[1],
-        twice * q.z + c[2],
-        twice * q.w + c[3],
-    };
+    return (struct quad){ q.x * q.x - (q.y * q.y + q.z * q.z + q.w * q.w),
+                          twice * q.y, twice * q.z, twice * q.w };
 }
 
-static inline struct quad cube_step(const double c[4], struct quad q)
+static inline struct quad cube_step(struct quad q)
 {
     double imaginary = q.y * q.y + q.z * q.z + q.w * q.w;
     double real = q.x * q.x, factor = 3 * real - imaginary;
-    return (struct quad){
-        q.x * (real - 3 * imaginary) + c[0],
-        factor * q.y + c[1],
-        factor * q.z + c[2],
-        factor * q.w + c[3],
-    };
+    return (struct quad){ q.x * (real - 3 * imaginary), factor * q.y,
+                          factor * q.z, factor * q.w };
 }
 
-static struct quad julia_step(const struct julia_fractal *f, struct quad q)
+static inline struct quad julia_step(const struct julia_fractal *f,
+                                     struct quad q)
 {
     const struct quad c = { f->c[0], f->c[1], f->c[2], f->c[3] };
-    bool quaternion = f->algebra == JULIA_QUATERNION;
-    return quad_add((quaternion ? quaternion_step : hypercomplex_step)(f, q),
-                    c);
+    if (f->algebra != JULIA_QUATERNION)
+        return quad_add(hypercomplex_step(f, q), c);
+    return quad_add(f->cube ? cube_step(q) : square_step(q), c);
 }
 
 /* Not a number, as of 0 / 0, is gone. */
@@ -149,30 +129,28 @@ void julia_orbit_follow(const struct julia_fractal *fractal, vec3 point,
     }
 }
 
-bool julia_orbit_gone(const struct julia_fractal *fractal, vec3 point)
+/* Follows the point until it is gone, or to the last step, of which the number
+ * is returned; where it went is put into `at`. */
+static int orbit_leave(const struct julia_fractal *f, vec3 point,
+                       struct quad at[JULIA_ITERATIONS])
 {
-    struct julia_orbit orbit;
-    julia_orbit_follow(fractal, point, &orbit);
-    return orbit.gone;
+    struct quad q = slice_point(f, point);
+    int i = 0;
+    for (;; i++) {
+        double limit = f->limits[i];
+        at[i] = q;
+        if (i == f->iterations - 1 || !(quad_square(q) <= limit * limit))
+            return i;
+        q = julia_step(f, q);
+    }
 }
 
-double julia_orbit_beyond(const struct julia_fractal *fractal, vec3 point)
+bool julia_orbit_gone(const struct julia_fractal *fractal, vec3 point)
 {
-    const double far = 1e6;
-    bool quaternion = fractal->algebra == JULIA_QUATERNION;
-    struct quad q = slice_point(fractal, point);
-    double size2 = quad_square(q);
-    int i = 1;
-    for (; i < fractal->iterations && size2 < far; i++) {
-        q = !quaternion     ? julia_step(fractal, q)
-            : fractal->cube ? cube_step(fractal->c, q)
-                            : square_step(fractal->c, q);
-        size2 = quad_square(q);
-    }
-    /* What is far has its logarithm doubled at each step that is left. */
-    int left = fractal->iterations - i;
-    double height = log(size2) * ldexp(1, left < 8 ? left : 8);
-    return fmin(height, 1e4) - 2 * log(fractal->radius);
+    struct quad at[JULIA_ITERATIONS];
+    int last = orbit_leave(fractal, point, at);
+    double limit = fractal->limits[last];
+    return !(quad_square(at[last]) <= limit * limit);
 }
 
 /* ---- bounds ---- */
@@ -296,12 +274,12 @@ static struct quad hypercomplex_back(const struct julia_fractal *f,
  * the fourth (measured). */
 vec3 julia_orbit_slope(const struct julia_fractal *fractal, vec3 point)
 {
-    struct julia_orbit orbit;
-    julia_orbit_follow(fractal, point, &orbit);
-    struct quad slope = julia_step(fractal, orbit.at[orbit.away]);
-    for (int i = orbit.away; i >= 0; i--)
-        slope = (fractal->algebra == JULIA_QUATERNION
-                     ? quaternion_back
-                     : hypercomplex_back)(fractal, orbit.at[i], slope);
+    struct quad at[JULIA_ITERATIONS];
+    int i = orbit_leave(fractal, point, at);
+    struct quad slope = julia_step(fractal, at[i]);
+    for (; i >= 0; i--)
+        slope = fractal->algebra == JULIA_QUATERNION
+                    ? quaternion_back(fractal, at[i], slope)
+                    : hypercomplex_back(fractal, at[i], slope);
     return vec3_make(slope.x, slope.y, slope.z);
 }

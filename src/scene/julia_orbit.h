@@ -25,10 +25,6 @@ void julia_orbit_follow(const struct julia_fractal *fractal, vec3 point,
 /* Whether the point is gone, once. */
 bool julia_orbit_gone(const struct julia_fractal *fractal, vec3 point);
 
-/* The logarithm of its size after the last step by the radius, no more than
- * some hundred: above 0 it is gone. */
-double julia_orbit_beyond(const struct julia_fractal *fractal, vec3 point);
-
 /* All points up to this distance from it fare as it does. A lower bound; 0 if
  * none of `useful` or more is found. */
 double julia_orbit_reach(const struct julia_fractal *fractal,

@@ -7,6 +7,7 @@
 
 #include "base/clones.h"
 #include "base/octet.h"
+#include "scene/julia_march.h"
 #include "scene/julia_octets.h"
 
 /* No vector is handed on but within a function for one kind of processor. */
@@ -40,16 +41,14 @@ CLONES static bool halves_sift(const struct julia_fractal *f,
 {
     const octet size2 = 0.5 * (h->a.re * h->a.re + h->a.im * h->a.im +
                                h->b.re * h->b.re + h->b.im * h->b.im);
-    const octet_bits left = *stays & (size2 <= f->radius * f->radius);
-    int64_t any = 0;
+    const octet most = size2 * 0 + f->radius * f->radius;
+    const octet_bits left = *stays & ~octet_less(most, size2);
     h->a.re = (octet)(left & (octet_bits)h->a.re);
     h->a.im = (octet)(left & (octet_bits)h->a.im);
     h->b.re = (octet)(left & (octet_bits)h->b.re);
     h->b.im = (octet)(left & (octet_bits)h->b.im);
     *stays = left;
-    for (int i = 0; i < OCTET; i++)
-        any |= left[i];
-    return any != 0;
+    return octet_any(left);
 }
 
 CLONES static void halves_add(const struct julia_fractal *f,
@@ -101,8 +100,14 @@ void julia_steps_visit(const struct julia_fractal *f,
                        const struct julia_walk *walk, hit_visit *visit,
                        void *context)
 {
-    double tmin = walk->tmin, tmax = walk->tmax, last = tmin;
-    double pace = fmax(walk->step, (tmax - tmin) / JULIA_STEPS);
+    struct julia_march part;
+    julia_march_alone(f, walk->ray, walk->tmin, walk->tmax, &part);
+    double tmin = part.tmin[0], tmax = part.tmax[0], last = tmin;
+    double step = f->least / part.speed[0];
+    double pace = fmax(step, (tmax - tmin) / JULIA_STEPS);
+    double enough = walk->rough ? step : 1e-7 * f->radius / part.speed[0];
+    if (!part.open[0])
+        return;
     bool stayed = false, begun = false;
     for (int n = 0; last < tmax; n += OCTET) {
         octet t;
@@ -114,7 +119,7 @@ void julia_steps_visit(const struct julia_fractal *f,
             bool stay = stays[k] != 0;
             if (begun && stay != stayed) {
                 struct hit hit = { .t = steps_refine(f, walk->ray, last, t[k],
-                                                     stayed, walk->enough) };
+                                                     stayed, enough) };
                 if (hit.t > tmin && hit.t < tmax && visit(context, &hit))
                     return;
             }

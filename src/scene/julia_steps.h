@@ -5,12 +5,11 @@
 
 #include "scene/julia_fractal.h"
 
-/* The part of a ray that is walked; lengths in units of its t. */
+/* The part of a ray that is walked. */
 struct julia_walk {
     const struct ray *ray;
     double tmin, tmax;
-    double step;
-    double enough; /* so near is near enough */
+    bool rough; /* between which steps it crosses is near enough */
 };
 
 /* Where the ray goes in or out on the way, to `visit` until that returns true.

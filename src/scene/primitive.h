@@ -95,6 +95,12 @@ struct primitive {
      * RAY_CROSSINGS; NULL: one by one. */
     void (*all_many)(const void *shape, struct lane_run run,
                      const struct rays *rays, struct rays_crossings *all);
+    /* crossings of those of the run's rays that have a span, in rounds: of each
+     * in its order. NULL: one by one. */
+    void (*crossings_many)(const void *shape, struct lane_run run,
+                           const struct rays *rays,
+                           const struct rays_span *span, rays_visit *visit,
+                           void *context);
     /* Outward (the side POV-Ray calls outside), any length, not zero. */
     vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
     /* The same where normals depend on how the shape stands, to which

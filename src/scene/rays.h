@@ -31,6 +31,11 @@ struct rays_met {
     double u[RAY_LANES];    /* the same; 0, unless the shape says */
 };
 
+/* Takes a crossing of each of the rays that the bits `met` stand for, which has
+ * no u and v, and is of part 0; returns those that want no more. */
+typedef unsigned rays_visit(void *context, unsigned met,
+                            const double t[RAY_LANES]);
+
 /* All crossings of each, in the order that its shape's intersect tells them,
  * but for gaps where t is INFINITY. u and v are 0. */
 enum { RAY_CROSSINGS = 4 };

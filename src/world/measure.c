@@ -255,7 +255,8 @@ static bool has_routines(const struct solid *solid)
     size_t having = 0;
     if (solid->leaf)
         return solid->kind == OBJECT_SHAPE &&
-               solid->leaf->object->primitive->all_many;
+               (solid->leaf->object->primitive->all_many ||
+                solid->leaf->object->primitive->crossings_many);
     for (size_t i = 0; i < solid->child_count; i++)
         having += solid->children[i]->together;
     return 2 * having > solid->child_count;

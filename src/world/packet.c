@@ -173,7 +173,8 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
 {
     const struct leaf *leaf = solid->leaf;
     bool asked = !leaf->opaque && packet->filter;
-    if (asked && leaf->object->primitive->all_many)
+    const struct primitive *primitive = leaf->object->primitive;
+    if (asked && (primitive->all_many || primitive->crossings_many))
         return packet_shape(packet, solid, lanes);
     lanes = solid_crosses_many(solid, packet->rays, &packet->span, lanes);
     if (asked)

@@ -184,24 +184,34 @@ CLONES static void find_near(const struct rays_span *restrict span,
     }
 }
 
-static void take_nearest(struct packet *packet, const struct leaf *leaf,
-                         const struct rays_crossings *all, int k,
+/* Crossings of a leaf: of which part is not told of those that are 0. */
+struct leaf_met {
+    const struct leaf *leaf;
+    const double *t, *part;
+};
+
+static struct hit met_hit(const struct leaf_met *met, unsigned i)
+{
+    int part = met->part ? (int)met->part[i] : 0;
+    return (struct hit){ met->t[i], part, 0, 0 };
+}
+
+static void take_nearest(struct packet *packet, const struct leaf_met *met,
                          unsigned lanes)
 {
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
         struct query *query = packet_query(packet, i);
-        const struct hit hit = { all->t[k][i], (int)all->part[k][i], 0, 0 };
-        if (!query_wants(query, leaf, hit.t))
+        const struct hit hit = met_hit(met, i);
+        if (!query_wants(query, met->leaf, hit.t))
             continue;
-        query_keep(query, leaf, hit);
+        query_keep(query, met->leaf, hit);
         packet_met(packet, i);
     }
 }
 
 /* What lets light pass. Returns the rays for which it does not. */
-static unsigned take_panes(struct packet *packet, const struct leaf *leaf,
-                           const struct rays_crossings *all, int k,
+static unsigned take_panes(struct packet *packet, const struct leaf_met *met,
                            unsigned lanes)
 {
     unsigned over = 0;
@@ -211,12 +221,23 @@ static unsigned take_panes(struct packet *packet, const struct leaf *leaf,
     }
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        const struct world_hit hit = {
-            leaf, { all->t[k][i], (int)all->part[k][i], 0, 0 }
-        };
+        const struct world_hit hit = { met->leaf, met_hit(met, i) };
         over |= (unsigned)packet->filter(packet->context, i, &hit) << i;
     }
     return over;
+}
+
+/* Those of `lanes`, of a leaf. Returns the rays that need not look any more. */
+static unsigned take_met(const struct tree_look *look, const struct solid *leaf,
+                         const struct leaf_met *met, unsigned lanes)
+{
+    struct packet *packet = look->packet;
+    if (lanes && !leaf->simple)
+        lanes = crossings_count(look, leaf, met->t, lanes);
+    if (packet->occlusion)
+        return met->leaf->opaque ? lanes : take_panes(packet, met, lanes);
+    take_nearest(packet, met, lanes);
+    return 0;
 }
 
 /* Of a shape that tells all crossings at once. */
@@ -238,15 +259,31 @@ static unsigned look_at_shape(const struct tree_look *look,
     for (int k = 0; k < all.count; k++) {
         LANE_LINES lane_flag near[RAY_LANES];
         find_near(&packet->span, run, all.t[k], !packet->occlusion, near);
-        unsigned met = lanes & ~over & rays_bits(near);
-        if (met && !solid->simple)
-            met = crossings_count(look, solid, all.t[k], met);
-        if (!packet->occlusion)
-            take_nearest(packet, solid->leaf, &all, k, met);
-        else if (solid->leaf->opaque)
-            over |= met;
-        else
-            over |= take_panes(packet, solid->leaf, &all, k, met);
+        const struct leaf_met met = { solid->leaf, all.t[k], all.part[k] };
+        over |= take_met(look, solid, &met, lanes & ~over & rays_bits(near));
+    }
+    return over;
+}
+
+struct crossings_look {
+    const struct tree_look *look;
+    const struct solid *solid;
+    unsigned over;
+};
+
+/* Beyond the nearest that counts there is nothing to see. */
+static unsigned take_round(void *context, unsigned met,
+                           const double t[RAY_LANES])
+{
+    struct crossings_look *crossings = context;
+    const struct packet *packet = crossings->look->packet;
+    const struct leaf_met at = { crossings->solid->leaf, t, NULL };
+    unsigned over = take_met(crossings->look, crossings->solid, &at, met);
+    crossings->over |= over;
+    for (unsigned each = packet->occlusion ? 0 : met; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        bool taken = packet->begun >> i & 1 && packet->query[i].tmax == t[i];
+        over |= (unsigned)taken << i;
     }
     return over;
 }
@@ -260,6 +297,48 @@ static struct space space_of(const struct tree_look *look,
     space.slabs.inverse = lane_get(look->inverse, i);
     slabs_clip(&query->slabs, &look->root->surface, &space.enter, &space.leave);
     return space;
+}
+
+/* The parts of the rays in which crossings of a part of the tree can count. */
+static void crossings_span(const struct tree_look *look,
+                           const struct solid *solid, unsigned lanes,
+                           struct rays_span *span)
+{
+    for (int i = 0; i < RAY_LANES; i++)
+        span->near[i] = span->far[i] = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct query *query = packet_query(look->packet, i);
+        double enter = query->tmin, leave = query->tmax;
+        if (!solid->simple) {
+            const struct space space = space_of(look, query, i);
+            enter = slab_max(enter, space.enter);
+            leave = slab_min(leave, space.leave);
+            slabs_clip(&space.slabs, &solid->surface, &enter, &leave);
+        }
+        span->near[i] = enter;
+        span->far[i] = leave;
+    }
+}
+
+/* Of one that tells them in rounds. */
+static unsigned look_at_crossings(const struct tree_look *look,
+                                  const struct solid *solid, unsigned lanes)
+{
+    const struct leaf *leaf = solid->leaf;
+    const struct lane_run run = lane_run_of(lanes);
+    struct crossings_look crossings = { look, solid, 0 };
+    const struct rays *rays = look->rays;
+    struct rays local;
+    struct rays_span span;
+    crossings_span(look, solid, lanes, &span);
+    if (solid->moved) {
+        rays_into(solid->to_shape, run, rays, &local);
+        rays = &local;
+    }
+    leaf->object->primitive->crossings_many(leaf->shape, run, rays, &span,
+                                            take_round, &crossings);
+    return crossings.over;
 }
 
 /* One ray after the other. */
@@ -318,10 +397,12 @@ static unsigned look_inside(const struct tree_look *look,
     }
     if (!lanes || !packet_sees(look->packet, solid->leaf))
         return 0;
-    return solid->kind == OBJECT_SHAPE &&
-                   solid->leaf->object->primitive->all_many
-               ? look_at_shape(look, solid, lanes)
-               : look_each(look, solid, lanes);
+    if (solid->kind != OBJECT_SHAPE)
+        return look_each(look, solid, lanes);
+    const struct primitive *primitive = solid->leaf->object->primitive;
+    return primitive->all_many         ? look_at_shape(look, solid, lanes)
+           : primitive->crossings_many ? look_at_crossings(look, solid, lanes)
+                                       : look_each(look, solid, lanes);
 }
 
 static unsigned look_at_part(const struct tree_look *look,
@@ -359,5 +440,5 @@ unsigned packet_shape(struct packet *packet, const struct solid *solid,
                       unsigned lanes)
 {
     const struct tree_look look = { packet, solid, packet->rays, NULL };
-    return look_at_shape(&look, solid, lanes);
+    return look_inside(&look, solid, lanes);
 }

@@ -10,7 +10,7 @@
 unsigned packet_tree(struct packet *packet, const struct solid *solid,
                      unsigned lanes);
 
-/* The same of a simple shape that tells all crossings at once. */
+/* The same of a simple shape. */
 unsigned packet_shape(struct packet *packet, const struct solid *solid,
                       unsigned lanes);
 

@@ -109,6 +109,88 @@ static void rays_side_by_side_agree(void *context, const struct solid *solid)
     }
 }
 
+/* Crossings told in rounds, those of each ray in a row of its own. */
+struct rounds {
+    struct hits lane[RAY_LANES];
+};
+
+static unsigned take_round(void *context, unsigned met,
+                           const double t[RAY_LANES])
+{
+    struct rounds *rounds = context;
+    unsigned over = 0;
+    for (int k = 0; k < RAY_LANES; k++)
+        if (met >> k & 1)
+            hits_add(&rounds->lane[k], t[k], 0);
+    for (int k = 0; k < RAY_LANES; k++)
+        over |= (unsigned)(rounds->lane[k].count == k % 4 + 1) << k;
+    return over;
+}
+
+static bool take_alone(void *context, const struct hit *hit)
+{
+    struct hits *hits = context;
+    hits_add(hits, hit->t, 0);
+    return false;
+}
+
+/* In rounds rays side by side tell to the bit what each tells alone, until they
+ * want no more. */
+static void rounds_agree(void *context, const struct solid *solid)
+{
+    const struct object *object = solid->leaf->object;
+    const struct primitive *primitive = object->primitive;
+    struct dice dice = { 8 };
+    int *met = context;
+    for (int i = 0; i < 750; i++) {
+        struct rays rays;
+        struct rays_span span;
+        static struct rounds rounds;
+        const struct lane_run run = run_number(i);
+        for (int k = 0; k < RAY_LANES; k++) {
+            rays_set(&rays, k, dice_point(&dice, 1.5), dice_point(&dice, 1.5));
+            span.near[k] = dice_between(&dice, -1, 1);
+            span.far[k] = span.near[k] + dice_between(&dice, -.3, 4);
+            rounds.lane[k].count = 0;
+        }
+        primitive->crossings_many(object->shape, run, &rays, &span, take_round,
+                                  &rounds);
+        for (int k = run.first; k < run.end; k++) {
+            struct ray ray = rays_at(&rays, k);
+            const struct hits *lane = &rounds.lane[k];
+            static struct hits alone;
+            alone.count = 0;
+            primitive->crossings(object->shape, &ray, span.near[k],
+                                 span.far[k], take_alone, &alone);
+            int wanted = alone.count < k % 4 + 1 ? alone.count : k % 4 + 1;
+            assert_int_equal(lane->count, wanted);
+            for (int h = 0; h < wanted; h++)
+                assert_true(lane->at[h].t == alone.at[h].t);
+            *met += wanted;
+        }
+    }
+}
+
+static void shapes_tell_crossings_in_rounds(void **state)
+{
+    static const char *const shapes[] = {
+        "julia_fractal { <-.083,0,-.83,-.025> quaternion max_iteration 8 }",
+        "julia_fractal { <-.4,.2,.3,-.5> quaternion cube max_iteration 6 "
+        "precision 50 }",
+        "julia_fractal { <2.2,0,0,0> quaternion max_iteration 2 }",
+        "julia_fractal { <-.4,.2,.3,-.1> hypercomplex max_iteration 8 }",
+        "julia_fractal { <-.2,.1,.4,.1> hypercomplex exp max_iteration 5 }",
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+        struct scene_world *all = scene_world_new(shapes[i]);
+        int met = 0;
+        world_visit(all->world, rounds_agree, NULL, &met);
+        assert_true(met > 400);
+        scene_world_free(all);
+    }
+}
+
 /* The crossings in lane `i`, without the gaps. */
 static struct hits lane_hits(const struct rays_crossings *all, int i)
 {
@@ -234,6 +316,10 @@ static void shapes_agree_on_rays_side_by_side(void **state)
         "lathe { cubic_spline 6, <0,-1.2>, <.5,-1>, <1,-.4>, <.4,.4>, <.7,1>, "
         "<.5,1.2> }",
         "lathe { linear_spline 5, <0,-1>, <1,-1>, <.5,0>, <1,1>, <0,1> }",
+        "julia_fractal { <-.083,0,-.83,-.025> quaternion max_iteration 8 }",
+        "julia_fractal { <-.4,.2,.3,-.5> quaternion cube max_iteration 6 }",
+        "julia_fractal { <-.4,.2,.3,-.1> hypercomplex max_iteration 8 }",
+        "julia_fractal { <-.2,.1,.4,.1> hypercomplex exp max_iteration 5 }",
         /* Few parts on a ray, then more than rays side by side keep. */
         "blob { threshold .5 #local I = 0; #while (I < 90) "
         "sphere { <cos(I), sin(I*1.7), sin(I*2.9)>, .3, 1 } "
@@ -317,6 +403,7 @@ int main(void)
         cmocka_unit_test(crossings_asked_for_alone_agree),
         cmocka_unit_test(shapes_tell_all_crossings_side_by_side),
         cmocka_unit_test(shapes_agree_on_rays_side_by_side),
+        cmocka_unit_test(shapes_tell_crossings_in_rounds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

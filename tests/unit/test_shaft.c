@@ -26,9 +26,11 @@ static const char things[] =
     "  sphere { P(3), 0.3 " THING "no_shadow }\n"
     "#end\n";
 
-static bool count_filter(void *context, const struct intersection *at)
+static bool count_filter(void *context, const struct ray *ray,
+                         const struct world_hit *hit)
 {
-    (void)at;
+    (void)ray;
+    (void)hit;
     ++*(int *)context;
     return false;
 }
