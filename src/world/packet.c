@@ -63,6 +63,9 @@ void packet_to_nearest(struct packet *packet, const struct nearest *asked,
     packet->opaque = true;
     packet->light = -1;
     packet->kind = asked->kind;
+    packet->found = asked->found;
+    for (unsigned lanes = asked->lanes; lanes; lanes &= lanes - 1)
+        packet->found[__builtin_ctz(lanes)].leaf = NULL;
     packet_span(packet, asked->span, limit);
     packet_start(packet, asked->rays, asked->lanes, boxed);
 }
@@ -79,6 +82,13 @@ static bool meet_pane(void *context, const struct ray *ray,
         return packet->filter(packet->context, lane, hit);
     packet->panes |= 1u << lane;
     return true;
+}
+
+/* What is known already of a ray whose query is begun. */
+static void query_take_over(struct query *query, const struct world_hit *found)
+{
+    if (found->leaf)
+        query_keep(query, found->leaf, found->hit);
 }
 
 struct query *packet_query(struct packet *packet, unsigned i)
@@ -105,7 +115,28 @@ struct query *packet_query(struct packet *packet, unsigned i)
     query->context = query;
     query->blocked = false;
     query->recent_count = 0;
+    if (!packet->occlusion)
+        query_take_over(query, &packet->found[i]);
     return query;
+}
+
+void packet_offer_query(struct packet *packet, unsigned i,
+                        const struct leaf *leaf, struct hit hit)
+{
+    struct query *query = packet_query(packet, i);
+    if (!query_wants(query, leaf, hit.t))
+        return;
+    query_keep(query, leaf, hit);
+    packet_met(packet, i);
+}
+
+void packet_tell(const struct packet *packet)
+{
+    for (unsigned begun = packet->begun; begun; begun &= begun - 1) {
+        unsigned i = (unsigned)__builtin_ctz(begun);
+        packet->found[i].leaf = packet->query[i].leaf;
+        packet->found[i].hit = packet->query[i].hit;
+    }
 }
 
 void packet_set_out(struct packet *packet, const double shift[RAY_LANES],
@@ -143,12 +174,8 @@ static void packet_first(struct packet *packet, const struct solid *solid,
         unsigned i = (unsigned)__builtin_ctz(lanes);
         if (!(met.t[i] <= packet->span.far[i]))
             continue;
-        const struct hit hit = { met.t[i], (int)met.part[i], met.u[i], 0 };
-        struct query *query = packet_query(packet, i);
-        if (!query_wants(query, solid->leaf, hit.t))
-            continue;
-        query_keep(query, solid->leaf, hit);
-        packet_met(packet, i);
+        packet_offer(packet, i, solid->leaf,
+                     (struct hit){ met.t[i], (int)met.part[i], met.u[i], 0 });
     }
 }
 

@@ -11,6 +11,8 @@
 /* Bits stand for rays. */
 struct packet {
     struct query query[RAY_LANES]; /* first, for Embree; those that are begun */
+    struct world_hit *found; /* of rays that look for what is nearest, until
+                              * their queries are begun */
     const struct rays *rays;
     struct rays_span span; /* of nearest crossings a little more, for ties */
     LANE_LINES double
@@ -35,6 +37,7 @@ struct nearest {
     const struct rays_span *span;
     enum ray_kind kind;
     unsigned lanes;
+    struct world_hit *found; /* of the lanes; leaf NULL: nothing */
 };
 
 /* Begins with those of `lanes` that are rays at all and have any length, up to
@@ -49,6 +52,14 @@ void packet_to_nearest(struct packet *packet, const struct nearest *asked,
 bool packet_look(struct packet *packet, const struct solid *solid,
                  unsigned lanes);
 
+/* What the rays that look for what is nearest have found in the end, where they
+ * were asked. */
+void packet_tell(const struct packet *packet);
+
+/* For packet_offer: to a query. */
+void packet_offer_query(struct packet *packet, unsigned i,
+                        const struct leaf *leaf, struct hit hit);
+
 /* Tells the queries that are begun how Embree's rays differ from theirs. */
 void packet_set_out(struct packet *packet, const double shift[RAY_LANES],
                     double doubt);
@@ -59,7 +70,22 @@ static inline void packet_met(struct packet *packet, unsigned i)
     packet->span.far[i] = query_reach(&packet->query[i]);
 }
 
-/* The same of a query that may be no packet's; Embree's context says. */
+/* A crossing of a ray that looks for what is nearest. As long as nobody else
+ * asks about the ray it has no query: to fill one in takes longer. */
+static inline void packet_offer(struct packet *packet, unsigned i,
+                                const struct leaf *leaf, struct hit hit)
+{
+    struct world_hit *found = &packet->found[i];
+    const double far = found->leaf ? found->hit.t : packet->span.far[i];
+    if (packet->begun >> i & 1 || (found->leaf && hit.t == far)) {
+        packet_offer_query(packet, i, leaf, hit);
+    } else if (hit.t > packet->span.near[i] && hit.t < far) {
+        *found = (struct world_hit){ leaf, hit };
+        packet->span.far[i] = reach_of(hit.t);
+    }
+}
+
+/* packet_met of a query that may be no packet's; Embree's context says. */
 static inline void packet_met_lane(embree_context *context,
                                    const struct query *query)
 {

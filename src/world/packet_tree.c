@@ -201,12 +201,7 @@ static void take_nearest(struct packet *packet, const struct leaf_met *met,
 {
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
-        struct query *query = packet_query(packet, i);
-        const struct hit hit = met_hit(met, i);
-        if (!query_wants(query, met->leaf, hit.t))
-            continue;
-        query_keep(query, met->leaf, hit);
-        packet_met(packet, i);
+        packet_offer(packet, i, met->leaf, met_hit(met, i));
     }
 }
 

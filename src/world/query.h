@@ -82,10 +82,15 @@ static inline bool query_sees(const struct query *query,
                             : leaf_is_seen(leaf, query->kind);
 }
 
-/* Up to where a crossing may win, be it in a tie. */
+/* Up to where a crossing may win, be it in a tie, of a best one so far. */
+static inline double reach_of(double best)
+{
+    return best * (1 + 0x1p-52);
+}
+
 static inline double query_reach(const struct query *query)
 {
-    return query->tmax * (1 + 0x1p-52);
+    return reach_of(query->tmax);
 }
 
 /* Whether a crossing at t counts. */

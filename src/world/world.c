@@ -198,19 +198,14 @@ void world_closest_many(const struct world *world, const struct rays *rays,
                         enum ray_kind kind, struct world_hit *out)
 {
     struct packet packet;
-    const struct nearest asked = { rays, span, kind, (1u << count) - 1 };
+    const struct nearest asked = { rays, span, kind, (1u << count) - 1, out };
     if (count < PACKET_LEAST) {
         closest_each(world, rays, span, count, kind, out);
         return;
     }
     packet_to_nearest(&packet, &asked, world_limit, world->boxed);
     packet_trace(world, &packet);
-    for (unsigned i = 0; i < count; i++) {
-        const struct query *query = &packet.query[i];
-        out[i].leaf = packet.begun >> i & 1 ? query->leaf : NULL;
-        if (out[i].leaf)
-            out[i].hit = query->hit;
-    }
+    packet_tell(&packet);
 }
 
 bool world_within(const struct world *world, const struct ray *ray, double tmin,
