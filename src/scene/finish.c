@@ -96,7 +96,7 @@ CLONES static void lobes_whole(const double *restrict cosines, double size,
 void finish_lobes(const double cosines[RAY_LANES], double size, double amount,
                   double lobes[RAY_LANES])
 {
-    if (lobe_is_whole(size)) {
+    if (power_is_whole(size)) {
         lobes_whole(cosines, size, amount, lobes);
         return;
     }

@@ -6,6 +6,7 @@
 #define SCENE_FINISH_H
 
 #include "base/field.h"
+#include "base/power.h"
 #include "base/rgb.h"
 #include "base/vec.h"
 #include "scene/rays.h"
@@ -205,28 +206,11 @@ int finish_spreads(const struct finish *finish,
 rgb finish_tint(const struct finish *finish, vec3 point, double lamp,
                 double viewer);
 
-/* Exponents that are whole numbers up to this are made by multiplying. */
-enum { LOBE_WHOLE = 4096 };
-
-static inline bool lobe_is_whole(double size)
-{
-    return size >= 0 && size <= LOBE_WHOLE && size == (int)size;
-}
-
 /* cosine^size; most of the time nothing that could be seen: the logarithm of a
  * cosine c is at most c - 1, and exp(-24) 4e-11. */
 static inline double finish_lobe(double cosine, double size)
 {
-    double power = 1;
-    if (size * (1 - cosine) > 24)
-        return 0;
-    if (!lobe_is_whole(size))
-        return pow(cosine, size);
-    for (unsigned left = (unsigned)size; left; left >>= 1) {
-        power = left & 1 ? power * cosine : power;
-        cosine *= cosine;
-    }
-    return power;
+    return size * (1 - cosine) > 24 ? 0 : power_of(cosine, size);
 }
 
 /* The same of several, times `amount`; 0 where a cosine isn't above 0. */

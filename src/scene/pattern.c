@@ -3,6 +3,7 @@
 #include "scene/pattern.h"
 
 #include "base/listing.h"
+#include "base/power.h"
 #include "scene/function.h"
 #include "scene/material.h"
 #include "scene/noise.h"
@@ -196,7 +197,7 @@ static double pattern_fold(const struct pattern *pattern, double value)
     case WAVE_CUBIC:
         return v * v * (3 - 2 * v);
     case WAVE_POLY:
-        return pow(v, pattern->exponent);
+        return power_of(v, pattern->exponent);
     }
     return v;
 }

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/power.h"
 #include "base/random.h"
 
 /* Diffuse reflection of light at `cosine` to the normal (negative: from
@@ -17,7 +18,7 @@ static double finish_diffuse(const struct finish *finish, double cosine,
     if (finish->diffuse_albedo)
         share *= (finish->brilliance + 1) / 2;
     if (finish->brilliance != 1)
-        cosine = pow(cosine, finish->brilliance);
+        cosine = power_of(cosine, finish->brilliance);
     return share * cosine;
 }
 
@@ -125,9 +126,10 @@ rgb finish_metallic(double metallic, double cosine, rgb pigment)
 {
     if (metallic == 0)
         return rgb_grey(1);
-    double x = acos(fmin(fmax(cosine, -1), 1)) / (3.14159265358979323846 / 2);
+    double x =
+        acos(slab_min(slab_max(cosine, -1), 1)) / (3.14159265358979323846 / 2);
     double f = 0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903;
-    f = fmin(fmax(f, 0), 1);
+    f = slab_min(slab_max(f, 0), 1);
     rgb tint = rgb_sub(pigment, rgb_grey(1));
     return rgb_add_scaled(rgb_grey(1), tint, metallic * (1 - f));
 }
@@ -141,12 +143,12 @@ struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
     if (rgb_peak(mirror->maximum) == 0 && rgb_peak(share) == 0)
         return (struct finish_mirror){ rgb_grey(0), 0 };
     if (mirror->fresnel)
-        share =
-            rgb_add_scaled(share, range, finish_fresnel(fmax(cosine, 0), ior));
-    else if (rgb_peak(range) != 0)
         share = rgb_add_scaled(share, range,
-                               pow(1 - fmin(cosine, 1), mirror->falloff));
-    double weight = fmax(share.r, fmax(share.g, share.b));
+                               finish_fresnel(slab_max(cosine, 0), ior));
+    else if (rgb_peak(range) != 0)
+        share = rgb_add_scaled(
+            share, range, power_of(1 - slab_min(cosine, 1), mirror->falloff));
+    double weight = slab_max(share.r, slab_max(share.g, share.b));
     rgb tint = finish_metallic(mirror->metallic, cosine, pigment);
     return (struct finish_mirror){ rgb_mul(share, tint), weight };
 }

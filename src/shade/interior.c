@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "base/power.h"
 #include "scene/material.h"
 
 int interiors_find(const struct interiors *list, unsigned body)
@@ -79,6 +80,6 @@ rgb interior_fade(const struct interior *interior, double distance)
     if (interior->fade_power >= 1000)
         return (rgb){ exp((c.r - 1) * depth), exp((c.g - 1) * depth),
                       exp((c.b - 1) * depth) };
-    double left = 1 / (1 + pow(depth, interior->fade_power));
+    double left = 1 / (1 + power_of(depth, interior->fade_power));
     return rgb_add_scaled(rgb_scale(c, 1 - left), rgb_grey(1), left);
 }

@@ -1,6 +1,7 @@
 /* Point, spot, cylinder and parallel lights: see lamp.h. */
 #include "shade/lamp.h"
 
+#include "base/power.h"
 #include "base/smooth.h"
 
 static double radians(double degrees)
@@ -42,7 +43,7 @@ static double spot_attenuation(const struct lamp *lamp, double cosine)
             smooth_between(lamp->cosine_falloff, lamp->cosine_radius, cosine);
     }
     if (lamp->light->tightness != 0)
-        share *= pow(cosine, lamp->light->tightness);
+        share *= power_of(cosine, lamp->light->tightness);
     return share;
 }
 
@@ -59,7 +60,7 @@ static double cylinder_attenuation(const struct lamp *lamp, vec3 offset)
     if (r > light->radius && light->radius > 0)
         share = smooth_between(light->falloff, light->radius, r);
     if (light->tightness != 0)
-        share *= pow(1 - r / light->falloff, light->tightness);
+        share *= power_of(1 - r / light->falloff, light->tightness);
     return share;
 }
 
@@ -68,8 +69,7 @@ double lamp_fading(const struct lamp *lamp, double distance)
     if (!lamp->fades)
         return 1;
     double ratio = fabs(distance) / lamp->light->fade_distance;
-    double power = lamp->light->fade_power;
-    return 2 / (1 + (power == 2 ? ratio * ratio : pow(ratio, power)));
+    return 2 / (1 + power_of(ratio, lamp->light->fade_power));
 }
 
 /* Parallel lights and cylinders shine along their axis; their distance is
