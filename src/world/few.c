@@ -90,34 +90,53 @@ struct beam {
     } axis[3];
 };
 
-/* The least and the greatest of the lanes where `open` is set. */
-CLONES static void lanes_range(const double *restrict lanes,
-                               const lane_flag *restrict open,
-                               double *restrict range)
+enum { FOLD = RAY_LANES / 2 };
+
+/* The lesser and the greater of the lanes i and i + FOLD, of those where `open`
+ * is set. */
+CLONES static void lanes_fold(const double (*restrict lanes)[RAY_LANES],
+                              const lane_flag *restrict open,
+                              double (*restrict low)[FOLD],
+                              double (*restrict high)[FOLD])
 {
-    double low[RAY_LANES], high[RAY_LANES];
-    for (int i = 0; i < RAY_LANES; i++) {
-        low[i] = open[i] ? lanes[i] : HUGE_VAL;
-        high[i] = open[i] ? lanes[i] : -HUGE_VAL;
-    }
-    for (int rest = RAY_LANES / 2; rest > 0; rest /= 2)
-        for (int i = 0; i < rest; i++) {
-            low[i] = slab_min(low[i], low[i + rest]);
-            high[i] = slab_max(high[i], high[i + rest]);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < FOLD; i++) {
+            double a = lanes[k][i], b = lanes[k][i + FOLD];
+            low[k][i] =
+                slab_min(open[i] ? a : HUGE_VAL, open[i + FOLD] ? b : HUGE_VAL);
+            high[k][i] = slab_max(open[i] ? a : -HUGE_VAL,
+                                  open[i + FOLD] ? b : -HUGE_VAL);
         }
-    range[0] = low[0];
-    range[1] = high[0];
+}
+
+_Static_assert(FOLD == 4 * PAIR, "four pairs");
+
+static double fold_least(const double *fold)
+{
+    const pair *of = (const pair *)fold;
+    pair least = pair_min(pair_min(of[0], of[1]), pair_min(of[2], of[3]));
+    return slab_min(least[0], least[1]);
+}
+
+static double fold_most(const double *fold)
+{
+    const pair *of = (const pair *)fold;
+    pair most = pair_max(pair_max(of[0], of[1]), pair_max(of[2], of[3]));
+    return slab_max(most[0], most[1]);
 }
 
 static void beam_of(const struct packet *packet, struct beam *beam)
 {
     LANE_LINES lane_flag open[RAY_LANES];
-    double origin[2], inverse[2];
+    LANE_LINES double low[3][FOLD], high[3][FOLD];
+    LANE_LINES double least[3][FOLD], most[3][FOLD];
     for (int i = 0; i < RAY_LANES; i++)
         open[i] = packet->open >> i & 1 ? -1 : 0;
+    lanes_fold(packet->rays->origin, open, low, high);
+    lanes_fold(packet->inverse, open, least, most);
     for (int k = 0; k < 3; k++) {
-        lanes_range(packet->rays->origin[k], open, origin);
-        lanes_range(packet->inverse[k], open, inverse);
+        double origin[2] = { fold_least(low[k]), fold_most(high[k]) };
+        double inverse[2] = { fold_least(least[k]), fold_most(most[k]) };
         bool up = inverse[0] > 0;
         beam->axis[k].known = up || inverse[1] < 0;
         beam->axis[k].in = up ? 0 : 1;
