@@ -192,10 +192,10 @@ static struct terms curve_terms(struct parser *p, struct curve_builder *b)
 static bool parse_prism_kind(struct parser *p, struct extrusion *prism,
                              enum curve *curve)
 {
-    if (accept_keyword(p, KEYWORD_CONIC_SWEEP))
-        prism->conic = true;
-    else if (!accept_keyword(p, KEYWORD_LINEAR_SWEEP))
+    bool conic = accept_keyword(p, KEYWORD_CONIC_SWEEP);
+    if (!conic && !accept_keyword(p, KEYWORD_LINEAR_SWEEP))
         return parse_curve(p, curve);
+    prism->conic = conic; /* the last word counts */
     return true;
 }
 

@@ -1,11 +1,12 @@
-// prism: every curve, with holes, conic and open, turned, in CSG.
+// prism: every curve, with holes, conic and open, turned, in CSG; the last of
+// several words for the sweep counts.
 // compare: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 5, -8> right 4/3*x look_at <0, .3, 0> angle 45 }
 light_source { <-4, 7, -8>, rgb 1 }
 background { rgb <.2, .25, .2> }
-prism { 0, .7, 10, <-1, -1>, <1, -1>, <.8, 1>, <0, .3>, <-1, -1>,
+prism { conic_sweep linear_sweep 0, .7, 10, <-1, -1>, <1, -1>, <.8, 1>, <0, .3>, <-1, -1>,
     <-.4, -.7>, <.3, -.8>, <.4, -.2>, <-.1, 0>, <-.4, -.7>
     pigment { rgb <.9, .5, .2> } translate <-2.4, 0, 1.2> }
 prism { quadratic_spline 0, .6, 7,
