@@ -196,7 +196,9 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
         error_undeclared(p, wanted, hint))
         return false;
     const char *kind = error_kind(p);
-    return error_at(p, stream_span(p), hint ? hint : wanted_signature(p, 1),
+    if (!hint)
+        hint = wanted_signature(p, 1);
+    return error_at(p, stream_span(p), hint ? hint : wanted_example(p, wanted),
                     "expected %s, found %s%s%s%s", wanted, error_found(p),
                     kind ? ", " : "", kind ? kind : "",
                     error_assigned(p, wanted));

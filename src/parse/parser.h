@@ -189,6 +189,10 @@ const char *wanted_field(struct parser *p, const char *wanted, unsigned deeper);
 /* The signature of the shape whose argument is being read, or NULL. */
 const char *wanted_signature(struct parser *p, unsigned deeper);
 
+/* "phong 1 ..." where the number after that word is missing; else NULL. The
+ * dots say that it is no edit of what is marked. */
+const char *wanted_example(struct parser *p, const char *wanted);
+
 /* ---- library.c ---- */
 
 /* Where an error is shown first: the place itself or, inside POV-Ray's own

@@ -1,8 +1,10 @@
 /* What is being read, for the words of errors: the field a value is for, and
  * how the values of a shape are written. */
 #include <ctype.h>
+#include <string.h>
 
 #include "parse/parser.h"
+#include "parse/stream.h"
 #include "scene/primitive.h"
 
 enum { SIGNATURE_LIMIT = 8 }; /* arguments that are told */
@@ -60,4 +62,28 @@ const char *wanted_signature(struct parser *p, unsigned deeper)
     bool argument =
         p->field && p->shape && p->nesting <= p->field_nesting + deeper;
     return argument ? primitive_signature(p, p->shape) : NULL;
+}
+
+const char *wanted_example(struct parser *p, const char *wanted)
+{
+    static const struct {
+        const char *wanted, *value;
+    } examples[] = {
+        { "a number", "1" },
+        { "a vector", "<0, 1, 0>" },
+        { "a colour", "rgb 1" },
+    };
+    struct span last = p->last_span;
+    const char *text = last.source ? last.source->text + last.offset : "";
+    enum token_kind next = stream_peek(p)->kind;
+    if (!isalpha((unsigned char)*text) || next == TOKEN_EQUAL ||
+        next == TOKEN_COLON || next == TOKEN_COMMA ||
+        !word_intern(p->words, text, last.length)->reserved)
+        return NULL;
+    for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
+        if (strncmp(wanted, examples[i].wanted, strlen(examples[i].wanted)) ==
+            0)
+            return arena_printf(p->arena, "%.*s %s ...", (int)last.length, text,
+                                examples[i].value);
+    return NULL;
 }

@@ -438,6 +438,9 @@ bool parse_function_image(struct parser *p, int *width, int *height,
                               ARENA_NEW(p->scene_arena, struct function) };
     struct span open;
     stream_next(p);
+    if (stream_peek(p)->kind == TOKEN_LBRACE)
+        return error_expected_hint(p, "the picture's width and height",
+                                   "200, 200 {");
     if (!parse_integer(p, width))
         return false;
     accept(p, TOKEN_COMMA);

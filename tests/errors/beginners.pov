@@ -18,3 +18,6 @@ global_settings { light_mesh { samples 3 } }
 global_settings { light_mesh { region { 0, 1 facter 2 } } }
 sphere { 0, 1 pigment { image_map { pgn "a.png" } } }
 sphere { 0, 1 pigment { image_map { png a.png } } }
+sphere { 0, 1 pigment { gradient color_map { [0 rgb 1] } } }
+sphere { 0, 1 finish { phong reflection .2 } }
+sphere { 0, 1 translate }
