@@ -9,12 +9,20 @@
 
 struct telling;
 
+/* The last place that was asked for its photons and found all that it looked
+ * for: how far these were, so that the next one knows about how far to look. */
+struct worker_photons {
+    const void *map;    /* NULL: none */
+    float at[3], reach; /* its square */
+};
+
 struct worker {
     unsigned number;
     const atomic_int *stop;    /* non-zero: leave off; NULL: never */
     struct arena *scratch;     /* reset after every camera ray */
     struct telling *telling;   /* of --debug-pixel; NULL: nobody asks */
     unsigned long long pixels; /* numbers that were given to them */
+    struct worker_photons photons;
     struct {
         unsigned long long camera_rays, secondary_rays, shadow_rays;
         unsigned long long mesh_rays; /* of them, those of mesh points */

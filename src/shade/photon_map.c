@@ -1,14 +1,16 @@
 /* The k-d tree of photons: see photon_map.h. */
 #include "shade/photon_map.h"
 
+#include "base/clones.h"
 #include "base/memory.h"
 #include "base/order.h"
 #include "base/parallel.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum {
-    LEAF_PHOTONS = 8,  /* not sorted any more */
+    LEAF_PHOTONS = 8,  /* not sorted any more; looked at together */
     DEPTH_MAX = 40,    /* of halvings, more than PHOTONS_MOST allows */
     PARTS_LEVEL = 6,   /* 2^6 parts of the tree are sorted side by side */
     RADII_TRIED = 400, /* to know how dense photons are */
@@ -25,8 +27,12 @@ static const double radius_quantile = 0.8;
  * are of another surface. */
 static const float flatness = 0.5F;
 
+/* What rounding may take from the way to a place. */
+static const float reach_spare = 1.0001F;
+
 struct photon_map {
     struct photon *photons;
+    float *at[3]; /* their places once more, and room for a leaf behind them */
     size_t count;
     unsigned least, most;
     float reach; /* square of the largest radius */
@@ -49,11 +55,11 @@ void photon_pack(vec3 d, int16_t packed[2])
 /* Of some length. */
 static inline vec3 photon_direction(const int16_t packed[2])
 {
-    double x = packed[0] / 32767.0, y = packed[1] / 32767.0;
-    double z = 1 - fabs(x) - fabs(y);
+    double x = packed[0], y = packed[1], all = 32767;
+    double z = all - fabs(x) - fabs(y);
     if (z < 0) {
-        double turned = (1 - fabs(y)) * (x < 0 ? -1 : 1);
-        y = (1 - fabs(x)) * (y < 0 ? -1 : 1);
+        double turned = (all - fabs(y)) * (x < 0 ? -1 : 1);
+        y = (all - fabs(x)) * (y < 0 ? -1 : 1);
         x = turned;
     }
     return vec3_make(x, y, z);
@@ -169,68 +175,99 @@ static void build_top(struct building *building, struct photon_range range,
 
 /* ---- looking up ---- */
 
-struct near {
-    float square; /* of the distance */
-    const struct photon *photon;
-};
-
-/* The nearest so far, and others: room for twice as many as are looked for. */
+/* The photons found so far, in the order of the walk through the tree: room for
+ * twice as many as are looked for. */
 struct search {
     const struct photon_map *map;
     float at[3], normal[3];
     bool any; /* whatever side it came to */
     float reach;
-    struct near *near;
+    float *squares; /* of the distances; and as many again, to be sorted */
+    uint32_t *found;
     unsigned count, most;
 };
 
-/* So many are the nearest, the farthest of them the last (Hoare 1961). */
-static void near_select(struct near *near, unsigned count, unsigned nearest)
+/* The number that sorting would put at `place` (Hoare 1961). */
+static float square_select(float *squares, unsigned count, unsigned place)
 {
     unsigned from = 0, to = count;
     while (to - from > 1) {
-        float pivot = near[from + (to - from - 1) / 2].square;
+        float pivot = squares[from + (to - from - 1) / 2];
         unsigned i = from, j = to - 1;
         for (;;) {
-            while (near[i].square < pivot)
+            while (squares[i] < pivot)
                 i++;
-            while (near[j].square > pivot)
+            while (squares[j] > pivot)
                 j--;
             if (i >= j)
                 break;
-            struct near kept = near[i];
-            near[i++] = near[j];
-            near[j--] = kept;
+            float kept = squares[i];
+            squares[i++] = squares[j];
+            squares[j--] = kept;
         }
-        if (nearest - 1 <= j)
+        if (place <= j)
             to = j + 1;
         else
             from = j + 1;
     }
+    return squares[from];
 }
 
-/* Forgets all but the nearest; of those there are enough. */
+/* The same of the search's: of photons that lie evenly most are nearer than the
+ * one that is looked for, and need no sorting. */
+static float search_select(const struct search *search, unsigned place)
+{
+    float *sorted = search->squares + 2 * search->most;
+    float count = (float)search->count;
+    float guess = search->reach * ((float)place - 2 * sqrtf(count)) / count;
+    unsigned beyond = 0;
+    for (unsigned i = 0; i < search->count; i++) {
+        sorted[beyond] = search->squares[i];
+        beyond += search->squares[i] >= guess;
+    }
+    unsigned nearer = search->count - beyond;
+    if (nearer <= place)
+        return square_select(sorted, beyond, place - nearer);
+    memcpy(sorted, search->squares, search->count * sizeof *sorted);
+    return square_select(sorted, search->count, place);
+}
+
+/* Forgets all but the nearest; of those there are enough. The others stay in
+ * their order, so that sums of them do not depend on where the search began. */
 static void search_settle(struct search *search)
 {
-    near_select(search->near, search->count, search->most);
-    search->count = search->most;
-    search->reach = search->near[search->most - 1].square;
+    unsigned kept = 0, as_far = search->most;
+    search->reach = search_select(search, search->most - 1);
+    for (unsigned i = 0; i < search->count; i++)
+        as_far -= search->squares[i] < search->reach;
+    for (unsigned i = 0; i < search->count; i++) {
+        float square = search->squares[i];
+        bool last = square == search->reach && as_far > 0;
+        search->squares[kept] = square;
+        search->found[kept] = search->found[i];
+        kept += square < search->reach || last;
+        as_far -= last;
+    }
+    search->count = kept;
 }
 
-static inline void search_add(struct search *search, const struct near *found)
+static inline void search_add(struct search *search, size_t number,
+                              float square)
 {
-    search->near[search->count++] = *found;
+    search->squares[search->count] = square;
+    search->found[search->count++] = (uint32_t)number;
     if (search->count == 2 * search->most)
         search_settle(search);
 }
 
 /* Whether it came to the side that the normal shows, and lies on it. */
 static bool search_takes(const struct search *search,
-                         const struct photon *photon, const float away[3],
-                         float square)
+                         const struct photon *photon, float square)
 {
     const float *n = search->normal;
-    float height = away[0] * n[0] + away[1] * n[1] + away[2] * n[2];
+    float height = 0;
+    for (int k = 0; k < 3; k++)
+        height += (photon->at[k] - search->at[k]) * n[k];
     if (height * height > flatness * flatness * square)
         return false;
     vec3 from = photon_direction(photon->from);
@@ -239,17 +276,44 @@ static bool search_takes(const struct search *search,
            0;
 }
 
-static void search_try(struct search *search, const struct photon *photon)
+static inline void search_try(struct search *search, size_t number,
+                              float square)
 {
-    float away[3], square = 0;
-    for (int k = 0; k < 3; k++) {
-        away[k] = photon->at[k] - search->at[k];
-        square += away[k] * away[k];
-    }
-    struct near found = { square, photon };
+    const struct photon *photon = &search->map->photons[number];
     if (square < search->reach &&
-        (search->any || search_takes(search, photon, away, square)))
-        search_add(search, &found);
+        (search->any || search_takes(search, photon, square)))
+        search_add(search, number, square);
+}
+
+/* The squares of the distances of a leaf's photons, and of what follows. */
+static CLONES void leaf_squares(const struct search *search, size_t from,
+                                float *squares)
+{
+    const float *x = search->map->at[0] + from;
+    const float *y = search->map->at[1] + from;
+    const float *z = search->map->at[2] + from;
+    const float *at = search->at;
+    for (int i = 0; i < LEAF_PHOTONS; i++)
+        squares[i] = (x[i] - at[0]) * (x[i] - at[0]) +
+                     (y[i] - at[1]) * (y[i] - at[1]) +
+                     (z[i] - at[2]) * (z[i] - at[2]);
+}
+
+static void search_leaf(struct search *search, const struct photon_range *range)
+{
+    float squares[LEAF_PHOTONS];
+    leaf_squares(search, range->from, squares);
+    for (size_t i = range->from; i < range->to; i++)
+        search_try(search, i, squares[i - range->from]);
+}
+
+static void search_node(struct search *search, size_t number)
+{
+    const struct photon *node = &search->map->photons[number];
+    float square = 0;
+    for (int k = 0; k < 3; k++)
+        square += (node->at[k] - search->at[k]) * (node->at[k] - search->at[k]);
+    search_try(search, number, square);
 }
 
 /* Nearer halves first; the others wait, with the distance to their plane. */
@@ -269,13 +333,12 @@ static void search_tree(struct search *search)
             float side = search->at[node->axis] - node->at[node->axis];
             struct photon_range low = { range.from, middle };
             struct photon_range high = { middle + 1, range.to };
-            search_try(search, node);
+            search_node(search, middle);
             waiting[count].range = side < 0 ? high : low;
             waiting[count++].square = side * side;
             range = side < 0 ? low : high;
         }
-        for (size_t i = range.from; i < range.to; i++)
-            search_try(search, &photons[i]);
+        search_leaf(search, &range);
         do
             if (count-- == 0)
                 return;
@@ -286,20 +349,47 @@ static void search_tree(struct search *search)
 
 static void search_run(struct search *search)
 {
+    search->count = 0;
     search_tree(search);
     if (search->count >= search->most)
         search_settle(search);
 }
 
+/* First no farther than there must be enough if there were around the place
+ * asked for before, which mostly was near; if there are not, all the way. */
+static void search_first(struct search *search, struct worker *worker)
+{
+    struct worker_photons *before = &worker->photons;
+    float all = search->reach;
+    if (before->map == search->map) {
+        float way = 0;
+        for (int k = 0; k < 3; k++)
+            way += (before->at[k] - search->at[k]) *
+                   (before->at[k] - search->at[k]);
+        float far = (sqrtf(before->reach) + sqrtf(way)) * reach_spare;
+        search->reach = fminf(far * far, all);
+    }
+    float bounded = search->reach;
+    search_run(search);
+    if (search->count < search->most && bounded < all) {
+        search->reach = all;
+        search_run(search);
+    }
+    bool full = search->count >= search->most;
+    before->map = full ? search->map : NULL;
+    before->reach = search->reach;
+    memcpy(before->at, search->at, sizeof before->at);
+}
+
 static void search_start(struct search *search, const struct photon_map *map,
-                         vec3 point, struct near *near)
+                         vec3 point, float *squares, uint32_t *found)
 {
     search->map = map;
     search->at[0] = (float)point.x;
     search->at[1] = (float)point.y;
     search->at[2] = (float)point.z;
-    search->near = near;
-    search->count = 0;
+    search->squares = squares; /* 4 * map->most */
+    search->found = found;     /* 2 * map->most */
     search->most = map->most;
     search->reach = map->reach;
 }
@@ -308,7 +398,6 @@ static void search_start(struct search *search, const struct photon_map *map,
  * but at most twice as far: else each would be a speck of its own. */
 static void search_widen(struct search *search)
 {
-    search->count = 0;
     if (search->most > search->map->least)
         search->most = search->map->least + 1; /* the farthest weighs nothing */
     search->reach = 4 * search->map->reach;
@@ -323,8 +412,8 @@ static void search_visit(const struct search *search, double all,
     if (!(reach > 0))
         return;
     for (unsigned i = 0; i < search->count; i++) {
-        const struct photon *photon = search->near[i].photon;
-        double square = (double)search->near[i].square;
+        const struct photon *photon = &search->map->photons[search->found[i]];
+        double square = (double)search->squares[i];
         double weight = (1 - square / reach) / all;
         rgb flux = { (double)photon->flux[0], (double)photon->flux[1],
                      (double)photon->flux[2] };
@@ -336,17 +425,19 @@ void photon_map_visit_within(const struct photon_map *within,
                              struct worker *worker, vec3 point,
                              photon_visit *visit, void *context)
 {
-    struct near few[NEAR_FEW];
+    float few[2 * NEAR_FEW], *squares = few;
+    uint32_t few_found[NEAR_FEW], *found = few_found;
+    size_t room = 2 * (size_t)within->most;
     struct search search;
     if (within->count == 0)
         return;
-    search_start(
-        &search, within, point,
-        2 * within->most <= NEAR_FEW
-            ? few
-            : ARENA_ARRAY(worker->scratch, struct near, 2 * within->most));
+    if (room > NEAR_FEW) {
+        squares = ARENA_ARRAY(worker->scratch, float, 2 * room);
+        found = ARENA_ARRAY(worker->scratch, uint32_t, room);
+    }
+    search_start(&search, within, point, squares, found);
     search.any = true;
-    search_run(&search);
+    search_first(&search, worker);
     if (search.count < within->least)
         search_widen(&search);
     double reach = (double)search.reach;
@@ -358,15 +449,17 @@ void photon_map_visit(const struct photon_map *map, struct worker *worker,
                       void *context)
 {
     struct search search;
+    size_t room = 2 * (size_t)map->most;
     if (map->count == 0)
         return;
     search_start(&search, map, point,
-                 ARENA_ARRAY(worker->scratch, struct near, 2 * map->most));
+                 ARENA_ARRAY(worker->scratch, float, 2 * room),
+                 ARENA_ARRAY(worker->scratch, uint32_t, room));
     search.any = false;
     search.normal[0] = (float)normal.x;
     search.normal[1] = (float)normal.y;
     search.normal[2] = (float)normal.z;
-    search_run(&search);
+    search_first(&search, worker);
     if (search.count < map->least)
         search_widen(&search);
     search_visit(&search, pi * (double)search.reach / 2, visit, context);
@@ -379,23 +472,35 @@ static double map_radius(const struct photon_map *map)
 {
     double radii[RADII_TRIED];
     size_t tried = map->count < RADII_TRIED ? map->count : RADII_TRIED;
-    struct near *near = memory_new(2 * map->most * sizeof *near);
+    size_t room = 2 * (size_t)map->most;
+    float *squares = memory_new(2 * room * sizeof *squares);
+    uint32_t *found = memory_new(room * sizeof *found);
     for (size_t i = 0; i < tried; i++) {
         const float *at = map->photons[i * map->count / tried].at;
         struct search search;
         float farthest = 0;
         search_start(&search, map,
                      vec3_make((double)at[0], (double)at[1], (double)at[2]),
-                     near);
+                     squares, found);
         search.any = true;
         search_run(&search);
         for (unsigned k = 0; k < search.count; k++)
-            farthest = near[k].square > farthest ? near[k].square : farthest;
+            farthest = squares[k] > farthest ? squares[k] : farthest;
         radii[i] = sqrt((double)farthest);
     }
-    memory_free(near);
+    memory_free(squares);
+    memory_free(found);
     qsort(radii, tried, sizeof *radii, order_double);
     return tried ? radii[(size_t)(radius_quantile * (double)(tried - 1))] : 0;
+}
+
+static void map_places(struct photon_map *map)
+{
+    for (int k = 0; k < 3; k++) {
+        map->at[k] = memory_new((map->count + LEAF_PHOTONS) * sizeof(float));
+        for (size_t i = 0; i < map->count; i++)
+            map->at[k][i] = map->photons[i].at[k];
+    }
 }
 
 struct photon_map *photon_map_new(struct photon *photons, size_t count,
@@ -411,6 +516,7 @@ struct photon_map *photon_map_new(struct photon *photons, size_t count,
                                 .reach = HUGE_VALF };
     build_top(&building, (struct photon_range){ 0, count }, PARTS_LEVEL);
     parallel_run(threads, building.count, NULL, build_part, &building);
+    map_places(map);
     double radius = gather->radius > 0 ? gather->radius : map_radius(map);
     map->reach = (float)(radius * gather->share * radius * gather->share);
     return map;
@@ -422,6 +528,8 @@ void photon_map_free(struct photon_map *map)
         return;
     photon_map_free(map->within);
     memory_free(map->photons);
+    for (int k = 0; k < 3; k++)
+        memory_free(map->at[k]);
     memory_free(map);
 }
 
