@@ -32,7 +32,8 @@ int array_dimension_size(const struct array *array, int dimension)
                : 0;
 }
 
-const struct value *array_sample(const struct array *array)
+/* The one last asked for, or the first that has a value; or NULL. */
+static const struct value *array_example(const struct array *array)
 {
     if (array->touched && array->touched->kind != VALUE_NONE)
         return array->touched;
@@ -40,6 +41,20 @@ const struct value *array_sample(const struct array *array)
         if (array->elements[i].kind != VALUE_NONE)
             return &array->elements[i];
     return NULL;
+}
+
+bool array_of_arrays(const struct array *array)
+{
+    const struct value *example = array_example(array);
+    return example && example->kind == VALUE_ARRAY;
+}
+
+const struct value *array_sample(const struct array *array)
+{
+    const struct value *example = array_example(array);
+    while (example && example->kind == VALUE_ARRAY)
+        example = array_example(example->array);
+    return example;
 }
 
 enum value_kind array_kind(const struct array *array)

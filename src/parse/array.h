@@ -4,11 +4,14 @@
 
 #include "parse/parser.h"
 
-/* The kind of an element that has a value, VALUE_NONE if none has. */
+/* The kind of an element that has a value, VALUE_NONE if none has. Of an array
+ * of arrays it is an element of one of them. */
 enum value_kind array_kind(const struct array *array);
 
 /* That element, or NULL. */
 const struct value *array_sample(const struct array *array);
+
+bool array_of_arrays(const struct array *array);
 
 /* Reads one "[index]" for each dimension (fewer give the sub-array's place),
  * the next token being '['. *slot is the element's place, valid as long as the

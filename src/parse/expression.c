@@ -297,7 +297,7 @@ static bool expression_is_thing(struct parser *p, const struct value *value)
     bool ends = kind_ends(after, available, 0);
     if (value->kind == VALUE_ARRAY && kind == TOKEN_LBRACKET)
         return kind_is_thing(array_kind(value->array)) ||
-               (array_kind(value->array) == VALUE_ARRAY &&
+               (array_of_arrays(value->array) &&
                 kind_ends(after, available,
                           array_subscripts_end(after, available, 0)));
     if (value->kind == VALUE_ARRAY)

@@ -36,4 +36,16 @@ light_source { <-5, 9, -6>, rgb 1 }
 #if (strcmp(vstr(3, <1, 2, 3>, ",", 0, 0), "1,2,3") = 0)
     sphere { <1.5, .3, -1.4>, .3 pigment { Colours[3] } }
 #end
+// Arrays in an array: objects, textures and colours of theirs.
+#declare Nested = array[2];
+#declare Nested[0] = array[2] { sphere { 0, .2 }, box { -.15, .15 } }
+#declare Nested[1] = array[1] { torus { .2, .08 } }
+#declare Paints = array[1];
+#declare Paints[0] = array[2] { texture { pigment { rgb <.8, .3, .8> } },
+    texture { pigment { rgb <.2, .7, .7> } finish { phong .5 } } }
+#declare Lists = array[1];
+#declare Lists[0] = Colours;
+object { Nested[0][0] texture { Paints[0][1] } translate <-1, .2, -2.2> }
+object { Nested[0][1] texture { Paints[0][0] } translate <0, .2, -2.2> }
+object { Nested[1][0] pigment { Lists[0][2] } translate <1, .2, -2.2> }
 plane { y, -.01 pigment { rgb .6 } }
