@@ -5,11 +5,13 @@
  *
  * Where points are in their cells is worked out for four at a time; what the
  * corners of a cell add up to for one after the other, a corner's value and
- * gradient at a time, since gathering numbers for four takes longer. */
+ * gradient of all fields at a time, since gathering numbers for four takes
+ * longer. */
 #include "scene/lattice_noise.h"
 
 #include <string.h>
 
+#include "base/clones.h"
 #include "scene/noise_cell.h"
 
 enum { CORNERS = 8 };
@@ -122,7 +124,7 @@ static inline struct cell cell_at(double x, double y, double z)
 static inline const float *corner_window(const struct noise_tables *tables,
                                          uint32_t hash, uint32_t z)
 {
-    return &tables->lattice[tables->permutation[hash ^ z] % NOISE_WINDOWS];
+    return tables->windows[tables->permutation[hash ^ z] % NOISE_WINDOWS];
 }
 
 /* Where those of the corners of a cell are. */
@@ -142,31 +144,87 @@ static inline void cell_windows(const struct noise_tables *tables,
     }
 }
 
-/* Blends `count` (1 or 3) fields of a cell into out[]. The corners are added in
- * a fixed order. */
+/* A corner's four numbers of each field, and four more that nobody wants: in
+ * one instruction where there are such wide ones. */
+typedef float wide __attribute__((vector_size(NOISE_ROOM * sizeof(float))));
+
+_Static_assert(NOISE_FIELD_STEP == 4 && NOISE_ROOM == 16 && NOISE_FIELDS <= 4,
+               "fields are read side by side");
+
+static inline __attribute__((always_inline)) floats fields_at(const wide *sum,
+                                                              int field)
+{
+    floats four;
+    memcpy(&four, (const char *)sum + (size_t)field * sizeof four, sizeof four);
+    return four;
+}
+
+/* Of three fields the sums of their four numbers, in that order. */
+static inline __attribute__((always_inline)) floats
+fields_total(const wide *sum)
+{
+    const floats a = fields_at(sum, 0), b = fields_at(sum, 1),
+                 c = fields_at(sum, 2);
+    const floats ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+    const floats ab_rest = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const floats first = __builtin_shufflevector(ab, c, 0, 1, 4, 4);
+    const floats second = __builtin_shufflevector(ab, c, 2, 3, 5, 5);
+    const floats third = __builtin_shufflevector(ab_rest, c, 0, 1, 6, 6);
+    const floats fourth = __builtin_shufflevector(ab_rest, c, 2, 3, 7, 7);
+    return first + second + third + fourth;
+}
+
+/* The three fields of a cell. The corners are added in a fixed order. */
 static inline __attribute__((always_inline)) void
-cell_blend(const struct noise_tables *tables, const struct cell *cell,
-           int count, float *out)
+cell_fields(const struct noise_tables *tables, const struct cell *cell,
+            float *out)
 {
     const float *windows[CORNERS];
-    floats sum[NOISE_FIELDS] = { { 0 } };
+    const float x = cell->place[0], y = cell->place[1], z = cell->place[2];
+    const wide place = { 0.5f, x, y, z, 0.5f, x, y, z,
+                         0.5f, x, y, z, 0.5f, x, y, z };
+    wide sum = { 0 };
+    cell_windows(tables, cell, windows);
+    for (int c = 0; c < CORNERS; c++) {
+        const float i = (float)(c & 1), j = (float)(c >> 1 & 1),
+                    k = (float)(c >> 2);
+        const wide origin = { 0, i, j, k, 0, i, j, k, 0, i, j, k, 0, i, j, k };
+        wide random;
+        memcpy(&random, windows[c], sizeof random);
+        sum += (place - origin) * cell->weight[c] * random;
+    }
+    const floats total = fields_total(&sum);
+    for (int field = 0; field < NOISE_FIELDS; field++)
+        out[field] = total[field];
+}
+
+/* The first alone. */
+static inline __attribute__((always_inline)) void
+cell_field(const struct noise_tables *tables, const struct cell *cell,
+           float *out)
+{
+    const float *windows[CORNERS];
+    floats sum = { 0 };
     floats place = { 0.5f, cell->place[0], cell->place[1], cell->place[2] };
     cell_windows(tables, cell, windows);
     for (int c = 0; c < CORNERS; c++) {
         const floats origin = { 0, (float)(c & 1), (float)(c >> 1 & 1),
                                 (float)(c >> 2) };
-        floats basis = (place - origin) * cell->weight[c];
-        for (int field = 0; field < count; field++) {
-            floats random;
-            memcpy(&random, windows[c] + field * NOISE_FIELD_STEP,
-                   sizeof random);
-            sum[field] += basis * random;
-        }
+        floats random;
+        memcpy(&random, windows[c], sizeof random);
+        sum += (place - origin) * cell->weight[c] * random;
     }
-    for (int field = 0; field < count; field++) {
-        floats s = sum[field];
-        out[field] = s[0] + s[1] + s[2] + s[3];
-    }
+    *out = sum[0] + sum[1] + sum[2] + sum[3];
+}
+
+static inline __attribute__((always_inline)) void
+cell_blend(const struct noise_tables *tables, const struct cell *cell,
+           int count, float *out)
+{
+    if (count == NOISE_FIELDS)
+        cell_fields(tables, cell, out);
+    else
+        cell_field(tables, cell, out);
 }
 
 /* Four from number i on; where there are fewer, the last again. */
@@ -201,13 +259,13 @@ noise_blend(struct coordinates at, int count, int fields, float *out)
     }
 }
 
-void lattice_noise(struct coordinates at, int count, float *raw)
+CLONES void lattice_noise(struct coordinates at, int count, float *raw)
 {
     noise_blend(at, count, 1, raw);
 }
 
-void lattice_noise_fields(struct coordinates at, int count,
-                          float (*raw)[NOISE_FIELDS])
+CLONES void lattice_noise_fields(struct coordinates at, int count,
+                                 float (*raw)[NOISE_FIELDS])
 {
     noise_blend(at, count, NOISE_FIELDS, raw[0]);
 }

@@ -15,11 +15,12 @@ enum {
     NOISE_FIELD_STEP = 4, /* from one field's four numbers to the next one's */
     NOISE_FIELDS = 3,
     NOISE_NUMBERS = NOISE_WINDOWS + NOISE_FIELDS * NOISE_FIELD_STEP - 1,
+    NOISE_ROOM = 16, /* of a window's numbers; the last mean nothing */
 };
 
 struct noise_tables {
     uint16_t permutation[LATTICE_PERIOD];
-    float lattice[NOISE_NUMBERS]; /* in [-1,1] */
+    _Alignas(64) float windows[NOISE_WINDOWS][NOISE_ROOM]; /* in [-1,1] */
     uint32_t cells[LATTICE_PERIOD + 2];
     double wave_source[3][NOISE_WAVES_LIMIT]; /* unit vectors */
     double wave_frequency[NOISE_WAVES_LIMIT];
