@@ -42,6 +42,7 @@ struct lighting_options {
 };
 
 struct facets;
+struct facets_diffuse;
 struct lamps;
 struct show;
 
@@ -91,7 +92,7 @@ struct lighting {
      * light without a direction put into `diffuse`. NULL: one by one. */
     void (*illuminate_many)(const void *state, struct worker *worker,
                             struct facets *facets,
-                            struct diffuse_light diffuse[RAY_LANES]);
+                            struct facets_diffuse *diffuse);
     /* Whether surfaces may be lit in any order, those of one pixel
      * (picture_place.pixel) too; asked if there is illuminate_many. */
     bool (*in_any_order)(const void *state);

@@ -232,20 +232,22 @@ static bool mesh_may_mix(const void *state)
 
 static void mesh_illuminate_many(const void *state, struct worker *worker,
                                  struct facets *facets,
-                                 struct diffuse_light *diffuse)
+                                 struct facets_diffuse *diffuse)
 {
     const struct mesh_lighting *mesh = state;
     const struct mesh_lamps lamps = { &mesh->knowers, mesh->direct_view };
     const struct mesh_indirect known = mesh_surfaces(mesh, false);
     mesh_lamps_light_many(&lamps, worker, facets);
+    diffuse->even = false;
     for (unsigned all = facets->all; all; all &= all - 1) {
         unsigned i = (unsigned)__builtin_ctz(all);
         const struct surface *surface = facets->surface[i];
-        diffuse[i] =
+        diffuse->of[i] =
             (struct diffuse_light){ mesh->ambience.light, rgb_grey(0) };
         if (!mesh->indirect || (surface && surface->count == 0))
             continue;
-        diffuse[i] = surface ? mesh_diffuse(&known, worker, surface)
+        diffuse->of[i] = surface
+                             ? mesh_diffuse(&known, worker, surface)
                              : mesh_diffuse_facet(&known, worker, facets, i);
     }
 }

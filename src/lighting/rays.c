@@ -108,7 +108,7 @@ static struct diffuse_light rays_illuminate(const void *state,
 
 static void rays_illuminate_many(const void *state, struct worker *worker,
                                  struct facets *facets,
-                                 struct diffuse_light *diffuse)
+                                 struct facets_diffuse *diffuse)
 {
     const struct rays_lighting *rays = state;
     const struct lamps *lamps = &rays->lamps;
@@ -121,8 +121,8 @@ static void rays_illuminate_many(const void *state, struct worker *worker,
     lamplights_start(&lights, facets);
     for (size_t i = 0; i < lamps->count; i++)
         lamplights_give(&lights, &lamps->items[i]);
-    for (unsigned i = 0; facets->all >> i; i++)
-        diffuse[i] = (struct diffuse_light){ rays_ambient(rays), rgb_grey(0) };
+    diffuse->even = true;
+    diffuse->of[0] = (struct diffuse_light){ rays_ambient(rays), rgb_grey(0) };
 }
 
 /* Light of surfaces is shared by the rays of a pixel, as they come. */

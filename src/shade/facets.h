@@ -87,9 +87,21 @@ void facets_fill(const struct facets *facets, unsigned i, double ior,
 
 rgb facets_light(const struct facets *facets, unsigned i);
 
+/* Light without a direction at each of them. */
+struct facets_diffuse {
+    bool even; /* it is the first one's everywhere; the others aren't set */
+    struct diffuse_light of[RAY_LANES];
+};
+
+static inline const struct diffuse_light *
+facets_diffuse_at(const struct facets_diffuse *diffuse, unsigned i)
+{
+    return &diffuse->of[diffuse->even ? 0 : i];
+}
+
 /* Adds what plain ones send without lamps, as finish_glow and finish_shine. */
 void facets_glow(struct facets *facets, unsigned lanes,
-                 const struct diffuse_light diffuse[RAY_LANES]);
+                 const struct facets_diffuse *diffuse);
 
 /* A lamp's light as it arrives at them. */
 struct facets_lit {

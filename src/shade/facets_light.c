@@ -29,9 +29,54 @@ static void flags_of(unsigned lanes, lane_flag flags[RAY_LANES])
         flags[i] = -(lane_flag)(lanes >> i & 1);
 }
 
+/* Of one finish everywhere. */
+CLONES static void add_glow(double (*restrict lights)[RAY_LANES],
+                            const struct facet_layer *restrict layer,
+                            const rgb *restrict given, const rgb *restrict own,
+                            const lane_flag *restrict is)
+{
+    const double givens[3] = { given->r, given->g, given->b };
+    const double owns[3] = { own->r, own->g, own->b };
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < RAY_LANES; i++) {
+            double pigment = layer->pigment[k][i], light = lights[k][i];
+            double sent = givens[k] * pigment * layer->opacity[i] +
+                          owns[k] * pigment * layer->opacity[i];
+            double more = light + layer->weight[k][i] * sent;
+            lights[k][i] = is[i] ? more : light;
+        }
+}
+
+/* Those of `lanes` whose finish is that of the first. */
+static unsigned finish_same(const struct facet_layer *layer, unsigned lanes)
+{
+    const struct finish *finish = layer->finish[__builtin_ctz(lanes)];
+    unsigned same = 0;
+    for (unsigned each = lanes; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        same |= (unsigned)(layer->finish[i] == finish) << i;
+    }
+    return same;
+}
+
+/* In the same light. */
+static void glow_evenly(struct facets *facets, const struct facet_layer *layer,
+                        unsigned lanes, const struct diffuse_light *diffuse)
+{
+    while (lanes) {
+        const struct finish *finish = layer->finish[__builtin_ctz(lanes)];
+        const unsigned same = finish_same(layer, lanes);
+        const rgb given =
+            finish_given(finish, diffuse->ambient, diffuse->irradiance);
+        LANE_LINES lane_flag is[RAY_LANES];
+        flags_of(same, is);
+        add_glow(facets->light, layer, &given, &finish->glow, is);
+        lanes &= ~same;
+    }
+}
+
 static void glow_layer(struct facets *facets, const struct facet_layer *layer,
-                       unsigned lanes,
-                       const struct diffuse_light diffuse[RAY_LANES])
+                       unsigned lanes, const struct diffuse_light *diffuse)
 {
     struct glows glows;
     LANE_LINES lane_flag is[RAY_LANES];
@@ -48,12 +93,17 @@ static void glow_layer(struct facets *facets, const struct facet_layer *layer,
 }
 
 void facets_glow(struct facets *facets, unsigned lanes,
-                 const struct diffuse_light diffuse[RAY_LANES])
+                 const struct facets_diffuse *diffuse)
 {
-    for (unsigned k = 0; k < facets->depth; k++)
-        if (lanes & facets->layer[k].lanes)
-            glow_layer(facets, &facets->layer[k],
-                       lanes & facets->layer[k].lanes, diffuse);
+    for (unsigned k = 0; k < facets->depth; k++) {
+        const struct facet_layer *layer = &facets->layer[k];
+        if (!(lanes & layer->lanes))
+            continue;
+        if (diffuse->even)
+            glow_evenly(facets, layer, lanes & layer->lanes, &diffuse->of[0]);
+        else
+            glow_layer(facets, layer, lanes & layer->lanes, diffuse->of);
+    }
 }
 
 /* What a layer makes of white light. */
@@ -158,11 +208,7 @@ static void highlight_shares(const struct facets *facets,
             lanes &= ~(1u << i);
     while (lanes) {
         const struct finish *finish = layer->finish[__builtin_ctz(lanes)];
-        unsigned same = 0;
-        for (unsigned each = lanes; each; each &= each - 1) {
-            unsigned i = (unsigned)__builtin_ctz(each);
-            same |= (unsigned)(layer->finish[i] == finish) << i;
-        }
+        const unsigned same = finish_same(layer, lanes);
         highlight_same(facets, layer, finish, lit, same, shares);
         lanes &= ~same;
     }

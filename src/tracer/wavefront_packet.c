@@ -166,19 +166,19 @@ static void sights_light(struct sights *sights)
 {
     const struct tracer *tracer = sights->wavefront->tracer;
     struct facets *facets = &sights->facets;
-    struct diffuse_light diffuse[RAY_LANES];
+    struct facets_diffuse diffuse;
     tracer->lighting->illuminate_many(
-        tracer->lighting_state, sights->wavefront->worker, facets, diffuse);
+        tracer->lighting_state, sights->wavefront->worker, facets, &diffuse);
     for (unsigned lit = sights->lit; lit; lit &= lit - 1) {
         unsigned i = (unsigned)__builtin_ctz(lit);
         struct path *path = sights->path[i];
         const struct crossing *crossing = &sights->crossing[i];
-        wavefront_leave(
-            path, crossing,
-            path_shade(path, crossing, facets_light(facets, i), &diffuse[i]));
+        wavefront_leave(path, crossing,
+                        path_shade(path, crossing, facets_light(facets, i),
+                                   facets_diffuse_at(&diffuse, i)));
     }
     if (sights->plain)
-        facets_glow(facets, sights->plain, diffuse);
+        facets_glow(facets, sights->plain, &diffuse);
     for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
         unsigned i = (unsigned)__builtin_ctz(plain);
         rgb light = facets_light(facets, i);
