@@ -226,6 +226,9 @@ static bool operand_element(struct parser *p, const char *wanted,
     if (slot->kind == VALUE_SPLINE &&
         stream_peek_infix(p)->kind == TOKEN_LPAREN)
         return spline_call(p, slot->spline, word, value);
+    if (slot->kind == VALUE_FUNCTION &&
+        stream_peek_infix(p)->kind == TOKEN_LPAREN)
+        return function_call(p, slot->function, word, value);
     if (slot->kind == VALUE_NONE || slot->kind == VALUE_UNSUPPORTED ||
         value_size(value) || slot->kind == VALUE_STRING ||
         slot->kind == VALUE_SPLINE)
@@ -234,7 +237,7 @@ static bool operand_element(struct parser *p, const char *wanted,
                     value_kind_name(slot->kind));
 }
 
-/* identifier = word [subscripts | argument_list] | spline_call . */
+/* identifier = word [subscripts] [argument_list] | spline_call . */
 static bool parse_identifier(struct parser *p, const char *wanted,
                              struct value *value)
 {

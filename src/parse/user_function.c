@@ -3,6 +3,7 @@
  * and prod() (measured). */
 #include "parse/user_function.h"
 
+#include "parse/array.h"
 #include "parse/expression.h"
 #include "parse/function.h"
 #include "parse/function_field.h"
@@ -171,13 +172,13 @@ static const struct step *function_only_step(const struct function *callee)
     return &steps[n];
 }
 
+/* The function's name is behind. */
 static bool compile_call(struct compiler *c, const struct word *word,
                          const struct function *callee)
 {
     struct parser *p = c->p;
     int n = callee->parameter_count, count;
-    struct span at = stream_span(p);
-    stream_next(p);
+    struct span at = p->last_span;
     if (!parse_body_arguments(c, word->text, n, n, &count))
         return false;
     compile_height(c, c->height - (unsigned)n + (unsigned)callee->slots +
@@ -236,6 +237,25 @@ static bool compile_constant(struct compiler *c)
     return true;
 }
 
+/* Of an array of functions. */
+static bool compile_element(struct compiler *c, const struct word *word,
+                            struct array *array)
+{
+    struct parser *p = c->p;
+    struct value *slot;
+    struct span at = stream_span(p);
+    stream_next(p);
+    if (!array_element(p, array, &slot))
+        return false;
+    if (slot->kind != VALUE_FUNCTION)
+        return error_at(p, span_join(at, p->last_span), NULL,
+                        slot->kind == VALUE_NONE
+                            ? "this element of '%s' was never set"
+                            : "this element of '%s' is no function",
+                        word->text);
+    return compile_call(c, word, slot->function);
+}
+
 static bool compile_word(struct compiler *c, const struct word *word)
 {
     int slot = compile_slot(c, word);
@@ -254,13 +274,18 @@ static bool compile_word(struct compiler *c, const struct word *word)
     if (row && (row->one || row->two))
         return compile_builtin(c, word, row);
     const struct value *value = word->reserved ? NULL : symbol_find(c->p, word);
-    if (value && value->kind == VALUE_FUNCTION)
+    if (value && value->kind == VALUE_FUNCTION) {
+        stream_next(c->p);
         return compile_call(c, word, value->function);
+    }
+    if (value && value->kind == VALUE_ARRAY &&
+        array_kind(value->array) == VALUE_FUNCTION)
+        return compile_element(c, word, value->array);
     return compile_constant(c);
 }
 
 /* body_operand = {"+" | "-"} ( word | "(" body_operation ")" | loop
- *              | word body_arguments | operand ) . */
+ *              | word [subscripts] body_arguments | operand ) . */
 static bool parse_body_operand(struct compiler *c)
 {
     struct parser *p = c->p;

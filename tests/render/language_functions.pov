@@ -1,4 +1,5 @@
-// The functions that give a number: each value makes the colour of one tile.
+// The functions that give a number, and those of arrays: each value makes the
+// colour of one tile.
 // compare: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -27,3 +28,7 @@ Tile(version) Tile(image_width/40) Tile((1 ? 3 : 5)) Tile(vlength(<1, 2, 2>))
 Tile(vdot(<1, 2, 3>, <.5, .5, 1>)) Tile(val("1.25e0")*3) Tile(strlen("four"))
 Tile(asc("!")/10) Tile(defined(Tiles)*2.5)
 Tile(1e1/4) Tile(.5e-1*60)
+// Of arrays.
+#declare Fns = array[2] { function(a) { a*a }, function(a, b) { a - b } }
+#declare Both = function(a) { Fns[0](a) + Fns[1](a, 1) }
+Tile(Fns[0](1.5) + Fns[1](5, 4.5) + Both(1))
