@@ -252,7 +252,8 @@ CLONES static void fates_finish(const struct julia_fractal *f,
     const octet all = octet_choose(fl->gone, *outside, *inside) / f->stretch;
     const octet_bits bits = (octet_bits)all,
                      infinite = (octet_bits){ 0 } + ((int64_t)0x7ff << 52);
-    const octet_bits known = ~(bits >> 63) & ((bits - infinite) >> 63);
+    const octet_bits known =
+        ~(bits >> 63) & (((bits & INT64_MAX) - infinite) >> 63);
     fates->gone = fl->gone;
     fates->distance =
         octet_choose(f->polynomial ? known : known * 0, all, all * 0);
