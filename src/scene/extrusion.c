@@ -204,28 +204,32 @@ static void extrusion_search(struct extrusion_search *search)
         search_caps(search);
 }
 
-static struct extrusion_search extrusion_search_new(const void *shape,
-                                                    const struct ray *ray,
-                                                    double tmin, double tmax)
+/* Into its place: to copy what was only just written number by number waits for
+ * the memory. */
+static void extrusion_search_start(struct extrusion_search *search,
+                                   const void *shape, const struct ray *ray,
+                                   double tmin, double tmax)
 {
     const struct extrusion *e = shape;
     vec3 o = extrusion_turned(e, ray->origin);
     vec3 d = extrusion_turned(e, ray->direction);
     vec3 n = e->conic ? vec3_cross(o, d)
                       : (vec3){ d.y, -d.x, d.x * o.y - d.y * o.x };
-    return (struct extrusion_search){
-        .extrusion = e,
-        .ray = { o, d },
-        .line = { n.x, n.y, n.z },
-        .hits = { .tmin = tmin, .tmax = tmax },
-    };
+    *search = (struct extrusion_search){ .extrusion = e };
+    search->ray.origin = o;
+    search->ray.direction = d;
+    search->line[0] = n.x;
+    search->line[1] = n.y;
+    search->line[2] = n.z;
+    search->hits.tmin = tmin;
+    search->hits.tmax = tmax;
 }
 
 static void extrusion_intersect(const void *shape, const struct ray *ray,
                                 struct hits *hits)
 {
-    struct extrusion_search search =
-        extrusion_search_new(shape, ray, -HUGE_VAL, HUGE_VAL);
+    struct extrusion_search search;
+    extrusion_search_start(&search, shape, ray, -HUGE_VAL, HUGE_VAL);
     search.hits.all = hits;
     extrusion_search(&search);
 }
@@ -233,8 +237,8 @@ static void extrusion_intersect(const void *shape, const struct ray *ray,
 static bool extrusion_first(const void *shape, const struct ray *ray,
                             double tmin, double tmax, struct hit *hit)
 {
-    struct extrusion_search search =
-        extrusion_search_new(shape, ray, tmin, tmax);
+    struct extrusion_search search;
+    extrusion_search_start(&search, shape, ray, tmin, tmax);
     extrusion_search(&search);
     *hit = search.hits.first;
     return search.hits.found;
@@ -243,8 +247,8 @@ static bool extrusion_first(const void *shape, const struct ray *ray,
 static bool extrusion_crosses(const void *shape, const struct ray *ray,
                               double tmin, double tmax)
 {
-    struct extrusion_search search =
-        extrusion_search_new(shape, ray, tmin, tmax);
+    struct extrusion_search search;
+    extrusion_search_start(&search, shape, ray, tmin, tmax);
     search.any = true;
     extrusion_search(&search);
     return search.hits.found;
@@ -299,7 +303,7 @@ static void lanes_begin(struct extrusion_lanes *lanes,
             continue;
         }
         const struct ray ray = rays_at(rays, i);
-        *search = extrusion_search_new(e, &ray, span->near[i], span->far[i]);
+        extrusion_search_start(search, e, &ray, span->near[i], span->far[i]);
         search->any = any;
         rays_set(&lanes->rays, i, search->ray.origin, search->ray.direction);
         for (int k = 0; k < 3; k++)
