@@ -110,26 +110,45 @@ static void samples_see(struct centre_samples *samples, const struct centres *c,
     block->count = 0;
 }
 
+enum { SAMPLES_MOST = DEPTH_MOST * DEPTH_MOST };
+
+/* Where a pixel's n x n samples are in it, across and down. */
+static void spread_samples(double (*spread)[2], int n, double jitter,
+                           uint64_t key)
+{
+    for (int i = 0, column = 0, row = 0; i < n * n; i++, column++) {
+        if (column == n)
+            column = 0, row++;
+        double u = column + 0.5, v = row + 0.5;
+        if (jitter != 0) {
+            u += jitter * jitter_number(key, 2 * i);
+            v += jitter * jitter_number(key, 2 * i + 1);
+        }
+        spread[i][0] = u / n;
+        spread[i][1] = v / n;
+    }
+}
+
+/* Without jitter they are the same in all of them. */
 static void group_sample(struct centre_group *group, const struct centres *c)
 {
     const struct sampler *sampler = c->sampler;
     int n = sampler_depth(sampler);
-    double jitter = sampler->options->jitter;
+    double jitter = sampler->options->jitter, spread[SAMPLES_MOST][2];
     struct centre_samples samples;
     struct sampler_block *block = &samples.block;
     block->count = 0;
+    if (jitter == 0)
+        spread_samples(spread, n, 0, 0);
     for (int p = 0; p < group->count; p++) {
         int x = c->tile.left + group->of[p].at.column - 1;
         int y = c->tile.top + group->of[p].at.row - 1;
         unsigned long long number = worker_pixel(c->worker);
-        uint64_t key = jitter_key(x, y);
-        for (int i = 0, column = 0, row = 0; i < n * n; i++, column++) {
-            if (column == n)
-                column = 0, row++;
-            double u = column + 0.5 + jitter * jitter_number(key, 2 * i);
-            double v = row + 0.5 + jitter * jitter_number(key, 2 * i + 1);
+        if (jitter != 0)
+            spread_samples(spread, n, jitter, jitter_key(x, y));
+        for (int i = 0; i < n * n; i++) {
             struct picture_place *place = &block->places[block->count];
-            sampler_at(sampler, x + u / n, y + v / n, place);
+            sampler_at(sampler, x + spread[i][0], y + spread[i][1], place);
             place->pixel = number;
             samples.of[block->count++] = p;
             if (block->count == BLOCK_MOST)

@@ -7,11 +7,12 @@
 #include "render/sampler_block.h"
 
 /* +R, as far as there is such a depth. */
+enum { DEPTH_MOST = 9 };
+
 static inline int sampler_depth(const struct sampler *sampler)
 {
-    const int most = 9;
     int depth = sampler->options->depth;
-    return depth < 1 ? 1 : depth > most ? most : depth;
+    return depth < 1 ? 1 : depth > DEPTH_MOST ? DEPTH_MOST : depth;
 }
 
 /* (x, y) in pixels from the top left. Into its place: to copy what was only

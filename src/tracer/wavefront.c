@@ -5,14 +5,21 @@
 
 enum { SURFACES_MAX = 1000 * 1000 }; /* a ray passes straight through */
 
+static void list_clear(struct path_list *list)
+{
+    list->first = NULL;
+    list->count = 0;
+}
+
 void wavefront_start(struct wavefront *wavefront, const struct tracer *tracer,
                      struct worker *worker, bool together)
 {
     wavefront->tracer = tracer;
     wavefront->worker = worker;
     wavefront->lanes = together ? WORLD_RAYS : 1;
-    wavefront->open = wavefront->mirrored = wavefront->born =
-        (struct path_list){ NULL, 0 };
+    list_clear(&wavefront->open);
+    list_clear(&wavefront->mirrored);
+    list_clear(&wavefront->born);
     wavefront->idle = NULL;
     wavefront->idle_dues = NULL;
     wavefront->used = 0;

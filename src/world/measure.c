@@ -227,6 +227,16 @@ static bool clip_is_box(const struct solid *clip, struct box3 clipped)
            box3_is_finite(clip->surface) && !box3_is_finite(*clip->region);
 }
 
+static void find_routines(struct solid *solid)
+{
+    const struct primitive *primitive =
+        solid->kind == OBJECT_SHAPE ? solid->leaf->object->primitive : NULL;
+    solid->first_many =
+        primitive && (primitive->all_many || primitive->first_many);
+    solid->crosses_many =
+        primitive && (primitive->all_many || primitive->crosses_many);
+}
+
 void solid_measure(struct arena *arena, struct solid *solid)
 {
     struct boxes boxes = measure_content(solid);
@@ -246,6 +256,7 @@ void solid_measure(struct arena *arena, struct solid *solid)
     solid_set_boxes(arena, solid, boxes.region, boxes.holes);
     solid->simple = solid->leaf && !solid->parent && !solid->frame &&
                     !solid->clip_count && !solid->boxed;
+    find_routines(solid);
 }
 
 /* Whether all crossings of most of its leaves are told of many rays at a time.

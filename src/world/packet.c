@@ -229,21 +229,13 @@ static unsigned packet_together(struct packet *packet,
     return 0;
 }
 
-static bool solid_has_routine(const struct solid *solid, bool occlusion)
-{
-    if (solid->kind != OBJECT_SHAPE)
-        return false;
-    const struct primitive *primitive = solid->leaf->object->primitive;
-    return primitive->all_many || (occlusion ? primitive->crosses_many != NULL
-                                             : primitive->first_many != NULL);
-}
-
 /* A single ray is no worse off alone in a tree. */
 static unsigned packet_meet(struct packet *packet, const struct solid *solid,
                             unsigned lanes)
 {
-    bool together = solid->simple ? solid_has_routine(solid, packet->occlusion)
-                                  : solid->together && lanes & (lanes - 1);
+    bool routine = packet->occlusion ? solid->crosses_many : solid->first_many;
+    bool together =
+        solid->simple ? routine : solid->together && lanes & (lanes - 1);
     return !together       ? packet_each(packet, solid, lanes)
            : solid->simple ? packet_together(packet, solid, lanes)
                            : packet_tree(packet, solid, lanes);

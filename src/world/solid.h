@@ -85,11 +85,13 @@ struct frame {
 struct solid {
     enum object_kind kind; /* shape, mesh, union, merge or intersection */
     unsigned child_count, clip_count, gate_count;
-    bool simple;        /* a leaf without parent, frame, clips and bounds */
-    bool boxed;         /* rays must meet the box of the surface */
-    bool moved;         /* to_shape is not the identity */
-    bool together;      /* of most leaves rays side by side learn all at once */
-    unsigned own_clips; /* the first of clips; the rest are of unions */
+    bool simple;   /* a leaf without parent, frame, clips and bounds */
+    bool boxed;    /* rays must meet the box of the surface */
+    bool moved;    /* to_shape is not the identity */
+    bool together; /* of most leaves rays side by side learn all at once */
+    bool first_many, crosses_many; /* a shape that has such a routine, or one
+                                    * that tells all: kept at hand */
+    unsigned own_clips;        /* the first of clips; the rest are of unions */
     const struct frame *frame; /* only of a root; NULL: none */
     const struct solid *parent;
     struct solid **children;
