@@ -7,7 +7,11 @@
 #include "skeleton/matter.h"
 #include "skeleton/voxelise.h"
 
-enum { NOTES = 5 }; /* lights that a warning names */
+enum {
+    NOTES = 5,      /* lights that a warning names */
+    GLANCES = 1000, /* voxels from which lights are looked for; and of these */
+    GLANCED = 32,
+};
 
 /* A black sky lights nothing; without any lamp that is what was meant. */
 static bool sky_counts(const struct scene *scene,
@@ -49,9 +53,48 @@ static void note_lights(const struct void_space *space,
     }
 }
 
+struct void_matter {
+    const struct world *world;
+    const uint8_t *leaf_marks;
+};
+
+static bool voxel_is_shone_at(const struct void_space *space,
+                              const struct light *lights,
+                              const struct void_matter *matter, size_t voxel)
+{
+    int at[3];
+    voxels_place(&space->voxels, voxel, at);
+    vec3 centre = voxels_centre(&space->voxels, at);
+    for (size_t i = 0; i < space->light_count && i < GLANCED; i++)
+        if (!matter_hides(matter->world, matter->leaf_marks, centre,
+                          lights[i].location))
+            return true;
+    return false;
+}
+
+/* Whether a light shines into the camera's part: through slits, be it, that are
+ * narrower than voxels. */
+static bool camera_is_shone_at(const struct void_space *space,
+                               const struct light *lights,
+                               const struct void_matter *matter)
+{
+    size_t count = voxels_count(&space->voxels), volume = 0, seen = 0;
+    for (size_t i = 0; i < space->part_count; i++)
+        volume += space->parts[i].camera ? space->parts[i].volume : 0;
+    for (size_t i = 0; i < count; i++) {
+        uint32_t label = space->label[i];
+        if (label && space->parts[label - 1].camera &&
+            seen++ % (1 + volume / GLANCES) == 0 &&
+            voxel_is_shone_at(space, lights, matter, i))
+            return true;
+    }
+    return false;
+}
+
 static void warn_of_camera(const struct void_space *space,
                            const struct scene *scene,
-                           const struct light *lights, struct diag *diag)
+                           const struct light *lights,
+                           const struct void_matter *matter, struct diag *diag)
 {
     bool found = false, sky = sky_counts(scene, space);
     for (size_t i = 0; i < space->part_count; i++) {
@@ -60,6 +103,8 @@ static void warn_of_camera(const struct void_space *space,
             return;
         found |= part->camera;
     }
+    if (camera_is_shone_at(space, lights, matter))
+        return;
     diag_print(diag, DIAG_WARNING, span_none(), NULL,
                found ? "no light gets into the part of the void that the "
                        "camera is in"
@@ -93,14 +138,16 @@ struct void_space *void_new(const struct scene *scene,
                            .stop = stop };
     flood_space(&flood, &scene->camera);
     memory_free(marks);
-    arena_free(arena);
     if (stop && atomic_load(stop)) {
+        arena_free(arena);
         void_free(space);
         return NULL;
     }
+    const struct void_matter matter = { world, leaf_marks };
     const struct light *lights = world_lights(world, &count);
     warn_of_lights(space, lights, diag);
-    warn_of_camera(space, scene, lights, diag);
+    warn_of_camera(space, scene, lights, &matter, diag);
+    arena_free(arena);
     return space;
 }
 

@@ -470,6 +470,13 @@ static void odd_scenes_get_a_result_or_a_message(void **state)
         { "box { -5, 5 finish { emission 1 } } light_source { <9,9,9>, 1 }", 2,
           NULL },
         { "box { -5, 5 }", 1, "no light gets into the part" },
+        { "difference { box { -5, 5 } box { -4.5, 4.5 } #for (I, -9, 9)"
+          " box { <I*0.4,-4,4>, <I*0.4+0.1,4,6> } #end }"
+          " light_source { <0,0,15>, 1 }",
+          2, NULL },
+        { "difference { box { -5, 5 } box { -4.5, 4.5 } }"
+          " light_source { <0,0,15>, 1 }",
+          2, "no light gets into the part" },
         { "sphere { 0, 0.1 scale <9,9,1> } #for (I, -99, 99)"
           " box { <-9,-9,I/33>, <9,9,I/33+0.02> } #end"
           " light_source { 0, 1 }",
