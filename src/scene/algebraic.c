@@ -357,9 +357,10 @@ void algebraic_shape_crosses_many(const void *shape, struct lane_run run,
     quartic_rays_cross(algebraic_lanes(shape, &asked, &lanes), &asked, met);
 }
 
-vec3 algebraic_shape_normal(const void *shape, vec3 point,
+vec3 algebraic_shape_normal(const void *shape, const vec3 *at,
                             const struct hit *hit)
 {
+    const vec3 point = *at;
     (void)hit;
     return algebraic_normal(shape, point);
 }

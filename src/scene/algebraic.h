@@ -44,7 +44,7 @@ void algebraic_shape_first_many(const void *shape, struct lane_run run,
 void algebraic_shape_crosses_many(const void *shape, struct lane_run run,
                                   const struct rays *rays,
                                   const struct rays_span *span, lane_flag *met);
-vec3 algebraic_shape_normal(const void *shape, vec3 point,
+vec3 algebraic_shape_normal(const void *shape, const vec3 *at,
                             const struct hit *hit);
 bool algebraic_shape_inside(const void *shape, vec3 point);
 unsigned algebraic_shape_meets(const void *shape, const struct cell *cell);

@@ -149,8 +149,10 @@ static void add_slope(void *context, const struct blob_part *part, vec3 offset,
 }
 
 /* Against the density's slope. */
-static vec3 blob_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 blob_normal(const void *shape, const vec3 *at,
+                        const struct hit *hit)
 {
+    const vec3 point = *at;
     vec3 sum = { 0, 0, 0 };
     (void)hit;
     blob_visit(shape, point, add_slope, &sum);

@@ -293,8 +293,9 @@ void conic_crosses_many(const void *shape, struct lane_run run,
     }
 }
 
-vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit)
+vec3 conic_normal(const void *shape, const vec3 *at, const struct hit *hit)
 {
+    const vec3 point = *at;
     const struct conic *conic = shape;
     if (hit->part != CONIC_WALL)
         return hit->part == CONIC_APEX ? conic->axis : vec3_negate(conic->axis);

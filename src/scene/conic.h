@@ -27,7 +27,7 @@ bool conic_crosses(const void *shape, const struct ray *ray, double tmin,
 void conic_crosses_many(const void *shape, struct lane_run run,
                         const struct rays *rays, const struct rays_span *span,
                         lane_flag *met);
-vec3 conic_normal(const void *shape, vec3 point, const struct hit *hit);
+vec3 conic_normal(const void *shape, const vec3 *at, const struct hit *hit);
 void conic_all_many(const void *shape, struct lane_run run,
                     const struct rays *rays, struct rays_crossings *all);
 void conic_inside_many(const void *shape, struct lane_run run,

@@ -377,7 +377,7 @@ static void extrusion_crosses_many(const void *shape, struct lane_run run,
 }
 
 /* Of a side: across the outline, and for cones across the line to the tip. */
-static vec3 extrusion_normal(const void *shape, vec3 point,
+static vec3 extrusion_normal(const void *shape, const vec3 *place,
                              const struct hit *hit)
 {
     const struct extrusion *e = shape;
@@ -388,7 +388,7 @@ static vec3 extrusion_normal(const void *shape, vec3 point,
         segment_point(&piece->curve, hit->u, at);
         segment_tangent(&piece->curve, hit->u, along);
         double side = piece->outward;
-        if (e->conic && extrusion_turned(e, point).z < 0)
+        if (e->conic && extrusion_turned(e, *place).z < 0)
             side = -side;
         n = (vec3){ side * along[1], -side * along[0], 0 };
         if (e->conic)

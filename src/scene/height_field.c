@@ -198,17 +198,19 @@ static vec3 height_face(const void *shape, const struct hit *hit)
     return field->smooth ? facet_normal(&field->grid, hit) : vec3_make(0, 0, 0);
 }
 
-static vec3 height_normal_placed(const void *shape, vec3 point,
+static vec3 height_normal_placed(const void *shape, const vec3 *at,
                                  const struct hit *hit, const affine *to_object)
 {
+    const vec3 point = *at;
     const struct height_field *field = shape;
     return field->smooth ? smooth_normal(&field->grid, point, to_object)
                          : facet_normal(&field->grid, hit);
 }
 
-static vec3 height_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 height_normal(const void *shape, const vec3 *at,
+                          const struct hit *hit)
 {
-    return height_normal_placed(shape, point, hit, NULL);
+    return height_normal_placed(shape, at, hit, NULL);
 }
 
 /* All that is under water, too, though nothing is seen there (measured). */

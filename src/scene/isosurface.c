@@ -316,9 +316,10 @@ static void isosurface_crosses_many(const void *shape, struct lane_run run,
         crosses[i] = met.t[i] < (double)INFINITY ? -1 : 0;
 }
 
-static vec3 isosurface_normal(const void *shape, vec3 point,
+static vec3 isosurface_normal(const void *shape, const vec3 *at,
                               const struct hit *hit)
 {
+    const vec3 point = *at;
     const struct isosurface *s = shape;
     double e = s->accuracy;
     if (hit->part >= ISOSURFACE_CONTAINER)

@@ -353,8 +353,10 @@ static void julia_crosses_many(const void *shape, struct lane_run run,
     }
 }
 
-static vec3 julia_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 julia_normal(const void *shape, const vec3 *at,
+                         const struct hit *hit)
 {
+    const vec3 point = *at;
     vec3 slope = julia_orbit_slope(shape, point);
     double size = fmax(fmax(fabs(slope.x), fabs(slope.y)), fabs(slope.z));
     (void)hit;

@@ -148,9 +148,9 @@ static bool probe_hit(void *context, const struct hit *hit)
         return false;
     vec3 point = ray_point(shape->ray, hit->t);
     vec3 normal = primitive->normal_placed
-                      ? primitive->normal_placed(object->shape, point, hit,
+                      ? primitive->normal_placed(object->shape, &point, hit,
                                                  &shape->level->to_own)
-                      : primitive->normal(object->shape, point, hit);
+                      : primitive->normal(object->shape, &point, hit);
     probe_crossing(shape->probe, shape->level, hit->t, normal);
     return false;
 }

@@ -203,12 +203,12 @@ static vec3 parametric_slope(const struct parametric *s, const double uv[2],
 
 /* At a point where all u or all v meet, as at a pole, it is that of a place
  * near by. */
-static vec3 parametric_normal(const void *shape, vec3 point,
+static vec3 parametric_normal(const void *shape, const vec3 *at,
                               const struct hit *hit)
 {
     const struct parametric *s = shape;
     double uv[2] = { hit->u, hit->v };
-    (void)point;
+    (void)at;
     for (int i = 0; i < 2; i++) {
         vec3 u = parametric_slope(s, uv, 0), v = parametric_slope(s, uv, 1);
         vec3 n = vec3_cross(u, v);

@@ -101,12 +101,14 @@ struct primitive {
                            const struct rays *rays,
                            const struct rays_span *span, rays_visit *visit,
                            void *context);
-    /* Outward (the side POV-Ray calls outside), any length, not zero. */
-    vec3 (*normal)(const void *shape, vec3 point, const struct hit *hit);
+    /* Outward (the side POV-Ray calls outside), any length, not zero. The point
+     * by its place: what is handed on by value is copied two numbers at a time
+     * and waits for each of them to be written. */
+    vec3 (*normal)(const void *shape, const vec3 *point, const struct hit *hit);
     /* The same where normals depend on how the shape stands, to which
      * to_object leads; NULL: as it is. Itself NULL: they don't. */
-    vec3 (*normal_placed)(const void *shape, vec3 point, const struct hit *hit,
-                          const affine *to_object);
+    vec3 (*normal_placed)(const void *shape, const vec3 *point,
+                          const struct hit *hit, const affine *to_object);
     /* Where normals are interpolated, that of the facet that was hit, of any
      * length; 0 elsewhere. NULL: nowhere. */
     vec3 (*face)(const void *shape, const struct hit *hit);

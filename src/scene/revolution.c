@@ -294,9 +294,10 @@ static void revolution_crosses_many(const void *shape, struct lane_run run,
         met[i] = lanes.spin[i].hits.found ? -1 : 0;
 }
 
-static vec3 revolution_normal(const void *shape, vec3 point,
+static vec3 revolution_normal(const void *shape, const vec3 *at,
                               const struct hit *hit)
 {
+    const vec3 point = *at;
     const struct revolution *r = shape;
     const struct piece *piece = &r->outline.pieces[hit->part];
     double along[2], radius = hypot(point.x, point.z);

@@ -359,9 +359,10 @@ static void sphere_sweep_intersect(const void *shape, const struct ray *ray,
         }
 }
 
-static vec3 sphere_sweep_normal(const void *shape, vec3 point,
+static vec3 sphere_sweep_normal(const void *shape, const vec3 *at,
                                 const struct hit *hit)
 {
+    const vec3 point = *at;
     const struct sphere_sweep *sweep = shape;
     const struct sweep_piece *piece = &sweep->pieces[hit->part];
     const struct sweep_segment *segment = &sweep->segments[piece->segment];

@@ -35,8 +35,8 @@ static inline vec3 leaf_normal(const struct leaf *leaf, vec3 point,
         point = affine_point(leaf->to_object, point);
     if (object->primitive->normal_placed)
         return object->primitive->normal_placed(
-            leaf->shape, point, hit, leaf->moved ? leaf->to_object : NULL);
-    return object->primitive->normal(leaf->shape, point, hit);
+            leaf->shape, &point, hit, leaf->moved ? leaf->to_object : NULL);
+    return object->primitive->normal(leaf->shape, &point, hit);
 }
 
 /* Of what was hit of a shape or a mesh whose normals are interpolated there; 0:

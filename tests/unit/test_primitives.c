@@ -87,7 +87,7 @@ static bool normal_is_good(const struct primitive *primitive, const void *shape,
                            const struct ray *ray, const struct hit *hit)
 {
     vec3 p = ray_point(ray, hit->t);
-    vec3 gradient = primitive->normal(shape, p, hit);
+    vec3 gradient = primitive->normal(shape, &p, hit);
     vec3 n = vec3_normalise(gradient);
     assert_true(fabs(vec3_length(n) - 1) < 1e-9);
     if (vec3_length(gradient) < 0.2)
@@ -156,7 +156,7 @@ static void far_rays_hit_the_same_points(void **state)
             sort_hits(&b);
             double error = fabs(b.at[0].t - a.at[0].t - 1e5);
             vec3 p = ray_point(&near, a.at[0].t);
-            vec3 n = vec3_normalise(primitive->normal(shape, p, &a.at[0]));
+            vec3 n = vec3_normalise(primitive->normal(shape, &p, &a.at[0]));
             if (fabs(vec3_dot(n, near.direction)) > 0.1)
                 assert_true(error < 1e-7);
         }

@@ -184,12 +184,12 @@ CLONES static void box_all_many(const void *shape, struct lane_run run,
     }
 }
 
-static vec3 box_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 box_normal(const void *shape, const vec3 *at, const struct hit *hit)
 {
     static const vec3 sides[6] = { { -1, 0, 0 }, { 1, 0, 0 },  { 0, -1, 0 },
                                    { 0, 1, 0 },  { 0, 0, -1 }, { 0, 0, 1 } };
     (void)shape;
-    (void)point;
+    (void)at;
     return sides[hit->part];
 }
 

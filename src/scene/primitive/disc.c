@@ -61,10 +61,11 @@ static void disc_intersect(const void *shape, const struct ray *ray,
         hits_add(hits, t, 0);
 }
 
-static vec3 disc_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 disc_normal(const void *shape, const vec3 *at,
+                        const struct hit *hit)
 {
     const struct disc *disc = shape;
-    (void)point;
+    (void)at;
     (void)hit;
     return disc->normal;
 }

@@ -138,8 +138,10 @@ static void ovus_intersect(const void *shape, const struct ray *ray,
         hits->at[i].t += shift;
 }
 
-static vec3 ovus_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 ovus_normal(const void *shape, const vec3 *at,
+                        const struct hit *hit)
 {
+    const vec3 point = *at;
     const struct ovus *o = shape;
     if (hit->part == OVUS_BOTTOM)
         return point;

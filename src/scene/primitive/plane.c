@@ -144,10 +144,11 @@ CLONES static void plane_all_many(const void *shape, struct lane_run run,
     }
 }
 
-static vec3 plane_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 plane_normal(const void *shape, const vec3 *at,
+                         const struct hit *hit)
 {
     const struct plane *plane = shape;
-    (void)point;
+    (void)at;
     (void)hit;
     return plane->normal;
 }

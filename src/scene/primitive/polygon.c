@@ -164,10 +164,11 @@ static void polygon_intersect(const void *shape, const struct ray *ray,
         hits_add(hits, t, 0);
 }
 
-static vec3 polygon_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 polygon_normal(const void *shape, const vec3 *at,
+                           const struct hit *hit)
 {
     const struct polygon *polygon = shape;
-    (void)point;
+    (void)at;
     (void)hit;
     return polygon->normal;
 }

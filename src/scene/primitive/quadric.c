@@ -336,8 +336,10 @@ static void quadric_all_many(const void *shape, struct lane_run run,
         far_lanes(shape, run, rays, all, plain);
 }
 
-static vec3 quadric_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 quadric_normal(const void *shape, const vec3 *at,
+                           const struct hit *hit)
 {
+    const vec3 point = *at;
     const struct quadric *quadric = shape;
     vec3 slope = vec3_scale(quadric_matrix(quadric, point), 2);
     vec3 normal = vec3_add(slope, quadric->linear);

@@ -234,8 +234,9 @@ static bool sor_crosses(const void *shape, const struct ray *ray, double tmin,
     return sor_first(shape, ray, tmin, tmax, &hit);
 }
 
-static vec3 sor_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 sor_normal(const void *shape, const vec3 *at, const struct hit *hit)
 {
+    const vec3 point = *at;
     const struct sor *sor = shape;
     int lid = hit->part - (int)sor_pieces(sor);
     if (lid >= 0)

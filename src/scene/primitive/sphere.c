@@ -174,8 +174,10 @@ CLONES static void sphere_all_many(const void *shape, struct lane_run run,
 }
 
 /* A negative radius turns the normal, as in POV-Ray. */
-static vec3 sphere_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 sphere_normal(const void *shape, const vec3 *at,
+                          const struct hit *hit)
 {
+    const vec3 point = *at;
     const struct sphere *sphere = shape;
     (void)hit;
     vec3 normal = vec3_sub(point, sphere->centre);

@@ -411,9 +411,10 @@ static bool superellipsoid_crosses(const void *shape, const struct ray *ray,
     return superellipsoid_first(shape, ray, tmin, tmax, &hit);
 }
 
-static vec3 superellipsoid_normal(const void *shape, vec3 point,
+static vec3 superellipsoid_normal(const void *shape, const vec3 *at,
                                   const struct hit *hit)
 {
+    const vec3 point = *at;
     vec3 gradient;
     (void)hit;
     superellipsoid_value(shape, point, &gradient);

@@ -242,8 +242,10 @@ static void torus_crosses_many(const void *shape, struct lane_run run,
     quartic_rays_cross(torus_lanes(shape, &asked, &lanes), &asked, met);
 }
 
-static vec3 torus_normal(const void *shape, vec3 point, const struct hit *hit)
+static vec3 torus_normal(const void *shape, const vec3 *at,
+                         const struct hit *hit)
 {
+    const vec3 point = *at;
     const struct torus *torus = shape;
     double rho = sqrt(point.x * point.x + point.z * point.z);
     (void)hit;
