@@ -132,6 +132,20 @@ static const char *error_found(struct parser *p)
                         span.length > 40 ? "..." : "");
 }
 
+/* `Rgb <1, 0, 0>`: a colour's first word in other letters. */
+static const char *error_other_case(struct parser *p, const char *text)
+{
+    size_t left;
+    enum token_kind next = stream_raw(p, &left)->kind;
+    if (left == 0 || (next != TOKEN_LESS && next != TOKEN_NUMBER))
+        return NULL;
+    char *small = arena_copy_text(p->arena, text, strlen(text));
+    for (char *c = small; *c; c++)
+        *c = (char)tolower((unsigned char)*c);
+    const struct word *word = word_intern(p->words, small, strlen(small));
+    return colour_begins(word->keyword) ? small : NULL;
+}
+
 /* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
@@ -146,6 +160,11 @@ static bool error_undeclared(struct parser *p, const char *wanted,
         hint = mistaken_word(token->word, "");
     if (!hint)
         hint = symbol_nearest(p, token->word->text);
+    if (!hint)
+        hint = error_other_case(p, token->word->text);
+    if (!hint && strcmp(wanted, "a condition") == 0)
+        hint =
+            arena_printf(p->arena, "#declare %s = 0; ...", token->word->text);
     if (!hint && strcmp(wanted, "a string") == 0)
         hint = arena_printf(p->arena, "\"%s\"", token->word->text);
     size_t left;
@@ -182,6 +201,21 @@ static const char *error_assigned(struct parser *p, const char *wanted)
                                : "; no ':' stands between a word and its value";
 }
 
+/* `V[0]` of a vector: it has no subscripts. */
+static const char *error_subscript(struct parser *p)
+{
+    struct span last = p->last_span;
+    if (stream_peek(p)->kind != TOKEN_LBRACKET || !last.source ||
+        !isalpha((unsigned char)last.source->text[last.offset]))
+        return NULL;
+    const char *text = last.source->text + last.offset;
+    const struct value *value =
+        symbol_find(p, word_intern(p->words, text, last.length));
+    return value && value->kind == VALUE_VECTOR
+               ? arena_printf(p->arena, "%.*s.x ...", (int)last.length, text)
+               : NULL;
+}
+
 bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
 {
     if (p->blamed.source && p->blamed.source == p->last_span.source &&
@@ -196,6 +230,8 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
         error_undeclared(p, wanted, hint))
         return false;
     const char *kind = error_kind(p);
+    if (!hint)
+        hint = error_subscript(p);
     if (!hint)
         hint = wanted_signature(p, 1);
     return error_at(p, stream_span(p), hint ? hint : wanted_example(p, wanted),

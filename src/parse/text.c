@@ -66,7 +66,8 @@ static bool parse_font(struct parser *p, struct typeface **out)
         return parse_string(p, &name) && font_load(p, name, span, out);
     }
     if (!accept_keyword(p, KEYWORD_INTERNAL))
-        return error_expected(p, "'ttf' and the name of a font");
+        return error_expected_hint(p, "'ttf' and the name of a font",
+                                   "ttf \"timrom.ttf\" ...");
     struct span span = stream_span(p);
     if (!parse_integer(p, &number))
         return false;
