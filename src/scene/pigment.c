@@ -147,6 +147,17 @@ colour pigment_colour(const struct pigment *pigment, vec3 point)
     return pigment_at(pigment, point, (struct depth){ 0, NULL });
 }
 
+/* block_colour, of a block that has a colour. */
+static inline bool block_simple(const struct blend_map *map, double value,
+                                colour *made)
+{
+    size_t block = (size_t)value;
+    if (!map || block >= map->count || map->entries[block].pigment)
+        return false;
+    *made = map->entries[block].colour;
+    return true;
+}
+
 /* A value between entries that are colours: all there is to most maps. */
 static inline bool map_simple(const struct blend_map *map, double value,
                               colour *made)
@@ -174,10 +185,12 @@ static void values_colours(const struct pigment *pigment, const double *values,
     const struct pattern_kind *kind = pattern->kind;
     const struct blend_map *map =
         pigment->map ? pigment->map : pattern_map(pattern);
+    bool blocks = kind && kind->blocks > 0;
     bool mapped =
         kind && kind->blocks == 0 && !kind->average && map && map->count > 0;
     for (int i = 0; i < located->count; i++)
-        if (!mapped || !map_simple(map, values[i], &colours[i]))
+        if (!(blocks && block_simple(pigment->map, values[i], &colours[i])) &&
+            !(mapped && map_simple(map, values[i], &colours[i])))
             colours[i] = value_colour(pigment, values[i], spots_at(located, i),
                                       (struct depth){ 0, NULL });
 }

@@ -63,9 +63,6 @@ void path_air(struct path *path, double distance);
  */
 bool path_arrive(struct path *path, struct crossing *crossing, bool met);
 
-/* Adds light, of which the ray's share counts. */
-void path_gather(struct path *path, rgb light);
-
 /* Light that comes from within the body: before lamps light the surface, which
  * it changes. */
 rgb path_within(const struct path *path, struct crossing *crossing);

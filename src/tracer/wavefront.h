@@ -46,6 +46,18 @@ struct path *wavefront_branch(struct path *path, rgb tint);
 /* Light that is known but stands behind some that isn't. */
 struct due *wavefront_due(struct path *path);
 
+/* Adds light, of which the ray's share counts. Part of its callers: light that
+ * was just made would be copied on its way to a function. */
+static inline __attribute__((always_inline)) void path_gather(struct path *path,
+                                                              rgb light)
+{
+    light = rgb_mul(path->share, light);
+    if (path->dues)
+        wavefront_due(path)->light = light;
+    else
+        path->light = rgb_add(path->light, light);
+}
+
 /* The ray has left a surface and goes on, or hasn't met anything yet. */
 void wavefront_push(struct path *path);
 

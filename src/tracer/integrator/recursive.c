@@ -24,15 +24,6 @@
 #include "tracer/wavefront.h"
 #include "tracer/subsurface.h"
 
-void path_gather(struct path *path, rgb light)
-{
-    light = rgb_mul(path->share, light);
-    if (path->dues)
-        wavefront_due(path)->light = light;
-    else
-        path->light = rgb_add(path->light, light);
-}
-
 /* Something half transparent on the way. */
 static void path_veil(struct path *path, const struct veil *veil)
 {
