@@ -158,10 +158,8 @@ static double power_of_light(double light, double exponent)
     return light > 0 ? pow(light, exponent) : 0;
 }
 
-rgb finish_exponent(rgb light, double exponent)
+rgb finish_raised(rgb light, double exponent)
 {
-    if (exponent == 1 || exponent <= 0)
-        return light;
     return (rgb){ power_of_light(light.r, 1 / exponent),
                   power_of_light(light.g, 1 / exponent),
                   power_of_light(light.b, 1 / exponent) };

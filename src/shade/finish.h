@@ -159,6 +159,13 @@ static inline rgb finish_highlights_tinted(const struct finish *finish,
 }
 
 /* What mirrored light becomes under reflection exponent E: light^(1/E). */
-rgb finish_exponent(rgb light, double exponent);
+rgb finish_raised(rgb light, double exponent);
+
+/* The same; most of the time it stays what it is. */
+static inline rgb finish_exponent(rgb light, double exponent)
+{
+    return exponent == 1 || exponent <= 0 ? light
+                                          : finish_raised(light, exponent);
+}
 
 #endif

@@ -87,19 +87,6 @@ void crossing_divide(struct crossing *crossing, struct interiors *inside,
     crossing->ior = interiors_ior(&crossing->beyond) / interiors_ior(inside);
 }
 
-vec3 crossing_mirrored(vec3 surface, vec3 direction, vec3 normal)
-{
-    double cosine = vec3_dot(direction, normal);
-    vec3 mirrored = vec3_along(direction, normal, -2 * cosine);
-    double rise = vec3_dot(mirrored, surface);
-    if (rise < 0 && cosine < 0)
-        mirrored = vec3_along(mirrored, surface, -2 * rise);
-    else if (rise < 0)
-        mirrored =
-            vec3_along(direction, surface, -2 * vec3_dot(direction, surface));
-    return vec3_normalise(mirrored);
-}
-
 bool crossing_refracted(const struct crossing *crossing, vec3 direction,
                         vec3 normal, vec3 *out)
 {
