@@ -43,8 +43,11 @@ static const double arc_limit = 1e150;
 
 INLINED bool octet_within(const octet *x, double limit)
 {
-    const octet none = { 0 };
-    return !octet_any(octet_less(none + limit, octet_magnitude(*x)));
+    const octet_bits within = octet_magnitude(*x) <= limit;
+    int64_t all = -1;
+    for (int i = 0; i < OCTET; i++)
+        all &= within[i];
+    return all != 0;
 }
 
 CLONES void octet_sin(octet *x)

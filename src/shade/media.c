@@ -490,11 +490,13 @@ static bool march_dims(const struct march *march)
 
 static void march_dim(struct march *march, double from, int intervals)
 {
-    struct dimming dimming;
-    dimming.march = march;
+    struct dimming dimming = { .march = march };
     dimming.at.count = 0;
     dimming.sum = rgb_grey(0);
-    for (int i = 0; i < intervals; i++) {
+    march->from = from;
+    if (march->even) /* one place tells what the others would */
+        dimming_place(&dimming, 0, march->length * intervals);
+    for (int i = 0; !march->even && i < intervals; i++) {
         march->from = from + i * march->length;
         if (march->how->method == 3)
             dimming_refining(&dimming);
@@ -504,18 +506,6 @@ static void march_dim(struct march *march, double from, int intervals)
     dimming_look(&dimming);
     march->veil.through =
         rgb_mul(march->veil.through, depth_through(dimming.sum, 1));
-}
-
-/* Where all places are alike: one tells what the others would. */
-static void march_dim_evenly(struct march *march, double length)
-{
-    struct spots at;
-    rgb depth;
-    at.count = 0;
-    march->from = march->length = 0;
-    march_place(march, &at, 0);
-    media_depths(march->way, &at, &depth);
-    march->veil.through = depth_through(rgb_scale(depth, length), 1);
 }
 
 /* ---- the way ---- */
@@ -589,10 +579,6 @@ struct veil media_veil(const struct media_way *way)
     if (way->media->count == 0 || !(finite.length > 0))
         return march.veil;
     march.even = !way->photons && media_even(way->media);
-    if (march.even && march_dims(&march)) {
-        march_dim_evenly(&march, finite.length);
-        return march.veil;
-    }
     for (int i = 0; i < way->media->count; i++)
         if (way->media->at[i]->intervals > intervals)
             intervals = way->media->at[i]->intervals;
