@@ -16,6 +16,10 @@
 #define CLONES
 #endif
 
+/* Functions that belong to those that call them: for whatever processor these
+ * are, and without copies of what they are told. */
+#define INLINED static inline __attribute__((always_inline))
+
 /* Arrays of lanes that begin so are lines of the cache: what is read at once
  * never lies in two. */
 #define LANE_LINES _Alignas(64)

@@ -7,6 +7,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/clones.h"
+
 enum { OCTET = 8 };
 
 typedef double octet __attribute__((vector_size(OCTET * sizeof(double))));
@@ -15,9 +17,6 @@ typedef double octet __attribute__((vector_size(OCTET * sizeof(double))));
 typedef int64_t octet_bits
     __attribute__((vector_size(OCTET * sizeof(int64_t))));
 
-/* These belong to the function that they are in, whatever processor that is
- * for. */
-#define INLINED __attribute__((always_inline)) static inline
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
 

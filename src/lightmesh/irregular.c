@@ -119,8 +119,7 @@ void irregular_free(struct irregular *irregular)
 
 /* The side of the cube that a direction goes through: twice the axis, one more
  * if that is negative; and where on it, 0 to 2 half. */
-LANES_INLINE lanes_mask lanes_side(const lanes p[3], float half, lanes *u,
-                                   lanes *v)
+INLINED lanes_mask lanes_side(const lanes p[3], float half, lanes *u, lanes *v)
 {
     lanes x = lanes_abs(p[0]), y = lanes_abs(p[1]), z = lanes_abs(p[2]);
     lanes_mask is_x = (x >= y) & (x >= z), is_y = ~is_x & (y >= z);
@@ -132,7 +131,7 @@ LANES_INLINE lanes_mask lanes_side(const lanes p[3], float half, lanes *u,
 }
 
 /* The cell of each point that faces the lamp. */
-LANES_INLINE void sort_into_cells(const struct irregular_view *view)
+INLINED void sort_into_cells(const struct irregular_view *view)
 {
     struct irregular *own = view->irregular;
     const struct irregular_points *points = own->points;
@@ -182,7 +181,7 @@ static void sort_points(const struct irregular_view *view)
     memset(own->doubt, 0, own->first[none] * sizeof *own->doubt);
 }
 
-LANES_INLINE void lanes_cross(const lanes a[3], const lanes b[3], lanes out[3])
+INLINED void lanes_cross(const lanes a[3], const lanes b[3], lanes out[3])
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];
@@ -192,9 +191,8 @@ LANES_INLINE void lanes_cross(const lanes a[3], const lanes b[3], lanes out[3])
 /* Triangles seen edge on hide nothing, nor do those behind all points, as the
  * ground does: their fourth number is endless. Products of edges, which are
  * short, lose less to rounding than those of corners. */
-LANES_INLINE void batch_planes(const struct irregular_view *view,
-                               const lanes p[3][3],
-                               struct irregular_batch *batch)
+INLINED void batch_planes(const struct irregular_view *view,
+                          const lanes p[3][3], struct irregular_batch *batch)
 {
     lanes plane[PLANES], edge[3][3];
     for (int k = 0; k < 3; k++)
@@ -222,9 +220,9 @@ LANES_INLINE void batch_planes(const struct irregular_view *view,
     memcpy(batch->plane, plane, sizeof plane);
 }
 
-LANES_INLINE void batch_fill(const struct irregular_view *view,
-                             const struct caster_triangles *triangles,
-                             size_t first, struct irregular_batch *batch)
+INLINED void batch_fill(const struct irregular_view *view,
+                        const struct caster_triangles *triangles, size_t first,
+                        struct irregular_batch *batch)
 {
     const struct irregular *own = view->irregular;
     float half = (float)own->edge / 2, last = (float)(own->edge - 1);
@@ -254,8 +252,8 @@ LANES_INLINE void batch_fill(const struct irregular_view *view,
 
 /* Hides those points from `first` to before `end` that are behind the triangle.
  * Up to LANES - 1 that follow are asked too, which does no harm. */
-LANES_INLINE void hide_run(const struct irregular *own, int32_t *hidden,
-                           uint32_t first, uint32_t end, const float e[PLANES])
+INLINED void hide_run(const struct irregular *own, int32_t *hidden,
+                      uint32_t first, uint32_t end, const float e[PLANES])
 {
     const float *px = own->sorted[0], *py = own->sorted[1];
     const float *pz = own->sorted[2];
@@ -270,8 +268,8 @@ LANES_INLINE void hide_run(const struct irregular *own, int32_t *hidden,
     }
 }
 
-LANES_INLINE void hide_box(const struct irregular *own, int32_t *hidden,
-                           const struct cube_box *box, const float e[PLANES])
+INLINED void hide_box(const struct irregular *own, int32_t *hidden,
+                      const struct cube_box *box, const float e[PLANES])
 {
     size_t edge = (size_t)own->edge;
     const uint32_t *row =
@@ -283,9 +281,9 @@ LANES_INLINE void hide_box(const struct irregular *own, int32_t *hidden,
 }
 
 /* A triangle that is on several sides of the cube. */
-LANES_INLINE void hide_across(const struct irregular *own, int32_t *hidden,
-                              const struct irregular_batch *batch, int lane,
-                              const float e[PLANES])
+INLINED void hide_across(const struct irregular *own, int32_t *hidden,
+                         const struct irregular_batch *batch, int lane,
+                         const float e[PLANES])
 {
     float triangle[3][3];
     for (int k = 0; k < 9; k++)
@@ -297,8 +295,8 @@ LANES_INLINE void hide_across(const struct irregular *own, int32_t *hidden,
     }
 }
 
-LANES_INLINE void hide_batch(const struct irregular *own, int32_t *hidden,
-                             const struct irregular_batch *batch)
+INLINED void hide_batch(const struct irregular *own, int32_t *hidden,
+                        const struct irregular_batch *batch)
 {
     for (int lane = 0; lane < LANES; lane++) {
         float e[PLANES];
@@ -317,9 +315,9 @@ LANES_INLINE void hide_batch(const struct irregular *own, int32_t *hidden,
 }
 
 /* Sets *hidden of the points behind some of the triangles. */
-LANES_INLINE void hide_behind(const struct irregular_view *view,
-                              const struct caster_triangles *triangles,
-                              int32_t *hidden)
+INLINED void hide_behind(const struct irregular_view *view,
+                         const struct caster_triangles *triangles,
+                         int32_t *hidden)
 {
     struct irregular_batch batch;
     for (size_t i = 0; i < triangles->count; i += LANES) {
@@ -328,7 +326,7 @@ LANES_INLINE void hide_behind(const struct irregular_view *view,
     }
 }
 
-LANES_INLINE void view_look(const struct irregular_view *view)
+INLINED void view_look(const struct irregular_view *view)
 {
     const struct irregular *own = view->irregular;
     sort_into_cells(view);

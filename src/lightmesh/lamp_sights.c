@@ -159,9 +159,8 @@ static void lamp_shares(const struct sights *own, const struct lamp *lamp,
 }
 
 /* Adds the light of one lamp to those of LANES points whose bit is set. */
-LANES_INLINE void sums_add(struct word_sums *sums, size_t at,
-                           const lanes offset[3], const float tint[3],
-                           lanes share)
+INLINED void sums_add(struct word_sums *sums, size_t at, const lanes offset[3],
+                      const float tint[3], lanes share)
 {
     lanes square =
         offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2];
@@ -180,9 +179,9 @@ LANES_INLINE void sums_add(struct word_sums *sums, size_t at,
 
 static const lanes_mask lane_bits = { 1, 2, 4, 8, 16, 32, 64, 128 };
 
-LANES_INLINE void word_add(const struct sights *own, size_t word,
-                           const struct lamp *lamp, uint64_t lit,
-                           struct word_sums *sums)
+INLINED void word_add(const struct sights *own, size_t word,
+                      const struct lamp *lamp, uint64_t lit,
+                      struct word_sums *sums)
 {
     vec3 from = vec3_sub(lamp->light->location, own->options->casters->centre);
     const float at[3] = { (float)from.x, (float)from.y, (float)from.z };
@@ -205,7 +204,7 @@ LANES_INLINE void word_add(const struct sights *own, size_t word,
 }
 
 /* Sums all lamps over a word of points. */
-LANES_INLINE void word_sum(struct sights *own, size_t word)
+INLINED void word_sum(struct sights *own, size_t word)
 {
     const struct lamps *lamps = own->options->lamps;
     struct word_sums sums;

@@ -2,6 +2,7 @@
  * on polynomials of the ray's parameter. */
 #include "scene/algebraic.h"
 
+#include "base/clones.h"
 #include "scene/crossings.h"
 #include "scene/line_roots.h"
 #include "scene/quartic_rays.h"
@@ -86,11 +87,10 @@ static void restrict_many(const struct algebraic *surface, vec3 o, vec3 d,
 
 /* For the degrees that most surfaces have, with all terms and without a loop:
  * quicker than leaving out those that are 0. Compilers take loops of known
- * length apart, if they are in no other. */
-#define UNROLLED static inline __attribute__((always_inline))
+ * length apart, if they are in no other; so all of these are INLINED. */
 
 /* p times (a + b t), which makes it of this degree, plus a term. */
-UNROLLED void few_horner(double *p, int degree, double a, double b, double term)
+INLINED void few_horner(double *p, int degree, double a, double b, double term)
 {
     p[degree] = b * p[degree - 1];
     for (int i = degree - 1; i > 0; i--)
@@ -99,8 +99,8 @@ UNROLLED void few_horner(double *p, int degree, double a, double b, double term)
 }
 
 /* The polynomial in z, of degree n, is added to that in y. */
-UNROLLED const double *few_in_z(const double *term, int n, vec3 o, vec3 d,
-                                double *in_y)
+INLINED const double *few_in_z(const double *term, int n, vec3 o, vec3 d,
+                               double *in_y)
 {
     double p[ALGEBRAIC_FEW + 1] = { *term++ };
     if (n >= 1)
@@ -121,8 +121,8 @@ UNROLLED const double *few_in_z(const double *term, int n, vec3 o, vec3 d,
 }
 
 /* That in y, of degree n, to that in x. */
-UNROLLED const double *few_in_y(const double *term, int n, vec3 o, vec3 d,
-                                double *in_x)
+INLINED const double *few_in_y(const double *term, int n, vec3 o, vec3 d,
+                               double *in_x)
 {
     double p[ALGEBRAIC_FEW + 1];
     term = few_in_z(term, 0, o, d, p);
@@ -143,8 +143,8 @@ UNROLLED const double *few_in_y(const double *term, int n, vec3 o, vec3 d,
     return term;
 }
 
-UNROLLED void restrict_few(const double *term, int n, vec3 o, vec3 d,
-                           double *all)
+INLINED void restrict_few(const double *term, int n, vec3 o, vec3 d,
+                          double *all)
 {
     term = few_in_y(term, 0, o, d, all);
     term = few_in_y(term, 1, o, d, all);

@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "base/clones.h"
 #include "scene/polynomial.h"
 
 enum { STRETCHES_FEW = 24 }; /* to be sorted by hand */
@@ -55,9 +56,8 @@ CLONES void lane_stretches_of(const struct blob_body *body,
 
 /* A ball of radius 1 around the origin. Part of its callers: to hand on two
  * vectors by value waits for the memory longer than all of this takes. */
-static inline __attribute__((always_inline)) void
-ball_stretch(struct stretches *all, double strength, vec3 o, vec3 d, double low,
-             double high)
+INLINED void ball_stretch(struct stretches *all, double strength, vec3 o,
+                          vec3 d, double low, double high)
 {
     double a = vec3_dot(d, d), nearest = -vec3_dot(o, d) / a;
     vec3 p = vec3_along(o, d, nearest);

@@ -5,9 +5,9 @@
 
 #include <string.h>
 
+#include "scene/crossings.h"
 #include "scene/julia_march.h"
 #include "scene/julia_orbit.h"
-#include "scene/julia_steps.h"
 #include "scene/julia_steps.h"
 
 static const double julia_coarse = 0.02; /* of quaternions that may come back */
@@ -165,17 +165,10 @@ static void julia_crossings(const void *shape, const struct ray *ray,
     }
 }
 
-static bool take_all(void *context, const struct hit *hit)
-{
-    struct hits *hits = context;
-    hits_add(hits, hit->t, 0);
-    return hits->count == HITS_MAX;
-}
-
 static void julia_intersect(const void *shape, const struct ray *ray,
                             struct hits *hits)
 {
-    julia_crossings(shape, ray, -HUGE_VAL, HUGE_VAL, take_all, hits);
+    crossings_all(julia_crossings, shape, ray, hits);
 }
 
 /* Where each that is open first goes in; HUGE_VAL: nowhere. */
@@ -195,18 +188,6 @@ static void march_first(const struct julia_fractal *f,
     }
 }
 
-struct first_crossing {
-    double t;
-    bool found;
-};
-
-static bool take_first(void *context, const struct hit *hit)
-{
-    struct first_crossing *first = context;
-    *first = (struct first_crossing){ hit->t, true };
-    return true;
-}
-
 /* Where the ray first goes in; HUGE_VAL: nowhere. */
 static double julia_first_t(const struct julia_fractal *f,
                             const struct ray *ray, double tmin, double tmax,
@@ -215,10 +196,11 @@ static double julia_first_t(const struct julia_fractal *f,
     struct julia_march march;
     double first[OCTET];
     if (f->stepped) {
-        struct first_crossing crossing = { HUGE_VAL, false };
+        struct hit hit = { .t = HUGE_VAL };
+        struct crossings_nearest nearest = { &hit, false };
         const struct julia_walk walk = { ray, tmin, tmax, rough };
-        julia_steps_visit(f, &walk, take_first, &crossing);
-        return crossing.t;
+        julia_steps_visit(f, &walk, crossings_take, &nearest);
+        return hit.t;
     }
     julia_march_alone(f, ray, tmin, tmax, &march);
     julia_march_start(f, &march);
@@ -239,9 +221,10 @@ static bool julia_crosses(const void *shape, const struct ray *ray, double tmin,
     return julia_first_t(shape, ray, tmin, tmax, true) < HUGE_VAL;
 }
 
-/* Rays side by side, from lane `from` on. */
-static void march_put_lanes(struct julia_march *march, const struct rays *rays,
-                            const struct rays_span *span, int from)
+/* Rays side by side, from lane `from` on, set out. */
+static void march_lanes(const struct julia_fractal *f, const struct rays *rays,
+                        const struct rays_span *span, int from,
+                        struct julia_march *march)
 {
     memset(march, 0, sizeof *march);
     for (int k = 0; k < OCTET; k++) {
@@ -250,6 +233,8 @@ static void march_put_lanes(struct julia_march *march, const struct rays *rays,
         julia_march_put(march, k, &ray, near, far);
         march->open[k] = near < far ? -1 : 0;
     }
+    julia_march_enter(f, march);
+    julia_march_start(f, march);
 }
 
 static void julia_first_lanes(const struct julia_fractal *f,
@@ -259,9 +244,7 @@ static void julia_first_lanes(const struct julia_fractal *f,
 {
     struct julia_march march;
     if (!f->stepped) {
-        march_put_lanes(&march, rays, span, from);
-        julia_march_enter(f, &march);
-        julia_march_start(f, &march);
+        march_lanes(f, rays, span, from, &march);
         march_first(f, &march, rough, first);
         return;
     }
@@ -316,9 +299,7 @@ static void julia_crossings_many(const void *shape, struct lane_run run,
     const struct julia_fractal *f = shape;
     struct julia_march march;
     for (int from = run.first; !f->stepped && from < run.end; from += OCTET) {
-        march_put_lanes(&march, rays, span, from);
-        julia_march_enter(f, &march);
-        julia_march_start(f, &march);
+        march_lanes(f, rays, span, from, &march);
         march_all(f, &march, from, visit, context);
     }
     for (int i = run.first; f->stepped && i < run.end; i++) {

@@ -136,21 +136,20 @@ CLONES static bool march_judge(struct julia_march *m, const octet *next,
 static void march_seek(const struct julia_fractal *f, struct julia_march *m,
                        struct changes *changes)
 {
-    octet_bits seek = m->open, moving;
-    bool more = m->steps < JULIA_STEPS;
+    octet_bits seek = m->open;
+    bool more = true;
     memset(changes, 0, sizeof *changes);
-    if (!more)
-        m->open = changes->found;
-    for (; more; m->steps++) {
+    for (; more && m->steps < JULIA_STEPS; m->steps++) {
+        const octet_bits moving = seek;
         struct julia_fates fates;
         octet next;
-        moving = seek;
         march_aim(m, &next);
         march_look(f, m, &next, &moving, &fates);
-        more = march_judge(m, &next, &fates, &seek, changes) &&
-               m->steps < JULIA_STEPS;
+        more = march_judge(m, &next, &fates, &seek, changes);
         march_arrive(f, &fates, &moving, &next, m);
     }
+    if (m->steps == JULIA_STEPS)
+        m->open &= 0;
 }
 
 /* Brackets of bracket.h. */

@@ -151,8 +151,7 @@ typedef float wide __attribute__((vector_size(NOISE_ROOM * sizeof(float))));
 _Static_assert(NOISE_FIELD_STEP == 4 && NOISE_ROOM == 16 && NOISE_FIELDS <= 4,
                "fields are read side by side");
 
-static inline __attribute__((always_inline)) floats fields_at(const wide *sum,
-                                                              int field)
+INLINED floats fields_at(const wide *sum, int field)
 {
     floats four;
     memcpy(&four, (const char *)sum + (size_t)field * sizeof four, sizeof four);
@@ -160,8 +159,7 @@ static inline __attribute__((always_inline)) floats fields_at(const wide *sum,
 }
 
 /* Of three fields the sums of their four numbers, in that order. */
-static inline __attribute__((always_inline)) floats
-fields_total(const wide *sum)
+INLINED floats fields_total(const wide *sum)
 {
     const floats a = fields_at(sum, 0), b = fields_at(sum, 1),
                  c = fields_at(sum, 2);
@@ -175,9 +173,8 @@ fields_total(const wide *sum)
 }
 
 /* The three fields of a cell. The corners are added in a fixed order. */
-static inline __attribute__((always_inline)) void
-cell_fields(const struct noise_tables *tables, const struct cell *cell,
-            float *out)
+INLINED void cell_fields(const struct noise_tables *tables,
+                         const struct cell *cell, float *out)
 {
     const float *windows[CORNERS];
     const float x = cell->place[0], y = cell->place[1], z = cell->place[2];
@@ -199,9 +196,8 @@ cell_fields(const struct noise_tables *tables, const struct cell *cell,
 }
 
 /* The first alone. */
-static inline __attribute__((always_inline)) void
-cell_field(const struct noise_tables *tables, const struct cell *cell,
-           float *out)
+INLINED void cell_field(const struct noise_tables *tables,
+                        const struct cell *cell, float *out)
 {
     const float *windows[CORNERS];
     floats sum = { 0 };
@@ -217,9 +213,8 @@ cell_field(const struct noise_tables *tables, const struct cell *cell,
     *out = sum[0] + sum[1] + sum[2] + sum[3];
 }
 
-static inline __attribute__((always_inline)) void
-cell_blend(const struct noise_tables *tables, const struct cell *cell,
-           int count, float *out)
+INLINED void cell_blend(const struct noise_tables *tables,
+                        const struct cell *cell, int count, float *out)
 {
     if (count == NOISE_FIELDS)
         cell_fields(tables, cell, out);
@@ -236,8 +231,8 @@ static inline struct four four_from(const double *at, int i, int last)
 }
 
 /* Of each point `fields` numbers. */
-static inline __attribute__((always_inline)) void
-noise_blend(struct coordinates at, int count, int fields, float *out)
+INLINED void noise_blend(struct coordinates at, int count, int fields,
+                         float *out)
 {
     const struct noise_tables *tables = noise_tables();
     struct cells cells;

@@ -7,8 +7,6 @@
 
 #include "base/clones.h"
 
-#define INLINED __attribute__((always_inline)) static inline
-
 /* The ways that exterior and interior share: by the last point. */
 static double orbit_end(int way, double x, double y)
 {

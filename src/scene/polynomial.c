@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/clones.h"
+
 enum {
     BERNSTEIN_DEPTH = 10,
 };
@@ -55,9 +57,8 @@ static inline double value_and_slope(const double *c, int degree, double t,
  * shrink twofold, else the bracket is halved: never more than some 100 rounds.
  * When a step shrank k-fold, the next one will k^2-fold at least: it is not
  * taken if it would be nothing. */
-static inline __attribute__((always_inline)) double
-root_near(const double *c, int degree, double low, double high, double f,
-          double g)
+INLINED double root_near(const double *c, int degree, double low, double high,
+                         double f, double g)
 {
     double part = f / (f - g), some = part > 0.05 ? part : 0.05;
     double t = low + (high - low) * (some < 0.95 ? some : 0.95);
@@ -172,8 +173,8 @@ static int roots_by_turns(const double *c, int degree, double low, double high,
     return count;
 }
 
-static inline __attribute__((always_inline)) void
-bernstein_of(const double *c, int degree, double low, double high, double *b)
+INLINED void bernstein_of(const double *c, int degree, double low, double high,
+                          double *b)
 {
     double scale = 1;
     for (int i = 0; i <= degree; i++)
@@ -375,8 +376,7 @@ bool polynomial_crosses(const double *c, int degree, double low, double high)
     return piece_crosses(&piece, 0);
 }
 
-static inline __attribute__((always_inline)) int
-bernstein_roots(const double *b, int degree, double *roots)
+INLINED int bernstein_roots(const double *b, int degree, double *roots)
 {
     struct piece piece = { .degree = degree, .high = 1 };
     struct root_list list = { roots, 0, 2 * BERNSTEIN_DEGREE };

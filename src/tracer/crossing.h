@@ -3,6 +3,7 @@
 #ifndef TRACER_CROSSING_H
 #define TRACER_CROSSING_H
 
+#include "base/clones.h"
 #include "shade/facets.h"
 #include "tracer/tracer.h"
 
@@ -36,8 +37,7 @@ void crossing_fill_facet(struct crossing *crossing, const struct facets *facets,
  * surface: what would is mirrored back by the true surface, and where the bump
  * faces away from the viewer that alone mirrors (measured). Part of its
  * callers, whose vectors were mostly only just made: see path_gather. */
-static inline __attribute__((always_inline)) vec3
-crossing_mirrored(vec3 surface, vec3 direction, vec3 normal)
+INLINED vec3 crossing_mirrored(vec3 surface, vec3 direction, vec3 normal)
 {
     double cosine = vec3_dot(direction, normal);
     vec3 mirrored = vec3_along(direction, normal, -2 * cosine);

@@ -6,6 +6,7 @@
 #ifndef TRACER_WAVEFRONT_H
 #define TRACER_WAVEFRONT_H
 
+#include "base/clones.h"
 #include "tracer/branch.h"
 
 enum { WAVEFRONT_USUAL = 4 * WORLD_RAYS }; /* rays at any time */
@@ -48,8 +49,7 @@ struct due *wavefront_due(struct path *path);
 
 /* Adds light, of which the ray's share counts. Part of its callers: light that
  * was just made would be copied on its way to a function. */
-static inline __attribute__((always_inline)) void path_gather(struct path *path,
-                                                              rgb light)
+INLINED void path_gather(struct path *path, rgb light)
 {
     light = rgb_mul(path->share, light);
     if (path->dues)

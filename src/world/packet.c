@@ -200,8 +200,7 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
 {
     const struct leaf *leaf = solid->leaf;
     bool asked = !leaf->opaque && packet->filter;
-    const struct primitive *primitive = leaf->object->primitive;
-    if (asked && (primitive->all_many || primitive->crossings_many))
+    if (asked && solid->together)
         return packet_shape(packet, solid, lanes);
     lanes = solid_crosses_many(solid, packet->rays, &packet->span, lanes);
     if (asked)

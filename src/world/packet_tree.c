@@ -277,8 +277,7 @@ static unsigned take_round(void *context, unsigned met,
     crossings->over |= over;
     for (unsigned each = packet->occlusion ? 0 : met; each; each &= each - 1) {
         unsigned i = (unsigned)__builtin_ctz(each);
-        bool taken = packet->begun >> i & 1 && packet->query[i].tmax == t[i];
-        over |= (unsigned)taken << i;
+        over |= (unsigned)(packet->span.far[i] == reach_of(t[i])) << i;
     }
     return over;
 }
@@ -392,12 +391,11 @@ static unsigned look_inside(const struct tree_look *look,
     }
     if (!lanes || !packet_sees(look->packet, solid->leaf))
         return 0;
-    if (solid->kind != OBJECT_SHAPE)
+    if (!solid->together)
         return look_each(look, solid, lanes);
-    const struct primitive *primitive = solid->leaf->object->primitive;
-    return primitive->all_many         ? look_at_shape(look, solid, lanes)
-           : primitive->crossings_many ? look_at_crossings(look, solid, lanes)
-                                       : look_each(look, solid, lanes);
+    return solid->leaf->object->primitive->all_many
+               ? look_at_shape(look, solid, lanes)
+               : look_at_crossings(look, solid, lanes);
 }
 
 static unsigned look_at_part(const struct tree_look *look,

@@ -7,6 +7,19 @@
 #include "scene_world.h"
 #include "shapes.h"
 
+/* Tries all shapes, whose rays must meet something. */
+static void each_shape(const char *const *shapes, size_t count,
+                       void (*agree)(void *met, const struct solid *solid))
+{
+    for (size_t i = 0; i < count; i++) {
+        struct scene_world *all = scene_world_new(shapes[i]);
+        int met = 0;
+        world_visit(all->world, agree, NULL, &met);
+        assert_true(met > 400);
+        scene_world_free(all);
+    }
+}
+
 /* Rays at one shape, in its space. What they meet between two places is asked
  * three ways. */
 static void shape_crossings_agree(void *context, const struct solid *solid)
@@ -182,13 +195,7 @@ static void shapes_tell_crossings_in_rounds(void **state)
         "julia_fractal { <-.2,.1,.4,.1> hypercomplex exp max_iteration 5 }",
     };
     (void)state;
-    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
-        struct scene_world *all = scene_world_new(shapes[i]);
-        int met = 0;
-        world_visit(all->world, rounds_agree, NULL, &met);
-        assert_true(met > 400);
-        scene_world_free(all);
-    }
+    each_shape(shapes, sizeof shapes / sizeof *shapes, rounds_agree);
 }
 
 /* The crossings in lane `i`, without the gaps. */
@@ -265,13 +272,8 @@ static void shapes_tell_all_crossings_side_by_side(void **state)
         "quadric { 0, 0, <.3,1,.2>, -.4 }",
     };
     (void)state;
-    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
-        struct scene_world *all = scene_world_new(shapes[i]);
-        int met = 0;
-        world_visit(all->world, crossings_side_by_side_agree, NULL, &met);
-        assert_true(met > 400);
-        scene_world_free(all);
-    }
+    each_shape(shapes, sizeof shapes / sizeof *shapes,
+               crossings_side_by_side_agree);
 }
 
 static void shapes_agree_on_rays_side_by_side(void **state)
@@ -329,13 +331,7 @@ static void shapes_agree_on_rays_side_by_side(void **state)
         "#local I = I + 1; #end }",
     };
     (void)state;
-    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
-        struct scene_world *all = scene_world_new(shapes[i]);
-        int met = 0;
-        world_visit(all->world, rays_side_by_side_agree, NULL, &met);
-        assert_true(met > 400);
-        scene_world_free(all);
-    }
+    each_shape(shapes, sizeof shapes / sizeof *shapes, rays_side_by_side_agree);
 }
 
 static void crossings_asked_for_alone_agree(void **state)
@@ -388,13 +384,7 @@ static void crossings_asked_for_alone_agree(void **state)
         "sphere { <.6,.9,.3>, .5, 1 } }",
     };
     (void)state;
-    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
-        struct scene_world *all = scene_world_new(shapes[i]);
-        int met = 0;
-        world_visit(all->world, shape_crossings_agree, NULL, &met);
-        assert_true(met > 400);
-        scene_world_free(all);
-    }
+    each_shape(shapes, sizeof shapes / sizeof *shapes, shape_crossings_agree);
 }
 
 int main(void)
