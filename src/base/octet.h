@@ -17,9 +17,6 @@ typedef double octet __attribute__((vector_size(OCTET * sizeof(double))));
 typedef int64_t octet_bits
     __attribute__((vector_size(OCTET * sizeof(int64_t))));
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 /* `yes` where the bits are set, else `no`. */
 INLINED octet octet_choose(octet_bits where, octet yes, octet no)
 {
@@ -42,7 +39,5 @@ INLINED bool octet_any(octet_bits bits)
         any |= bits[i];
     return any != 0;
 }
-
-#pragma GCC diagnostic pop
 
 #endif

@@ -10,9 +10,6 @@
 
 typedef int64_t pair_bits __attribute__((vector_size(PAIR * sizeof(int64_t))));
 
-/* No vector is handed on but within a function for one kind of processor. */
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 INLINED pair pair_choose(pair_bits where, pair yes, pair no)
 {
     return (pair)((where & (pair_bits)yes) | (~where & (pair_bits)no));

@@ -11,9 +11,6 @@
 #include "base/clones.h"
 #include "base/octet_math.h"
 
-/* No vector is handed on but within a function for one kind of processor. */
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 /* Of all that stays a ray goes at most so much of the radius at a time: an
  * estimate by derivatives knows nothing of what is farther. */
 static const double fate_cap = 0.02;

@@ -7,9 +7,6 @@
 #include "base/octet_math.h"
 #include "scene/julia_fate.h"
 
-/* No vector is handed on but within a function for one kind of processor. */
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 enum {
     JULIA_ROUNDS = 60, /* for one crossing */
 };

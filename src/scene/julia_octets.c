@@ -7,9 +7,6 @@
 
 typedef struct complex_octet number;
 
-/* No vector is handed on but within a function for one kind of processor. */
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 /* Beyond it tanh is 1. */
 static const double tanh_limit = 20;
 

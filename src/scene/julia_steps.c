@@ -10,9 +10,6 @@
 #include "scene/julia_march.h"
 #include "scene/julia_octets.h"
 
-/* No vector is handed on but within a function for one kind of processor. */
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 enum {
     JULIA_ROUNDS = 20, /* for one crossing */
 };

@@ -150,10 +150,12 @@ static vec3 random_place(const struct voxels *v, uint64_t key)
     return voxels_centre(v, at);
 }
 
-static bool passes(void *context, const struct intersection *at)
+static bool passes(void *context, const struct ray *ray,
+                   const struct world_hit *hit)
 {
     (void)context;
-    (void)at;
+    (void)ray;
+    (void)hit;
     return false;
 }
 
