@@ -32,8 +32,8 @@ static const struct object *search_object(struct search *search,
             if (search_texture(search, object->mesh->textures[i]))
                 return object;
     const struct object *found = NULL;
-    for (size_t i = 0; !found && i < object->child_count; i++)
-        found = search_object(search, object->children[i]);
+    for (size_t i = 0; !found && i < object->more->child_count; i++)
+        found = search_object(search, object->more->children[i]);
     return found;
 }
 

@@ -285,8 +285,8 @@ bool parse_bicubic_patch(struct parser *p, struct object **out)
               parse_patch_points(p, &patch) && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;
-    patch.transform = (*out)->transform;
-    patch.pinched = patch_pinched((*out)->transform);
+    patch.transform = (*out)->maps->own;
+    patch.pinched = patch_pinched((*out)->maps->own);
     bicubic_surface(p, &builder, &patch);
     mesh->mapped = mesh->turned = true;
     mesh_take(p, mesh, &builder);

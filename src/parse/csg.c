@@ -58,8 +58,9 @@ static bool csg_items(struct parser *p, struct csg *csg, bool difference)
                    "difference { box {...} sphere {...} }",
                    "nothing is taken away: this 'difference' has one object");
     struct object *object = csg->object;
-    object->children = csg->children.items;
-    object->child_count = csg->children.count;
+    struct object_more *more = object_more(p->scene_arena, object);
+    more->children = csg->children.items;
+    more->child_count = (unsigned)csg->children.count;
     struct modifiers m = { .object = object, .block = csg->name };
     return parse_modifiers(p, &m);
 }
@@ -77,7 +78,7 @@ bool parse_csg(struct parser *p, struct object **out)
         .object = object_new(p->scene_arena, csg_kind(word.word->keyword),
                              p->last_span),
     };
-    csg.object->parts = 0;
+    object_more(p->scene_arena, csg.object)->parts = 0;
     *out = csg.object;
     return block_begin(p, &open) &&
            block_end(

@@ -42,17 +42,18 @@ static bool cutaway_gather(struct parser *p, struct cutaway_builder *b,
                            const struct texture *texture, const affine *outward)
 {
     bool ok = true;
-    for (size_t i = 0; ok && i < node->child_count; i++) {
-        const struct object *child = node->children[i];
+    for (size_t i = 0; ok && i < node->more->child_count; i++) {
+        const struct object *child = node->more->children[i];
         const struct texture *own = texture;
         if (child->inverse)
             continue;
         if (child->texture) {
-            affine to = affine_compose(*outward, *child->texture_transform);
+            affine to = affine_compose(*outward, *child->maps->texture);
             own = texture_moved(p->scene_arena, child->texture, &to);
         }
-        affine both = affine_compose(*outward, *child->transform);
-        if (child->child_count > 0 && (!own || child->kind == OBJECT_UNION))
+        affine both = affine_compose(*outward, *child->maps->own);
+        if (child->more->child_count > 0 &&
+            (!own || child->kind == OBJECT_UNION))
             ok = cutaway_gather(p, b, child, own, &both);
         else if (own)
             ok = cutaway_add(p, b, child, own, outward);
@@ -64,7 +65,7 @@ bool cutaway_textures(struct parser *p, struct object *object)
 {
     struct cutaway_builder b = { .objects = { NULL, 0, 0 } };
     affine unmoved = affine_identity();
-    if (object->texture || object->child_count == 0)
+    if (object->texture || object->more->child_count == 0)
         return true;
     *ARRAY_PUSH(p->scene_arena, &b.textures) = texture_from_defaults(p);
     if (!cutaway_gather(p, &b, object, NULL, &unmoved))
@@ -75,6 +76,8 @@ bool cutaway_textures(struct parser *p, struct object *object)
     *cutaway = (struct cutaway){ b.objects.items, b.objects.count };
     object->texture = texture_by_rule(p, pick_by_insides, cutaway,
                                       b.textures.items, b.textures.count);
-    object->texture_transform = object->transform;
+    struct object_maps maps = *object->maps;
+    maps.texture = maps.own;
+    object_place(p->scene_arena, object, maps);
     return object->texture != NULL;
 }

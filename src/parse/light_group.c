@@ -48,13 +48,14 @@ static bool light_group_items(struct parser *p, struct object *group)
     group->no_global_lights = true;
     if (value)
         *group = *value->object;
-    for (size_t i = 0; i < group->child_count; i++)
-        *ARRAY_PUSH(p->scene_arena, &members) = group->children[i];
+    for (size_t i = 0; i < group->more->child_count; i++)
+        *ARRAY_PUSH(p->scene_arena, &members) = group->more->children[i];
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_light_group_item(p, group, &members))
             return false;
-    group->children = members.items;
-    group->child_count = members.count;
+    struct object_more *more = object_more(p->scene_arena, group);
+    more->children = members.items;
+    more->child_count = (unsigned)members.count;
     return true;
 }
 
@@ -78,6 +79,6 @@ bool parse_light_group_part(struct parser *p, struct object **out)
     if (!parse_light_group(p, &group))
         return false;
     *out = object_copy(p->scene_arena, group);
-    (*out)->light_group = ++p->scene->light_groups;
+    object_more(p->scene_arena, *out)->light_group = ++p->scene->light_groups;
     return true;
 }

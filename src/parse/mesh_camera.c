@@ -25,7 +25,7 @@ static bool parse_camera_part(struct parser *p, struct camera_mesh_parts *parts)
         return error_at(p, span, NULL, "a camera has at most %d meshes",
                         CAMERA_MESHES);
     *ARRAY_PUSH(p->scene_arena, parts) =
-        (struct camera_mesh_part){ object->mesh, *object->transform };
+        (struct camera_mesh_part){ object->mesh, *object->maps->own };
     return true;
 }
 

@@ -28,17 +28,45 @@ static const struct field modifier_names[] = {
     { .name = NULL },
 };
 
-/* The object's texture in the space the block's next words are written in. */
+/* These stand where the block's next words are written. */
+static void object_paint(struct parser *p, struct object *object,
+                         const struct texture *texture)
+{
+    struct object_maps maps = *object->maps;
+    maps.texture = &affine_unmoved;
+    object->texture = texture;
+    object_place(p->scene_arena, object, maps);
+}
+
+static void object_paint_inside(struct parser *p, struct object *object,
+                                const struct texture *texture)
+{
+    struct object_maps maps = *object->maps;
+    maps.inner = &affine_unmoved;
+    object_more(p->scene_arena, object)->inner = texture;
+    object_place(p->scene_arena, object, maps);
+}
+
+static void object_fill(struct parser *p, struct object *object,
+                        const struct interior *interior)
+{
+    struct object_maps maps = *object->maps;
+    maps.interior = &affine_unmoved;
+    object_more(p->scene_arena, object)->interior = interior;
+    object_place(p->scene_arena, object, maps);
+}
+
+/* The object's texture, moved to there. */
 static const struct texture *object_texture_here(struct parser *p,
                                                  struct object *object)
 {
-    if (!object->texture)
-        object->texture = texture_from_defaults(p);
-    else if (!affine_is_identity(*object->texture_transform))
-        object->texture = texture_moved(p->scene_arena, object->texture,
-                                        object->texture_transform);
-    object->texture_transform = &affine_unmoved;
-    return object->texture;
+    const struct texture *texture = object->texture;
+    if (!texture)
+        texture = texture_from_defaults(p);
+    else if (!affine_is_identity(*object->maps->texture))
+        texture = texture_moved(p->scene_arena, texture, object->maps->texture);
+    object_paint(p, object, texture);
+    return texture;
 }
 
 /* A second texture is painted over the first. */
@@ -47,8 +75,7 @@ static void object_set_texture(struct parser *p, struct object *object,
 {
     if (object->texture)
         texture = texture_stack(p, object_texture_here(p, object), texture);
-    object->texture = texture;
-    object->texture_transform = &affine_unmoved;
+    object_paint(p, object, texture);
 }
 
 static bool modifier_material(struct parser *p, struct object *object)
@@ -58,25 +85,32 @@ static bool modifier_material(struct parser *p, struct object *object)
         return false;
     if (material.texture)
         object_set_texture(p, object, material.texture);
-    if (material.interior) {
-        object->interior = material.interior;
-        object->interior_transform = &affine_unmoved;
-    }
+    if (material.interior)
+        object_fill(p, object, material.interior);
     if (material.interior_texture)
-        object->inner = material.interior_texture;
-    if (material.interior_texture)
-        object->inner_transform = &affine_unmoved;
+        object_paint_inside(p, object, material.interior_texture);
     return true;
 }
 
 /* Layers are in the space the last one is written in. */
 static bool object_interior_texture(struct parser *p, struct object *object)
 {
-    if (object->inner && !affine_is_identity(*object->inner_transform))
-        object->inner = texture_moved(p->scene_arena, object->inner,
-                                      object->inner_transform);
-    object->inner_transform = &affine_unmoved;
-    return parse_interior_texture(p, object->texture, &object->inner);
+    const struct texture *inner = object->more->inner;
+    if (inner && !affine_is_identity(*object->maps->inner))
+        inner = texture_moved(p->scene_arena, inner, object->maps->inner);
+    if (!parse_interior_texture(p, object->texture, &inner))
+        return false;
+    object_paint_inside(p, object, inner);
+    return true;
+}
+
+static bool object_interior(struct parser *p, struct object *object)
+{
+    const struct interior *interior = object->more->interior;
+    if (!parse_interior(p, &interior))
+        return false;
+    object_fill(p, object, interior);
+    return true;
 }
 
 /* covering = texture | interior_texture | texture_part | interior | material .
@@ -101,8 +135,7 @@ static enum taken parse_covering(struct parser *p, struct object *object)
     case KEYWORD_INTERIOR_TEXTURE:
         return object_interior_texture(p, object);
     case KEYWORD_INTERIOR:
-        object->interior_transform = &affine_unmoved;
-        return parse_interior(p, &object->interior);
+        return object_interior(p, object);
     case KEYWORD_MATERIAL:
         return modifier_material(p, object);
     default:
@@ -150,8 +183,8 @@ static bool parse_clip_body(struct parser *p, struct clip_list *list,
     return true;
 }
 
-/* Adds to the `count` clips or bounds at `items`, which may be shared with a
- * declared object. */
+/* Adds to the `count` clips or bounds at `items`, of the object's own, which
+ * may be shared with a declared object. */
 static bool object_add_list(struct parser *p, struct object *object,
                             const struct clip_list *list,
                             const struct clip **items, unsigned *count)
@@ -180,9 +213,10 @@ static bool parse_clipped_by(struct parser *p, struct modifiers *m)
         return false;
     bool bounds = accept_keyword(p, KEYWORD_BOUNDED_BY);
     bool ok = bounds || parse_clip_body(p, &list, "clipped_by");
+    struct object_more *more = object_more(p->scene_arena, m->object);
     return block_end(p, open, ok) &&
            object_add_list(p, m->object, bounds ? &m->bounds : &list,
-                           &m->object->clips, &m->object->clip_count);
+                           &more->clips, &more->clip_count);
 }
 
 /* bounded_by = "bounded_by" "{" ( "clipped_by" | clip_body ) "}" .
@@ -198,22 +232,28 @@ static bool parse_bounded_by(struct parser *p, struct modifiers *m)
               parse_clip_body(p, &list, "bounded_by");
     for (size_t i = 0; i < list.count; i++)
         *ARRAY_PUSH(p->scene_arena, &m->bounds) = list.items[i];
+    struct object_more *more = object_more(p->scene_arena, m->object);
     return block_end(p, open, ok) &&
-           object_add_list(p, m->object, &list, &m->object->bounds,
-                           &m->object->bound_count);
+           object_add_list(p, m->object, &list, &more->bounds,
+                           &more->bound_count);
 }
 
 /* flag = "inverse" | "hollow" [bool] | "double_illuminate" [bool]
  *      | "no_shadow" | "no_image" | "no_reflection" | "uv_mapping" . */
 static enum taken parse_flag(struct parser *p, struct object *object)
 {
+    bool on = false;
     if (accept_keyword(p, KEYWORD_INVERSE)) {
         object->inverse = !object->inverse;
     } else if (accept_keyword(p, KEYWORD_HOLLOW)) {
+        bool ok = parse_bool(p, &on);
         object->has_hollow = true;
-        return parse_bool(p, &object->hollow);
+        object->hollow = on;
+        return ok;
     } else if (accept_keyword(p, KEYWORD_DOUBLE_ILLUMINATE)) {
-        return parse_bool(p, &object->double_illuminate);
+        bool ok = parse_bool(p, &on);
+        object->double_illuminate = on;
+        return ok;
     } else if (accept_keyword(p, KEYWORD_NO_SHADOW)) {
         object->no_shadow = true;
     } else if (accept_keyword(p, KEYWORD_NO_IMAGE)) {
@@ -273,14 +313,14 @@ static enum taken modifier_transformation(struct parser *p, struct modifiers *m)
     affine step = affine_identity(), inverse;
     struct span span = stream_span(p);
     enum taken taken = parse_transformation(p, &step), more = taken;
-    bool moved = m->object->transform != &affine_unmoved;
+    bool moved = m->object->maps->own != &affine_unmoved;
     while (more == TAKEN)
         more = parse_transformation(p, &step);
     if (taken != TAKEN || more == WRONG)
         return taken == TAKEN ? more : taken;
     object_move(p->scene_arena, m->object, &step);
     clip_list_move(&m->bounds, &step);
-    return !moved || affine_inverse(*m->object->transform, &inverse) ||
+    return !moved || affine_inverse(*m->object->maps->own, &inverse) ||
            error_at(p, span_join(span, p->last_span), NULL,
                     "all transformations together leave nothing of this "
                     "object: their numbers are too large or too small");
@@ -306,8 +346,9 @@ static bool modifier_unknown(struct parser *p, const struct modifiers *m)
 static bool modifier_photons(struct parser *p, struct object *object)
 {
     struct photon_flags *flags = ARENA_NEW(p->scene_arena, struct photon_flags);
-    *flags = object->photons ? *object->photons : photon_flags_default;
-    object->photons = flags;
+    struct object_more *more = object_more(p->scene_arena, object);
+    *flags = more->photons ? *more->photons : photon_flags_default;
+    more->photons = flags;
     return parse_photon_flags(p, flags);
 }
 
@@ -349,13 +390,13 @@ static void object_old_ior(struct parser *p, struct object *object)
         ior = finish->ior > 0 ? finish->ior : ior;
         caustics = finish->caustics > 0 ? finish->caustics : caustics;
     }
-    if ((ior == 0 && caustics == 0) || object->interior)
+    if ((ior == 0 && caustics == 0) || object->more->interior)
         return;
     struct interior *interior = ARENA_NEW(p->scene_arena, struct interior);
     *interior = interior_default();
     interior->ior = ior > 0 ? ior : interior->ior;
     interior->caustics = caustics / 45; /* broader than there (measured) */
-    object->interior = interior;
+    object_more(p->scene_arena, object)->interior = interior;
 }
 
 bool parse_modifiers(struct parser *p, struct modifiers *m)
@@ -369,8 +410,6 @@ bool parse_modifiers(struct parser *p, struct modifiers *m)
 
 void object_link(struct parser *p, struct object *object)
 {
-    if (!object->texture) {
-        object->texture = texture_from_defaults(p);
-        object->texture_transform = &affine_unmoved;
-    }
+    if (!object->texture)
+        object_paint(p, object, texture_from_defaults(p));
 }

@@ -98,7 +98,7 @@ bool at_object(struct parser *p)
 struct object *object_empty(struct parser *p, struct span span)
 {
     struct object *object = object_new(p->scene_arena, OBJECT_UNION, span);
-    object->parts = 0;
+    object_more(p->scene_arena, object)->parts = 0;
     return object;
 }
 
@@ -113,15 +113,16 @@ struct object *object_seen(struct parser *p, struct object *object)
 bool object_adopt(struct parser *p, struct object *object,
                   const struct object *child)
 {
-    if (child->depth >= object->depth)
-        object->depth = child->depth + 1;
-    object->parts += child->parts;
+    struct object_more *more = object_more(p->scene_arena, object);
+    if (child->more->depth >= more->depth)
+        more->depth = child->more->depth + 1;
+    more->parts += child->more->parts;
     object->patch = object->patch || child->patch;
-    if (object->depth > OBJECT_DEPTH_LIMIT)
+    if (more->depth > OBJECT_DEPTH_LIMIT)
         return error_at(p, child->span, NULL,
                         "objects are nested more than %d deep",
                         OBJECT_DEPTH_LIMIT);
-    return object->parts <= OBJECT_PARTS_LIMIT ||
+    return more->parts <= OBJECT_PARTS_LIMIT ||
            error_at(p, child->span, NULL,
                     "an object is made of more than %d others",
                     OBJECT_PARTS_LIMIT);

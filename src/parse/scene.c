@@ -238,11 +238,12 @@ static bool scene_light_group(struct parser *p)
     if (!parse_light_group(p, &group))
         return false;
     unsigned number = ++p->scene->light_groups;
-    for (size_t i = 0; i < group->child_count; i++) {
-        struct object *member = object_copy(p->scene_arena, group->children[i]);
-        member->light_group = number;
+    for (size_t i = 0; i < group->more->child_count; i++) {
+        struct object *member =
+            object_copy(p->scene_arena, group->more->children[i]);
+        object_more(p->scene_arena, member)->light_group = number;
         member->no_global_lights = group->no_global_lights;
-        object_move(p->scene_arena, member, group->transform);
+        object_move(p->scene_arena, member, group->maps->own);
         object_link(p, member);
         *ARRAY_PUSH(p->scene_arena, &p->scene->objects) = member;
     }

@@ -135,7 +135,8 @@ static bool text_letter(struct parser *p, struct object *text,
     object->shape = shape;
     affine move = affine_translation(place);
     object_move(p->scene_arena, object, &move);
-    text->children[text->child_count++] = object;
+    struct object_more *more = object_more(p->scene_arena, text);
+    more->children[more->child_count++] = object;
     return object_adopt(p, text, object);
 }
 
@@ -148,8 +149,9 @@ static bool text_letters(struct parser *p, struct object *text,
     const struct font *font = face->font;
     vec3 place = { 0, 0, 0 };
     int last = -1;
-    text->parts = 0;
-    text->children =
+    struct object_more *more = object_more(p->scene_arena, text);
+    more->parts = 0;
+    more->children =
         ARENA_ARRAY(p->scene_arena, const struct object *, strlen(string) + 1);
     while (*string) {
         int letter = font_letter(font, text_next(&string));

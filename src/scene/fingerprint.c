@@ -281,14 +281,14 @@ static uint64_t media_hash(struct walk *walk, uint64_t hash,
 static void walk_material(struct walk *walk, const struct object *object,
                           affine outer)
 {
-    affine place = affine_compose(outer, *object->texture_transform);
-    const struct interior *interior = object->interior;
-    const struct mesh *mesh = object->mesh;
+    affine place = affine_compose(outer, *object->maps->texture);
+    const struct interior *interior = object->more->interior;
+    const struct mesh *mesh = object->kind == OBJECT_MESH ? object->mesh : NULL;
     if (object->texture)
         walk_texture(walk, object->texture, &place);
-    affine inner = affine_compose(outer, *object->inner_transform);
-    if (object->inner)
-        walk_texture(walk, object->inner, &inner);
+    affine inner = affine_compose(outer, *object->maps->inner);
+    if (object->more->inner)
+        walk_texture(walk, object->more->inner, &inner);
     for (size_t i = 0; mesh && i < mesh->texture_count; i++)
         walk_texture(walk, mesh->textures[i], &place);
     if (!interior)
@@ -297,7 +297,7 @@ static void walk_material(struct walk *walk, const struct object *object,
     *textures = hash_one(*textures, interior_fields, interior);
     if (interior->media.count == 0)
         return;
-    affine media = affine_compose(outer, *object->interior_transform);
+    affine media = affine_compose(outer, *object->maps->interior);
     *textures =
         media_hash(walk, hash_affine(*textures, &media), &interior->media);
 }
@@ -310,13 +310,13 @@ static uint64_t shape_hash(struct walk *walk, const struct object *object)
         (unsigned)object->has_hollow << 4 | (unsigned)object->no_shadow << 3 |
         (unsigned)object->no_image << 2 | (unsigned)object->no_reflection << 1 |
         (unsigned)object->double_illuminate;
-    const struct photon_flags *photons = object->photons;
+    const struct photon_flags *photons = object->more->photons;
     const double counts[] = { flags,
                               photons ? photons->target + 2.0 : 0,
                               photons ? photons->refraction : 0,
-                              (double)object->child_count,
-                              (double)object->clip_count,
-                              (double)object->bound_count };
+                              (double)object->more->child_count,
+                              (double)object->more->clip_count,
+                              (double)object->more->bound_count };
     uint64_t hash = hash_numbers(0, counts, 6);
     if (object->kind == OBJECT_MESH)
         return random_key(hash, mesh_hash(walk, object->mesh));
@@ -342,7 +342,7 @@ static void walk_clips(struct walk *walk, const struct clip *clips,
 static void walk_object(struct walk *walk, const struct object *object,
                         affine outer)
 {
-    affine place = affine_compose(outer, *object->transform);
+    affine place = affine_compose(outer, *object->maps->own);
     struct fingerprint *found = &walk->found;
     if (object->kind == OBJECT_LIGHT) {
         struct light light = light_moved(object->light, &place);
@@ -356,10 +356,10 @@ static void walk_object(struct walk *walk, const struct object *object,
     found->objects = random_key(found->objects, shape_hash(walk, object));
     found->objects = hash_affine(found->objects, &place);
     walk_material(walk, object, outer);
-    for (size_t i = 0; i < object->child_count; i++)
-        walk_object(walk, object->children[i], place);
-    walk_clips(walk, object->clips, object->clip_count, outer);
-    walk_clips(walk, object->bounds, object->bound_count, outer);
+    for (size_t i = 0; i < object->more->child_count; i++)
+        walk_object(walk, object->more->children[i], place);
+    walk_clips(walk, object->more->clips, object->more->clip_count, outer);
+    walk_clips(walk, object->more->bounds, object->more->bound_count, outer);
 }
 
 static const struct field *const fog_tables[] = { fog_fields,

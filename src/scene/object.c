@@ -4,19 +4,46 @@
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
+static const struct object_maps maps_unmoved = {
+    &affine_unmoved, &affine_unmoved, &affine_unmoved, &affine_unmoved
+};
+static const struct object_more nothing_more = { .depth = 1, .parts = 1 };
+
 struct object *object_new(struct arena *arena, enum object_kind kind,
                           struct span span)
 {
     struct object *object = ARENA_NEW(arena, struct object);
     object->kind = kind;
     object->span = span;
-    object->depth = 1;
-    object->parts = 1;
-    object->transform = &affine_unmoved;
-    object->texture_transform = &affine_unmoved;
-    object->inner_transform = &affine_unmoved;
-    object->interior_transform = &affine_unmoved;
+    object->maps = &maps_unmoved;
+    object->more = &nothing_more;
     return object;
+}
+
+struct object_more *object_more(struct arena *arena, struct object *object)
+{
+    if (object->more->owner == object)
+        return (struct object_more *)(uintptr_t)object->more;
+    struct object_more *more = ARENA_NEW(arena, struct object_more);
+    *more = *object->more;
+    more->owner = object;
+    object->more = more;
+    return more;
+}
+
+void object_place(struct arena *arena, struct object *object,
+                  struct object_maps maps)
+{
+    const struct object_maps *known[] = { object->maps, &maps_unmoved };
+    for (int i = 0; i < 2; i++) {
+        if (memcmp(known[i], &maps, sizeof maps) == 0) {
+            object->maps = known[i];
+            return;
+        }
+    }
+    struct object_maps *kept = ARENA_NEW(arena, struct object_maps);
+    *kept = maps;
+    object->maps = kept;
 }
 
 struct object *object_copy(struct arena *arena, const struct object *object)
@@ -57,8 +84,6 @@ static const affine *affine_moved(struct arena *arena, const affine *transform,
 static bool shape_move(struct arena *arena, struct object *object,
                        const affine *transform)
 {
-    if (!object->settled || object->transform != &affine_unmoved)
-        return false;
     const void *moved =
         primitive_moved(arena, object->primitive, object->shape, transform);
     if (moved)
@@ -68,34 +93,39 @@ static bool shape_move(struct arena *arena, struct object *object,
 
 void object_settle(struct arena *arena, struct object *object)
 {
-    const affine *transform = object->transform;
-    object->transform = &affine_unmoved;
+    struct object_maps maps = *object->maps;
     object->settled = true;
-    if (transform != &affine_unmoved && !shape_move(arena, object, transform))
-        object->transform = transform;
+    if (maps.own == &affine_unmoved || !shape_move(arena, object, maps.own))
+        return;
+    maps.own = &affine_unmoved;
+    object_place(arena, object, maps);
 }
 
 void object_move(struct arena *arena, struct object *object,
                  const affine *transform)
 {
-    const affine *before = object->transform;
+    struct object_maps maps = *object->maps;
+    const affine *before = maps.own;
     const affine *after = affine_moved(arena, transform, before, NULL, NULL);
-    const affine **all[] = { &object->texture_transform,
-                             &object->inner_transform,
-                             &object->interior_transform };
-    if (!shape_move(arena, object, transform))
-        object->transform = after;
-    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
-        *all[i] = affine_moved(arena, transform, *all[i], before, after);
-    object->clips =
-        clips_moved(arena, object->clips, object->clip_count, transform);
-    object->bounds =
-        clips_moved(arena, object->bounds, object->bound_count, transform);
+    const affine **covering[] = { &maps.texture, &maps.inner, &maps.interior };
+    if (!object->settled || before != &affine_unmoved ||
+        !shape_move(arena, object, transform))
+        maps.own = after;
+    for (size_t i = 0; i < sizeof covering / sizeof covering[0]; i++)
+        *covering[i] =
+            affine_moved(arena, transform, *covering[i], before, after);
+    object_place(arena, object, maps);
+    if (!object->more->clip_count && !object->more->bound_count)
+        return;
+    struct object_more *more = object_more(arena, object);
+    more->clips = clips_moved(arena, more->clips, more->clip_count, transform);
+    more->bounds =
+        clips_moved(arena, more->bounds, more->bound_count, transform);
 }
 
 bool object_is_bounded(const struct object *object)
 {
-    if (!object->bound_count || object->kind == OBJECT_MESH)
+    if (!object->more->bound_count || object->kind == OBJECT_MESH)
         return false;
     return object->kind != OBJECT_SHAPE ||
            object->primitive->bounded != BOUNDS_IGNORED;
@@ -109,9 +139,9 @@ static struct box3 half_space_bounds(const struct object *object)
     vec3 normal;
     double distance;
     object->primitive->half_space(object->shape, &normal, &distance);
-    if (!affine_inverse(*object->transform, &inverse))
+    if (!affine_inverse(*object->maps->own, &inverse))
         return box;
-    vec3 on = affine_point(object->transform, vec3_scale(normal, distance));
+    vec3 on = affine_point(object->maps->own, vec3_scale(normal, distance));
     normal = vec3_normalise(affine_normal(&inverse, normal));
     if (object->inverse)
         normal = vec3_negate(normal);
@@ -133,11 +163,11 @@ static struct box3 object_part_bounds(const struct object *object)
     bool shape = object->kind == OBJECT_SHAPE;
     if (shape && object->primitive->half_space)
         return half_space_bounds(object);
-    if (!shape || object->clip_count > 0 || object_is_bounded(object))
+    if (!shape || object->more->clip_count > 0 || object_is_bounded(object))
         return object_bounds(object);
     return object->inverse
                ? box3_infinite()
-               : affine_box(object->transform,
+               : affine_box(object->maps->own,
                             object->primitive->bounds(object->shape));
 }
 
@@ -145,11 +175,11 @@ static struct box3 object_children_bounds(const struct object *object)
 {
     bool meet = object->kind == OBJECT_INTERSECTION;
     struct box3 box = meet ? box3_infinite() : box3_empty();
-    for (size_t i = 0; i < object->child_count; i++) {
-        if (object->children[i]->kind == OBJECT_LIGHT)
+    for (size_t i = 0; i < object->more->child_count; i++) {
+        if (object->more->children[i]->kind == OBJECT_LIGHT)
             continue;
-        struct box3 child = meet ? object_part_bounds(object->children[i])
-                                 : object_bounds(object->children[i]);
+        struct box3 child = meet ? object_part_bounds(object->more->children[i])
+                                 : object_bounds(object->more->children[i]);
         box = meet ? box3_intersection(box, child) : box3_union(box, child);
     }
     return box;
@@ -195,20 +225,20 @@ struct box3 object_bounds(const struct object *object)
 {
     if (object->inverse)
         return box3_infinite();
-    struct box3 box = affine_box(object->transform, object_own_bounds(object));
+    struct box3 box = affine_box(object->maps->own, object_own_bounds(object));
     if (!box3_is_empty(box) && box_is_endless(box))
         box = box3_infinite();
-    box = box_within(box, object->clips, object->clip_count);
+    box = box_within(box, object->more->clips, object->more->clip_count);
     if (object_is_bounded(object))
-        box = box_within(box, object->bounds, object->bound_count);
+        box = box_within(box, object->more->bounds, object->more->bound_count);
     return box;
 }
 
 bool object_is_hollow(const struct object *object, bool hollow)
 {
     hollow |= object->hollow;
-    while (object->child_count > 0) {
-        object = object->children[object->child_count - 1];
+    while (object->more->child_count > 0) {
+        object = object->more->children[object->more->child_count - 1];
         hollow |= object->hollow;
     }
     return hollow;

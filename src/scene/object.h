@@ -2,9 +2,9 @@
  * declared identifier, so they are const: using one makes a new node, a
  * shallow copy with its own transformation, texture and flags.
  *
- * Spaces: object.transform takes the node's own space to its parent's. A
- * texture or a clip moves with the transformations written after it, so each
- * has a transformation of its own. */
+ * Spaces: maps->own takes the node's own space to its parent's. A texture or a
+ * clip moves with the transformations written after it, so each has a map of
+ * its own. */
 #ifndef SCENE_OBJECT_H
 #define SCENE_OBJECT_H
 
@@ -34,15 +34,41 @@ struct clip {
     affine transform; /* clip's parent space to the node's parent space */
 };
 
-/* Scenes have millions of these: what is small stands together. */
+/* Scenes have millions of these: what is small stands together, and what few of
+ * them have is kept aside. */
 struct object {
     struct span span; /* the keyword, for late errors */
     enum object_kind kind;
-    unsigned child_count, clip_count, bound_count;
-    const struct primitive *primitive;
-    const void *shape;
-    const struct mesh *mesh;
-    const struct light *light;
+    bool no_global_lights : 1; /* no lamps light it but those of its group */
+    bool patch : 1;            /* some part has no inside */
+    bool inverse : 1;
+    bool hollow : 1, has_hollow : 1; /* has_: said at all, else the parent's */
+    bool no_shadow : 1, no_image : 1, no_reflection : 1;
+    bool double_illuminate : 1;
+    bool uv_mapping : 1; /* the texture is of the surface's own coordinates */
+    bool settled : 1;    /* the shape is prepared, and may be moved itself */
+    const struct primitive *primitive; /* of a shape */
+    union {
+        const void *shape;
+        const struct mesh *mesh;
+        const struct light *light;
+    };
+    const struct texture *texture; /* NULL: the parent's, or the default */
+    const struct object_maps *maps;
+    const struct object_more *more;
+};
+
+/* None is NULL; most are affine_unmoved, or the same. */
+struct object_maps {
+    const affine *own;
+    const affine *texture; /* from the texture's space to the parent's */
+    const affine *inner;
+    const affine *interior; /* of its media */
+};
+
+/* What single shapes seldom have. */
+struct object_more {
+    const struct object *owner; /* who may write here; all others copy it */
     const struct object **children;
 
     /* Of the tree below, clips included: a declared object may be used by one
@@ -50,39 +76,32 @@ struct object {
     unsigned depth; /* levels, 1 for a shape */
     unsigned parts; /* shapes, each counted as often as it is used */
 
-    /* None is NULL; most are affine_unmoved, or the same. */
-    const affine *transform;
-    const affine *texture_transform; /* texture's space to the parent's */
-    const affine *inner_transform;
-    const struct texture *texture; /* NULL: the parent's, or the default */
-    const struct texture *inner;   /* the same seen from inside, or NULL */
+    const struct texture *inner; /* the same seen from inside, or NULL */
     const struct interior *interior;
-    const affine *interior_transform; /* its media's space to the parent's */
-
     const struct clip *clips;
     /* bounded_by: a ray that misses one of these misses the node, if that is
      * CSG or a shape that POV-Ray doesn't bound by itself. */
     const struct clip *bounds;
-
     const struct photon_flags *photons; /* NULL: the parent's */
-
-    unsigned light_group;  /* whose lamps light it; 0: none, or the parent's */
-    bool no_global_lights; /* and no others do */
-    bool patch;            /* some part has no inside */
-    bool inverse;
-    bool hollow, has_hollow; /* has_: said at all, else the parent's */
-    bool no_shadow, no_image, no_reflection;
-    bool double_illuminate;
-    bool uv_mapping; /* the texture is of the surface's own coordinates */
-    bool settled;    /* the shape is prepared, and may be moved itself */
+    unsigned child_count, clip_count, bound_count;
+    unsigned light_group; /* whose lamps light it; 0: none, or the parent's */
 };
 
-/* A new node of this kind with identity transformations. */
+/* A new node of this kind that stands where it is written. */
 struct object *object_new(struct arena *arena, enum object_kind kind,
                           struct span span);
 
 /* A copy of the node that shares everything below it. */
 struct object *object_copy(struct arena *arena, const struct object *object);
+
+/* What it has more than others, to write to: its own from now on, in `arena`.
+ */
+struct object_more *object_more(struct arena *arena, struct object *object);
+
+/* The node's maps from now on: in `arena`, unless it has them already or they
+ * leave everything where it is. */
+void object_place(struct arena *arena, struct object *object,
+                  struct object_maps maps);
 
 /* Moves the node, its texture, its clips and bounds. */
 void object_move(struct arena *arena, struct object *object,

@@ -23,7 +23,7 @@ bool object_is_solid(const struct object *object)
     case OBJECT_INTERSECTION:
         break;
     }
-    return object->child_count > 0;
+    return object->more->child_count > 0;
 }
 
 /* An odd number of triangles lies in the mesh's inside direction. */
@@ -45,17 +45,17 @@ static bool content_inside(const struct object *object, vec3 point)
         return object->primitive->inside(object->shape, point);
     if (object->kind == OBJECT_MESH)
         return mesh_inside(object->mesh, point);
-    for (size_t i = 0; i < object->child_count; i++)
-        if (object_inside(object->children[i], point) != all)
+    for (size_t i = 0; i < object->more->child_count; i++)
+        if (object_inside(object->more->children[i], point) != all)
             return !all;
     return all;
 }
 
 static bool clips_inside(const struct object *object, vec3 point)
 {
-    for (size_t i = 0; i < object->clip_count; i++) {
+    for (size_t i = 0; i < object->more->clip_count; i++) {
         affine inverse;
-        const struct clip *clip = &object->clips[i];
+        const struct clip *clip = &object->more->clips[i];
         if (!affine_inverse(clip->transform, &inverse) ||
             !object_inside(clip->object, affine_point(&inverse, point)))
             return false;
@@ -70,8 +70,8 @@ bool object_inside(const struct object *object, vec3 point)
     vec3 own = point;
     if (!object_is_solid(object))
         return false;
-    if (object->transform != &affine_unmoved) {
-        if (!affine_inverse(*object->transform, &inverse))
+    if (object->maps->own != &affine_unmoved) {
+        if (!affine_inverse(*object->maps->own, &inverse))
             return false;
         own = affine_point(&inverse, point);
     }
@@ -101,9 +101,9 @@ static bool siblings_agree(const struct object *parent, bool parent_inverse,
     bool wanted = parent->kind == OBJECT_INTERSECTION;
     if (parent->kind == OBJECT_UNION && !parent_inverse)
         return true;
-    for (size_t i = 0; i < parent->child_count; i++)
-        if (parent->children[i] != child &&
-            object_inside(parent->children[i], point) != wanted)
+    for (size_t i = 0; i < parent->more->child_count; i++)
+        if (parent->more->children[i] != child &&
+            object_inside(parent->more->children[i], point) != wanted)
             return false;
     return true;
 }
@@ -195,7 +195,7 @@ static void probe_object(struct probe *probe, const struct object *object,
                          const struct level *above)
 {
     affine inverse;
-    if (!affine_inverse(*object->transform, &inverse))
+    if (!affine_inverse(*object->maps->own, &inverse))
         return;
     struct level level = {
         .above = above,
@@ -209,8 +209,8 @@ static void probe_object(struct probe *probe, const struct object *object,
         probe_shape(probe, &level, &ray);
     else if (object->kind == OBJECT_MESH)
         probe_mesh(probe, &level, &ray);
-    for (size_t i = 0; i < object->child_count; i++)
-        probe_object(probe, object->children[i], &level);
+    for (size_t i = 0; i < object->more->child_count; i++)
+        probe_object(probe, object->more->children[i], &level);
 }
 
 bool object_trace(const struct object *object, const struct ray *ray, double *t,

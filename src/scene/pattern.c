@@ -63,7 +63,7 @@ double pattern_work(const struct pattern *pattern)
         return 1;
     return 1 + (made->function ? made->function->work : 0) +
            (made->pigment ? made->pigment->work : 0) +
-           (made->object ? (double)made->object->parts : 0);
+           (made->object ? (double)made->object->more->parts : 0);
 }
 
 unsigned pattern_levels(const struct pattern *pattern)

@@ -83,39 +83,38 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
 {
     struct inherited in = *up;
     in.depth++;
-    in.to_world = affine_compose(up->to_world, *object->transform);
-    in.to_tree = affine_compose(up->to_tree, *object->transform);
+    in.to_world = affine_compose(up->to_world, *object->maps->own);
+    in.to_tree = affine_compose(up->to_tree, *object->maps->own);
     if (object->texture) {
         in.texture = object->texture;
-        in.from_texture =
-            affine_compose(up->to_world, *object->texture_transform);
+        in.from_texture = affine_compose(up->to_world, *object->maps->texture);
     }
     if (object->primitive == &blob_primitive)
         in.texture = blob_texture(flat->arena, object->shape, &in.to_world,
                                   in.texture, &in.from_texture);
-    if (object->inner) {
-        in.inner = object->inner;
-        in.from_inner = affine_compose(up->to_world, *object->inner_transform);
+    if (object->more->inner) {
+        in.inner = object->more->inner;
+        in.from_inner = affine_compose(up->to_world, *object->maps->inner);
     }
-    if (object->interior) {
-        affine place =
-            affine_compose(up->to_world, *object->interior_transform);
-        in.interior = interior_moved(flat->arena, object->interior, &place);
+    if (object->more->interior) {
+        affine place = affine_compose(up->to_world, *object->maps->interior);
+        in.interior =
+            interior_moved(flat->arena, object->more->interior, &place);
     }
-    if (object->interior || up->depth == 0)
+    if (object->more->interior || up->depth == 0)
         in.body = flat->bodies++;
     if (up->depth == 0)
         in.hollow = object->hollow;
-    if (object->interior)
+    if (object->more->interior)
         in.hollow = object_is_hollow(object, up->all_hollow);
     in.all_hollow |= object->hollow;
-    if (up->depth == 0 || object->light_group) {
-        in.light_group = object->light_group;
+    if (up->depth == 0 || object->more->light_group) {
+        in.light_group = object->more->light_group;
         in.no_global_lights = object->no_global_lights;
     }
-    if (object->photons) {
-        in.photons = object->photons;
-        in.target = object->photons->target ? ++flat->targets : 0;
+    if (object->more->photons) {
+        in.photons = object->more->photons;
+        in.target = object->more->photons->target ? ++flat->targets : 0;
     }
     inherit_visibility(object, &in);
     in.double_illuminate |= object->double_illuminate;
@@ -225,10 +224,9 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
                                const void *moved, const struct inherited *in)
 {
     struct flat_place place = tree_place(in), texture;
-    if (!moved && !find_place(flat, &in->to_world, object->transform, &place))
+    if (!moved && !find_place(flat, &in->to_world, object->maps->own, &place))
         return NULL;
-    if (!find_place(flat, &in->from_texture, object->texture_transform,
-                    &texture))
+    if (!find_place(flat, &in->from_texture, object->maps->texture, &texture))
         texture = (struct flat_place){ &affine_unmoved, &affine_unmoved };
     struct leaf *leaf = ARENA_NEW(flat->arena, struct leaf);
     leaf->object = object;
@@ -305,7 +303,7 @@ static struct solid *build_leaf_solid(struct flat *flat,
     struct leaf *leaf = build_leaf(flat, object, moved, in);
     struct flat_place place = unmoved;
     if (!leaf ||
-        (!moved && !find_place(flat, &in->to_tree, object->transform, &place)))
+        (!moved && !find_place(flat, &in->to_tree, object->maps->own, &place)))
         return NULL;
     struct solid *solid = ARENA_NEW(flat->arena, struct solid);
     solid->kind = object->kind;
@@ -391,8 +389,9 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
     enum object_kind kind = turned_kind(object->kind, in);
     in->no_flags |= kind == OBJECT_INTERSECTION;
     in->no_shadow_flags |= kind == OBJECT_MERGE;
-    for (size_t i = 0; i < object->child_count; i++) {
-        struct solid *child = build_solid(flat, object->children[i], in, false);
+    for (size_t i = 0; i < object->more->child_count; i++) {
+        struct solid *child =
+            build_solid(flat, object->more->children[i], in, false);
         if (child)
             add_child(flat, &children, kind, child);
     }
@@ -400,7 +399,7 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
         return NULL;
     struct solid *only = children.items[0];
     if (children.count == 1 && !only->clip_count && !only->gate_count &&
-        !object->clip_count && !object->bound_count)
+        !object->more->clip_count && !object->more->bound_count)
         return only;
     struct solid *solid = ARENA_NEW(flat->arena, struct solid);
     solid->kind = kind;
@@ -426,17 +425,17 @@ static void add_limits(struct flat *flat, const struct object *object,
                        const struct inherited *up, bool root,
                        struct solid *solid)
 {
-    if (object->clip_count) {
-        struct limits limits =
-            build_limits(flat, object->clips, object->clip_count, up);
+    if (object->more->clip_count) {
+        struct limits limits = build_limits(flat, object->more->clips,
+                                            object->more->clip_count, up);
         solid->clips = limits.items;
         solid->clip_count = limits.count;
         solid->own_clips = (unsigned)limits.count;
     }
-    if (!object->bound_count || (root && !object_is_bounded(object)))
+    if (!object->more->bound_count || (root && !object_is_bounded(object)))
         return;
     struct limits limits =
-        build_limits(flat, object->bounds, object->bound_count, up);
+        build_limits(flat, object->more->bounds, object->more->bound_count, up);
     if (root && object->kind == OBJECT_SHAPE &&
         object->primitive->bounded == BOUNDS_AS_BOX) {
         for (size_t i = 0; i < limits.count; i++)
@@ -466,7 +465,7 @@ static struct solid *build_solid(struct flat *flat, const struct object *object,
     } else {
         if (root && !affine_is_along_axes(in.to_tree)) {
             in.frame = frame =
-                build_frame(flat, &in.to_tree, object->transform);
+                build_frame(flat, &in.to_tree, object->maps->own);
             if (!frame)
                 return NULL;
             in.to_tree = affine_identity();
@@ -534,25 +533,25 @@ static void flatten_union(struct flat *flat, const struct object *object,
     struct inherited in = inherit(flat, object, up);
     if (!flat_enter(flat, object, in.depth))
         return;
-    if (object->clip_count)
-        in.clips = limits_join(
-            flat, up->clips,
-            build_limits(flat, object->clips, object->clip_count, up));
+    if (object->more->clip_count)
+        in.clips = limits_join(flat, up->clips,
+                               build_limits(flat, object->more->clips,
+                                            object->more->clip_count, up));
     if (object_is_bounded(object))
-        in.gates = limits_join(
-            flat, up->gates,
-            build_limits(flat, object->bounds, object->bound_count, up));
-    for (size_t i = 0; i < object->child_count; i++)
-        flatten(flat, object->children[i], &in);
+        in.gates = limits_join(flat, up->gates,
+                               build_limits(flat, object->more->bounds,
+                                            object->more->bound_count, up));
+    for (size_t i = 0; i < object->more->child_count; i++)
+        flatten(flat, object->more->children[i], &in);
 }
 
 /* Whether the limits of unions around it cut the mesh. */
 static bool mesh_is_limited(const struct object *object,
                             const struct inherited *up)
 {
-    affine to_world = affine_compose(up->to_world, *object->transform);
+    affine to_world = affine_compose(up->to_world, *object->maps->own);
     struct box3 box = affine_box(&to_world, object->mesh->bounds);
-    if (up->clips.count || object->clip_count)
+    if (up->clips.count || object->more->clip_count)
         return true;
     for (size_t i = 0; i < up->gates.count; i++)
         if (!solid_surrounds(up->gates.items[i], box))

@@ -67,10 +67,10 @@ static void assert_vector(vec3 v, double x, double y, double z)
 
 /* Where the middle of a shape is in the scene: it was moved itself, or keeps
  * its map. */
-static vec3 object_place(const struct object *object)
+static vec3 object_middle(const struct object *object)
 {
     struct box3 box = object->primitive->bounds(object->shape);
-    return affine_point(object->transform,
+    return affine_point(object->maps->own,
                         vec3_scale(vec3_add(box.low, box.high), 0.5));
 }
 
@@ -92,10 +92,10 @@ static void transformations_apply_in_order(void **state)
                    "#declare T = transform { translate 2*x }"
                    "sphere { 0, 1 transform T transform { T } }"
                    "sphere { 0, 1 transform { inverse T translate y } }");
-    assert_vector(object_place(object_at(&r, 0)), 0, 2, 0);
-    assert_vector(object_place(object_at(&r, 1)), 3, 4, 5);
-    assert_vector(object_place(object_at(&r, 2)), 4, 0, 0);
-    assert_vector(object_place(object_at(&r, 3)), -2, -1, 0);
+    assert_vector(object_middle(object_at(&r, 0)), 0, 2, 0);
+    assert_vector(object_middle(object_at(&r, 1)), 3, 4, 5);
+    assert_vector(object_middle(object_at(&r, 2)), 4, 0, 0);
+    assert_vector(object_middle(object_at(&r, 3)), -2, -1, 0);
     scene_end(&r);
 }
 
@@ -104,7 +104,7 @@ static void scaling_by_nothing_is_by_one(void **state)
     (void)state;
     struct reading r = scene_good("sphere { x + y, 1 scale 3*y }");
     const struct object *object = object_at(&r, 0);
-    assert_vector(affine_point(object->transform, vec3_make(1, 1, 1)), 1, 3, 1);
+    assert_vector(affine_point(object->maps->own, vec3_make(1, 1, 1)), 1, 3, 1);
     assert_int_equal(r.diag.warnings, 2);
     scene_end(&r);
 }
@@ -172,10 +172,10 @@ static void texture_moves_with_what_follows(void **state)
         "sphere { 0, 1 pigment { checker } translate y pigment { scale 2 } }");
     const struct object *object = object_at(&r, 0);
     vec3 origin = vec3_make(0, 0, 0);
-    assert_vector(object_place(object), 5, 1, 0);
-    assert_vector(affine_point(object->texture_transform, origin), 0, 1, 0);
+    assert_vector(object_middle(object), 5, 1, 0);
+    assert_vector(affine_point(object->maps->texture, origin), 0, 1, 0);
     object = object_at(&r, 1);
-    assert_vector(affine_point(object->texture_transform, origin), 0, 0, 0);
+    assert_vector(affine_point(object->maps->texture, origin), 0, 0, 0);
     affine inverse = object_layer(object, 0)->pigment->pattern.inverse;
     assert_vector(affine_point(&inverse, vec3_make(0, 2, 0)), 0, 0, 0);
     assert_vector(affine_point(&inverse, vec3_make(2, 2, 0)), 1, 0, 0);
@@ -196,7 +196,7 @@ static void default_counts_when_it_goes_into_the_scene(void **state)
     const struct object *bare = object_at(&r, 0);
     assert_number(object_layer(bare, 0)->pigment->colour.r, 1);
     assert_number(object_layer(bare, 0)->finish->ambient.g, .09);
-    assert_true(affine_is_identity(*bare->texture_transform));
+    assert_true(affine_is_identity(*bare->maps->texture));
     assert_number(object_layer(object_at(&r, 1), 0)->pigment->colour.r, 0);
     const struct finish *finish = object_layer(object_at(&r, 2), 0)->finish;
     assert_number(finish->ambient.r, .09);
@@ -272,7 +272,7 @@ static void finish_forms(void **state)
     f = object_layer(object_at(&r, 1), 0)->finish;
     assert_number(f->reflection.minimum.r, 0);
     assert_number(f->reflection.maximum.r, .6);
-    assert_number(object_at(&r, 2)->interior->ior, 1.5);
+    assert_number(object_at(&r, 2)->more->interior->ior, 1.5);
     scene_end(&r);
 }
 
@@ -286,12 +286,12 @@ static void difference_turns_the_others(void **state)
                    "difference { box { -1, 1 } S sphere { 0, 1 } }");
     const struct object *object = object_at(&r, 0);
     assert_int_equal(object->kind, OBJECT_INTERSECTION);
-    assert_int_equal(object->child_count, 3);
-    assert_false(object->children[0]->inverse);
-    assert_false(object->children[1]->inverse);
-    assert_true(object->children[2]->inverse);
-    assert_int_equal(object->parts, 3);
-    assert_int_equal(object->depth, 2);
+    assert_int_equal(object->more->child_count, 3);
+    assert_false(object->more->children[0]->inverse);
+    assert_false(object->more->children[1]->inverse);
+    assert_true(object->more->children[2]->inverse);
+    assert_int_equal(object->more->parts, 3);
+    assert_int_equal(object->more->depth, 2);
     scene_end(&r);
 }
 
@@ -304,12 +304,14 @@ static void clips_and_bounds(void **state)
         "sphere { 0, 1 bounded_by { box { -1, 1 } } clipped_by { bounded_by } }"
         "sphere { 0, 1 bounded_by { box { -1, 1 } } }");
     const struct object *object = object_at(&r, 0);
-    assert_int_equal(object->clip_count, 3);
+    assert_int_equal(object->more->clip_count, 3);
     vec3 origin = vec3_make(0, 0, 0);
-    assert_vector(affine_point(&object->clips[1].transform, origin), 1, 0, 1);
-    assert_vector(affine_point(&object->clips[2].transform, origin), 0, 0, 0);
-    assert_int_equal(object_at(&r, 1)->clip_count, 1);
-    assert_int_equal(object_at(&r, 2)->clip_count, 0);
+    assert_vector(affine_point(&object->more->clips[1].transform, origin), 1, 0,
+                  1);
+    assert_vector(affine_point(&object->more->clips[2].transform, origin), 0, 0,
+                  0);
+    assert_int_equal(object_at(&r, 1)->more->clip_count, 1);
+    assert_int_equal(object_at(&r, 2)->more->clip_count, 0);
     scene_end(&r);
 }
 
@@ -413,7 +415,7 @@ static void lights(void **state)
     assert_int_equal(light->size2, 5);
     assert_number(light->falloff, 20);
     assert_vector(light_at(&r, 3)->location, 1, 1, 0);
-    assert_vector(object_place(light_at(&r, 3)->looks_like), 1, 1, 0);
+    assert_vector(object_middle(light_at(&r, 3)->looks_like), 1, 1, 0);
     assert_number(light_at(&r, 4)->colour.r, 0); /* POV-Ray's, too */
     scene_end(&r);
 }

@@ -212,7 +212,8 @@ static void shapes_without_a_test_are_searched(void **state)
     const struct object *top = all->scene->objects.items[0];
     plain.meets = NULL;
     for (size_t i = 0; i < 2; i++)
-        ((struct object *)(uintptr_t)top->children[i])->primitive = &plain;
+        ((struct object *)(uintptr_t)top->more->children[i])->primitive =
+            &plain;
     struct marked m = { .all = all };
     assert_true(grid_place(&m.grid, all->world, &all->scene->camera,
                            (struct grid_wish){ .resolution = 30 }, &all->diag));

@@ -23,10 +23,11 @@ static struct object *node(struct scene *scene, enum object_kind kind,
                            struct object *const *children, size_t count)
 {
     struct object *object = object_new(scene->arena, kind, span_none());
-    object->children = ARENA_ARRAY(scene->arena, const struct object *, count);
+    struct object_more *more = object_more(scene->arena, object);
+    more->children = ARENA_ARRAY(scene->arena, const struct object *, count);
     for (size_t i = 0; i < count; i++)
-        object->children[i] = children[i];
-    object->child_count = count;
+        more->children[i] = children[i];
+    more->child_count = (unsigned)count;
     return object;
 }
 
@@ -113,13 +114,13 @@ static struct object *random_solid(struct scene *scene, struct dice *dice,
 static bool slow_inside(const struct object *object, vec3 point)
 {
     affine inverse;
-    assert_true(affine_inverse(*object->transform, &inverse));
+    assert_true(affine_inverse(*object->maps->own, &inverse));
     vec3 p = affine_point(&inverse, point);
     bool inside = object->kind == OBJECT_INTERSECTION;
     if (object->kind == OBJECT_SHAPE)
         inside = object->primitive->inside(object->shape, p);
-    for (size_t i = 0; i < object->child_count; i++) {
-        bool child = slow_inside(object->children[i], p);
+    for (size_t i = 0; i < object->more->child_count; i++) {
+        bool child = slow_inside(object->more->children[i], p);
         inside = object->kind == OBJECT_INTERSECTION ? inside && child
                                                      : inside || child;
     }
@@ -137,7 +138,7 @@ static void slow_crossings(const struct object *object, struct ray ray,
                            struct places *places)
 {
     affine inverse;
-    assert_true(affine_inverse(*object->transform, &inverse));
+    assert_true(affine_inverse(*object->maps->own, &inverse));
     ray.origin = affine_point(&inverse, ray.origin);
     ray.direction = affine_direction(&inverse, ray.direction);
     if (object->kind == OBJECT_SHAPE) {
@@ -147,8 +148,8 @@ static void slow_crossings(const struct object *object, struct ray ray,
             if (hits.at[i].t > 0)
                 places->t[places->count++] = hits.at[i].t;
     }
-    for (size_t i = 0; i < object->child_count; i++)
-        slow_crossings(object->children[i], ray, places);
+    for (size_t i = 0; i < object->more->child_count; i++)
+        slow_crossings(object->more->children[i], ray, places);
 }
 
 static int compare_double(const void *a, const void *b)
@@ -337,7 +338,7 @@ static bool slow_triangles(struct object *const *objects, size_t count,
     *hits = 0;
     for (size_t i = 0; i < count; i++) {
         affine inverse;
-        assert_true(affine_inverse(*objects[i]->transform, &inverse));
+        assert_true(affine_inverse(*objects[i]->maps->own, &inverse));
         struct ray local = { affine_point(&inverse, ray->origin),
                              affine_direction(&inverse, ray->direction) };
         const struct mesh *mesh = objects[i]->mesh;
@@ -537,7 +538,7 @@ static void properties_come_down_the_tree(void **state)
     struct object *both[2] = { lamp, globe };
     struct object *all = node(scene, OBJECT_UNION, both, 2);
     all->no_image = true;
-    all->interior = &glass;
+    object_more(scene->arena, all)->interior = &glass;
     all->hollow = all->has_hollow = true;
     affine up = affine_translation(vec3_make(0, 10, 0));
     object_move(scene->arena, all, &up);
@@ -613,8 +614,8 @@ static void bounds_hide_what_misses_them(void **state)
     struct object *endless = shape_object(scene, "quadric", tube, 10);
     struct clip bound = { shape_object(scene, "sphere", ball, 4),
                           affine_identity() };
-    endless->bounds = &bound;
-    endless->bound_count = 1;
+    object_more(scene->arena, endless)->bounds = &bound;
+    object_more(scene->arena, endless)->bound_count = 1;
     affine up = affine_translation(vec3_make(0, 10, 0));
     object_move(scene->arena, endless, &up);
     scene_add(scene, endless);
@@ -790,11 +791,11 @@ static void rays_together_meet_trees_as_alone(void **state)
             limit->object = random_solid(scene, &dice, 1);
             limit->transform = affine_identity();
             if (trial % 3 == 1) {
-                solid->clips = limit;
-                solid->clip_count = 1;
+                object_more(scene->arena, solid)->clips = limit;
+                object_more(scene->arena, solid)->clip_count = 1;
             } else if (trial % 4 == 1) {
-                solid->bounds = limit;
-                solid->bound_count = 1;
+                object_more(scene->arena, solid)->bounds = limit;
+                object_more(scene->arena, solid)->bound_count = 1;
             }
             scene_add(scene, solid);
         }
