@@ -14,7 +14,7 @@ static struct lamp_target lamplight_target(const struct lamplight *light,
         .view = *view,
         .leaf = surface->at->leaf,
         .face = surface->at->face,
-        .straight = surface->at->leaf->photons->unlit,
+        .straight = surface->at->leaf->look->photons->unlit,
     };
 }
 

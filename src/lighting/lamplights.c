@@ -28,7 +28,8 @@ void lamplights_start(struct lamplights *lights, struct facets *facets)
     ways->shaft = NULL;
     for (unsigned all = facets->all; all; all &= all - 1) {
         unsigned i = (unsigned)__builtin_ctz(all);
-        lights->global |= (unsigned)!facets->leaf[i]->no_global_lights << i;
+        lights->global |= (unsigned)!facets->leaf[i]->look->no_global_lights
+                          << i;
     }
     memcpy(ways->rays.origin, facets->point, sizeof ways->rays.origin);
     memset(ways->rays.direction, 0, sizeof ways->rays.direction);
@@ -210,7 +211,7 @@ static struct lamp_target lamplights_target(const struct lamplights *lights,
                   looks->distance[i], looks->attenuation[i] },
         .leaf = leaf,
         .face = world_face_side(leaf, facets->faces, i),
-        .straight = leaf->photons->unlit,
+        .straight = leaf->look->photons->unlit,
     };
 }
 

@@ -72,8 +72,9 @@ static rgb mesh_many(const struct mesh_lamps *mesh,
 {
     const struct surface *surface = asked->surface;
     const struct finish *finish = surface->layer[0].finish;
-    double back = surface->at->leaf->double_illuminate ? finish->diffuse
-                                                       : finish->diffuse_back;
+    double back = surface->at->leaf->look->double_illuminate
+                      ? finish->diffuse
+                      : finish->diffuse_back;
     rgb light = mesh_side(mesh, asked, 1);
     if (back != 0 && finish->diffuse != 0)
         light = rgb_add_scaled(light, mesh_side(mesh, asked, -1),
@@ -97,7 +98,7 @@ static rgb mesh_asker_share(struct lamplight *light, const struct lamp *lamp,
 /* Whether what comes from behind counts too. */
 static bool mesh_both_sides(const struct surface *surface)
 {
-    if (surface->at->leaf->double_illuminate)
+    if (surface->at->leaf->look->double_illuminate)
         return true;
     for (int i = 0; i < surface->count; i++)
         if (surface->layer[i].finish->diffuse_back != 0)

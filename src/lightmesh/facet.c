@@ -50,7 +50,7 @@ static void visit_mesh(void *context, const struct leaf *leaf)
 static void visit_solid(void *context, const struct solid *solid)
 {
     const struct visitor *visitor = context;
-    if (solid->clip_count > 0)
+    if (solid->more->clip_count > 0)
         return;
     if (solid->kind == OBJECT_UNION)
         for (size_t i = 0; i < solid->child_count; i++)
@@ -199,7 +199,7 @@ static bool square_fill(const struct leaf *leaf, size_t part,
     if ((int)part >= object->primitive->patches(leaf->shape, patches) ||
         patches[part].kind != PATCH_PARALLELOGRAM)
         return false;
-    struct patch patch = patch_moved(&patches[part], leaf->to_world);
+    struct patch patch = patch_moved(&patches[part], leaf->pose->outward);
     facet->corner[0] = patch.at;
     facet->corner[1] = vec3_along(patch.at, patch.a, 2);
     facet->corner[2] = vec3_along(patch.at, patch.b, 2);

@@ -19,9 +19,9 @@ static const double places[PLACES][2] = {
 static const struct pigment *paint_blocks(const struct surface *surface)
 {
     const struct leaf *leaf = surface->at->leaf;
-    if (!leaf->plain)
+    if (!leaf->look->plain)
         return NULL;
-    const struct pigment *pigment = leaf->texture->layers[0].pigment;
+    const struct pigment *pigment = leaf->look->texture->layers[0].pigment;
     const struct pattern_kind *kind = pigment->pattern.kind;
     bool blocks = pigment->kind == PIGMENT_PATTERN && kind && kind->blocks > 0;
     return blocks && !pigment->pattern.turbulent ? pigment : NULL;
@@ -50,7 +50,7 @@ void gather_paint(struct surface *surface, double radius)
 
 static double surface_ior(const struct intersection *at)
 {
-    const struct interior *interior = at->leaf->interior;
+    const struct interior *interior = at->leaf->look->interior;
     return interior ? interior->ior : 1;
 }
 

@@ -199,7 +199,7 @@ static bool overlay_hides(const struct overlay *overlay,
         if (!world_within(overlay->tracer->world, &ray, tmin,
                           distance * (1 - 1e-6), RAY_CAMERA, &at))
             return false;
-        if (at.leaf->opaque)
+        if (at.leaf->look->opaque)
             return true;
         tmin = at.t * (1 + 1e-9);
     }

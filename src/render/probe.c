@@ -19,6 +19,7 @@ struct plate {
     struct finish finish;
     struct layer layer;
     struct texture texture;
+    struct leaf_look looks[2];
     struct leaf one_sided, two_sided;
 };
 
@@ -41,19 +42,21 @@ static void plate_init(struct plate *plate)
     plate->finish.diffuse = 1;
     plate->layer = (struct layer){ &plate->pigment, NULL, &plate->finish };
     plate->texture = (struct texture){ &plate->layer, 1 };
-    plate->one_sided = (struct leaf){
+    plate->looks[0] = (struct leaf_look){
         .photons = &photon_flags_default,
-        .object = &plate->object,
-        .to_object = &affine_unmoved,
-        .to_world = &affine_unmoved,
         .texture = &plate->texture,
         .to_texture = &affine_unmoved,
         .from_texture = &affine_unmoved,
         .opaque = true,
         .looks_like = -1,
     };
+    plate->looks[1] = plate->looks[0];
+    plate->looks[1].double_illuminate = true;
+    plate->one_sided = (struct leaf){ .object = &plate->object,
+                                      .pose = &pose_unmoved,
+                                      .look = &plate->looks[0] };
     plate->two_sided = plate->one_sided;
-    plate->two_sided.double_illuminate = true;
+    plate->two_sided.look = &plate->looks[1];
 }
 
 /* One question: a surface with all that it points to. */
@@ -77,9 +80,9 @@ static void question_init(struct probe_question *q, const struct probing *all,
                                    .face = normal,
                                    .leaf = leaf, /* none of the world */
                                    .part = -1,
-                                   .texture = leaf->texture,
-                                   .to_texture = leaf->to_texture,
-                                   .from_texture = leaf->from_texture };
+                                   .texture = leaf->look->texture,
+                                   .to_texture = leaf->look->to_texture,
+                                   .from_texture = leaf->look->from_texture };
     q->surface.at = &q->at;
     q->surface.place = NULL;
     q->surface.point = place;
@@ -90,7 +93,7 @@ static void question_init(struct probe_question *q, const struct probing *all,
     q->surface.weight = 1;
     q->surface.count = 1;
     q->surface.layer[0] = (struct surface_layer){
-        .finish = leaf->texture->layers[0].finish,
+        .finish = leaf->look->texture->layers[0].finish,
         .pigment = { .r = 1, .g = 1, .b = 1 },
         .normal = normal,
         .weight = rgb_grey(1),

@@ -34,7 +34,7 @@ static void tally_texture(struct tally *tally, const struct texture *texture)
 static void tally_leaf(void *context, const struct leaf *leaf)
 {
     struct tally *tally = context;
-    tally_texture(tally, leaf->texture);
+    tally_texture(tally, leaf->look->texture);
     if (leaf->object->kind != OBJECT_MESH)
         return;
     const struct mesh *mesh = leaf->object->mesh;

@@ -54,7 +54,7 @@ static const struct texture *triangle_texture(const struct leaf *leaf,
     const struct mesh *mesh = leaf->object->mesh;
     uint32_t own = mesh->triangles[number].texture;
     bool has = own < mesh->texture_count && mesh->textures[own];
-    return has ? mesh->textures[own] : leaf->texture;
+    return has ? mesh->textures[own] : leaf->look->texture;
 }
 
 static struct patch triangle_patch(const struct leaf *leaf, uint32_t number)
@@ -66,7 +66,7 @@ static struct patch triangle_patch(const struct leaf *leaf, uint32_t number)
                            .at = at,
                            .a = vec3_sub(mesh->vertices[v[1]], at),
                            .b = vec3_sub(mesh->vertices[v[2]], at) };
-    return patch_moved(&patch, leaf->to_world);
+    return patch_moved(&patch, leaf->pose->outward);
 }
 
 /* Balls stay in the leaf's own space, flat patches are in the world's. */
@@ -78,7 +78,7 @@ static struct patch part_patch(const struct leaf *leaf, uint32_t number)
     leaf->object->primitive->patches(leaf->shape, patches);
     if (patches[number].kind == PATCH_BALL)
         return patches[number];
-    return patch_moved(&patches[number], leaf->to_world);
+    return patch_moved(&patches[number], leaf->pose->outward);
 }
 
 static double growth(const affine *transform)
@@ -92,7 +92,7 @@ static double patch_area(const struct leaf *leaf, const struct patch *patch)
     double area = vec3_length(vec3_cross(patch->a, patch->b));
     if (patch->kind == PATCH_BALL)
         return 4 * WARP_PI * patch->radius * patch->radius *
-               pow(growth(leaf->to_world), 2.0 / 3);
+               pow(growth(leaf->pose->outward), 2.0 / 3);
     if (patch->kind == PATCH_DISC)
         return WARP_PI * area;
     return patch->kind == PATCH_TRIANGLE ? area / 2 : area;
@@ -115,7 +115,7 @@ static void add_shape(struct emitters *emitters, const struct leaf *leaf)
 {
     struct patch patches[PATCHES_MAX];
     const struct primitive *primitive = leaf->object->primitive;
-    double glow = texture_glow(leaf->texture);
+    double glow = texture_glow(leaf->look->texture);
     if (glow == 0 || !primitive->patches ||
         emitters->parts.count + PATCHES_MAX > PARTS_MAX)
         return;
@@ -128,7 +128,7 @@ static void add_shape(struct emitters *emitters, const struct leaf *leaf)
 static bool mesh_glows(const struct leaf *leaf)
 {
     const struct mesh *mesh = leaf->object->mesh;
-    bool glows = texture_glow(leaf->texture) > 0;
+    bool glows = texture_glow(leaf->look->texture) > 0;
     for (size_t i = 0; i < mesh->texture_count && !glows; i++)
         glows = mesh->textures[i] && texture_glow(mesh->textures[i]) > 0;
     return glows;
@@ -221,28 +221,29 @@ static double density_moved(double density, const affine *transform,
 static double ball_density(const struct leaf *leaf, const struct patch *ball,
                            vec3 point, vec3 direction)
 {
-    vec3 local = affine_point(leaf->to_object, point);
-    vec3 there = affine_direction(leaf->to_object, direction);
+    vec3 local = affine_point(leaf->pose->inward, point);
+    vec3 there = affine_direction(leaf->pose->inward, direction);
     double rise = ball_rise(ball, local);
     if (!(rise > 0))
         return 0;
-    return density_moved(warp_cone_density(rise), leaf->to_world,
+    return density_moved(warp_cone_density(rise), leaf->pose->outward,
                          vec3_normalise(there));
 }
 
 static bool ball_pick(const struct leaf *leaf, const struct patch *ball,
                       vec3 point, const double u[2], struct emitter_pick *pick)
 {
-    vec3 local = affine_point(leaf->to_object, point);
+    vec3 local = affine_point(leaf->pose->inward, point);
     vec3 axis = vec3_normalise(vec3_sub(ball->at, local));
     double rise = ball_rise(ball, local);
     if (!(rise > 0))
         return false;
     vec3 there = warp_cone(u, axis, rise);
-    pick->direction = vec3_normalise(affine_direction(leaf->to_world, there));
+    pick->direction =
+        vec3_normalise(affine_direction(leaf->pose->outward, there));
     pick->distance = (double)INFINITY;
     pick->density =
-        density_moved(warp_cone_density(rise), leaf->to_world, there);
+        density_moved(warp_cone_density(rise), leaf->pose->outward, there);
     return true;
 }
 

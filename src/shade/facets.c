@@ -86,7 +86,7 @@ static void set_paint(struct facet_layer *layer, unsigned i,
 void facets_set(struct facets *facets, unsigned i,
                 const struct surface *surface, rgb light)
 {
-    bool twice = surface->at->leaf->double_illuminate;
+    bool twice = surface->at->leaf->look->double_illuminate;
     bool layered = surface->count != 1;
     facets->all |= 1u << i;
     facets->surface[i] = surface;
@@ -226,11 +226,11 @@ static void paint_coat(struct facets *facets, const struct world_coat *coat,
 static struct world_coat coat_of(const struct facets *facets,
                                  const struct leaf *leaf, unsigned i)
 {
-    if (leaf->coated)
+    if (leaf->look->coated)
         return world_face_coat(leaf, facets->faces, i,
                                vec3_negate(lane_get(facets->view, i)));
-    return (struct world_coat){ leaf->texture, leaf->to_texture,
-                                leaf->from_texture };
+    return (struct world_coat){ leaf->look->texture, leaf->look->to_texture,
+                                leaf->look->from_texture };
 }
 
 /* Those of one leaf. */
@@ -241,20 +241,21 @@ static void paint_leaf(struct facets *facets, const struct leaf *leaf,
         unsigned i = (unsigned)__builtin_ctz(each);
         facets->leaf[i] = leaf;
         facets->surface[i] = NULL;
-        facets->twice[i] = flag(leaf->double_illuminate);
+        facets->twice[i] = flag(leaf->look->double_illuminate);
     }
     while (lanes) {
         struct world_coat coat =
             coat_of(facets, leaf, (unsigned)__builtin_ctz(lanes));
         unsigned same = lanes;
-        for (unsigned each = leaf->coated ? lanes : 0; each; each &= each - 1) {
+        for (unsigned each = leaf->look->coated ? lanes : 0; each;
+             each &= each - 1) {
             unsigned i = (unsigned)__builtin_ctz(each);
             struct world_coat other = coat_of(facets, leaf, i);
             if (other.texture != coat.texture ||
                 other.to_texture != coat.to_texture)
                 same &= ~(1u << i);
         }
-        paint_coat(facets, &coat, leaf->double_illuminate, same);
+        paint_coat(facets, &coat, leaf->look->double_illuminate, same);
         lanes &= ~same;
     }
 }

@@ -58,7 +58,7 @@ static inline rgb finish_light(const struct surface *surface,
 {
     const struct finish *finish = layer->finish;
     double cosine = vec3_dot(layer->normal, sample->direction);
-    bool twice = surface->at->leaf->double_illuminate;
+    bool twice = surface->at->leaf->look->double_illuminate;
     const struct finish_meeting meeting = { layer->normal, surface->view,
                                             sample->direction };
     double diffuse = sample->diffused

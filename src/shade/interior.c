@@ -25,7 +25,8 @@ void interiors_cross(struct interiors *list, const struct leaf *leaf)
                 (size_t)(list->count - place) * sizeof list->at[0]);
     } else if (list->count < INTERIORS_MAX) {
         list->at[list->count++] =
-            (struct interior_entry){ leaf->interior, leaf->body, leaf->hollow };
+            (struct interior_entry){ leaf->look->interior, leaf->body,
+                                     leaf->look->hollow };
     }
 }
 

@@ -36,8 +36,8 @@ bool lamp_is_parallel(const struct lamp *lamp);
 static inline bool light_is_for(const struct light *light,
                                 const struct leaf *leaf)
 {
-    return light->group ? leaf->light_group == light->group
-                        : !leaf->no_global_lights;
+    return light->group ? leaf->look->light_group == light->group
+                        : !leaf->look->no_global_lights;
 }
 
 static inline bool lamp_is_for(const struct lamp *lamp, const struct leaf *leaf)

@@ -49,7 +49,7 @@ static void shadow_begin(struct shadow_ray *shadow,
  * c) times. */
 static double pane_caustics(const struct intersection *at, vec3 direction)
 {
-    const struct interior *interior = at->leaf->interior;
+    const struct interior *interior = at->leaf->look->interior;
     if (!interior || interior->caustics == 0)
         return 1;
     double cosine = fabs(vec3_dot(surface_bumps(at, direction), direction));
@@ -62,11 +62,12 @@ static rgb pane_through(const struct ray *ray, const struct world_hit *hit)
 {
     const struct leaf *leaf = hit->leaf;
     struct intersection at;
-    if (leaf->plain && !leaf->coated &&
-        !(leaf->interior && leaf->interior->caustics != 0))
+    if (leaf->look->plain && !leaf->look->coated &&
+        !(leaf->look->interior && leaf->look->interior->caustics != 0))
         return texture_transmittance(
-            leaf->texture,
-            affine_point(leaf->to_texture, ray_point(ray, hit->hit.t)), NULL);
+            leaf->look->texture,
+            affine_point(leaf->look->to_texture, ray_point(ray, hit->hit.t)),
+            NULL);
     world_describe(ray, hit, &at);
     return rgb_scale(surface_transmittance(&at),
                      pane_caustics(&at, ray->direction));
@@ -76,8 +77,8 @@ static rgb pane_through(const struct ray *ray, const struct world_hit *hit)
 static bool shadow_is_bent(const struct photon_flags *photons,
                            const struct leaf *leaf)
 {
-    return photons && leaf->target &&
-           photon_happens(photons->refraction, leaf->photons->refraction);
+    return photons && leaf->look->target &&
+           photon_happens(photons->refraction, leaf->look->photons->refraction);
 }
 
 static bool shadow_filter(void *context, const struct ray *ray,
@@ -159,9 +160,10 @@ static rgb shadow_share(const struct shadow_ray *shadow,
         share = rgb_mul(share, crossing->through);
         share =
             rgb_mul(share, shadow_air(path, &inside, from, distance, worker));
-        if (interior_dims_shadows(leaf->interior) &&
+        if (interior_dims_shadows(leaf->look->interior) &&
             interiors_find(&inside, leaf->body) >= 0)
-            share = rgb_mul(share, interior_fade(leaf->interior, distance));
+            share =
+                rgb_mul(share, interior_fade(leaf->look->interior, distance));
         interiors_cross(&inside, leaf);
         from = crossing->t;
     }

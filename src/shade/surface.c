@@ -83,7 +83,7 @@ static inline struct place place_at(const struct intersection *at,
                                     const struct uv_source *uv,
                                     struct bumps *last)
 {
-    bool mapped = at->leaf->uv_mapping;
+    bool mapped = at->leaf->look->uv_mapping;
     return (struct place){
         .texture = at->texture,
         .to = mapped ? &unmoved : at->to_texture,
@@ -100,7 +100,7 @@ static vec3 place_point(struct place *place)
 {
     const struct intersection *at = ((const struct surface_uv *)place->uv)->at;
     if (!place->located)
-        place->point = at->leaf->uv_mapping
+        place->point = at->leaf->look->uv_mapping
                            ? place->uv->point(place->uv)
                            : affine_point(place->to, at->point);
     place->located = true;
@@ -364,7 +364,7 @@ vec3 surface_bumps(const struct intersection *at, vec3 direction)
 
 bool surface_faces(const struct surface *surface, vec3 direction)
 {
-    bool twice = surface->at->leaf->double_illuminate;
+    bool twice = surface->at->leaf->look->double_illuminate;
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         double cosine = vec3_dot(layer->normal, direction);

@@ -83,7 +83,8 @@ static void add_solid(void *context, const struct solid *solid)
 
 static void add_mesh(void *context, const struct leaf *leaf)
 {
-    add_thing(context, affine_box(leaf->to_world, leaf->object->mesh->bounds));
+    add_thing(context,
+              affine_box(leaf->pose->outward, leaf->object->mesh->bounds));
 }
 
 static int thing_order(const void *first, const void *second)

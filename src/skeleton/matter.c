@@ -45,20 +45,20 @@ static void mark_leaf(const struct marking *marking, const struct leaf *leaf,
                       struct box3 box)
 {
     box = box3_intersection(box, marking->space);
-    if (leaf->no_shadow || box3_is_empty(box))
+    if (leaf->look->no_shadow || box3_is_empty(box))
         return;
     marking->marks[leaf->number] =
-        matter_of_texture(leaf->texture, leaf->to_texture, box);
+        matter_of_texture(leaf->look->texture, leaf->look->to_texture, box);
 }
 
 static void mark_mesh(void *context, const struct leaf *leaf)
 {
     mark_leaf(context, leaf,
-              affine_box(leaf->to_world, leaf->object->mesh->bounds));
+              affine_box(leaf->pose->outward, leaf->object->mesh->bounds));
 }
 
 static void mark_part(struct marking *marking, const struct solid *solid,
-                      const struct frame *frame)
+                      const struct pose *frame)
 {
     struct box3 box = solid->surface;
     if (frame && solid->parent)
@@ -71,7 +71,7 @@ static void mark_part(struct marking *marking, const struct solid *solid,
 
 static void mark_solid(void *context, const struct solid *solid)
 {
-    mark_part(context, solid, solid->frame);
+    mark_part(context, solid, solid->more->frame);
 }
 
 const uint8_t *matter_marks(const struct world *world, struct box3 space,

@@ -87,7 +87,7 @@ static rgb lamp_gives(const struct lamp *lamp, const struct patch_point *point,
         !lamp_look(lamp, location, point->at.point, view))
         return rgb_grey(0);
     double cosine = vec3_dot(view->direction, point->surface.normal);
-    if (point->at.leaf->double_illuminate)
+    if (point->at.leaf->look->double_illuminate)
         cosine = fabs(cosine);
     return rgb_scale(lamp->light->colour,
                      cosine > 0 ? cosine * view->attenuation : 0);

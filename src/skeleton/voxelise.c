@@ -61,8 +61,8 @@ static bool is_searched(const struct solid *solid)
     for (size_t i = 0; i < solid->child_count; i++)
         if (is_searched(solid->children[i]))
             return true;
-    for (size_t i = 0; i < solid->clip_count; i++)
-        if (is_searched(solid->clips[i]))
+    for (size_t i = 0; i < solid->more->clip_count; i++)
+        if (is_searched(solid->more->clips[i]))
             return true;
     return false;
 }

@@ -44,18 +44,18 @@ static void take_mesh(void *context, const struct leaf *leaf)
 {
     struct mesh_work *work = context;
     const struct mesh *mesh = leaf->object->mesh;
-    struct box3 box = affine_box(leaf->to_world, mesh->bounds);
+    struct box3 box = affine_box(leaf->pose->outward, mesh->bounds);
     struct mesh_item item = { leaf, work->chunks, NULL };
     box = box3_intersection(box, work->space);
-    if (leaf->no_shadow || box3_is_empty(box))
+    if (leaf->look->no_shadow || box3_is_empty(box))
         return;
     if (mesh->texture_count > 0) {
         uint8_t *marks = ARENA_ARRAY(work->arena, uint8_t, mesh->texture_count);
         for (size_t i = 0; i < mesh->texture_count; i++)
-            marks[i] =
-                mesh->textures[i]
-                    ? matter_of_texture(mesh->textures[i], leaf->to_object, box)
-                    : work->marks[leaf->number];
+            marks[i] = mesh->textures[i]
+                           ? matter_of_texture(mesh->textures[i],
+                                               leaf->pose->inward, box)
+                           : work->marks[leaf->number];
         item.texture = marks;
     }
     work->chunks += (mesh->triangle_count + CHUNK - 1) / CHUNK;
@@ -124,7 +124,7 @@ static bool triangle_load(const struct mesh_work *work,
                    ? item->texture[source->texture]
                    : work->marks[item->leaf->number];
     for (int k = 0; k < 3; k++) {
-        vec3 p = affine_point(item->leaf->to_world,
+        vec3 p = affine_point(item->leaf->pose->outward,
                               mesh->vertices[source->vertex[k]]);
         box = box3_add(box, p);
         p = vec3_sub(p, work->grid->origin);

@@ -57,9 +57,9 @@ static void row_add(struct row *row, const struct wall_point *point)
 
 bool wall_stops(const uint8_t *marks, const struct intersection *at)
 {
-    if (at->texture == at->leaf->texture)
+    if (at->texture == at->leaf->look->texture)
         return marks[at->leaf->number] != 0;
-    return !at->leaf->no_shadow &&
+    return !at->leaf->look->no_shadow &&
            rgb_brightness(surface_transmittance(at)) <= 0.5;
 }
 

@@ -10,7 +10,7 @@
 static double crossing_mirror_ior(const struct crossing *crossing,
                                   const struct interiors *inside)
 {
-    const struct interior *left = crossing->at.leaf->interior;
+    const struct interior *left = crossing->at.leaf->look->interior;
     if (!crossing->leaving || inside->count < 2)
         return crossing->ior;
     return interiors_ior(inside) / interiors_ior_of(inside, left);

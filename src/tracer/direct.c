@@ -212,9 +212,9 @@ static bool approach_pass(struct approach *approach, const struct question *q,
         return false;
     approach->share = rgb_mul(approach->share, through);
     if (crossing->leaving)
-        approach->share =
-            rgb_mul(approach->share,
-                    interior_fade(crossing->at.leaf->interior, crossing->at.t));
+        approach->share = rgb_mul(
+            approach->share,
+            interior_fade(crossing->at.leaf->look->interior, crossing->at.t));
     interiors_copy(&approach->inside, &crossing->beyond);
     approach->ray.origin = crossing->at.point;
     return true;

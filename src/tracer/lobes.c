@@ -26,7 +26,7 @@ static void lobes_add_diffuse(struct lobes *lobes,
                               const struct surface_layer *layer)
 {
     const struct finish *finish = layer->finish;
-    bool twice = surface->at->leaf->double_illuminate;
+    bool twice = surface->at->leaf->look->double_illuminate;
     double b = fmax(finish->brilliance, 0);
     double tone = rgb_peak(rgb_mul(layer->weight, colour_rgb(layer->pigment)));
     tone *= fabs(1 - layer->pigment.filter - layer->pigment.transmit);

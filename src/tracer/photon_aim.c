@@ -19,11 +19,11 @@ struct targets {
 static void target_add(struct targets *targets, const struct leaf *leaf,
                        struct box3 box)
 {
-    struct target *target = &targets->items[leaf->target];
-    if (leaf->target == 0)
+    struct target *target = &targets->items[leaf->look->target];
+    if (leaf->look->target == 0)
         return;
     target->box = target->flags ? box3_union(target->box, box) : box;
-    target->flags = leaf->photons;
+    target->flags = leaf->look->photons;
 }
 
 static void target_add_solid(struct targets *targets, const struct solid *solid,
@@ -42,9 +42,9 @@ static void visit_solid(void *context, const struct solid *solid)
 
 static void visit_mesh(void *context, const struct leaf *leaf)
 {
-    if (leaf->target)
+    if (leaf->look->target)
         target_add(context, leaf,
-                   affine_box(leaf->to_world, leaf->object->mesh->bounds));
+                   affine_box(leaf->pose->outward, leaf->object->mesh->bounds));
 }
 
 static vec3 box_corner(struct box3 box, int number)

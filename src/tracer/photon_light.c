@@ -73,7 +73,7 @@ void photons_light(const struct tracer *tracer, struct worker *worker,
 {
     struct lighting_up up = { tracer,  surface,     visit,
                               context, rgb_grey(0), { 0, 0, 0 } };
-    if (!tracer->photons || surface->at->leaf->photons->unlit)
+    if (!tracer->photons || surface->at->leaf->look->photons->unlit)
         return;
     bool each = surface_tells_apart(surface);
     photon_map_visit(tracer->photons, worker, surface->point, surface->normal,

@@ -130,7 +130,7 @@ static void flight_keep(const struct flight *flight, enum kept kind, vec3 at,
 static void flight_land(const struct flight *flight,
                         const struct surface *surface)
 {
-    if (surface->at->leaf->photons->unlit || !surface_diffuses(surface))
+    if (surface->at->leaf->look->photons->unlit || !surface_diffuses(surface))
         return;
     flight_keep(flight, ON_SURFACES, surface->point,
                 flight_flux(flight, flight->gone));
@@ -162,11 +162,12 @@ static bool flight_counts(const struct flight *flight)
 static bool flight_pass_clear(struct flight *flight,
                               const struct intersection *at)
 {
-    rgb through = at->leaf->opaque ? rgb_grey(0) : surface_transmittance(at);
+    rgb through =
+        at->leaf->look->opaque ? rgb_grey(0) : surface_transmittance(at);
     flight_dim(flight, through);
     if (interiors_find(&flight->inside, at->leaf->body) >= 0 &&
-        interior_dims_shadows(at->leaf->interior))
-        flight_dim(flight, interior_fade(at->leaf->interior, at->t));
+        interior_dims_shadows(at->leaf->look->interior))
+        flight_dim(flight, interior_fade(at->leaf->look->interior, at->t));
     interiors_cross(&flight->inside, at->leaf);
     flight->ray.origin = at->point;
     return flight_counts(flight);
@@ -284,8 +285,8 @@ static bool flight_pass(struct flight *flight, struct crossing *crossing,
         flight_mirrors(flight, crossing);
     flight->share = rgb_mul(flight->share, part);
     if (crossing->leaving)
-        flight_dim(flight,
-                   interior_fade(crossing->at.leaf->interior, crossing->at.t));
+        flight_dim(flight, interior_fade(crossing->at.leaf->look->interior,
+                                         crossing->at.t));
     if (inward) {
         flight->ray.direction = crossing_mirrored(
             crossing->surface.normal, flight->ray.direction, normal);
@@ -304,7 +305,7 @@ static bool flight_meet(struct flight *flight, struct crossing *crossing,
                         bool land)
 {
     const struct photon_flags *lamp = &flight->row->aim->lamp->light->photons;
-    const struct photon_flags *object = crossing->at.leaf->photons;
+    const struct photon_flags *object = crossing->at.leaf->look->photons;
     crossing_fill(crossing, flight->sending->tracer, flight->ray.direction,
                   &flight->inside, flight->sending->bailout, false);
     if (land)
@@ -323,9 +324,9 @@ static bool flight_meet(struct flight *flight, struct crossing *crossing,
 /* False if the photon is not for what it meets. */
 static bool flight_aims(struct flight *flight, const struct leaf *leaf)
 {
-    if (leaf->target == flight->row->aim->target)
+    if (leaf->look->target == flight->row->aim->target)
         flight->bent = true;
-    return flight->bent || leaf->target == 0;
+    return flight->bent || leaf->look->target == 0;
 }
 
 static void flight_follow(struct flight *flight)
@@ -343,7 +344,7 @@ static void flight_follow(struct flight *flight)
         const struct leaf *leaf = crossing.at.leaf;
         flight_drift(flight, crossing.at.t);
         flight->gone += crossing.at.t;
-        if (leaf->no_image) {
+        if (leaf->look->no_image) {
             flight->ray.origin = crossing.at.point;
             continue;
         }

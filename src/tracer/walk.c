@@ -130,9 +130,9 @@ static void walk_leave(struct walk *walk, const struct crossing *crossing,
     if (way->kind == WAY_MIRRORED)
         walk->kind = RAY_REFLECTION;
     else if (crossing->leaving)
-        walk->share =
-            rgb_mul(walk->share,
-                    interior_fade(crossing->at.leaf->interior, crossing->at.t));
+        walk->share = rgb_mul(
+            walk->share,
+            interior_fade(crossing->at.leaf->look->interior, crossing->at.t));
     walk->share = rgb_mul(walk->share, way->weight);
     if (bends) {
         walk->density = 0;
@@ -226,7 +226,7 @@ static void walk_direct(struct walk *walk, struct meeting *meeting)
         .density = scatterer_density,
         .context = &scatterer,
         .leaf = crossing->at.leaf,
-        .straight = crossing->at.leaf->photons->unlit,
+        .straight = crossing->at.leaf->look->photons->unlit,
     };
     rgb lamps = direct_lamps(walk->tracer, walk->worker, &receiver,
                              &meeting->draws, walk->split);

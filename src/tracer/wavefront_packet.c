@@ -106,7 +106,7 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
     for (unsigned i = 0; i < sights->count; i++) {
         const struct leaf *leaf = sights->hits[i].leaf;
         meet |= (unsigned)(leaf != NULL) << i;
-        sights->plain |= (unsigned)(leaf && leaf->plain) << i;
+        sights->plain |= (unsigned)(leaf && leaf->look->plain) << i;
     }
     meet &= seen;
     sights->plain &= tracer->painted ? seen : 0;
@@ -151,7 +151,7 @@ static void sight_go_on(struct sights *sights, unsigned i, rgb light)
     const struct facets *facets = &sights->facets;
     struct path *path = sights->path[i];
     path->place = NULL;
-    if (facets->leaf[i]->opaque && !(facets->layered >> i & 1)) {
+    if (facets->leaf[i]->look->opaque && !(facets->layered >> i & 1)) {
         struct surface_paint paint = facets_paint_of(facets, i);
         path_leave_plain(path, facets->leaf[i], &paint, light);
         wavefront_end(path);
@@ -182,7 +182,7 @@ static void sights_light(struct sights *sights)
     for (unsigned plain = sights->plain; plain; plain &= plain - 1) {
         unsigned i = (unsigned)__builtin_ctz(plain);
         rgb light = facets_light(facets, i);
-        bool last = facets->leaf[i]->last;
+        bool last = facets->leaf[i]->look->last;
         if (!sights->path[i] && !last)
             sights->path[i] = sights_start(sights, i);
         if (!sights->path[i]) {

@@ -41,7 +41,7 @@ static void take_square(struct taking *taking,
 /* What is seen of a lamp hides no light of that one. */
 static bool leaf_is_other(const struct leaf *leaf)
 {
-    return leaf->looks_like >= 0;
+    return leaf->look->looks_like >= 0;
 }
 
 /* What is in the box may hide something. Of lines that meet a convex body those
@@ -67,9 +67,9 @@ static void take_mesh(void *context, const struct leaf *leaf)
 {
     struct taking *taking = context;
     const struct mesh *mesh = leaf->object->mesh;
-    if (leaf->no_shadow)
+    if (leaf->look->no_shadow)
         return;
-    if (!leaf->opaque || leaf_is_other(leaf))
+    if (!leaf->look->opaque || leaf_is_other(leaf))
         taking->failed = true;
     for (size_t i = 0; !taking->failed && i < mesh->triangle_count; i++)
         take_triangle(taking, &taking->casters->certain,
@@ -88,9 +88,9 @@ static void take_space(struct taking *taking, const struct leaf *leaf)
         return;
     }
     object->primitive->half_space(leaf->shape, &space.normal, &space.distance);
-    vec3 origin = affine_point(leaf->to_object, vec3_make(0, 0, 0));
+    vec3 origin = affine_point(leaf->pose->inward, vec3_make(0, 0, 0));
     space.distance -= vec3_dot(space.normal, origin);
-    space.normal = affine_normal(leaf->to_object, space.normal);
+    space.normal = affine_normal(leaf->pose->inward, space.normal);
     casters->spaces[casters->space_count++] = space;
 }
 
@@ -106,7 +106,7 @@ static bool take_patches(struct taking *taking, const struct leaf *leaf)
         if (patches[i].kind != PATCH_PARALLELOGRAM)
             return false;
     for (int i = 0; i < count; i++) {
-        struct patch side = patch_moved(&patches[i], leaf->to_world);
+        struct patch side = patch_moved(&patches[i], leaf->pose->outward);
         take_square(taking, &taking->casters->certain, side.at, side.a, side.b);
     }
     return true;
@@ -116,7 +116,7 @@ static bool take_patches(struct taking *taking, const struct leaf *leaf)
 static bool solid_is_opaque(const struct solid *solid)
 {
     if (solid->leaf)
-        return solid->leaf->opaque;
+        return solid->leaf->look->opaque;
     for (size_t i = 0; i < solid->child_count; i++)
         if (!solid_is_opaque(solid->children[i]))
             return false;
@@ -127,7 +127,7 @@ static void take_solid(void *context, const struct solid *solid)
 {
     struct taking *taking = context;
     const struct leaf *leaf = solid->simple ? solid->leaf : NULL;
-    if (leaf && leaf->no_shadow)
+    if (leaf && leaf->look->no_shadow)
         return;
     if (!solid_is_opaque(solid)) {
         taking->failed = true;

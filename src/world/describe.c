@@ -31,11 +31,12 @@ static inline vec3 leaf_normal(const struct leaf *leaf, vec3 point,
     const struct object *object = leaf->object;
     if (object->kind == OBJECT_MESH)
         return mesh_normal(object->mesh, (size_t)hit->part, hit->u, hit->v);
-    if (leaf->moved)
-        point = affine_point(leaf->to_object, point);
+    if (leaf_is_moved(leaf))
+        point = affine_point(leaf->pose->inward, point);
     if (object->primitive->normal_placed)
         return object->primitive->normal_placed(
-            leaf->shape, &point, hit, leaf->moved ? leaf->to_object : NULL);
+            leaf->shape, &point, hit,
+            leaf_is_moved(leaf) ? leaf->pose->inward : NULL);
     return object->primitive->normal(leaf->shape, &point, hit);
 }
 
@@ -61,8 +62,8 @@ static inline vec3 face_unit(const struct leaf *leaf, const struct hit *hit,
     vec3 face = leaf_face(leaf, hit);
     if (vec3_dot(face, face) == 0)
         return normal;
-    if (leaf->moved)
-        face = affine_normal(leaf->to_object, face);
+    if (leaf_is_moved(leaf))
+        face = affine_normal(leaf->pose->inward, face);
     face = unit(face);
     if (!(vec3_dot(face, face) > 0))
         return normal;
@@ -71,16 +72,17 @@ static inline vec3 face_unit(const struct leaf *leaf, const struct hit *hit,
 
 static struct world_coat outer_coat(const struct leaf *leaf, int part)
 {
-    const struct world_coat usual = { leaf->texture, leaf->to_texture,
-                                      leaf->from_texture };
+    const struct world_coat usual = { leaf->look->texture,
+                                      leaf->look->to_texture,
+                                      leaf->look->from_texture };
     if (leaf->object->kind != OBJECT_MESH)
         return usual;
     const struct mesh *mesh = leaf->object->mesh;
     uint32_t number = mesh->triangles[part].texture;
     if (number >= mesh->texture_count || !mesh->textures[number])
         return usual;
-    return (struct world_coat){ mesh->textures[number], leaf->to_object,
-                                leaf->to_world };
+    return (struct world_coat){ mesh->textures[number], leaf->pose->inward,
+                                leaf->pose->outward };
 }
 
 /* The outside of a mesh's triangle is where its corners turn to the left, not
@@ -92,15 +94,15 @@ static bool comes_from_inside(const struct leaf *leaf, int part, vec3 face,
     if (object->kind != OBJECT_MESH)
         return vec3_dot(face, direction) > 0;
     face = mesh_face(object->mesh, (size_t)part);
-    if (leaf->moved)
-        face = affine_normal(leaf->to_object, face);
+    if (leaf_is_moved(leaf))
+        face = affine_normal(leaf->pose->inward, face);
     return (vec3_dot(face, direction) < 0) != object->mesh->turned;
 }
 
 static inline struct world_coat coat_at(const struct leaf *leaf, int part,
                                         vec3 face, vec3 direction)
 {
-    const struct leaf_inner *inner = leaf->inner;
+    const struct leaf_inner *inner = leaf->look->inner;
     if (inner && comes_from_inside(leaf, part, face, direction))
         return (struct world_coat){ inner->texture, &inner->to_texture,
                                     &inner->from_texture };
@@ -126,7 +128,7 @@ static inline vec3 normal_outward(const struct leaf *leaf, vec3 normal,
 {
     if (!(vec3_dot(normal, normal) > 0))
         normal = vec3_negate(direction);
-    return leaf->inverse ? vec3_negate(normal) : normal;
+    return leaf->look->inverse ? vec3_negate(normal) : normal;
 }
 
 void describe_hit(const struct ray *ray, const struct leaf *leaf,
@@ -139,8 +141,8 @@ void describe_hit(const struct ray *ray, const struct leaf *leaf,
     out->point = point;
     out->leaf = leaf;
     out->part = hit->part;
-    if (leaf->moved)
-        normal = affine_normal(leaf->to_object, normal);
+    if (leaf_is_moved(leaf))
+        normal = affine_normal(leaf->pose->inward, normal);
     out->normal = normal_outward(leaf, unit(normal), ray->direction);
     describe_rest(ray, leaf, hit, out);
 }
@@ -196,8 +198,8 @@ static void faces_raw(const struct rays *rays, const struct world_hit *hits,
         *hit = hits[i].hit;
         query_refine(&ray, leaf, hit);
         vec3 normal = leaf_normal(leaf, lane_get(faces->point, i), hit);
-        if (leaf->moved)
-            normal = affine_normal(leaf->to_object, normal);
+        if (leaf_is_moved(leaf))
+            normal = affine_normal(leaf->pose->inward, normal);
         lane_put(faces->normal, i, normal);
     }
 }
@@ -211,7 +213,7 @@ void world_face_many(const struct rays *rays, const struct world_hit *hits,
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
         const struct leaf *leaf = hits[i].leaf;
-        if (usual[i] && !leaf->inverse)
+        if (usual[i] && !leaf->look->inverse)
             continue;
         vec3 normal = lane_get(faces->normal, i);
         if (!usual[i])

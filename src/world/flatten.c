@@ -18,7 +18,7 @@ struct limits {
 struct inherited {
     affine to_world; /* of the space the children's transform leads to */
     affine to_tree;  /* the same to the space that the tree is kept in */
-    const struct frame *frame; /* that space; NULL: the world, or a clip's */
+    const struct pose *frame; /* that space; NULL: the world, or a clip's */
     const struct texture *texture;
     affine from_texture;
     const struct texture *inner;
@@ -142,8 +142,7 @@ static struct limits build_limits(struct flat *flat, const struct clip *clips,
         struct solid *solid = build_solid(flat, clips[i].object, &in, true);
         if (!solid) {
             /* Nothing left to be inside of: a merge of nothing. */
-            solid = ARENA_NEW(flat->arena, struct solid);
-            solid->kind = OBJECT_MERGE;
+            solid = solid_new(flat->arena, OBJECT_MERGE);
         }
         solid_finish(flat->arena, solid);
         limits.items[i] = solid;
@@ -173,39 +172,11 @@ static const struct leaf_inner *build_inner(struct flat *flat,
     return inner;
 }
 
-/* False if it has no inverse. `kept` is of the scene and may be the same. */
-static bool find_place(struct flat *flat, const affine *outward,
-                       const affine *kept, struct flat_place *place)
+/* NULL if it has no inverse. `kept` is of the scene and may be the same. */
+static const struct pose *find_pose(struct flat *flat, const affine *outward,
+                                    const affine *kept)
 {
-    affine inward;
-    if (affine_is_identity(*outward)) {
-        *place = (struct flat_place){ &affine_unmoved, &affine_unmoved };
-        return true;
-    }
-    for (int i = 0; i < FLAT_RECENT; i++) {
-        *place = flat->recent[i];
-        if (place->outward &&
-            memcmp(place->outward, outward, sizeof *outward) == 0)
-            return true;
-    }
-    if (!affine_inverse(*outward, &inward))
-        return false;
-    place->outward = memcmp(kept, outward, sizeof *kept) == 0
-                         ? kept
-                         : affine_kept(flat->arena, outward);
-    place->inward = affine_kept(flat->arena, &inward);
-    flat->recent[flat->recent_next++ % FLAT_RECENT] = *place;
-    return true;
-}
-
-static const struct flat_place unmoved = { &affine_unmoved, &affine_unmoved };
-
-/* Where a shape is that was moved into its tree: where that is. */
-static struct flat_place tree_place(const struct inherited *in)
-{
-    return in->frame
-               ? (struct flat_place){ in->frame->outward, in->frame->inward }
-               : unmoved;
+    return shared_pose(&flat->shared, flat->arena, outward, kept);
 }
 
 /* The shape moved into the space its tree is kept in, so that rays needn't be
@@ -219,43 +190,56 @@ static const void *moved_shape(struct flat *flat, const struct object *object,
                : NULL;
 }
 
+/* Of clips nothing is seen, whatever they are painted with. */
+static const struct leaf_look *build_look(struct flat *flat,
+                                          const struct object *object,
+                                          const struct inherited *in)
+{
+    struct leaf_look look;
+    const struct pose *texture =
+        find_pose(flat, &in->from_texture, object->maps->texture);
+    if (!texture)
+        texture = &pose_unmoved;
+    memset(&look, 0, sizeof look); /* it is compared byte by byte */
+    look.from_texture = texture->outward;
+    look.to_texture = texture->inward;
+    look.texture = in->texture && !in->clip ? in->texture : flat->fallback;
+    look.inner = build_inner(flat, in);
+    look.interior = in->interior;
+    look.photons = in->photons ? in->photons : &photon_flags_default;
+    if (object->kind == OBJECT_MESH && object->mesh->texture_count > 0)
+        look.mesh = object->mesh;
+    look.no_shadow = in->no_shadow;
+    look.no_image = in->no_image;
+    look.no_reflection = in->no_reflection;
+    look.double_illuminate = in->double_illuminate;
+    look.uv_mapping = in->uv_mapping;
+    look.hollow = in->hollow;
+    look.light_group = in->light_group;
+    look.no_global_lights = in->no_global_lights;
+    look.target = in->target;
+    look.inverse = in->flipped;
+    look.looks_like = in->looks_like;
+    return shared_look(&flat->shared, flat->arena, &look);
+}
+
 /* `moved` is of moved_shape. NULL if its transformation squeezes it flat. */
 static struct leaf *build_leaf(struct flat *flat, const struct object *object,
                                const void *moved, const struct inherited *in)
 {
-    struct flat_place place = tree_place(in), texture;
-    if (!moved && !find_place(flat, &in->to_world, object->maps->own, &place))
+    const struct pose *pose = in->frame ? in->frame : &pose_unmoved;
+    if (!moved)
+        pose = find_pose(flat, &in->to_world, object->maps->own);
+    if (!pose)
         return NULL;
-    if (!find_place(flat, &in->from_texture, object->maps->texture, &texture))
-        texture = (struct flat_place){ &affine_unmoved, &affine_unmoved };
     struct leaf *leaf = ARENA_NEW(flat->arena, struct leaf);
     leaf->object = object;
     leaf->shape = moved ? moved : object->shape;
-    leaf->to_world = place.outward;
-    leaf->to_object = place.inward;
-    leaf->moved = place.inward != &affine_unmoved;
-    leaf->from_texture = texture.outward;
-    leaf->to_texture = texture.inward;
-    leaf->texture = in->texture ? in->texture : flat->fallback;
-    leaf->inner = build_inner(flat, in);
-    leaf->interior = in->interior;
+    leaf->pose = pose;
+    leaf->look = build_look(flat, object, in);
     leaf->body = in->body;
-    leaf->no_shadow = in->no_shadow;
-    leaf->no_image = in->no_image;
-    leaf->no_reflection = in->no_reflection;
-    leaf->double_illuminate = in->double_illuminate;
-    leaf->uv_mapping = in->uv_mapping;
-    leaf->hollow = in->hollow;
-    leaf->light_group = in->light_group;
-    leaf->no_global_lights = in->no_global_lights;
-    leaf->photons = in->photons ? in->photons : &photon_flags_default;
-    leaf->target = in->target;
-    leaf->inverse = in->flipped;
-    leaf->looks_like = in->looks_like;
-    leaf->opaque = true; /* of clips */
     if (!in->clip) {
-        leaf_judge_paint(leaf);
-        flat->translucent |= !leaf->opaque;
+        flat->translucent |= !leaf->look->opaque;
         leaf->number = (unsigned)flat->leaf_count++;
     }
     return leaf;
@@ -278,11 +262,11 @@ static void measure_leaf(struct flat *flat, struct solid *solid,
         return;
     /* A disc's inside is the half space behind it. */
     struct box3 inside = beyond ? box3_infinite() : solid->surface;
-    struct box3 region = leaf->inverse ? box3_infinite() : inside;
-    if (leaf->inverse && shape && !beyond)
+    struct box3 region = leaf->look->inverse ? box3_infinite() : inside;
+    if (leaf->look->inverse && shape && !beyond)
         region = solid_padded(affine_box(to_tree, box3_complement(box)));
     solid_set_boxes(flat->arena, solid, region,
-                    leaf->inverse ? inside : box3_infinite());
+                    leaf->look->inverse ? inside : box3_infinite());
 }
 
 static const struct mesh_tree *flat_tree(struct flat *flat,
@@ -301,18 +285,18 @@ static struct solid *build_leaf_solid(struct flat *flat,
 {
     const void *moved = moved_shape(flat, object, in);
     struct leaf *leaf = build_leaf(flat, object, moved, in);
-    struct flat_place place = unmoved;
-    if (!leaf ||
-        (!moved && !find_place(flat, &in->to_tree, object->maps->own, &place)))
+    const struct pose *pose =
+        moved ? &pose_unmoved
+              : find_pose(flat, &in->to_tree, object->maps->own);
+    if (!leaf || !pose)
         return NULL;
-    struct solid *solid = ARENA_NEW(flat->arena, struct solid);
-    solid->kind = object->kind;
+    struct solid *solid = solid_new(flat->arena, object->kind);
     solid->leaf = leaf;
     leaf->solid = solid;
-    solid->to_shape = place.inward;
-    solid->moved = solid->to_shape != &affine_unmoved;
+    solid->to_shape = pose->inward;
+    solid->moved = pose != &pose_unmoved;
     if (object->kind == OBJECT_MESH)
-        solid->tree = flat_tree(flat, object->mesh);
+        solid_more(flat->arena, solid)->tree = flat_tree(flat, object->mesh);
     measure_leaf(flat, solid, moved ? &affine_unmoved : &in->to_tree);
     return solid;
 }
@@ -373,8 +357,8 @@ struct children {
 static void add_child(struct flat *flat, struct children *children,
                       enum object_kind kind, struct solid *child)
 {
-    if (child->leaf || child->kind != kind || child->clip_count ||
-        child->gate_count) {
+    if (child->leaf || child->kind != kind || child->more->clip_count ||
+        child->more->gate_count) {
         *ARRAY_PUSH(flat->arena, children) = child;
         return;
     }
@@ -398,26 +382,14 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
     if (children.count == 0)
         return NULL;
     struct solid *only = children.items[0];
-    if (children.count == 1 && !only->clip_count && !only->gate_count &&
-        !object->more->clip_count && !object->more->bound_count)
+    if (children.count == 1 && !only->more->clip_count &&
+        !only->more->gate_count && !object->more->clip_count &&
+        !object->more->bound_count)
         return only;
-    struct solid *solid = ARENA_NEW(flat->arena, struct solid);
-    solid->kind = kind;
+    struct solid *solid = solid_new(flat->arena, kind);
     solid->children = children.items;
-    solid->child_count = children.count;
+    solid->child_count = (unsigned)children.count;
     return solid;
-}
-
-/* The space of the root's own object. NULL if it has no inverse. */
-static const struct frame *build_frame(struct flat *flat, const affine *outward,
-                                       const affine *kept)
-{
-    struct flat_place place;
-    if (!find_place(flat, outward, kept, &place))
-        return NULL;
-    struct frame *frame = ARENA_NEW(flat->arena, struct frame);
-    *frame = (struct frame){ place.inward, place.outward };
-    return frame;
 }
 
 /* In POV-Ray a part of a CSG object heeds its bounds whatever it is. */
@@ -428,9 +400,9 @@ static void add_limits(struct flat *flat, const struct object *object,
     if (object->more->clip_count) {
         struct limits limits = build_limits(flat, object->more->clips,
                                             object->more->clip_count, up);
-        solid->clips = limits.items;
-        solid->clip_count = limits.count;
-        solid->own_clips = (unsigned)limits.count;
+        struct solid_more *more = solid_more(flat->arena, solid);
+        more->clips = limits.items;
+        more->clip_count = more->own_clips = (unsigned)limits.count;
     }
     if (!object->more->bound_count || (root && !object_is_bounded(object)))
         return;
@@ -441,9 +413,27 @@ static void add_limits(struct flat *flat, const struct object *object,
         for (size_t i = 0; i < limits.count; i++)
             solid_bound_by_box(flat->arena, solid, limits.items[i]);
     } else {
-        solid->gates = limits.items;
-        solid->gate_count = limits.count;
+        struct solid_more *more = solid_more(flat->arena, solid);
+        more->gates = limits.items;
+        more->gate_count = (unsigned)limits.count;
     }
+}
+
+/* Those of unions that were taken apart come after its own. */
+static void add_outer_limits(struct flat *flat, const struct inherited *up,
+                             struct solid *solid)
+{
+    if (!up->clips.count && !up->gates.count)
+        return;
+    struct solid_more *more = solid_more(flat->arena, solid);
+    struct limits clips = { more->clips, more->clip_count };
+    struct limits gates = { more->gates, more->gate_count };
+    clips = limits_join(flat, clips, up->clips);
+    gates = limits_join(flat, gates, up->gates);
+    more->clips = clips.items;
+    more->clip_count = (unsigned)clips.count;
+    more->gates = gates.items;
+    more->gate_count = (unsigned)gates.count;
 }
 
 /* The object as a tree (`root`) or as a part of one; NULL if nothing is left
@@ -452,7 +442,7 @@ static struct solid *build_solid(struct flat *flat, const struct object *object,
                                  const struct inherited *up, bool root)
 {
     struct inherited in = inherit(flat, object, up);
-    const struct frame *frame = NULL;
+    const struct pose *frame = NULL;
     struct solid *solid;
     if (!flat_enter(flat, object, in.depth))
         return NULL;
@@ -464,18 +454,17 @@ static struct solid *build_solid(struct flat *flat, const struct object *object,
         solid = build_leaf_solid(flat, object, &in);
     } else {
         if (root && !affine_is_along_axes(in.to_tree)) {
-            in.frame = frame =
-                build_frame(flat, &in.to_tree, object->maps->own);
+            in.frame = frame = find_pose(flat, &in.to_tree, object->maps->own);
             if (!frame)
                 return NULL;
             in.to_tree = affine_identity();
         }
         solid = build_node(flat, object, &in);
     }
-    if (solid) {
-        solid->frame = frame;
+    if (solid && frame)
+        solid_more(flat->arena, solid)->frame = frame;
+    if (solid)
         add_limits(flat, object, up, root, solid);
-    }
     return solid;
 }
 
@@ -488,14 +477,7 @@ static void add_solid(struct flat *flat, const struct object *object,
     struct solid *solid = build_solid(flat, object, &plain, true);
     if (!solid)
         return;
-    struct limits clips = { solid->clips, solid->clip_count };
-    struct limits gates = { solid->gates, solid->gate_count };
-    clips = limits_join(flat, clips, up->clips);
-    gates = limits_join(flat, gates, up->gates);
-    solid->clips = clips.items;
-    solid->clip_count = clips.count;
-    solid->gates = gates.items;
-    solid->gate_count = gates.count;
+    add_outer_limits(flat, up, solid);
     solid_finish(flat->arena, solid);
     *ARRAY_PUSH(flat->arena, &flat->solids) = solid;
     *ARRAY_PUSH(flat->arena, &flat->containers) = solid;

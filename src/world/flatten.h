@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "world/light_table.h"
 #include "world/mesh_table.h"
+#include "world/shared.h"
 #include "world/solid.h"
 #include "scene/light.h"
 #include "scene/scene.h"
@@ -17,18 +18,9 @@ enum {
     FLAT_DEPTH_LIMIT = 1000,
 };
 
-/* A transformation to the world, and its inverse. */
-struct flat_place {
-    const affine *outward, *inward;
-};
-
-enum { FLAT_RECENT = 4 };
-
 struct flat {
     struct arena *arena;
-    /* Those kept last: the parts of an object are most often in one place. */
-    struct flat_place recent[FLAT_RECENT];
-    unsigned recent_next;
+    struct shared shared;
     struct diag *diag;
     bool failed;              /* a limit was met and reported */
     size_t nodes, node_limit; /* 0: FLAT_NODE_LIMIT */

@@ -164,7 +164,7 @@ static struct box3 meshes_bounds(const struct flat *flat)
     for (size_t i = 0; i < flat->meshes.count; i++) {
         const struct leaf *leaf = flat->meshes.items[i];
         box = box3_union(
-            box, affine_box(leaf->to_world, leaf->object->mesh->bounds));
+            box, affine_box(leaf->pose->outward, leaf->object->mesh->bounds));
     }
     return box;
 }

@@ -50,11 +50,10 @@ static void sort_along_longest(struct solid **children, size_t count)
 static struct solid *group(struct arena *arena, const struct solid *parent,
                            struct solid **children, size_t count)
 {
-    struct solid *node = ARENA_NEW(arena, struct solid);
-    node->kind = parent->kind;
+    struct solid *node = solid_new(arena, parent->kind);
     if (count <= GROUP_SIZE) {
         node->children = ARENA_ARRAY(arena, struct solid *, count);
-        node->child_count = count;
+        node->child_count = (unsigned)count;
         memcpy(node->children, children, count * sizeof *children);
     } else {
         sort_along_longest(children, count);
@@ -100,5 +99,5 @@ void solid_group(struct arena *arena, struct solid *solid)
         memcpy(solid->children + kept, children, local * sizeof *children);
         kept += local;
     }
-    solid->child_count = kept;
+    solid->child_count = (unsigned)kept;
 }

@@ -36,7 +36,7 @@ static bool child_half_space(const struct solid *child, struct halfspace *out)
     double length = vec3_length(n);
     if (!(length > 0) || !isfinite(length) || !isfinite(d))
         return false;
-    double scale = (child->leaf->inverse ? -1 : 1) / length;
+    double scale = (child->leaf->look->inverse ? -1 : 1) / length;
     *out = (struct halfspace){ vec3_scale(n, scale), d * scale };
     return true;
 }
@@ -55,7 +55,7 @@ static struct box3 narrowed(const struct solid *solid, struct box3 region)
 {
     for (size_t i = 0; i < solid->child_count; i++) {
         const struct solid *child = solid->children[i];
-        if (child->kind != OBJECT_SHAPE || child->leaf->inverse ||
+        if (child->kind != OBJECT_SHAPE || child->leaf->look->inverse ||
             !child->leaf->object->primitive->within)
             continue;
         const struct object *object = child->leaf->object;
@@ -147,8 +147,9 @@ static struct boxes measure_union(const struct solid *solid)
 
 bool solid_surrounds(const struct solid *gate, struct box3 box)
 {
-    if (gate->kind != OBJECT_SHAPE || gate->leaf->inverse || gate->frame ||
-        !gate->leaf->object->primitive->convex || !box3_is_finite(box))
+    if (gate->kind != OBJECT_SHAPE || gate->leaf->look->inverse ||
+        gate->more->frame || !gate->leaf->object->primitive->convex ||
+        !box3_is_finite(box))
         return false;
     for (int i = 0; i < 8; i++) {
         vec3 corner = { i & 1 ? box.high.x : box.low.x,
@@ -186,24 +187,27 @@ void solid_bound_by_box(struct arena *arena, struct solid *solid,
 /* Most gates are well around what they bound: those are forgotten. */
 static void drop_gates(struct arena *arena, struct solid *solid)
 {
-    size_t kept = 0;
-    for (size_t i = 0; i < solid->gate_count; i++) {
-        const struct solid *gate = solid->gates[i];
+    unsigned kept = 0;
+    if (!solid->more->gate_count)
+        return;
+    struct solid_more *more = solid_more(arena, solid);
+    for (size_t i = 0; i < more->gate_count; i++) {
+        const struct solid *gate = more->gates[i];
         if (solid_surrounds(gate, solid->surface))
             continue;
-        solid->gates[kept++] = gate;
+        more->gates[kept++] = gate;
         solid_bound_by_box(arena, solid, gate);
     }
-    solid->gate_count = kept;
+    more->gate_count = kept;
 }
 
 static struct boxes measure_frame(struct arena *arena, struct solid *solid,
                                   struct boxes boxes)
 {
-    const affine *outward = solid->frame->outward;
+    const affine *outward = solid->more->frame->outward;
     struct box3 *inner = ARENA_NEW(arena, struct box3);
     *inner = boxes.surface;
-    solid->inner = inner;
+    solid_more(arena, solid)->inner = inner;
     return (struct boxes){ affine_box(outward, boxes.surface),
                            affine_box(outward, boxes.region),
                            affine_box(outward, boxes.holes) };
@@ -223,8 +227,9 @@ static struct boxes measure_content(const struct solid *solid)
  * the box of the clip's surface then misses what the clip leaves (measured). */
 static bool clip_is_box(const struct solid *clip, struct box3 clipped)
 {
-    return clip->leaf && !clip->leaf->inverse && !box3_is_finite(clipped) &&
-           box3_is_finite(clip->surface) && !box3_is_finite(*clip->region);
+    return clip->leaf && !clip->leaf->look->inverse &&
+           !box3_is_finite(clipped) && box3_is_finite(clip->surface) &&
+           !box3_is_finite(*clip->region);
 }
 
 static void find_routines(struct solid *solid)
@@ -240,11 +245,12 @@ static void find_routines(struct solid *solid)
 void solid_measure(struct arena *arena, struct solid *solid)
 {
     struct boxes boxes = measure_content(solid);
-    if (solid->frame)
+    if (solid->more->frame)
         boxes = measure_frame(arena, solid, boxes);
-    for (size_t i = 0; i < solid->clip_count; i++) {
-        const struct solid *clip = solid->clips[i];
-        bool box = i < solid->own_clips && clip_is_box(clip, boxes.surface);
+    for (size_t i = 0; i < solid->more->clip_count; i++) {
+        const struct solid *clip = solid->more->clips[i];
+        bool box =
+            i < solid->more->own_clips && clip_is_box(clip, boxes.surface);
         boxes.surface = box3_intersection(boxes.surface,
                                           box ? clip->surface : *clip->region);
         solid->boxed |= box;
@@ -254,8 +260,8 @@ void solid_measure(struct arena *arena, struct solid *solid)
     solid->surface = boxes.surface;
     drop_gates(arena, solid);
     solid_set_boxes(arena, solid, boxes.region, boxes.holes);
-    solid->simple = solid->leaf && !solid->parent && !solid->frame &&
-                    !solid->clip_count && !solid->boxed;
+    solid->simple = solid->leaf && !solid->parent && !solid->more->frame &&
+                    !solid->more->clip_count && !solid->boxed;
     find_routines(solid);
 }
 

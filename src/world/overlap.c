@@ -70,7 +70,7 @@ static struct overlap leaf_overlap(const struct overlap_query *query,
         moved = cell_moved(cell, solid->to_shape);
     bool shape = solid->kind == OBJECT_SHAPE;
     unsigned meets = shape ? shape_meets(leaf, &moved, query->last)
-                     : mesh_tree_meets(solid->tree, &moved)
+                     : mesh_tree_meets(solid->more->tree, &moved)
                          ? CELL_SURFACE | CELL_BORDER
                          : 0;
     struct overlap found = nothing;
@@ -79,9 +79,9 @@ static struct overlap leaf_overlap(const struct overlap_query *query,
     if (shape ? !object->primitive->solid : !object->mesh->solid)
         return found;
     bool inside = shape ? object->primitive->inside(leaf->shape, moved.centre)
-                        : mesh_tree_inside(solid->tree, moved.centre);
-    found.inside = (meets & CELL_BORDER) || inside != leaf->inverse;
-    found.outside = (meets & CELL_BORDER) || inside == leaf->inverse;
+                        : mesh_tree_inside(solid->more->tree, moved.centre);
+    found.inside = (meets & CELL_BORDER) || inside != leaf->look->inverse;
+    found.outside = (meets & CELL_BORDER) || inside == leaf->look->inverse;
     return found;
 }
 
@@ -163,14 +163,14 @@ static struct overlap part_overlap(const struct overlap_query *query,
     if (no_surface && apart(cell, solid->holes))
         return (struct overlap){ 0, true, false };
     struct overlap found;
-    if (solid->frame) {
-        struct cell inner = cell_moved(cell, solid->frame->inward);
+    if (solid->more->frame) {
+        struct cell inner = cell_moved(cell, solid->more->frame->inward);
         found = content_overlap(query, solid, &inner);
     } else {
         found = content_overlap(query, solid, cell);
     }
-    for (size_t i = 0; i < solid->clip_count; i++) {
-        struct overlap clip = part_overlap(query, solid->clips[i], cell);
+    for (size_t i = 0; i < solid->more->clip_count; i++) {
+        struct overlap clip = part_overlap(query, solid->more->clips[i], cell);
         if (!clip.inside)
             return nothing;
         found.outside = found.outside || clip.outside;

@@ -47,7 +47,7 @@ static unsigned leaf_inside_each(const struct solid *solid,
         vec3 p = lane_get(points->at, i);
         if (solid->kind == OBJECT_SHAPE
                 ? object->primitive->inside(solid->leaf->shape, p)
-                : mesh_tree_inside(solid->tree, p))
+                : mesh_tree_inside(solid->more->tree, p))
             inside |= 1u << i;
     }
     return inside;
@@ -71,7 +71,7 @@ static unsigned leaf_inside(const struct solid *solid,
     } else {
         inside = leaf_inside_each(solid, points, lanes);
     }
-    return lanes & (solid->leaf->inverse ? ~inside : inside);
+    return lanes & (solid->leaf->look->inverse ? ~inside : inside);
 }
 
 static unsigned lanes_inside(const struct solid *solid,
@@ -98,8 +98,8 @@ static unsigned inside_content(const struct solid *solid,
                                const struct lane_points *points, unsigned lanes)
 {
     struct lane_points local;
-    if (solid->frame) {
-        lane_points_into(solid->frame->inward, lane_run_of(lanes), points,
+    if (solid->more->frame) {
+        lane_points_into(solid->more->frame->inward, lane_run_of(lanes), points,
                          &local);
         points = &local;
     }
@@ -121,7 +121,8 @@ static unsigned lanes_inside(const struct solid *solid,
     lanes &= ~sure;
     if (lanes)
         lanes = inside_content(solid, points, lanes);
-    return sure | inside_all(solid->clips, solid->clip_count, points, lanes);
+    return sure | inside_all(solid->more->clips, solid->more->clip_count,
+                             points, lanes);
 }
 
 /* Where the siblings of `node` let crossings of it count. */
@@ -160,12 +161,13 @@ static unsigned crossings_count(const struct tree_look *look,
     const struct lane_run run = lane_run_of(lanes);
     struct lane_points inner, outer;
     find_points(look->rays, run, t, &inner);
-    if (look->root->frame && look->root->clip_count)
+    if (look->root->more->frame && look->root->more->clip_count)
         find_points(look->packet->rays, run, t, &outer);
     for (const struct solid *node = leaf; node && lanes; node = node->parent) {
         const struct lane_points *points =
-            node->parent || !look->root->frame ? &inner : &outer;
-        lanes = inside_all(node->clips, node->clip_count, points, lanes);
+            node->parent || !look->root->more->frame ? &inner : &outer;
+        lanes = inside_all(node->more->clips, node->more->clip_count, points,
+                           lanes);
         if (node->parent)
             lanes = siblings_agree(node, &inner, lanes);
     }
@@ -230,7 +232,7 @@ static unsigned take_met(const struct tree_look *look, const struct solid *leaf,
     if (lanes && !leaf->simple)
         lanes = crossings_count(look, leaf, met->t, lanes);
     if (packet->occlusion)
-        return met->leaf->opaque ? lanes : take_panes(packet, met, lanes);
+        return met->leaf->look->opaque ? lanes : take_panes(packet, met, lanes);
     take_nearest(packet, met, lanes);
     return 0;
 }
@@ -402,7 +404,7 @@ static unsigned look_at_part(const struct tree_look *look,
                              const struct solid *solid, unsigned lanes)
 {
     lanes = box_met(look, &solid->surface, lanes);
-    if (lanes && solid->gate_count)
+    if (lanes && solid->more->gate_count)
         lanes = gates_open(look, solid, lanes);
     return lanes ? look_inside(look, solid, lanes) : 0;
 }
@@ -414,17 +416,17 @@ unsigned packet_tree(struct packet *packet, const struct solid *solid,
     struct rays local;
     LANE_LINES double inverse[3][RAY_LANES];
     lanes = box_met(&look, &solid->surface, lanes);
-    if (lanes && solid->gate_count)
+    if (lanes && solid->more->gate_count)
         lanes = gates_open(&look, solid, lanes);
     if (!lanes)
         return 0;
-    if (solid->frame) {
+    if (solid->more->frame) {
         const struct lane_run run = lane_run_of(lanes);
-        rays_into(solid->frame->inward, run, packet->rays, &local);
+        rays_into(solid->more->frame->inward, run, packet->rays, &local);
         rays_inverse(&local, run, inverse);
         look.rays = &local;
         look.inverse = (const double(*)[RAY_LANES])inverse;
-        lanes = box_met(&look, solid->inner, lanes);
+        lanes = box_met(&look, solid->more->inner, lanes);
     }
     return look_inside(&look, solid, lanes);
 }

@@ -9,7 +9,7 @@ bool query_block(struct query *query, const struct leaf *leaf,
                  const struct hit *hit)
 {
     const struct world_hit crossing = { leaf, *hit };
-    query->blocked = leaf->opaque || !query->filter ||
+    query->blocked = leaf->look->opaque || !query->filter ||
                      query->filter(query->context, &query->ray, &crossing);
     return query->blocked;
 }
@@ -31,9 +31,9 @@ static bool leaves_are_cut_together(const struct leaf *a, const struct leaf *b)
     const struct solid *one = leaf_root(a), *other = leaf_root(b);
     if (!one || !other || one == other)
         return one && one == other;
-    for (size_t i = 0; i < one->clip_count; i++)
-        for (size_t k = 0; k < other->clip_count; k++)
-            if (one->clips[i] == other->clips[k])
+    for (size_t i = 0; i < one->more->clip_count; i++)
+        for (size_t k = 0; k < other->more->clip_count; k++)
+            if (one->more->clips[i] == other->more->clips[k])
                 return true;
     return false;
 }
@@ -80,7 +80,7 @@ static bool take_if_counts(struct query *query, const struct solid *solid,
 static bool query_is_plain(const struct query *query, const struct solid *solid)
 {
     return query->occlusion && solid->simple &&
-           (solid->leaf->opaque || !query->filter);
+           (solid->leaf->look->opaque || !query->filter);
 }
 
 static bool query_is_rough(const struct query *query,
@@ -184,7 +184,7 @@ static bool query_mesh(struct query *query, const struct solid *solid,
 {
     struct crossing_query context = { query, solid, ray };
     struct ray local = ray_into(solid->to_shape, ray);
-    mesh_tree_crossings(solid->tree, &local, query->tmin, query->tmax,
+    mesh_tree_crossings(solid->more->tree, &local, query->tmin, query->tmax,
                         take_crossing, &context);
     return query->blocked;
 }
@@ -200,7 +200,7 @@ bool query_leaf(struct query *query, const struct solid *solid,
 bool query_gates_open(const struct solid *solid, const struct ray *ray,
                       const struct slabs *slabs)
 {
-    for (size_t i = 0; i < solid->gate_count; i++) {
+    for (size_t i = 0; i < solid->more->gate_count; i++) {
         struct query probe;
         probe.ray = *ray;
         probe.slabs = *slabs;
@@ -212,8 +212,8 @@ bool query_gates_open(const struct solid *solid, const struct ray *ray,
         probe.filter = NULL;
         probe.leaf = NULL;
         probe.blocked = false;
-        if (!query_solid(&probe, solid->gates[i]) &&
-            !solid_inside(solid->gates[i], ray->origin))
+        if (!query_solid(&probe, solid->more->gates[i]) &&
+            !solid_inside(solid->more->gates[i], ray->origin))
             return false;
     }
     return true;
@@ -224,7 +224,7 @@ static bool query_part(struct query *query, const struct solid *solid,
 {
     if (!slabs_hit(&space->slabs, &solid->surface, query->tmin, query->tmax))
         return false;
-    if (solid->gate_count &&
+    if (solid->more->gate_count &&
         !query_gates_open(solid, &space->ray, &space->slabs))
         return false;
     if (solid->leaf)
@@ -259,14 +259,15 @@ bool query_tree(struct query *query, const struct solid *solid)
     slabs_clip(&query->slabs, &solid->surface, &enter, &leave);
     if (!slabs_overlap(enter, leave))
         return false;
-    if (solid->gate_count &&
+    if (solid->more->gate_count &&
         !query_gates_open(solid, &query->ray, &query->slabs))
         return false;
     struct space space = { query->ray, query->slabs, enter, leave };
-    if (solid->frame) {
-        space.ray = ray_into(solid->frame->inward, &query->ray);
+    if (solid->more->frame) {
+        space.ray = ray_into(solid->more->frame->inward, &query->ray);
         space.slabs = slabs_of(&space.ray);
-        if (!slabs_hit(&space.slabs, solid->inner, query->tmin, query->tmax))
+        if (!slabs_hit(&space.slabs, solid->more->inner, query->tmin,
+                       query->tmax))
             return false;
     }
     if (solid->leaf)
@@ -281,8 +282,8 @@ bool query_triangle(const struct query *query, const struct leaf *leaf,
                     uint32_t triangle, double *t)
 {
     const struct mesh *mesh = leaf->object->mesh;
-    if (leaf->moved) {
-        struct ray ray = ray_into(leaf->to_object, &query->ray);
+    if (leaf_is_moved(leaf)) {
+        struct ray ray = ray_into(leaf->pose->inward, &query->ray);
         *t = mesh_distance(mesh, triangle, &ray);
     } else {
         *t = mesh_distance(mesh, triangle, &query->ray);
@@ -298,7 +299,8 @@ void query_refine(const struct ray *ray, const struct leaf *leaf,
     if (leaf->object->kind != OBJECT_MESH ||
         mesh->triangles[hit->part].normal[0] == MESH_NONE)
         return;
-    struct ray there = leaf->moved ? ray_into(leaf->to_object, ray) : *ray;
+    struct ray there =
+        leaf_is_moved(leaf) ? ray_into(leaf->pose->inward, ray) : *ray;
     mesh_refine(mesh, (size_t)hit->part, &there, hit);
 }
 
@@ -313,7 +315,7 @@ bool query_take_triangle(struct query *query, const struct leaf *leaf,
                          uint32_t triangle, double t)
 {
     struct hit hit = { t, (int)triangle, 0, 0 };
-    if (query->occlusion && !leaf->opaque) {
+    if (query->occlusion && !leaf->look->opaque) {
         for (unsigned i = 0; i < query->recent_count && i < QUERY_RECENT; i++)
             if (query->recent[i].leaf == leaf &&
                 fabs(query->recent[i].t - t) <= 1e-9 * (1 + t))

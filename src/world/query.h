@@ -62,16 +62,17 @@ static inline struct query *query_lane(embree_context *context,
 /* Whether a leaf stands in the way of the light of lamp number `light`. */
 static inline bool leaf_casts(const struct leaf *leaf, int light)
 {
-    return !leaf->no_shadow &&
-           (leaf->looks_like < 0 || leaf->looks_like != light);
+    return !leaf->look->no_shadow &&
+           (leaf->look->looks_like < 0 || leaf->look->looks_like != light);
 }
 
 /* Whether a ray of that kind that looks for the nearest sees it. */
 static inline bool leaf_is_seen(const struct leaf *leaf, enum ray_kind kind)
 {
     if (kind == RAY_OBSTACLE)
-        return !leaf->no_shadow;
-    return kind == RAY_CAMERA ? !leaf->no_image : !leaf->no_reflection;
+        return !leaf->look->no_shadow;
+    return kind == RAY_CAMERA ? !leaf->look->no_image
+                              : !leaf->look->no_reflection;
 }
 
 /* Whether the ray sees the leaf at all. */

@@ -265,7 +265,7 @@ static const struct leaf *shaft_left(const struct shaft_rays *rays)
 {
     const struct leaf *leaf = rays->leaf;
     bool convex = leaf && leaf->solid && leaf->solid->simple &&
-                  leaf->object->kind == OBJECT_SHAPE && !leaf->inverse &&
+                  leaf->object->kind == OBJECT_SHAPE && !leaf->look->inverse &&
                   leaf->object->primitive->convex;
     return convex && rays_rise(rays, 1) > least_rise ? leaf : NULL;
 }
@@ -352,7 +352,7 @@ double shaft_blur(const struct shaft_tree *tree, const struct shaft_rays *rays,
 static bool solid_is_plain(const struct solid *solid)
 {
     return solid->simple && solid->kind == OBJECT_SHAPE &&
-           solid->leaf->opaque && solid->leaf->looks_like < 0;
+           solid->leaf->look->opaque && solid->leaf->look->looks_like < 0;
 }
 
 static void search_take(struct shaft_search *search, const struct solid *solid)

@@ -128,7 +128,8 @@ static void tree_add(struct shaft_tree *tree, struct box3 box,
                      const struct solid *solid)
 {
     struct shaft_item item = { .box = box, .solid = solid };
-    if (box3_is_empty(box) || (solid && solid->leaf && solid->leaf->no_shadow))
+    if (box3_is_empty(box) ||
+        (solid && solid->leaf && solid->leaf->look->no_shadow))
         return;
     if (box3_is_finite(box))
         tree->items[tree->item_count++] = item;
@@ -158,9 +159,9 @@ struct shaft_tree *shaft_tree_new(struct flat *flat,
     tree_add_solids(tree, bounded);
     for (size_t i = 0; i < flat->meshes.count; i++) {
         const struct leaf *leaf = flat->meshes.items[i];
-        if (!leaf->no_shadow)
+        if (!leaf->look->no_shadow)
             tree_add(tree,
-                     solid_padded(affine_box(leaf->to_world,
+                     solid_padded(affine_box(leaf->pose->outward,
                                              leaf->object->mesh->bounds)),
                      NULL);
     }

@@ -6,33 +6,21 @@
 #include "scene/primitive.h"
 #include "world/mesh_tree.h"
 
-/* What all textures of a leaf are. */
-struct judgement {
-    bool opaque, plain, mirrors;
-};
+static const struct solid_more nothing_more;
 
-static void judge_texture(struct judgement *all, const struct texture *texture)
+struct solid *solid_new(struct arena *arena, enum object_kind kind)
 {
-    all->opaque = all->opaque && texture_is_opaque(texture);
-    all->plain = all->plain && texture_is_plain(texture);
-    all->mirrors = all->mirrors || texture_mirrors(texture);
+    struct solid *solid = ARENA_NEW(arena, struct solid);
+    solid->kind = kind;
+    solid->more = &nothing_more;
+    return solid;
 }
 
-void leaf_judge_paint(struct leaf *leaf)
+struct solid_more *solid_more(struct arena *arena, struct solid *solid)
 {
-    const struct object *object = leaf->object;
-    const struct mesh *mesh = object->kind == OBJECT_MESH ? object->mesh : NULL;
-    struct judgement all = { .opaque = true, .plain = !leaf->uv_mapping };
-    judge_texture(&all, leaf->texture);
-    if (leaf->inner)
-        judge_texture(&all, leaf->inner->texture);
-    for (size_t i = 0; mesh && i < mesh->texture_count; i++)
-        if (mesh->textures[i])
-            judge_texture(&all, mesh->textures[i]);
-    leaf->opaque = all.opaque;
-    leaf->plain = all.plain;
-    leaf->last = all.plain && all.opaque && !all.mirrors;
-    leaf->coated = leaf->inner || (mesh && mesh->texture_count > 0);
+    if (solid->more == &nothing_more)
+        solid->more = ARENA_NEW(arena, struct solid_more);
+    return (struct solid_more *)(uintptr_t)solid->more;
 }
 
 const double solid_limit = 1e9;
@@ -52,8 +40,8 @@ static bool leaf_inside(const struct solid *solid, vec3 point)
     vec3 p = solid->moved ? affine_point(solid->to_shape, point) : point;
     bool inside = solid->kind == OBJECT_SHAPE
                       ? object->primitive->inside(leaf->shape, p)
-                      : mesh_tree_inside(solid->tree, p);
-    return inside != leaf->inverse;
+                      : mesh_tree_inside(solid->more->tree, p);
+    return inside != leaf->look->inverse;
 }
 
 static bool all_inside(const struct solid *const *solids, size_t count,
@@ -94,7 +82,8 @@ static bool content_inside(const struct solid *solid, vec3 point)
 
 static vec3 into_frame(const struct solid *solid, vec3 point)
 {
-    return solid->frame ? affine_point(solid->frame->inward, point) : point;
+    return solid->more->frame ? affine_point(solid->more->frame->inward, point)
+                              : point;
 }
 
 bool solid_inside(const struct solid *solid, vec3 point)
@@ -104,7 +93,7 @@ bool solid_inside(const struct solid *solid, vec3 point)
     if (!box3_contains(*solid->holes, point))
         return true;
     return content_inside(solid, into_frame(solid, point)) &&
-           all_inside(solid->clips, solid->clip_count, point);
+           all_inside(solid->more->clips, solid->more->clip_count, point);
 }
 
 /* Whether the siblings of `node` let a crossing of it count. */
@@ -126,7 +115,7 @@ bool solid_counts(const struct solid *leaf, vec3 inner, vec3 outer)
 {
     for (const struct solid *node = leaf; node; node = node->parent) {
         vec3 point = node->parent ? inner : outer;
-        if (!all_inside(node->clips, node->clip_count, point))
+        if (!all_inside(node->more->clips, node->more->clip_count, point))
             return false;
         if (node->parent && !siblings_agree(node, inner))
             return false;

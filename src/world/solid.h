@@ -26,34 +26,24 @@ struct leaf_inner {
     affine to_texture, from_texture;
 };
 
-/* A shape or a mesh in the world. */
-struct leaf {
-    const struct object *object; /* OBJECT_SHAPE or OBJECT_MESH */
-    const void *shape;           /* the object's, or that moved into its tree */
-    const struct solid *solid;   /* its node in the tree; NULL: a mesh that is
-                                  * no part of a CSG object */
-    const affine *to_object, *to_world; /* points; many leaves share these */
-    const struct texture *texture;      /* never NULL */
+/* A space in the one around it: points from it, and into it. Many share one. */
+struct pose {
+    const affine *outward, *inward;
+};
+
+extern const struct pose pose_unmoved;
+
+/* How a leaf is seen, but for its shape: what many are alike in. */
+struct leaf_look {
+    const struct texture *texture;           /* never NULL */
     const affine *to_texture, *from_texture; /* world <-> the texture's space */
     const struct leaf_inner *inner;     /* seen from inside; NULL: the same */
     const struct interior *interior;    /* NULL: none */
     const struct photon_flags *photons; /* never NULL */
-    /* What a ray that enters is inside of: the same number for all leaves
-     * below one use of an object at the top level, but a new one below every
-     * node that has an interior of its own. A ray that meets the same body
-     * once more has left it, so overlapping parts of one union cancel
-     * (measured on POV-Ray). */
-    unsigned body;
-    unsigned light_group; /* 0: none */
+    const struct mesh *mesh; /* that has textures of its own; NULL: none */
+    unsigned light_group;    /* 0: none */
     unsigned target; /* of photons: the same for all parts of one; 0: none */
     int looks_like;  /* number of the light it stands for, or -1 */
-    unsigned number; /* 0..leaf_count-1 */
-    bool opaque;     /* no texture of it lets light pass */
-    bool coated;     /* its texture is not the same all over it */
-    bool plain;      /* its paint is plain (texture_is_plain) wherever it is */
-    bool last;       /* it is plain, and no ray goes on from it: it is opaque
-                      * and mirrors nothing */
-    bool moved;      /* to_object is not the identity */
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
     bool uv_mapping;       /* the texture is of the surface's own coordinates */
@@ -61,50 +51,87 @@ struct leaf {
     bool hollow;  /* as its interior is, or, without one, the object at the top
                    * level, whatever its parts say */
     bool inverse; /* turned inside out, all its ancestors considered */
+    /* By what its textures are (shared.h): */
+    bool opaque; /* none lets light pass */
+    bool coated; /* its texture is not the same all over it */
+    bool plain;  /* its paint is plain (texture_is_plain) wherever it is */
+    bool last;   /* it is plain, and no ray goes on from it: it is opaque and
+                  * mirrors nothing */
 };
 
-/* Sets opaque, coated, plain and last from its textures. */
-void leaf_judge_paint(struct leaf *leaf);
+/* A shape or a mesh in the world. */
+struct leaf {
+    const struct object *object; /* OBJECT_SHAPE or OBJECT_MESH */
+    const void *shape;           /* the object's, or that moved into its tree */
+    const struct solid *solid;   /* its node in the tree; NULL: a mesh that is
+                                  * no part of a CSG object */
+    const struct pose *pose;     /* in the world */
+    const struct leaf_look *look;
+    /* What a ray that enters is inside of: the same number for all leaves
+     * below one use of an object at the top level, but a new one below every
+     * node that has an interior of its own. A ray that meets the same body
+     * once more has left it, so overlapping parts of one union cancel
+     * (measured on POV-Ray). */
+    unsigned body;
+    unsigned number; /* 0..leaf_count-1 */
+};
+
+/* Whether its own space is not the world's. */
+static inline bool leaf_is_moved(const struct leaf *leaf)
+{
+    return leaf->pose != &pose_unmoved;
+}
 
 /* A corner, 0 to 2, of a mesh's triangle in the world. */
 static inline vec3 leaf_corner(const struct leaf *leaf, size_t triangle, int k)
 {
     const struct mesh *mesh = leaf->object->mesh;
     vec3 v = mesh->vertices[mesh->triangles[triangle].vertex[k]];
-    return leaf->moved ? affine_point(leaf->to_world, v) : v;
+    return leaf_is_moved(leaf) ? affine_point(leaf->pose->outward, v) : v;
 }
 
-/* The space a CSG tree is kept in: its object's own, in which its parts are
- * more often unmoved and its planes along the axes. */
-struct frame {
-    const affine *inward, *outward;
+/* What few solids have. */
+struct solid_more {
+    unsigned clip_count, gate_count;
+    unsigned own_clips;         /* the first of clips; the rest are of unions */
+    const struct solid **clips; /* outside the frame, as are the gates */
+    const struct solid **gates; /* rays that miss one miss the solid */
+    const struct mesh_tree *tree; /* of a mesh */
+    /* The space the tree below a root is kept in: its object's own, in which
+     * its parts are more often unmoved and its planes along the axes. NULL:
+     * none. */
+    const struct pose *frame;
+    const struct box3 *inner; /* of a root with a frame: the surface there */
 };
 
 /* A node of a tree. A root's space is the world's (or, for a clip, that of
  * what it clips); everything below a root with a frame is in the frame. */
 struct solid {
     enum object_kind kind; /* shape, mesh, union, merge or intersection */
-    unsigned child_count, clip_count, gate_count;
+    unsigned child_count;
     bool simple;   /* a leaf without parent, frame, clips and bounds */
     bool boxed;    /* rays must meet the box of the surface */
     bool moved;    /* to_shape is not the identity */
     bool together; /* of most leaves rays side by side learn all at once */
     bool first_many, crosses_many; /* a shape that has such a routine, or one
                                     * that tells all: kept at hand */
-    unsigned own_clips;        /* the first of clips; the rest are of unions */
-    const struct frame *frame; /* only of a root; NULL: none */
     const struct solid *parent;
-    struct solid **children;
-    const struct solid **clips;   /* outside the frame, as are the gates */
-    const struct solid **gates;   /* rays that miss one miss the solid */
-    const struct leaf *leaf;      /* shape, mesh */
-    const affine *to_shape;       /* of a leaf: from the space it is in */
-    const struct mesh_tree *tree; /* mesh */
-    struct box3 surface;          /* holds every crossing that counts */
-    const struct box3 *region;    /* outside it nothing is inside */
-    const struct box3 *holes;     /* outside it everything is inside */
-    const struct box3 *inner; /* of a root with a frame: the surface there */
+    const struct leaf *leaf; /* shape, mesh; else NULL */
+    union {
+        const affine *to_shape; /* of a leaf: from the space it is in */
+        struct solid **children;
+    };
+    const struct solid_more *more;
+    struct box3 surface;       /* holds every crossing that counts */
+    const struct box3 *region; /* outside it nothing is inside */
+    const struct box3 *holes;  /* outside it everything is inside */
 };
+
+/* A new solid that is of this kind and has nothing more than others. */
+struct solid *solid_new(struct arena *arena, enum object_kind kind);
+
+/* What it has more, to write to: its own from now on, in `arena`. */
+struct solid_more *solid_more(struct arena *arena, struct solid *solid);
 
 /* Boxes of which most solids have one. */
 extern const struct box3 solid_nothing, solid_everything;

@@ -90,7 +90,8 @@ static void shadow_filter(const struct RTCFilterFunctionNArguments *a)
 
 static bool leaf_is_plain(const struct leaf *leaf)
 {
-    return leaf->opaque && !leaf->no_shadow && leaf->looks_like < 0;
+    return leaf->look->opaque && !leaf->look->no_shadow &&
+           leaf->look->looks_like < 0;
 }
 
 /* Meshes that go into one geometry. */
@@ -186,7 +187,7 @@ static bool add_copies(struct arena *arena, const struct copies *copies,
     for (size_t i = 0; i < copies->count; i++) {
         const struct leaf *leaf = copies->items[i];
         const struct mesh *mesh = leaf->object->mesh;
-        affine move = affine_compose(shift, *leaf->to_world);
+        affine move = affine_compose(shift, *leaf->pose->outward);
         write_vertices(vertices + 3 * vertex, mesh, &move);
         write_indices(indices + 3 * triangle, mesh, vertex);
         for (size_t k = 0; k < mesh->triangle_count; k++)
@@ -225,8 +226,9 @@ static bool add_instance(struct triangles *triangles, struct mesh_entry *entry,
 {
     if (!entry->instance && !share_mesh(triangles, entry, device))
         return false;
-    affine move = affine_compose(
-        affine_translation(vec3_negate(triangles->centre)), *leaf->to_world);
+    affine move =
+        affine_compose(affine_translation(vec3_negate(triangles->centre)),
+                       *leaf->pose->outward);
     float columns[12];
     for (int row = 0; row < 3; row++)
         for (int column = 0; column < 4; column++)

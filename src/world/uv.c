@@ -9,8 +9,9 @@ vec3 world_uv(const struct intersection *at)
     const struct object *object = leaf->object;
     bool mesh = object->kind == OBJECT_MESH;
     double uv[2] = { at->point.x, at->point.y };
-    vec3 point =
-        leaf->moved ? affine_point(leaf->to_object, at->point) : at->point;
+    vec3 point = leaf_is_moved(leaf)
+                     ? affine_point(leaf->pose->inward, at->point)
+                     : at->point;
     if (mesh && object->mesh->mapped)
         mesh_uv(object->mesh, (size_t)at->part, point, uv);
     else if (!mesh && object->primitive->uv)

@@ -126,9 +126,10 @@ bool world_glimpse(const struct world *world, const struct ray *ray,
                    struct glimpse glimpse, enum ray_kind kind,
                    struct intersection *out);
 
-/* Called for every crossing that may let light pass (leaf->opaque false), in
- * any order; returns true when the light is all blocked and no more crossings
- * are wanted. world_describe tells the rest, which few panes ask for. */
+/* Called for every crossing that may let light pass (leaf->look->opaque false),
+ * in any order; returns true when the light is all blocked and no more
+ * crossings are wanted. world_describe tells the rest, which few panes ask for.
+ */
 typedef bool world_filter(void *context, const struct ray *ray,
                           const struct world_hit *hit);
 
@@ -217,7 +218,7 @@ void world_visit(const struct world *world,
                  void (*mesh)(void *context, const struct leaf *leaf),
                  void *context);
 
-/* How many targets of photons there are: leaf->target is 1 to that. */
+/* How many targets of photons there are: leaf->look->target is 1 to that. */
 unsigned world_targets(const struct world *world);
 
 /* Sizes for --stats and for lighting methods. */

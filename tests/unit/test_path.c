@@ -141,7 +141,8 @@ static struct surface slanted(const struct intersection *at,
 /* Also that sampling gives the same light as summing over directions. */
 static void surfaces_scatter_what_they_answer(void **state)
 {
-    struct leaf leaf = { .looks_like = -1 };
+    struct leaf_look look = { .looks_like = -1 };
+    struct leaf leaf = { .look = &look };
     struct intersection at = { .leaf = &leaf };
     (void)state;
     for (size_t k = 0; k < sizeof finishes / sizeof *finishes; k++) {

@@ -83,7 +83,8 @@ static struct surface_layer layer_of(const struct finish *finish)
 static double lit(const struct finish *finish, double x, double z, bool twice,
                   bool highlights)
 {
-    struct leaf leaf = { .double_illuminate = twice };
+    struct leaf_look look = { .double_illuminate = twice };
+    struct leaf leaf = { .look = &look };
     struct intersection at = { .leaf = &leaf };
     struct surface surface = { .at = &at,
                                .view = { 0, 0, -1 },
@@ -177,9 +178,12 @@ static void test_interiors(void **state)
     struct interior glass = interior_default(), water = interior_default();
     glass.ior = 1.5;
     water.ior = 1.33;
-    struct leaf a = { .interior = &glass, .body = 1, .hollow = true };
-    struct leaf b = { .interior = &water, .body = 2 };
-    struct leaf c = { .body = 3 };
+    struct leaf_look looks[] = { { .interior = &glass, .hollow = true },
+                                 { .interior = &water },
+                                 { .interior = NULL } };
+    struct leaf a = { .look = &looks[0], .body = 1 };
+    struct leaf b = { .look = &looks[1], .body = 2 };
+    struct leaf c = { .look = &looks[2], .body = 3 };
     struct interiors list = { .count = 0 };
     near(interiors_ior(&list), 1);
     assert_true(interiors_open(&list));
@@ -197,7 +201,7 @@ static void test_interiors(void **state)
     interiors_cross(&list, &b);
     assert_int_equal(list.count, 0);
     for (unsigned i = 0; i < 1000; i++) {
-        struct leaf leaf = { .body = i };
+        struct leaf leaf = { .look = &looks[2], .body = i };
         interiors_cross(&list, &leaf);
     }
     assert_int_equal(list.count, INTERIORS_MAX);

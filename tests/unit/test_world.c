@@ -553,9 +553,10 @@ static void properties_come_down_the_tree(void **state)
     struct intersection at;
     assert_false(world_closest(world, &z, 0, RAY_CAMERA, &at));
     assert_true(world_closest(world, &z, 0, RAY_REFLECTION, &at));
-    assert_true(at.t == 4 && at.leaf->interior == &glass && at.leaf->hollow);
+    assert_true(at.t == 4 && at.leaf->look->interior == &glass &&
+                at.leaf->look->hollow);
     assert_true(world_closest(world, &z, 6.5, RAY_REFLECTION, &at));
-    assert_true(fabs(at.t - 9) < 1e-12 && at.leaf->looks_like == 0);
+    assert_true(fabs(at.t - 9) < 1e-12 && at.leaf->look->looks_like == 0);
     assert_false(world_occluded(
         world, &(struct occlusion){ .ray = &z, .tmin = 6.5, .tmax = 20 }));
     assert_false(world_occluded(

@@ -209,9 +209,9 @@ void path_leave_plain(struct path *path, const struct leaf *leaf,
 static void path_fade(struct path *path, const struct crossing *crossing)
 {
     if (crossing->leaving)
-        path->share =
-            rgb_mul(path->share,
-                    interior_fade(crossing->at.leaf->interior, crossing->at.t));
+        path->share = rgb_mul(
+            path->share,
+            interior_fade(crossing->at.leaf->look->interior, crossing->at.t));
 }
 
 /* One colour of the light that passes, which is bent its own way. */
