@@ -61,14 +61,23 @@ struct centre_group {
     } of[CENTRES_RAYS];
 };
 
+/* Which of a pixel's R x R samples is its first one again: without jitter the
+ * middle one of an odd number; else none (-1). */
+static int sampler_again(const struct sampler *sampler)
+{
+    int n = sampler_depth(sampler);
+    return sampler->options->jitter == 0 && n % 2 ? n * n / 2 : -1;
+}
+
 static void group_add(struct centre_group *group, const struct centres *c,
                       struct centre at)
 {
-    int i = group->count++;
+    int i = group->count++, times = sampler_again(c->sampler) < 0 ? 1 : 2;
     c->pixels->rows[at.row].known |= row_bit(at.column);
     group->of[i].at = at;
     for (int k = 0; k < 4; k++)
-        group->of[i].sum[k] = (double)c->pixels->now[at.row][at.column][k];
+        group->of[i].sum[k] =
+            times * (double)c->pixels->now[at.row][at.column][k];
 }
 
 /* The pixel, and those close to it that will most likely be asked for after it:
@@ -77,7 +86,8 @@ static void group_add(struct centre_group *group, const struct centres *c,
 static void group_gather(struct centre_group *group, const struct centres *c,
                          struct centre at)
 {
-    int n = sampler_depth(c->sampler), few = CENTRES_RAYS / (n * n);
+    int n = sampler_depth(c->sampler), again = sampler_again(c->sampler) >= 0;
+    int few = n * n > again ? CENTRES_RAYS / (n * n - again) : 1;
     int left = at.column - (at.column - 1) % CENTRES_CELL;
     int top = at.row - (at.row - 1) % CENTRES_CELL;
     uint64_t cell = row_bit(left + CENTRES_CELL) - row_bit(left);
@@ -133,7 +143,7 @@ static void spread_samples(double (*spread)[2], int n, double jitter,
 static void group_sample(struct centre_group *group, const struct centres *c)
 {
     const struct sampler *sampler = c->sampler;
-    int n = sampler_depth(sampler);
+    int n = sampler_depth(sampler), again = sampler_again(sampler);
     double jitter = sampler->options->jitter, spread[SAMPLES_MOST][2];
     struct centre_samples samples;
     struct sampler_block *block = &samples.block;
@@ -147,6 +157,8 @@ static void group_sample(struct centre_group *group, const struct centres *c)
         if (jitter != 0)
             spread_samples(spread, n, jitter, jitter_key(x, y));
         for (int i = 0; i < n * n; i++) {
+            if (i == again)
+                continue;
             struct picture_place *place = &block->places[block->count];
             sampler_at(sampler, x + spread[i][0], y + spread[i][1], place);
             place->pixel = number;
