@@ -185,10 +185,9 @@ static void search_caps(struct extrusion_search *search)
 
 /* Behind the nearest cap no side is looked for: a side that ends there is taken
  * before it, though. */
-static void search_first_caps(struct extrusion_search *search)
+static void search_past_caps(struct extrusion_search *search)
 {
     struct hit_search *hits = &search->hits;
-    search_caps(search);
     if (hits->found)
         hits->tmax = nextafter(hits->tmax, HUGE_VAL);
 }
@@ -196,8 +195,10 @@ static void search_first_caps(struct extrusion_search *search)
 static void extrusion_search(struct extrusion_search *search)
 {
     struct hit_search *hits = &search->hits;
-    if (!hits->all)
-        search_first_caps(search);
+    if (!hits->all) {
+        search_caps(search);
+        search_past_caps(search);
+    }
     if (!(search->any && hits->found))
         search_sides(search);
     if (hits->all)
@@ -288,6 +289,61 @@ static unsigned lanes_within(const struct extrusion *e, const struct rays *rays,
     return within & rays_bits(met);
 }
 
+/* Where rays meet a cap's plane, the outline's size times `scale`, and whether
+ * it is where they look. */
+CLONES static void cap_points(const struct extrusion_lanes *restrict lanes,
+                              double w, double scale,
+                              struct lane_points *restrict points,
+                              lane_flag *restrict wanted)
+{
+    const struct rays *rays = &lanes->rays;
+    const struct rays_span *span = &lanes->span;
+    const struct lane_run run = lane_run_all();
+    EACH_LANE(i, run) {
+        double t = (w - rays->origin[2][i]) / rays->direction[2][i];
+        points->at[0][i] =
+            (rays->origin[0][i] + t * rays->direction[0][i]) / scale;
+        points->at[1][i] =
+            (rays->origin[1][i] + t * rays->direction[1][i]) / scale;
+        points->at[2][i] = t;
+        wanted[i] = (t > span->near[i] ? -1 : 0) & (t < span->far[i] ? -1 : 0);
+    }
+}
+
+/* As search_cap, of those of the bits `asked`. */
+static void lanes_cap(struct extrusion_lanes *lanes, const struct extrusion *e,
+                      double w, int part, unsigned asked)
+{
+    struct lane_points points;
+    LANE_LINES lane_flag wanted[RAY_LANES];
+    const double scale = extrusion_scale(e, w);
+    if (!asked || scale == 0)
+        return;
+    cap_points(lanes, w, scale, &points, wanted);
+    asked = outline_covers_many(&e->outline, points.at[0], points.at[1],
+                                asked & rays_bits(wanted));
+    for (; asked; asked &= asked - 1) {
+        int i = __builtin_ctz(asked);
+        struct hit_search *hits = &lanes->search[i].hits;
+        hit_search_take(hits, (struct hit){ points.at[2][i], part, 0, 0 });
+        lanes->span.far[i] = hits->tmax;
+    }
+}
+
+/* As search_caps, of the open ones. */
+static void lanes_caps(struct extrusion_lanes *lanes, const struct extrusion *e)
+{
+    const unsigned open = lanes->open;
+    unsigned down = 0;
+    if (e->open)
+        return;
+    for (int i = 0; i < RAY_LANES && e->low < e->high; i++)
+        down |= (unsigned)(lanes->rays.direction[2][i] < 0) << i;
+    lanes_cap(lanes, e, e->high, PART_HIGH, open & down);
+    lanes_cap(lanes, e, e->low, PART_LOW, open);
+    lanes_cap(lanes, e, e->high, PART_HIGH, open & ~down);
+}
+
 static void lanes_begin(struct extrusion_lanes *lanes,
                         const struct extrusion *e, const struct rays *rays,
                         const struct rays_span *span, bool any)
@@ -308,10 +364,16 @@ static void lanes_begin(struct extrusion_lanes *lanes,
         rays_set(&lanes->rays, i, search->ray.origin, search->ray.direction);
         for (int k = 0; k < 3; k++)
             lanes->line[k][i] = search->line[k];
-        search_first_caps(search);
+        lanes->open |= 1u << i;
+    }
+    lanes_caps(lanes, e);
+    for (unsigned left = lanes->open; left; left &= left - 1) {
+        int i = __builtin_ctz(left);
+        struct extrusion_search *search = &lanes->search[i];
+        search_past_caps(search);
         lanes->span.far[i] = search->hits.tmax;
-        if (!(any && search->hits.found))
-            lanes->open |= 1u << i;
+        if (any && search->hits.found)
+            lanes->open &= ~(1u << i);
     }
 }
 
@@ -334,13 +396,70 @@ static unsigned lanes_met(const struct extrusion_lanes *lanes,
     return lanes->open & rays_bits(met);
 }
 
+/* A rectangle in the outline's plane. */
+struct ground {
+    double low[2], high[2];
+};
+
+static bool ground_has(const struct ground *ground, const struct piece *piece)
+{
+    return ground->low[0] <= piece->high[0] &&
+           ground->high[0] >= piece->low[0] &&
+           ground->low[1] <= piece->high[1] && ground->high[1] >= piece->low[1];
+}
+
+/* What the ray comes over where it may meet the box. */
+static void ground_take(struct ground *ground,
+                        const struct extrusion_lanes *lanes, int i,
+                        const struct box3 *box)
+{
+    const double *low = &box->low.x, *high = &box->high.x;
+    double enter = lanes->span.near[i], leave = lanes->span.far[i];
+    for (int k = 0; k < 3; k++)
+        slab_clip(low[k], high[k], lanes->rays.origin[k][i],
+                  lanes->inverse[k][i], &enter, &leave);
+    for (int k = 0; k < 2 && enter <= leave; k++) {
+        double o = lanes->rays.origin[k][i], d = lanes->rays.direction[k][i];
+        double a = o + enter * d, b = o + leave * d;
+        double rounding = 1e-15 * (fabs(o) + fabs(a) + fabs(b));
+        ground->low[k] = slab_min(ground->low[k], slab_min(a, b) - rounding);
+        ground->high[k] = slab_max(ground->high[k], slab_max(a, b) + rounding);
+    }
+}
+
+/* What the open ones come over where they look; of a cone nothing is known. */
+static struct ground lanes_ground(struct extrusion_lanes *lanes,
+                                  const struct extrusion *e)
+{
+    const struct outline *o = &e->outline;
+    struct ground all = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
+    double more = 1e-9 * (fabs(o->low[0]) + fabs(o->low[1]) + fabs(o->high[0]) +
+                          fabs(o->high[1]) + fabs(e->low) + fabs(e->high));
+    const struct box3 box = {
+        { o->low[0] - more, o->low[1] - more, e->low - more },
+        { o->high[0] + more, o->high[1] + more, e->high + more }
+    };
+    if (e->conic)
+        return (struct ground){ { -HUGE_VAL, -HUGE_VAL },
+                                { HUGE_VAL, HUGE_VAL } };
+    rays_inverse(&lanes->rays, lane_run_all(), lanes->inverse);
+    for (unsigned left = lanes->open; left; left &= left - 1)
+        ground_take(&all, lanes, __builtin_ctz(left), &box);
+    for (int k = 0; k < 2; k++) {
+        all.low[k] -= more;
+        all.high[k] += more;
+    }
+    return all;
+}
+
 /* As search_sides, but side after side, each for all of them. */
 static void lanes_sides(struct extrusion_lanes *lanes,
                         const struct extrusion *e)
 {
-    if (!e->conic)
-        rays_inverse(&lanes->rays, lane_run_all(), lanes->inverse);
+    const struct ground ground = lanes_ground(lanes, e);
     for (size_t k = 0; k < e->outline.count && lanes->open; k++) {
+        if (!ground_has(&ground, &e->outline.pieces[k]))
+            continue;
         unsigned meet = lanes_met(lanes, e, &e->outline.pieces[k]);
         for (; meet; meet &= meet - 1) {
             unsigned i = (unsigned)__builtin_ctz(meet);

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "scene/polynomial.h"
+#include "scene/slab.h"
 
 struct segment segment_line(const double a[2], const double b[2])
 {
@@ -295,6 +296,85 @@ bool outline_covers(const struct outline *outline, double x, double y)
     for (size_t i = 0; i < outline->count; i++)
         odd ^= piece_is_right(&outline->pieces[i], x, y);
     return odd;
+}
+
+/* The same of points side by side, where it is the box that decides: turns
+ * `odd` round. Where it is the curve it is doubtful. */
+CLONES static void piece_beside(const struct piece *restrict piece,
+                                const double *restrict x,
+                                const double *restrict y,
+                                lane_flag *restrict odd,
+                                lane_flag *restrict doubtful)
+{
+    const double begin = piece->curve.y[0], end = piece->curve.end[1];
+    const double low = piece->low[0], high = piece->high[0];
+    const struct lane_run run = lane_run_all();
+    EACH_LANE(i, run) {
+        double f = begin - y[i], g = end - y[i];
+        lane_flag passes = (f > 0 ? -1 : 0) ^ (g > 0 ? -1 : 0);
+        lane_flag right = x[i] < low ? -1 : 0;
+        lane_flag within = x[i] < high ? -1 : 0;
+        odd[i] ^= passes & right;
+        doubtful[i] = passes & within & ~right;
+    }
+}
+
+CLONES static void outline_may_cover(const struct outline *restrict outline,
+                                     const double *restrict x,
+                                     const double *restrict y,
+                                     lane_flag *restrict may)
+{
+    const double high = outline->high[0], top = outline->high[1];
+    const double bottom = outline->low[1];
+    const struct lane_run run = lane_run_all();
+    EACH_LANE(i, run)
+        may[i] = (x[i] <= high ? -1 : 0) & (y[i] >= bottom ? -1 : 0) &
+                 (y[i] <= top ? -1 : 0);
+}
+
+/* Where the points of `lanes`, one at least, are. */
+struct stretch {
+    double left, bottom, top;
+};
+
+static struct stretch lanes_stretch(const double x[RAY_LANES],
+                                    const double y[RAY_LANES], unsigned lanes)
+{
+    int first = __builtin_ctz(lanes);
+    struct stretch all = { x[first], y[first], y[first] };
+    for (; lanes; lanes &= lanes - 1) {
+        int i = __builtin_ctz(lanes);
+        all.left = slab_min(all.left, x[i]);
+        all.bottom = slab_min(all.bottom, y[i]);
+        all.top = slab_max(all.top, y[i]);
+    }
+    return all;
+}
+
+unsigned outline_covers_many(const struct outline *outline,
+                             const double x[RAY_LANES],
+                             const double y[RAY_LANES], unsigned lanes)
+{
+    LANE_LINES lane_flag odd[RAY_LANES], flags[RAY_LANES];
+    unsigned turned = 0;
+    outline_may_cover(outline, x, y, flags);
+    lanes &= rays_bits(flags);
+    if (!lanes)
+        return 0;
+    const struct stretch from = lanes_stretch(x, y, lanes);
+    memset(odd, 0, sizeof odd);
+    for (size_t k = 0; k < outline->count; k++) {
+        const struct piece *piece = &outline->pieces[k];
+        if (from.left >= piece->high[0] || from.top < piece->low[1] ||
+            from.bottom > piece->high[1])
+            continue;
+        piece_beside(piece, x, y, odd, flags);
+        for (unsigned left = lanes & rays_bits(flags); left; left &= left - 1) {
+            int i = __builtin_ctz(left);
+            turned ^= (unsigned)piece_is_right(piece, x[i], y[i]) << i;
+        }
+    }
+    return lanes & (rays_bits(odd) ^ turned);
 }
 
 /* Whether the line passes the piece's box. */

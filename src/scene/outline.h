@@ -62,6 +62,11 @@ struct outline outline_of_numbers(struct arena *arena, const double *numbers,
 /* Whether an odd number of curves is to the right of the point. */
 bool outline_covers(const struct outline *outline, double x, double y);
 
+/* The same of points side by side, bit by bit of `lanes`. */
+unsigned outline_covers_many(const struct outline *outline,
+                             const double x[RAY_LANES],
+                             const double y[RAY_LANES], unsigned lanes);
+
 /* Calls for each crossing of that piece with the line line[0] x + line[1] y +
  * line[2] = 0. */
 typedef void outline_visit(void *context, int piece, double s);
