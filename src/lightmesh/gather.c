@@ -343,7 +343,7 @@ static bool gathering_trace(struct gathering *gathering,
                                      (double)INFINITY, gather_spread };
     gathering->known = false;
     if (known)
-        return true;
+        return at->leaf;
     gathering->worker->counters.shadow_rays++;
     return world_glimpse(gathering->gather->lamps->world, &gathering->ray,
                          glimpse, RAY_REFLECTION, at);
@@ -368,29 +368,36 @@ static rgb gathering_follow(struct gathering *gathering,
     return light;
 }
 
+static void gather_along(struct gathering *gathering,
+                         struct gathered_ray *gathered)
+{
+    gathered->open = 0;
+    gathered->glow = rgb_grey(0);
+    gathering->share = rgb_grey(1);
+    gathering->open = &gathered->open;
+    gathered->light =
+        gathering_follow(gathering, &gathered->at, &gathered->glow);
+}
+
 void gather_radiance(const struct gather *gather, struct worker *worker,
                      const struct ray *ray, const struct draws *draws,
                      struct gathered_ray *gathered)
 {
+    struct gathering gathering = {
+        .gather = gather, .worker = worker, .draws = draws, .ray = *ray
+    };
     gathered->at.leaf = NULL;
-    gather_met(gather, worker, ray, draws, gathered);
+    gather_along(&gathering, gathered);
 }
 
 void gather_met(const struct gather *gather, struct worker *worker,
                 const struct ray *ray, const struct draws *draws,
                 struct gathered_ray *gathered)
 {
-    gathered->open = 0;
-    gathered->glow = rgb_grey(0);
-    struct gathering gathering = {
-        .gather = gather,
-        .worker = worker,
-        .draws = draws,
-        .ray = *ray,
-        .share = rgb_grey(1),
-        .open = &gathered->open,
-        .known = gathered->at.leaf,
-    };
-    gathered->light =
-        gathering_follow(&gathering, &gathered->at, &gathered->glow);
+    struct gathering gathering = { .gather = gather,
+                                   .worker = worker,
+                                   .draws = draws,
+                                   .ray = *ray,
+                                   .known = true };
+    gather_along(&gathering, gathered);
 }

@@ -79,7 +79,8 @@ void gather_radiance(const struct gather *gather, struct worker *worker,
                      const struct ray *ray, const struct draws *draws,
                      struct gathered_ray *gathered);
 
-/* The same of a ray of which is known where it ends, in gathered->at. */
+/* The same of a ray of which is known where it ends, in gathered->at; at.leaf
+ * NULL: nowhere. */
 void gather_met(const struct gather *gather, struct worker *worker,
                 const struct ray *ray, const struct draws *draws,
                 struct gathered_ray *gathered);

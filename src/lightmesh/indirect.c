@@ -1,6 +1,8 @@
 /* The indirect light mesh: see indirect.h. */
 #include "lightmesh/indirect.h"
 
+#include <stdlib.h>
+
 #include "base/draw.h"
 #include "base/memory.h"
 #include "base/warp.h"
@@ -61,20 +63,58 @@ static vec3 gatherer_way(const struct gatherer *gatherer,
     return behind < 0 ? vec3_along(way, site->normal, -2 * behind) : way;
 }
 
+/* Gather rays that set out together. */
+struct gatherer_rays {
+    struct rays rays;
+    struct rays_span span;
+    struct draws draws[RAY_LANES];
+    struct world_hit hits[RAY_LANES];
+    unsigned count;
+};
+
 /* One gather ray. What glows counts by how likely it is to be found so. */
 static void gatherer_look(const struct gatherer *gatherer,
-                          const struct draws *draws, vec3 way,
-                          struct indirect_light *light)
+                          const struct gatherer_rays *sent, unsigned i,
+                          struct gathered *sum)
 {
     const struct gather *gather = &gatherer->mesh->gather;
-    const struct mesh_site *site = gatherer->site;
-    double density = gatherer_density(gatherer, way);
-    struct gathered_ray found;
-    struct ray ray = { site->place, way };
-    gather_radiance(gather, gatherer->worker, &ray, draws, &found);
-    indirect_light_add(light, way,
+    const struct ray ray = rays_at(&sent->rays, (int)i);
+    double density = gatherer_density(gatherer, ray.direction);
+    bool wall = vec3_dot(ray.direction, gatherer->site->wall) > 0;
+    struct gathered_ray found = { .at = { .leaf = NULL } };
+    if (sent->hits[i].leaf)
+        world_describe(&ray, &sent->hits[i], &found.at);
+    gather_met(gather, gatherer->worker, &ray, &sent->draws[i], &found);
+    indirect_light_add(wall ? &sum->wall : &sum->light, ray.direction,
                        gather_balanced(gather, &ray, density, &found),
                        found.open, density);
+}
+
+/* Those that are waiting. */
+static void gatherer_flush(const struct gatherer *gatherer,
+                           struct gatherer_rays *sent, struct gathered *sum)
+{
+    double from = surface_offset(gatherer->site->place);
+    for (unsigned i = 0; i < sent->count; i++) {
+        sent->span.near[i] = from;
+        sent->span.far[i] = (double)INFINITY;
+    }
+    gatherer->worker->counters.shadow_rays += sent->count;
+    world_closest_many(gatherer->mesh->points.world, &sent->rays, &sent->span,
+                       sent->count, RAY_REFLECTION, sent->hits);
+    for (unsigned i = 0; i < sent->count; i++)
+        gatherer_look(gatherer, sent, i, sum);
+    sent->count = 0;
+}
+
+static void gatherer_send(const struct gatherer *gatherer,
+                          const struct draws *draws, vec3 way,
+                          struct gatherer_rays *sent, struct gathered *sum)
+{
+    rays_set(&sent->rays, (int)sent->count, gatherer->site->place, way);
+    sent->draws[sent->count++] = *draws;
+    if (sent->count == RAY_LANES)
+        gatherer_flush(gatherer, sent, sum);
 }
 
 /* The same for a place on something that glows. */
@@ -104,23 +144,38 @@ static struct draws gatherer_draws(const struct gatherer *gatherer,
                            part * gatherer->mesh->set + sample };
 }
 
+/* Number `i` in an order in which neighbours go nearly the same way. */
+static uint32_t gatherer_sample(const struct gatherer *gatherer, uint32_t i)
+{
+    const struct indirect_mesh *mesh = gatherer->mesh;
+    uint32_t part = (uint32_t)(gatherer->site->dither * 8);
+    return gatherer->site->lone || !mesh->order ? i
+                                                : mesh->order[part * mesh->set + i];
+}
+
 /* The sum of what is sent everywhere. */
-static void gatherer_even(const struct gatherer *gatherer, struct gathered *sum)
+static void gatherer_even(const struct gatherer *gatherer,
+                          struct gatherer_rays *sent, struct gathered *sum)
 {
     uint32_t end = gatherer->count - gatherer->aimed;
     uint32_t wall_end = end / gatherer->wall_share;
-    for (uint32_t i = 0; i < end && !worker_stopped(gatherer->worker); i++) {
-        struct draws draws = gatherer_draws(gatherer, i);
+    for (uint32_t i = 0;
+         i < gatherer->count && !worker_stopped(gatherer->worker); i++) {
+        uint32_t sample = gatherer_sample(gatherer, i);
+        if (sample >= end)
+            continue;
+        struct draws draws = gatherer_draws(gatherer, sample);
         vec3 way = gatherer_way(gatherer, &draws);
         bool wall = vec3_dot(way, gatherer->site->wall) > 0;
-        if (!wall || i < wall_end)
-            gatherer_look(gatherer, &draws, way,
-                          wall ? &sum->wall : &sum->light);
+        if (!wall || sample < wall_end)
+            gatherer_send(gatherer, &draws, way, sent, sum);
     }
+    gatherer_flush(gatherer, sent, sum);
 }
 
 /* And of what is sent to bright places. */
-static void gatherer_aim(const struct gatherer *gatherer, struct gathered *sum)
+static void gatherer_aim(const struct gatherer *gatherer,
+                         struct gatherer_rays *sent, struct gathered *sum)
 {
     uint32_t i = gatherer->count - gatherer->aimed;
     for (; i < gatherer->count && !worker_stopped(gatherer->worker); i++) {
@@ -130,16 +185,18 @@ static void gatherer_aim(const struct gatherer *gatherer, struct gathered *sum)
         draw_pair(&draws, GATHER_DIRECTION, u);
         vec3 way = aim_way(&gatherer->aim, u, &which);
         if (!(vec3_dot(way, gatherer->site->wall) > 0))
-            gatherer_look(gatherer, &draws, way, &sum->light);
+            gatherer_send(gatherer, &draws, way, sent, sum);
     }
+    gatherer_flush(gatherer, sent, sum);
 }
 
 static struct gathered gatherer_mean(const struct gatherer *gatherer)
 {
     struct gathered sum = { indirect_light_none, indirect_light_none };
     uint32_t count = gatherer->count;
-    gatherer_even(gatherer, &sum);
-    gatherer_aim(gatherer, &sum);
+    struct gatherer_rays sent = { .count = 0 };
+    gatherer_even(gatherer, &sent, &sum);
+    gatherer_aim(gatherer, &sent, &sum);
     if (emitters_any(gatherer->mesh->gather.emitters))
         for (uint32_t i = 0; i < count && !worker_stopped(gatherer->worker);
              i++) {
@@ -183,6 +240,45 @@ static void fill_gather(const void *context, struct worker *worker,
     *(struct indirect_light *)payload = light.light;
 }
 
+/* Neighbours on a curve through the square that ways are drawn from (Morton
+ * 1966) go nearly the same way. */
+static uint32_t way_place(uint64_t key, uint32_t index)
+{
+    const struct draws draws = { key, index };
+    uint32_t place = 0;
+    double u[2];
+    draw_pair(&draws, GATHER_DIRECTION, u);
+    for (int bit = 1; bit <= 8; bit++)
+        for (int i = 0; i < 2; i++)
+            place = place << 1 | ((uint32_t)ldexp(u[i], bit) & 1);
+    return place;
+}
+
+struct way_order {
+    uint32_t place, sample;
+};
+
+static int way_compare(const void *a, const void *b)
+{
+    const struct way_order *x = a, *y = b;
+    return x->place != y->place ? (x->place > y->place) - (x->place < y->place)
+                                : (x->sample > y->sample) - (x->sample < y->sample);
+}
+
+/* Of each part of the set, which begins at `first`. */
+static void ways_order(struct indirect_mesh *mesh, uint32_t first,
+                       struct way_order *sorted)
+{
+    uint32_t count = (uint32_t)mesh->samples;
+    for (uint32_t i = 0; i < count; i++)
+        sorted[i] = (struct way_order){
+            way_place(mesh->gather.lamps->seed, first + i), i
+        };
+    qsort(sorted, count, sizeof *sorted, way_compare);
+    for (uint32_t i = 0; i < count; i++)
+        mesh->order[first + i] = sorted[i].sample;
+}
+
 /* All mesh points look along the same ways: they are drawn once. */
 static void mesh_ways(struct indirect_mesh *mesh)
 {
@@ -194,6 +290,12 @@ static void mesh_ways(struct indirect_mesh *mesh)
     mesh->ways = memory_new(count * sizeof *mesh->ways);
     for (uint32_t i = 0; i < count; i++)
         mesh->ways[i] = way_drawn(mesh->gather.lamps->seed, i);
+    mesh->order = memory_new(count * sizeof *mesh->order);
+    struct way_order *sorted =
+        memory_new((size_t)mesh->samples * sizeof *sorted);
+    for (uint32_t part = 0; part < 8; part++)
+        ways_order(mesh, part * mesh->set, sorted);
+    memory_free(sorted);
 }
 
 static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
@@ -277,6 +379,7 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
         struct indirect_mesh *next = mesh->next;
         point_mesh_free(&mesh->points);
         memory_free(mesh->ways);
+        memory_free(mesh->order);
         memory_free(mesh->near_ways);
         memory_free(mesh);
         mesh = next;

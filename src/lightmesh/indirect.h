@@ -45,6 +45,7 @@ struct indirect_mesh {
     int samples, lone_samples, near;
     uint32_t set;    /* how many a mesh point has of its cell's directions */
     vec3 *ways;      /* those directions; NULL: too many to be kept */
+    uint32_t *order; /* of the samples of each part, along which they are traced */
     vec3 *near_ways; /* and those of the near rays */
 };
 

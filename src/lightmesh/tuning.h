@@ -275,7 +275,7 @@ static const double bright_cells = 20; /* along what was met, at least, */
 static const double bright_outside = 0.05; /* but for so much at each end */
 static const double bright_ball = 0.8; /* radius around a cell, sides of it */
 
-static const double gather_noise = 0.03; /* of the picture, by a point's rays:
+static const double gather_noise = 0.02; /* of the picture, by a point's rays:
                                           * what is seen of it is a third */
 static const double gather_noise_far = 0.015;  /* beyond the first surface all
                                                 * points draw alike: that noise
