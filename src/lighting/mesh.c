@@ -117,7 +117,6 @@ static struct survey mesh_survey(const struct mesh_lighting *mesh,
     gather.onward = survey.open < 1 && survey.worth < gather_worth_none;
     if (gather.onward)
         survey = survey_of(&gather, scene, &worker);
-    survey.far = gather.onward;
     arena_free(worker.scratch);
     return survey;
 }

@@ -149,8 +149,9 @@ static uint32_t gatherer_sample(const struct gatherer *gatherer, uint32_t i)
 {
     const struct indirect_mesh *mesh = gatherer->mesh;
     uint32_t part = (uint32_t)(gatherer->site->dither * 8);
-    return gatherer->site->lone || !mesh->order ? i
-                                                : mesh->order[part * mesh->set + i];
+    return gatherer->site->lone || !mesh->order
+               ? i
+               : mesh->order[part * mesh->set + i];
 }
 
 /* The sum of what is sent everywhere. */
@@ -261,8 +262,9 @@ struct way_order {
 static int way_compare(const void *a, const void *b)
 {
     const struct way_order *x = a, *y = b;
-    return x->place != y->place ? (x->place > y->place) - (x->place < y->place)
-                                : (x->sample > y->sample) - (x->sample < y->sample);
+    return x->place != y->place
+               ? (x->place > y->place) - (x->place < y->place)
+               : (x->sample > y->sample) - (x->sample < y->sample);
 }
 
 /* Of each part of the set, which begins at `first`. */
@@ -271,9 +273,9 @@ static void ways_order(struct indirect_mesh *mesh, uint32_t first,
 {
     uint32_t count = (uint32_t)mesh->samples;
     for (uint32_t i = 0; i < count; i++)
-        sorted[i] = (struct way_order){
-            way_place(mesh->gather.lamps->seed, first + i), i
-        };
+        sorted[i] =
+            (struct way_order){ way_place(mesh->gather.lamps->seed, first + i),
+                                i };
     qsort(sorted, count, sizeof *sorted, way_compare);
     for (uint32_t i = 0; i < count; i++)
         mesh->order[first + i] = sorted[i].sample;

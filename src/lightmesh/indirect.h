@@ -43,9 +43,10 @@ struct indirect_mesh {
     const struct bright *bright; /* as of its options; NULL: none of its rays go
                                   * there */
     int samples, lone_samples, near;
-    uint32_t set;    /* how many a mesh point has of its cell's directions */
-    vec3 *ways;      /* those directions; NULL: too many to be kept */
-    uint32_t *order; /* of the samples of each part, along which they are traced */
+    uint32_t set; /* how many a mesh point has of its cell's directions */
+    vec3 *ways;   /* those directions; NULL: too many to be kept */
+    uint32_t
+        *order; /* of the samples of each part, along which they are traced */
     vec3 *near_ways; /* and those of the near rays */
 };
 

@@ -46,19 +46,19 @@ static int nets_within(double rays)
 }
 
 /* As many gather rays of a point as make noise that is hardly seen, for what
- * they bring differs less where lamps give most of the light, or the net next
- * to it; none where that changes nothing. */
+ * they bring differs less where lamps give most of the light; none where that
+ * changes nothing. */
 static int frame_samples(const struct light_mesh_settings *said,
                          const struct survey *survey)
 {
-    double noise = survey->far ? gather_noise_far : gather_noise;
-    double finer = plan_finer(said), wanted = survey->rough / noise;
+    double finer = plan_finer(said);
+    double wanted = pow(survey->rough / gather_noise, gather_net);
     if (said->indirect.samples > 0)
         return said->indirect.samples;
     if (survey->worth < gather_worth_none)
         return 0;
-    wanted = fmin(fmax(wanted * wanted, GATHER_LEAST), GATHER_MOST);
-    return nets_within(sqrt(2) * wanted * finer * finer);
+    wanted = fmin(fmax(wanted, GATHER_LEAST), GATHER_MOST);
+    return nets_within(sqrt(2) * wanted * finer * finer); /* the nearest */
 }
 
 struct mesh_frame plan_frame(const struct scene *scene,

@@ -180,7 +180,7 @@ static struct indirect_share sums_around(const struct sums *sums)
 
 struct survey survey_none(void)
 {
-    return (struct survey){ .worth = 1, .rough = 16 * gather_noise };
+    return (struct survey){ .worth = 1, .rough = 48 * gather_noise };
 }
 
 static void sums_look(struct sums *sums, const struct gather *gather,

@@ -14,7 +14,6 @@ struct survey {
                    */
     double rough; /* by how much one of them differs from another: root mean
                    * square, relative to what the picture shows */
-    bool far;     /* all of it comes by two surfaces at least */
     struct bright bright;         /* where most of it comes from */
     struct indirect_share around; /* what surfaces give each other, mean */
 };

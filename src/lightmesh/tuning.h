@@ -41,7 +41,7 @@ static const double outlook_bent = 3;     /* of the usual distance: cameras that
                                            * bend lines look all around, at what
                                            * is near as well [camera-cylinder] */
 static const double survey_far = 1e9;     /* what leaves the scene */
-static const double survey_smooth = 0.1;  /* rougher chambers are looked at more
+static const double survey_smooth = 0.2;  /* rougher chambers are looked at more
                                            */
 static const double survey_smoother = 0.8; /* of their roughness: aiming serves
                                             */
@@ -275,11 +275,9 @@ static const double bright_cells = 20; /* along what was met, at least, */
 static const double bright_outside = 0.05; /* but for so much at each end */
 static const double bright_ball = 0.8; /* radius around a cell, sides of it */
 
-static const double gather_noise = 0.02; /* of the picture, by a point's rays:
-                                          * what is seen of it is a third */
-static const double gather_noise_far = 0.015;  /* beyond the first surface all
-                                                * points draw alike: that noise
-                                                * is  seen whole [plates] */
+static const double gather_noise = 0.007; /* of the picture */
+static const double gather_net = 1.43; /* the noise of a net falls by the power
+                                        * 1/1.43 of its size [six rooms] */
 static const double gather_worth_none = 0.003; /* change of the picture that is
                                                 * not seen */
 static const double gather_across = 1.5;   /* pictures: how large the part of a
