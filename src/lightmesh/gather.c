@@ -214,12 +214,10 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                              const struct surface *surface,
                                              double matters)
 {
-    vec3 normal = surface->normal;
     const struct gather *gather = gathering->gather;
-    struct worker *worker = gathering->worker;
     const struct receiver receiver = { .point = surface->point,
                                        .side = surface->side,
-                                       .normal = normal,
+                                       .normal = surface->normal,
                                        .from = gathering->ray.origin,
                                        .view = gather->view,
                                        .weight = 1 };
@@ -229,7 +227,8 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
     if (!found && gather->onward)
         more = gathering_onward(gathering, surface, matters);
     else if (!found && gather->indirect)
-        more = indirect_mesh_light(gather->indirect, worker, &receiver);
+        more =
+            indirect_mesh_light(gather->indirect, gathering->worker, &receiver);
     more.light = rgb_add(bounce_toned(&gather->tone, more.light), light);
     return more;
 }
@@ -368,36 +367,35 @@ static rgb gathering_follow(struct gathering *gathering,
     return light;
 }
 
-static void gather_along(struct gathering *gathering,
-                         struct gathered_ray *gathered)
+/* `known`: where it ends is. */
+static void gather_along(const struct gather *gather, struct worker *worker,
+                         const struct ray *ray, const struct draws *draws,
+                         bool known, struct gathered_ray *gathered)
 {
+    struct gathering gathering = { .gather = gather,
+                                   .worker = worker,
+                                   .draws = draws,
+                                   .ray = *ray,
+                                   .share = rgb_grey(1),
+                                   .open = &gathered->open,
+                                   .known = known };
     gathered->open = 0;
     gathered->glow = rgb_grey(0);
-    gathering->share = rgb_grey(1);
-    gathering->open = &gathered->open;
     gathered->light =
-        gathering_follow(gathering, &gathered->at, &gathered->glow);
+        gathering_follow(&gathering, &gathered->at, &gathered->glow);
 }
 
 void gather_radiance(const struct gather *gather, struct worker *worker,
                      const struct ray *ray, const struct draws *draws,
                      struct gathered_ray *gathered)
 {
-    struct gathering gathering = {
-        .gather = gather, .worker = worker, .draws = draws, .ray = *ray
-    };
     gathered->at.leaf = NULL;
-    gather_along(&gathering, gathered);
+    gather_along(gather, worker, ray, draws, false, gathered);
 }
 
 void gather_met(const struct gather *gather, struct worker *worker,
                 const struct ray *ray, const struct draws *draws,
                 struct gathered_ray *gathered)
 {
-    struct gathering gathering = { .gather = gather,
-                                   .worker = worker,
-                                   .draws = draws,
-                                   .ray = *ray,
-                                   .known = true };
-    gather_along(&gathering, gathered);
+    gather_along(gather, worker, ray, draws, true, gathered);
 }

@@ -12,6 +12,7 @@
 #define LIGHTMESH_INDIRECT_H
 
 #include "lightmesh/bright.h"
+#include "lightmesh/gather_ways.h"
 #include "lightmesh/gather.h"
 #include "lightmesh/indirect_light.h"
 
@@ -43,11 +44,8 @@ struct indirect_mesh {
     const struct bright *bright; /* as of its options; NULL: none of its rays go
                                   * there */
     int samples, lone_samples, near;
-    uint32_t set; /* how many a mesh point has of its cell's directions */
-    vec3 *ways;   /* those directions; NULL: too many to be kept */
-    uint32_t
-        *order; /* of the samples of each part, along which they are traced */
-    vec3 *near_ways; /* and those of the near rays */
+    struct gather_ways ways;
+    vec3 *near_ways; /* of the near rays */
 };
 
 /* Frees with indirect_mesh_free. All that is given must outlive it. */

@@ -28,9 +28,9 @@ enum {
     SURVEY_EDGE = 16,  /* the same that tell what indirect light is worth, */
     SURVEY_RAYS = 4,   /* gather rays of each, */
     SURVEY_FINE = 32,  /* and what a chamber's bright places are, */
-    SURVEY_FINE_RAYS = 16, /* likewise, */
-    SURVEY_AIMED = 3,      /* times that they are aimed at */
-    SURVEY_PANES = 4,      /* and how many panes it passes */
+    SURVEY_FINE_RAYS = 8, /* likewise, */
+    SURVEY_AIMED = 3,     /* times that they are aimed at */
+    SURVEY_PANES = 4,     /* and how many panes it passes */
 };
 static const double usual_width = 640, usual_height = 480; /* pixels, where it
                                                             * isn't said */

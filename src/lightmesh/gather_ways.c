@@ -1,0 +1,80 @@
+/* Ways of gather rays: see gather_ways.h. */
+#include "lightmesh/gather_ways.h"
+
+#include <stdlib.h>
+
+#include "base/draw.h"
+#include "base/memory.h"
+#include "base/warp.h"
+#include "lightmesh/gather.h"
+#include "lightmesh/tuning.h"
+
+vec3 gather_way(uint64_t key, uint32_t index)
+{
+    struct draws draws = { key, index };
+    double u[2];
+    draw_pair(&draws, GATHER_DIRECTION, u);
+    return warp_sphere(u);
+}
+
+/* Neighbours on a curve through the square that ways are drawn from (Morton
+ * 1966) go nearly the same way. */
+static uint32_t way_place(uint64_t key, uint32_t index)
+{
+    const struct draws draws = { key, index };
+    uint32_t place = 0;
+    double u[2];
+    draw_pair(&draws, GATHER_DIRECTION, u);
+    for (int bit = 1; bit <= 8; bit++)
+        for (int i = 0; i < 2; i++)
+            place = place << 1 | ((uint32_t)ldexp(u[i], bit) & 1);
+    return place;
+}
+
+struct way_order {
+    uint32_t place, sample;
+};
+
+static int way_compare(const void *a, const void *b)
+{
+    const struct way_order *x = a, *y = b;
+    return x->place != y->place
+               ? (x->place > y->place) - (x->place < y->place)
+               : (x->sample > y->sample) - (x->sample < y->sample);
+}
+
+/* Of the part that begins at `first`. */
+static void ways_order(struct gather_ways *ways, uint64_t seed, uint32_t first,
+                       struct way_order *sorted)
+{
+    for (uint32_t i = 0; i < ways->samples; i++)
+        sorted[i] = (struct way_order){ way_place(seed, first + i), i };
+    qsort(sorted, ways->samples, sizeof *sorted, way_compare);
+    for (uint32_t i = 0; i < ways->samples; i++)
+        ways->order[first + i] = sorted[i].sample;
+}
+
+struct gather_ways gather_ways_new(uint64_t seed, int samples)
+{
+    struct gather_ways ways = { .samples = (uint32_t)samples, .set = 1 };
+    while (ways.set < ways.samples)
+        ways.set *= 2;
+    uint32_t count = (GATHER_PARTS - 1) * ways.set + ways.samples;
+    if (count > WAYS_MOST)
+        return ways;
+    ways.ways = memory_new(count * sizeof *ways.ways);
+    ways.order = memory_new(count * sizeof *ways.order);
+    for (uint32_t i = 0; i < count; i++)
+        ways.ways[i] = gather_way(seed, i);
+    struct way_order *sorted = memory_new(ways.samples * sizeof *sorted);
+    for (uint32_t part = 0; part < GATHER_PARTS; part++)
+        ways_order(&ways, seed, part * ways.set, sorted);
+    memory_free(sorted);
+    return ways;
+}
+
+void gather_ways_free(struct gather_ways *ways)
+{
+    memory_free(ways->ways);
+    memory_free(ways->order);
+}

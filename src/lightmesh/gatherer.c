@@ -1,0 +1,229 @@
+/* A mesh point that gathers: see gatherer.h. */
+#include "lightmesh/gatherer.h"
+
+#include "base/draw.h"
+#include "base/warp.h"
+#include "lightmesh/gather_glow.h"
+#include "lightmesh/tuning.h"
+#include "shade/shadow.h"
+
+/* A mesh point that gathers. */
+struct gatherer {
+    const struct indirect_mesh *mesh;
+    struct worker *worker;
+    const struct mesh_site *site;
+    uint32_t wall_share;   /* of ways into a wall one of so many is gone */
+    uint32_t count, aimed; /* rays, and how many of them to bright places */
+    struct aim aim;
+};
+
+/* What came from the only wall near is kept apart: it lights nothing, and is
+ * rougher. */
+struct gathered {
+    struct indirect_light light, wall;
+};
+
+/* All ways are equally likely, on a surface those before it; but of those into
+ * the only wall near, which gets nothing from there, few are gone, and those to
+ * bright places are gone more often. */
+static double gatherer_density(const struct gatherer *gatherer, vec3 way)
+{
+    const struct mesh_site *site = gatherer->site;
+    if (site->lone)
+        return 1 / (2 * WARP_PI);
+    bool wall = vec3_dot(way, site->wall) > 0;
+    double aimed = (double)gatherer->aimed / gatherer->count;
+    double even = (1 - aimed) / (4 * WARP_PI);
+    if (wall)
+        return even / gatherer->wall_share;
+    return aimed > 0 ? even + aimed * aim_density(&gatherer->aim, way) : even;
+}
+
+static vec3 gatherer_way(const struct gatherer *gatherer,
+                         const struct draws *draws)
+{
+    const struct mesh_site *site = gatherer->site;
+    if (!site->lone && gatherer->mesh->ways.ways)
+        return gatherer->mesh->ways.ways[draws->index];
+    vec3 way = gather_way(draws->key, draws->index);
+    double behind = site->lone ? vec3_dot(way, site->normal) : 0;
+    return behind < 0 ? vec3_along(way, site->normal, -2 * behind) : way;
+}
+
+/* Gather rays that set out together. */
+struct gatherer_rays {
+    struct rays rays;
+    struct rays_span span;
+    struct draws draws[RAY_LANES];
+    struct world_hit hits[RAY_LANES];
+    unsigned count;
+};
+
+/* One gather ray. What glows counts by how likely it is to be found so. */
+static void gatherer_look(const struct gatherer *gatherer,
+                          const struct gatherer_rays *sent, unsigned i,
+                          struct gathered *sum)
+{
+    const struct gather *gather = &gatherer->mesh->gather;
+    const struct ray ray = rays_at(&sent->rays, (int)i);
+    double density = gatherer_density(gatherer, ray.direction);
+    bool wall = vec3_dot(ray.direction, gatherer->site->wall) > 0;
+    struct gathered_ray found = { .at = { .leaf = NULL } };
+    if (sent->hits[i].leaf)
+        world_describe(&ray, &sent->hits[i], &found.at);
+    gather_met(gather, gatherer->worker, &ray, &sent->draws[i], &found);
+    indirect_light_add(wall ? &sum->wall : &sum->light, ray.direction,
+                       gather_balanced(gather, &ray, density, &found),
+                       found.open, density);
+}
+
+/* Those that are waiting. */
+static void gatherer_flush(const struct gatherer *gatherer,
+                           struct gatherer_rays *sent, struct gathered *sum)
+{
+    double from = surface_offset(gatherer->site->place);
+    for (unsigned i = 0; i < sent->count; i++) {
+        sent->span.near[i] = from;
+        sent->span.far[i] = (double)INFINITY;
+    }
+    gatherer->worker->counters.shadow_rays += sent->count;
+    world_closest_many(gatherer->mesh->points.world, &sent->rays, &sent->span,
+                       sent->count, RAY_REFLECTION, sent->hits);
+    for (unsigned i = 0; i < sent->count; i++)
+        gatherer_look(gatherer, sent, i, sum);
+    sent->count = 0;
+}
+
+static void gatherer_send(const struct gatherer *gatherer,
+                          const struct draws *draws, vec3 way,
+                          struct gatherer_rays *sent, struct gathered *sum)
+{
+    rays_set(&sent->rays, (int)sent->count, gatherer->site->place, way);
+    sent->draws[sent->count++] = *draws;
+    if (sent->count == RAY_LANES)
+        gatherer_flush(gatherer, sent, sum);
+}
+
+/* The same for a place on something that glows. */
+static void gatherer_pick(const struct gatherer *gatherer,
+                          const struct draws *draws,
+                          struct indirect_light *light)
+{
+    struct gathered_glow found;
+    if (gather_pick(&gatherer->mesh->gather, gatherer->worker,
+                    gatherer->site->place, draws, &found))
+        indirect_light_add(light, found.direction, found.light, 0,
+                           found.density +
+                               gatherer_density(gatherer, found.direction));
+}
+
+/* Which part of its set a mesh point has begins there. */
+static uint32_t gatherer_first(const struct gatherer *gatherer)
+{
+    uint32_t part = (uint32_t)(gatherer->site->dither * GATHER_PARTS);
+    return part * gatherer->mesh->ways.set;
+}
+
+static struct draws gatherer_draws(const struct gatherer *gatherer,
+                                   uint32_t sample)
+{
+    const struct mesh_site *site = gatherer->site;
+    if (site->lone)
+        return (struct draws){ site->key, sample };
+    return (struct draws){ gatherer->mesh->gather.lamps->seed,
+                           gatherer_first(gatherer) + sample };
+}
+
+/* The one to be sent after `i` others. */
+static uint32_t gatherer_sample(const struct gatherer *gatherer, uint32_t i)
+{
+    const struct gather_ways *ways = &gatherer->mesh->ways;
+    return gatherer->site->lone || !ways->order
+               ? i
+               : ways->order[gatherer_first(gatherer) + i];
+}
+
+/* The sum of what is sent everywhere. */
+static void gatherer_even(const struct gatherer *gatherer,
+                          struct gatherer_rays *sent, struct gathered *sum)
+{
+    uint32_t end = gatherer->count - gatherer->aimed;
+    uint32_t wall_end = end / gatherer->wall_share;
+    for (uint32_t i = 0;
+         i < gatherer->count && !worker_stopped(gatherer->worker); i++) {
+        uint32_t sample = gatherer_sample(gatherer, i);
+        if (sample >= end)
+            continue;
+        struct draws draws = gatherer_draws(gatherer, sample);
+        vec3 way = gatherer_way(gatherer, &draws);
+        bool wall = vec3_dot(way, gatherer->site->wall) > 0;
+        if (!wall || sample < wall_end)
+            gatherer_send(gatherer, &draws, way, sent, sum);
+    }
+    gatherer_flush(gatherer, sent, sum);
+}
+
+/* And of what is sent to bright places. */
+static void gatherer_aim(const struct gatherer *gatherer,
+                         struct gatherer_rays *sent, struct gathered *sum)
+{
+    uint32_t i = gatherer->count - gatherer->aimed;
+    for (; i < gatherer->count && !worker_stopped(gatherer->worker); i++) {
+        struct draws draws = gatherer_draws(gatherer, i);
+        double u[2];
+        int which;
+        draw_pair(&draws, GATHER_DIRECTION, u);
+        vec3 way = aim_way(&gatherer->aim, u, &which);
+        if (!(vec3_dot(way, gatherer->site->wall) > 0))
+            gatherer_send(gatherer, &draws, way, sent, sum);
+    }
+    gatherer_flush(gatherer, sent, sum);
+}
+
+static struct gathered gatherer_mean(const struct gatherer *gatherer)
+{
+    struct gathered sum = { indirect_light_none, indirect_light_none };
+    uint32_t count = gatherer->count;
+    struct gatherer_rays sent = { .count = 0 };
+    gatherer_even(gatherer, &sent, &sum);
+    gatherer_aim(gatherer, &sent, &sum);
+    if (emitters_any(gatherer->mesh->gather.emitters))
+        for (uint32_t i = 0; i < count && !worker_stopped(gatherer->worker);
+             i++) {
+            struct draws draws = gatherer_draws(gatherer, i);
+            gatherer_pick(gatherer, &draws, &sum.light);
+        }
+    indirect_light_scale(&sum.light, 1 / (float)count);
+    indirect_light_scale(&sum.wall, 1 / (float)count);
+    return sum;
+}
+
+static uint32_t lone_samples(const struct indirect_mesh *mesh,
+                             const struct mesh_site *site)
+{
+    double worth = fmin(site->worth / gather_worth_whole, 1);
+    return (uint32_t)ceil(worth * worth * mesh->lone_samples);
+}
+
+void gatherer_fill(const void *context, struct worker *worker,
+                   const struct mesh_site *site, void *payload)
+{
+    const struct indirect_mesh *mesh = context;
+    struct gatherer gatherer = { .mesh = mesh,
+                                 .worker = worker,
+                                 .site = site,
+                                 .wall_share = WALL_PART,
+                                 .count = (uint32_t)mesh->samples };
+    uint32_t lone = lone_samples(mesh, site);
+    if (site->lone && lone < gatherer.count)
+        gatherer.count = lone;
+    if (gatherer.count % WALL_PART > 0)
+        gatherer.wall_share = 1;
+    if (mesh->bright && !site->lone) {
+        gatherer.aimed = gatherer.count / WALL_PART * BRIGHT_RAYS;
+        aim_take(&gatherer.aim, mesh->bright, site->place);
+    }
+    struct gathered light = gatherer_mean(&gatherer);
+    indirect_light_mix(&light.light, &light.wall, 1);
+    *(struct indirect_light *)payload = light.light;
+}

@@ -1,0 +1,13 @@
+/* What a point of the indirect mesh gathers: the mean of its gather rays. */
+#ifndef LIGHTMESH_GATHERER_H
+#define LIGHTMESH_GATHERER_H
+
+#include "lightmesh/indirect.h"
+
+/* Into the payload, a struct indirect_light; the context is the mesh
+ * (point_mesh in point_mesh.h). All points send as many rays: to leave off
+ * where they agree would miss what is bright and seldom met. */
+void gatherer_fill(const void *context, struct worker *worker,
+                   const struct mesh_site *site, void *payload);
+
+#endif
