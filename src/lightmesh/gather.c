@@ -252,9 +252,10 @@ static rgb gathering_shade(const struct gathering *gathering,
     rgb light = surface_glow(surface);
     rgb albedo = rgb_scale(surface_returned(surface), solid);
     double matters = rgb_peak(rgb_mul(albedo, gathering->share));
-    double chance = often_lit * matters;
     uint32_t slot = GATHER_MEETING + gathering->met;
-    double count = chance > 0 ? gathering_chance(gathering, chance, slot) : 0;
+    double count = matters > 0
+                       ? gathering_chance(gathering, often_lit * matters, slot)
+                       : 0;
     if (count == 0)
         return light;
     struct indirect_share arriving =
