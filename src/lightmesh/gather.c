@@ -252,10 +252,8 @@ static rgb gathering_shade(const struct gathering *gathering,
     rgb light = surface_glow(surface);
     rgb albedo = rgb_scale(surface_returned(surface), solid);
     double matters = rgb_peak(rgb_mul(albedo, gathering->share));
-    uint32_t slot = GATHER_MEETING + gathering->met;
-    double count = matters > 0
-                       ? gathering_chance(gathering, often_lit * matters, slot)
-                       : 0;
+    double count = gathering_chance(gathering, often_lit * matters,
+                                    GATHER_MEETING + gathering->met);
     if (count == 0)
         return light;
     struct indirect_share arriving =
