@@ -74,14 +74,18 @@ static inline vec3 vec3_normalise(vec3 a)
     return length > 0 ? vec3_scale(a, 1 / length) : a;
 }
 
+/* Each without fmin and fmax, which are calls: of what in `b` is no number that
+ * of `a` is taken. */
 static inline vec3 vec3_min(vec3 a, vec3 b)
 {
-    return (vec3){ fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z) };
+    return (vec3){ b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y,
+                   b.z < a.z ? b.z : a.z };
 }
 
 static inline vec3 vec3_max(vec3 a, vec3 b)
 {
-    return (vec3){ fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z) };
+    return (vec3){ b.x > a.x ? b.x : a.x, b.y > a.y ? b.y : a.y,
+                   b.z > a.z ? b.z : a.z };
 }
 
 static inline bool vec3_finite(vec3 a)
