@@ -140,6 +140,10 @@ $(BUILD)/src/language/grammar.o: $(BUILD)/text/grammar.inc
 $(BUILD)/src/language/manual.o: $(BUILD)/text/manual.inc
 $(SERVER_OBJECTS): override CPPFLAGS += -I$(BUILD)/text
 
+# Polynomials of few coefficients are worked out in registers, if gcc doesn't
+# make vectors of loops over three of them, which then go by way of memory.
+$(BUILD)/src/scene/polynomial.o: override CFLAGS += -fno-tree-vectorize
+
 # What decides the bits of pictures, as a hash: see src/cli/build.h.
 $(BUILD)/text/build.inc: $(sort $(shell find src -name '*.[ch]' -o -name '*.cpp'))
 	@mkdir -p $(@D)
