@@ -26,6 +26,10 @@ static const char *source_skip_bom(const char *text, size_t *length)
 /* How long, in milliseconds, to wait for somebody to write into a pipe. */
 enum { PIPE_PATIENCE = 3000, PIPE_STEP = 50 };
 
+/* Bytes of room for what has no size: of files that say they are empty most
+ * are, but not those of /proc. */
+enum { UNSIZED = 1 << 16, EMPTY = 1 << 10 };
+
 /* As read(). A pipe is open without blocking: nobody writes into it when there
  * is nothing (0), its writer has nothing to say yet when that would block. */
 static ssize_t source_bytes(int file, char *to, size_t room, bool fresh_pipe)
@@ -95,10 +99,9 @@ const struct source *source_read(struct arena *arena, const char *path,
         *problem = source_problem(arena);
         return NULL;
     }
-    size_t expected = 1 << 16, length = 0;
-    if (S_ISREG(status.st_mode) && status.st_size > 0 &&
-        (size_t)status.st_size <= SOURCE_LIMIT)
-        expected = (size_t)status.st_size;
+    size_t expected = UNSIZED, length = 0;
+    if (S_ISREG(status.st_mode) && (size_t)status.st_size <= SOURCE_LIMIT)
+        expected = status.st_size > 0 ? (size_t)status.st_size : EMPTY;
     bool pipe = !standard_input && S_ISFIFO(status.st_mode);
     const char *text = NULL;
     if (S_ISDIR(status.st_mode))
