@@ -150,9 +150,9 @@ CLONES void octet_ln(octet *x)
         1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11,
         1.0 / 13, 1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21,
     };
-    const int64_t one = (int64_t)1023 << 52, root = 0x3fe6a09e667f3bcd;
+    const int64_t root = 0x3fe6a09e667f3bcd;
     const octet_bits bits = (octet_bits)octet_clamp(*x, 1e-300, HUGE_VAL);
-    const octet_bits power = ((bits - root + one) >> 52) - 1023;
+    const octet_bits power = (bits - root) >> 52;
     const octet m = (octet)(bits - (power << 52));
     const octet k = (octet)(power + (octet_bits)(*x * 0 + whole)) - whole;
     const octet s = (m - 1) / (m + 1), square = s * s;

@@ -8,12 +8,9 @@
 #include "base/warp.h"
 #include "lightmesh/tuning.h"
 
-enum { CELLS_MOST = 1 << 30 }; /* from the origin */
-
-/* Hits in one cell, of sides that are twice as long for each level. */
+/* Hits in one cell. */
 struct cell {
     int at[3];
-    int level;
     int count;
     double light; /* their sum */
 };
@@ -27,8 +24,7 @@ static int cell_order(const void *a, const void *b)
     return (x->light > y->light) - (x->light < y->light);
 }
 
-/* What sends most comes first; the order of cells decides where they are
- * alike. */
+/* Brightest first; the order of cells decides where they are alike. */
 static int cell_brighter(const void *a, const void *b)
 {
     const struct cell *x = a, *y = b;
@@ -36,84 +32,32 @@ static int cell_brighter(const void *a, const void *b)
                                 : cell_order(a, b);
 }
 
-static int number_order(const void *a, const void *b)
+/* The longest side of the box around them. */
+static double hits_size(const struct bright_hit *hits, size_t count)
 {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* The box around most of them: what is seen through a window does not make the
- * room larger. */
-struct box {
-    double low[3], high[3];
-};
-
-static void box_along(struct box *box, const struct bright_hit *hits,
-                      size_t count, int axis, double *sorted)
-{
-    size_t outside = (size_t)(bright_outside * (double)count);
-    for (size_t i = 0; i < count; i++)
-        sorted[i] = vec3_component(hits[i].place, axis);
-    qsort(sorted, count, sizeof *sorted, number_order);
-    box->low[axis] = sorted[outside];
-    box->high[axis] = sorted[count - 1 - outside];
-}
-
-static struct box box_around(const struct bright_hit *hits, size_t count)
-{
-    double *sorted = memory_new(count * sizeof *sorted);
-    struct box box;
-    for (int axis = 0; axis < 3; axis++)
-        box_along(&box, hits, count, axis, sorted);
-    memory_free(sorted);
-    return box;
-}
-
-/* Where the hit is seen: beyond the box, where the way there leaves it. */
-static vec3 box_place(const struct box *box, const struct bright_hit *hit)
-{
-    vec3 way = vec3_sub(hit->place, hit->from);
-    double part = 1;
-    for (int axis = 0; axis < 3; axis++) {
-        double along = vec3_component(way, axis);
-        double wall = along > 0 ? box->high[axis] : box->low[axis];
-        double from = vec3_component(hit->from, axis);
-        if ((wall - from) * along > 0)
-            part = fmin(part, (wall - from) / along);
+    vec3 low = hits[0].place, high = low;
+    for (size_t i = 1; i < count; i++) {
+        vec3 p = hits[i].place;
+        low = vec3_make(fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z));
+        high =
+            vec3_make(fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z));
     }
-    return vec3_along(hit->from, way, part);
+    vec3 size = vec3_sub(high, low);
+    return fmax(size.x, fmax(size.y, size.z));
 }
 
-static double box_size(const struct box *box)
-{
-    double size = 0;
-    for (int axis = 0; axis < 3; axis++)
-        size = fmax(size, box->high[axis] - box->low[axis]);
-    return size;
-}
-
-/* Of a coordinate in sides; what is too far off to be told apart is one. */
-static int cell_at(double coordinate)
-{
-    return (int)floor(fmin(fmax(coordinate, -CELLS_MOST), CELLS_MOST));
-}
-
-/* One cell for each hit. */
-static void cells_take(struct cell *cells, const struct bright_hit *hits,
-                       size_t count, const struct box *box, double side)
-{
-    for (size_t i = 0; i < count; i++) {
-        vec3 at = vec3_scale(box_place(box, &hits[i]), 1 / side);
-        cells[i] = (struct cell){
-            { cell_at(at.x), cell_at(at.y), cell_at(at.z) }, 0, 1, hits[i].light
-        };
-    }
-}
-
-/* Those at one place are joined; returns how many are left. */
-static size_t cells_join(struct cell *cells, size_t count)
+/* One cell for each hit, then those at one place joined; returns how many. */
+static size_t cells_join(struct cell *cells, const struct bright_hit *hits,
+                         size_t count, double side)
 {
     size_t joined = 0;
+    for (size_t i = 0; i < count; i++) {
+        vec3 at = vec3_scale(hits[i].place, 1 / side);
+        cells[i] = (struct cell){ { (int)floor(at.x), (int)floor(at.y),
+                                    (int)floor(at.z) },
+                                  1,
+                                  hits[i].light };
+    }
     qsort(cells, count, sizeof *cells, cell_order);
     for (size_t i = 0; i < count; i++) {
         struct cell *last = &cells[joined - (joined > 0)];
@@ -124,97 +68,54 @@ static size_t cells_join(struct cell *cells, size_t count)
             cells[joined++] = cells[i];
             continue;
         }
-        last->count += cells[i].count;
+        last->count++;
         last->light += cells[i].light;
     }
     return joined;
 }
 
-/* Those that have hits enough come first; returns how many. */
-static size_t cells_enough(struct cell *cells, size_t count)
-{
-    size_t enough = 0;
-    for (size_t i = 0; i < count; i++) {
-        struct cell cell = cells[i];
-        if (cell.count < BRIGHT_HITS)
-            continue;
-        cells[i] = cells[enough];
-        cells[enough++] = cell;
-    }
-    return enough;
-}
-
-/* A few hits don't tell how bright it is around them: those are joined with
- * their neighbours' to cells twice as large, and so on. */
-static size_t cells_grow(struct cell *cells, size_t count)
-{
-    size_t done = 0;
-    for (int level = 0;; level++) {
-        count = done + cells_join(cells + done, count - done);
-        if (level == BRIGHT_LEVELS)
-            return count;
-        done += cells_enough(cells + done, count - done);
-        for (size_t i = done; i < count; i++) {
-            cells[i].level++;
-            for (int axis = 0; axis < 3; axis++)
-                cells[i].at[axis] = (int)floor((double)cells[i].at[axis] / 2);
-        }
-    }
-}
-
-static void bright_add(struct bright *bright, const struct cell *cell,
-                       double side)
-{
-    int i = bright->count++;
-    double size = ldexp(side, cell->level);
-    bright->at[i].light = cell->light / cell->count;
-    bright->at[i].radius = size * bright_ball;
-    bright->at[i].centre = vec3_scale(
-        vec3_make(cell->at[0] + 0.5, cell->at[1] + 0.5, cell->at[2] + 0.5),
-        size);
-}
-
-/* What is brighter by far than others. */
+/* The brightest cells, if they are brighter by far than others and send much of
+ * all light along few of the ways: what is sent everywhere would have that much
+ * more variance, and else is spread more evenly. */
 static void bright_choose(struct bright *bright, struct cell *cells,
-                          size_t count, double side)
+                          size_t joined, double side)
 {
-    double total = 0, hits = 0;
-    for (size_t i = 0; i < count; i++) {
+    double total = 0, chosen = 0, hits = 0, few = 0;
+    for (size_t i = 0; i < joined; i++) {
         total += cells[i].light;
         hits += cells[i].count;
     }
-    qsort(cells, count, sizeof *cells, cell_brighter);
-    for (size_t i = 0; i < count && bright->count < BRIGHT_MOST; i++)
-        if (cells[i].light * hits > bright_times * total * cells[i].count)
-            bright_add(bright, &cells[i], side);
+    qsort(cells, joined, sizeof *cells, cell_brighter);
+    for (size_t i = 0; i < joined && bright->count < BRIGHT_MOST; i++) {
+        const struct cell *cell = &cells[i];
+        double light = cell->light / cell->count;
+        if (light <= bright_times * total / hits)
+            continue;
+        chosen += cell->light;
+        few += cell->count;
+        bright->at[bright->count].light = light;
+        bright->at[bright->count++].centre = vec3_scale(
+            vec3_make(cell->at[0] + 0.5, cell->at[1] + 0.5, cell->at[2] + 0.5),
+            side);
+    }
+    double part = chosen / total;
+    if (!(part * part >= bright_gain * few / hits))
+        bright->count = 0;
 }
 
 struct bright bright_of(const struct bright_hit *hits, size_t count)
 {
     struct bright bright = { .count = 0 };
-    if (count == 0)
+    double size = count > 0 ? hits_size(hits, count) : 0;
+    if (!(size > 0))
         return bright;
-    struct box box = box_around(hits, count);
-    double side = exp2(floor(log2(box_size(&box) / bright_cells)));
-    if (!(side > 0))
-        return bright;
+    double side = exp2(floor(log2(size / bright_cells)));
     struct cell *cells = memory_new(count * sizeof *cells);
-    cells_take(cells, hits, count, &box, side);
-    bright_choose(&bright, cells, cells_grow(cells, count), side);
+    size_t joined = cells_join(cells, hits, count, side);
+    bright.radius = side * bright_ball;
+    bright_choose(&bright, cells, joined, side);
     memory_free(cells);
     return bright;
-}
-
-void bright_learn(struct bright *bright, const struct bright_found *found)
-{
-    int kept = 0;
-    for (int i = 0; i < bright->count; i++) {
-        if (found->rays[i] >= BRIGHT_HITS)
-            bright->at[i].light = found->light[i] / found->rays[i];
-        if (bright->at[i].light > 0)
-            bright->at[kept++] = bright->at[i];
-    }
-    bright->count = kept;
 }
 
 void aim_take(struct aim *aim, const struct bright *bright, vec3 place)
@@ -223,8 +124,7 @@ void aim_take(struct aim *aim, const struct bright *bright, vec3 place)
     aim->count = bright->count;
     for (int i = 0; i < aim->count; i++) {
         vec3 offset = vec3_sub(bright->at[i].centre, place);
-        double distance = vec3_length(offset),
-               sine = bright->at[i].radius / distance;
+        double distance = vec3_length(offset), sine = bright->radius / distance;
         bool within = !(sine < 1);
         double rise = within ? 2 : 1 - sqrt(1 - sine * sine);
         aim->cone[i].axis =
@@ -237,13 +137,12 @@ void aim_take(struct aim *aim, const struct bright *bright, vec3 place)
         aim->cone[i].share /= sum;
 }
 
-vec3 aim_way(const struct aim *aim, const double u[2], int *which)
+vec3 aim_way(const struct aim *aim, const double u[2])
 {
     double share, sum = aim->sums[aim->count - 1];
     size_t i = draw_share(aim->sums, (size_t)aim->count, u[0], &share);
     double before = i > 0 ? aim->sums[i - 1] / sum : 0;
     double within[2] = { fmin(fmax((u[0] - before) / share, 0), 1), u[1] };
-    *which = (int)i;
     return warp_cone(within, aim->cone[i].axis, aim->cone[i].rise);
 }
 

@@ -11,37 +11,27 @@
 
 #include "base/vec.h"
 
-enum { BRIGHT_MOST = 64 };
+enum { BRIGHT_MOST = 24 };
 
-/* Balls around cells of lattices in the world, which stay where they are when
+/* Balls around cells of a lattice in the world, which stays where it is when
  * the camera moves. */
 struct bright {
     int count; /* 0: light comes from everywhere */
+    double radius;
     struct {
         vec3 centre;
-        double radius;
         double light; /* mean of what comes from there */
     } at[BRIGHT_MOST];
 };
 
-/* What one ray of a survey met: brightness. */
+/* What one ray of a survey met. */
 struct bright_hit {
-    vec3 from, place;
+    vec3 place;
     double light;
 };
 
-/* Of so many hits, which come in any order. What most of them are around is the
- * chamber; what is beyond shines where its light comes in. */
+/* Of so many hits, which come in any order. */
 struct bright bright_of(const struct bright_hit *hits, size_t count);
-
-/* What rays found that were aimed at each place: how many, and the sum. */
-struct bright_found {
-    double rays[BRIGHT_MOST], light[BRIGHT_MOST];
-};
-
-/* Places are as bright as such rays found them: less where something stands
- * before them, and none are left that are never seen. */
-void bright_learn(struct bright *bright, const struct bright_found *found);
 
 /* The bright places as a mesh point sees them: cones of directions. */
 struct aim {
@@ -56,9 +46,8 @@ struct aim {
 
 void aim_take(struct aim *aim, const struct bright *bright, vec3 place);
 
-/* A direction for u in [0,1)^2, and how likely one is, per solid angle.
- * *which: the place that it goes to. */
-vec3 aim_way(const struct aim *aim, const double u[2], int *which);
+/* A direction for u in [0,1)^2, and how likely one is, per solid angle. */
+vec3 aim_way(const struct aim *aim, const double u[2]);
 double aim_density(const struct aim *aim, vec3 way);
 
 #endif

@@ -171,9 +171,8 @@ static void gatherer_aim(const struct gatherer *gatherer,
     for (; i < gatherer->count && !worker_stopped(gatherer->worker); i++) {
         struct draws draws = gatherer_draws(gatherer, i);
         double u[2];
-        int which;
         draw_pair(&draws, GATHER_DIRECTION, u);
-        vec3 way = aim_way(&gatherer->aim, u, &which);
+        vec3 way = aim_way(&gatherer->aim, u);
         if (!(vec3_dot(way, gatherer->site->wall) > 0))
             gatherer_send(gatherer, &draws, way, sent, sum);
     }

@@ -187,7 +187,7 @@ void mesh_frame_put(const struct mesh_frame *frame,
         f->eye.y,          f->eye.z,       f->centre.x,       f->centre.y,
         f->centre.z,       f->size,        f->gather,         f->samples,
         f->asked,          f->closed,      f->around.light.r, f->around.light.g,
-        f->around.light.b, f->around.open, f->bright.count,
+        f->around.light.b, f->around.open, f->bright.count,   f->bright.radius,
     };
     double *to = numbers + sizeof first / sizeof *first;
     memset(numbers, 0, MESH_FRAME_NUMBERS * sizeof *numbers);
@@ -196,7 +196,6 @@ void mesh_frame_put(const struct mesh_frame *frame,
         *to++ = f->bright.at[i].centre.x;
         *to++ = f->bright.at[i].centre.y;
         *to++ = f->bright.at[i].centre.z;
-        *to++ = f->bright.at[i].radius;
         *to++ = f->bright.at[i].light;
     }
 }
@@ -204,7 +203,7 @@ void mesh_frame_put(const struct mesh_frame *frame,
 void mesh_frame_take(struct mesh_frame *frame,
                      const double numbers[MESH_FRAME_NUMBERS])
 {
-    const double *n = numbers, *from = numbers + 19;
+    const double *n = numbers, *from = numbers + 20;
     *frame = (struct mesh_frame){
         .spacing = n[0],
         .wanted = n[1],
@@ -217,12 +216,12 @@ void mesh_frame_take(struct mesh_frame *frame,
         .asked = (int)fmin(fmax(n[12], 0), 1e6),
         .closed = n[13] > 0,
         .around = { { n[14], n[15], n[16] }, n[17] },
-        .bright = { .count = (int)fmin(fmax(n[18], 0), BRIGHT_MOST) },
+        .bright = { .count = (int)fmin(fmax(n[18], 0), BRIGHT_MOST),
+                    .radius = n[19] },
     };
-    for (int i = 0; i < frame->bright.count; i++, from += 5) {
+    for (int i = 0; i < frame->bright.count; i++, from += 4) {
         frame->bright.at[i].centre = vec3_make(from[0], from[1], from[2]);
-        frame->bright.at[i].radius = from[3];
-        frame->bright.at[i].light = from[4];
+        frame->bright.at[i].light = from[3];
     }
 }
 
@@ -234,10 +233,10 @@ bool mesh_frame_possible(const struct mesh_frame *frame)
         if (!isfinite(numbers[i]))
             return false;
     for (int i = 0; i < frame->bright.count; i++)
-        if (!(frame->bright.at[i].light > 0 && frame->bright.at[i].radius >= 0))
+        if (!(frame->bright.at[i].light > 0))
             return false;
     return frame->spacing > 0 && frame->wanted > 0 && frame->near >= 0 &&
-           frame->size >= 0 && frame->gather > 0;
+           frame->size >= 0 && frame->gather > 0 && frame->bright.radius >= 0;
 }
 
 uint64_t mesh_stamp_family(const struct mesh_stamp *stamp)

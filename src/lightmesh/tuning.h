@@ -27,10 +27,7 @@ enum {
                         * and how far what it shows is */
     SURVEY_EDGE = 16,  /* the same that tell what indirect light is worth, */
     SURVEY_RAYS = 4,   /* gather rays of each, */
-    SURVEY_FINE = 32,  /* and what a chamber's bright places are, */
-    SURVEY_FINE_RAYS = 8, /* likewise, */
-    SURVEY_AIMED = 3,     /* times that they are aimed at */
-    SURVEY_PANES = 4,     /* and how many panes it passes */
+    SURVEY_PANES = 4,  /* and how many panes it passes */
 };
 static const double usual_width = 640, usual_height = 480; /* pixels, where it
                                                             * isn't said */
@@ -40,13 +37,8 @@ static const double outlook_beside = 0.1; /* share of what is seen, at either
 static const double outlook_bent = 3;     /* of the usual distance: cameras that
                                            * bend lines look all around, at what
                                            * is near as well [camera-cylinder] */
-static const double survey_far = 1e9;     /* what leaves the scene */
-static const double survey_smooth = 0.2;  /* rougher chambers are looked at more
-                                           */
-static const double survey_smoother = 0.8; /* of their roughness: aiming serves
-                                            */
-static const double survey_dark = 0.03;    /* what the picture shows is not
-                                            * darker than that, to an eye */
+static const double survey_dark = 0.03;   /* what the picture shows is not
+                                           * darker than that, to an eye */
 
 /* Light cuts: which cluster of lamps is opened next [lights-1000]. */
 static const double cut_near = 0.25; /* its sizes: nearer counts as so near */
@@ -192,8 +184,6 @@ enum {
     LATER_SAMPLES = 16, /* of kept points of later bounces, at most */
     HIT_LEVELS = 1,     /* direct light on what they meet is coarser */
     WALL_PART = 4,      /* of ways into the only wall one in so many */
-    BRIGHT_HITS = 4,    /* in a cell tell how bright it is, */
-    BRIGHT_LEVELS = 2,  /* or else in one of up to so many doublings */
     BRIGHT_RAYS = 1,    /* of each WALL_PART rays so many go to bright places */
     WAYS_MOST = 65536,  /* directions that are kept */
     GATHER_PANES = 64,  /* that a ray passes */
@@ -271,13 +261,16 @@ static const double near_shallow = 0.3, near_deep = 0.6; /* of short rays that
                                                           */
 
 static const double bright_times = 4;  /* as bright as the mean is bright; */
-static const double bright_cells = 20; /* along what was met, at least, */
-static const double bright_outside = 0.05; /* but for so much at each end */
+static const double bright_gain = 15;  /* square of their part of the light over
+                                        * that of the ways: less is not worth
+                                        * aiming at them [maze, pillars] */
+static const double bright_cells = 20; /* along what was met, at least */
 static const double bright_ball = 0.8; /* radius around a cell, sides of it */
 
 static const double gather_noise = 0.007; /* of the picture */
 static const double gather_net = 1.43; /* the noise of a net falls by the power
-                                        * 1/1.43 of its size [six rooms] */
+                                        * 1/1.43 of its size [room to
+                                        * pillars] */
 static const double gather_worth_none = 0.003; /* change of the picture that is
                                                 * not seen */
 static const double gather_across = 1.5;   /* pictures: how large the part of a

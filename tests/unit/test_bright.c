@@ -7,7 +7,7 @@
 #include "base/warp.h"
 #include "lightmesh/bright.h"
 
-enum { HITS = 1000, RAYS = 200000 };
+enum { HITS = 1000, RAYS = 20000 };
 
 /* Hits on the floor of a room, of which a patch of one metre is lit. */
 static void floor_hits(struct bright_hit hits[HITS], double light)
@@ -15,8 +15,7 @@ static void floor_hits(struct bright_hit hits[HITS], double light)
     for (uint64_t i = 0; i < HITS; i++) {
         double x = 10 * random_unit(2 * i), z = 10 * random_unit(2 * i + 1);
         bool lit = x > 4 && x < 5 && z > 4 && z < 5;
-        hits[i] = (struct bright_hit){ vec3_make(5, 2, 5), vec3_make(x, 0, z),
-                                       lit ? light : 0.01 };
+        hits[i] = (struct bright_hit){ vec3_make(x, 0, z), lit ? light : 0.01 };
     }
 }
 
@@ -43,47 +42,6 @@ static void finds_none_where_all_is_alike(void **state)
     assert_int_equal(bright_of(hits, 1).count, 0);
 }
 
-/* A sunny plain before a window of a square metre, wherever rays meet it: what
- * is bright is the window. */
-static void sees_windows(void **state)
-{
-    struct bright_hit hits[HITS];
-    const struct draws draws = { 1, 0 };
-    (void)state;
-    floor_hits(hits, 0.01);
-    for (uint32_t i = 0; i < HITS / 50; i++) {
-        struct draws drawn = { draws.key, i };
-        double u[2];
-        draw_pair(&drawn, 0, u);
-        vec3 pane = vec3_make(10, 0.2 + u[0], 4 + u[1]);
-        vec3 from = vec3_make(2, 1.5, 5);
-        vec3 way = vec3_sub(pane, from);
-        hits[i] =
-            (struct bright_hit){ from, vec3_along(from, way, 10 + 1000 * u[0]),
-                                 5 };
-    }
-    struct bright bright = bright_of(hits, HITS);
-    assert_true(bright.count > 0);
-    for (int i = 0; i < bright.count; i++) {
-        assert_true(fabs(bright.at[i].centre.x - 10) <= 1.5);
-        assert_true(fabs(bright.at[i].centre.z - 4.5) <= 1.5);
-    }
-}
-
-/* Of places that are hidden half the time half as much is expected, and nothing
- * of those that nobody sees. */
-static void learns_what_is_hidden(void **state)
-{
-    struct bright bright = { .count = 3 };
-    struct bright_found found = { .rays = { 10, 10, 1 }, .light = { 5, 0, 0 } };
-    (void)state;
-    for (int i = 0; i < 3; i++)
-        bright.at[i].light = 1;
-    bright_learn(&bright, &found);
-    assert_int_equal(bright.count, 2);
-    assert_true(bright.at[0].light == 0.5 && bright.at[1].light == 1);
-}
-
 /* Directions come as often as their density says: the mean of 1/density over
  * them is the solid angle in which there are any, as directions that are sent
  * everywhere find it. */
@@ -99,9 +57,8 @@ static void aims_as_often_as_it_says(void **state)
     for (uint32_t i = 0; i < RAYS; i++) {
         const struct draws draws = { 1, i };
         double u[2];
-        int which;
         draw_pair(&draws, 0, u);
-        aimed += 1 / aim_density(&aim, aim_way(&aim, u, &which)) / RAYS;
+        aimed += 1 / aim_density(&aim, aim_way(&aim, u)) / RAYS;
         even += (aim_density(&aim, warp_sphere(u)) > 0) * 4 * WARP_PI / RAYS;
     }
     assert_true(aimed > 0.01 && fabs(aimed - even) < 0.02 * even);
@@ -110,11 +67,10 @@ static void aims_as_often_as_it_says(void **state)
 /* A place within a bright ball sends its rays everywhere. */
 static void looks_around_within(void **state)
 {
-    struct bright bright = { .count = 1 };
+    struct bright bright = { .count = 1, .radius = 1 };
     struct aim aim;
     (void)state;
     bright.at[0].light = 1;
-    bright.at[0].radius = 1;
     bright.at[0].centre = vec3_make(0, 0, 0);
     aim_take(&aim, &bright, vec3_make(0.1, 0.2, 0));
     assert_true(fabs(aim_density(&aim, vec3_make(0, -1, 0)) * 4 * WARP_PI - 1) <
@@ -125,8 +81,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(finds_the_patch),
-        cmocka_unit_test(sees_windows),
-        cmocka_unit_test(learns_what_is_hidden),
         cmocka_unit_test(finds_none_where_all_is_alike),
         cmocka_unit_test(aims_as_often_as_it_says),
         cmocka_unit_test(looks_around_within),

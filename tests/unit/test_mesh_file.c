@@ -42,10 +42,9 @@ static struct mesh_stamp stamp_of(const char *text)
                                        .asked = 64,
                                        .closed = true,
                                        .around = { { 1, 2, 3 }, 0.5 },
-                                       .bright = { .count = 1 } };
+                                       .bright = { 1, 0.25 } };
     stamp.frame.bright.at[0].centre = vec3_make(4, 5, 6);
     stamp.frame.bright.at[0].light = 7;
-    stamp.frame.bright.at[0].radius = 0.25;
     scene_world_free(all);
     return stamp;
 }
@@ -95,7 +94,7 @@ static void test_back(void **state)
                 file.stamp.frame.around.open == 0.5);
     assert_true(file.stamp.frame.wanted == 0.4 && file.stamp.frame.asked == 64);
     assert_true(file.stamp.frame.bright.count == 1 &&
-                file.stamp.frame.bright.at[0].radius == 0.25 &&
+                file.stamp.frame.bright.radius == 0.25 &&
                 file.stamp.frame.bright.at[0].centre.z == 6 &&
                 file.stamp.frame.bright.at[0].light == 7);
     assert_true(mesh_stamp_same(&file.stamp, &stamp, text, sizeof text));
