@@ -137,8 +137,7 @@ CLONES void octet_exp(octet *x)
     const octet shifted = clamped * (1 / 0x1.62e42fefa39efp-1) + whole;
     const octet k = shifted - whole;
     const octet r = (clamped - k * ln2_high) - k * ln2_low;
-    const octet_bits power =
-        (octet_bits)(((octet_bits)shifted << 52) + ((int64_t)1023 << 52));
+    const octet_bits power = (octet_bits)(((octet_bits)shifted + 1023) << 52);
     *x = octet_series(r, parts, sizeof parts / sizeof *parts) * (octet)power;
 }
 
