@@ -131,8 +131,8 @@ CLONES static void lanes_balls(const struct sweep_lanes *restrict lanes,
             bool hit = (asked[i] != 0) & (rest > 0);
             double near = middle - half, far = middle + half;
             found->near[i] =
-                hit & (near < found->near[i]) ? near : found->near[i];
-            found->far[i] = hit & (far > found->far[i]) ? far : found->far[i];
+                (hit & (near < found->near[i])) ? near : found->near[i];
+            found->far[i] = (hit & (far > found->far[i])) ? far : found->far[i];
         }
 }
 
