@@ -186,8 +186,8 @@ struct box3 affine_box(const affine *a, struct box3 box)
                 continue;
             double u = k * vec3_component(box.low, j);
             double v = k * vec3_component(box.high, j);
-            low[i] += u < v ? u : v;
-            high[i] += u < v ? v : u;
+            low[i] += lesser(u, v);
+            high[i] += greater(v, u);
         }
     }
     return (struct box3){ { low[0], low[1], low[2] },

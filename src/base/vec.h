@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "base/lesser.h"
+
 typedef struct {
     double x, y, z;
 } vec3;
@@ -74,18 +76,15 @@ static inline vec3 vec3_normalise(vec3 a)
     return length > 0 ? vec3_scale(a, 1 / length) : a;
 }
 
-/* Each without fmin and fmax, which are calls: of what in `b` is no number that
- * of `a` is taken. */
+/* Of what in `b` is no number that of `a` is taken. */
 static inline vec3 vec3_min(vec3 a, vec3 b)
 {
-    return (vec3){ b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y,
-                   b.z < a.z ? b.z : a.z };
+    return (vec3){ lesser(b.x, a.x), lesser(b.y, a.y), lesser(b.z, a.z) };
 }
 
 static inline vec3 vec3_max(vec3 a, vec3 b)
 {
-    return (vec3){ b.x > a.x ? b.x : a.x, b.y > a.y ? b.y : a.y,
-                   b.z > a.z ? b.z : a.z };
+    return (vec3){ greater(b.x, a.x), greater(b.y, a.y), greater(b.z, a.z) };
 }
 
 static inline bool vec3_finite(vec3 a)

@@ -116,8 +116,8 @@ static bool slab(double origin, double inverse, double low, double high,
                  double *near, double *far)
 {
     double a = (low - origin) * inverse, b = (high - origin) * inverse;
-    *near = slab_max(*near, slab_min(a, b));
-    *far = slab_min(*far, slab_max(a, b));
+    *near = greater(*near, lesser(a, b));
+    *far = lesser(*far, greater(a, b));
     return *near <= *far;
 }
 

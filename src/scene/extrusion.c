@@ -422,8 +422,8 @@ static void ground_take(struct ground *ground,
         double o = lanes->rays.origin[k][i], d = lanes->rays.direction[k][i];
         double a = o + enter * d, b = o + leave * d;
         double rounding = 1e-15 * (fabs(o) + fabs(a) + fabs(b));
-        ground->low[k] = slab_min(ground->low[k], slab_min(a, b) - rounding);
-        ground->high[k] = slab_max(ground->high[k], slab_max(a, b) + rounding);
+        ground->low[k] = lesser(ground->low[k], lesser(a, b) - rounding);
+        ground->high[k] = greater(ground->high[k], greater(a, b) + rounding);
     }
 }
 

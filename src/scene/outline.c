@@ -3,8 +3,8 @@
 
 #include <math.h>
 
+#include "base/lesser.h"
 #include "scene/polynomial.h"
-#include "scene/slab.h"
 
 struct segment segment_line(const double a[2], const double b[2])
 {
@@ -344,9 +344,9 @@ static struct stretch lanes_stretch(const double x[RAY_LANES],
     struct stretch all = { x[first], y[first], y[first] };
     for (; lanes; lanes &= lanes - 1) {
         int i = __builtin_ctz(lanes);
-        all.left = slab_min(all.left, x[i]);
-        all.bottom = slab_min(all.bottom, y[i]);
-        all.top = slab_max(all.top, y[i]);
+        all.left = lesser(all.left, x[i]);
+        all.bottom = lesser(all.bottom, y[i]);
+        all.top = greater(all.top, y[i]);
     }
     return all;
 }

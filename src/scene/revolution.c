@@ -1,9 +1,9 @@
 /* Curves turned around the y axis: see revolution.h. */
 #include "scene/revolution.h"
 
+#include "base/lesser.h"
 #include "scene/hit_search.h"
 #include "scene/polynomial.h"
-#include "scene/slab.h"
 
 static const struct field revolution_fields[] = {
     { "segments", FIELD_TERMS, offsetof(struct revolution, segments), 0, 0,
@@ -131,11 +131,11 @@ static inline bool piece_is_met(const struct piece *piece, double oy, double dy,
                                 const double abc[3], double tmin, double tmax)
 {
     double low = (piece->low[1] - oy) / dy, high = (piece->high[1] - oy) / dy;
-    double enter = slab_min(low, high), leave = slab_max(low, high);
+    double enter = lesser(low, high), leave = greater(low, high);
     double margin = 1e-9 * (fabs(enter) + fabs(leave));
     bool beyond = (leave + margin < tmin) | (enter - margin > tmax);
-    double t = slab_max(enter, slab_min(-abc[1] / abc[0], leave));
-    double radius = slab_max(fabs(piece->low[0]), fabs(piece->high[0]));
+    double t = greater(enter, lesser(-abc[1] / abc[0], leave));
+    double radius = greater(fabs(piece->low[0]), fabs(piece->high[0]));
     double nearest = (abc[0] * t + 2 * abc[1]) * t + abc[2];
     return !((dy * dy > spin_flat * abc[0]) & beyond) &
            !(nearest > radius * radius * (1 + 1e-9) + 1e-12);

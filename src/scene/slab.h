@@ -4,6 +4,7 @@
 #define SCENE_SLAB_H
 
 #include "base/affine.h"
+#include "base/lesser.h"
 #include "scene/ray.h"
 
 /* The ray with the inverse of its direction. */
@@ -25,24 +26,13 @@ static inline struct slabs slabs_of(const struct ray *ray)
     };
 }
 
-/* As fmin and fmax, but one instruction each. */
-static inline double slab_min(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-static inline double slab_max(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 /* The part of [*enter, *leave] between two parallel sides. */
 static inline void slab_clip(double low, double high, double origin,
                              double inverse, double *enter, double *leave)
 {
     double a = (low - origin) * inverse, b = (high - origin) * inverse;
-    *enter = slab_max(*enter, slab_min(a, b));
-    *leave = slab_min(*leave, slab_max(a, b));
+    *enter = greater(*enter, lesser(a, b));
+    *leave = lesser(*leave, greater(a, b));
 }
 
 /* The part of [*enter, *leave] in the box. */

@@ -1,8 +1,8 @@
 /* Fog and sky: see background.h. Measured on POV-Ray 3.7. */
 #include "shade/background.h"
 
+#include "base/lesser.h"
 #include "scene/noise.h"
-#include "scene/slab.h"
 
 /* How long a ray is that hits nothing (measured). */
 static const double fog_horizon = 2e10;
@@ -27,7 +27,7 @@ static double fog_left(const struct scene *scene, const struct fog *fog,
     double noise = noise_turbulence(scene->noise.generator,
                                     vec3_mul(fog->turbulence.amount, middle),
                                     &fog->turbulence);
-    return 1 - exp(-depth) * slab_min(1, noise * fog->turbulent_share);
+    return 1 - exp(-depth) * lesser(1, noise * fog->turbulent_share);
 }
 
 /* How much fog a ray meets without turbulence: the mean density times the way,
@@ -37,11 +37,11 @@ static double fog_depth(const struct fog *fog, const struct ray *ray,
 {
     if (!fog->ground)
         return distance / fog->distance;
-    double way = slab_min(distance, fog_horizon);
+    double way = lesser(distance, fog_horizon);
     double start =
         (vec3_dot(ray->origin, fog->up) - fog->offset) / fog->altitude;
     double rise = vec3_dot(ray->direction, fog->up) * way / fog->altitude;
-    double middle = slab_max(start + rise / 2, 0);
+    double middle = greater(start + rise / 2, 0);
     double density = 1 / (1 + middle * middle);
     if (fabs(rise) > 1e-4)
         density = (fog_integral(start + rise) - fog_integral(start)) / rise;
@@ -61,8 +61,8 @@ struct veil fog_veil(const struct scene *scene, const struct ray *ray,
         rgb tone = colour_rgb(fog->colour);
         rgb tint = rgb_mix(rgb_grey(1), tone, fog->colour.filter);
         double depth = fog_depth(fog, ray, distance);
-        depth *= fog_left(scene, fog, ray, slab_min(distance, fog_horizon));
-        double left = slab_max(exp(-depth), fog->colour.transmit);
+        depth *= fog_left(scene, fog, ray, lesser(distance, fog_horizon));
+        double left = greater(exp(-depth), fog->colour.transmit);
         veil.light = rgb_add_scaled(veil.light, tone, 1 - left);
         veil.through = rgb_mul(veil.through, rgb_scale(tint, left));
     }

@@ -127,9 +127,9 @@ rgb finish_metallic(double metallic, double cosine, rgb pigment)
     if (metallic == 0)
         return rgb_grey(1);
     double x =
-        acos(slab_min(slab_max(cosine, -1), 1)) / (3.14159265358979323846 / 2);
+        acos(lesser(greater(cosine, -1), 1)) / (3.14159265358979323846 / 2);
     double f = 0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903;
-    f = slab_min(slab_max(f, 0), 1);
+    f = lesser(greater(f, 0), 1);
     rgb tint = rgb_sub(pigment, rgb_grey(1));
     return rgb_add_scaled(rgb_grey(1), tint, metallic * (1 - f));
 }
@@ -144,11 +144,11 @@ struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
         return (struct finish_mirror){ rgb_grey(0), 0 };
     if (mirror->fresnel)
         share = rgb_add_scaled(share, range,
-                               finish_fresnel(slab_max(cosine, 0), ior));
+                               finish_fresnel(greater(cosine, 0), ior));
     else if (rgb_peak(range) != 0)
         share = rgb_add_scaled(
-            share, range, power_of(1 - slab_min(cosine, 1), mirror->falloff));
-    double weight = slab_max(share.r, slab_max(share.g, share.b));
+            share, range, power_of(1 - lesser(cosine, 1), mirror->falloff));
+    double weight = greater(share.r, greater(share.g, share.b));
     rgb tint = finish_metallic(mirror->metallic, cosine, pigment);
     return (struct finish_mirror){ rgb_mul(share, tint), weight };
 }

@@ -3,7 +3,7 @@
 #ifndef SHADE_FINISH_H
 #define SHADE_FINISH_H
 
-#include "scene/slab.h"
+#include "base/lesser.h"
 #include "shade/surface.h"
 
 /* Adds what the surface's layers send to the viewer of light of one direction:
@@ -28,7 +28,7 @@ static inline bool finish_is_uneven(const struct finish *finish)
  * through (measured). */
 static inline double finish_opacity(const struct finish *finish, colour c)
 {
-    double peak = finish->old_filter ? slab_max(c.r, slab_max(c.g, c.b)) : 1;
+    double peak = finish->old_filter ? greater(c.r, greater(c.g, c.b)) : 1;
     return 1 - c.filter * peak - c.transmit;
 }
 

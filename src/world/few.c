@@ -103,9 +103,9 @@ CLONES static void lanes_fold(const double (*restrict lanes)[RAY_LANES],
         for (int i = 0; i < FOLD; i++) {
             double a = lanes[k][i], b = lanes[k][i + FOLD];
             low[k][i] =
-                slab_min(open[i] ? a : HUGE_VAL, open[i + FOLD] ? b : HUGE_VAL);
-            high[k][i] = slab_max(open[i] ? a : -HUGE_VAL,
-                                  open[i + FOLD] ? b : -HUGE_VAL);
+                lesser(open[i] ? a : HUGE_VAL, open[i + FOLD] ? b : HUGE_VAL);
+            high[k][i] = greater(open[i] ? a : -HUGE_VAL,
+                                 open[i + FOLD] ? b : -HUGE_VAL);
         }
 }
 
@@ -115,14 +115,14 @@ static double fold_least(const double *fold)
 {
     const pair *of = (const pair *)fold;
     pair least = pair_min(pair_min(of[0], of[1]), pair_min(of[2], of[3]));
-    return slab_min(least[0], least[1]);
+    return lesser(least[0], least[1]);
 }
 
 static double fold_most(const double *fold)
 {
     const pair *of = (const pair *)fold;
     pair most = pair_max(pair_max(of[0], of[1]), pair_max(of[2], of[3]));
-    return slab_max(most[0], most[1]);
+    return greater(most[0], most[1]);
 }
 
 static void beam_of(const struct packet *packet, struct beam *beam)
@@ -166,8 +166,8 @@ CLONES static void beam_meets(const struct beam *restrict beam,
         const double least = beam->axis[k].least, most = beam->axis[k].most;
         for (int i = 0; beam->axis[k].known && i < FEW_ROW; i++) {
             double to = near[i] - in_from, from = far[i] - out_from;
-            enter[i] = slab_max(enter[i], slab_min(to * least, to * most));
-            leave[i] = slab_min(leave[i], slab_max(from * least, from * most));
+            enter[i] = greater(enter[i], lesser(to * least, to * most));
+            leave[i] = lesser(leave[i], greater(from * least, from * most));
         }
     }
     for (int i = 0; i < FEW_ROW; i++)

@@ -40,7 +40,7 @@ static void packet_span(struct packet *packet, const struct rays_span *span,
 {
     for (int i = 0; i < RAY_LANES; i++) {
         packet->span.near[i] = span->near[i];
-        packet->span.far[i] = slab_min(span->far[i], limit);
+        packet->span.far[i] = lesser(span->far[i], limit);
     }
 }
 

@@ -308,8 +308,8 @@ static void crossings_span(const struct tree_look *look,
         double enter = query->tmin, leave = query->tmax;
         if (!solid->simple) {
             const struct space space = space_of(look, query, i);
-            enter = slab_max(enter, space.enter);
-            leave = slab_min(leave, space.leave);
+            enter = greater(enter, space.enter);
+            leave = lesser(leave, space.leave);
             slabs_clip(&space.slabs, &solid->surface, &enter, &leave);
         }
         span->near[i] = enter;

@@ -148,8 +148,8 @@ static bool query_crossings(struct query *query, const struct solid *solid,
     struct crossing_query context = { query, solid, ray };
     double enter = query->tmin, leave = query->tmax;
     if (space) {
-        enter = slab_max(enter, space->enter);
-        leave = slab_min(leave, space->leave);
+        enter = greater(enter, space->enter);
+        leave = lesser(leave, space->leave);
         slabs_clip(&space->slabs, &solid->surface, &enter, &leave);
     }
     object->primitive->crossings(solid->leaf->shape, inner, enter, leave,

@@ -3,8 +3,8 @@
 
 #include <float.h>
 
+#include "base/lesser.h"
 #include "world/shaft_tree.h"
-#include "scene/slab.h"
 #include "scene/primitive.h"
 
 /* A half space that holds all rays of a shaft: normal . p <= limit. */
@@ -43,7 +43,7 @@ static const double place_margin = 1e-7;
 /* The largest of three, without their signs. */
 static double most_of(vec3 v)
 {
-    return slab_max(fabs(v.x), slab_max(fabs(v.y), fabs(v.z)));
+    return greater(fabs(v.x), greater(fabs(v.y), fabs(v.z)));
 }
 
 /* How far they begin from `from` in a direction of any length, times that: all
@@ -52,8 +52,8 @@ static double rays_reach(const struct shaft_rays *rays, vec3 direction)
 {
     double square = vec3_dot(direction, direction);
     double rise = vec3_dot(direction, rays->normal);
-    return rays->radius * (sqrt(slab_max(square - rise * rise, 0)) +
-                           rays->bend * sqrt(square));
+    return rays->radius *
+           (sqrt(greater(square - rise * rise, 0)) + rays->bend * sqrt(square));
 }
 
 static vec3 rays_reach_box(const struct shaft_rays *rays)
@@ -95,11 +95,11 @@ static void bounds_near(struct shaft_bounds *bounds,
     high = vec3_make(high.x < 0 ? high.x * share : t,
                      high.y < 0 ? high.y * share : t,
                      high.z < 0 ? high.z * share : t);
-    low = vec3_make(slab_min(low.x, edges.low.x), slab_min(low.y, edges.low.y),
-                    slab_min(low.z, edges.low.z));
-    high = vec3_make(slab_max(high.x, edges.high.x),
-                     slab_max(high.y, edges.high.y),
-                     slab_max(high.z, edges.high.z));
+    low = vec3_make(lesser(low.x, edges.low.x), lesser(low.y, edges.low.y),
+                    lesser(low.z, edges.low.z));
+    high =
+        vec3_make(greater(high.x, edges.high.x), greater(high.y, edges.high.y),
+                  greater(high.z, edges.high.z));
     bounds->box.low = vec3_add(rays->from, low);
     bounds->box.high = vec3_add(rays->from, high);
     if (rays->radius > 0) {
@@ -112,10 +112,10 @@ static void bounds_near(struct shaft_bounds *bounds,
 static struct box3 box_hold(struct box3 box, vec3 p)
 {
     return (struct box3){
-        { slab_min(box.low.x, p.x), slab_min(box.low.y, p.y),
-          slab_min(box.low.z, p.z) },
-        { slab_max(box.high.x, p.x), slab_max(box.high.y, p.y),
-          slab_max(box.high.z, p.z) },
+        { lesser(box.low.x, p.x), lesser(box.low.y, p.y),
+          lesser(box.low.z, p.z) },
+        { greater(box.high.x, p.x), greater(box.high.y, p.y),
+          greater(box.high.z, p.z) },
     };
 }
 
@@ -160,11 +160,11 @@ static struct shaft_bounds shaft_bounds(const struct shaft_rays *rays)
     double square = 0;
     for (int i = 0; i < 4; i++) {
         edges = box_hold(edges, edge[i]);
-        square = slab_max(square, vec3_dot(edge[i], edge[i]));
+        square = greater(square, vec3_dot(edge[i], edge[i]));
     }
     bounds_near(&bounds, rays, edges, square);
     bounds.doubt =
-        1e-9 * slab_max(most_of(bounds.box.low), most_of(bounds.box.high));
+        1e-9 * greater(most_of(bounds.box.low), most_of(bounds.box.high));
     bounds.count = 0;
     for (int i = 0; i < 4; i++)
         bounds_add(&bounds, rays, vec3_cross(edge[i], edge[(i + 1) % 4]), way);
@@ -218,8 +218,8 @@ static void view_place(const struct shaft_view *view, const struct box3 *own,
         near = !(depth > least_depth);
         for (int k = 0; k < 2; k++) {
             double at = vec3_dot(view->across[k], p) / depth - view->shift[k];
-            out->low[k] = slab_min(out->low[k], at - place_margin);
-            out->high[k] = slab_max(out->high[k], at + place_margin);
+            out->low[k] = lesser(out->low[k], at - place_margin);
+            out->high[k] = greater(out->high[k], at + place_margin);
         }
     }
     for (int k = 0; k < 2 && near; k++) {
@@ -285,7 +285,7 @@ static double rays_width(const struct shaft_rays *rays)
     vec3 way = vec3_normalise(vec3_sub(rays->middle, rays->from));
     vec3 a = vec3_cross(rays->half[0], way);
     vec3 b = vec3_cross(rays->half[1], way);
-    double longer = slab_max(vec3_length(a), vec3_length(b));
+    double longer = greater(vec3_length(a), vec3_length(b));
     double area = vec3_length(vec3_cross(a, b));
     return longer > 0 ? 2 * area / longer : 0;
 }
@@ -308,10 +308,10 @@ static double blur_of(const struct blur_search *search, const struct box3 *box)
     const struct box3 *start = &search->start, *ways = &search->ways;
     double part = part_before(start->low.x, start->high.x, ways->low.x,
                               ways->high.x, box->low.x, box->high.x);
-    part = slab_max(part, part_before(start->low.y, start->high.y, ways->low.y,
-                                      ways->high.y, box->low.y, box->high.y));
-    part = slab_max(part, part_before(start->low.z, start->high.z, ways->low.z,
-                                      ways->high.z, box->low.z, box->high.z));
+    part = greater(part, part_before(start->low.y, start->high.y, ways->low.y,
+                                     ways->high.y, box->low.y, box->high.y));
+    part = greater(part, part_before(start->low.z, start->high.z, ways->low.z,
+                                     ways->high.z, box->low.z, box->high.z));
     return part < 1 ? search->width * part / (1 - part) : DBL_MAX;
 }
 
@@ -319,7 +319,7 @@ static void blur_take(struct blur_search *search, const struct solid *solid,
                       const struct box3 *box)
 {
     if (!solid || !search->left || solid->leaf != search->left)
-        search->least = slab_min(search->least, blur_of(search, box));
+        search->least = lesser(search->least, blur_of(search, box));
 }
 
 double shaft_blur(const struct shaft_tree *tree, const struct shaft_rays *rays,

@@ -185,7 +185,7 @@ static void closest_each(const struct world *world, const struct rays *rays,
         const struct ray ray = rays_at(rays, (int)i);
         out[i].leaf = NULL;
         if (!query_begin(world, &query, &ray, span->near[i],
-                         slab_min(span->far[i], world_limit)))
+                         lesser(span->far[i], world_limit)))
             continue;
         trace_nearest(world, &query);
         out[i].leaf = query.leaf;
@@ -223,7 +223,7 @@ bool world_glimpse(const struct world *world, const struct ray *ray,
     query.occlusion = false;
     query.kind = kind;
     if (!query_begin(world, &query, ray, glimpse.tmin,
-                     slab_min(glimpse.tmax, world_limit)))
+                     lesser(glimpse.tmax, world_limit)))
         return false;
     query.spread = glimpse.spread;
     trace_nearest(world, &query);
@@ -241,7 +241,7 @@ static bool occlusion_begin(const struct world *world, struct query *query,
     query->filter = occlusion->filter;
     query->context = occlusion->context;
     bool begun = query_begin(world, query, occlusion->ray, occlusion->tmin,
-                             slab_min(occlusion->tmax, world_limit));
+                             lesser(occlusion->tmax, world_limit));
     query->spread = occlusion->spread;
     return begun;
 }

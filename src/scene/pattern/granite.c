@@ -1,6 +1,6 @@
 /* granite: six octaves of folded noise, rough and spotty. */
+#include "base/lesser.h"
 #include "scene/noise.h"
-#include "scene/slab.h"
 
 /* Measured: |1/2 - n| with n noise cut to its middle half, from 4 features
  * per unit on. */
@@ -16,8 +16,8 @@ static void granite_values(const struct pattern *pattern,
         const double *of = noise + i * GRANITE_OCTAVES;
         double sum = 0, weight = 1;
         for (int octave = 0; octave < GRANITE_OCTAVES; octave++, weight /= 2)
-            sum += weight * slab_min(fabs(0.5 - of[octave]), 0.5);
-        values[i] = slab_min(sum, 1);
+            sum += weight * lesser(fabs(0.5 - of[octave]), 0.5);
+        values[i] = lesser(sum, 1);
     }
 }
 

@@ -1,6 +1,6 @@
 /* wrinkles: ten octaves of noise, each half as strong as the one before. */
+#include "base/lesser.h"
 #include "scene/noise.h"
-#include "scene/slab.h"
 
 static const struct octaves wrinkles_octaves = { OCTAVES_MAX, 2 };
 
@@ -14,7 +14,7 @@ static void wrinkles_values(const struct pattern *pattern,
         double weight = 0.5;
         values[i] = 0;
         for (int octave = 0; octave < OCTAVES_MAX; octave++, weight /= 2)
-            values[i] += weight * slab_min(slab_max(of[octave], 0), 1);
+            values[i] += weight * lesser(greater(of[octave], 0), 1);
     }
 }
 
