@@ -9,22 +9,24 @@
 #include "lightmesh/gather.h"
 #include "lightmesh/tuning.h"
 
+static void way_pair(uint64_t key, uint32_t index, double u[2])
+{
+    const struct draws draws = { key, index };
+    draw_pair(&draws, GATHER_DIRECTION, u);
+}
+
 vec3 gather_way(uint64_t key, uint32_t index)
 {
-    struct draws draws = { key, index };
     double u[2];
-    draw_pair(&draws, GATHER_DIRECTION, u);
+    way_pair(key, index, u);
     return warp_sphere(u);
 }
 
 /* Neighbours on a curve through the square that ways are drawn from (Morton
  * 1966) go nearly the same way. */
-static uint32_t way_place(uint64_t key, uint32_t index)
+static uint32_t pair_place(const double u[2])
 {
-    const struct draws draws = { key, index };
     uint32_t place = 0;
-    double u[2];
-    draw_pair(&draws, GATHER_DIRECTION, u);
     for (int bit = 1; bit <= 8; bit++)
         for (int i = 0; i < 2; i++)
             place = place << 1 | ((uint32_t)ldexp(u[i], bit) & 1);
@@ -43,12 +45,16 @@ static int way_compare(const void *a, const void *b)
                : (x->sample > y->sample) - (x->sample < y->sample);
 }
 
-/* Of the part that begins at `first`. */
-static void ways_order(struct gather_ways *ways, uint64_t seed, uint32_t first,
-                       struct way_order *sorted)
+/* Those of the part that begins at `first`. */
+static void ways_draw(struct gather_ways *ways, uint64_t seed, uint32_t first,
+                      struct way_order *sorted)
 {
-    for (uint32_t i = 0; i < ways->samples; i++)
-        sorted[i] = (struct way_order){ way_place(seed, first + i), i };
+    for (uint32_t i = 0; i < ways->samples; i++) {
+        double u[2];
+        way_pair(seed, first + i, u);
+        ways->ways[first + i] = warp_sphere(u);
+        sorted[i] = (struct way_order){ pair_place(u), i };
+    }
     qsort(sorted, ways->samples, sizeof *sorted, way_compare);
     for (uint32_t i = 0; i < ways->samples; i++)
         ways->order[first + i] = sorted[i].sample;
@@ -64,11 +70,9 @@ struct gather_ways gather_ways_new(uint64_t seed, int samples)
         return ways;
     ways.ways = memory_new(count * sizeof *ways.ways);
     ways.order = memory_new(count * sizeof *ways.order);
-    for (uint32_t i = 0; i < count; i++)
-        ways.ways[i] = gather_way(seed, i);
     struct way_order *sorted = memory_new(ways.samples * sizeof *sorted);
     for (uint32_t part = 0; part < GATHER_PARTS; part++)
-        ways_order(&ways, seed, part * ways.set, sorted);
+        ways_draw(&ways, seed, part * ways.set, sorted);
     memory_free(sorted);
     return ways;
 }

@@ -4,8 +4,8 @@
 #include "base/draw.h"
 #include "base/warp.h"
 #include "lightmesh/gather_glow.h"
+#include "lightmesh/gather_rays.h"
 #include "lightmesh/tuning.h"
-#include "shade/shadow.h"
 
 /* A mesh point that gathers. */
 struct gatherer {
@@ -50,28 +50,17 @@ static vec3 gatherer_way(const struct gatherer *gatherer,
     return behind < 0 ? vec3_along(way, site->normal, -2 * behind) : way;
 }
 
-/* Gather rays that set out together. */
-struct gatherer_rays {
-    struct rays rays;
-    struct rays_span span;
-    struct draws draws[RAY_LANES];
-    struct world_hit hits[RAY_LANES];
-    unsigned count;
-};
-
 /* One gather ray. What glows counts by how likely it is to be found so. */
 static void gatherer_look(const struct gatherer *gatherer,
-                          const struct gatherer_rays *sent, unsigned i,
+                          const struct gather_rays *sent, unsigned i,
                           struct gathered *sum)
 {
     const struct gather *gather = &gatherer->mesh->gather;
     const struct ray ray = rays_at(&sent->rays, (int)i);
     double density = gatherer_density(gatherer, ray.direction);
     bool wall = vec3_dot(ray.direction, gatherer->site->wall) > 0;
-    struct gathered_ray found = { .at = { .leaf = NULL } };
-    if (sent->hits[i].leaf)
-        world_describe(&ray, &sent->hits[i], &found.at);
-    gather_met(gather, gatherer->worker, &ray, &sent->draws[i], &found);
+    struct gathered_ray found;
+    gather_rays_follow(gather, gatherer->worker, sent, i, &found);
     indirect_light_add(wall ? &sum->wall : &sum->light, ray.direction,
                        gather_balanced(gather, &ray, density, &found),
                        found.open, density);
@@ -79,16 +68,10 @@ static void gatherer_look(const struct gatherer *gatherer,
 
 /* Those that are waiting. */
 static void gatherer_flush(const struct gatherer *gatherer,
-                           struct gatherer_rays *sent, struct gathered *sum)
+                           struct gather_rays *sent, struct gathered *sum)
 {
-    double from = surface_offset(gatherer->site->place);
-    for (unsigned i = 0; i < sent->count; i++) {
-        sent->span.near[i] = from;
-        sent->span.far[i] = (double)INFINITY;
-    }
-    gatherer->worker->counters.shadow_rays += sent->count;
-    world_closest_many(gatherer->mesh->points.world, &sent->rays, &sent->span,
-                       sent->count, RAY_REFLECTION, sent->hits);
+    gather_rays_trace(&gatherer->mesh->gather, gatherer->worker,
+                      (double)INFINITY, sent);
     for (unsigned i = 0; i < sent->count; i++)
         gatherer_look(gatherer, sent, i, sum);
     sent->count = 0;
@@ -96,10 +79,9 @@ static void gatherer_flush(const struct gatherer *gatherer,
 
 static void gatherer_send(const struct gatherer *gatherer,
                           const struct draws *draws, vec3 way,
-                          struct gatherer_rays *sent, struct gathered *sum)
+                          struct gather_rays *sent, struct gathered *sum)
 {
-    rays_set(&sent->rays, (int)sent->count, gatherer->site->place, way);
-    sent->draws[sent->count++] = *draws;
+    gather_rays_add(sent, draws, gatherer->site->place, way);
     if (sent->count == RAY_LANES)
         gatherer_flush(gatherer, sent, sum);
 }
@@ -145,7 +127,7 @@ static uint32_t gatherer_sample(const struct gatherer *gatherer, uint32_t i)
 
 /* The sum of what is sent everywhere. */
 static void gatherer_even(const struct gatherer *gatherer,
-                          struct gatherer_rays *sent, struct gathered *sum)
+                          struct gather_rays *sent, struct gathered *sum)
 {
     uint32_t end = gatherer->count - gatherer->aimed;
     uint32_t wall_end = end / gatherer->wall_share;
@@ -165,7 +147,7 @@ static void gatherer_even(const struct gatherer *gatherer,
 
 /* And of what is sent to bright places. */
 static void gatherer_aim(const struct gatherer *gatherer,
-                         struct gatherer_rays *sent, struct gathered *sum)
+                         struct gather_rays *sent, struct gathered *sum)
 {
     uint32_t i = gatherer->count - gatherer->aimed;
     for (; i < gatherer->count && !worker_stopped(gatherer->worker); i++) {
@@ -183,7 +165,7 @@ static struct gathered gatherer_mean(const struct gatherer *gatherer)
 {
     struct gathered sum = { indirect_light_none, indirect_light_none };
     uint32_t count = gatherer->count;
-    struct gatherer_rays sent = { .count = 0 };
+    struct gather_rays sent = { .count = 0 };
     gatherer_even(gatherer, &sent, &sum);
     gatherer_aim(gatherer, &sent, &sum);
     if (emitters_any(gatherer->mesh->gather.emitters))

@@ -1,13 +1,11 @@
 /* Short rays: see near_field.h. */
 #include "lightmesh/near_field.h"
 
-#include <string.h>
-
 #include "base/memory.h"
 #include "base/warp.h"
+#include "lightmesh/gather_rays.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
-#include "shade/shadow.h"
 
 /* Numbers of its own, apart from those of mesh points. */
 static const uint64_t near_key = 0x6e656172;
@@ -44,15 +42,6 @@ static struct along light_along(const struct indirect_light *light, vec3 way)
     return (struct along){ fmax(along.light, 0), fmax(along.open, 0) };
 }
 
-/* Some of its rays, which are drawn by the cosine. */
-struct nearby_rays {
-    struct rays rays;
-    struct rays_span span;
-    struct world_hit hits[RAY_LANES];
-    struct draws draws[RAY_LANES];
-    unsigned count;
-};
-
 static struct draws near_draws(const struct gather *gather, unsigned number)
 {
     return (struct draws){ gather->lamps->seed ^ near_key, number };
@@ -70,26 +59,20 @@ vec3 *near_field_ways(const struct gather *gather, int rays)
     return ways;
 }
 
-/* Numbers from `first` on. */
+/* Numbers from `first` on, which are drawn by the cosine. */
 static void nearby_trace(const struct nearby *nearby, int first,
-                         struct nearby_rays *sent)
+                         struct gather_rays *sent)
 {
     const struct receiver *receiver = nearby->receiver;
     const struct gather *gather = &nearby->mesh->gather;
-    double from = surface_offset(receiver->point);
-    memset(&sent->span, 0, sizeof sent->span);
-    sent->count = (unsigned)fmin(nearby->rays - first, RAY_LANES);
-    for (unsigned i = 0; i < sent->count; i++) {
-        unsigned number = (unsigned)first + i;
-        sent->draws[i] = near_draws(gather, number);
-        rays_set(&sent->rays, (int)i, receiver->point,
-                 warp_turned(nearby->mesh->near_ways[number], receiver->side));
-        sent->span.near[i] = from;
-        sent->span.far[i] = nearby->reach;
+    sent->count = 0;
+    for (int i = first; i < nearby->rays && sent->count < RAY_LANES; i++) {
+        const struct draws draws = near_draws(gather, (unsigned)i);
+        gather_rays_add(
+            sent, &draws, receiver->point,
+            warp_turned(nearby->mesh->near_ways[i], receiver->side));
     }
-    nearby->worker->counters.shadow_rays += sent->count;
-    world_closest_many(nearby->mesh->points.world, &sent->rays, &sent->span,
-                       sent->count, RAY_REFLECTION, sent->hits);
+    gather_rays_trace(gather, nearby->worker, nearby->reach, sent);
 }
 
 /* How near that is: what comes into reach does so by and by. */
@@ -101,38 +84,35 @@ double near_field_closeness(double distance, double reach)
 
 /* One of them. Returns how much of it counts as met, which is nothing of what
  * glows. */
-static double nearby_meet(struct nearby *nearby, const struct ray *ray,
-                          const struct world_hit *hit,
-                          const struct draws *draws)
+static double nearby_meet(struct nearby *nearby, const struct gather_rays *sent,
+                          unsigned i)
 {
+    vec3 way = rays_at(&sent->rays, (int)i).direction;
     struct gathered_ray found;
-    double density = vec3_dot(ray->direction, nearby->receiver->side) / WARP_PI;
+    double density = vec3_dot(way, nearby->receiver->side) / WARP_PI;
     double count = nearby->rays;
-    if (!(density > 0) || !hit->leaf)
+    if (!(density > 0) || !sent->hits[i].leaf)
         return 0;
-    world_describe(ray, hit, &found.at);
-    gather_met(&nearby->gather, nearby->worker, ray, draws, &found);
+    gather_rays_follow(&nearby->gather, nearby->worker, sent, i, &found);
     if (rgb_peak(found.glow) > 0)
         return 0;
     double close = near_field_closeness(found.at.t, nearby->reach);
     rgb light = rgb_scale(found.light, close);
     double open = close * found.open;
-    indirect_light_add(&nearby->met, ray->direction, light, open,
-                       density * count);
+    indirect_light_add(&nearby->met, way, light, open, density * count);
     nearby->shares.light =
         rgb_add_scaled(nearby->shares.light, light, 1 / count);
     nearby->shares.open += open / count;
     return close;
 }
 
-static void nearby_add(struct nearby *nearby, const struct nearby_rays *sent,
+static void nearby_add(struct nearby *nearby, const struct gather_rays *sent,
                        const struct indirect_light *light)
 {
     for (unsigned i = 0; i < sent->count; i++) {
-        const struct ray ray = rays_at(&sent->rays, (int)i);
-        struct along along = light_along(light, ray.direction);
-        double hidden =
-            nearby_meet(nearby, &ray, &sent->hits[i], &sent->draws[i]);
+        struct along along =
+            light_along(light, rays_at(&sent->rays, (int)i).direction);
+        double hidden = nearby_meet(nearby, sent, i);
         nearby->all.light += along.light;
         nearby->all.open += along.open;
         nearby->hidden.light += hidden * along.light;
@@ -141,7 +121,7 @@ static void nearby_add(struct nearby *nearby, const struct nearby_rays *sent,
 }
 
 /* How many of them. */
-static unsigned nearby_met(const struct nearby_rays *sent)
+static unsigned nearby_met(const struct gather_rays *sent)
 {
     unsigned met = 0;
     for (unsigned i = 0; i < sent->count; i++)
@@ -161,7 +141,7 @@ static bool nearby_look_around(struct nearby *nearby,
 {
     bool any = false;
     for (int first = 0; first < nearby->rays; first += RAY_LANES) {
-        struct nearby_rays sent;
+        struct gather_rays sent;
         nearby_trace(nearby, first, &sent);
         unsigned met = nearby_met(&sent);
         any = any || met > 0;

@@ -125,7 +125,8 @@ static struct indirect_share sums_around(const struct sums *sums)
 
 struct survey survey_none(void)
 {
-    return (struct survey){ .worth = 1, .rough = 48 * gather_noise };
+    double rough = gather_noise * pow(UNSEEN_SAMPLES, 1 / gather_net);
+    return (struct survey){ .worth = 1, .rough = rough };
 }
 
 struct survey survey_of(const struct gather *gather, const struct scene *scene,

@@ -179,11 +179,12 @@ enum {
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
     GATHER_FEW = 32,    /* and else */
     GATHER_MOST = 1024,
-    LONE_SAMPLES = 16,  /* of places that are their own mesh point */
-    LONE_PART = 8,      /* of later bounces one in so many */
-    LATER_SAMPLES = 16, /* of kept points of later bounces, at most */
-    HIT_LEVELS = 1,     /* direct light on what they meet is coarser */
-    WALL_PART = 4,      /* of ways into the only wall one in so many */
+    UNSEEN_SAMPLES = 256, /* where nobody looks how many it takes */
+    LONE_SAMPLES = 16,    /* of places that are their own mesh point */
+    LONE_PART = 8,        /* of later bounces one in so many */
+    LATER_SAMPLES = 16,   /* of kept points of later bounces, at most */
+    HIT_LEVELS = 1,       /* direct light on what they meet is coarser */
+    WALL_PART = 4,        /* of ways into the only wall one in so many */
     BRIGHT_RAYS = 1,    /* of each WALL_PART rays so many go to bright places */
     WAYS_MOST = 65536,  /* directions that are kept */
     GATHER_PANES = 64,  /* that a ray passes */
