@@ -1,44 +1,55 @@
-/* Skeleton-guided sampling: see guide.h. The lobe is cos^s around the direction
- * to the barycentre of the nodes that a node sees along its shortest path to
- * the lamp; the normalisation is (s + 1)/(2 pi). Of several lamps each has a
- * share by what the forward heuristic gives for it. How often a lobe is used
- * goes with how directed the stream of light is. */
+/* Skeleton-guided sampling: see guide.h. A node looks around by rays; what they
+ * meet is sorted into cells of directions, and those that bring most light are
+ * its targets: where their light comes from, on average, and how far that is
+ * spread. From a surface a target is a lobe cos^s around the direction to it,
+ * as wide as it is seen from there, so that a target that is near a surface and
+ * far from its node is looked for in the right place (Ruppert, Herholz and
+ * Lensch, "Robust fitting of parallax-aware mixtures for path guiding",
+ * 2020); the normalisation is (s + 1)/(2 pi). */
 #include "lighting/guide.h"
 
 #include <stdlib.h>
 
+#include "base/draw.h"
 #include "base/memory.h"
 #include "base/order.h"
 #include "base/parallel.h"
+#include "base/warp.h"
 #include "lighting/void_skeleton.h"
 #include "skeleton/heuristic.h"
-#include "skeleton/stream.h"
 
 enum {
-    LAMPS_MOST = 256, /* each may need ways of its own */
-    HIDDEN_MOST = 8,  /* nodes in a row, after which none is looked for */
+    LOOKS = 128, /* rays of a node */
+    EDGE = 2,    /* cells along a side of the cube of directions */
+    CELLS = 6 * EDGE * EDGE,
     /* A guide may be rough: the skeleton's voxels along the longest side, if
      * the scene names no number, and the rays between its walls. */
     VOXELS = 64,
     WALL_RAYS = 50000
 };
 
-/* How often a lobe is used where all light comes from one side, and its s. */
-static const double chance_most = 0.5, lobe_power = 4;
+/* How often lobes are used where targets bring all the light, and the least and
+ * the largest s. */
+static const double chance_most = 0.75, power_least = 1, power_most = 40;
 
 /* Where light differs by less, but for a tenth of the nodes at either end, all
  * paths are worth about the same. */
 static const double even = 8;
 
+/* The key of nodes' rays, beside the seed. */
+static const uint64_t look_key = 0x6775696465;
+
 struct target {
-    vec3 place;
-    double chance; /* of its lobe */
+    vec3 place;      /* the mean of where its light comes from */
+    double spread;   /* the mean square of the distance from there */
+    double strength; /* its share of the node's light */
 };
 
 /* What a node knows. */
 struct node_targets {
     int count;
     struct target at[GUIDE_TARGETS];
+    double rest;  /* the share of the light that is no target's */
     double light; /* indirect irradiance, the largest of the colours */
 };
 
@@ -47,79 +58,104 @@ struct guide {
     const struct skeleton *skeleton; /* of `made` */
     struct node_targets *nodes;
     bool useful; /* else nodes have no targets */
-    /* Lamps by where their light comes in: the same paths, the same target. */
-    size_t *entrance; /* of each lamp */
-    const struct skeleton_lamp **entrances;
-    size_t entrance_count;
 };
 
 void guide_free(struct guide *guide)
 {
     if (!guide)
         return;
-    memory_free(guide->entrances);
-    memory_free(guide->entrance);
     memory_free(guide->nodes);
     void_skeleton_free(&guide->made);
     memory_free(guide);
 }
 
-static void guide_find_entrances(struct guide *guide)
+/* Sums of what the rays of a cell meet. */
+struct look_cell {
+    double light;
+    vec3 place;    /* times light */
+    double square; /* of its distance from the node, times light */
+};
+
+static int cell_along(double x, double size)
+{
+    int at = (int)((x / size + 1) / 2 * EDGE);
+    return at < 0 ? 0 : at >= EDGE ? EDGE - 1 : at;
+}
+
+/* The cell of the cube of directions. */
+static int cell_of(vec3 d)
+{
+    int axis = 0;
+    for (int i = 1; i < 3; i++)
+        if (fabs(vec3_component(d, i)) > fabs(vec3_component(d, axis)))
+            axis = i;
+    double along = vec3_component(d, axis), size = fabs(along);
+    int u = cell_along(vec3_component(d, (axis + 1) % 3), size);
+    int v = cell_along(vec3_component(d, (axis + 2) % 3), size);
+    return ((2 * axis + (along < 0)) * EDGE + u) * EDGE + v;
+}
+
+/* Places are told from the node. What is out of the grid is as far as that is
+ * large. */
+static void node_look(const struct guide *guide, uint32_t node,
+                      struct look_cell cells[CELLS])
 {
     const struct skeleton *skeleton = guide->skeleton;
-    size_t count = skeleton->lamp_count;
-    guide->entrance = memory_new(count * sizeof *guide->entrance);
-    guide->entrances = memory_new(count * sizeof *guide->entrances);
-    for (size_t i = 0; i < count; i++) {
-        size_t k = 0;
-        while (k < guide->entrance_count &&
-               guide->entrances[k]->paths != skeleton->lamps[i].paths)
-            k++;
-        if (k == guide->entrance_count)
-            guide->entrances[guide->entrance_count++] = &skeleton->lamps[i];
-        guide->entrance[i] = k;
-    }
-}
-
-/* The mean of the nodes on the way to the lamp that this one sees. */
-static vec3 importance_point(const struct guide *guide,
-                             const struct skeleton_lamp *lamp, uint32_t node)
-{
-    const struct graph_node *nodes = guide->skeleton->graph->nodes;
-    const uint32_t *parent = lamp->paths->parent;
-    vec3 from = nodes[node].position, sum = from;
-    int seen = 1, hidden = 0;
-    for (uint32_t at = parent[node]; at != GRAPH_NONE && hidden < HIDDEN_MOST;
-         at = parent[at]) {
-        if (!stream_sees(guide->skeleton, from, nodes[at].position)) {
-            hidden++;
+    const struct voxels *v = skeleton->voxels;
+    double far = v->edge * (v->size[0] + v->size[1] + v->size[2]);
+    for (uint32_t i = 0; i < LOOKS; i++) {
+        struct draws draws = { random_key(skeleton->seed ^ look_key, node), i };
+        double u[2], distance;
+        draw_pair(&draws, 0, u);
+        struct ray ray = { skeleton->graph->nodes[node].position,
+                           warp_sphere(u) };
+        double light = rgb_peak(skeleton->heuristic->seen(
+            skeleton, &ray, random_key(draws.key, i), &distance));
+        if (!(light > 0) || !isfinite(light))
             continue;
-        }
-        hidden = 0;
-        seen++;
-        sum = vec3_add(sum, nodes[at].position);
+        struct look_cell *into = &cells[cell_of(ray.direction)];
+        distance = fmin(distance, far);
+        into->light += light;
+        into->place = vec3_along(into->place, ray.direction, light * distance);
+        into->square += light * distance * distance;
     }
-    return vec3_scale(sum, 1.0 / seen);
 }
 
-/* The strongest entrances first; what was taken is 0 then. */
-static void node_choose(struct guide *guide, uint32_t node, double *strength,
-                        double chance)
+/* The strongest cells are the targets; what was taken is 0 then. */
+static void node_choose(const struct guide *guide, uint32_t node,
+                        struct look_cell cells[CELLS], double sum)
 {
     struct node_targets *targets = &guide->nodes[node];
+    vec3 from = guide->skeleton->graph->nodes[node].position;
+    targets->rest = 1;
     while (targets->count < GUIDE_TARGETS) {
-        size_t best = 0;
-        for (size_t i = 1; i < guide->entrance_count; i++)
-            if (strength[i] > strength[best])
-                best = i;
-        if (!(strength[best] > 0))
+        struct look_cell *best = cells;
+        for (int i = 1; i < CELLS; i++)
+            if (cells[i].light > best->light)
+                best = &cells[i];
+        if (!(best->light > 0))
             return;
-        targets->at[targets->count++] = (struct target){
-            importance_point(guide, guide->entrances[best], node),
-            chance * strength[best],
-        };
-        strength[best] = 0;
+        vec3 place = vec3_scale(best->place, 1 / best->light);
+        double spread = best->square / best->light - vec3_dot(place, place);
+        targets->at[targets->count++] =
+            (struct target){ vec3_add(from, place), fmax(spread, 0),
+                             best->light / sum };
+        targets->rest -= best->light / sum;
+        best->light = 0;
     }
+}
+
+static void node_aim(void *context, size_t item, unsigned thread)
+{
+    struct guide *guide = context;
+    struct look_cell cells[CELLS] = { { 0 } };
+    double sum = 0;
+    (void)thread;
+    node_look(guide, (uint32_t)item, cells);
+    for (int i = 0; i < CELLS; i++)
+        sum += cells[i].light;
+    if (sum > 0 && isfinite(sum))
+        node_choose(guide, (uint32_t)item, cells, sum);
 }
 
 static struct skeleton_point node_point(const struct skeleton *skeleton,
@@ -130,31 +166,6 @@ static struct skeleton_point node_point(const struct skeleton *skeleton,
                                     .around = position,
                                     .voxel = VOXEL_NONE,
                                     .node = (uint32_t)node };
-}
-
-static void node_aim(void *context, size_t item, unsigned thread)
-{
-    struct guide *guide = context;
-    const struct skeleton *skeleton = guide->skeleton;
-    struct skeleton_point point = node_point(skeleton, item);
-    double *strength = memory_new(guide->entrance_count * sizeof *strength);
-    double sum = 0;
-    vec3 stream = { 0 };
-    (void)thread;
-    for (size_t i = 0; i < skeleton->lamp_count; i++) {
-        struct stream_way way;
-        double light = rgb_brightness(stream_hidden(
-            skeleton, &skeleton->lamps[i], &point, stream_forward, &way));
-        if (!(light > 0) || !isfinite(light))
-            continue;
-        strength[guide->entrance[i]] += light;
-        sum += light;
-        stream = vec3_along(stream, way.direction, light);
-    }
-    if (sum > 0)
-        node_choose(guide, (uint32_t)item, strength,
-                    chance_most * vec3_length(stream) / (sum * sum));
-    memory_free(strength);
 }
 
 /* How much light each node has, and whether that differs. */
@@ -182,19 +193,9 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
                         const struct lighting_options *options,
                         struct diag *diag)
 {
-    size_t lamps;
-    world_lights(world, &lamps);
-    if (lamps > LAMPS_MOST) {
-        diag_print(diag, DIAG_ERROR, span_none(), NULL,
-                   "--guide skeleton is for up to %d lamps, here are %zu: "
-                   "leave it out",
-                   LAMPS_MOST, lamps);
-        return NULL;
-    }
     struct guide *guide = memory_new(sizeof *guide);
     struct void_skeleton_wish wish = { .heuristic = "network",
                                        .resolution = VOXELS,
-                                       .ways = true,
                                        .rays = WALL_RAYS };
     if (!void_skeleton_make(&guide->made, world, scene, wish, options, diag)) {
         guide_free(guide);
@@ -204,10 +205,24 @@ struct guide *guide_new(const struct world *world, const struct scene *scene,
     size_t nodes = guide->skeleton->graph->count;
     guide->nodes = memory_new(nodes * sizeof *guide->nodes);
     guide_find_light(guide);
-    guide_find_entrances(guide);
     if (guide->useful)
         parallel_run(options->threads, nodes, NULL, node_aim, guide);
     return guide;
+}
+
+/* A target seen from a point with a normal; false: it is behind. */
+static bool target_lobe(const struct target *target, vec3 point, vec3 normal,
+                        struct guide_lobe *lobe)
+{
+    vec3 to = vec3_sub(target->place, point);
+    double square = vec3_dot(to, to);
+    lobe->axis = vec3_normalise(to);
+    double cosine = vec3_dot(lobe->axis, normal);
+    /* Of a lobe cos^s the mean square of the sine is 2/(s + 3). */
+    double power = 2 * square / (target->spread + 1e-9 * square) - 3;
+    lobe->power = fmin(fmax(power, power_least), power_most);
+    lobe->chance = target->strength * cosine;
+    return cosine > 0;
 }
 
 void guide_look(const struct guide *guide, vec3 point, vec3 normal, bool lit,
@@ -219,12 +234,15 @@ void guide_look(const struct guide *guide, vec3 point, vec3 normal, bool lit,
     if (node == GRAPH_NONE)
         return;
     const struct node_targets *targets = &guide->nodes[node];
+    double sum = targets->rest / 4;
     aim->light = targets->light;
     for (int i = 0; !lit && i < targets->count; i++) {
-        const struct target *target = &targets->at[i];
-        vec3 axis = vec3_normalise(vec3_sub(target->place, point));
-        if (vec3_dot(axis, normal) > 0)
-            aim->at[aim->count++] =
-                (struct guide_lobe){ axis, lobe_power, target->chance };
+        struct guide_lobe *lobe = &aim->at[aim->count];
+        if (!target_lobe(&targets->at[i], point, normal, lobe))
+            continue;
+        sum += lobe->chance;
+        aim->count++;
     }
+    for (int i = 0; i < aim->count; i++)
+        aim->at[i].chance *= chance_most / sum;
 }

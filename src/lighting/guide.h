@@ -1,16 +1,16 @@
 /* Where to look for light that doesn't come straight: skeleton-guided sampling
- * (Biri and Chaussard, "Skeleton based importance sampling for path tracing",
- * Eurographics 2012 short papers). At each node of the skeleton of the void the
- * way that light takes is known; what is visible of it has a centre, and from
- * every point nearby light is looked for in a lobe around that direction. How
- * much light there is says the balance of light between chambers (heuristic
- * network), for roulette and splitting of paths. */
+ * (after Biri and Chaussard, "Skeleton based importance sampling for path
+ * tracing", Eurographics 2012 short papers, who look along the way to the
+ * lamp). Each node of the skeleton of the void knows how bright what it sees
+ * is, by the balance of light between chambers (heuristic network); from every
+ * point nearby light is looked for in lobes around what is brightest. How much
+ * light there is serves roulette and splitting of paths. */
 #ifndef LIGHTING_GUIDE_H
 #define LIGHTING_GUIDE_H
 
 #include "lighting/lighting.h"
 
-enum { GUIDE_TARGETS = 4 }; /* at a point; the strongest */
+enum { GUIDE_TARGETS = 8 }; /* at a point; the strongest */
 
 /* Lobes: directions to be drawn with density (power + 1)/(2 pi) cos^power
  * around the axis, this often; the rest of the chance is the caller's. */

@@ -17,7 +17,6 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
         .seed = options->seed,
         .threads = options->threads,
         .stop = options->stop,
-        .ways = wish.ways,
         .rays = wish.rays,
     };
     const struct grid_wish grid = { said > 0 ? said : wish.resolution,

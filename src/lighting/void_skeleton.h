@@ -19,7 +19,6 @@ struct void_skeleton_wish {
     int resolution;        /* voxels along the longest side if the scene says
                             * nothing; 0: as skeletons have that are shown */
     bool still;            /* as of struct grid_wish */
-    bool ways;             /* of lamps, though the heuristic needs none */
     size_t rays;           /* as in struct skeleton_options */
 };
 

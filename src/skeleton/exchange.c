@@ -89,14 +89,14 @@ static void sender_shoot(const struct exchange *exchange, struct sender *sender,
     uint64_t key = exchange->sight->scene.seed ^ exchange_key;
     struct draws draws = { key, (uint32_t)ray_number };
     double u[2];
-    rgb beyond;
     draw_pair(&draws, 0, u);
     struct ray ray = { patch->point, warp_lobe(u, patch->normal, 1) };
-    *met =
-        sight_zone(exchange->sight, &ray, random_key(key, ray_number), &beyond);
-    if (*met != ZONE_SKY)
+    struct sighting seen =
+        sight_zone(exchange->sight, &ray, random_key(key, ray_number));
+    *met = seen.zone;
+    if (seen.zone != ZONE_SKY)
         return;
-    sender->sky = rgb_add(sender->sky, beyond);
+    sender->sky = rgb_add(sender->sky, seen.beyond);
     sender->sky_hits++;
 }
 

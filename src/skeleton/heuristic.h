@@ -23,6 +23,11 @@ struct heuristic {
     /* The same for places in one voxel taken together; or NULL. */
     rgb (*close)(const struct skeleton *skeleton,
                  const struct skeleton_point *point);
+    /* The radiance that comes against a ray that starts in the void, and how
+     * far off that starts (HUGE_VAL: out of the grid); `key` names its random
+     * numbers. NULL: not known. */
+    rgb (*seen)(const struct skeleton *skeleton, const struct ray *ray,
+                uint64_t key, double *distance);
     /* What a surface outside of the grid gets besides; NULL: nothing. */
     rgb (*outside)(const struct skeleton *skeleton, vec3 normal);
 };

@@ -32,26 +32,30 @@ static bool sight_wall(const struct sight *sight, const struct ray *ray,
     return false;
 }
 
-uint32_t sight_zone(const struct sight *sight, const struct ray *ray,
-                    uint64_t key, rgb *beyond)
+struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
+                           uint64_t key)
 {
     const struct skeleton *skeleton = sight->skeleton;
     const struct voxels *v = skeleton->voxels;
     struct intersection at;
     int place[3];
     bool met = sight_wall(sight, ray, &at);
-    if (!met || !voxels_find(v, at.point, place)) {
-        *beyond = patches_beyond(&sight->scene, ray->direction,
-                                 met ? &at : NULL, key);
-        return ZONE_SKY;
-    }
+    if (!met || !voxels_find(v, at.point, place))
+        return (struct sighting){ ZONE_SKY, HUGE_VAL,
+                                  patches_beyond(&sight->scene, ray->direction,
+                                                 met ? &at : NULL, key) };
+    struct sighting seen = { .zone = ZONE_NONE,
+                             .distance =
+                                 vec3_length(vec3_sub(at.point, ray->origin)) };
     vec3 face = at.face;
     if (vec3_dot(face, ray->direction) > 0)
         face = vec3_negate(face);
     struct skeleton_point point =
         skeleton_find(skeleton, at.point, face, ray->origin);
     if (point.node == GRAPH_NONE)
-        return ZONE_NONE;
+        return seen;
     uint32_t piece = sight->pieces->of_voxel[point.voxel];
-    return piece == PIECE_NONE ? ZONE_NONE : zone_of(piece, side_of(face));
+    if (piece != PIECE_NONE)
+        seen.zone = zone_of(piece, side_of(face));
+    return seen;
 }

@@ -27,9 +27,15 @@ struct sight {
     struct patches_scene scene;
 };
 
-/* The zone that a ray meets. ZONE_SKY: it leaves the grid, and *beyond is the
- * radiance of what it meets there; `key` names its random numbers. */
-uint32_t sight_zone(const struct sight *sight, const struct ray *ray,
-                    uint64_t key, rgb *beyond);
+/* What a ray meets. */
+struct sighting {
+    uint32_t zone;
+    double distance; /* in the grid */
+    rgb beyond;      /* ZONE_SKY: the radiance of what is met out there */
+};
+
+/* The zone that a ray meets; `key` names its random numbers. */
+struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
+                           uint64_t key);
 
 #endif

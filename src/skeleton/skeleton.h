@@ -65,7 +65,6 @@ struct skeleton_options {
     uint64_t seed;
     unsigned threads;
     const atomic_int *stop; /* non-zero: leave off; NULL: never */
-    bool ways;   /* lamps have paths, even if the heuristic needs none */
     size_t rays; /* that the heuristic may send to get started, about; 0: as
                   * many as answers need that are shown as they are */
 };

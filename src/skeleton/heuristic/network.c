@@ -322,25 +322,32 @@ static rgb network_close(const struct skeleton *skeleton,
     return total > 0 ? rgb_scale(sum, 1 / total) : beside;
 }
 
+static rgb network_seen(const struct skeleton *skeleton, const struct ray *ray,
+                        uint64_t key, double *distance)
+{
+    const struct network *network = skeleton->state;
+    struct sighting seen = sight_zone(&network->sight, ray, key);
+    *distance = seen.distance;
+    return seen.zone < ZONE_SKY ? network->enclosure->zones[seen.zone].sent
+                                : seen.beyond;
+}
+
 /* A ray from the point, above the surface if it is on one, and what it meets.
  */
 static rgb network_look(const struct skeleton *skeleton,
                         const struct skeleton_point *point, uint32_t number,
                         vec3 *direction)
 {
-    const struct network *network = skeleton->state;
     struct draws draws = { random_key(skeleton->seed, point->node), number };
-    double u[2];
-    rgb light = rgb_grey(0);
+    double u[2], distance;
     draw_pair(&draws, 0, u);
     struct ray ray = { point->position, warp_sphere(u) };
     double below = vec3_dot(ray.direction, point->normal);
     if (below < 0)
         ray.direction = vec3_along(ray.direction, point->normal, -2 * below);
     *direction = ray.direction;
-    uint32_t zone = sight_zone(&network->sight, &ray,
-                               random_key(draws.key, number), &light);
-    return zone < ZONE_SKY ? network->enclosure->zones[zone].sent : light;
+    return network_seen(skeleton, &ray, random_key(draws.key, number),
+                        &distance);
 }
 
 /* The vector irradiance of walls and sky: 1/pi of the integral over all
@@ -385,5 +392,6 @@ const struct heuristic network_heuristic = {
     .answer = network_answer,
     .indirect = network_indirect,
     .close = network_close,
+    .seen = network_seen,
     .outside = network_outside,
 };
