@@ -59,19 +59,34 @@ static const struct blob_part *blob_parts(const struct blob *blob,
     return (const struct blob_part *)(const void *)blob->parts.values;
 }
 
+/* Where a part ends its density meets 0 with a double root, which rounding
+ * finds or not: POV-Ray draws a threshold of 0 as specks. The surface just
+ * within is whole. */
+static double blob_least_threshold(double strength)
+{
+    const double just_within = 1e-9; /* of the density: 1.6e-5 of a radius */
+    return just_within * strength;
+}
+
 static const char *blob_prepare(void *shape, struct arena *arena,
                                 const char **warning)
 {
     struct blob *blob = shape;
     size_t count;
     const struct blob_part *parts = blob_parts(blob, &count);
+    double strongest = 0;
     (void)warning;
     blob->bounds = box3_empty();
     for (size_t i = 0; i < count; i++)
-        if (parts[i].strength > 0)
+        if (parts[i].strength > 0) {
             blob->bounds = box3_union(blob->bounds, blob_part_box(&parts[i]));
+            strongest = fmax(strongest, parts[i].strength);
+        }
+    if (blob->threshold == 0)
+        blob->threshold = blob_least_threshold(strongest);
     blob->tree = blob_tree_new(arena, parts, count);
-    return blob->threshold > 0 ? NULL : "its threshold must be above 0";
+    return blob->threshold >= 0 ? NULL
+                                : "its threshold must not be below 0";
 }
 
 static struct box3 blob_bounds(const void *shape)

@@ -1,4 +1,5 @@
 /* cone { BASE, BASE_RADIUS, APEX, APEX_RADIUS [open] } */
+#include "base/lesser.h"
 #include "scene/conic.h"
 
 static const struct field cone_arguments[] = {
@@ -19,12 +20,20 @@ static const struct field cone_items[] = {
     { .name = NULL },
 };
 
+/* POV-Ray measures by the greater radius: a cone of two that are below 0 is a
+ * cylinder of the lesser, and one that has no radius above 0 is not there
+ * (measured; tests/render/cone_negative). */
 static const char *cone_prepare(void *shape, struct arena *arena,
                                 const char **warning)
 {
+    struct conic *cone = shape;
+    double radius = greater(cone->base_radius, cone->apex_radius);
     (void)arena;
-    (void)warning;
-    return conic_prepare(shape) ? NULL : "its two ends are the same point";
+    if (radius == 0)
+        *warning = "neither of its radii is above 0";
+    if (radius < 0)
+        cone->base_radius = cone->apex_radius = -radius;
+    return conic_prepare(cone) ? NULL : "its two ends are the same point";
 }
 
 const struct primitive cone_primitive = {
