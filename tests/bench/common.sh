@@ -21,6 +21,10 @@ scene_file() {
             $work/generate $(echo "$1" | tr : ' ') > "$made" ||
             die "cannot write $made"
         echo "$made" ;;
+    */*)
+        file=$(dpkg -L povray-examples 2> /dev/null |
+            grep "/examples/$1\.pov\$") || die "povray-examples is missing"
+        echo "$file" ;;
     *)
         name=${1%%,*}
         for file in examples/light/$name.pov $bench/$name.pov; do
@@ -63,6 +67,7 @@ picture_run() {
     method_find "$1" || return
     log=$5.log across=${3%%x*} down=${3#*x} samples=-A
     case $3$lighting in
+    *+A*) samples=+A0.3 down=${down%+A} ;;
     *x*x*path) ;;
     *x*x*) samples="+A0.0 +AM1 +R${3##*x} -J" ;;
     esac

@@ -2,6 +2,7 @@
 # rays and to the floor of the same row. With `section` only the heading.
 function heading() {
     title["speed"] = "Conventional light against POV-Ray"
+    title["yardstick"] = "POV-Ray's yardstick"
     title["light"] = "Lighting methods"
     title["growth"] = "Growth"
     printf "\n%s\n", title[section]
