@@ -153,12 +153,21 @@ static bool curve_closed(struct parser *p, struct curve_builder *b)
         first = i + reach;
         i = first - 1;
     }
-    if (first < count && b->curve == CURVE_LINEAR)
+    if (first == count)
+        return true;
+    if (b->curve == CURVE_LINEAR) {
         curve_close(p, b, first);
-    return first == count || b->curve == CURVE_LINEAR ||
-           error_at(p, b->span, NULL,
-                    "an outline is not closed: its first point must be "
-                    "repeated at its end");
+        return true;
+    }
+    if (first + start == count) {
+        warning_at(p, b->span, NULL,
+                   "the last point begins no outline: it is left out");
+        return true;
+    }
+    return error_at(p, b->span, NULL,
+                    "an outline is not closed: its second point, where the "
+                    "curve begins, must come again as its last%s",
+                    b->curve == CURVE_CUBIC ? " but one" : "");
 }
 
 enum { CURVE_SLOTS = 256 };
