@@ -85,8 +85,7 @@ static const char *blob_prepare(void *shape, struct arena *arena,
     if (blob->threshold == 0)
         blob->threshold = blob_least_threshold(strongest);
     blob->tree = blob_tree_new(arena, parts, count);
-    return blob->threshold >= 0 ? NULL
-                                : "its threshold must not be below 0";
+    return blob->threshold >= 0 ? NULL : "its threshold must not be below 0";
 }
 
 static struct box3 blob_bounds(const void *shape)

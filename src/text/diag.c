@@ -149,6 +149,17 @@ struct diag diag_new(void)
     return (struct diag){ .out = stderr };
 }
 
+/* What the scene says, as it says it. */
+static void diag_say(struct diag *diag, const char *format, va_list arguments)
+{
+    struct diag_text text = { .arena = arena_new(0) };
+    diag_vputf(&text, format, arguments);
+    fwrite(text.items, 1, text.count, diag->out);
+    if (text.count > 0)
+        diag->open = text.items[text.count - 1] != '\n';
+    arena_free(text.arena);
+}
+
 void diag_vprint(struct diag *diag, enum diag_level level, struct span span,
                  const char *hint, const char *format, va_list arguments)
 {
@@ -159,10 +170,13 @@ void diag_vprint(struct diag *diag, enum diag_level level, struct span span,
         return;
     }
     if (level == DIAG_MESSAGE) {
-        vfprintf(diag->out, format, arguments);
+        diag_say(diag, format, arguments);
         return;
     }
     struct diag_text text = { .arena = arena_new(0) };
+    if (diag->open)
+        diag_put(&text, "\n", 1);
+    diag->open = false;
     if (!span.source) {
         diag_putf(&text, "%s: %s", diag->program ? diag->program : "glim",
                   diag_words[level]);

@@ -41,6 +41,7 @@ struct diag {
     bool quiet_warnings, quiet_messages;
     unsigned errors, warnings;
     bool muted; /* the last error was beyond the limit: drop its notes */
+    bool open;  /* what the scene said last has not ended its line */
 };
 
 /* Prints to stderr. */
