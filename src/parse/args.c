@@ -129,6 +129,15 @@ static bool parse_terms(struct parser *p, const struct field *field,
     return expect(p, TOKEN_GREATER, open);
 }
 
+/* At what ends the values before it: a '}', or the word of an item. */
+static bool at_no_value(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind == TOKEN_WORD && token->word->reserved)
+        return !at_expression(p) && !at_colour(p);
+    return token->kind == TOKEN_RBRACE;
+}
+
 /* points = float {[","] vector} . */
 static bool parse_points(struct parser *p, const struct field *field,
                          struct points *points)
@@ -148,7 +157,7 @@ static bool parse_points(struct parser *p, const struct field *field,
     while (values.count < (size_t)count) {
         vec3 point;
         accept(p, TOKEN_COMMA);
-        if (stream_peek(p)->kind == TOKEN_RBRACE)
+        if (at_no_value(p))
             return error_at(p, start, NULL,
                             "%s points are announced here, but only %zu follow",
                             NUMBER_TEXT(count), values.count);
@@ -229,11 +238,7 @@ static bool field_missing(struct parser *p, const struct field *field)
         [FIELD_VECTOR5] = "a vector", [FIELD_COLOUR] = "a colour",
         [FIELD_RGB] = "a colour",
     };
-    const struct token *token = stream_peek(p);
-    bool begins_none = token->kind == TOKEN_RBRACE;
-    if (token->kind == TOKEN_WORD && token->word->reserved)
-        begins_none = !at_expression(p) && !at_colour(p);
-    if (!begins_none || field->kind >= sizeof kinds / sizeof *kinds ||
+    if (!at_no_value(p) || field->kind >= sizeof kinds / sizeof *kinds ||
         !kinds[field->kind])
         return false;
     if (!field_subtracted(p))

@@ -110,6 +110,19 @@ static bool pigment_is_average(const struct pigment *pigment)
     return pigment->kind == PIGMENT_PATTERN && pigment->pattern.kind->average;
 }
 
+/* What stands next is none of a pigment. */
+static bool error_pigment(struct parser *p, const struct pigment *pigment)
+{
+    int blocks =
+        pigment->kind == PIGMENT_PATTERN ? pigment->pattern.kind->blocks : 0;
+    if (blocks && at_colour(p))
+        return error_at(p, stream_span(p), NULL,
+                        "'%s' takes %d colours, and this is one more",
+                        pattern_name(&pigment->pattern), blocks);
+    return error_unknown_thing(p, "pigment", pigment_names,
+                               "a colour, a pattern or a pigment");
+}
+
 static bool pigment_can_map(struct parser *p, const struct pigment *pigment)
 {
     if (pigment->kind == PIGMENT_PATTERN && pigment->pattern.kind->blocks)
@@ -169,8 +182,7 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
     while (!at_body_end(p)) {
         enum taken taken = parse_pigment_item(p, pigment);
         if (taken == NOT_MINE)
-            return error_unknown_thing(p, "pigment", pigment_names,
-                                       "a colour, a pattern or a pigment");
+            return error_pigment(p, pigment);
         if (taken == WRONG)
             return false;
     }

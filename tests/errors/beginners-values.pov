@@ -4,3 +4,4 @@ sphere { 0, 1 pigment { colour Rgb <1, 0, 0> } }
 #declare Place = <1, 2, 3>;
 sphere { Place[0], 1 }
 text { "Hello" }
+sphere { 0, 1 pigment { checker rgb 0 rgb 1 rgb 0.5 } }

@@ -21,3 +21,4 @@ sphere { 0, 1 pigment { image_map { png a.png } } }
 sphere { 0, 1 pigment { gradient color_map { [0 rgb 1] } } }
 sphere { 0, 1 finish { phong reflection .2 } }
 sphere { 0, 1 translate }
+lathe { linear_spline 5, <0, 0>, <1, 0>, <1, 1> pigment { rgb 1 } }
