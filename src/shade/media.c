@@ -137,19 +137,15 @@ static double piece_middle(const struct piece *piece)
     return (piece->from + piece->to) / 2;
 }
 
-static struct piece piece_half(const struct piece *piece, int which)
+static void piece_half(const struct piece *piece, int which, struct piece *half)
 {
     double middle = piece_middle(piece);
-    return which == 0 ? (struct piece){ .from = piece->from,
-                                        .to = middle,
-                                        .a = piece->a,
-                                        .b = piece->m,
-                                        .levels = piece->levels - 1 }
-                      : (struct piece){ .from = middle,
-                                        .to = piece->to,
-                                        .a = piece->m,
-                                        .b = piece->b,
-                                        .levels = piece->levels - 1 };
+    half->from = which == 0 ? piece->from : middle;
+    half->to = which == 0 ? middle : piece->to;
+    half->a = which == 0 ? piece->a : piece->m;
+    half->b = which == 0 ? piece->m : piece->b;
+    half->half[0] = half->half[1] = 0;
+    half->levels = piece->levels - 1;
 }
 
 static bool piece_divides(const struct march *march, const struct piece *piece,
@@ -189,7 +185,7 @@ static void pieces_divide(const struct march *march, struct pieces *pieces)
             for (int k = 0; k < 2; k++)
                 if (piece_divides(march, &pieces->at[i], k)) {
                     pieces->at[i].half[k] = pieces->count;
-                    pieces->at[pieces->count++] = piece_half(&pieces->at[i], k);
+                    piece_half(&pieces->at[i], k, &pieces->at[pieces->count++]);
                 }
         first = end;
         pieces_look(march, pieces, first);
@@ -206,7 +202,8 @@ static struct media_sample piece_mean(const struct march *march,
     };
     for (int k = 0; k < 2; k++)
         if (piece_divides(march, piece, k)) {
-            struct piece next = piece_half(piece, k);
+            struct piece next;
+            piece_half(piece, k, &next);
             next.m = march_sample(march, piece_middle(&next));
             half[k] = piece_mean(march, &next);
         }
@@ -287,15 +284,14 @@ static void pieces_begin(const struct march *march, struct pieces *pieces,
     const struct media_sample *m = b + count;
     pieces->count = count;
     for (int i = 0; i < count; i++) {
-        struct media_sample before = i > 0   ? b[i - 1]
-                                     : first ? *first
-                                             : places.sample[0];
-        pieces->at[i] = (struct piece){ .from = ends[i],
-                                        .to = ends[i + 1],
-                                        .a = before,
-                                        .m = m[i],
-                                        .b = b[i],
-                                        .levels = march->how->levels };
+        struct piece *piece = &pieces->at[i];
+        piece->from = ends[i];
+        piece->to = ends[i + 1];
+        piece->a = i > 0 ? b[i - 1] : first ? *first : places.sample[0];
+        piece->m = m[i];
+        piece->b = b[i];
+        piece->half[0] = piece->half[1] = 0;
+        piece->levels = march->how->levels;
     }
 }
 
@@ -490,13 +486,11 @@ static bool march_dims(const struct march *march)
 
 static void march_dim(struct march *march, double from, int intervals)
 {
-    struct dimming dimming = { .march = march };
+    struct dimming dimming; /* no more of it than is needed */
+    dimming.march = march;
     dimming.at.count = 0;
     dimming.sum = rgb_grey(0);
-    march->from = from;
-    if (march->even) /* one place tells what the others would */
-        dimming_place(&dimming, 0, march->length * intervals);
-    for (int i = 0; !march->even && i < intervals; i++) {
+    for (int i = 0; i < intervals; i++) {
         march->from = from + i * march->length;
         if (march->how->method == 3)
             dimming_refining(&dimming);
@@ -567,6 +561,16 @@ static bool media_even(const struct media_list *media)
     return true;
 }
 
+/* What comes through media that are the same everywhere. */
+static struct veil media_even_veil(const struct media_list *media,
+                                   double length)
+{
+    rgb depth = rgb_grey(0);
+    for (int i = 0; i < media->count; i++)
+        depth = rgb_add(depth, medium_extinction(media->at[i]));
+    return (struct veil){ rgb_grey(0), depth_through(depth, length) };
+}
+
 struct veil media_veil(const struct media_way *way)
 {
     struct media_part parts[MEDIA_PARTS_MAX];
@@ -579,6 +583,8 @@ struct veil media_veil(const struct media_way *way)
     if (way->media->count == 0 || !(finite.length > 0))
         return march.veil;
     march.even = !way->photons && media_even(way->media);
+    if (march.even && march_dims(&march))
+        return media_even_veil(way->media, finite.length);
     for (int i = 0; i < way->media->count; i++)
         if (way->media->at[i]->intervals > intervals)
             intervals = way->media->at[i]->intervals;
