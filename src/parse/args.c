@@ -213,19 +213,15 @@ static bool field_chosen(struct parser *p, const struct field *field, int *out)
 /* A value is missing since `0 -1` without a comma is one number. */
 static bool field_subtracted(struct parser *p)
 {
-    struct span last = p->last_span;
-    const char *text = last.source ? last.source->text : NULL;
-    if (!text || last.offset < 2 || text[last.offset - 1] != '-' ||
-        text[last.offset - 2] != ' ')
+    struct span minus = subtracted_span(p);
+    if (!minus.source)
         return false;
-    last.offset--;
-    last.length++;
-    error_at(
-        p, last,
-        arena_printf(p->arena, ", %.*s", (int)last.length, text + last.offset),
-        "this is subtracted from what stands before it; a comma makes it "
-        "'%s'",
-        p->field->name);
+    error_at(p, minus,
+             arena_printf(p->arena, ", %.*s", (int)minus.length,
+                          minus.source->text + minus.offset),
+             "this is subtracted from what stands before it; a comma makes it "
+             "'%s'",
+             p->field->name);
     return true;
 }
 

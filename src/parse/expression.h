@@ -118,6 +118,10 @@ bool operator_unknown(struct parser *p);
  * a missing one. */
 bool skip_brackets(struct parser *p);
 
+/* The last number that was read with the minus before it, where both look like
+ * a value of their own and are none: `0 -1`. Else nowhere. */
+struct span subtracted_span(const struct parser *p);
+
 /* constant.c: the keyword's value, if it is one like `pi` or `x`; the token is
  * not taken. */
 bool parse_constant(struct parser *p, enum keyword keyword,

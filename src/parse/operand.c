@@ -126,22 +126,61 @@ static bool operand_recover(struct parser *p, enum token_kind close, bool ok,
     return true;
 }
 
+struct span subtracted_span(const struct parser *p)
+{
+    struct span last = p->last_span;
+    const char *text = last.source ? last.source->text : NULL;
+    if (!text || last.offset < 2 || text[last.offset - 1] != '-' ||
+        text[last.offset - 2] != ' ')
+        return span_none();
+    last.offset--;
+    last.length++;
+    return last;
+}
+
+/* Where no comma stands between the components <0 0 -1> has two, and <1 -1> is
+ * no vector. */
+static bool vector_subtracted(struct parser *p, int size)
+{
+    struct span minus = subtracted_span(p);
+    if (!minus.source)
+        return false;
+    const char *hint = arena_printf(p->arena, ", %.*s", (int)minus.length,
+                                    minus.source->text + minus.offset);
+    if (size == 1)
+        error_at(p, minus, hint,
+                 "this is subtracted from what stands before it; a comma makes "
+                 "it a component");
+    else
+        warning_at(
+            p, minus, hint,
+            "this is subtracted from what stands before it, which leaves "
+            "a vector of 2 components; a comma makes it the third");
+    return true;
+}
+
 /* A comma between components is optional, one after the last allowed.
  * vector_value = "<" float [","] float {[","] float} [","] ">" . */
 static bool parse_vector_value(struct parser *p, struct value *value)
 {
     double numbers[VECTOR_LIMIT] = { 0 };
     int size = 0;
+    bool commas = false;
     struct span open = stream_span(p);
     stream_next(p);
     while (size < VECTOR_LIMIT &&
            (size < 2 || stream_peek(p)->kind != TOKEN_GREATER)) {
         if (size > 1 && stream_peek(p)->kind == TOKEN_RBRACE)
             break;
+        if (size == 1 && stream_peek(p)->kind == TOKEN_GREATER && !commas &&
+            vector_subtracted(p, size))
+            return false;
         if (!parse_float(p, &numbers[size++]))
             return false;
-        accept(p, TOKEN_COMMA);
+        commas |= accept(p, TOKEN_COMMA);
     }
+    if (size == 2 && stream_peek(p)->kind == TOKEN_GREATER && !commas)
+        vector_subtracted(p, size);
     if (stream_peek(p)->kind == TOKEN_GREATER_EQUAL)
         return error_at(p, p->token_span, "> =",
                         "'>=' is one operator; put a space between the '>' "

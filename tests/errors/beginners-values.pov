@@ -5,3 +5,4 @@ sphere { 0, 1 pigment { colour Rgb <1, 0, 0> } }
 sphere { Place[0], 1 }
 text { "Hello" }
 sphere { 0, 1 pigment { checker rgb 0 rgb 1 rgb 0.5 } }
+sphere { <-1 -1 -1>, 1 }
