@@ -96,8 +96,9 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     return done;
 }
 
-/* A look at what indirect light there is, if it is wanted. Where one bounce
- * brings next to nothing more may: round two corners. */
+/* A look at what indirect light there is, if it is wanted; a closer one into a
+ * chamber, which some of the light may come into through a window. Where one
+ * bounce brings next to nothing more may: round two corners. */
 static struct survey mesh_survey(const struct mesh_lighting *mesh,
                                  const struct scene *scene,
                                  const struct lighting_options *options)
@@ -113,10 +114,12 @@ static struct survey mesh_survey(const struct mesh_lighting *mesh,
     if (options->numbers)
         survey = survey_none();
     else if (scene->settings.light_mesh.indirect.on)
-        survey = survey_of(&gather, scene, &worker);
+        survey = survey_of(&gather, scene, &worker, SURVEY_RAYS);
     gather.onward = survey.open < 1 && survey.worth < gather_worth_none;
-    if (gather.onward)
-        survey = survey_of(&gather, scene, &worker);
+    bool chamber = survey.open < open_enough && !options->numbers;
+    if (gather.onward || chamber)
+        survey = survey_of(&gather, scene, &worker,
+                           chamber ? CHAMBER_RAYS : SURVEY_RAYS);
     arena_free(worker.scratch);
     return survey;
 }

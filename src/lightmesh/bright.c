@@ -3,17 +3,46 @@
 
 #include <stdlib.h>
 
-#include "base/draw.h"
 #include "base/memory.h"
+#include "base/order.h"
+#include "base/random.h"
 #include "base/warp.h"
 #include "lightmesh/tuning.h"
 
-/* Hits in one cell. */
+/* Hits in one cell that face one way. */
 struct cell {
-    int at[3];
+    int at[3], side; /* 2 * axis, and 1 more if it faces down the axis */
     int count;
-    double light; /* their sum */
+    double along; /* the axis; their sum, as of the light */
+    double light;
 };
+
+/* Where the light of a hit comes from. */
+struct source {
+    vec3 place;
+    int side;
+};
+
+struct box {
+    double low[3], high[3];
+};
+
+static int side_facing(vec3 normal)
+{
+    int axis = 0;
+    for (int i = 1; i < 3; i++)
+        if (fabs(vec3_component(normal, i)) >
+            fabs(vec3_component(normal, axis)))
+            axis = i;
+    return 2 * axis + (vec3_component(normal, axis) < 0);
+}
+
+static vec3 side_normal(int side)
+{
+    double n[3] = { 0 };
+    n[side / 2] = side % 2 ? -1 : 1;
+    return vec3_make(n[0], n[1], n[2]);
+}
 
 static int cell_order(const void *a, const void *b)
 {
@@ -21,41 +50,116 @@ static int cell_order(const void *a, const void *b)
     for (int axis = 0; axis < 3; axis++)
         if (x->at[axis] != y->at[axis])
             return x->at[axis] < y->at[axis] ? -1 : 1;
+    if (x->side != y->side)
+        return x->side < y->side ? -1 : 1;
+    if (x->along < y->along || x->along > y->along)
+        return x->along < y->along ? -1 : 1;
     return (x->light > y->light) - (x->light < y->light);
 }
 
-/* Brightest first; the order of cells decides where they are alike. */
+/* Those that bring most first; the order of cells decides where they are alike.
+ */
 static int cell_brighter(const void *a, const void *b)
 {
     const struct cell *x = a, *y = b;
-    return x->light != y->light ? (x->light < y->light) - (x->light > y->light)
-                                : cell_order(a, b);
+    return x->light < y->light || x->light > y->light
+               ? (x->light < y->light) - (x->light > y->light)
+               : cell_order(a, b);
 }
 
-/* The longest side of the box around them. */
-static double hits_size(const struct bright_hit *hits, size_t count)
+static vec3 hit_place(const struct bright_hit *hit)
 {
-    vec3 low = hits[0].place, high = low;
-    for (size_t i = 1; i < count; i++) {
-        vec3 p = hits[i].place;
-        low = vec3_make(fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z));
-        high =
-            vec3_make(fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z));
+    return vec3_along(hit->origin, hit->direction, hit->distance);
+}
+
+/* Where the walls are that face a side: all but the tenth of them that is
+ * farthest out, which may be of other things beyond a window. Those of any side
+ * where none do. `room` has room for all. */
+static double room_end(const struct bright_hit *hits, size_t count, int side,
+                       double *room)
+{
+    size_t n = 0, facing = 0;
+    for (size_t i = 0; i < count; i++)
+        facing +=
+            hits[i].distance < HUGE_VAL && side_facing(hits[i].normal) == side;
+    for (size_t i = 0; i < count; i++)
+        if (hits[i].distance < HUGE_VAL &&
+            (facing == 0 || side_facing(hits[i].normal) == side))
+            room[n++] = vec3_component(hit_place(&hits[i]), side / 2);
+    qsort(room, n, sizeof *room, order_double);
+    return n == 0 ? 0 : side % 2 ? room[n - 1 - n / 10] : room[n / 10];
+}
+
+/* The chamber that most hits are in. */
+static struct box room_of(const struct bright_hit *hits, size_t count)
+{
+    struct box box;
+    double *room = memory_new((count + 1) * sizeof *room);
+    for (int axis = 0; axis < 3; axis++) {
+        double a = room_end(hits, count, 2 * axis, room);
+        double b = room_end(hits, count, 2 * axis + 1, room);
+        box.low[axis] = fmin(a, b);
+        box.high[axis] = fmax(a, b);
     }
-    vec3 size = vec3_sub(high, low);
-    return fmax(size.x, fmax(size.y, size.z));
+    memory_free(room);
+    return box;
+}
+
+static double box_size(const struct box *box)
+{
+    double size = 0;
+    for (int axis = 0; axis < 3; axis++)
+        size = fmax(size, box->high[axis] - box->low[axis]);
+    return size;
+}
+
+/* What is met in the chamber, or where the ray leaves it. */
+static struct source hit_source(const struct bright_hit *hit,
+                                const struct box *room)
+{
+    struct source source = { hit->origin, 0 };
+    double leaves = HUGE_VAL;
+    for (int axis = 0; axis < 3; axis++) {
+        double from = vec3_component(hit->origin, axis);
+        double way = vec3_component(hit->direction, axis);
+        double t =
+            ((way > 0 ? room->high[axis] : room->low[axis]) - from) / way;
+        if (fabs(way) > 0 && t >= 0 && t < leaves) {
+            leaves = t;
+            source.side = 2 * axis + (way > 0);
+        }
+    }
+    /* Walls are where it leaves as well. */
+    if (hit->distance <= leaves + bright_wall * box_size(room)) {
+        leaves = hit->distance;
+        source.side = side_facing(hit->normal);
+    }
+    if (leaves < HUGE_VAL)
+        source.place = vec3_along(hit->origin, hit->direction, leaves);
+    return source;
+}
+
+/* The cell of a place that faces a side, whole numbers: that before it, since
+ * walls are likely to be where cells end. */
+static vec3 cell_at(vec3 place, int facing, double side)
+{
+    vec3 before = vec3_along(place, side_normal(facing), side / 4);
+    return vec3_make(floor(before.x / side), floor(before.y / side),
+                     floor(before.z / side));
 }
 
 /* One cell for each hit, then those at one place joined; returns how many. */
 static size_t cells_join(struct cell *cells, const struct bright_hit *hits,
-                         size_t count, double side)
+                         size_t count, const struct box *room, double side)
 {
     size_t joined = 0;
     for (size_t i = 0; i < count; i++) {
-        vec3 at = vec3_scale(hits[i].place, 1 / side);
-        cells[i] = (struct cell){ { (int)floor(at.x), (int)floor(at.y),
-                                    (int)floor(at.z) },
+        struct source source = hit_source(&hits[i], room);
+        vec3 at = cell_at(source.place, source.side, side);
+        cells[i] = (struct cell){ { (int)at.x, (int)at.y, (int)at.z },
+                                  source.side,
                                   1,
+                                  vec3_component(source.place, source.side / 2),
                                   hits[i].light };
     }
     qsort(cells, count, sizeof *cells, cell_order);
@@ -63,24 +167,34 @@ static size_t cells_join(struct cell *cells, const struct bright_hit *hits,
         struct cell *last = &cells[joined - (joined > 0)];
         bool same = joined > 0 && last->at[0] == cells[i].at[0] &&
                     last->at[1] == cells[i].at[1] &&
-                    last->at[2] == cells[i].at[2];
+                    last->at[2] == cells[i].at[2] &&
+                    last->side == cells[i].side;
         if (!same) {
             cells[joined++] = cells[i];
             continue;
         }
         last->count++;
+        last->along += cells[i].along;
         last->light += cells[i].light;
     }
     return joined;
 }
 
-/* The brightest cells, if they are brighter by far than others and send much of
- * all light along few of the ways: what is sent everywhere would have that much
- * more variance, and else is spread more evenly. */
+/* In the plane of what is in the cell. */
+static vec3 cell_centre(const struct cell *cell, double side)
+{
+    double at[3];
+    for (int axis = 0; axis < 3; axis++)
+        at[axis] = axis == cell->side / 2 ? cell->along / cell->count
+                                          : (cell->at[axis] + 0.5) * side;
+    return vec3_make(at[0], at[1], at[2]);
+}
+
+/* The cells that bring most, if they are brighter by far than others. */
 static void bright_choose(struct bright *bright, struct cell *cells,
                           size_t joined, double side)
 {
-    double total = 0, chosen = 0, hits = 0, few = 0;
+    double total = 0, hits = 0;
     for (size_t i = 0; i < joined; i++) {
         total += cells[i].light;
         hits += cells[i].count;
@@ -89,69 +203,105 @@ static void bright_choose(struct bright *bright, struct cell *cells,
     for (size_t i = 0; i < joined && bright->count < BRIGHT_MOST; i++) {
         const struct cell *cell = &cells[i];
         double light = cell->light / cell->count;
-        if (light <= bright_times * total / hits)
-            continue;
-        chosen += cell->light;
-        few += cell->count;
-        bright->at[bright->count].light = light;
-        bright->at[bright->count++].centre = vec3_scale(
-            vec3_make(cell->at[0] + 0.5, cell->at[1] + 0.5, cell->at[2] + 0.5),
-            side);
+        if (light > bright_times * total / hits)
+            bright->at[bright->count++] =
+                (struct bright_disc){ cell_centre(cell, side),
+                                      side_normal(cell->side), light };
     }
-    double part = chosen / total;
-    if (!(part * part >= bright_gain * few / hits))
-        bright->count = 0;
 }
 
 struct bright bright_of(const struct bright_hit *hits, size_t count)
 {
     struct bright bright = { .count = 0 };
-    double size = count > 0 ? hits_size(hits, count) : 0;
-    if (!(size > 0))
+    struct box room = room_of(hits, count);
+    double size = box_size(&room);
+    if (!(size > 0) || !isfinite(size))
         return bright;
     double side = exp2(floor(log2(size / bright_cells)));
     struct cell *cells = memory_new(count * sizeof *cells);
-    size_t joined = cells_join(cells, hits, count, side);
-    bright.radius = side * bright_ball;
+    size_t joined = cells_join(cells, hits, count, &room, side);
+    bright.radius = side * bright_round;
     bright_choose(&bright, cells, joined, side);
     memory_free(cells);
     return bright;
 }
 
-void aim_take(struct aim *aim, const struct bright *bright, vec3 place)
+/* The solid angle of a disc, about, from before it. */
+static double disc_angle(const struct aim *aim, const struct aim_disc *disc)
 {
-    double sum = 0;
-    aim->count = bright->count;
-    for (int i = 0; i < aim->count; i++) {
-        vec3 offset = vec3_sub(bright->at[i].centre, place);
-        double distance = vec3_length(offset), sine = bright->radius / distance;
-        bool within = !(sine < 1);
-        double rise = within ? 2 : 1 - sqrt(1 - sine * sine);
-        aim->cone[i].axis =
-            within ? vec3_make(0, 0, 1) : vec3_scale(offset, 1 / distance);
-        aim->cone[i].rise = rise;
-        aim->cone[i].share = bright->at[i].light * rise;
-        aim->sums[i] = sum += aim->cone[i].share;
-    }
-    for (int i = 0; i < aim->count; i++)
-        aim->cone[i].share /= sum;
+    double square = vec3_dot(disc->offset, disc->offset);
+    double facing = -vec3_dot(disc->offset, disc->normal);
+    double area = aim->radius * aim->radius;
+    if (!(facing > 0))
+        return 0;
+    return WARP_PI * area * facing / ((square + area) * sqrt(square));
 }
 
-vec3 aim_way(const struct aim *aim, const double u[2])
+/* A power of two, or none. */
+static uint32_t disc_rays(double wanted)
 {
-    double share, sum = aim->sums[aim->count - 1];
-    size_t i = draw_share(aim->sums, (size_t)aim->count, u[0], &share);
-    double before = i > 0 ? aim->sums[i - 1] / sum : 0;
-    double within[2] = { fmin(fmax((u[0] - before) / share, 0), 1), u[1] };
-    return warp_cone(within, aim->cone[i].axis, aim->cone[i].rise);
+    return !(wanted >= 0.7)
+               ? 0
+               : (uint32_t)fmin(exp2(round(log2(wanted))), AIM_RAYS_MOST);
+}
+
+static uint64_t disc_key(const struct bright_disc *disc, double side)
+{
+    int facing = side_facing(disc->normal);
+    vec3 at = cell_at(disc->centre, facing, side);
+    uint64_t key = (uint64_t)facing;
+    for (int axis = 0; axis < 3; axis++)
+        key = random_key(key, (uint64_t)(int64_t)vec3_component(at, axis));
+    return key;
+}
+
+void aim_take(struct aim *aim, const struct bright *bright, vec3 place,
+              uint32_t rays)
+{
+    double share[BRIGHT_MOST], sum = 0;
+    int count = 0;
+    aim->radius = bright->radius;
+    aim->rays = 0;
+    for (int i = 0; i < bright->count; i++) {
+        struct aim_disc *disc = &aim->disc[i];
+        disc->offset = vec3_sub(bright->at[i].centre, place);
+        disc->normal = bright->at[i].normal;
+        disc->key = disc_key(&bright->at[i], bright->radius / bright_round);
+        sum += share[i] = bright->at[i].light * disc_angle(aim, disc);
+    }
+    for (int i = 0; i < bright->count; i++) {
+        uint32_t wanted = sum > 0 ? disc_rays(rays * share[i] / sum) : 0;
+        if (wanted == 0)
+            continue;
+        aim->disc[count] = aim->disc[i];
+        aim->disc[count++].rays = wanted;
+        aim->rays += wanted;
+    }
+    aim->count = count;
+}
+
+vec3 aim_way(const struct aim *aim, const struct aim_disc *disc,
+             const double u[2])
+{
+    vec3 a, b;
+    double x, y;
+    warp_frame(disc->normal, &a, &b);
+    warp_disc(u, &x, &y);
+    vec3 to = vec3_along(vec3_along(disc->offset, a, aim->radius * x), b,
+                         aim->radius * y);
+    return vec3_normalise(to);
 }
 
 double aim_density(const struct aim *aim, vec3 way)
 {
-    double density = 0;
-    for (int i = 0; i < aim->count; i++)
-        if (1 - vec3_dot(way, aim->cone[i].axis) <= aim->cone[i].rise)
-            density +=
-                aim->cone[i].share * warp_cone_density(aim->cone[i].rise);
+    double density = 0, square = aim->radius * aim->radius;
+    for (int i = 0; i < aim->count; i++) {
+        const struct aim_disc *disc = &aim->disc[i];
+        double facing = -vec3_dot(way, disc->normal);
+        double t = -vec3_dot(disc->offset, disc->normal) / facing;
+        vec3 apart = vec3_sub(vec3_scale(way, t), disc->offset);
+        if (facing > 0 && t > 0 && vec3_dot(apart, apart) <= square)
+            density += disc->rays * t * t / (facing * WARP_PI * square);
+    }
     return density;
 }

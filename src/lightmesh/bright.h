@@ -1,53 +1,66 @@
 /* Where most of the light in a chamber comes from: the patch of sun under its
- * window. Gather rays that are sent everywhere alike find it seldom, and walls
- * are blotched; so mesh points send some of theirs to the places that a survey
- * found to be bright (importance sampling; both kinds are weighed by the
- * balance heuristic, Veach 1997, section 9.2, so that no place is counted
- * twice). */
+ * window, and the window. Gather rays that are sent everywhere alike find it
+ * seldom, and walls are blotched; so mesh points send some more to the places
+ * that a survey found to be bright (importance sampling; both kinds are weighed
+ * by the balance heuristic, Veach 1997, section 9.2, so that no place is
+ * counted twice). What is outside of the chamber is aimed at where its light
+ * comes in. */
 #ifndef LIGHTMESH_BRIGHT_H
 #define LIGHTMESH_BRIGHT_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "base/vec.h"
 
-enum { BRIGHT_MOST = 24 };
+enum { BRIGHT_MOST = 32 };
 
-/* Balls around cells of a lattice in the world, which stays where it is when
+/* Discs in the cells of a lattice in the world, which stays where it is when
  * the camera moves. */
 struct bright {
     int count; /* 0: light comes from everywhere */
     double radius;
-    struct {
+    struct bright_disc {
         vec3 centre;
+        vec3 normal;  /* unit, along an axis, to where its light goes */
         double light; /* mean of what comes from there */
     } at[BRIGHT_MOST];
 };
 
-/* What one ray of a survey met. */
+/* What one ray of a survey found. */
 struct bright_hit {
-    vec3 place;
+    vec3 origin, direction; /* of the ray; unit */
+    vec3 normal;            /* of what it met, against the ray; unit */
+    double distance;        /* HUGE_VAL: it left the scene */
     double light;
 };
 
 /* Of so many hits, which come in any order. */
 struct bright bright_of(const struct bright_hit *hits, size_t count);
 
-/* The bright places as a mesh point sees them: cones of directions. */
+/* The bright places as a mesh point sees them. */
 struct aim {
     int count;
-    struct {
-        vec3 axis;
-        double rise;  /* 1 - the cosine of its half angle */
-        double share; /* of the directions */
-    } cone[BRIGHT_MOST];
-    double sums[BRIGHT_MOST]; /* of shares up to there */
+    double radius;
+    uint32_t rays; /* of all discs */
+    struct aim_disc {
+        vec3 offset, normal; /* from the mesh point */
+        uint32_t rays;       /* that it is worth: a power of two, */
+        uint64_t key;        /* whose directions this names: always the same */
+    } disc[BRIGHT_MOST];
 };
 
-void aim_take(struct aim *aim, const struct bright *bright, vec3 place);
+enum { AIM_RAYS_MOST = 128 }; /* to one disc */
 
-/* A direction for u in [0,1)^2, and how likely one is, per solid angle. */
-vec3 aim_way(const struct aim *aim, const double u[2]);
+/* With about so many rays in all. */
+void aim_take(struct aim *aim, const struct bright *bright, vec3 place,
+              uint32_t rays);
+
+/* The direction to a place on one of the discs for u in [0,1)^2. */
+vec3 aim_way(const struct aim *aim, const struct aim_disc *disc,
+             const double u[2]);
+
+/* How many rays go into a direction (unit), per solid angle. */
 double aim_density(const struct aim *aim, vec3 way);
 
 #endif

@@ -12,8 +12,9 @@ struct gatherer {
     const struct indirect_mesh *mesh;
     struct worker *worker;
     const struct mesh_site *site;
-    uint32_t wall_share;   /* of ways into a wall one of so many is gone */
-    uint32_t count, aimed; /* rays, and how many of them to bright places */
+    uint32_t wall_share;  /* of ways into a wall one of so many is gone */
+    uint32_t count, even; /* rays, and how many of them everywhere alike; the
+                           * others go to bright places */
     struct aim aim;
 };
 
@@ -32,11 +33,10 @@ static double gatherer_density(const struct gatherer *gatherer, vec3 way)
     if (site->lone)
         return 1 / (2 * WARP_PI);
     bool wall = vec3_dot(way, site->wall) > 0;
-    double aimed = (double)gatherer->aimed / gatherer->count;
-    double even = (1 - aimed) / (4 * WARP_PI);
+    double even = (double)gatherer->even / gatherer->count / (4 * WARP_PI);
     if (wall)
         return even / gatherer->wall_share;
-    return aimed > 0 ? even + aimed * aim_density(&gatherer->aim, way) : even;
+    return even + aim_density(&gatherer->aim, way) / gatherer->count;
 }
 
 static vec3 gatherer_way(const struct gatherer *gatherer,
@@ -129,12 +129,13 @@ static uint32_t gatherer_sample(const struct gatherer *gatherer, uint32_t i)
 static void gatherer_even(const struct gatherer *gatherer,
                           struct gather_rays *sent, struct gathered *sum)
 {
-    uint32_t end = gatherer->count - gatherer->aimed;
-    uint32_t wall_end = end / gatherer->wall_share;
-    for (uint32_t i = 0;
-         i < gatherer->count && !worker_stopped(gatherer->worker); i++) {
+    uint32_t samples = gatherer->site->lone ? gatherer->even
+                                            : (uint32_t)gatherer->mesh->samples;
+    uint32_t wall_end = gatherer->even / gatherer->wall_share;
+    for (uint32_t i = 0; i < samples && !worker_stopped(gatherer->worker);
+         i++) {
         uint32_t sample = gatherer_sample(gatherer, i);
-        if (sample >= end)
+        if (sample >= gatherer->even)
             continue;
         struct draws draws = gatherer_draws(gatherer, sample);
         vec3 way = gatherer_way(gatherer, &draws);
@@ -145,19 +146,32 @@ static void gatherer_even(const struct gatherer *gatherer,
     gatherer_flush(gatherer, sent, sum);
 }
 
-/* And of what is sent to bright places. */
-static void gatherer_aim(const struct gatherer *gatherer,
-                         struct gather_rays *sent, struct gathered *sum)
+/* And of what is sent to one bright place. What is worth more rays sends the
+ * same ones and others: a picture's light changes by little when another finds
+ * the place a little brighter. */
+static void gatherer_aim_at(const struct gatherer *gatherer,
+                            const struct aim_disc *disc,
+                            struct gather_rays *sent, struct gathered *sum)
 {
-    uint32_t i = gatherer->count - gatherer->aimed;
-    for (; i < gatherer->count && !worker_stopped(gatherer->worker); i++) {
-        struct draws draws = gatherer_draws(gatherer, i);
+    uint32_t part = (uint32_t)(gatherer->site->dither * GATHER_PARTS);
+    struct draws draws = { random_key(gatherer->mesh->gather.lamps->seed,
+                                      disc->key),
+                           part * AIM_RAYS_MOST };
+    for (uint32_t i = 0; i < disc->rays && !worker_stopped(gatherer->worker);
+         i++, draws.index++) {
         double u[2];
         draw_pair(&draws, GATHER_DIRECTION, u);
-        vec3 way = aim_way(&gatherer->aim, u);
+        vec3 way = aim_way(&gatherer->aim, disc, u);
         if (!(vec3_dot(way, gatherer->site->wall) > 0))
             gatherer_send(gatherer, &draws, way, sent, sum);
     }
+}
+
+static void gatherer_aim(const struct gatherer *gatherer,
+                         struct gather_rays *sent, struct gathered *sum)
+{
+    for (int i = 0; i < gatherer->aim.count; i++)
+        gatherer_aim_at(gatherer, &gatherer->aim.disc[i], sent, sum);
     gatherer_flush(gatherer, sent, sum);
 }
 
@@ -200,9 +214,15 @@ void gatherer_fill(const void *context, struct worker *worker,
         gatherer.count = lone;
     if (gatherer.count % WALL_PART > 0)
         gatherer.wall_share = 1;
+    gatherer.even = gatherer.count;
+    gatherer.aim.count = 0;
     if (mesh->bright && !site->lone) {
-        gatherer.aimed = gatherer.count / WALL_PART * BRIGHT_RAYS;
-        aim_take(&gatherer.aim, mesh->bright, site->place);
+        uint32_t aimed = gatherer.count / BRIGHT_PART;
+        aim_take(&gatherer.aim, mesh->bright, site->place, aimed);
+        if (gatherer.aim.count > 0) {
+            gatherer.even -= aimed;
+            gatherer.count = gatherer.even + gatherer.aim.rays;
+        }
     }
     struct gathered light = gatherer_mean(&gatherer);
     indirect_light_mix(&light.light, &light.wall, 1);

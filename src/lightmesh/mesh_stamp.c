@@ -193,10 +193,13 @@ void mesh_frame_put(const struct mesh_frame *frame,
     memset(numbers, 0, MESH_FRAME_NUMBERS * sizeof *numbers);
     memcpy(numbers, first, sizeof first);
     for (int i = 0; i < f->bright.count; i++) {
-        *to++ = f->bright.at[i].centre.x;
-        *to++ = f->bright.at[i].centre.y;
-        *to++ = f->bright.at[i].centre.z;
-        *to++ = f->bright.at[i].light;
+        const struct bright_disc *disc = &f->bright.at[i];
+        const double of_disc[] = { disc->centre.x, disc->centre.y,
+                                   disc->centre.z, disc->normal.x,
+                                   disc->normal.y, disc->normal.z,
+                                   disc->light };
+        memcpy(to, of_disc, sizeof of_disc);
+        to += sizeof of_disc / sizeof *of_disc;
     }
 }
 
@@ -219,10 +222,11 @@ void mesh_frame_take(struct mesh_frame *frame,
         .bright = { .count = (int)fmin(fmax(n[18], 0), BRIGHT_MOST),
                     .radius = n[19] },
     };
-    for (int i = 0; i < frame->bright.count; i++, from += 4) {
-        frame->bright.at[i].centre = vec3_make(from[0], from[1], from[2]);
-        frame->bright.at[i].light = from[3];
-    }
+    for (int i = 0; i < frame->bright.count; i++, from += 7)
+        frame->bright.at[i] =
+            (struct bright_disc){ { from[0], from[1], from[2] },
+                                  { from[3], from[4], from[5] },
+                                  from[6] };
 }
 
 bool mesh_frame_possible(const struct mesh_frame *frame)

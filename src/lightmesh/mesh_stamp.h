@@ -8,7 +8,7 @@
 
 /* To be changed with whatever changes what mesh points hold or where they are:
  * meshes of another glim are then refused. */
-enum { MESH_VERSION = 9 };
+enum { MESH_VERSION = 10 };
 
 enum { MESH_SETTINGS_SIZE = 1024 };
 
@@ -31,7 +31,7 @@ struct mesh_frame {
 };
 
 /* All of it as numbers, for files and hashes. */
-enum { MESH_FRAME_NUMBERS = 20 + 4 * BRIGHT_MOST };
+enum { MESH_FRAME_NUMBERS = 20 + 7 * BRIGHT_MOST };
 void mesh_frame_put(const struct mesh_frame *frame,
                     double numbers[MESH_FRAME_NUMBERS]);
 

@@ -57,7 +57,9 @@ static int frame_samples(const struct light_mesh_settings *said,
         return said->indirect.samples;
     if (survey->worth < gather_worth_none)
         return 0;
-    wanted = fmin(fmax(wanted, GATHER_LEAST), GATHER_MOST);
+    bool closed = survey->open < open_enough;
+    wanted =
+        fmin(fmax(wanted, closed ? CHAMBER_LEAST : GATHER_LEAST), GATHER_MOST);
     return nets_within(sqrt(2) * wanted * finer * finer); /* the nearest */
 }
 
@@ -87,7 +89,7 @@ struct mesh_frame plan_frame(const struct scene *scene,
         .asked = samples,
         .closed = closed,
         .around = survey->around,
-        .bright = closed ? survey->bright : (struct bright){ .count = 0 },
+        .bright = survey->bright,
     };
 }
 

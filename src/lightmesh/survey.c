@@ -1,14 +1,13 @@
 /* A few gather rays: see survey.h. */
 #include "lightmesh/survey.h"
 
+#include "base/memory.h"
 #include "base/warp.h"
 #include "lightmesh/drawn_lamp.h"
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/tuning.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
-
-enum { SURVEY_HITS = SURVEY_EDGE * SURVEY_EDGE * SURVEY_RAYS };
 
 /* A place that the camera sees. */
 struct sight {
@@ -51,23 +50,20 @@ static void sight_light(struct sight *sight, const struct gather *gather,
     sight->shown = rgb_brightness(rgb_add(shown, surface_glow(surface)));
 }
 
-/* Sums over all gather rays. */
-struct sums {
-    int sights, rays;
-    double open, ends, worth, rough, returned;
-    rgb light;
-    size_t hit; /* of the rays, surfaces: */
-    struct bright_hit hits[SURVEY_HITS];
+/* What a gather ray brings, of what the picture shows there. */
+struct brought {
+    double light, even; /* by so many rays per solid angle */
 };
 
-static void sums_hit(struct sums *sums, const struct gathered_ray *found,
-                     rgb light)
-{
-    if (found->at.leaf)
-        sums->hits[sums->hit++] =
-            (struct bright_hit){ found->at.point,
-                                 fmax(rgb_brightness(light), 0) };
-}
+/* Of all gather rays. */
+struct sums {
+    const struct gather *gather;
+    int sights, each; /* places, and rays of one */
+    double open, ends, worth, returned;
+    rgb light;
+    struct bright_hit *hits;
+    struct brought *brought;
+};
 
 /* What glows is picked, not found by chance: it is none of the roughness. */
 static rgb gathered_rest(const struct gather *gather,
@@ -77,49 +73,110 @@ static rgb gathered_rest(const struct gather *gather,
                                           : found->light;
 }
 
-static void sight_gather(const struct sight *sight, const struct gather *gather,
-                         struct worker *worker, struct draws draws,
-                         struct sums *sums)
+static struct bright_hit
+gathered_hit(const struct ray *ray, const struct gathered_ray *found, rgb light)
 {
-    double sum = 0, squares = 0, changed = 0;
+    struct bright_hit hit = { .origin = ray->origin,
+                              .direction = ray->direction,
+                              .distance = HUGE_VAL,
+                              .light = fmax(rgb_brightness(light), 0) };
+    if (!found->at.leaf)
+        return hit;
+    bool behind = vec3_dot(found->at.face, ray->direction) > 0;
+    hit.normal = behind ? vec3_negate(found->at.face) : found->at.face;
+    hit.distance = found->at.t;
+    return hit;
+}
+
+static void sight_gather(const struct sight *sight, struct worker *worker,
+                         struct draws draws, struct sums *sums)
+{
+    double brought = 0, changed = 0;
     double ambient = rgb_brightness(sight->ambient);
-    draws.index *= SURVEY_RAYS;
-    for (int i = 0; i < SURVEY_RAYS; i++, draws.index++) {
+    size_t first = (size_t)sums->sights * (size_t)sums->each;
+    draws.index *= (uint32_t)sums->each;
+    for (int i = 0; i < sums->each; i++, draws.index++) {
         struct gathered_ray found;
         double u[2];
         draw_pair(&draws, GATHER_DIRECTION, u);
         struct ray ray = { sight->surface.point,
                            warp_lobe(u, sight->surface.side, 1) };
-        gather_radiance(gather, worker, &ray, &draws, &found);
-        rgb rest = gathered_rest(gather, &found);
-        double brought = rgb_brightness(rgb_mul(sight->albedo, rest));
-        sums_hit(sums, &found, rest);
-        double whole = brought + ambient * found.open;
-        sum += whole;
-        squares += whole * whole;
+        gather_radiance(sums->gather, worker, &ray, &draws, &found);
+        rgb rest = gathered_rest(sums->gather, &found);
+        double whole =
+            rgb_brightness(rgb_mul(sight->albedo, rest)) + ambient * found.open;
+        sums->hits[first + (size_t)i] = gathered_hit(&ray, &found, rest);
+        sums->brought[first + (size_t)i] = (struct brought){
+            whole, vec3_dot(ray.direction, sight->surface.side) / WARP_PI
+        };
+        brought += whole;
         changed += rgb_brightness(rgb_mul(sight->albedo, found.light)) +
                    ambient * (1 - fmin(found.open, 1));
         sums->light = rgb_add(sums->light, found.light);
         sums->open += fmin(found.open, 1);
         sums->ends += rgb_peak(found.glow) > 0 ? 1 : fmin(found.open, 1);
     }
-    double mean = sum / SURVEY_RAYS;
-    double spread = (squares - sum * mean) / (SURVEY_RAYS - 1);
+    double mean = brought / sums->each;
     double shown = fmax(sight->shown, 0) + mean + survey_dark;
-    sums->rays += SURVEY_RAYS;
-    sums->worth += changed / SURVEY_RAYS / shown;
-    sums->rough += fmax(spread, 0) / (shown * shown);
+    for (int i = 0; i < sums->each; i++)
+        sums->brought[first + (size_t)i].light /= shown;
+    sums->worth += changed / sums->each / shown;
     sums->returned += rgb_brightness(sight->returned);
+    sums->sights++;
+}
+
+/* The variance of what one ray brings to a place, if some are aimed: as those
+ * that were sent everywhere tell (Veach 1997, section 2.2). */
+static double sight_variance(const struct sums *sums, int sight,
+                             const struct bright *bright)
+{
+    size_t first = (size_t)sight * (size_t)sums->each;
+    double sum = 0, squares = 0;
+    struct aim aim;
+    aim_take(&aim, bright, sums->hits[first].origin, AIM_RAYS_MOST);
+    double aimed = aim.count > 0 ? 1.0 / BRIGHT_PART : 0;
+    for (size_t i = first; i < first + (size_t)sums->each; i++) {
+        const struct brought *brought = &sums->brought[i];
+        double more = aimed > 0 ? aim_density(&aim, sums->hits[i].direction) /
+                                      (aim.rays * brought->even)
+                                : 0;
+        sum += brought->light;
+        squares += brought->light * brought->light / (1 - aimed + aimed * more);
+    }
+    return fmax(squares - sum * sum / sums->each, 0) / (sums->each - 1);
+}
+
+static double sums_variance(const struct sums *sums,
+                            const struct bright *bright)
+{
+    double sum = 0;
+    for (int i = 0; i < sums->sights; i++)
+        sum += sight_variance(sums, i, bright);
+    return sum / sums->sights;
+}
+
+/* How much rays differ: less if some go to what is bright, or else nothing is.
+ */
+static double sums_rough(const struct sums *sums, struct bright *bright)
+{
+    const struct bright none = { .count = 0 };
+    double variance = sums_variance(sums, &none);
+    double aimed = bright->count > 0 ? sums_variance(sums, bright) : variance;
+    if (aimed < bright_gain * variance)
+        return sqrt(aimed);
+    *bright = none;
+    return sqrt(variance);
 }
 
 /* Light goes on from surface to surface: a geometric series. */
 static struct indirect_share sums_around(const struct sums *sums)
 {
-    double open = sums->open / sums->rays;
+    double rays = (double)sums->sights * sums->each;
+    double open = sums->open / rays;
     double returned = sums->returned / sums->sights;
     double again = fmin(returned * (1 - open), RETURNED_MOST);
     return (struct indirect_share){
-        rgb_scale(sums->light, 1 / (sums->rays * (1 - again))), open
+        rgb_scale(sums->light, 1 / (rays * (1 - again))), open
     };
 }
 
@@ -129,32 +186,50 @@ struct survey survey_none(void)
     return (struct survey){ .worth = 1, .rough = rough };
 }
 
-struct survey survey_of(const struct gather *gather, const struct scene *scene,
+static void sums_gather(struct sums *sums, const struct scene *scene,
                         struct worker *worker)
 {
-    struct sums sums = { 0 };
     struct sight sight;
     for (int i = 0; i < SURVEY_EDGE * SURVEY_EDGE; i++) {
-        struct draws draws = { gather->lamps->seed, (uint32_t)i };
+        struct draws draws = { sums->gather->lamps->seed, (uint32_t)i };
         double x = (i % SURVEY_EDGE + 0.5) / SURVEY_EDGE,
                y = (i / SURVEY_EDGE + 0.5) / SURVEY_EDGE;
         if (worker_stopped(worker) ||
-            !sight_find(&sight, gather, &scene->camera, x, y))
+            !sight_find(&sight, sums->gather, &scene->camera, x, y))
             continue;
-        sums.sights++;
-        sight_light(&sight, gather, worker, &draws);
-        sight_gather(&sight, gather, worker, draws, &sums);
+        sight_light(&sight, sums->gather, worker, &draws);
+        sight_gather(&sight, worker, draws, sums);
         arena_reset(worker->scratch);
     }
-    if (sums.sights == 0)
-        return (struct survey){ .open = 1 };
-    return (struct survey){
-        .open = sums.ends / sums.rays,
-        .worth = sums.worth / sums.sights,
-        .rough = sqrt(sums.rough / sums.sights),
-        .around = sums_around(&sums),
-        .bright = bright_of(sums.hits, sums.hit),
-    };
+}
+
+static struct survey sums_tell(const struct sums *sums)
+{
+    size_t rays = (size_t)sums->sights * (size_t)sums->each;
+    struct survey survey = { .open = 1 };
+    if (rays == 0)
+        return survey;
+    survey.open = sums->ends / (double)rays;
+    survey.worth = sums->worth / sums->sights;
+    survey.around = sums_around(sums);
+    if (survey.open < open_enough)
+        survey.bright = bright_of(sums->hits, rays);
+    survey.rough = sums_rough(sums, &survey.bright);
+    return survey;
+}
+
+struct survey survey_of(const struct gather *gather, const struct scene *scene,
+                        struct worker *worker, int rays)
+{
+    enum { SIGHTS = SURVEY_EDGE * SURVEY_EDGE };
+    struct sums sums = { .gather = gather, .each = rays };
+    sums.hits = memory_new(SIGHTS * (size_t)rays * sizeof *sums.hits);
+    sums.brought = memory_new(SIGHTS * (size_t)rays * sizeof *sums.brought);
+    sums_gather(&sums, scene, worker);
+    struct survey survey = sums_tell(&sums);
+    memory_free(sums.hits);
+    memory_free(sums.brought);
+    return survey;
 }
 
 void survey_tell(const struct survey *survey, survey_row *row, void *context)

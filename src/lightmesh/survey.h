@@ -12,8 +12,9 @@ struct survey {
                    * glows: there is no bounce after them */
     double worth; /* what they change of what the picture shows: mean, relative
                    */
-    double rough; /* by how much one of them differs from another: root mean
-                   * square, relative to what the picture shows */
+    double rough; /* by how much one of them differs from another, some being
+                   * aimed at what is bright: root mean square, relative to what
+                   * the picture shows */
     struct bright bright;         /* where most of it comes from */
     struct indirect_share around; /* what surfaces give each other, mean */
 };
@@ -21,9 +22,9 @@ struct survey {
 /* What to reckon with where nobody looks: all matters. */
 struct survey survey_none(void);
 
-/* `gather` has no mesh. */
+/* `gather` has no mesh; `rays`, at least 2, of each place. */
 struct survey survey_of(const struct gather *gather, const struct scene *scene,
-                        struct worker *worker);
+                        struct worker *worker, int rays);
 
 /* Takes a line: what, how much, and its unit or "". */
 typedef void survey_row(void *context, const char *what, double amount,

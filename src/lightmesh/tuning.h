@@ -27,6 +27,7 @@ enum {
                         * and how far what it shows is */
     SURVEY_EDGE = 16,  /* the same that tell what indirect light is worth, */
     SURVEY_RAYS = 4,   /* gather rays of each, */
+    CHAMBER_RAYS = 32, /* or, where little light leaves the scene, so many, */
     SURVEY_PANES = 4,  /* and how many panes it passes */
 };
 static const double usual_width = 640, usual_height = 480; /* pixels, where it
@@ -178,6 +179,8 @@ enum {
     OPEN_BOUNCES = 1,   /* when further rays do: much light leaves the scene */
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
     GATHER_FEW = 32,    /* and else */
+    CHAMBER_LEAST = 96, /* the same where little light leaves the scene
+                         * [plates_glow] */
     GATHER_MOST = 1024,
     UNSEEN_SAMPLES = 256, /* where nobody looks how many it takes */
     LONE_SAMPLES = 16,    /* of places that are their own mesh point */
@@ -185,17 +188,17 @@ enum {
     LATER_SAMPLES = 16,   /* of kept points of later bounces, at most */
     HIT_LEVELS = 1,       /* direct light on what they meet is coarser */
     WALL_PART = 4,        /* of ways into the only wall one in so many */
-    BRIGHT_RAYS = 1,    /* of each WALL_PART rays so many go to bright places */
-    WAYS_MOST = 65536,  /* directions that are kept */
-    GATHER_PANES = 64,  /* that a ray passes */
-    GATHER_MIRRORS = 3, /* on one way */
-    CLOSE_VOXELS = 48,  /* of the closing skeleton, along the longest side */
-    CLOSE_RAYS = 30000, /* between its walls */
-    NEAR_RAYS = 12,     /* to what is close to a place that is seen; */
-    NEAR_LONE_PART = 2, /* one in so many where only a pixel shares them */
-    LONE_PLACES = 4,    /* of a pixel, that its rays share */
-    ANSWERS_MOST = 4,   /* likewise, of what they were told */
-    PIXEL_SLOTS = 16,   /* both are kept for so many that were last refined */
+    BRIGHT_PART = 2,      /* one ray in so many goes to bright places */
+    WAYS_MOST = 65536,    /* directions that are kept */
+    GATHER_PANES = 64,    /* that a ray passes */
+    GATHER_MIRRORS = 3,   /* on one way */
+    CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
+    CLOSE_RAYS = 30000,   /* between its walls */
+    NEAR_RAYS = 12,       /* to what is close to a place that is seen; */
+    NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
+    LONE_PLACES = 4,      /* of a pixel, that its rays share */
+    ANSWERS_MOST = 4,     /* likewise, of what they were told */
+    PIXEL_SLOTS = 16,     /* both are kept for so many that were last refined */
     SCALAR_SAMPLES = 100, /* of the paper's indirect mesh */
 };
 
@@ -261,14 +264,14 @@ static const double near_shallow = 0.3, near_deep = 0.6; /* of short rays that
                                                           * corner, a crevice
                                                           */
 
-static const double bright_times = 4;  /* as bright as the mean is bright; */
-static const double bright_gain = 15;  /* square of their part of the light over
-                                        * that of the ways: less is not worth
-                                        * aiming at them [maze, pillars] */
-static const double bright_cells = 20; /* along what was met, at least */
-static const double bright_ball = 0.8; /* radius around a cell, sides of it */
+static const double bright_times = 4;   /* as bright as the mean is bright; */
+static const double bright_gain = 0.8;  /* of the variance there is without is
+                                         * worth aiming at them */
+static const double bright_cells = 10;  /* along the chamber, at least */
+static const double bright_round = 0.7; /* radius of what is in a cell, sides */
+static const double bright_wall = 1e-3; /* of that its walls are off */
 
-static const double gather_noise = 0.007; /* of the picture */
+static const double gather_noise = 0.009; /* of the picture */
 static const double gather_net = 1.43; /* the noise of a net falls by the power
                                         * 1/1.43 of its size [room to
                                         * pillars] */
