@@ -5,6 +5,7 @@
 #include "lightmesh/drawn_lamp.h"
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/plan.h"
+#include "lightmesh/tuning.h"
 #include "scene_world.h"
 
 #define CAMERA "camera { location <0, 3, -10> look_at <0, 1, 0> } "
@@ -20,7 +21,7 @@ static struct survey surveyed(const char *text)
                                    .emitters = emitters,
                                    .ambience = &ambience };
     struct worker worker = { .scratch = arena_new(0) };
-    struct survey survey = survey_of(&gather, all->scene, &worker);
+    struct survey survey = survey_of(&gather, all->scene, &worker, SURVEY_RAYS);
     arena_free(worker.scratch);
     emitters_free(emitters);
     lamps_free(&lamps);
