@@ -50,18 +50,29 @@ static void tally_solid(void *context, const struct solid *solid)
         tally_solid(context, solid->children[i]);
 }
 
+/* Whether a lamp is on; it may take light away. */
+static bool lamps_shine(const struct world *world)
+{
+    size_t count;
+    const struct light *lights = world_lights(world, &count);
+    for (size_t i = 0; i < count; i++) {
+        rgb light = lights[i].colour;
+        if (fabs(light.r) + fabs(light.g) + fabs(light.b) > 0)
+            return true;
+    }
+    return false;
+}
+
 struct ambience ambience_new(const struct world *world,
                              const struct scene *scene)
 {
     struct ambience ambience = { .scene = scene,
                                  .sky = settings_sky(&scene->settings) };
     struct tally tally = { 0 };
-    size_t lamps;
     if (ambience.sky)
         return ambience;
     world_visit(world, tally_solid, tally_leaf, &tally);
-    world_lights(world, &lamps);
-    ambience.everywhere = lamps == 0 && !tally.glows;
+    ambience.everywhere = !tally.glows && !lamps_shine(world);
     ambience.light = scene->settings.ambient_light;
     ambience.share = tally.count > 0 ? tally.sum / (double)tally.count : 0;
     return ambience;

@@ -13,7 +13,7 @@
 struct ambience {
     const struct scene *scene;
     bool sky;        /* sky and background are lamps: the rest is 0 */
-    bool everywhere; /* no lamp, nothing that glows: nothing else would be
+    bool everywhere; /* no lamp is on, nothing glows: nothing else would be
                       * seen, so nothing stands before this light */
     rgb light;       /* multiplies finish ambient */
     double share;    /* what surfaces make of it over what they make of other
