@@ -1,6 +1,6 @@
 /* Direct light by shadow rays, and all other light from the skeleton of the
- * void: a lit scene in a moment. There is no ambient term: what it stood for is
- * now known. */
+ * void: a lit scene in a moment. There is no ambient term but where nothing
+ * else gives light: what it stood for is now known. */
 #include "base/memory.h"
 #include "lighting/lamplight.h"
 #include "lighting/skeleton_views.h"
@@ -57,9 +57,13 @@ static struct diffuse_light skeleton_illuminate(const void *state,
     };
     for (size_t i = 0; i < lighting->lamps.count; i++)
         lamplight_give(&light, &lighting->lamps.items[i]);
-    return (struct diffuse_light){ .irradiance = skeleton_indirect(
-                                       lighting->made.skeleton, worker,
-                                       surface->point, surface->normal) };
+    const struct skeleton *skeleton = lighting->made.skeleton;
+    const struct ambience *ambience = &skeleton->ambience;
+    return (struct diffuse_light){
+        .ambient = ambience->everywhere ? ambience->light : rgb_grey(0),
+        .irradiance = skeleton_indirect(skeleton, worker, surface->point,
+                                        surface->normal),
+    };
 }
 
 static const struct lamps *skeleton_lamps(const void *state)

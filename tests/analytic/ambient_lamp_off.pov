@@ -1,6 +1,6 @@
 // A closed room whose lamp is off: nothing but the ambient term would be seen,
 // so nothing stands before it.
-// claims: rays mesh
+// claims: rays mesh skeleton
 //
 // Pigment <.5, .4, .8> * .3 = <.15, .12, .24>.
 #version 3.7;
