@@ -14,6 +14,7 @@
 #include "base/memory.h"
 #include "base/order.h"
 #include "base/parallel.h"
+#include "base/side.h"
 #include "base/warp.h"
 #include "lighting/void_skeleton.h"
 #include "skeleton/heuristic.h"
@@ -21,7 +22,7 @@
 enum {
     LOOKS = 128, /* rays of a node */
     EDGE = 2,    /* cells along a side of the cube of directions */
-    CELLS = 6 * EDGE * EDGE,
+    CELLS = SIDES * EDGE * EDGE,
     /* A guide may be rough: the skeleton's voxels along the longest side, if
      * the scene names no number, and the rays between its walls. */
     VOXELS = 64,
@@ -85,14 +86,11 @@ static int cell_along(double x, double size)
 /* The cell of the cube of directions. */
 static int cell_of(vec3 d)
 {
-    int axis = 0;
-    for (int i = 1; i < 3; i++)
-        if (fabs(vec3_component(d, i)) > fabs(vec3_component(d, axis)))
-            axis = i;
-    double along = vec3_component(d, axis), size = fabs(along);
+    int side = side_of(d), axis = side / 2;
+    double size = fabs(vec3_component(d, axis));
     int u = cell_along(vec3_component(d, (axis + 1) % 3), size);
     int v = cell_along(vec3_component(d, (axis + 2) % 3), size);
-    return ((2 * axis + (along < 0)) * EDGE + u) * EDGE + v;
+    return (side * EDGE + u) * EDGE + v;
 }
 
 /* Places are told from the node. What is out of the grid is as far as that is

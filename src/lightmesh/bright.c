@@ -6,12 +6,15 @@
 #include "base/memory.h"
 #include "base/order.h"
 #include "base/random.h"
+#include "base/side.h"
 #include "base/warp.h"
 #include "lightmesh/tuning.h"
 
+static const double cell_last = 1e9;
+
 /* Hits in one cell that face one way. */
 struct cell {
-    int at[3], side; /* 2 * axis, and 1 more if it faces down the axis */
+    int at[3], side;
     int count;
     double along; /* the axis; their sum, as of the light */
     double light;
@@ -26,23 +29,6 @@ struct source {
 struct box {
     double low[3], high[3];
 };
-
-static int side_facing(vec3 normal)
-{
-    int axis = 0;
-    for (int i = 1; i < 3; i++)
-        if (fabs(vec3_component(normal, i)) >
-            fabs(vec3_component(normal, axis)))
-            axis = i;
-    return 2 * axis + (vec3_component(normal, axis) < 0);
-}
-
-static vec3 side_normal(int side)
-{
-    double n[3] = { 0 };
-    n[side / 2] = side % 2 ? -1 : 1;
-    return vec3_make(n[0], n[1], n[2]);
-}
 
 static int cell_order(const void *a, const void *b)
 {
@@ -81,10 +67,10 @@ static double room_end(const struct bright_hit *hits, size_t count, int side,
     size_t n = 0, facing = 0;
     for (size_t i = 0; i < count; i++)
         facing +=
-            hits[i].distance < HUGE_VAL && side_facing(hits[i].normal) == side;
+            hits[i].distance < HUGE_VAL && side_of(hits[i].normal) == side;
     for (size_t i = 0; i < count; i++)
         if (hits[i].distance < HUGE_VAL &&
-            (facing == 0 || side_facing(hits[i].normal) == side))
+            (facing == 0 || side_of(hits[i].normal) == side))
             room[n++] = vec3_component(hit_place(&hits[i]), side / 2);
     qsort(room, n, sizeof *room, order_double);
     return n == 0 ? 0 : side % 2 ? room[n - 1 - n / 10] : room[n / 10];
@@ -132,11 +118,17 @@ static struct source hit_source(const struct bright_hit *hit,
     /* Walls are where it leaves as well. */
     if (hit->distance <= leaves + bright_wall * box_size(room)) {
         leaves = hit->distance;
-        source.side = side_facing(hit->normal);
+        source.side = side_of(hit->normal);
     }
     if (leaves < HUGE_VAL)
         source.place = vec3_along(hit->origin, hit->direction, leaves);
     return source;
+}
+
+/* A cell's number along an axis; beyond the last all are one. */
+static double cell_number(double x, double side)
+{
+    return floor(fmin(fmax(x / side, -cell_last), cell_last));
 }
 
 /* The cell of a place that faces a side, whole numbers: that before it, since
@@ -144,8 +136,8 @@ static struct source hit_source(const struct bright_hit *hit,
 static vec3 cell_at(vec3 place, int facing, double side)
 {
     vec3 before = vec3_along(place, side_normal(facing), side / 4);
-    return vec3_make(floor(before.x / side), floor(before.y / side),
-                     floor(before.z / side));
+    return vec3_make(cell_number(before.x, side), cell_number(before.y, side),
+                     cell_number(before.z, side));
 }
 
 /* One cell for each hit, then those at one place joined; returns how many. */
@@ -247,7 +239,7 @@ static uint32_t disc_rays(double wanted)
 
 static uint64_t disc_key(const struct bright_disc *disc, double side)
 {
-    int facing = side_facing(disc->normal);
+    int facing = side_of(disc->normal);
     vec3 at = cell_at(disc->centre, facing, side);
     uint64_t key = (uint64_t)facing;
     for (int axis = 0; axis < 3; axis++)

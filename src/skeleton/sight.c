@@ -6,16 +6,6 @@
 
 enum { CROSSINGS = 16 }; /* of things that a ray passes through, at most */
 
-int side_of(vec3 normal)
-{
-    int axis = 0;
-    for (int i = 1; i < 3; i++)
-        if (fabs(vec3_component(normal, i)) >
-            fabs(vec3_component(normal, axis)))
-            axis = i;
-    return 2 * axis + (vec3_component(normal, axis) < 0);
-}
-
 /* The first wall that a ray meets; what lets light pass is none. */
 static bool sight_wall(const struct sight *sight, const struct ray *ray,
                        struct intersection *at)

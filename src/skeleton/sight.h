@@ -3,12 +3,10 @@
 #ifndef SKELETON_SIGHT_H
 #define SKELETON_SIGHT_H
 
+#include "base/side.h"
 #include "skeleton/patches.h"
 #include "skeleton/pieces.h"
 #include "skeleton/skeleton.h"
-
-/* The sides: 0 faces +x, 1 -x, 2 +y ... */
-enum { SIDES = 6 };
 
 #define ZONE_NONE UINT32_MAX       /* a wall that no piece is before */
 #define ZONE_SKY  (UINT32_MAX - 1) /* out of the grid */
@@ -17,9 +15,6 @@ static inline uint32_t zone_of(uint32_t piece, int side)
 {
     return SIDES * piece + (uint32_t)side;
 }
-
-/* The side that a normal is closest to. */
-int side_of(vec3 normal);
 
 struct sight {
     const struct skeleton *skeleton;

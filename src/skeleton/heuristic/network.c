@@ -84,13 +84,6 @@ static void network_solve(struct network *network,
     network_fill(network, skeleton->voxels);
 }
 
-static vec3 side_normal(int side)
-{
-    double sign = side % 2 ? -1 : 1;
-    return vec3_make(side / 2 == 0 ? sign : 0, side / 2 == 1 ? sign : 0,
-                     side / 2 == 2 ? sign : 0);
-}
-
 static rgb sky_irradiance(const struct skeleton *skeleton, int side)
 {
     rgb sum = rgb_grey(0);
