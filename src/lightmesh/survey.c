@@ -1,6 +1,8 @@
 /* A few gather rays: see survey.h. */
 #include "lightmesh/survey.h"
 
+#include <string.h>
+
 #include "base/memory.h"
 #include "base/warp.h"
 #include "lightmesh/drawn_lamp.h"
@@ -58,7 +60,9 @@ struct brought {
 /* Of all gather rays. */
 struct sums {
     const struct gather *gather;
-    int sights, each; /* places, and rays of one */
+    int sights, each; /* places, and rays of one, */
+    int choosing;     /* the first of which find what is bright; the others
+                       * judge */
     double open, ends, worth, returned;
     rgb light;
     struct bright_hit *hits;
@@ -126,24 +130,28 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
 }
 
 /* The variance of what one ray brings to a place, if some are aimed: as those
- * that were sent everywhere tell (Veach 1997, section 2.2). */
+ * that were sent everywhere tell (Veach 1997, section 2.2). Rays that have
+ * chosen where to aim would find it better than it is: what they met is aimed
+ * at, what is as bright and was missed isn't. */
 static double sight_variance(const struct sums *sums, int sight,
                              const struct bright *bright)
 {
     size_t first = (size_t)sight * (size_t)sums->each;
+    int count = sums->each - sums->choosing;
     double sum = 0, squares = 0;
     struct aim aim;
     aim_take(&aim, bright, sums->hits[first].origin, AIM_RAYS_MOST);
     double aimed = aim.count > 0 ? 1.0 / BRIGHT_PART : 0;
-    for (size_t i = first; i < first + (size_t)sums->each; i++) {
-        const struct brought *brought = &sums->brought[i];
-        double more = aimed > 0 ? aim_density(&aim, sums->hits[i].direction) /
+    for (int i = sums->choosing; i < sums->each; i++) {
+        size_t ray = first + (size_t)i;
+        const struct brought *brought = &sums->brought[ray];
+        double more = aimed > 0 ? aim_density(&aim, sums->hits[ray].direction) /
                                       (aim.rays * brought->even)
                                 : 0;
         sum += brought->light;
         squares += brought->light * brought->light / (1 - aimed + aimed * more);
     }
-    return fmax(squares - sum * sum / sums->each, 0) / (sums->each - 1);
+    return fmax(squares - sum * sum / count, 0) / (count - 1);
 }
 
 static double sums_variance(const struct sums *sums,
@@ -203,17 +211,32 @@ static void sums_gather(struct sums *sums, const struct scene *scene,
     }
 }
 
-static struct survey sums_tell(const struct sums *sums)
+static struct bright sums_bright(const struct sums *sums)
 {
-    size_t rays = (size_t)sums->sights * (size_t)sums->each;
+    size_t each = (size_t)sums->choosing, count = 0;
+    struct bright_hit *hits =
+        memory_new((size_t)sums->sights * each * sizeof *hits);
+    for (int i = 0; i < sums->sights; i++, count += each)
+        memcpy(hits + count, &sums->hits[(size_t)i * (size_t)sums->each],
+               each * sizeof *hits);
+    struct bright bright = bright_of(hits, count);
+    memory_free(hits);
+    return bright;
+}
+
+static struct survey sums_tell(struct sums *sums)
+{
+    double rays = (double)sums->sights * sums->each;
     struct survey survey = { .open = 1 };
-    if (rays == 0)
+    if (sums->sights == 0)
         return survey;
-    survey.open = sums->ends / (double)rays;
+    survey.open = sums->ends / rays;
     survey.worth = sums->worth / sums->sights;
     survey.around = sums_around(sums);
-    if (survey.open < open_enough)
-        survey.bright = bright_of(sums->hits, rays);
+    if (survey.open < open_enough) {
+        sums->choosing = sums->each / 2;
+        survey.bright = sums_bright(sums);
+    }
     survey.rough = sums_rough(sums, &survey.bright);
     return survey;
 }

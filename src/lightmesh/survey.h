@@ -22,7 +22,7 @@ struct survey {
 /* What to reckon with where nobody looks: all matters. */
 struct survey survey_none(void);
 
-/* `gather` has no mesh; `rays`, at least 2, of each place. */
+/* `gather` has no mesh; `rays`, at least 4, of each place. */
 struct survey survey_of(const struct gather *gather, const struct scene *scene,
                         struct worker *worker, int rays);
 

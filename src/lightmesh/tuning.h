@@ -181,7 +181,8 @@ enum {
     GATHER_FEW = 32,    /* and else */
     CHAMBER_LEAST = 96, /* the same where little light leaves the scene
                          * [plates_glow] */
-    GATHER_MOST = 1024,
+    GATHER_MOST = 512,  /* more gain little where bright places are aimed at
+                         * [maze, pillars] */
     UNSEEN_SAMPLES = 256, /* where nobody looks how many it takes */
     LONE_SAMPLES = 16,    /* of places that are their own mesh point */
     LONE_PART = 8,        /* of later bounces one in so many */
