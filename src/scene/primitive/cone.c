@@ -29,11 +29,13 @@ static const char *cone_prepare(void *shape, struct arena *arena,
     struct conic *cone = shape;
     double radius = greater(cone->base_radius, cone->apex_radius);
     (void)arena;
-    if (radius == 0)
-        *warning = "neither of its radii is above 0";
     if (radius < 0)
         cone->base_radius = cone->apex_radius = -radius;
-    return conic_prepare(cone) ? NULL : "its two ends are the same point";
+    if (!conic_prepare(cone))
+        return "its two ends are the same point";
+    if (radius == 0)
+        *warning = "neither of its radii is above 0";
+    return NULL;
 }
 
 const struct primitive cone_primitive = {
