@@ -200,7 +200,8 @@ static void guided_lobes_are_whole(void **state)
             assert_true(lobes.at[k].axis.y > 0);
             *(lobes.at[k].axis.x < 0 ? &towards : &away) += lobes.at[k].share;
         }
-        assert_true(towards > away);
+        /* By the opening; farther in the lit wall opposite is brighter. */
+        assert_true(i > 0 || towards > 2 * away);
         assert_true(fabs(integral(surface_density, &lobes) - 1) < 2e-3);
         double drawn = 0;
         for (uint32_t k = 0; k < 65536; k++) {
