@@ -20,15 +20,32 @@ static const struct field light_names[] = {
     { .name = NULL },
 };
 
-/* light_kind = "spotlight" | "cylinder" . */
+/* Measured: a light is one of these, and the last word counts. A spotlight that
+ * becomes shadowless shines everywhere alike, a cylinder stays parallel. */
+static void light_become(struct parser *p, struct light *light,
+                         enum light_kind kind, bool shadowless)
+{
+    bool was_directed = light->kind != LIGHT_POINT;
+    if (shadowless ? was_directed : light->shadowless)
+        warning_at(p, p->last_span, NULL,
+                   "a light is a spotlight, a cylinder or shadowless, as in "
+                   "POV-Ray, and the last of these words counts");
+    light->parallel |= light->kind == LIGHT_CYLINDER && kind != LIGHT_CYLINDER;
+    light->kind = kind;
+    light->shadowless = shadowless;
+}
+
+/* light_kind = "spotlight" | "cylinder" | "shadowless" . */
 static enum taken parse_light_kind(struct parser *p, struct light *light)
 {
     if (accept_keyword(p, KEYWORD_SPOTLIGHT)) {
-        light->kind = LIGHT_SPOT;
+        light_become(p, light, LIGHT_SPOT, false);
     } else if (accept_word(p, "cylinder")) {
-        light->kind = LIGHT_CYLINDER;
+        light_become(p, light, LIGHT_CYLINDER, false);
         light->radius = 0.75;
         light->falloff = 1;
+    } else if (accept_word(p, "shadowless")) {
+        light_become(p, light, LIGHT_POINT, true);
     } else {
         return NOT_MINE;
     }
@@ -154,7 +171,7 @@ static bool light_check_directed(struct parser *p, const struct light *light)
                     token->word->text);
 }
 
-/* light_value = "shadowless" | "fade_distance" float | "fade_power" float
+/* light_value = "fade_distance" float | "fade_power" float
  *             | "adaptive" float | "circular" | "orient" | "jitter"
  *             | "area_illumination" [bool] | "parallel"
  *             | "media_attenuation" [bool] .
@@ -166,6 +183,8 @@ static bool light_check_directed(struct parser *p, const struct light *light)
 static bool parse_light_item(struct parser *p, struct object *object,
                              struct light *light, struct object **looks)
 {
+    if (parse_light_kind(p, light) == TAKEN)
+        return true;
     const struct field *field = accept_field(p, lamp_fields);
     if (!field)
         field = accept_field(p, lamp_kind_fields);
@@ -186,9 +205,7 @@ static bool parse_light_item(struct parser *p, struct object *object,
         return parse_media_interaction(p, light);
     if (stream_keyword(p) == KEYWORD_PHOTONS)
         return parse_photon_flags(p, &light->photons);
-    enum taken taken = parse_light_kind(p, light);
-    if (taken == NOT_MINE)
-        taken = light_move(p, light, *looks);
+    enum taken taken = light_move(p, light, *looks);
     return taken != NOT_MINE
                ? taken
                : error_unknown_item(p, "light_source", light_names);
