@@ -27,6 +27,7 @@ struct codec_target {
     bool plain;
     bool numbers; /* wanted: a palette's numbers, not its colours */
     bool indexed; /* and these are such */
+    bool palette; /* the file has one, whatever was wanted of it */
     int channels, bits;
 };
 

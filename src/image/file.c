@@ -202,6 +202,7 @@ static void file_describe(struct image *image,
     image->gamma = target->gamma;
     image->plain = target->plain;
     image->indexed = target->indexed;
+    image->palette = target->palette;
     image->channels = target->channels;
     image->bits = target->bits;
 }

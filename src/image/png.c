@@ -220,8 +220,9 @@ static bool png_begin(png_structp png, png_infop info, struct png_reader *r)
     png_init_io(png, r->file);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_read_info(png, info);
-    r->target->indexed = r->target->numbers && png_get_color_type(png, info) ==
-                                                   PNG_COLOR_TYPE_PALETTE;
+    r->target->palette =
+        png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE;
+    r->target->indexed = r->target->numbers && r->target->palette;
     if (r->target->indexed)
         png_set_packing(png);
     else

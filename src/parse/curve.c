@@ -84,6 +84,12 @@ static size_t curve_start(enum curve curve)
     return curve == CURVE_QUADRATIC || curve == CURVE_CUBIC ? 1 : 0;
 }
 
+/* How many points an outline needs: a Bezier piece may close itself. */
+static size_t curve_closes(enum curve curve)
+{
+    return curve_reach(curve) + (curve == CURVE_BEZIER ? 0 : 1);
+}
+
 static bool curve_check(struct parser *p, const struct curve_builder *b,
                         size_t least)
 {
@@ -224,7 +230,7 @@ static bool parse_prism_arguments(struct parser *p, void *shape)
         return false;
     accept(p, TOKEN_COMMA);
     if (!parse_curve_points(p, &b) ||
-        !curve_check(p, &b, curve_reach(b.curve) + 1))
+        !curve_check(p, &b, curve_closes(b.curve)))
         return false;
     if (b.curve == CURVE_BEZIER) {
         curve_open(p, &b);

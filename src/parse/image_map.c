@@ -199,6 +199,8 @@ static bool image_open(struct parser *p, const struct image_request *request)
     if (!path)
         return false;
     request->map->image = image_find(p, path, request);
+    request->map->no_alpha &=
+        request->map->image && request->map->image->palette;
     if (!request->map->image || !request->map->clear)
         return request->map->image != NULL;
     struct image_request numbers = *request;
@@ -322,6 +324,17 @@ static struct entry_clear *entry_clear(struct parser *p, struct image_map *map,
     return &map->clear[entry];
 }
 
+/* What entries have is forgotten (measured), and the palette's own alpha. */
+static bool parse_filter_all(struct parser *p, struct image_map *map,
+                             bool filter)
+{
+    for (int i = 0; map->clear && i < PALETTE_ENTRIES; i++)
+        *(filter ? &map->clear[i].filter : &map->clear[i].transmit) =
+            (double)NAN;
+    map->no_alpha |= !filter;
+    return parse_float(p, filter ? &map->filter_all : &map->transmit_all);
+}
+
 /* image_filter = ( "filter" | "transmit" ) ( "all" | float [","] ) float .
  * Of all pixels, or of those with this entry of the palette. */
 static bool parse_image_filter(struct parser *p, struct image_map *map)
@@ -329,7 +342,7 @@ static bool parse_image_filter(struct parser *p, struct image_map *map)
     bool filter = stream_next(p).word->keyword == KEYWORD_FILTER;
     int entry;
     if (accept_keyword(p, KEYWORD_ALL))
-        return parse_float(p, filter ? &map->filter_all : &map->transmit_all);
+        return parse_filter_all(p, map, filter);
     struct span span = stream_span(p);
     if (!parse_integer(p, &entry))
         return false;

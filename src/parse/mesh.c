@@ -333,7 +333,8 @@ static bool triangle_read(struct parser *p, struct object **out,
         return false;
     builder.uv_faces.count = 0;
     builder.uv_faces.items = NULL;
-    mesh->turned = true;
+    const affine *moved = (*out)->maps->own;
+    mesh->turned = moved && moved != &affine_unmoved;
     mesh_build(p, *out, mesh, &builder);
     return true;
 }

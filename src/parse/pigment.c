@@ -175,6 +175,9 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
     struct pigment *pigment = ARENA_NEW(p->scene_arena, struct pigment);
     *pigment = **in;
     *in = pigment;
+    /* Of a declared one that has them already nothing is moved (measured). */
+    bool settled = value && pigment->pattern.uv && !mapped;
+    const affine place = pigment->pattern.inverse;
     pigment->pattern.uv |= mapped;
     if (!check_supported(p, pigment_unsupported) ||
         !parse_pigment_start(p, pigment))
@@ -186,6 +189,8 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
         if (taken == WRONG)
             return false;
     }
+    if (settled)
+        pigment->pattern.inverse = place;
     if (pigment_is_average(pigment) && !pigment->map)
         return error_at(p, stream_span(p), "pigment_map { [1 ...] [1 ...] }",
                         "'average' needs a pigment_map");

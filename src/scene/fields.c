@@ -209,6 +209,7 @@ const struct field image_map_said[] = {
     IMAGE("once", FIELD_FLAG, once),
     IMAGE("filter all", FIELD_FLOAT, filter_all),
     IMAGE("transmit all", FIELD_FLOAT, transmit_all),
+    IMAGE("no alpha", FIELD_FLAG, no_alpha),
     { NULL },
 };
 

@@ -105,7 +105,7 @@ static colour image_texel(const struct image_map *map, int x, int y)
     double scale = alpha > 0 && alpha < 1 ? 1 / alpha : 1;
     colour c = { (double)p[0] * scale, (double)p[1] * scale,
                  (double)p[2] * scale, map->filter_all,
-                 map->transmit_all + (1 - alpha) };
+                 map->transmit_all + (map->no_alpha ? 0 : 1 - alpha) };
     return map->clear ? texel_clear(map, x, y, c) : c;
 }
 

@@ -128,26 +128,32 @@ static const struct texture *choice_moved(struct arena *arena,
     return moved;
 }
 
+/* What has coordinates of the surface stays (measured). */
+static struct layer layer_moved(struct arena *arena, const struct layer *layer,
+                                const affine *transform)
+{
+    struct layer moved = *layer;
+    if (!layer->pigment->pattern.uv)
+        moved.pigment = pigment_moved(arena, layer->pigment, transform);
+    if (layer->normal && !layer->normal->pattern.uv)
+        moved.normal = normal_moved(arena, layer->normal, transform);
+    return moved;
+}
+
 const struct texture *texture_moved(struct arena *arena,
                                     const struct texture *texture,
                                     const affine *transform)
 {
     if (texture->choice)
-        return choice_moved(arena, texture, transform);
+        return texture->choice->pattern.uv
+                   ? texture
+                   : choice_moved(arena, texture, transform);
     struct texture *moved = ARENA_NEW(arena, struct texture);
     moved->count = texture->count;
     moved->span = texture->span;
     moved->layers = ARENA_ARRAY(arena, struct layer, texture->count);
-    for (size_t i = 0; i < texture->count; i++) {
-        const struct layer *layer = &texture->layers[i];
-        moved->layers[i] = (struct layer){
-            .pigment = pigment_moved(arena, layer->pigment, transform),
-            .normal = layer->normal
-                          ? normal_moved(arena, layer->normal, transform)
-                          : NULL,
-            .finish = layer->finish,
-        };
-    }
+    for (size_t i = 0; i < texture->count; i++)
+        moved->layers[i] = layer_moved(arena, &texture->layers[i], transform);
     return moved;
 }
 

@@ -56,6 +56,7 @@ struct image_map {
     enum image_interpolation interpolation;
     bool once;
     double filter_all, transmit_all;
+    bool no_alpha; /* transmit_all stands instead of the file's alpha */
     /* Of a palette's entries: NAN is what all have. NULL: none has its own. */
     struct entry_clear {
         double filter, transmit;

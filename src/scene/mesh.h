@@ -33,8 +33,8 @@ struct mesh {
     uint32_t (*uv_faces)[3]; /* of each triangle, MESH_NONE in [0]: none */
     bool solid;              /* has an inside_vector */
     vec3 inside_vector;      /* direction of the ray that counts crossings */
-    bool turned; /* outside is where corners turn to the right: a lone triangle,
-                  * a patch (measured) */
+    bool turned; /* outside is where corners turn to the right: a lone triangle
+                  * that was moved, a patch (measured) */
     struct box3 bounds;
 };
 

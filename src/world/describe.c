@@ -85,13 +85,14 @@ static struct world_coat outer_coat(const struct leaf *leaf, int part)
                                 leaf->pose->outward };
 }
 
-/* The outside of a mesh's triangle is where its corners turn to the left, not
- * where its normals are (measured); see also mesh.h. */
+/* The outside of a mesh's flat triangle is where its corners turn to the left,
+ * of a smooth one where its normals are (measured); see also mesh.h. */
 static bool comes_from_inside(const struct leaf *leaf, int part, vec3 face,
                               vec3 direction)
 {
     const struct object *object = leaf->object;
-    if (object->kind != OBJECT_MESH)
+    if (object->kind != OBJECT_MESH ||
+        object->mesh->triangles[part].normal[0] != MESH_NONE)
         return vec3_dot(face, direction) > 0;
     face = mesh_face(object->mesh, (size_t)part);
     if (leaf_is_moved(leaf))
