@@ -164,6 +164,18 @@ static bool ovus_inside(const void *shape, vec3 point)
     return out * out + up * up < o->arc * o->arc;
 }
 
+/* Longitude and, seen from half its height, latitude (measured). */
+static void ovus_uv(const void *shape, vec3 point, double uv[2])
+{
+    const struct ovus *o = shape;
+    double turn = atan2(point.z, point.x) / (2 * M_PI);
+    double low = fmin(-o->bottom, o->bottom - o->top);
+    double middle = (low + o->bottom + o->top) / 2;
+    double across = hypot(point.x, point.z), up = point.y - middle;
+    uv[0] = turn < 0 ? turn + 1 : turn;
+    uv[1] = atan2(across, -up) / M_PI;
+}
+
 const struct primitive ovus_primitive = {
     .name = "ovus",
     .help = "an egg around the y axis, by the radii of its ends",
@@ -175,5 +187,6 @@ const struct primitive ovus_primitive = {
     .bounds = ovus_bounds,
     .intersect = ovus_intersect,
     .normal = ovus_normal,
+    .uv = ovus_uv,
     .inside = ovus_inside,
 };
