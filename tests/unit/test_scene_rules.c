@@ -400,10 +400,12 @@ static void lights(void **state)
         "light_source { <1, 2, 3> rgb <1, .5, .25> }"
         "light_source { 0, 1 cylinder point_at 4*z translate x }"
         "light_source { 0, 1 area_light 2*x, 3*y, 4, 5 adaptive 1 jitter"
-        " circular orient fade_distance 2 fade_power 2 shadowless"
+        " circular orient fade_distance 2 fade_power 2"
         " spotlight radius 10 falloff 20 tightness 3 }"
         "light_source { y 1 looks_like { sphere { 0, 1 } } translate x }"
-        "light_source { y }");
+        "light_source { y }"
+        "light_source { y 1 spotlight radius 10 shadowless }"
+        "light_source { y 1 shadowless spotlight radius 10 }");
     assert_vector(light_at(&r, 0)->location, 1, 2, 3);
     assert_number(light_at(&r, 0)->colour.b, .25);
     assert_int_equal(light_at(&r, 1)->kind, LIGHT_CYLINDER);
@@ -411,12 +413,16 @@ static void lights(void **state)
     assert_vector(light_at(&r, 1)->point_at, 1, 0, 4);
     const struct light *light = light_at(&r, 2);
     assert_true(light->area && light->circular && light->orient);
-    assert_true(light->jitter && light->shadowless);
+    assert_true(light->jitter && !light->shadowless);
     assert_int_equal(light->size2, 5);
     assert_number(light->falloff, 20);
     assert_vector(light_at(&r, 3)->location, 1, 1, 0);
     assert_vector(object_middle(light_at(&r, 3)->looks_like), 1, 1, 0);
     assert_number(light_at(&r, 4)->colour.r, 0); /* POV-Ray's, too */
+    assert_int_equal(light_at(&r, 5)->kind, LIGHT_POINT);
+    assert_true(light_at(&r, 5)->shadowless);
+    assert_int_equal(light_at(&r, 6)->kind, LIGHT_SPOT);
+    assert_true(!light_at(&r, 6)->shadowless);
     scene_end(&r);
 }
 
