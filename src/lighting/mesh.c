@@ -86,6 +86,7 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
            (!frame->closed || frame->samples == 0 ||
             mesh_close_make(&mesh->close, mesh->lamps.world, scene, options,
                             diag));
+    mesh->ambience.everywhere |= mesh->close.dark;
     if (done && known.found)
         mesh_make(mesh, scene, interpolation);
     else if (done)

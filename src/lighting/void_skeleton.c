@@ -21,14 +21,19 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
     };
     const struct grid_wish grid = { said > 0 ? said : wish.resolution,
                                     wish.still };
-    *made = (struct void_skeleton){ NULL, NULL };
+    *made = (struct void_skeleton){ .space = NULL };
     if (wanted.heuristic)
         made->space =
             void_new(scene, world, grid, options->threads, options->stop, diag);
     if (made->space)
         made->skeleton =
             skeleton_new(world, scene, &made->space->voxels, &wanted);
-    return made->skeleton;
+    if (!made->skeleton)
+        return false;
+    struct ambience *ambience = &made->skeleton->ambience;
+    made->dark = made->space->dark && !ambience->sky;
+    ambience->everywhere |= made->dark;
+    return true;
 }
 
 void void_skeleton_free(struct void_skeleton *made)

@@ -11,6 +11,8 @@ struct void_space;
 struct void_skeleton {
     struct void_space *space;
     struct skeleton *skeleton;
+    bool dark; /* no light gets to the camera: ambient light is everywhere, as
+                * where no lamp is on (struct ambience) */
 };
 
 /* What a method wants of it. */

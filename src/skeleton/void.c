@@ -91,8 +91,7 @@ static bool camera_is_shone_at(const struct void_space *space,
     return false;
 }
 
-static void warn_of_camera(const struct void_space *space,
-                           const struct scene *scene,
+static void warn_of_camera(struct void_space *space, const struct scene *scene,
                            const struct light *lights,
                            const struct void_matter *matter, struct diag *diag)
 {
@@ -105,9 +104,10 @@ static void warn_of_camera(const struct void_space *space,
     }
     if (camera_is_shone_at(space, lights, matter))
         return;
+    space->dark = found;
     diag_print(diag, DIAG_WARNING, span_none(), NULL,
                found ? "no light gets into the part of the void that the "
-                       "camera is in"
+                       "camera is in: put a light_source there"
                      : "the camera is inside of matter");
     note_lights(space, lights, diag);
 }

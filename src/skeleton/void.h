@@ -33,6 +33,7 @@ struct void_space {
     struct void_light *lights; /* as many as world_lights */
     size_t light_count;
     size_t camera; /* its voxel, or VOXEL_NONE: outside, or in matter */
+    bool dark;     /* no light gets into the part that it is in */
 };
 
 /* Voxels and void of a scene; free with void_free. Warns of lights inside
