@@ -96,6 +96,8 @@ static void warn_of_camera(struct void_space *space, const struct scene *scene,
                            const struct void_matter *matter, struct diag *diag)
 {
     bool found = false, sky = sky_counts(scene, space);
+    if (scene->camera.mesh) /* it looks from anywhere */
+        return;
     for (size_t i = 0; i < space->part_count; i++) {
         const struct void_part *part = &space->parts[i];
         if (part->camera && part_is_lit(part, sky))
