@@ -69,20 +69,47 @@ struct veil fog_veil(const struct scene *scene, const struct ray *ray,
     return veil;
 }
 
-/* What gets through the pigments of a sky so far. */
-struct sky_clear {
+/* The pigments of a sky so far. */
+struct sky_sum {
+    rgb light;
     rgb through; /* to the next */
     rgb tint;    /* the product of their colours */
     double filter, transmit;
 };
 
-static void sky_pass(struct sky_clear *clear, colour c, bool old)
+static void sky_start(struct sky_sum *sum)
 {
-    clear->tint = rgb_mul(clear->tint, colour_rgb(c));
-    clear->filter *= c.filter;
-    clear->transmit *= c.transmit;
-    clear->through = old ? rgb_grey(clear->filter + clear->transmit)
-                         : rgb_mul(clear->through, colour_transmittance(c));
+    sum->light = rgb_grey(0);
+    sum->through = sum->tint = rgb_grey(1);
+    sum->filter = sum->transmit = 1;
+}
+
+/* The next pigment, of which that colour is seen. */
+static void sky_add(struct sky_sum *sum, const struct scene *scene, colour c)
+{
+    rgb own = rgb_mul(colour_rgb(c), scene->sky->emission);
+    own = rgb_scale(own, 1 - c.filter - c.transmit);
+    sum->light = rgb_add(sum->light, rgb_mul(sum->through, own));
+    sum->tint = rgb_mul(sum->tint, colour_rgb(c));
+    sum->filter *= c.filter;
+    sum->transmit *= c.transmit;
+    sum->through = scene->settings.old_filter
+                       ? rgb_grey(sum->filter + sum->transmit)
+                       : rgb_mul(sum->through, colour_transmittance(c));
+}
+
+static struct veil sky_end(const struct sky_sum *sum, const struct scene *scene)
+{
+    rgb through =
+        scene->settings.old_filter
+            ? rgb_add_scaled(rgb_grey(sum->transmit), sum->tint, sum->filter)
+            : sum->through;
+    return (struct veil){ sum->light, through };
+}
+
+static bool sky_is_there(const struct scene *scene)
+{
+    return scene->sky && scene->sky->count > 0;
 }
 
 /* Pigments from the top down; `emission` brightens each, not what is seen
@@ -90,22 +117,35 @@ static void sky_pass(struct sky_clear *clear, colour c, bool old)
  * and only where all of them are on the way (measured). */
 struct veil sky_veil(const struct scene *scene, vec3 direction)
 {
-    struct sky_clear clear = { rgb_grey(1), rgb_grey(1), 1, 1 };
-    rgb light = rgb_grey(0);
-    bool old = scene->settings.old_filter;
-    if (!scene->sky || scene->sky->count == 0)
-        return (struct veil){ light, clear.through };
-    for (size_t i = scene->sky->count; i-- > 0;) {
-        colour c = pigment_colour(scene->sky->pigments[i], direction);
-        rgb own = rgb_mul(colour_rgb(c), scene->sky->emission);
-        own = rgb_scale(own, 1 - c.filter - c.transmit);
-        light = rgb_add(light, rgb_mul(clear.through, own));
-        sky_pass(&clear, c, old);
+    struct sky_sum sum;
+    if (!sky_is_there(scene))
+        return (struct veil){ rgb_grey(0), rgb_grey(1) };
+    sky_start(&sum);
+    for (size_t i = scene->sky->count; i-- > 0;)
+        sky_add(&sum, scene,
+                pigment_colour(scene->sky->pigments[i], direction));
+    return sky_end(&sum, scene);
+}
+
+void sky_veils(const struct scene *scene, const struct spots *directions,
+               struct veil *veils)
+{
+    const int count = directions->count;
+    struct sky_sum sums[SPOTS_MAX];
+    colour colours[SPOTS_MAX];
+    for (int k = 0; k < count; k++) {
+        veils[k] = (struct veil){ rgb_grey(0), rgb_grey(1) };
+        sky_start(&sums[k]);
     }
-    if (old)
-        clear.through =
-            rgb_add_scaled(rgb_grey(clear.transmit), clear.tint, clear.filter);
-    return (struct veil){ light, clear.through };
+    if (!sky_is_there(scene))
+        return;
+    for (size_t i = scene->sky->count; i-- > 0;) {
+        pigment_colours(scene->sky->pigments[i], directions, colours);
+        for (int k = 0; k < count; k++)
+            sky_add(&sums[k], scene, colours[k]);
+    }
+    for (int k = 0; k < count; k++)
+        veils[k] = sky_end(&sums[k], scene);
 }
 
 rgb background_light(const struct scene *scene, vec3 direction)

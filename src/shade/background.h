@@ -3,6 +3,7 @@
 #define SHADE_BACKGROUND_H
 
 #include "scene/scene.h"
+#include "scene/spots.h"
 
 /* Light seen along a ray and what it lets pass of the light behind it. */
 struct veil {
@@ -17,6 +18,10 @@ struct veil fog_veil(const struct scene *scene, const struct ray *ray,
 
 /* The sky sphere in this unit direction; clear without one. */
 struct veil sky_veil(const struct scene *scene, vec3 direction);
+
+/* The same in several directions, to the bit; a veil for each. */
+void sky_veils(const struct scene *scene, const struct spots *directions,
+               struct veil *veils);
 
 /* Sky and background as surfaces see them in this direction, +UA or not. */
 rgb background_light(const struct scene *scene, vec3 direction);

@@ -58,10 +58,10 @@ bool path_meet(struct path *path, struct intersection *at);
 /* Through all that the air is full of, so far (INFINITY: to the end). */
 void path_air(struct path *path, double distance);
 
-/* The same, and to the surface that it meets, or into the sky: false if the ray
- * ends there.
- */
-bool path_arrive(struct path *path, struct crossing *crossing, bool met);
+/* The same, and to the surface that it meets, or, where `sky` is not NULL, to
+ * what it sees of that: false if the ray ends there. */
+bool path_arrive(struct path *path, struct crossing *crossing,
+                 const struct veil *sky);
 
 /* Light that comes from within the body: before lamps light the surface, which
  * it changes. */

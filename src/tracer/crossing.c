@@ -1,8 +1,6 @@
 /* Rays at surfaces: see crossing.h. */
 #include "tracer/crossing.h"
 
-#include "shade/background.h"
-
 /* The ior by which POV-Ray's Fresnel mirrors. Where a ray leaves a body while
  * it is in others, what it entered last counts as behind the surface, and that
  * is mostly the body itself: glass under a sky that is a sphere mirrors nothing
@@ -131,8 +129,8 @@ bool tracer_misty(const struct tracer *tracer)
  * nothing. With +UA both make it transparent where the camera sees it, and
  * neither matters in a mirror; before version 3.7 sky and background are not
  * seen by the camera at all (measured). */
-rgb tracer_background(const struct tracer *tracer, vec3 direction,
-                      bool straight, double *clear)
+rgb tracer_beyond(const struct tracer *tracer, const struct veil *sky,
+                  bool straight, double *clear)
 {
     colour c = tracer->scene->background;
     const struct settings *settings = &tracer->scene->settings;
@@ -142,15 +140,21 @@ rgb tracer_background(const struct tracer *tracer, vec3 direction,
         return rgb_grey(0);
     if (transparent && settings->clear_background)
         c = (colour){ .transmit = 1 };
-    struct veil sky = sky_veil(tracer->scene, direction);
     double share = 1 - c.transmit;
     if (tracer->alpha)
         share = straight ? 1 - c.filter - c.transmit : 1;
     if (transparent)
-        *clear = rgb_brightness(sky.through) *
+        *clear = rgb_brightness(sky->through) *
                  rgb_brightness(colour_transmittance(c));
     rgb light = rgb_scale(colour_rgb(c), share);
-    return rgb_add(sky.light, rgb_mul(sky.through, light));
+    return rgb_add(sky->light, rgb_mul(sky->through, light));
+}
+
+rgb tracer_background(const struct tracer *tracer, vec3 direction,
+                      bool straight, double *clear)
+{
+    struct veil sky = sky_veil(tracer->scene, direction);
+    return tracer_beyond(tracer, &sky, straight, clear);
 }
 
 static void interiors_enter(void *context, const struct leaf *leaf)

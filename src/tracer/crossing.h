@@ -4,6 +4,7 @@
 #define TRACER_CROSSING_H
 
 #include "base/clones.h"
+#include "shade/background.h"
 #include "shade/facets.h"
 #include "tracer/tracer.h"
 
@@ -81,6 +82,10 @@ bool tracer_misty(const struct tracer *tracer);
  * camera's line of sight. *clear: the share of opacity that is still open. */
 rgb tracer_background(const struct tracer *tracer, vec3 direction,
                       bool straight, double *clear);
+
+/* The same where the sky in its direction is known. */
+rgb tracer_beyond(const struct tracer *tracer, const struct veil *sky,
+                  bool straight, double *clear);
 
 /* The camera's ray at (x, y) of the picture, and what it starts in; counted. */
 struct ray tracer_start(const struct tracer *tracer, struct worker *worker,

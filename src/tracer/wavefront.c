@@ -177,7 +177,10 @@ void wavefront_leave(struct path *path, const struct crossing *crossing,
 
 void wavefront_go_on(struct path *path, struct crossing *crossing, bool met)
 {
-    if (path_arrive(path, crossing, met))
+    struct veil sky;
+    if (!met)
+        sky = sky_veil(path->tracer->scene, path->ray.direction);
+    if (path_arrive(path, crossing, met ? NULL : &sky))
         wavefront_leave(path, crossing, path_light(path, crossing));
     else
         wavefront_end(path);

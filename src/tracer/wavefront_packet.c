@@ -23,6 +23,7 @@ struct sights {
     unsigned plain; /* meet a leaf that is: painted and lit without more */
     unsigned lit;   /* the others that meet a surface to be lit */
     struct crossing crossing[WORLD_RAYS];
+    struct veil sky[WORLD_RAYS]; /* of those that meet nothing */
 };
 
 static void sight_describe(struct sights *sights, unsigned i)
@@ -124,6 +125,41 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
     return meet;
 }
 
+/* What of the sky those see that meet nothing. */
+static void sights_sky(struct sights *sights, unsigned missed)
+{
+    struct spots directions = { .count = 0 };
+    struct veil veils[SPOTS_MAX];
+    for (unsigned each = missed; each; each &= each - 1)
+        spots_add(&directions,
+                  rays_direction(sights->rays, __builtin_ctz(each)));
+    sky_veils(sights->wavefront->tracer->scene, &directions, veils);
+    for (int k = 0; missed; missed &= missed - 1)
+        sights->sky[__builtin_ctz(missed)] = veils[k++];
+}
+
+/* Past all surfaces. Rays of the camera with nothing on their way need not set
+ * out for that; returns the others. */
+static unsigned sights_miss(struct sights *sights, unsigned missed)
+{
+    const struct tracer *tracer = sights->wavefront->tracer;
+    unsigned left = 0;
+    if (missed)
+        sights_sky(sights, missed);
+    for (; missed; missed &= missed - 1) {
+        unsigned i = (unsigned)__builtin_ctz(missed);
+        double clear;
+        if (sights->path[i] || !tracer->airless) {
+            left |= 1u << i;
+            continue;
+        }
+        rgb light = tracer_beyond(tracer, &sights->sky[i], true, &clear);
+        sights->out[i] = (struct radiance){ light, 1 - clear };
+        sights->wavefront->worker->counters.camera_rays++;
+    }
+    return left;
+}
+
 /* To the surfaces of leaves that are not plain; some end there. */
 static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet)
 {
@@ -135,7 +171,8 @@ static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet)
             sights->path[i] = sights_start(sights, i);
         if (meets)
             sight_describe(sights, i);
-        if (path_arrive(sights->path[i], crossing, meets)) {
+        if (path_arrive(sights->path[i], crossing,
+                        meets ? NULL : &sights->sky[i])) {
             sights->lit |= 1u << i;
             facets_set(&sights->facets, i, &crossing->surface,
                        path_within(sights->path[i], crossing));
@@ -199,6 +236,7 @@ static void sights_light(struct sights *sights)
 static void sights_see(struct sights *sights, unsigned seen)
 {
     unsigned meet = sights_meet(sights, seen);
+    seen = meet | sights_miss(sights, seen & ~meet);
     sights_arrive(sights, seen, meet);
     if (sights->plain | sights->lit)
         sights_light(sights);

@@ -306,15 +306,15 @@ static void path_tell_light(const struct path *path, rgb light)
                 light.b);
 }
 
-bool path_arrive(struct path *path, struct crossing *crossing, bool met)
+bool path_arrive(struct path *path, struct crossing *crossing,
+                 const struct veil *sky)
 {
     const struct tracer *tracer = path->tracer;
     const struct settings *settings = &tracer->scene->settings;
-    path_air(path, met ? crossing->at.t : (double)INFINITY);
-    if (!met) {
+    path_air(path, sky ? (double)INFINITY : crossing->at.t);
+    if (sky) {
         double clear;
-        path_gather(path, tracer_background(tracer, path->ray.direction,
-                                            path->straight, &clear));
+        path_gather(path, tracer_beyond(tracer, sky, path->straight, &clear));
         path->opacity = 1 - path->clear * clear;
         return false;
     }
