@@ -177,9 +177,80 @@ static inline bool map_simple(const struct blend_map *map, double value,
     return true;
 }
 
+static void pigments_at(const struct pigment *pigment,
+                        const struct spots *points, struct depth depth,
+                        colour *colours);
+
+/* entry_colour of several. */
+static void entry_colours(const struct blend_entry *entry,
+                          const struct spots *points, struct depth depth,
+                          colour *colours)
+{
+    if (entry->pigment)
+        pigments_at(entry->pigment, points, depth_below(depth), colours);
+    for (int i = 0; !entry->pigment && i < points->count; i++)
+        colours[i] = entry->colour;
+}
+
+/* Points with a map's places. */
+struct map_places {
+    const struct blend_map *map;
+    const struct spots *points;
+    struct map_place of[SPOTS_MAX];
+};
+
+/* Those of `lanes`, which are between the same entries, or at the same one. */
+static void places_blend(const struct map_places *places, unsigned lanes,
+                         struct depth depth, colour *colours)
+{
+    const struct map_place place = places->of[__builtin_ctz(lanes)];
+    const struct blend_entry *entry = &places->map->entries[place.entry];
+    bool blended = place.share < 1;
+    struct spots some = { .count = 0 };
+    colour before[SPOTS_MAX], after[SPOTS_MAX];
+    for (unsigned each = lanes; each; each &= each - 1)
+        spots_add(&some, spots_at(places->points, __builtin_ctz(each)));
+    entry_colours(entry, &some, depth, after);
+    if (blended)
+        entry_colours(entry - 1, &some, depth, before);
+    for (int k = 0; lanes; lanes &= lanes - 1, k++) {
+        int i = __builtin_ctz(lanes);
+        colours[i] = blended
+                         ? colour_mix(before[k], after[k], places->of[i].share)
+                         : after[k];
+    }
+}
+
+/* map_colour of those of `lanes`, where both sides of a blend count. */
+static void map_colours(const struct blend_map *map, const double *values,
+                        const struct spots *points, unsigned lanes,
+                        struct depth depth, colour *colours)
+{
+    struct map_places places = { .map = map, .points = points };
+    for (unsigned each = lanes; each; each &= each - 1) {
+        int i = __builtin_ctz(each);
+        places.of[i] =
+            map_place_of(&map->entries[0].value, sizeof map->entries[0],
+                         map->count, values[i]);
+    }
+    while (lanes) {
+        const struct map_place *first = &places.of[__builtin_ctz(lanes)];
+        unsigned same = 0;
+        for (unsigned each = lanes; each; each &= each - 1) {
+            const struct map_place *place = &places.of[__builtin_ctz(each)];
+            bool is = place->entry == first->entry &&
+                      (place->share < 1) == (first->share < 1);
+            same |= is ? each & -each : 0;
+        }
+        places_blend(&places, same, depth, colours);
+        lanes &= ~same;
+    }
+}
+
 /* value_colour of several. */
 static void values_colours(const struct pigment *pigment, const double *values,
-                           const struct spots *located, colour *colours)
+                           const struct spots *located, struct depth depth,
+                           colour *colours)
 {
     const struct pattern *pattern = &pigment->pattern;
     const struct pattern_kind *kind = pattern->kind;
@@ -188,26 +259,43 @@ static void values_colours(const struct pigment *pigment, const double *values,
     bool blocks = kind && kind->blocks > 0;
     bool mapped =
         kind && kind->blocks == 0 && !kind->average && map && map->count > 0;
+    unsigned left = 0;
     for (int i = 0; i < located->count; i++)
         if (!(blocks && block_simple(pigment->map, values[i], &colours[i])) &&
             !(mapped && map_simple(map, values[i], &colours[i])))
-            colours[i] = value_colour(pigment, values[i], spots_at(located, i),
-                                      (struct depth){ 0, NULL });
+            left |= 1u << i;
+    if (left && mapped && depth.levels < DEPTH_BLEND) {
+        map_colours(map, values, located, left, depth, colours);
+        return;
+    }
+    for (; left; left &= left - 1) {
+        int i = __builtin_ctz(left);
+        colours[i] =
+            value_colour(pigment, values[i], spots_at(located, i), depth);
+    }
+}
+
+/* pigment_at of several that are on no surface. */
+static void pigments_at(const struct pigment *pigment,
+                        const struct spots *points, struct depth depth,
+                        colour *colours)
+{
+    struct spots located;
+    double values[SPOTS_MAX];
+    if (pigment->kind != PIGMENT_PATTERN || depth.levels > PIGMENT_DEPTH) {
+        for (int i = 0; i < points->count; i++)
+            colours[i] = pigment_at(pigment, spots_at(points, i), depth);
+        return;
+    }
+    pattern_locate_all(&pigment->pattern, points, &located);
+    pattern_values_at(&pigment->pattern, &located, values);
+    values_colours(pigment, values, &located, depth, colours);
 }
 
 void pigment_colours(const struct pigment *pigment, const struct spots *points,
                      colour *colours)
 {
-    struct spots located;
-    double values[SPOTS_MAX];
-    if (pigment->kind != PIGMENT_PATTERN) {
-        for (int i = 0; i < points->count; i++)
-            colours[i] = pigment_colour(pigment, spots_at(points, i));
-        return;
-    }
-    pattern_locate_all(&pigment->pattern, points, &located);
-    pattern_values_at(&pigment->pattern, &located, values);
-    values_colours(pigment, values, &located, colours);
+    pigments_at(pigment, points, (struct depth){ 0, NULL }, colours);
 }
 
 colour pigment_seen(const struct pigment *pigment, vec3 point,
