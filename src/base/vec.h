@@ -76,6 +76,12 @@ static inline vec3 vec3_normalise(vec3 a)
     return length > 0 ? vec3_scale(a, 1 / length) : a;
 }
 
+/* The normal or its opposite: the one that does not go along the direction. */
+static inline vec3 vec3_against(vec3 normal, vec3 direction)
+{
+    return vec3_dot(normal, direction) > 0 ? vec3_negate(normal) : normal;
+}
+
 /* Of what in `b` is no number that of `a` is taken. */
 static inline vec3 vec3_min(vec3 a, vec3 b)
 {

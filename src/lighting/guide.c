@@ -101,14 +101,15 @@ static void node_look(const struct guide *guide, uint32_t node,
     const struct skeleton *skeleton = guide->skeleton;
     const struct voxels *v = skeleton->voxels;
     double far = v->edge * (v->size[0] + v->size[1] + v->size[2]);
+    const uint64_t key = random_key(skeleton->seed ^ look_key, node);
     for (uint32_t i = 0; i < LOOKS; i++) {
-        struct draws draws = { random_key(skeleton->seed ^ look_key, node), i };
+        struct draws draws = { key, i };
         double u[2], distance;
         draw_pair(&draws, 0, u);
         struct ray ray = { skeleton->graph->nodes[node].position,
                            warp_sphere(u) };
         double light = rgb_peak(skeleton->heuristic->seen(
-            skeleton, &ray, random_key(draws.key, i), &distance));
+            skeleton, &ray, random_key(key, i), &distance));
         if (!(light > 0) || !isfinite(light))
             continue;
         struct look_cell *into = &cells[cell_of(ray.direction)];
@@ -232,7 +233,8 @@ void guide_look(const struct guide *guide, vec3 point, vec3 normal, bool lit,
     if (node == GRAPH_NONE)
         return;
     const struct node_targets *targets = &guide->nodes[node];
-    double sum = targets->rest / 4;
+    double sum = targets->rest / 4; /* the mean cosine, 0 if behind, of light
+                                     * that comes from all around */
     aim->light = targets->light;
     for (int i = 0; !lit && i < targets->count; i++) {
         struct guide_lobe *lobe = &aim->at[aim->count];

@@ -56,8 +56,7 @@ static void view_pixel(const struct mesh_lamps *lamps, struct worker *worker,
     struct ray ray = camera_ray(camera, place->at[0], place->at[1]);
     if (!world_closest(all->world, &ray, 0, RAY_CAMERA, &at))
         return;
-    vec3 side =
-        vec3_dot(at.face, ray.direction) > 0 ? vec3_negate(at.face) : at.face;
+    vec3 side = vec3_against(at.face, ray.direction);
     struct receiver receiver = { .point = at.point,
                                  .side = side,
                                  .normal = side,

@@ -86,7 +86,8 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
            (!frame->closed || frame->samples == 0 ||
             mesh_close_make(&mesh->close, mesh->lamps.world, scene, options,
                             diag));
-    mesh->ambience.everywhere |= mesh->close.dark;
+    const struct skeleton *closing = mesh->close.skeleton;
+    mesh->ambience.everywhere |= closing && closing->ambience.everywhere;
     if (done && known.found)
         mesh_make(mesh, scene, interpolation);
     else if (done)

@@ -11,7 +11,7 @@ bool mesh_close_make(struct void_skeleton *close, const struct world *world,
     struct void_skeleton_wish wish = { .resolution = CLOSE_VOXELS,
                                        .still = true,
                                        .rays = CLOSE_RAYS };
-    *close = (struct void_skeleton){ .space = NULL };
+    *close = (struct void_skeleton){ NULL, NULL };
     if (!said->indirect.on || !said->indirect.skeleton)
         return true;
     return void_skeleton_make(close, world, scene, wish, options, diag);

@@ -21,7 +21,7 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
     };
     const struct grid_wish grid = { said > 0 ? said : wish.resolution,
                                     wish.still };
-    *made = (struct void_skeleton){ .space = NULL };
+    *made = (struct void_skeleton){ NULL, NULL };
     if (wanted.heuristic)
         made->space =
             void_new(scene, world, grid, options->threads, options->stop, diag);
@@ -31,8 +31,7 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
     if (!made->skeleton)
         return false;
     struct ambience *ambience = &made->skeleton->ambience;
-    made->dark = made->space->dark && !ambience->sky;
-    ambience->everywhere |= made->dark;
+    ambience->everywhere |= made->space->dark && !ambience->sky;
     return true;
 }
 

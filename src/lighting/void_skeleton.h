@@ -11,8 +11,6 @@ struct void_space;
 struct void_skeleton {
     struct void_space *space;
     struct skeleton *skeleton;
-    bool dark; /* no light gets to the camera: ambient light is everywhere, as
-                * where no lamp is on (struct ambience) */
 };
 
 /* What a method wants of it. */
@@ -24,8 +22,10 @@ struct void_skeleton_wish {
     size_t rays;           /* as in struct skeleton_options */
 };
 
-/* As the scene's skeleton {} says, and the wish. False after an error was
- * printed, or when it was stopped. Frees with void_skeleton_free. */
+/* As the scene's skeleton {} says, and the wish. If no light gets to where the
+ * camera is the skeleton's ambient light is everywhere, as where no lamp is on.
+ * False after an error was printed, or when it was stopped. Frees with
+ * void_skeleton_free. */
 bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
                         const struct scene *scene,
                         struct void_skeleton_wish wish,

@@ -26,8 +26,7 @@ static struct receiver receiver_at(const struct ray *ray,
                                    const struct intersection *at,
                                    struct lattice_view view)
 {
-    vec3 side = vec3_dot(at->face, ray->direction) > 0 ? vec3_negate(at->face)
-                                                       : at->face;
+    vec3 side = vec3_against(at->face, ray->direction);
     return (struct receiver){ .point = at->point,
                               .side = side,
                               .normal = side,

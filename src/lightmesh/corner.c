@@ -26,9 +26,7 @@ void corner_meet(struct corner *corner, const struct indirect_mesh *mesh,
 {
     struct receiver receiver = *like;
     receiver.point = at->point;
-    receiver.side = vec3_dot(at->face, ray->direction) > 0
-                        ? vec3_negate(at->face)
-                        : at->face;
+    receiver.side = vec3_against(at->face, ray->direction);
     receiver.from = ray->origin;
     corner_here(corner, mesh, &receiver);
 }

@@ -99,11 +99,16 @@ static void gatherer_pick(const struct gatherer *gatherer,
                                gatherer_density(gatherer, found.direction));
 }
 
-/* Which part of its set a mesh point has begins there. */
+/* Which part of a set a mesh point has, */
+static uint32_t gatherer_part(const struct gatherer *gatherer)
+{
+    return (uint32_t)(gatherer->site->dither * GATHER_PARTS);
+}
+
+/* and where it begins among the ways. */
 static uint32_t gatherer_first(const struct gatherer *gatherer)
 {
-    uint32_t part = (uint32_t)(gatherer->site->dither * GATHER_PARTS);
-    return part * gatherer->mesh->ways.set;
+    return gatherer_part(gatherer) * gatherer->mesh->ways.set;
 }
 
 static struct draws gatherer_draws(const struct gatherer *gatherer,
@@ -153,10 +158,9 @@ static void gatherer_aim_at(const struct gatherer *gatherer,
                             const struct aim_disc *disc,
                             struct gather_rays *sent, struct gathered *sum)
 {
-    uint32_t part = (uint32_t)(gatherer->site->dither * GATHER_PARTS);
     struct draws draws = { random_key(gatherer->mesh->gather.lamps->seed,
                                       disc->key),
-                           part * AIM_RAYS_MOST };
+                           gatherer_part(gatherer) * AIM_RAYS_MOST };
     for (uint32_t i = 0; i < disc->rays && !worker_stopped(gatherer->worker);
          i++, draws.index++) {
         double u[2];

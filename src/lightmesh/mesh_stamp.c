@@ -182,31 +182,31 @@ void mesh_frame_put(const struct mesh_frame *frame,
                     double numbers[MESH_FRAME_NUMBERS])
 {
     const struct mesh_frame *f = frame;
-    const double first[] = {
+    const double first[FRAME_OWN_NUMBERS] = {
         f->spacing,        f->wanted,      f->near,           f->eye.x,
         f->eye.y,          f->eye.z,       f->centre.x,       f->centre.y,
         f->centre.z,       f->size,        f->gather,         f->samples,
         f->asked,          f->closed,      f->around.light.r, f->around.light.g,
         f->around.light.b, f->around.open, f->bright.count,   f->bright.radius,
     };
-    double *to = numbers + sizeof first / sizeof *first;
+    double *to = numbers + FRAME_OWN_NUMBERS;
     memset(numbers, 0, MESH_FRAME_NUMBERS * sizeof *numbers);
     memcpy(numbers, first, sizeof first);
     for (int i = 0; i < f->bright.count; i++) {
         const struct bright_disc *disc = &f->bright.at[i];
-        const double of_disc[] = { disc->centre.x, disc->centre.y,
-                                   disc->centre.z, disc->normal.x,
-                                   disc->normal.y, disc->normal.z,
-                                   disc->light };
+        const double of_disc[FRAME_DISC_NUMBERS] = {
+            disc->centre.x, disc->centre.y, disc->centre.z, disc->normal.x,
+            disc->normal.y, disc->normal.z, disc->light
+        };
         memcpy(to, of_disc, sizeof of_disc);
-        to += sizeof of_disc / sizeof *of_disc;
+        to += FRAME_DISC_NUMBERS;
     }
 }
 
 void mesh_frame_take(struct mesh_frame *frame,
                      const double numbers[MESH_FRAME_NUMBERS])
 {
-    const double *n = numbers, *from = numbers + 20;
+    const double *n = numbers, *from = numbers + FRAME_OWN_NUMBERS;
     *frame = (struct mesh_frame){
         .spacing = n[0],
         .wanted = n[1],
@@ -222,7 +222,7 @@ void mesh_frame_take(struct mesh_frame *frame,
         .bright = { .count = (int)fmin(fmax(n[18], 0), BRIGHT_MOST),
                     .radius = n[19] },
     };
-    for (int i = 0; i < frame->bright.count; i++, from += 7)
+    for (int i = 0; i < frame->bright.count; i++, from += FRAME_DISC_NUMBERS)
         frame->bright.at[i] =
             (struct bright_disc){ { from[0], from[1], from[2] },
                                   { from[3], from[4], from[5] },

@@ -31,7 +31,11 @@ struct mesh_frame {
 };
 
 /* All of it as numbers, for files and hashes. */
-enum { MESH_FRAME_NUMBERS = 20 + 7 * BRIGHT_MOST };
+enum {
+    FRAME_OWN_NUMBERS = 20,
+    FRAME_DISC_NUMBERS = 7,
+    MESH_FRAME_NUMBERS = FRAME_OWN_NUMBERS + FRAME_DISC_NUMBERS * BRIGHT_MOST
+};
 void mesh_frame_put(const struct mesh_frame *frame,
                     double numbers[MESH_FRAME_NUMBERS]);
 

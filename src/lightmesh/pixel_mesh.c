@@ -116,8 +116,7 @@ static void point_fill(struct pixel_mesh *mesh, size_t number, int x, int y)
     first_hits_place(&mesh->hits, x, y, place);
     struct ray ray = camera_ray(mesh->options.camera, place[0], place[1]);
     world_describe(&ray, first_hits_at(&mesh->hits, x, y), &at);
-    vec3 side =
-        vec3_dot(at.face, ray.direction) > 0 ? vec3_negate(at.face) : at.face;
+    vec3 side = vec3_against(at.face, ray.direction);
     vec3 from = vec3_sub(at.point, casters->centre);
     const double coordinate[3] = { from.x, from.y, from.z };
     const double normal[3] = { side.x, side.y, side.z };

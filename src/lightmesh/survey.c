@@ -86,8 +86,7 @@ gathered_hit(const struct ray *ray, const struct gathered_ray *found, rgb light)
                               .light = fmax(rgb_brightness(light), 0) };
     if (!found->at.leaf)
         return hit;
-    bool behind = vec3_dot(found->at.face, ray->direction) > 0;
-    hit.normal = behind ? vec3_negate(found->at.face) : found->at.face;
+    hit.normal = vec3_against(found->at.face, ray->direction);
     hit.distance = found->at.t;
     return hit;
 }

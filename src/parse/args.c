@@ -213,12 +213,11 @@ static bool field_chosen(struct parser *p, const struct field *field, int *out)
 /* A value is missing since `0 -1` without a comma is one number. */
 static bool field_subtracted(struct parser *p)
 {
-    struct span minus = subtracted_span(p);
-    if (!minus.source)
+    struct span minus;
+    const char *hint = subtracted_hint(p, &minus);
+    if (!hint)
         return false;
-    error_at(p, minus,
-             arena_printf(p->arena, ", %.*s", (int)minus.length,
-                          minus.source->text + minus.offset),
+    error_at(p, minus, hint,
              "this is subtracted from what stands before it; a comma makes it "
              "'%s'",
              p->field->name);

@@ -118,9 +118,10 @@ bool operator_unknown(struct parser *p);
  * a missing one. */
 bool skip_brackets(struct parser *p);
 
-/* The last number that was read with the minus before it, where both look like
- * a value of their own and are none: `0 -1`. Else nowhere. */
-struct span subtracted_span(const struct parser *p);
+/* What to type where the last number that was read and the minus before it look
+ * like a value of their own and are none, `0 -1`; *minus is where. Else NULL.
+ */
+const char *subtracted_hint(struct parser *p, struct span *minus);
 
 /* constant.c: the keyword's value, if it is one like `pi` or `x`; the token is
  * not taken. */

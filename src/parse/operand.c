@@ -126,27 +126,28 @@ static bool operand_recover(struct parser *p, enum token_kind close, bool ok,
     return true;
 }
 
-struct span subtracted_span(const struct parser *p)
+const char *subtracted_hint(struct parser *p, struct span *minus)
 {
     struct span last = p->last_span;
     const char *text = last.source ? last.source->text : NULL;
     if (!text || last.offset < 2 || text[last.offset - 1] != '-' ||
         text[last.offset - 2] != ' ')
-        return span_none();
+        return NULL;
     last.offset--;
     last.length++;
-    return last;
+    *minus = last;
+    return arena_printf(p->arena, ", %.*s", (int)last.length,
+                        text + last.offset);
 }
 
 /* Where no comma stands between the components <0 0 -1> has two, and <1 -1> is
  * no vector. */
 static bool vector_subtracted(struct parser *p, int size)
 {
-    struct span minus = subtracted_span(p);
-    if (!minus.source)
+    struct span minus;
+    const char *hint = subtracted_hint(p, &minus);
+    if (!hint)
         return false;
-    const char *hint = arena_printf(p->arena, ", %.*s", (int)minus.length,
-                                    minus.source->text + minus.offset);
     if (size == 1)
         error_at(p, minus, hint,
                  "this is subtracted from what stands before it; a comma makes "

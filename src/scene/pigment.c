@@ -186,9 +186,11 @@ static void entry_colours(const struct blend_entry *entry,
                           const struct spots *points, struct depth depth,
                           colour *colours)
 {
-    if (entry->pigment)
+    if (entry->pigment) {
         pigments_at(entry->pigment, points, depth_below(depth), colours);
-    for (int i = 0; !entry->pigment && i < points->count; i++)
+        return;
+    }
+    for (int i = 0; i < points->count; i++)
         colours[i] = entry->colour;
 }
 

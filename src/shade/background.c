@@ -77,6 +77,8 @@ struct sky_sum {
     double filter, transmit;
 };
 
+static const struct veil sky_none = { { 0, 0, 0 }, { 1, 1, 1 } };
+
 static void sky_start(struct sky_sum *sum)
 {
     sum->light = rgb_grey(0);
@@ -119,7 +121,7 @@ struct veil sky_veil(const struct scene *scene, vec3 direction)
 {
     struct sky_sum sum;
     if (!sky_is_there(scene))
-        return (struct veil){ rgb_grey(0), rgb_grey(1) };
+        return sky_none;
     sky_start(&sum);
     for (size_t i = scene->sky->count; i-- > 0;)
         sky_add(&sum, scene,
@@ -133,12 +135,13 @@ void sky_veils(const struct scene *scene, const struct spots *directions,
     const int count = directions->count;
     struct sky_sum sums[SPOTS_MAX];
     colour colours[SPOTS_MAX];
-    for (int k = 0; k < count; k++) {
-        veils[k] = (struct veil){ rgb_grey(0), rgb_grey(1) };
-        sky_start(&sums[k]);
-    }
-    if (!sky_is_there(scene))
+    if (!sky_is_there(scene)) {
+        for (int k = 0; k < count; k++)
+            veils[k] = sky_none;
         return;
+    }
+    for (int k = 0; k < count; k++)
+        sky_start(&sums[k]);
     for (size_t i = scene->sky->count; i-- > 0;) {
         pigment_colours(scene->sky->pigments[i], directions, colours);
         for (int k = 0; k < count; k++)

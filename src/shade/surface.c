@@ -331,10 +331,8 @@ void surface_fill(struct surface *surface, const struct intersection *at,
     surface->weight = 1;
     surface->view = vec3_negate(view->direction);
     surface->inside = view->inside;
-    bool away = vec3_dot(at->normal, view->direction) > 0;
-    surface->normal = away ? vec3_negate(at->normal) : at->normal;
-    away = vec3_dot(at->face, view->direction) > 0;
-    surface->side = away ? vec3_negate(at->face) : at->face;
+    surface->normal = vec3_against(at->normal, view->direction);
+    surface->side = vec3_against(at->face, view->direction);
     surface->count = 0;
     surface->through = rgb_grey(0);
     if (view->quality < QUALITY_LIT)

@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "shade/shadow.h"
 #include "shade/surface.h"
+#include "skeleton/heuristic.h"
 #include "skeleton/stream.h"
 
 enum {
@@ -208,7 +209,7 @@ static struct lamp_gist lamp_gist(const struct lamp *lamp)
     };
 }
 
-void skeleton_light_up(struct skeleton *skeleton, bool ways)
+void skeleton_light_up(struct skeleton *skeleton)
 {
     const struct light *lights =
         world_lights(skeleton->world, &skeleton->lamp_count);
@@ -225,7 +226,7 @@ void skeleton_light_up(struct skeleton *skeleton, bool ways)
         node_of[i] = lamp_node(skeleton, lamp->lamp);
         lamp->within = node_of[i] != GRAPH_NONE;
     }
-    if (ways && skeleton->graph->count > 0) {
+    if (!skeleton->heuristic->wayless && skeleton->graph->count > 0) {
         lamps_within(skeleton, node_of);
         lamps_outside(skeleton);
     }

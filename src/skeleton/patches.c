@@ -162,8 +162,7 @@ static rgb patch_direct(const struct patches_task *task,
 /* The true normal on the side that the void is on. */
 static vec3 patch_faces(const struct wall_point *wall)
 {
-    vec3 face = wall->at.face;
-    return vec3_dot(face, wall->direction) > 0 ? vec3_negate(face) : face;
+    return vec3_against(wall->at.face, wall->direction);
 }
 
 static void patch_fill(const struct patches_task *task, size_t number)

@@ -37,9 +37,7 @@ struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
     struct sighting seen = { .zone = ZONE_NONE,
                              .distance =
                                  vec3_length(vec3_sub(at.point, ray->origin)) };
-    vec3 face = at.face;
-    if (vec3_dot(face, ray->direction) > 0)
-        face = vec3_negate(face);
+    vec3 face = vec3_against(at.face, ray->direction);
     struct skeleton_point point =
         skeleton_find(skeleton, at.point, face, ray->origin);
     if (point.node == GRAPH_NONE)

@@ -235,7 +235,7 @@ struct skeleton *skeleton_new(const struct world *world,
         options->heuristic ? options->heuristic : heuristic_at(0);
     skeleton->marks = matter_marks(world, voxels_box(voxels), arena);
     if (skeleton_thin(skeleton)) {
-        skeleton_light_up(skeleton, !skeleton->heuristic->wayless);
+        skeleton_light_up(skeleton);
         if (skeleton->heuristic->start)
             skeleton->state = skeleton->heuristic->start(skeleton);
     }

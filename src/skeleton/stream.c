@@ -108,10 +108,12 @@ static void stream_add(struct skeleton_light *light, rgb arriving,
         vec3_along(light->stream, direction, rgb_brightness(arriving));
 }
 
-rgb stream_hidden(const struct skeleton *skeleton,
-                  const struct skeleton_lamp *lamp,
-                  const struct skeleton_point *point, stream_follow *follow,
-                  struct stream_way *way)
+/* What comes to a facing surface by the way from a lamp that isn't seen, and
+ * the way; black where no way leads. */
+static rgb stream_hidden(const struct skeleton *skeleton,
+                         const struct skeleton_lamp *lamp,
+                         const struct skeleton_point *point,
+                         stream_follow *follow, struct stream_way *way)
 {
     *way = (struct stream_way){ 0 };
     if (!lamp->paths || isinf(lamp->paths->distance[point->node]))

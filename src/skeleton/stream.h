@@ -18,13 +18,6 @@ typedef struct stream_way stream_follow(const struct skeleton *skeleton,
                                         const struct skeleton_lamp *lamp,
                                         const struct skeleton_point *point);
 
-/* What comes to a facing surface by the way from a lamp that isn't seen, and
- * the way; black where no way leads. */
-rgb stream_hidden(const struct skeleton *skeleton,
-                  const struct skeleton_lamp *lamp,
-                  const struct skeleton_point *point, stream_follow *follow,
-                  struct stream_way *way);
-
 /* The light of all lamps (an estimate from some, where they are many): of those
  * that the point sees, what they give (A3); of the others what comes by the way
  * that `follow` finds (NULL: nothing). */
@@ -43,7 +36,7 @@ uint32_t stream_source(const struct paths *paths, uint32_t node);
 vec3 stream_start(const struct skeleton *skeleton,
                   const struct skeleton_lamp *lamp, uint32_t source);
 
-/* The forward heuristic's way: no rays. Others take directions from it. */
+/* The forward heuristic's way: no rays. */
 stream_follow stream_forward;
 
 #endif

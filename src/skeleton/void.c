@@ -91,7 +91,8 @@ static bool camera_is_shone_at(const struct void_space *space,
     return false;
 }
 
-static void warn_of_camera(struct void_space *space, const struct scene *scene,
+/* Whether any light gets to the camera, which is also told if none does. */
+static void look_for_light(struct void_space *space, const struct scene *scene,
                            const struct light *lights,
                            const struct void_matter *matter, struct diag *diag)
 {
@@ -148,7 +149,7 @@ struct void_space *void_new(const struct scene *scene,
     const struct void_matter matter = { world, leaf_marks };
     const struct light *lights = world_lights(world, &count);
     warn_of_lights(space, lights, diag);
-    warn_of_camera(space, scene, lights, &matter, diag);
+    look_for_light(space, scene, lights, &matter, diag);
     arena_free(arena);
     return space;
 }
