@@ -35,7 +35,8 @@ FLAGS_tsan    = -O1 -g -fsanitize=thread
 FLAGS_fuzz    = -O1 -g -fno-omit-frame-pointer \
 	-fsanitize=address,undefined,float-cast-overflow,fuzzer-no-link \
 	-fno-sanitize-recover=all -fno-sanitize-coverage=trace-cmp
-FLAGS = $(FLAGS_$(MODE)) -fno-math-errno -ffp-contract=off
+FLAGS = $(FLAGS_$(MODE)) -fno-math-errno -fno-trapping-math -ffp-contract=off \
+	-fno-plt
 
 # gcc empties and copies small structs by `rep stos` and `rep movs`, which take
 # longer to begin than all of the work: a fiftieth of all time. Others, clang
@@ -116,7 +117,7 @@ programs: $(PROGRAMS)
 
 $(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE) $(SERVER)
 	$(call TICK,link $@)
-	@$(CXX) $(FLAGS) $(LTO_LINK) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@$(CXX) $(FLAGS) $(LTO_LINK) -Wl,-z,now $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # No Embree: nothing of the tracer is in it.
 $(BUILD)/glim-compare: $(BUILD)/src/compare/main.o $(BUILD)/libglim.a | \

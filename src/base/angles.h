@@ -3,11 +3,12 @@
  * which there are choose and less as in octet.h, and names the functions with
  * NAMED.
  *
- * Angles are taken modulo pi/2, which is subtracted in three parts of 33 bits
- * (Cody and Waite, "Software Manual for the Elementary Functions", 1980). The
- * polynomials are minimax ones: those of sine and cosine between -pi/4 and pi/4
- * have the coefficients of Sun's fdlibm (1993), the quotient of the arc tangent
- * those of Moshier's Cephes library (1989). */
+ * Angles are taken modulo pi/2, which is subtracted in three parts of 27 bits,
+ * whose multiples up to 2^26 are exact, and a last one (Cody and Waite,
+ * "Software Manual for the Elementary Functions", 1980). The polynomials are
+ * minimax ones: those of sine and cosine between -pi/4 and pi/4 have the
+ * coefficients of Sun's fdlibm (1993), the quotient of the arc tangent those of
+ * Moshier's Cephes library (1989). */
 
 INLINED NUMBERS NAMED(magnitude)(NUMBERS x)
 {
@@ -21,9 +22,10 @@ INLINED BITS NAMED(quarters)(NUMBERS x, NUMBERS *rest)
     const double whole =
         0x1.8p52; /* so large that nothing is after the point */
     NUMBERS turned = x * 0x1.45f306dc9c883p-1 + whole, count = turned - whole;
-    x = x - count * 1.57079632673412561417e+00;
-    x = x - count * 6.07710050630396597660e-11;
-    *rest = x - count * 2.02226624879595063154e-21;
+    x = x - count * 0x1.921fb54p+0;
+    x = x - count * 0x1.10b461p-30;
+    x = x - count * 0x1.a62633p-58;
+    *rest = x - count * 0x1.45c06e0e68948p-86;
     return (BITS)turned;
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "base/clones.h"
 #include "base/pair.h"
@@ -34,7 +35,7 @@ INLINED pair_bits pair_less(pair a, pair b)
 #include "base/angles.h"
 
 /* Beyond it a multiple of the first part of pi/2 is not exact. */
-static const double angle_limit = 1e6;
+static const double angle_limit = 1e8;
 
 static const double arc_limit = 1e150;
 
@@ -174,4 +175,17 @@ double lone_atan2(double y, double x)
     if (!(fabs(y) <= arc_limit && fabs(x) <= arc_limit))
         return atan2(y, x);
     return pair_arc_of(pair_of(y), pair_of(x))[0];
+}
+
+void numbers_sin(double *x, int count)
+{
+    for (; count > 2; x += OCTET, count -= OCTET) {
+        const size_t size = (size_t)(count < OCTET ? count : OCTET) * sizeof *x;
+        octet each = { 0 };
+        memcpy(&each, x, size);
+        octet_sin(&each);
+        memcpy(x, &each, size);
+    }
+    for (int i = 0; i < count; i++)
+        x[i] = lone_sin(x[i]);
 }

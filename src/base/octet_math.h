@@ -14,6 +14,9 @@ void octet_cos(octet *x);
 void octet_sqrt(octet *x);
 void octet_abs(octet *x);
 
+/* The sine of each of `count` numbers, to the bit as above. */
+void numbers_sin(double *x, int count);
+
 /* e^x, where x beyond 708 counts as that, and below -708; the logarithm of what
  * is above 0, where less than 1e-300 counts as that. Of eight at a time only.
  */

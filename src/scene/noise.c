@@ -193,27 +193,34 @@ static inline vec3 fields_sum(const float (*raw)[NOISE_FIELDS], int count,
     return sum;
 }
 
-void noise_vectors_stir(struct spots *spots,
-                        const struct turbulence *turbulence)
+void noise_vector_turbulences(const struct spots *spots,
+                              const struct turbulence *turbulence, vec3 *sums)
 {
     float raw[PLACES_MAX][NOISE_FIELDS];
     const struct octaves octaves = octaves_of(turbulence);
-    const vec3 amount = turbulence->amount;
     fields_find(spots, octaves, raw);
+    for (int i = 0; i < spots->count; i++)
+        sums[i] = fields_sum(raw + i * octaves.count, octaves.count,
+                             turbulence->omega);
+}
+
+void noise_vectors_stir(struct spots *spots,
+                        const struct turbulence *turbulence)
+{
+    const vec3 amount = turbulence->amount;
+    vec3 sums[SPOTS_MAX];
+    noise_vector_turbulences(spots, turbulence, sums);
     for (int i = 0; i < spots->count; i++) {
-        vec3 sum = fields_sum(raw + i * octaves.count, octaves.count,
-                              turbulence->omega);
-        spots->x[i] += amount.x * sum.x;
-        spots->y[i] += amount.y * sum.y;
-        spots->z[i] += amount.z * sum.z;
+        spots->x[i] += amount.x * sums[i].x;
+        spots->y[i] += amount.y * sums[i].y;
+        spots->z[i] += amount.z * sums[i].z;
     }
 }
 
 vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence)
 {
-    float raw[OCTAVES_MAX][NOISE_FIELDS];
-    const struct octaves octaves = octaves_of(turbulence);
     const struct spots spots = spots_of(point);
-    fields_find(&spots, octaves, raw);
-    return fields_sum(raw, octaves.count, turbulence->omega);
+    vec3 sum;
+    noise_vector_turbulences(&spots, turbulence, &sum);
+    return sum;
 }

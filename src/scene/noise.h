@@ -61,6 +61,8 @@ void noise_turbulences(enum noise_generator generator,
 double noise_turbulence(enum noise_generator generator, vec3 point,
                         const struct turbulence *turbulence);
 vec3 noise_vector_turbulence(vec3 point, const struct turbulence *turbulence);
+void noise_vector_turbulences(const struct spots *spots,
+                              const struct turbulence *turbulence, vec3 *sums);
 
 /* Moves each spot by its turbulence. */
 void noise_vectors_stir(struct spots *spots,

@@ -62,21 +62,36 @@ colour blend_map_colour(const struct blend_map *map, double value)
 }
 
 /* The entries' numbers are their weights. */
+static void average_add(colour *sum, double weight, colour c)
+{
+    *sum = (colour){ sum->r + weight * c.r, sum->g + weight * c.g,
+                     sum->b + weight * c.b, sum->filter + weight * c.filter,
+                     sum->transmit + weight * c.transmit };
+}
+
+static colour average_of(colour sum, double total)
+{
+    return (colour){ sum.r / total, sum.g / total, sum.b / total,
+                     sum.filter / total, sum.transmit / total };
+}
+
 static colour average_colour(const struct blend_map *map, vec3 point,
                              struct depth depth)
 {
     colour sum = { 0 };
     double total = 0;
     for (size_t i = 0; i < map->count; i++) {
-        double weight = map->entries[i].value;
-        colour c = entry_colour(&map->entries[i], point, depth);
-        sum = (colour){ sum.r + weight * c.r, sum.g + weight * c.g,
-                        sum.b + weight * c.b, sum.filter + weight * c.filter,
-                        sum.transmit + weight * c.transmit };
-        total += weight;
+        const struct blend_entry *entry = &map->entries[i];
+        average_add(&sum, entry->value, entry_colour(entry, point, depth));
+        total += entry->value;
     }
-    return (colour){ sum.r / total, sum.g / total, sum.b / total,
-                     sum.filter / total, sum.transmit / total };
+    return average_of(sum, total);
+}
+
+/* Whether it says what the block's colour is. */
+static inline bool block_has(const struct blend_map *map, double value)
+{
+    return map && (size_t)value < map->count;
 }
 
 /* Blocks that the scene gives no colour have the pattern's own; in a list of
@@ -87,7 +102,7 @@ static colour block_colour(const struct pigment *pigment, double value,
     const struct pattern_kind *kind = pigment->pattern.kind;
     const struct blend_map *map = pigment->map;
     size_t block = (size_t)value;
-    if (map && block < map->count)
+    if (block_has(map, value))
         return entry_colour(&map->entries[block], point, depth);
     if (map && map->count > 0 && map->entries[0].pigment)
         return (colour){ 0 };
@@ -152,7 +167,7 @@ static inline bool block_simple(const struct blend_map *map, double value,
                                 colour *made)
 {
     size_t block = (size_t)value;
-    if (!map || block >= map->count || map->entries[block].pigment)
+    if (!block_has(map, value) || map->entries[block].pigment)
         return false;
     *made = map->entries[block].colour;
     return true;
@@ -194,6 +209,55 @@ static void entry_colours(const struct blend_entry *entry,
         colours[i] = entry->colour;
 }
 
+/* average_colour of several. */
+static void average_colours(const struct blend_map *map,
+                            const struct spots *points, struct depth depth,
+                            colour *colours)
+{
+    colour each[SPOTS_MAX];
+    double total = 0;
+    for (int i = 0; i < points->count; i++)
+        colours[i] = (colour){ 0 };
+    for (size_t k = 0; k < map->count; k++) {
+        const struct blend_entry *entry = &map->entries[k];
+        entry_colours(entry, points, depth, each);
+        for (int i = 0; i < points->count; i++)
+            average_add(&colours[i], entry->value, each[i]);
+        total += entry->value;
+    }
+    for (int i = 0; i < points->count; i++)
+        colours[i] = average_of(colours[i], total);
+}
+
+/* The points of `lanes`. */
+static struct spots spots_of_lanes(const struct spots *points, unsigned lanes)
+{
+    struct spots some;
+    some.count = 0;
+    for (; lanes; lanes &= lanes - 1)
+        spots_add(&some, spots_at(points, __builtin_ctz(lanes)));
+    return some;
+}
+
+/* block_colour of those of `lanes`, of blocks that the map has. */
+static void blocks_colours(const struct blend_map *map, const double *values,
+                           const struct spots *points, unsigned lanes,
+                           struct depth depth, colour *colours)
+{
+    while (lanes) {
+        const double block = values[__builtin_ctz(lanes)];
+        unsigned same = 0;
+        for (unsigned each = lanes; each; each &= each - 1)
+            same |= values[__builtin_ctz(each)] == block ? each & -each : 0;
+        colour made[SPOTS_MAX];
+        const struct spots some = spots_of_lanes(points, same);
+        entry_colours(&map->entries[(size_t)block], &some, depth, made);
+        lanes &= ~same;
+        for (int k = 0; same; same &= same - 1)
+            colours[__builtin_ctz(same)] = made[k++];
+    }
+}
+
 /* Points with a map's places. */
 struct map_places {
     const struct blend_map *map;
@@ -207,11 +271,9 @@ static void places_blend(const struct map_places *places, unsigned lanes,
 {
     const struct map_place place = places->of[__builtin_ctz(lanes)];
     const struct blend_entry *entry = &places->map->entries[place.entry];
+    const struct spots some = spots_of_lanes(places->points, lanes);
     bool blended = place.share < 1;
-    struct spots some = { .count = 0 };
     colour before[SPOTS_MAX], after[SPOTS_MAX];
-    for (unsigned each = lanes; each; each &= each - 1)
-        spots_add(&some, spots_at(places->points, __builtin_ctz(each)));
     entry_colours(entry, &some, depth, after);
     if (blended)
         entry_colours(entry - 1, &some, depth, before);
@@ -259,18 +321,25 @@ static void values_colours(const struct pigment *pigment, const double *values,
     const struct blend_map *map =
         pigment->map ? pigment->map : pattern_map(pattern);
     bool blocks = kind && kind->blocks > 0;
-    bool mapped =
-        kind && kind->blocks == 0 && !kind->average && map && map->count > 0;
-    unsigned left = 0;
-    for (int i = 0; i < located->count; i++)
-        if (!(blocks && block_simple(pigment->map, values[i], &colours[i])) &&
-            !(mapped && map_simple(map, values[i], &colours[i])))
-            left |= 1u << i;
+    bool mapped = kind && !blocks && map && map->count > 0;
+    unsigned left = 0, own = 0; /* not simple; of them, blocks of the map */
+    if (mapped && kind->average) {
+        average_colours(map, located, depth, colours);
+        return;
+    }
+    for (int i = 0; i < located->count; i++) {
+        if ((blocks && block_simple(pigment->map, values[i], &colours[i])) ||
+            (mapped && map_simple(map, values[i], &colours[i])))
+            continue;
+        left |= 1u << i;
+        own |= (unsigned)(blocks && block_has(pigment->map, values[i])) << i;
+    }
     if (left && mapped && depth.levels < DEPTH_BLEND) {
         map_colours(map, values, located, left, depth, colours);
         return;
     }
-    for (; left; left &= left - 1) {
+    blocks_colours(pigment->map, values, located, own, depth, colours);
+    for (left &= ~own; left; left &= left - 1) {
         int i = __builtin_ctz(left);
         colours[i] =
             value_colour(pigment, values[i], spots_at(located, i), depth);

@@ -1,18 +1,25 @@
 /* checker: unit cubes of alternating colours. */
+#include "base/clones.h"
 #include "scene/pattern.h"
+#include "scene/spots.h"
 
 static const double checker_colours[][3] = { { 0, 0, 1 }, { 0, 1, 0 } };
 
 /* The offset puts a surface at y = 0 (which rounding scatters on both sides)
  * into the cubes above it. Measured: 1e-10. */
-static double checker_value(const struct pattern *pattern, vec3 point)
+CLONES static void checker_values(const struct pattern *pattern,
+                                  const struct spots *restrict spots,
+                                  double *restrict values)
 {
     const double offset = 1e-10;
     (void)pattern;
-    double half = (floor(point.x + offset) + floor(point.y + offset) +
-                   floor(point.z + offset)) /
-                  2;
-    return half == floor(half) ? 0 : 1;
+    for (int i = 0; i < spots->count; i++) {
+        double half =
+            (floor(spots->x[i] + offset) + floor(spots->y[i] + offset) +
+             floor(spots->z[i] + offset)) /
+            2;
+        values[i] = half == floor(half) ? 0 : 1;
+    }
 }
 
 const struct pattern_kind checker_pattern = {
@@ -20,5 +27,5 @@ const struct pattern_kind checker_pattern = {
     .help = "unit cubes of two alternating colours",
     .blocks = 2,
     .block_colours = checker_colours,
-    .value = checker_value,
+    .values = checker_values,
 };
