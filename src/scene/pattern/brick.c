@@ -1,5 +1,7 @@
 /* brick: courses of bricks (block 1) in mortar (block 0). */
+#include "base/clones.h"
 #include "scene/pattern.h"
+#include "scene/spots.h"
 
 struct brick {
     vec3 size; /* of a brick and its share of mortar */
@@ -28,21 +30,27 @@ static bool brick_in_mortar(double coordinate, double mortar)
 
 /* Measured: mortar is below, left and in front of brick and mortar counted
  * from 0; even courses are shifted by half a brick in z, odd ones in x. */
-static double brick_value(const struct pattern *pattern, vec3 point)
+CLONES static void brick_values(const struct pattern *pattern,
+                                const struct spots *restrict spots,
+                                double *restrict values)
 {
     const struct brick *brick = pattern->parameters;
+    const vec3 size = brick->size;
     const double offset = brick->mortar + 1e-10;
-    double x = (point.x + offset) / brick->size.x;
-    double y = (point.y + offset) / brick->size.y;
-    double z = (point.z + offset) / brick->size.z;
-    bool odd = pattern_odd(floor(y));
-    x += odd ? 0.5 : 0;
-    z += odd ? 0 : 0.5;
-    return brick_in_mortar(x, brick->mortar / brick->size.x) ||
-                   brick_in_mortar(y, brick->mortar / brick->size.y) ||
-                   brick_in_mortar(z, brick->mortar / brick->size.z)
-               ? 0
-               : 1;
+    const vec3 mortar = vec3_make(
+        brick->mortar / size.x, brick->mortar / size.y, brick->mortar / size.z);
+    for (int i = 0; i < spots->count; i++) {
+        double x = (spots->x[i] + offset) / size.x;
+        double y = (spots->y[i] + offset) / size.y;
+        double z = (spots->z[i] + offset) / size.z;
+        bool odd = pattern_odd(floor(y));
+        x += odd ? 0.5 : 0;
+        z += odd ? 0 : 0.5;
+        bool in_mortar = brick_in_mortar(x, mortar.x) |
+                         brick_in_mortar(y, mortar.y) |
+                         brick_in_mortar(z, mortar.z);
+        values[i] = in_mortar ? 0 : 1;
+    }
 }
 
 const struct pattern_kind brick_pattern = {
@@ -53,5 +61,5 @@ const struct pattern_kind brick_pattern = {
     .items = brick_items,
     .blocks = 2,
     .block_colours = brick_colours,
-    .value = brick_value,
+    .values = brick_values,
 };

@@ -1,5 +1,7 @@
 /* gradient V: distance along a direction, repeating at every unit. */
+#include "base/clones.h"
 #include "scene/pattern.h"
+#include "scene/spots.h"
 
 struct gradient {
     vec3 direction;
@@ -15,11 +17,16 @@ static const struct field gradient_arguments[] = {
 
 /* Measured: only positive values are reduced here; negative ones are left to
  * the wave form and its slightly longer period. */
-static double gradient_value(const struct pattern *pattern, vec3 point)
+CLONES static void gradient_values(const struct pattern *pattern,
+                                   const struct spots *restrict spots,
+                                   double *restrict values)
 {
     const struct gradient *gradient = pattern->parameters;
-    double value = vec3_dot(point, vec3_normalise(gradient->direction));
-    return value > 1 ? value - floor(value) : value;
+    const vec3 direction = vec3_normalise(gradient->direction);
+    for (int i = 0; i < spots->count; i++) {
+        double value = vec3_dot(spots_at(spots, i), direction);
+        values[i] = value > 1 ? value - floor(value) : value;
+    }
 }
 
 const struct pattern_kind gradient_pattern = {
@@ -28,5 +35,5 @@ const struct pattern_kind gradient_pattern = {
     .size = sizeof(struct gradient),
     .defaults = &gradient_defaults,
     .arguments = gradient_arguments,
-    .value = gradient_value,
+    .values = gradient_values,
 };

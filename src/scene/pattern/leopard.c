@@ -1,15 +1,26 @@
 /* leopard: regularly spaced round spots. */
+#include "base/octet_math.h"
 #include "scene/pattern.h"
+#include "scene/spots.h"
 
-static double leopard_value(const struct pattern *pattern, vec3 point)
+static void leopard_values(const struct pattern *pattern,
+                           const struct spots *spots, double *values)
 {
+    struct spots sines;
     (void)pattern;
-    double mean = (sin(point.x) + sin(point.y) + sin(point.z)) / 3;
-    return mean * mean;
+    for (int i = 0; i < spots->count; i++)
+        spots_put(&sines, i, spots_at(spots, i));
+    numbers_sin(sines.x, spots->count);
+    numbers_sin(sines.y, spots->count);
+    numbers_sin(sines.z, spots->count);
+    for (int i = 0; i < spots->count; i++) {
+        double mean = (sines.x[i] + sines.y[i] + sines.z[i]) / 3;
+        values[i] = mean * mean;
+    }
 }
 
 const struct pattern_kind leopard_pattern = {
     .name = "leopard",
     .help = "regular round spots",
-    .value = leopard_value,
+    .values = leopard_values,
 };

@@ -1,15 +1,21 @@
 /* onion: concentric spherical shells, one per unit. */
+#include "base/clones.h"
 #include "scene/pattern.h"
+#include "scene/spots.h"
 
-static double onion_value(const struct pattern *pattern, vec3 point)
+CLONES static void onion_values(const struct pattern *pattern,
+                                const struct spots *restrict spots,
+                                double *restrict values)
 {
     (void)pattern;
-    double length = vec3_length(point);
-    return length - floor(length);
+    for (int i = 0; i < spots->count; i++) {
+        double length = vec3_length(spots_at(spots, i));
+        values[i] = length - floor(length);
+    }
 }
 
 const struct pattern_kind onion_pattern = {
     .name = "onion",
     .help = "concentric spheres",
-    .value = onion_value,
+    .values = onion_values,
 };
