@@ -5,6 +5,8 @@
 
 #include "base/order.h"
 #include "lightmesh/tuning.h"
+#include "shade/shadow.h"
+#include "shade/surface.h"
 
 enum { OUTLOOK_RAYS = OUTLOOK_EDGE * OUTLOOK_EDGE };
 
@@ -25,14 +27,29 @@ static bool takes_light(const struct texture *texture)
     return false;
 }
 
+/* What the camera sees of surfaces that take light: through panes, be it the
+ * wall of a lens or of a fog that it stands in. False: none. */
+static bool outlook_meets(const struct world *world, const struct ray *ray,
+                          struct intersection *at)
+{
+    double from = 1e-4;
+    for (int i = 0; i < OUTLOOK_PANES; i++) {
+        if (!world_closest(world, ray, from, RAY_CAMERA, at))
+            return false;
+        if (rgb_brightness(surface_transmittance(at)) < 0.5)
+            return takes_light(at->texture);
+        from = at->t + surface_offset(at->point);
+    }
+    return false;
+}
+
 static void outlook_ray(struct outlook_hits *hits, const struct world *world,
                         const struct camera *camera, vec3 place, double width)
 {
     struct intersection at;
     struct ray ray = camera_ray(camera, place.x, place.y);
     struct ray beside = camera_ray(camera, place.x + 1 / width, place.y);
-    if (!world_closest(world, &ray, 1e-4, RAY_CAMERA, &at) ||
-        !takes_light(at.texture))
+    if (!outlook_meets(world, &ray, &at))
         return;
     vec3 other = vec3_along(beside.origin, beside.direction, at.t);
     int i = hits->count++;

@@ -24,7 +24,8 @@ enum {
 /* What is looked at before a picture is planned [price]. */
 enum {
     OUTLOOK_EDGE = 24, /* rays along the edge of the picture that tell how large
-                        * and how far what it shows is */
+                        * and how far what it shows is, */
+    OUTLOOK_PANES = 8, /* through so many panes */
     SURVEY_EDGE = 16,  /* the same that tell what indirect light is worth, */
     SURVEY_RAYS = 4,   /* gather rays of each, */
     CHAMBER_RAYS = 32, /* or, where little light leaves the scene, so many, */
