@@ -574,6 +574,7 @@ static struct veil media_even_veil(const struct media_list *media,
 struct veil media_veil(const struct media_way *way)
 {
     struct media_part parts[MEDIA_PARTS_MAX];
+    struct media_beams beams;
     struct media_way finite = *way;
     struct march march = { .way = &finite,
                            .how = way->media->count ? way->media->at[0] : NULL,
@@ -588,7 +589,8 @@ struct veil media_veil(const struct media_way *way)
     for (int i = 0; i < way->media->count; i++)
         if (way->media->at[i]->intervals > intervals)
             intervals = way->media->at[i]->intervals;
-    int count = media_parts(&finite, parts);
+    int count = media_parts(&finite, &beams, parts);
+    finite.beams = beams.count < 0 ? NULL : &beams;
     if (count == 1 && !parts[0].lit && march.even)
         intervals = 1;
     march_parts(&march, parts, count, intervals);

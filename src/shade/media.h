@@ -8,8 +8,10 @@
 #include "shade/background.h"
 #include "shade/interior.h"
 
+struct lamp;
 struct lamps;
 struct photon_map;
+struct media_beams;
 
 /* All that fill one place. */
 struct media_list {
@@ -30,6 +32,8 @@ struct media_way {
     double length;             /* may be infinite */
     const struct lamps *lamps; /* that light it; NULL: none, and it doesn't
                                 * glow: shadow rays */
+    const struct media_beams *beams; /* of the lamps; NULL: all of them may
+                                      * light all of the way */
     const struct photon_map *photons; /* within the media; NULL: none */
     struct worker *worker;
     const struct interiors *inside;
@@ -50,9 +54,20 @@ struct media_part {
 
 enum { MEDIA_PARTS_MAX = 129 };
 
+/* Which lamps light the way, in their order, and from where to where. */
+enum { MEDIA_BEAMS_MAX = 64 };
+
+struct media_beams {
+    int count; /* -1: there are more, and any may light any of it */
+    struct media_beam {
+        const struct lamp *lamp;
+        double from, to; /* in units of the way */
+    } at[MEDIA_BEAMS_MAX];
+};
+
 /* Cuts the way into parts that spots and cylinder lights do and don't light, in
- * order; returns how many, at least one. */
-int media_parts(const struct media_way *way,
+ * order; returns how many, at least one. Fills in the beams. */
+int media_parts(const struct media_way *way, struct media_beams *beams,
                 struct media_part parts[MEDIA_PARTS_MAX]);
 
 #endif

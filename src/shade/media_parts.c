@@ -92,7 +92,22 @@ static int lit_add(struct media_part *lit, int count, double from, double to)
     return kept;
 }
 
-static int lit_find(const struct media_way *way, struct media_part *lit)
+static void beams_add(struct media_beams *beams, const struct lamp *lamp,
+                      double from, double to)
+{
+    /* What rounding may lose of a beam's edge. */
+    const double margin = 1e-9;
+    if (beams->count == MEDIA_BEAMS_MAX)
+        beams->count = -1;
+    if (beams->count < 0)
+        return;
+    beams->at[beams->count++] = (struct media_beam){
+        lamp, from - margin * (1 + from), to + margin * (1 + to)
+    };
+}
+
+static int lit_find(const struct media_way *way, struct media_beams *beams,
+                    struct media_part *lit)
 {
     int count = 0;
     for (size_t i = 0; i < way->lamps->count; i++) {
@@ -102,6 +117,7 @@ static int lit_find(const struct media_way *way, struct media_part *lit)
             continue;
         if (lamp_is_beam(lamp) && !beam_stretch(lamp, way, &from, &to))
             continue;
+        beams_add(beams, lamp, from, to);
         /* Too many: none is told from the others. */
         if (count >= MEDIA_PARTS_MAX / 2 - 1)
             from = 0, to = way->length;
@@ -110,13 +126,15 @@ static int lit_find(const struct media_way *way, struct media_part *lit)
     return count;
 }
 
-int media_parts(const struct media_way *way,
+int media_parts(const struct media_way *way, struct media_beams *beams,
                 struct media_part parts[MEDIA_PARTS_MAX])
 {
     struct media_part lit[MEDIA_PARTS_MAX / 2];
     double from = 0;
-    int count = 0;
-    int lights = way->lamps && way->media->scatters ? lit_find(way, lit) : 0;
+    int count = 0, lights = 0;
+    beams->count = 0;
+    if (way->lamps && way->media->scatters)
+        lights = lit_find(way, beams, lit);
     for (int i = 0; i < lights; i++) {
         if (lit[i].from > from)
             parts[count++] = (struct media_part){ from, lit[i].from, false };

@@ -19,13 +19,30 @@ static rgb sample_lamp(const struct media_way *way, const struct lamp *lamp,
 {
     const struct light *light = lamp->light;
     struct lamp_target target = { .point = point, .inside = way->inside };
-    if (light->shadowless || light->no_media ||
-        !lamp_look(lamp, light->location, point, &target.view))
+    if (!lamp_look(lamp, light->location, point, &target.view))
         return rgb_grey(0);
     double phase = way_phase(way, target.view.direction);
     rgb arriving = lamps_share(way->lamps, lamp, way->worker, &target);
     arriving = rgb_mul(rgb_mul(arriving, light->colour), scattered);
     return rgb_scale(arriving, phase * target.view.attenuation);
+}
+
+/* The same of all lamps, added to what is there. */
+static rgb sample_lamps(const struct media_way *way, vec3 point, rgb scattered,
+                        rgb light)
+{
+    const struct media_beams *beams = way->beams;
+    double t = vec3_dot(vec3_sub(point, way->origin), way->direction);
+    for (int i = 0; beams && i < beams->count; i++)
+        if (t >= beams->at[i].from && t <= beams->at[i].to)
+            light = rgb_add(light, sample_lamp(way, beams->at[i].lamp, point,
+                                               scattered));
+    for (size_t i = 0; !beams && i < way->lamps->count; i++) {
+        const struct lamp *lamp = &way->lamps->items[i];
+        if (!lamp->light->shadowless && !lamp->light->no_media)
+            light = rgb_add(light, sample_lamp(way, lamp, point, scattered));
+    }
+    return light;
 }
 
 /* What photons bring there. */
@@ -78,10 +95,7 @@ static rgb place_scatters(const struct media_way *way,
         return light;
     if (way->photons)
         light = rgb_add(light, rgb_mul(scattered, sample_photons(way, point)));
-    for (size_t k = 0; lit && k < way->lamps->count; k++)
-        light = rgb_add(
-            light, sample_lamp(way, &way->lamps->items[k], point, scattered));
-    return light;
+    return lit ? sample_lamps(way, point, scattered, light) : light;
 }
 
 void media_depths(const struct media_way *way, const struct spots *spots,

@@ -268,10 +268,11 @@ static void test_media_parts(void **state)
                                  .length = 1000,
                                  .lamps = &lamps };
         struct media_part parts[MEDIA_PARTS_MAX];
+        struct media_beams beams;
         /* wide^2 + (t - 5)^2 = (t - high)^2 */
         double t = (25 + wide * wide - high * high) / 2 / (5 - high);
         bool meets = high < 5;
-        int count = media_parts(&way, parts);
+        int count = media_parts(&way, &beams, parts);
         assert_int_equal(count, meets ? 2 : 1);
         assert_int_equal(parts[count - 1].lit, meets);
         if (meets)
