@@ -32,8 +32,8 @@ struct media_way {
     double length;             /* may be infinite */
     const struct lamps *lamps; /* that light it; NULL: none, and it doesn't
                                 * glow: shadow rays */
-    const struct media_beams *beams; /* of the lamps; NULL: all of them may
-                                      * light all of the way */
+    const struct media_beams *beams;  /* of the lamps; NULL: all of them may
+                                       * light all of the way */
     const struct photon_map *photons; /* within the media; NULL: none */
     struct worker *worker;
     const struct interiors *inside;

@@ -101,9 +101,9 @@ static void beams_add(struct media_beams *beams, const struct lamp *lamp,
         beams->count = -1;
     if (beams->count < 0)
         return;
-    beams->at[beams->count++] = (struct media_beam){
-        lamp, from - margin * (1 + from), to + margin * (1 + to)
-    };
+    beams->at[beams->count++] =
+        (struct media_beam){ lamp, from - margin * (1 + from),
+                             to + margin * (1 + to) };
 }
 
 static int lit_find(const struct media_way *way, struct media_beams *beams,

@@ -35,8 +35,8 @@ static rgb sample_lamps(const struct media_way *way, vec3 point, rgb scattered,
     double t = vec3_dot(vec3_sub(point, way->origin), way->direction);
     for (int i = 0; beams && i < beams->count; i++)
         if (t >= beams->at[i].from && t <= beams->at[i].to)
-            light = rgb_add(light, sample_lamp(way, beams->at[i].lamp, point,
-                                               scattered));
+            light = rgb_add(
+                light, sample_lamp(way, beams->at[i].lamp, point, scattered));
     for (size_t i = 0; !beams && i < way->lamps->count; i++) {
         const struct lamp *lamp = &way->lamps->items[i];
         if (!lamp->light->shadowless && !lamp->light->no_media)
