@@ -5,6 +5,8 @@
 
 #include "lightmesh/tuning.h"
 
+enum { OBSTACLES_TOGETHER = OBSTACLE_DIRECTIONS / 2 }; /* in a packet */
+
 /* The directions are numbered (x + 1) + 3 (y + 1) + 9 (z + 1) for x, y, z in
  * -1, 0, 1, without the middle, 13. */
 static int obstacle_number(int x, int y, int z)
@@ -19,21 +21,32 @@ struct obstacle_view {
     vec3 plane;    /* the normal over the distance of its plane, away */
 };
 
+/* Those from number `first` on, as many as a packet has room for. */
+static void obstacles_look_some(struct obstacles *obstacles,
+                                const struct world *world, vec3 place,
+                                double reach, int first)
+{
+    struct rays rays;
+    struct world_hit hits[OBSTACLES_TOGETHER];
+    struct rays_span span = { { 0 }, { 0 } };
+    for (int i = 0; i < OBSTACLES_TOGETHER; i++) {
+        int number = first + i, cell = number < 13 ? number : number + 1;
+        vec3 way = { cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1 };
+        rays_set(&rays, i, place, vec3_normalise(way));
+        span.far[i] = reach;
+    }
+    world_closest_many(world, &rays, &span, OBSTACLES_TOGETHER, RAY_OBSTACLE,
+                       hits);
+    for (int i = 0; i < OBSTACLES_TOGETHER; i++)
+        obstacles->near[first + i] =
+            hits[i].leaf ? (float)(1 / fmax(hits[i].hit.t, 1e-30)) : 0;
+}
+
 void obstacles_look(struct obstacles *obstacles, const struct world *world,
                     vec3 place, double reach)
 {
-    for (int i = 0; i < 27; i++) {
-        struct ray ray = { place,
-                           vec3_make(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1) };
-        struct intersection at;
-        if (i == 13)
-            continue;
-        int number = i > 13 ? i - 1 : i;
-        ray.direction = vec3_normalise(ray.direction);
-        obstacles->near[number] = 0;
-        if (world_within(world, &ray, 0, reach, RAY_OBSTACLE, &at))
-            obstacles->near[number] = (float)(1 / fmax(at.t, 1e-30));
-    }
+    obstacles_look_some(obstacles, world, place, reach, 0);
+    obstacles_look_some(obstacles, world, place, reach, OBSTACLES_TOGETHER);
 }
 
 /* 1/d in a direction. */
