@@ -182,6 +182,8 @@ static void angles_are_as_the_library_has_them(void **state)
         check_near(lone_sin(x), sin(x));
         check_near(lone_cos(y), cos(y));
         check_near(lone_atan2(y, x), atan2(y, x));
+        check_near(lone_sin(x * 35), sin(x * 35));
+        check_near(lone_cos(x * 36), cos(x * 36));
     }
     for (int i = 0; i < 64; i++) {
         double y = ends[i / 8], x = ends[i % 8];

@@ -4,6 +4,7 @@
 
 #include "lightmesh/drawn_lamp.h"
 #include "lightmesh/gather_paint.h"
+#include "lightmesh/outlook.h"
 #include "lightmesh/plan.h"
 #include "lightmesh/tuning.h"
 #include "scene_world.h"
@@ -53,6 +54,38 @@ static void test_room(void **state)
     assert_true(room.around.light.r > 0.05 && room.around.open == 0);
     assert_true(yard.open > 0.5 && yard.open < 1 && yard.worth > 0 &&
                 yard.worth < room.worth);
+}
+
+static struct outlook outlooked(const char *text)
+{
+    struct scene_world *all = scene_world_new(text);
+    struct outlook outlook = outlook_of(all->world, all->scene, 320);
+    scene_world_free(all);
+    return outlook;
+}
+
+/* What the camera stands in or looks through says nothing of the scene's size,
+ * nor does a sky that takes no light. */
+static void test_outlook(void **state)
+{
+    static const char plane[] = CAMERA "plane { y, 0 } ";
+    const char *const beside[] = {
+        CAMERA "plane { y, 0 } sphere { <0, 3, -10>, 0.001 hollow "
+               "pigment { rgb 0.5 transmit 100 } finish { diffuse 0 } }",
+        CAMERA "plane { y, 0 } sphere { <0, 3, -10>, 0.01 hollow "
+               "pigment { rgbt 1 } } sphere { <0, 3, -10>, 0.02 hollow "
+               "pigment { rgbf 1 } }",
+        CAMERA "plane { y, 0 } sphere { 0, 1e6 hollow pigment { rgb 1 } "
+               "finish { ambient 1 diffuse 0 } }",
+    };
+    const struct outlook wanted = outlooked(plane);
+    (void)state;
+    assert_true(wanted.distance > 5);
+    for (int i = 0; i < 3; i++) {
+        const struct outlook outlook = outlooked(beside[i]);
+        assert_true(fabs(outlook.distance / wanted.distance - 1) < 1e-9);
+        assert_true(fabs(outlook.pixel / wanted.pixel - 1) < 1e-9);
+    }
 }
 
 /* Rays are saved before points are. */
@@ -166,9 +199,10 @@ static void test_drawn(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_open),   cmocka_unit_test(test_room),
-        cmocka_unit_test(test_afford), cmocka_unit_test(test_nets),
-        cmocka_unit_test(test_paint),  cmocka_unit_test(test_drawn),
+        cmocka_unit_test(test_open),    cmocka_unit_test(test_room),
+        cmocka_unit_test(test_outlook), cmocka_unit_test(test_afford),
+        cmocka_unit_test(test_nets),    cmocka_unit_test(test_paint),
+        cmocka_unit_test(test_drawn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
