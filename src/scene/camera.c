@@ -130,17 +130,6 @@ static inline double camera_above(const struct camera *camera, double y)
     return height > 0 ? (height - row) / height - 0.5 : 0.5 - y;
 }
 
-struct box3 camera_origins(const struct camera *camera)
-{
-    struct box3 origins = box3_empty();
-    if (camera->kind->origins)
-        return camera->kind->origins(camera);
-    for (int corner = 0; corner < 4; corner++)
-        origins = box3_add(origins,
-                           camera_ray(camera, corner % 2, corner / 2).origin);
-    return origins;
-}
-
 bool camera_sees(const struct camera *camera, double x, double y)
 {
     return !camera->kind->sees ||

@@ -59,9 +59,6 @@ struct camera_kind {
      * this one. NULL: there is only `ray`. */
     bool (*pixel_ray)(const struct camera *camera, double x, double y, int i,
                       struct ray *ray);
-    /* A box that no ray begins outside of. NULL: that of the picture's corners.
-     */
-    struct box3 (*origins)(const struct camera *camera);
 };
 
 extern const struct camera_kind perspective_camera;
@@ -153,9 +150,6 @@ void camera_move(struct camera *camera, const affine *transform);
 /* Whether there is a picture at (x, y), both in [0,1] from the top left: round
  * the disc of a fisheye or a dome there is none, and it is black. */
 bool camera_sees(const struct camera *camera, double x, double y);
-
-/* A box, in the world, that none of its rays begins outside of. */
-struct box3 camera_origins(const struct camera *camera);
 
 /* The ray through the picture at (x, y). The direction is unit. */
 struct ray camera_ray(const struct camera *camera, double x, double y);

@@ -184,16 +184,20 @@ static bool tracer_is_airless(const struct tracer *tracer)
            !scene->misty;
 }
 
+/* Measured: rays of mesh cameras begin inside of nothing, wherever they do. */
 void tracer_ready(struct tracer *tracer)
 {
     const struct camera *camera = &tracer->scene->camera;
+    struct box3 origins = box3_empty();
     interiors_clear(&tracer->start);
+    for (int corner = 0; corner < 4; corner++)
+        origins = box3_add(origins,
+                           camera_ray(camera, corner % 2, corner / 2).origin);
     tracer->ready = true;
     if (camera->kind->lines == CAMERA_CENTRAL)
         tracer_inside(tracer, camera->location, &tracer->start);
-    else
-        tracer->ready =
-            !world_may_contain(tracer->world, camera_origins(camera));
+    else if (camera->kind->lines != CAMERA_SCATTERED)
+        tracer->ready = !world_may_contain(tracer->world, origins);
     tracer->airless = tracer->ready && tracer_is_airless(tracer);
     tracer->painted = tracer_is_painted(tracer);
 }

@@ -6,7 +6,7 @@ global_settings { assumed_gamma 1 }
     #for (J, 0, image_height - 1)
         #for (I, 0, image_width / 2 - 1)
             #local P = <(I - image_width / 4) / 25, (image_height / 2 - J) / 25, -4>;
-            triangle { P, P + .02 * x, P + <.01, .02, .01 * sin(I / 9)> }
+            triangle { P, P + <.01, .02, .01 * sin(I / 9)>, P + .02 * x }
         #end
     #end
 }

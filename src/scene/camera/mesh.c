@@ -156,20 +156,6 @@ static struct ray mesh_ray(const struct camera *camera, double x, double y)
     return ray;
 }
 
-static struct box3 mesh_origins(const struct camera *camera)
-{
-    const double reach = fabs(camera->location.z);
-    const vec3 around = { reach, reach, reach };
-    struct box3 all = box3_empty();
-    for (int i = 0; i < camera->mesh->count; i++) {
-        const struct camera_mesh_part *part = &camera->mesh->parts[i];
-        struct box3 box = affine_box(&part->transform, part->mesh->bounds);
-        all = box3_add(all, vec3_sub(box.low, around));
-        all = box3_add(all, vec3_add(box.high, around));
-    }
-    return all;
-}
-
 const struct camera_kind mesh_camera = {
     .name = "mesh_camera",
     .help = "a ray from each triangle of a mesh",
@@ -177,5 +163,4 @@ const struct camera_kind mesh_camera = {
     .sees = mesh_sees,
     .ray = mesh_ray,
     .pixel_ray = mesh_pixel_ray,
-    .origins = mesh_origins,
 };
