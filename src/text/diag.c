@@ -154,9 +154,10 @@ static void diag_say(struct diag *diag, const char *format, va_list arguments)
 {
     struct diag_text text = { .arena = arena_new(0) };
     diag_vputf(&text, format, arguments);
-    fwrite(text.items, 1, text.count, diag->out);
-    if (text.count > 0)
+    if (text.count > 0) {
+        fwrite(text.items, 1, text.count, diag->out);
         diag->open = text.items[text.count - 1] != '\n';
+    }
     arena_free(text.arena);
 }
 
