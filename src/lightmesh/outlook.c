@@ -33,10 +33,10 @@ static bool outlook_meets(const struct world *world, const struct ray *ray,
                           struct intersection *at)
 {
     double from = 1e-4;
-    for (int i = 0; i < OUTLOOK_PANES; i++) {
+    for (int i = 0; i < SURVEY_PANES; i++) {
         if (!world_closest(world, ray, from, RAY_CAMERA, at))
             return false;
-        if (rgb_brightness(surface_transmittance(at)) < 0.5)
+        if (rgb_brightness(surface_transmittance(at)) < pane_least)
             return takes_light(at->texture);
         from = at->t + surface_offset(at->point);
     }

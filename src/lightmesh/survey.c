@@ -32,7 +32,7 @@ static bool sight_find(struct sight *sight, const struct gather *gather,
                            &sight->at))
             return false;
         gather_surface(gather, &ray, &sight->at, &sight->surface);
-        if (rgb_brightness(sight->surface.through) < 0.5)
+        if (rgb_brightness(sight->surface.through) < pane_least)
             return true;
         ray.origin = sight->at.point;
     }

@@ -24,13 +24,13 @@ enum {
 /* What is looked at before a picture is planned [price]. */
 enum {
     OUTLOOK_EDGE = 24, /* rays along the edge of the picture that tell how large
-                        * and how far what it shows is, */
-    OUTLOOK_PANES = 8, /* through so many panes */
+                        * and how far what it shows is */
     SURVEY_EDGE = 16,  /* the same that tell what indirect light is worth, */
     SURVEY_RAYS = 4,   /* gather rays of each, */
     CHAMBER_RAYS = 32, /* or, where little light leaves the scene, so many, */
-    SURVEY_PANES = 4,  /* and how many panes it passes */
+    SURVEY_PANES = 4,  /* and how many panes both pass: */
 };
+static const double pane_least = 0.5; /* of the light they let so much pass */
 static const double usual_width = 640, usual_height = 480; /* pixels, where it
                                                             * isn't said */
 static const double outlook_beside = 0.1; /* share of what is seen, at either

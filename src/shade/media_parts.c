@@ -92,18 +92,20 @@ static int lit_add(struct media_part *lit, int count, double from, double to)
     return kept;
 }
 
+/* The way's own ends are none of the beam's; its edges are by so much farther
+ * out as rounding may be off. */
 static void beams_add(struct media_beams *beams, const struct lamp *lamp,
-                      double from, double to)
+                      double from, double to, double length)
 {
-    /* What rounding may lose of a beam's edge. */
     const double margin = 1e-9;
     if (beams->count == MEDIA_BEAMS_MAX)
         beams->count = -1;
     if (beams->count < 0)
         return;
-    beams->at[beams->count++] =
-        (struct media_beam){ lamp, from - margin * (1 + from),
-                             to + margin * (1 + to) };
+    struct media_beam *beam = &beams->at[beams->count++];
+    beam->lamp = lamp;
+    beam->from = from > 0 ? from - margin * (1 + from) : -HUGE_VAL;
+    beam->to = to < length ? to + margin * (1 + to) : HUGE_VAL;
 }
 
 static int lit_find(const struct media_way *way, struct media_beams *beams,
@@ -117,7 +119,7 @@ static int lit_find(const struct media_way *way, struct media_beams *beams,
             continue;
         if (lamp_is_beam(lamp) && !beam_stretch(lamp, way, &from, &to))
             continue;
-        beams_add(beams, lamp, from, to);
+        beams_add(beams, lamp, from, to, way->length);
         /* Too many: none is told from the others. */
         if (count >= MEDIA_PARTS_MAX / 2 - 1)
             from = 0, to = way->length;

@@ -275,6 +275,7 @@ static void test_media_parts(void **state)
         int count = media_parts(&way, &beams, parts);
         assert_int_equal(count, meets ? 2 : 1);
         assert_int_equal(parts[count - 1].lit, meets);
+        assert_int_equal(beams.count, meets ? 1 : 0);
         if (meets)
             roughly(parts[1].from, t * sqrt(2));
     }
