@@ -46,10 +46,10 @@ CLONES static void brick_values(const struct pattern *pattern,
         bool odd = pattern_odd(floor(y));
         x += odd ? 0.5 : 0;
         z += odd ? 0 : 0.5;
-        bool in_mortar = brick_in_mortar(x, mortar.x) |
-                         brick_in_mortar(y, mortar.y) |
-                         brick_in_mortar(z, mortar.z);
-        values[i] = in_mortar ? 0 : 1;
+        int mortars = brick_in_mortar(x, mortar.x) +
+                      brick_in_mortar(y, mortar.y) +
+                      brick_in_mortar(z, mortar.z);
+        values[i] = mortars > 0 ? 0 : 1;
     }
 }
 
