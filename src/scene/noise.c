@@ -3,6 +3,7 @@
  * once. */
 #include "scene/noise.h"
 
+#include "base/clones.h"
 #include "scene/lattice_noise.h"
 #include "scene/noise_cell.h"
 #include "scene/perlin.h"
@@ -27,21 +28,22 @@ static inline struct coordinates places_all(const struct places *places)
     return (struct coordinates){ places->x, places->y, places->z };
 }
 
-/* The octaves of the first spot, then those of the next ... */
+/* The first octave of all spots, then the next one ... */
 static inline void places_fill(struct places *places, const struct spots *spots,
                                struct octaves octaves)
 {
-    int k = 0;
-    for (int i = 0; i < spots->count; i++) {
-        vec3 at = spots_at(spots, i);
-        for (int octave = 0; octave < octaves.count; octave++, k++) {
-            places->x[k] = at.x;
-            places->y[k] = at.y;
-            places->z[k] = at.z;
-            at = vec3_scale(at, octaves.lambda);
-        }
+    int count = spots->count;
+    for (int i = 0; i < count; i++) {
+        places->x[i] = spots->x[i];
+        places->y[i] = spots->y[i];
+        places->z[i] = spots->z[i];
     }
-    places->count = k;
+    places->count = count * octaves.count;
+    for (int i = count; i < places->count; i++) {
+        places->x[i] = places->x[i - count] * octaves.lambda;
+        places->y[i] = places->y[i - count] * octaves.lambda;
+        places->z[i] = places->z[i - count] * octaves.lambda;
+    }
 }
 
 static inline double clip(double value)
@@ -99,23 +101,23 @@ void noise_octaves(enum noise_generator generator, const struct spots *spots,
         values[i] = 2 * values[i] - 0.5;
 }
 
-/* The noise at all octaves of each spot. */
+/* The fields at all octaves. */
 static void fields_find(const struct spots *spots, struct octaves octaves,
-                        float (*raw)[NOISE_FIELDS])
+                        float (*raw)[NOISE_ROOM])
 {
     struct places places;
     places_fill(&places, spots, octaves);
     lattice_noise_fields(places_all(&places), places.count, raw);
 }
 
-static inline vec3 field_vector(const float field[NOISE_FIELDS])
+static inline vec3 field_vector(const float field[NOISE_ROOM])
 {
     return vec3_make((double)field[0], (double)field[1], (double)field[2]);
 }
 
 void noise_vector_octaves(vec3 point, struct octaves octaves, vec3 *vectors)
 {
-    float raw[OCTAVES_MAX][NOISE_FIELDS];
+    float raw[OCTAVES_MAX][NOISE_ROOM];
     const struct spots spots = spots_of(point);
     fields_find(&spots, octaves, raw);
     for (int i = 0; i < octaves.count; i++)
@@ -124,10 +126,10 @@ void noise_vector_octaves(vec3 point, struct octaves octaves, vec3 *vectors)
 
 vec3 noise_vector(vec3 point)
 {
-    float raw[1][NOISE_FIELDS];
+    float raw[1][NOISE_ROOM];
     lattice_noise_fields((struct coordinates){ &point.x, &point.y, &point.z },
                          1, raw);
-    return vec3_make((double)raw[0][0], (double)raw[0][1], (double)raw[0][2]);
+    return field_vector(raw[0]);
 }
 
 vec3 noise_cell_point(double x, double y, double z)
@@ -157,17 +159,16 @@ void noise_turbulences(enum noise_generator generator,
                        const struct spots *spots,
                        const struct turbulence *turbulence, double *sums)
 {
-    double values[PLACES_MAX];
+    double values[PLACES_MAX], weight = 1;
     struct octaves octaves = octaves_of(turbulence);
     noise_octaves(generator, spots, octaves, values);
-    for (int i = 0; i < spots->count; i++) {
-        const double *of = values + i * octaves.count;
-        double weight = 1;
-        sums[i] = clip(of[0]);
-        for (int octave = 1; octave < octaves.count; octave++) {
-            weight *= turbulence->omega;
-            sums[i] += weight * of[octave];
-        }
+    for (int i = 0; i < spots->count; i++)
+        sums[i] = clip(values[i]);
+    for (int octave = 1; octave < octaves.count; octave++) {
+        const double *of = values + octave * spots->count;
+        weight *= turbulence->omega;
+        for (int i = 0; i < spots->count; i++)
+            sums[i] += weight * of[i];
     }
 }
 
@@ -180,28 +181,29 @@ double noise_turbulence(enum noise_generator generator, vec3 point,
     return sum;
 }
 
-/* The sum of vectors, each of which counts omega times the one before. */
-static inline vec3 fields_sum(const float (*raw)[NOISE_FIELDS], int count,
-                              double omega)
+/* To each of some numbers the same share of another one. */
+CLONES static void numbers_add(double *sum, const float *more, double share,
+                               int count)
 {
-    vec3 sum = { 0, 0, 0 };
-    double weight = 1;
-    for (int i = 0; i < count; i++) {
-        sum = vec3_along(sum, field_vector(raw[i]), weight);
-        weight *= omega;
-    }
-    return sum;
+    for (int i = 0; i < count; i++)
+        sum[i] += share * (double)more[i];
 }
 
+/* Each octave counts omega times the one before. */
 void noise_vector_turbulences(const struct spots *spots,
                               const struct turbulence *turbulence, vec3 *sums)
 {
-    float raw[PLACES_MAX][NOISE_FIELDS];
+    float raw[PLACES_MAX][NOISE_ROOM];
+    double sum[SPOTS_MAX][NOISE_ROOM] = { { 0 } }, weight = 1;
     const struct octaves octaves = octaves_of(turbulence);
+    int count = spots->count;
     fields_find(spots, octaves, raw);
-    for (int i = 0; i < spots->count; i++)
-        sums[i] = fields_sum(raw + i * octaves.count, octaves.count,
-                             turbulence->omega);
+    for (int octave = 0; octave < octaves.count; octave++) {
+        numbers_add(sum[0], raw[octave * count], weight, count * NOISE_ROOM);
+        weight *= turbulence->omega;
+    }
+    for (int i = 0; i < count; i++)
+        sums[i] = vec3_make(sum[i][0], sum[i][1], sum[i][2]);
 }
 
 void noise_vectors_stir(struct spots *spots,

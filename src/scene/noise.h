@@ -40,7 +40,7 @@ struct octaves {
 };
 
 /* As wide as NOISE_CLIPPED, but not cut: what granite, wrinkles and turbulence
- * are made of. All octaves of the first spot, then those of the next ... */
+ * are made of. The first octave of all spots, then the next one ... */
 void noise_octaves(enum noise_generator generator, const struct spots *spots,
                    struct octaves octaves, double *values);
 

@@ -50,9 +50,12 @@ static uint16_t number_crc(double number)
     return crc;
 }
 
-static void make_lattice(float lattice[NOISE_NUMBERS])
+/* As long as its last window. */
+enum { LATTICE_NUMBERS = NOISE_WINDOWS + NOISE_FIELDS * NOISE_NUMBERS - 1 };
+
+static void make_lattice(float lattice[LATTICE_NUMBERS])
 {
-    for (int i = 0; i < NOISE_NUMBERS; i++) {
+    for (int i = 0; i < LATTICE_NUMBERS; i++) {
         char digits[32];
         double number = number_crc(i * 0.12345) / 65535.0 * 2 - 1;
         snprintf(digits, sizeof digits, "%.6g", number);
@@ -94,27 +97,28 @@ static void make_cells(uint32_t *cells, int count)
     }
 }
 
-/* Each begins a line of the cache: what overlaps in the list is faster read
- * apart. */
-static void make_windows(float windows[NOISE_WINDOWS][NOISE_ROOM])
+/* What overlaps in the list is faster read apart. */
+static void make_windows(struct noise_tables *tables)
 {
-    float lattice[NOISE_NUMBERS];
+    float lattice[LATTICE_NUMBERS];
     make_lattice(lattice);
     for (int i = 0; i < NOISE_WINDOWS; i++)
-        memcpy(windows[i], lattice + i,
-               NOISE_FIELDS * NOISE_FIELD_STEP * sizeof *lattice);
+        for (int number = 0; number < NOISE_NUMBERS; number++) {
+            const float *from = lattice + i + number;
+            tables->first[i][number] = *from;
+            for (int field = 0; field < NOISE_FIELDS; field++)
+                tables->fields[i][number][field] = from[NOISE_NUMBERS * field];
+        }
 }
 
-/* At a lattice point the noise is half the first number of a field's four. */
+/* At a lattice point the noise is half the first of a field's numbers. */
 static vec3 lattice_vector(const struct noise_tables *tables, int x)
 {
     uint32_t hash = lattice_hash(tables, lattice_plane(x), lattice_plane(0),
                                  lattice_plane(0));
-    const float *field = tables->windows[hash % NOISE_WINDOWS];
-    return vec3_scale(vec3_make((double)field[0],
-                                (double)field[NOISE_FIELD_STEP],
-                                (double)field[2 * NOISE_FIELD_STEP]),
-                      0.5);
+    const float *value = tables->fields[hash % NOISE_WINDOWS][0];
+    return vec3_scale(
+        vec3_make((double)value[0], (double)value[1], (double)value[2]), 0.5);
 }
 
 /* The frequencies are the generator's from seed 1 on, after what its other
@@ -137,7 +141,7 @@ static void make_waves(struct noise_tables *tables)
 static void make_tables(void)
 {
     make_permutation(made.permutation);
-    make_windows(made.windows);
+    make_windows(&made);
     make_cells(made.cells, LATTICE_PERIOD + 2);
     make_waves(&made);
 }

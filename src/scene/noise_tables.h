@@ -11,16 +11,18 @@
 enum {
     LATTICE_PERIOD = 4096,
     LATTICE_MASK = LATTICE_PERIOD - 1,
-    NOISE_WINDOWS = 256,  /* hashes that differ in the numbers they stand for */
-    NOISE_FIELD_STEP = 4, /* from one field's four numbers to the next one's */
+    NOISE_WINDOWS = 256, /* hashes that differ in the numbers they stand for */
+    NOISE_NUMBERS = 4,   /* of a lattice point: twice its value, its gradient */
     NOISE_FIELDS = 3,
-    NOISE_NUMBERS = NOISE_WINDOWS + NOISE_FIELDS * NOISE_FIELD_STEP - 1,
-    NOISE_ROOM = 16, /* of a window's numbers; the last mean nothing */
+    NOISE_ROOM = 4, /* for each of the numbers of three fields */
 };
 
 struct noise_tables {
     uint16_t permutation[LATTICE_PERIOD];
-    _Alignas(64) float windows[NOISE_WINDOWS][NOISE_ROOM]; /* in [-1,1] */
+    /* Of the noise, which is the first field, and of the fields, number by
+     * number; the last one of four means nothing. All in [-1,1]. */
+    _Alignas(64) float first[NOISE_WINDOWS][NOISE_NUMBERS];
+    _Alignas(64) float fields[NOISE_WINDOWS][NOISE_NUMBERS][NOISE_ROOM];
     uint32_t cells[LATTICE_PERIOD + 2];
     double wave_source[3][NOISE_WAVES_LIMIT]; /* unit vectors */
     double wave_frequency[NOISE_WAVES_LIMIT];
@@ -29,16 +31,12 @@ struct noise_tables {
 /* The same for all threads, made by the first call. */
 const struct noise_tables *noise_tables(void);
 
-/* The number of a lattice plane; that through 0 has number 10000. */
+/* The number of the lattice plane through 0. */
+enum { LATTICE_ORIGIN = 10000 };
+
 static inline uint32_t lattice_plane(int64_t plane)
 {
-    return (uint32_t)(plane + 10000) & LATTICE_MASK;
-}
-
-/* The same of four. */
-static inline planes lattice_planes(planes below)
-{
-    return (below + 10000) & LATTICE_MASK;
+    return (uint32_t)(plane + LATTICE_ORIGIN) & LATTICE_MASK;
 }
 
 /* In [0, LATTICE_PERIOD) for three numbers in that range. */

@@ -13,10 +13,10 @@ static void granite_values(const struct pattern *pattern,
     noise_octaves(pattern_generator(pattern), &scaled,
                   (struct octaves){ GRANITE_OCTAVES, 2 }, noise);
     for (int i = 0; i < spots->count; i++) {
-        const double *of = noise + i * GRANITE_OCTAVES;
         double sum = 0, weight = 1;
         for (int octave = 0; octave < GRANITE_OCTAVES; octave++, weight /= 2)
-            sum += weight * lesser(fabs(0.5 - of[octave]), 0.5);
+            sum += weight *
+                   lesser(fabs(0.5 - noise[octave * spots->count + i]), 0.5);
         values[i] = lesser(sum, 1);
     }
 }

@@ -10,11 +10,12 @@ static void wrinkles_values(const struct pattern *pattern,
     double noise[OCTAVES_MAX * SPOTS_MAX];
     noise_octaves(pattern_generator(pattern), spots, wrinkles_octaves, noise);
     for (int i = 0; i < spots->count; i++) {
-        const double *of = noise + i * OCTAVES_MAX;
         double weight = 0.5;
         values[i] = 0;
         for (int octave = 0; octave < OCTAVES_MAX; octave++, weight /= 2)
-            values[i] += weight * lesser(greater(of[octave], 0), 1);
+            values[i] +=
+                weight *
+                lesser(greater(noise[octave * spots->count + i], 0), 1);
     }
 }
 
