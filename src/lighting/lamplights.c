@@ -239,20 +239,21 @@ static void lamplights_shares(const struct lamplights *lights,
     }
 }
 
-/* The same of all of them together, where surfaces alone cast shadows. Returns
- * those that are left. */
+/* The same of all of them together. Returns those that are left. */
 static unsigned lamplights_fall(struct lamplights *lights,
                                 const struct lamp *lamp, unsigned lanes,
                                 struct lamp_looks *looks,
                                 struct facets_lit *lit)
 {
     const struct lamps *lamps = lights->lamps;
-    bool through = lights->traced && !lamps->photons;
+    const struct shadow_around around =
+        lamps_around(lamps, lamp, lights->facets->inside);
+    bool through = lights->traced && lamps_together(lamps, lamp);
     struct shadows found;
-    if (!lamps_clear(lamps, lamp))
+    if (!through && !lamps_clear(lamps, lamp))
         return lanes;
     shadow_falls_many(lamps->world, lights->worker, &lights->ways, lanes,
-                      through ? lights->facets->inside : NULL, &found);
+                      through ? &around : NULL, &found);
     looks->lit &= ~found.dark;
     for (unsigned each = found.tinted; each; each &= each - 1) {
         unsigned i = (unsigned)__builtin_ctz(each);

@@ -78,6 +78,11 @@ rgb medium_density_most(const struct medium *medium)
     return most;
 }
 
+bool medium_is_dark(const struct medium *medium)
+{
+    return rgb_is_black(medium->emission) && rgb_is_black(medium->scattering);
+}
+
 rgb medium_extinction(const struct medium *medium)
 {
     return rgb_add_scaled(medium->absorption, medium->scattering,

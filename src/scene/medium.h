@@ -45,6 +45,9 @@ void medium_densities(const struct medium *medium, const struct spots *points,
 /* No component of the density is larger anywhere. */
 rgb medium_density_most(const struct medium *medium);
 
+/* Whether no light comes from it: it neither glows nor scatters. */
+bool medium_is_dark(const struct medium *medium);
+
 /* What light loses on a unit of length where the density is 1. */
 rgb medium_extinction(const struct medium *medium);
 

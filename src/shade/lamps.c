@@ -21,6 +21,7 @@ struct lamps lamps_new(const struct world *world, const struct scene *scene,
     lamps.foggy = air && (scene->fogs.count > 0 || scene->media.count > 0);
     lamps.misty = air && scene->murky;
     lamps.clear = quality >= QUALITY_SHADOWS && !lamps.misty;
+    lamps.straight = quality >= QUALITY_SHADOWS && !lamps.photons;
     lamps.plain = lamps.clear && world_is_opaque(world);
     lamps.items = memory_new(lamps.count * sizeof *lamps.items);
     for (size_t i = 0; i < lamps.count; i++)
@@ -191,11 +192,12 @@ static void lamp_fall(const struct lamp_question *q, struct occlusions *ways,
                       unsigned lanes, struct shadows *shadows)
 {
     const struct interiors *inside[RAY_LANES];
+    const struct shadow_around around = { .inside = inside };
     for (int i = 0; i < RAY_LANES; i++)
         inside[i] = q->target->inside;
     ways->light = q->lamp->number;
     shadow_falls_many(q->lamps->world, q->worker, ways, lanes,
-                      q->lamps->photons ? NULL : inside, shadows);
+                      q->lamps->photons ? NULL : &around, shadows);
 }
 
 /* From those that are not clear. */

@@ -24,6 +24,7 @@ struct lamps {
     bool clear;    /* there are shadows, and but for fogs surfaces alone cast
                     * them */
     bool plain;    /* and these are opaque */
+    bool straight; /* there are shadows, and photons don't count */
 };
 
 /* Frees with lamps_free. World and scene must outlive it. */
@@ -56,6 +57,27 @@ static inline bool lamps_clear(const struct lamps *lamps,
                                const struct lamp *lamp)
 {
     return !lamp->light->area && lamps_clear_ways(lamps, lamp);
+}
+
+/* Whether shadow_falls_many, with these around, tells it for several points at
+ * once, of any lamp without a size if no photons count. */
+static inline bool lamps_together(const struct lamps *lamps,
+                                  const struct lamp *lamp)
+{
+    const struct light *light = lamp->light;
+    return lamps->straight && !light->shadowless && !light->pane &&
+           !light->area;
+}
+
+static inline struct shadow_around
+lamps_around(const struct lamps *lamps, const struct lamp *lamp,
+             const struct interiors *const *inside)
+{
+    return (struct shadow_around){
+        .inside = inside,
+        .fog = lamps_dim(lamps, lamp) ? lamps->scene : NULL,
+        .misty = lamps->misty,
+    };
 }
 
 static inline bool lamps_plain(const struct lamps *lamps,

@@ -19,9 +19,8 @@
  * - Shadow rays are sampled the same way. */
 #include "shade/media.h"
 
-#include <string.h>
-
-#include "base/random.h"
+#include "shade/media_dims.h"
+#include "shade/media_march.h"
 #include "shade/media_places.h"
 
 const double media_horizon = 2e10;
@@ -43,6 +42,7 @@ void media_find(struct media_list *list, const struct media *everywhere,
 {
     list->count = 0;
     list->scatters = false;
+    list->dark = true;
     if (!interiors_open(inside))
         return;
     for (int i = -1; i < inside->count; i++) {
@@ -55,50 +55,12 @@ void media_find(struct media_list *list, const struct media *everywhere,
                 return;
             list->at[list->count++] = media->items[k];
             list->scatters |= media->items[k]->phase != PHASE_NONE;
+            list->dark &= medium_is_dark(media->items[k]);
         }
     }
 }
 
 /* ---- an interval ---- */
-
-/* The way so far, and the interval that is next. */
-struct march {
-    const struct media_way *way;
-    const struct medium *how;
-    struct veil veil;
-    double from, length;
-    bool lit, even; /* even: of no densities, the same all along */
-    bool keyed;
-    uint64_t key; /* of random numbers, once they are needed */
-};
-
-static uint64_t way_key(const struct media_way *way)
-{
-    uint64_t bits[6];
-    memcpy(bits, &way->origin, sizeof way->origin);
-    memcpy(bits + 3, &way->direction, sizeof way->direction);
-    uint64_t key = 0;
-    for (int i = 0; i < 6; i++)
-        key = random_key(key, bits[i]);
-    return key;
-}
-
-static double march_random(struct march *march)
-{
-    if (!march->keyed)
-        march->key = way_key(march->way);
-    march->keyed = true;
-    march->key = random_mix(march->key);
-    return random_unit(march->key);
-}
-
-/* At this share of the interval there is a place to look at. */
-static void march_place(const struct march *march, struct spots *places,
-                        double share)
-{
-    double t = march->from + share * march->length;
-    spots_add(places, vec3_along(march->way->origin, march->way->direction, t));
-}
 
 static struct media_sample march_sample(const struct march *march, double share)
 {
@@ -233,21 +195,6 @@ static void veil_add(struct veil *veil, rgb light)
     veil->light = rgb_add(veil->light, rgb_mul(veil->through, light));
 }
 
-static rgb depth_through(rgb depth, double length)
-{
-    if (depth.r == depth.g && depth.g == depth.b)
-        return rgb_grey(exp(-depth.r * length));
-    return (rgb){ exp(-depth.r * length), exp(-depth.g * length),
-                  exp(-depth.b * length) };
-}
-
-/* Of places that are looked at. */
-static int refining_count(const struct march *march)
-{
-    int count = march->how->samples / 2 + 2;
-    return count < 3 ? 3 : count;
-}
-
 /* Where all places are alike one tells what the others would. False if they
  * have to be asked. */
 static bool march_alike(struct march *march)
@@ -255,7 +202,7 @@ static bool march_alike(struct march *march)
     if (march->lit || !march->even)
         return false;
     struct media_sample sample = march_sample(march, 0);
-    int count = march->how->method == 3 ? refining_count(march) - 1 : 1;
+    int count = march->how->method == 3 ? march_pieces(march) - 1 : 1;
     if (march->how->method != 3 && !rgb_is_black(sample.light))
         return false;
     double length = march->length / count;
@@ -311,19 +258,11 @@ static bool pieces_dim(struct march *march, const struct pieces *pieces,
     return true;
 }
 
-/* Measured: all places are moved together, forwards more than back. */
-static double refining_moved(struct march *march)
-{
-    return march->how->jitter > 0
-               ? march->how->jitter * (1.476 * march_random(march) - 0.29)
-               : 0;
-}
-
 static void march_refining(struct march *march)
 {
-    int count = refining_count(march);
+    int count = march_pieces(march);
     double length = march->length / (count - 1);
-    double moved = refining_moved(march);
+    double moved = march_moved(march);
     struct pieces pieces;
     struct media_sample last, *known = NULL;
     double ends[PIECES + 1] = { fmax(moved, 0) / count };
@@ -387,18 +326,6 @@ static bool tally_settled(const struct tally *tally, const struct medium *how)
     return rgb_peak(spread) * width * width <= n * how->variance;
 }
 
-/* Of the sample number `i` of those that are always taken. */
-static double march_share(struct march *march, int i)
-{
-    const struct medium *how = march->how;
-    bool row = how->method == 2;
-    double moved = row ? 0.5 : march_random(march);
-    if (row && how->jitter > 0)
-        moved += how->jitter * (march_random(march) - 0.5);
-    double share = row ? (i + moved) / how->samples : moved;
-    return fmin(fmax(share, 0), 1);
-}
-
 static void march_averaging(struct march *march)
 {
     const struct medium *how = march->how;
@@ -422,86 +349,6 @@ static void march_averaging(struct march *march)
         rgb_mul(march->veil.through, depth_through(mean.depth, march->length));
 }
 
-/* ---- a shadow ray ---- */
-
-/* Where there is no light no two places differ in it, and none are looked at
- * but those that always are. What comes through is one exponential, of the sum
- * of what is at all of them. */
-struct dimming {
-    struct march *march;
-    struct spots at;
-    double weight[SPOTS_MAX];
-    rgb sum;
-};
-
-static void dimming_look(struct dimming *dimming)
-{
-    rgb depths[SPOTS_MAX];
-    media_depths(dimming->march->way, &dimming->at, depths);
-    for (int i = 0; i < dimming->at.count; i++)
-        dimming->sum =
-            rgb_add_scaled(dimming->sum, depths[i], dimming->weight[i]);
-    dimming->at.count = 0;
-}
-
-static void dimming_place(struct dimming *dimming, double share, double weight)
-{
-    if (dimming->at.count == SPOTS_MAX)
-        dimming_look(dimming);
-    dimming->weight[dimming->at.count] = weight;
-    march_place(dimming->march, &dimming->at, share);
-}
-
-/* An interval of method 3: pieces' means are sums of their ends and middles. */
-static void dimming_refining(struct dimming *dimming)
-{
-    struct march *march = dimming->march;
-    int count = refining_count(march);
-    double moved = refining_moved(march), from = fmax(moved, 0) / count;
-    double weight = march->length / (3 * (count - 1));
-    dimming_place(dimming, from, weight);
-    for (int i = 1; i < count; i++) {
-        double to = fmin((i + moved) / count, 1);
-        dimming_place(dimming, (from + to) / 2, weight);
-        dimming_place(dimming, to, i < count - 1 ? 2 * weight : weight);
-        from = to;
-    }
-}
-
-static void dimming_averaging(struct dimming *dimming)
-{
-    struct march *march = dimming->march;
-    int count = march->how->samples;
-    for (int i = 0; i < count; i++)
-        dimming_place(dimming, march_share(march, i), march->length / count);
-}
-
-static bool march_dims(const struct march *march)
-{
-    const struct media_way *way = march->way;
-    return !way->lamps && !way->photons &&
-           (march->how->method == 3 ? march->how->threshold > 0
-                                    : march->how->variance >= 0);
-}
-
-static void march_dim(struct march *march, double from, int intervals)
-{
-    struct dimming dimming; /* no more of it than is needed */
-    dimming.march = march;
-    dimming.at.count = 0;
-    dimming.sum = rgb_grey(0);
-    for (int i = 0; i < intervals; i++) {
-        march->from = from + i * march->length;
-        if (march->how->method == 3)
-            dimming_refining(&dimming);
-        else
-            dimming_averaging(&dimming);
-    }
-    dimming_look(&dimming);
-    march->veil.through =
-        rgb_mul(march->veil.through, depth_through(dimming.sum, 1));
-}
-
 /* ---- the way ---- */
 
 static void march_part(struct march *march, const struct media_part *part,
@@ -509,10 +356,6 @@ static void march_part(struct march *march, const struct media_part *part,
 {
     march->lit = part->lit;
     march->length = (part->to - part->from) / intervals;
-    if (march_dims(march)) {
-        march_dim(march, part->from, intervals);
-        return;
-    }
     for (int i = 0; i < intervals; i++) {
         march->from = part->from + i * march->length;
         if (march_alike(march))
@@ -553,22 +396,14 @@ static void march_parts(struct march *march, const struct media_part *parts,
     }
 }
 
-static bool media_even(const struct media_list *media)
+/* Of a way on which no light is added. */
+static struct veil veil_dims(const struct media_way *way)
 {
-    for (int i = 0; i < media->count; i++)
-        if (media->at[i]->density_count > 0)
-            return false;
-    return true;
-}
-
-/* What comes through media that are the same everywhere. */
-static struct veil media_even_veil(const struct media_list *media,
-                                   double length)
-{
-    rgb depth = rgb_grey(0);
-    for (int i = 0; i < media->count; i++)
-        depth = rgb_add(depth, medium_extinction(media->at[i]));
-    return (struct veil){ rgb_grey(0), depth_through(depth, length) };
+    struct media_dims dims; /* no more of it than is needed */
+    media_dims_begin(&dims, way->worker, 1);
+    media_dims_add(&dims, way, 0);
+    media_dims_look(&dims);
+    return (struct veil){ rgb_grey(0), media_dims_through(&dims, 0) };
 }
 
 struct veil media_veil(const struct media_way *way)
@@ -576,19 +411,13 @@ struct veil media_veil(const struct media_way *way)
     struct media_part parts[MEDIA_PARTS_MAX];
     struct media_beams beams;
     struct media_way finite = *way;
-    struct march march = { .way = &finite,
-                           .how = way->media->count ? way->media->at[0] : NULL,
-                           .veil = { rgb_grey(0), rgb_grey(1) } };
-    int intervals = 1;
     finite.length = fmin(way->length, media_horizon);
     if (way->media->count == 0 || !(finite.length > 0))
-        return march.veil;
-    march.even = !way->photons && media_even(way->media);
-    if (march.even && march_dims(&march))
-        return media_even_veil(way->media, finite.length);
-    for (int i = 0; i < way->media->count; i++)
-        if (way->media->at[i]->intervals > intervals)
-            intervals = way->media->at[i]->intervals;
+        return (struct veil){ rgb_grey(0), rgb_grey(1) };
+    struct march march = march_begin(&finite);
+    if (march_dims(&march))
+        return veil_dims(&finite);
+    int intervals = march_intervals(&march);
     int count = media_parts(&finite, &beams, parts);
     finite.beams = beams.count < 0 ? NULL : &beams;
     if (count == 1 && !parts[0].lit && march.even)

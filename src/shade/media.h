@@ -18,6 +18,7 @@ struct media_list {
     int count;
     const struct medium *at[MEDIA_MAX];
     bool scatters;
+    bool dark; /* they only absorb */
 };
 
 /* Fills the list with what a ray inside of these goes through: nothing if not

@@ -13,36 +13,115 @@ static double way_phase(const struct media_way *way, vec3 from)
     return phase;
 }
 
-/* The light of one lamp that is scattered to the viewer there. */
-static rgb sample_lamp(const struct media_way *way, const struct lamp *lamp,
-                       vec3 point, rgb scattered)
+/* Some places looking at a lamp, and their ways to it. */
+struct lamp_sights {
+    const struct media_way *way;
+    const struct lamp *lamp;
+    unsigned lit; /* if nothing is between */
+    struct lamp_view view[RAY_LANES];
+    struct occlusions ways;
+    const struct interiors *inside[RAY_LANES];
+};
+
+static void sights_add(struct lamp_sights *sights, unsigned i, vec3 point)
 {
-    const struct light *light = lamp->light;
-    struct lamp_target target = { .point = point, .inside = way->inside };
-    if (!lamp_look(lamp, light->location, point, &target.view))
-        return rgb_grey(0);
-    double phase = way_phase(way, target.view.direction);
-    rgb arriving = lamps_share(way->lamps, lamp, way->worker, &target);
-    arriving = rgb_mul(rgb_mul(arriving, light->colour), scattered);
-    return rgb_scale(arriving, phase * target.view.attenuation);
+    const struct lamp *lamp = sights->lamp;
+    struct lamp_view *view = &sights->view[i];
+    sights->inside[i] = sights->way->inside;
+    rays_set(&sights->ways.rays, (int)i, point, vec3_make(0, 0, 0));
+    sights->ways.span.near[i] = shadow_start(point);
+    sights->ways.span.far[i] = 0;
+    if (!lamp_look(lamp, lamp->light->location, point, view))
+        return;
+    rays_set(&sights->ways.rays, (int)i, point, view->direction);
+    sights->ways.span.far[i] = shadow_end(view->distance);
+    sights->lit |= 1u << i;
 }
 
-/* The same of all lamps, added to what is there. */
-static rgb sample_lamps(const struct media_way *way, vec3 point, rgb scattered,
-                        rgb light)
+/* The share of the lamp's light that gets to a place by itself. */
+static rgb sights_share(const struct lamp_sights *sights, unsigned i)
+{
+    const struct media_way *way = sights->way;
+    const struct lamp_target target = {
+        .point = rays_origin(&sights->ways.rays, (int)i),
+        .inside = way->inside,
+        .view = sights->view[i],
+    };
+    return lamps_share(way->lamps, sights->lamp, way->worker, &target);
+}
+
+/* To all of them: together, if that is quicker. */
+static void sights_look(struct lamp_sights *sights, rgb shares[RAY_LANES])
+{
+    const struct lamps *lamps = sights->way->lamps;
+    const struct shadow_around around =
+        lamps_around(lamps, sights->lamp, sights->inside);
+    struct shadows found = { .left = sights->lit };
+    if (sights->lit & (sights->lit - 1) &&
+        lamps_together(lamps, sights->lamp)) {
+        sights->ways.light = sights->lamp->number;
+        sights->ways.shaft = NULL;
+        shadow_falls_many(lamps->world, sights->way->worker, &sights->ways,
+                          sights->lit, &around, &found);
+    }
+    for (unsigned each = sights->lit; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        shares[i] = found.left >> i & 1     ? sights_share(sights, i)
+                    : found.tinted >> i & 1 ? found.share[i]
+                                            : rgb_grey(!(found.dark >> i & 1));
+    }
+}
+
+/* What is scattered to the viewer at them, from number `first` on. */
+static void sights_scatter(const struct lamp_sights *sights,
+                           const rgb shares[RAY_LANES], struct places *places,
+                           int first)
+{
+    for (unsigned each = sights->lit; each; each &= each - 1) {
+        int i = __builtin_ctz(each);
+        const struct lamp_view *view = &sights->view[i];
+        double phase = way_phase(sights->way, view->direction);
+        rgb arriving = rgb_mul(shares[i], sights->lamp->light->colour);
+        rgb *light = &places->sample[first + i].light;
+        arriving = rgb_mul(arriving, places->scattered[first + i]);
+        *light =
+            rgb_add(*light, rgb_scale(arriving, phase * view->attenuation));
+    }
+}
+
+/* A lamp's light at the places that are in its beam. */
+static void places_lamp(const struct media_way *way, struct places *places,
+                        const struct media_beam *beam)
+{
+    struct lamp_sights sights = { .way = way, .lamp = beam->lamp };
+    rgb shares[RAY_LANES];
+    for (int first = 0; first < places->count; first += RAY_LANES) {
+        int end = places->count - first;
+        sights.lit = 0;
+        for (int i = 0; i < end && i < RAY_LANES; i++) {
+            vec3 point = spots_at(&places->at, first + i);
+            double t = vec3_dot(vec3_sub(point, way->origin), way->direction);
+            if (t >= beam->from && t <= beam->to &&
+                !rgb_is_black(places->scattered[first + i]))
+                sights_add(&sights, (unsigned)i, point);
+        }
+        sights_look(&sights, shares);
+        sights_scatter(&sights, shares, places, first);
+    }
+}
+
+/* That of all lamps. */
+static void places_lamps(const struct media_way *way, struct places *places)
 {
     const struct media_beams *beams = way->beams;
-    double t = vec3_dot(vec3_sub(point, way->origin), way->direction);
     for (int i = 0; beams && i < beams->count; i++)
-        if (t >= beams->at[i].from && t <= beams->at[i].to)
-            light = rgb_add(
-                light, sample_lamp(way, beams->at[i].lamp, point, scattered));
+        places_lamp(way, places, &beams->at[i]);
     for (size_t i = 0; !beams && i < way->lamps->count; i++) {
         const struct lamp *lamp = &way->lamps->items[i];
+        const struct media_beam everywhere = { lamp, -HUGE_VAL, HUGE_VAL };
         if (!lamp->light->shadowless && !lamp->light->no_media)
-            light = rgb_add(light, sample_lamp(way, lamp, point, scattered));
+            places_lamp(way, places, &everywhere);
     }
-    return light;
 }
 
 /* What photons bring there. */
@@ -85,28 +164,27 @@ static void places_add(struct places *places, const struct medium *medium,
     }
 }
 
-/* The light that is scattered to the viewer at one of them. */
-static rgb place_scatters(const struct media_way *way,
-                          const struct places *places, int i, bool lit)
+/* What photons bring to them. */
+static void places_photons(const struct media_way *way, struct places *places)
 {
-    rgb scattered = places->scattered[i], light = places->sample[i].light;
-    vec3 point = spots_at(&places->at, i);
-    if (rgb_is_black(scattered))
-        return light;
-    if (way->photons)
-        light = rgb_add(light, rgb_mul(scattered, sample_photons(way, point)));
-    return lit ? sample_lamps(way, point, scattered, light) : light;
+    for (int i = 0; i < places->count; i++) {
+        rgb *light = &places->sample[i].light, scattered = places->scattered[i];
+        if (!rgb_is_black(scattered))
+            *light = rgb_add(
+                *light, rgb_mul(scattered,
+                                sample_photons(way, spots_at(&places->at, i))));
+    }
 }
 
-void media_depths(const struct media_way *way, const struct spots *spots,
-                  rgb *depths)
+void media_depths(const struct media_list *list, struct worker *worker,
+                  const struct spots *spots, rgb *depths)
 {
     rgb densities[SPOTS_MAX];
-    int media = worker_stopped(way->worker) ? 0 : way->media->count;
+    int media = worker_stopped(worker) ? 0 : list->count;
     for (int i = 0; i < spots->count; i++)
         depths[i] = rgb_grey(0);
     for (int k = 0; k < media; k++) {
-        const struct medium *medium = way->media->at[k];
+        const struct medium *medium = list->at[k];
         rgb extinction = medium_extinction(medium);
         if (rgb_is_black(extinction))
             continue;
@@ -127,6 +205,8 @@ void media_samples(const struct media_way *way, bool lit, struct places *places)
         return;
     for (int i = 0; i < way->media->count; i++)
         places_add(places, way->media->at[i], way->lamps);
-    for (int i = 0; (lit || way->photons) && i < places->count; i++)
-        places->sample[i].light = place_scatters(way, places, i, lit);
+    if (way->photons)
+        places_photons(way, places);
+    if (lit)
+        places_lamps(way, places);
 }

@@ -20,8 +20,8 @@ struct places {
 
 /* What is lost in a unit of length at each spot: all that shadow rays ask.
  * Nothing is there once the worker is told to stop. */
-void media_depths(const struct media_way *way, const struct spots *spots,
-                  rgb *depths);
+void media_depths(const struct media_list *list, struct worker *worker,
+                  const struct spots *spots, rgb *depths);
 
 /* Fills in the samples. Lamps light the places if `lit`. Nothing is there once
  * the worker is told to stop. */

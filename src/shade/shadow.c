@@ -10,6 +10,7 @@
 #include "shade/background.h"
 #include "shade/free_path.h"
 #include "shade/interior.h"
+#include "shade/media_dims.h"
 #include "shade/surface.h"
 
 enum {
@@ -104,38 +105,48 @@ static bool shadow_filter(void *context, const struct ray *ray,
 
 /* What media on a stretch of the way let pass. */
 static rgb shadow_media(const struct shadow_path *path,
-                        const struct interiors *inside, const struct ray *ray,
+                        const struct interiors *inside, double from,
                         double distance, struct worker *worker)
 {
     struct media_list media;
     media_find(&media, path->fog ? &path->fog->media : NULL, inside);
+    if (media.count == 0)
+        return rgb_grey(1);
     struct media_way way = { .media = &media,
-                             .origin = ray->origin,
-                             .direction = ray->direction,
+                             .origin =
+                                 vec3_along(path->point, path->direction, from),
+                             .direction = path->direction,
                              .length = distance,
                              .worker = worker,
                              .inside = inside };
-    if (media.count == 0)
+    if (path->dims && media_dims_add(path->dims, &way, path->number))
         return rgb_grey(1);
     return path->key ? free_path_through(&way, path->key)
                      : media_veil(&way).through;
 }
 
-/* What fog and media on a stretch of the way let pass. */
+/* What fog on it lets pass. */
+static rgb shadow_fog(const struct shadow_path *path, double from,
+                      double distance)
+{
+    struct ray ray = { vec3_along(path->point, path->direction, from),
+                       path->direction };
+    return fog_veil(path->fog, &ray, distance).through;
+}
+
+/* What both let pass. */
 static rgb shadow_air(const struct shadow_path *path,
                       const struct interiors *inside, double from,
                       double distance, struct worker *worker)
 {
-    struct ray ray = { vec3_along(path->point, path->direction, from),
-                       path->direction };
     rgb through = rgb_grey(1);
     if ((!path->fog && !path->misty) || !interiors_open(inside))
         return through;
     if (path->fog)
-        through = fog_veil(path->fog, &ray, distance).through;
+        through = shadow_fog(path, from, distance);
     if (path->misty)
         through = rgb_mul(through,
-                          shadow_media(path, inside, &ray, distance, worker));
+                          shadow_media(path, inside, from, distance, worker));
     return through;
 }
 
@@ -266,10 +277,43 @@ static bool shadow_filter_lane(void *context, unsigned lane,
     return shadows->full >> lane & 1 || shadow_filter(shadow, &ray, hit);
 }
 
+/* Of those of `lanes`, to which surfaces let some light pass, the share. */
+static void shadows_shares(const struct shadow_rays *rays,
+                           struct worker *worker,
+                           const struct shadow_around *around, unsigned lanes,
+                           struct shadows *shadows)
+{
+    struct media_dims dims; /* no more of it than is needed */
+    if (around->misty)
+        media_dims_begin(&dims, worker, RAY_LANES);
+    for (unsigned each = lanes; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        const struct rays *ways = &rays->ways->rays;
+        const struct shadow_path path = {
+            .point = rays_origin(ways, (int)i),
+            .direction = rays_direction(ways, (int)i),
+            .distance = rays->ways->span.far[i] + SHADOW_MARGIN,
+            .inside = around->inside[i],
+            .fog = around->fog,
+            .misty = around->misty,
+            .dims = around->misty ? &dims : NULL,
+            .number = (int)i,
+        };
+        shadows->share[i] = shadow_share(&rays->at[i], &path, worker);
+    }
+    if (around->misty)
+        media_dims_look(&dims);
+    for (; lanes && around->misty; lanes &= lanes - 1) {
+        int i = __builtin_ctz(lanes);
+        shadows->share[i] =
+            rgb_mul(shadows->share[i], media_dims_through(&dims, i));
+    }
+}
+
 /* Which are dark, where something may let light pass. */
 static void shadows_filtered(const struct world *world, struct worker *worker,
                              struct occlusions *ways, unsigned lanes,
-                             const struct interiors *const *inside,
+                             const struct shadow_around *around,
                              struct shadows *shadows)
 {
     struct shadow_rays rays;
@@ -281,16 +325,22 @@ static void shadows_filtered(const struct world *world, struct worker *worker,
     shadows->dark = found.dark & ~rays.full;
     shadows->left = found.panes | rays.full;
     shadows->tinted = rays.begun & ~found.dark;
-    for (unsigned each = shadows->tinted; each; each &= each - 1) {
-        unsigned i = (unsigned)__builtin_ctz(each);
-        const struct shadow_path path = { .inside = inside[i] };
-        shadows->share[i] = shadow_share(&rays.at[i], &path, worker);
-    }
+    if (around->fog || around->misty)
+        shadows->tinted = lanes & ~shadows->dark & ~shadows->left;
+    for (unsigned each = shadows->tinted & ~rays.begun; each; each &= each - 1)
+        shadow_begin(&rays.at[__builtin_ctz(each)], NULL);
+    shadows_shares(&rays, worker, around, shadows->tinted, shadows);
+}
+
+static bool around_matters(const struct world *world,
+                           const struct shadow_around *around)
+{
+    return around && (around->fog || around->misty || !world_is_opaque(world));
 }
 
 void shadow_falls_many(const struct world *world, struct worker *worker,
                        struct occlusions *ways, unsigned lanes,
-                       const struct interiors *const *inside,
+                       const struct shadow_around *around,
                        struct shadows *shadows)
 {
     LANE_LINES lane_flag room[RAY_LANES];
@@ -299,8 +349,8 @@ void shadow_falls_many(const struct world *world, struct worker *worker,
     shadows->dark = shadows->left = shadows->tinted = 0;
     if (!lanes)
         return;
-    if (inside && !world_is_opaque(world)) {
-        shadows_filtered(world, worker, ways, lanes, inside, shadows);
+    if (around_matters(world, around)) {
+        shadows_filtered(world, worker, ways, lanes, around, shadows);
     } else {
         ways->filter = NULL;
         struct occluded found = world_occluded_many(world, ways, lanes);

@@ -7,6 +7,7 @@
 #include "shade/interior.h"
 
 struct photon_flags;
+struct media_dims;
 
 /* A way that light may go. */
 struct shadow_path {
@@ -27,6 +28,8 @@ struct shadow_path {
     double spread; /* of the way: see world_glimpse */
     uint64_t key;  /* of random numbers: media are met without bias; 0: as
                     * POV-Ray samples them */
+    struct media_dims *dims; /* that look at media later; NULL: at once */
+    int number;              /* of the way in these */
 };
 
 /* The share of light that gets there, tinted by transparent objects and faded
@@ -47,14 +50,21 @@ struct shadows {
     rgb share[RAY_LANES]; /* of those that are tinted */
 };
 
+/* What else there is around several ways. */
+struct shadow_around {
+    const struct interiors *const *inside; /* as of a path, for each */
+    const struct scene *fog;               /* as of a path */
+    bool misty;                            /* likewise */
+};
+
 /* Shadow_visibility of the ways to one lamp that the bits `lanes` stand for,
- * which must set out at shadow_start and end at shadow_end, where neither fogs
- * nor media nor photons count. `inside` as of a path, for each; NULL: panes
- * are not looked through, ways through them are left. The filter of `ways` is
- * set here. */
+ * which must set out at shadow_start and end at shadow_end, where photons don't
+ * count. `around` NULL: neither do fogs and media, and panes are not looked
+ * through: ways through them are left. Where fogs or media count directions
+ * are unit. The filter of `ways` is set here. */
 void shadow_falls_many(const struct world *world, struct worker *worker,
                        struct occlusions *ways, unsigned lanes,
-                       const struct interiors *const *inside,
+                       const struct shadow_around *around,
                        struct shadows *shadows);
 
 /* Shadow rays see nothing closer than this to the lamp, the surface, or the
