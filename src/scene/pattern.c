@@ -2,6 +2,7 @@
  * into [0,1]. All constants were measured with POV-Ray 3.7. */
 #include "scene/pattern.h"
 
+#include "base/clones.h"
 #include "base/listing.h"
 #include "base/power.h"
 #include "scene/function.h"
@@ -137,13 +138,20 @@ vec3 pattern_locate(const struct pattern *pattern, vec3 point)
     return vec3_add(point, vec3_mul(pattern->turbulence.amount, step));
 }
 
+CLONES static void spots_moved(const affine *transform,
+                               const struct spots *restrict from,
+                               struct spots *restrict to)
+{
+    const affine move = *transform;
+    for (int i = 0; i < from->count; i++)
+        spots_put(to, i, affine_point(&move, spots_at(from, i)));
+}
+
 void pattern_locate_all(const struct pattern *pattern,
                         const struct spots *points, struct spots *located)
 {
     located->count = points->count;
-    for (int i = 0; i < points->count; i++)
-        spots_put(located, i,
-                  affine_point(&pattern->inverse, spots_at(points, i)));
+    spots_moved(&pattern->inverse, points, located);
     for (int i = 0; pattern->warps && i < points->count; i++)
         spots_put(located, i, warp_all(pattern->warps, spots_at(located, i)));
     if (pattern->turbulent && !(pattern->kind && pattern->kind->own_turbulence))
@@ -202,18 +210,6 @@ static double pattern_fold(const struct pattern *pattern, double value)
     return v;
 }
 
-/* Most patterns are a ramp, and most values in its first cycle: done at once.
- */
-static inline bool pattern_keeps(const struct pattern *pattern, double *value)
-{
-    double v = *value * pattern->frequency + pattern->phase;
-    if (pattern->wave != WAVE_RAMP || pattern->frequency == 0 ||
-        !(v >= 0 && v < pattern_period))
-        return false;
-    *value = v;
-    return true;
-}
-
 double pattern_value_at(const struct pattern *pattern, vec3 located)
 {
     return pattern_value_seen(pattern, located, NULL);
@@ -222,9 +218,45 @@ double pattern_value_at(const struct pattern *pattern, vec3 located)
 /* From the value of a kind's pattern to that of this one. */
 static inline double pattern_finish(const struct pattern *pattern, double value)
 {
-    if (pattern->kind->blocks == 0 && !pattern_keeps(pattern, &value))
+    if (pattern->kind->blocks == 0)
         value = pattern_fold(pattern, value);
     return isfinite(value) ? value : 0;
+}
+
+/* Most patterns are a ramp, and most values in its first cycle: the same of
+ * values that all are. False, and they are left alone, if some are not, or
+ * spots no places. */
+CLONES static bool values_keep(double frequency, double phase,
+                               const struct spots *restrict spots,
+                               double *restrict values)
+{
+    int64_t kept = -1;
+    double all[SPOTS_MAX];
+    for (int i = 0; i < spots->count; i++) {
+        double value = values[i] * frequency + phase;
+        double none = (spots->x[i] - spots->x[i]) +
+                      (spots->y[i] - spots->y[i]) + (spots->z[i] - spots->z[i]);
+        all[i] = value;
+        kept &=
+            -(int64_t)((value >= 0) & (value < pattern_period) & (none == 0));
+    }
+    for (int i = 0; kept && i < spots->count; i++)
+        values[i] = all[i];
+    return kept;
+}
+
+static void values_finish(const struct pattern *pattern,
+                          const struct spots *located, double *values)
+{
+    bool ramp = pattern->kind->blocks == 0 && pattern->wave == WAVE_RAMP &&
+                pattern->frequency != 0;
+    if (ramp &&
+        values_keep(pattern->frequency, pattern->phase, located, values))
+        return;
+    for (int i = 0; i < located->count; i++)
+        values[i] = vec3_finite(spots_at(located, i))
+                        ? pattern_finish(pattern, values[i])
+                        : 0;
 }
 
 /* Places that are no numbers are no places: no kind is asked about them. */
@@ -249,10 +281,7 @@ void pattern_values_at(const struct pattern *pattern,
         pattern->kind->values(pattern, located, values);
     else
         pattern_values_each(pattern, located, values);
-    for (int i = 0; i < located->count; i++)
-        values[i] = vec3_finite(spots_at(located, i))
-                        ? pattern_finish(pattern, values[i])
-                        : 0;
+    values_finish(pattern, located, values);
 }
 
 static double pattern_raw(const struct pattern *pattern, vec3 located)

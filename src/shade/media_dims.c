@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/lesser.h"
 #include "shade/media_march.h"
 #include "shade/media_places.h"
 
@@ -24,9 +25,12 @@ void media_dims_look(struct media_dims *dims)
     if (dims->at.count == 0)
         return;
     media_depths(&dims->media, dims->worker, &dims->at, depths);
-    for (int i = 0; i < dims->at.count; i++) {
-        rgb *sum = &dims->depth[dims->way[i]];
-        *sum = rgb_add_scaled(*sum, depths[i], dims->weight[i]);
+    for (int i = 0; i < dims->at.count;) {
+        int way = dims->way[i];
+        rgb sum = dims->depth[way];
+        for (; i < dims->at.count && dims->way[i] == way; i++)
+            sum = rgb_add_scaled(sum, depths[i], dims->weight[i]);
+        dims->depth[way] = sum;
     }
     dims->at.count = 0;
 }
@@ -54,11 +58,11 @@ static void dimming_refining(const struct dimming *dimming)
 {
     struct march *march = dimming->march;
     int count = march_pieces(march);
-    double moved = march_moved(march), from = fmax(moved, 0) / count;
+    double moved = march_moved(march), from = greater(moved, 0) / count;
     double weight = march->length / (3 * (count - 1));
     dimming_place(dimming, from, weight);
     for (int i = 1; i < count; i++) {
-        double to = fmin((i + moved) / count, 1);
+        double to = lesser((i + moved) / count, 1);
         dimming_place(dimming, (from + to) / 2, weight);
         dimming_place(dimming, to, i < count - 1 ? 2 * weight : weight);
         from = to;
@@ -81,7 +85,7 @@ static void dimming_march(const struct dimming *dimming, double length)
     march->length = length / intervals;
     for (int i = 0; i < intervals; i++) {
         march->from = i * march->length;
-        if (fmin(fmin(depth->r, depth->g), depth->b) > depth_dark)
+        if (lesser(lesser(depth->r, depth->g), depth->b) > depth_dark)
             return;
         if (march->how->method == 3)
             dimming_refining(dimming);
@@ -113,7 +117,7 @@ static void dims_enter(struct media_dims *dims, const struct media_list *media)
 bool media_dims_add(struct media_dims *dims, const struct media_way *way,
                     int number)
 {
-    double length = fmin(way->length, media_horizon);
+    double length = lesser(way->length, media_horizon);
     if (way->media->count == 0 || !(length > 0))
         return true;
     struct march march = march_begin(way);
