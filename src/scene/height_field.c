@@ -2,9 +2,12 @@
  * normals are was measured with POV-Ray 3.7. */
 #include "scene/height_field.h"
 
+#include <string.h>
+
 #include "base/clones.h"
 #include "base/hash.h"
 #include "scene/crossings.h"
+#include "scene/height_rays.h"
 
 /* POV-Ray's unit of height, by which its normals are made and rounded. */
 static const double unit = 65536;
@@ -96,6 +99,44 @@ static bool height_crosses(const void *shape, const struct ray *ray,
 {
     struct hit hit;
     return height_first(shape, ray, tmin, tmax, &hit);
+}
+
+/* All of them in the grid's space. */
+CLONES static void rays_into_grid(const struct height_grid *restrict grid,
+                                  const struct rays *restrict rays,
+                                  struct rays *restrict out)
+{
+    const double wide = grid->width - 1, deep = grid->height - 1;
+    for (int i = 0; i < RAY_LANES; i++) {
+        out->origin[0][i] = rays->origin[0][i] * wide;
+        out->origin[1][i] = rays->origin[1][i] * unit;
+        out->origin[2][i] = (1 - rays->origin[2][i]) * deep;
+        out->direction[0][i] = rays->direction[0][i] * wide;
+        out->direction[1][i] = rays->direction[1][i] * unit;
+        out->direction[2][i] = -rays->direction[2][i] * deep;
+    }
+}
+
+static void height_first_many(const void *shape, struct lane_run run,
+                              const struct rays *rays,
+                              const struct rays_span *span,
+                              struct rays_met *met)
+{
+    const struct height_field *field = shape;
+    struct rays there;
+    rays_into_grid(&field->grid, rays, &there);
+    height_rays_first(&field->grid, run, &there, span, met);
+    memset(met->u, 0, sizeof met->u);
+}
+
+static void height_crosses_many(const void *shape, struct lane_run run,
+                                const struct rays *rays,
+                                const struct rays_span *span, lane_flag *met)
+{
+    struct rays_met first;
+    height_first_many(shape, run, rays, span, &first);
+    for (int i = run.first; i < run.end; i++)
+        met[i] = first.t[i] < HUGE_VAL ? -1 : 0;
 }
 
 enum { CORNERS = 4, AROUND = 4 };
@@ -275,6 +316,9 @@ const struct primitive height_field_primitive = {
     .crossings = height_crossings,
     .first = height_first,
     .crosses = height_crosses,
+    .crosses_many = height_crosses_many,
+    .first_many = height_first_many,
+    .lane_by_lane = true,
     .normal = height_normal,
     .normal_placed = height_normal_placed,
     .face = height_face,

@@ -77,25 +77,9 @@ void height_grid_prepare(struct height_grid *grid, struct arena *arena)
     }
 }
 
-static struct height_range block_range(const struct height_grid *grid,
-                                       int level, int i, int j)
-{
-    const struct height_level *all = &grid->levels[level];
-    if (level > 0)
-        return all->blocks[(size_t)j * (size_t)all->columns + (size_t)i];
-    const uint16_t *h =
-        grid->heights + (size_t)j * (size_t)grid->width + (size_t)i;
-    const uint16_t *g = h + grid->width;
-    struct height_range a = { h[0] < h[1] ? h[0] : h[1],
-                              h[0] > h[1] ? h[0] : h[1] };
-    struct height_range b = { g[0] < g[1] ? g[0] : g[1],
-                              g[0] > g[1] ? g[0] : g[1] };
-    return range_join(a, b);
-}
-
 struct height_range height_grid_range(const struct height_grid *grid)
 {
-    return block_range(grid, grid->top, 0, 0);
+    return height_block_range(grid, grid->top, 0, 0);
 }
 
 struct height_plane height_grid_plane(const struct height_grid *grid, int i,
@@ -197,8 +181,8 @@ static bool walk_square(struct height_walk *w)
 /* Whether all of the block is on one side of the ray, or under water. */
 static inline bool walk_passes(struct height_walk *w)
 {
-    struct height_range range =
-        block_range(w->grid, w->level, w->i >> w->level, w->j >> w->level);
+    struct height_range range = height_block_range(
+        w->grid, w->level, w->i >> w->level, w->j >> w->level);
     double a = w->origin.y + w->direction.y * w->from;
     double b = w->origin.y + w->direction.y * w->to;
     double low = range.low - w->doubt, high = range.high + w->doubt;
@@ -351,7 +335,7 @@ static bool block_meets(const struct height_grid *grid, struct block b,
     if (box->low.x > x + size || box->high.x < x || box->low.z > z + size ||
         box->high.z < z)
         return false;
-    struct height_range range = block_range(grid, b.level, b.i, b.j);
+    struct height_range range = height_block_range(grid, b.level, b.i, b.j);
     return box->low.y <= range.high && box->high.y >= range.low &&
            range.high >= grid->water && box->high.y >= grid->water;
 }

@@ -53,6 +53,24 @@ size_t height_grid_size(int width, int height);
 
 struct height_range height_grid_range(const struct height_grid *grid);
 
+/* Of the block (i, j) of that level. */
+static inline struct height_range
+height_block_range(const struct height_grid *grid, int level, int i, int j)
+{
+    const struct height_level *all = &grid->levels[level];
+    if (level > 0)
+        return all->blocks[(size_t)j * (size_t)all->columns + (size_t)i];
+    const uint16_t *h =
+        grid->heights + (size_t)j * (size_t)grid->width + (size_t)i;
+    const uint16_t *g = h + grid->width;
+    struct height_range a = { h[0] < h[1] ? h[0] : h[1],
+                              h[0] > h[1] ? h[0] : h[1] };
+    struct height_range b = { g[0] < g[1] ? g[0] : g[1],
+                              g[0] > g[1] ? g[0] : g[1] };
+    return (struct height_range){ a.low < b.low ? a.low : b.low,
+                                  a.high > b.high ? a.high : b.high };
+}
+
 static inline double height_grid_at(const struct height_grid *grid, int i,
                                     int j)
 {
