@@ -1,6 +1,8 @@
 /* Blocks of heights: see height_grid.h. */
 #include "scene/height_grid.h"
 
+#include "base/clones.h"
+
 static int level_count(int width, int height)
 {
     int squares = (width > height ? width : height) - 1, top = 0;
@@ -122,141 +124,151 @@ bool height_grid_over(const struct height_grid *grid, double x, double z,
 
 /* ---- rays ---- */
 
-/* A ray on its way over the squares, block by block: up a level where it leaves
- * the block of that level, down where it may meet what is in one. */
+/* Where a ray is on its way over the squares, block by block: up a level where
+ * it leaves the block of that level, down where it may meet what is in one. */
+struct height_place {
+    double from, to; /* of the ray, over the block at hand */
+    int level, i, j; /* the square at `from`; its block of this level */
+    int side; /* of the surface, where the ray is: 1 above, -1 below, 0 not
+               * known */
+};
+
 struct height_walk {
     const struct height_grid *grid;
     vec3 origin, direction;
     double inverse_x, inverse_z; /* 0: it goes along the rows or columns */
     double doubt;                /* how far heights along the ray may be off */
     double tmin, tmax;
-    double from, to; /* of the ray, over the block at hand */
     double end;
-    int level, i, j; /* the square at `from`; its block of this level */
-    int side; /* of the surface, where the ray is: 1 above, -1 below, 0 not
-               * known */
     hit_visit *visit;
     void *context;
 };
 
 /* Over one triangle; the ray is on the side that it came to its edge on. */
-static bool walk_triangle(struct height_walk *w, bool right, double from,
+static bool walk_triangle(const struct height_walk *w,
+                          struct height_place *place, bool right, double from,
                           double to)
 {
-    const struct height_plane p = height_grid_plane(w->grid, w->i, w->j, right);
+    const struct height_plane p =
+        height_grid_plane(w->grid, place->i, place->j, right);
     vec3 o = w->origin, d = w->direction;
-    double u = o.x - w->i, v = o.z - w->j;
+    double u = o.x - place->i, v = o.z - place->j;
     double above = o.y - p.base - p.slope_u * u - p.slope_v * v;
     double rate = d.y - p.slope_u * d.x - p.slope_v * d.z;
-    if (w->side == 0)
-        w->side = above + rate * from > 0 ? 1 : -1;
+    if (place->side == 0)
+        place->side = above + rate * from > 0 ? 1 : -1;
     int after = above + rate * to > 0 ? 1 : -1;
-    if (after == w->side)
+    if (after == place->side)
         return false;
-    w->side = after;
+    place->side = after;
     double t = -above / rate;
     t = t < from ? from : t > to ? to : t;
     double height =
         p.base + p.slope_u * (u + d.x * t) + p.slope_v * (v + d.z * t);
     if (!(t > w->tmin && t < w->tmax && height >= w->grid->water))
         return false;
-    struct hit hit = { t, part_of(w->grid, w->i, w->j, right), 0, 0 };
+    struct hit hit = { t, part_of(w->grid, place->i, place->j, right), 0, 0 };
     return w->visit(w->context, &hit);
 }
 
-static bool walk_square(struct height_walk *w)
+static bool walk_square(const struct height_walk *w, struct height_place *place)
 {
-    double lead = (w->origin.x - w->i) - (w->origin.z - w->j);
+    double lead = (w->origin.x - place->i) - (w->origin.z - place->j);
     double rate = w->direction.x - w->direction.z;
     double when = rate != 0 ? -lead / rate : HUGE_VAL;
-    bool right = rate > 0   ? w->from >= when
-                 : rate < 0 ? w->from < when
+    bool right = rate > 0   ? place->from >= when
+                 : rate < 0 ? place->from < when
                             : lead >= 0;
-    if (!(when > w->from && when < w->to))
-        return walk_triangle(w, right, w->from, w->to);
-    return walk_triangle(w, right, w->from, when) ||
-           walk_triangle(w, !right, when, w->to);
+    if (!(when > place->from && when < place->to))
+        return walk_triangle(w, place, right, place->from, place->to);
+    return walk_triangle(w, place, right, place->from, when) ||
+           walk_triangle(w, place, !right, when, place->to);
 }
 
 /* Whether all of the block is on one side of the ray, or under water. */
-static inline bool walk_passes(struct height_walk *w)
+INLINED bool walk_passes(const struct height_walk *w,
+                         struct height_place *place)
 {
-    struct height_range range = height_block_range(
-        w->grid, w->level, w->i >> w->level, w->j >> w->level);
-    double a = w->origin.y + w->direction.y * w->from;
-    double b = w->origin.y + w->direction.y * w->to;
+    struct height_range range =
+        height_block_range(w->grid, place->level, place->i >> place->level,
+                           place->j >> place->level);
+    double a = w->origin.y + w->direction.y * place->from;
+    double b = w->origin.y + w->direction.y * place->to;
     double low = range.low - w->doubt, high = range.high + w->doubt;
-    if (a < low && b < low)
-        w->side = -1;
-    else if (a > high && b > high)
-        w->side = 1;
+    if (a > high && b > high)
+        place->side = 1;
+    else if (a < low && b < low)
+        place->side = -1;
     else if (range.high < w->grid->water)
-        w->side = 0;
+        place->side = 0;
     else
         return false;
     return true;
 }
 
 /* Where the ray leaves the block at hand; infinite along it. */
-static inline double block_end(int at, int level, double origin, double inverse)
+INLINED double block_end(int at, int level, double origin, double inverse)
 {
-    int64_t edge = ((int64_t)(at >> level) + (inverse > 0)) << level;
-    return inverse != 0 ? ((double)edge - origin) * inverse : HUGE_VAL;
+    int edge = ((at >> level) + (inverse > 0)) << level;
+    return inverse != 0 ? (edge - origin) * inverse : HUGE_VAL;
 }
 
 /* The number of the square that is at `place`, which is in the block. */
-static inline int square_at(double place, int block, int level, int last)
+INLINED int square_at(double place, int block, int level, int last)
 {
     int first = block << level, end = first + (1 << level) - 1;
-    if (place < first)
-        return first;
     end = end < last ? end : last;
-    return place < end ? (int)place : end;
+    place = place < first ? first : place;
+    return (int)(place < end ? place : end);
 }
 
-/* To the next block, of the largest size that begins there. False: that was the
- * last one. */
-static bool walk_on(struct height_walk *w, double end_x, double end_z)
+/* To the next block, of the largest size that begins there: without branches,
+ * for which way a ray goes on nobody foretells. False: that was the last one.
+ */
+INLINED bool walk_on(const struct height_walk *w, struct height_place *place,
+                     bool along_x)
 {
     const struct height_level *squares = w->grid->levels;
-    bool along_x = end_x <= end_z;
-    int *at = along_x ? &w->i : &w->j, *beside = along_x ? &w->j : &w->i;
-    bool up = (along_x ? w->inverse_x : w->inverse_z) > 0;
-    int block = *at >> w->level;
-    if (w->to >= w->end)
+    const int level = place->level;
+    const int at = along_x ? place->i : place->j;
+    const int beside = along_x ? place->j : place->i;
+    const int count = along_x ? squares->columns : squares->rows;
+    const int last = (along_x ? squares->rows : squares->columns) - 1;
+    const double origin = along_x ? w->origin.z : w->origin.x;
+    const double direction = along_x ? w->direction.z : w->direction.x;
+    const int up = (along_x ? w->inverse_x : w->inverse_z) > 0;
+    const int next = (((at >> level) + up) << level) - !up;
+    if (place->to >= w->end || (unsigned)next >= (unsigned)count)
         return false;
-    w->from = w->to;
-    *beside =
-        along_x
-            ? square_at(w->origin.z + w->direction.z * w->from,
-                        *beside >> w->level, w->level, squares->rows - 1)
-            : square_at(w->origin.x + w->direction.x * w->from,
-                        *beside >> w->level, w->level, squares->columns - 1);
-    *at = up ? (block + 1) << w->level : (block << w->level) - 1;
-    if (*at < 0 || *at >= (along_x ? squares->columns : squares->rows))
-        return false;
+    place->from = place->to;
+    const int there = square_at(origin + direction * place->from,
+                                beside >> level, level, last);
+    place->i = along_x ? next : there;
+    place->j = along_x ? there : next;
     /* Into a block whose parent is another one. */
-    if (up == !(*at >> w->level & 1) && w->level < w->grid->top)
-        w->level++;
+    place->level += (up ^ (next >> level & 1)) & (level < w->grid->top);
     return true;
 }
 
-static void walk_grid(struct height_walk *w)
+static void walk_grid(const struct height_walk *w, struct height_place start)
 {
+    struct height_place at = start;
     for (;;) {
-        double end_x = block_end(w->i, w->level, w->origin.x, w->inverse_x);
-        double end_z = block_end(w->j, w->level, w->origin.z, w->inverse_z);
+        double end_x = block_end(at.i, at.level, w->origin.x, w->inverse_x);
+        double end_z = block_end(at.j, at.level, w->origin.z, w->inverse_z);
         double to = end_x < end_z ? end_x : end_z;
-        w->to = to < w->end ? to : w->end;
-        if (!walk_passes(w)) {
-            if (w->level > 0) {
-                w->level--;
+        at.to = to < w->end ? to : w->end;
+        if (!walk_passes(w, &at)) {
+            if (at.level > 0) {
+                at.level--;
                 continue;
             }
-            if (walk_square(w))
+            struct height_place square = at;
+            if (walk_square(w, &square))
                 return;
+            at.side = square.side;
         }
-        if (!walk_on(w, end_x, end_z))
+        if (!walk_on(w, &at, end_x <= end_z))
             return;
     }
 }
@@ -310,16 +322,18 @@ void height_grid_crossings(const struct height_grid *grid,
                                 .inverse_z = d.z != 0 ? 1 / d.z : 0,
                                 .tmin = tmin,
                                 .tmax = tmax,
-                                .from = from,
                                 .end = to,
-                                .level = first_level(grid, d, from, to, tmin),
                                 .visit = visit,
                                 .context = context };
     double far = -from > to ? -from : to;
     walk.doubt = 1e-6 + 1e-12 * (fabs(o.y) + fabs(d.y) * far);
-    walk.i = square_at(o.x + d.x * from, 0, grid->top, grid->width - 2);
-    walk.j = square_at(o.z + d.z * from, 0, grid->top, grid->height - 2);
-    walk_grid(&walk);
+    walk_grid(
+        &walk,
+        (struct height_place){
+            .from = from,
+            .level = first_level(grid, d, from, to, tmin),
+            .i = square_at(o.x + d.x * from, 0, grid->top, grid->width - 2),
+            .j = square_at(o.z + d.z * from, 0, grid->top, grid->height - 2) });
 }
 
 /* ---- boxes ---- */

@@ -7,7 +7,7 @@
 
 enum { WALKS = RAY_LANES };
 
-/* So many of them, with the numbers of struct height_walk. */
+/* So many of them, with the numbers of height_walk and height_place. */
 struct walks {
     LANE_LINES double origin[3][WALKS], direction[3][WALKS];
     double tmin[WALKS], tmax[WALKS];
