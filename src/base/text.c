@@ -57,12 +57,13 @@ static bool text_begins_like(const char *a, const char *b)
     return lower(*a) == lower(*b);
 }
 
-/* Whether the candidate goes on, with an underscore, where the word ends. */
+/* Whether the candidate goes on where the word ends: with an underscore, or
+ * anyhow where the word is long. */
 static bool text_goes_on(const char *word, const char *candidate)
 {
     size_t length = strlen(word);
     return length > 3 && strncmp(word, candidate, length) == 0 &&
-           candidate[length] == '_';
+           candidate[length] && (length > 5 || candidate[length] == '_');
 }
 
 /* Lengths that differ by more than the best distance can't be nearer: this

@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -240,16 +241,32 @@ static void codec_premultiply(float *pixels, size_t count)
             pixels[c] *= pixels[3];
 }
 
+// Radiance's bytes stand for the middle of what they were rounded down from
+// (Ward, "Real Pixels"); OpenImageIO takes its lower end. The largest of three
+// has its first bit set, and tells the exponent of all.
+static void codec_centre(float *pixels, size_t count)
+{
+    for (size_t i = 0; i < count; i++, pixels += 4) {
+        int exponent;
+        float most = std::max(pixels[0], std::max(pixels[1], pixels[2]));
+        std::frexp(most, &exponent);
+        for (int c = 0; c < 3 && most > 0; c++)
+            pixels[c] += std::ldexp(0.5F, exponent - 8);
+    }
+}
+
 // What is done to pixels as they are read.
 struct codec_finish {
     int channels, alpha;
-    bool premultiply;
+    bool premultiply, centre;
 
     void apply(float *pixels, size_t count) const
     {
         codec_spread(pixels, count, channels, alpha);
         if (premultiply)
             codec_premultiply(pixels, count);
+        if (centre)
+            codec_centre(pixels, count);
     }
 };
 
@@ -313,7 +330,8 @@ static bool codec_decode_checked(const char *path, struct codec_target *target,
         target->allocate(target->context, spec.width, spec.height, error, size);
     if (!pixels)
         return false;
-    codec_finish finish = { channels, alpha, straight && alpha >= 0 };
+    codec_finish finish = { channels, alpha, straight && alpha >= 0,
+                            std::strcmp(input->format_name(), "hdr") == 0 };
     if (target->take)
         return codec_stream(*input, target, finish, pixels, error, size);
     if (!input->read_image(0, 0, 0, channels, TypeFloat, pixels))

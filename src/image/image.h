@@ -10,19 +10,20 @@ enum { IMAGE_SIDE_LIMIT = 65535, IMAGE_PIXEL_LIMIT = 1 << 28 };
 
 struct image {
     int width, height;
-    float *pixels;  /* width * height * 4, row by row from the top; alpha is
-                     * opacity, colours are premultiplied by it */
-    bool has_alpha; /* read: the file had one */
-    bool linear;    /* read: the file's numbers are linear light (EXR, HDR) */
-    double gamma;   /* read: they are light to the power 1/gamma, says the
-                     * file (PNG); 0: it says nothing */
-    int channels;   /* read: 1 grey, 2 with alpha, 3 colour, 4 with alpha */
-    int bits;       /* read: of a channel, 8 or more */
-    bool indexed;   /* read as numbers: pixels are a palette's
-                     * numbers, 1 being 255 */
-    bool palette;   /* read: the file has one (PNG) */
-    bool plain;     /* read: of a kind whose numbers POV-Ray takes for the
-                     * scene's own, whatever they are (PPM, PGM, TIFF) */
+    float *pixels;   /* width * height * 4, row by row from the top; alpha is
+                      * opacity, colours are premultiplied by it */
+    bool has_alpha;  /* read: the file had one */
+    bool multiplied; /* a scene's: neighbours are mixed premultiplied */
+    bool linear;     /* read: the file's numbers are linear light (EXR, HDR) */
+    double gamma;    /* read: they are light to the power 1/gamma, says the
+                      * file (PNG); 0: it says nothing */
+    int channels;    /* read: 1 grey, 2 with alpha, 3 colour, 4 with alpha */
+    int bits;        /* read: of a channel, 8 or more */
+    bool indexed;    /* read as numbers: pixels are a palette's
+                      * numbers, 1 being 255 */
+    bool palette;    /* read: the file has one (PNG) */
+    bool plain;      /* read: of a kind whose numbers POV-Ray takes for the
+                      * scene's own, whatever they are (PPM, PGM, TIFF) */
 };
 
 /* Black, transparent. Freed by image_free. Never NULL. Both sides are at

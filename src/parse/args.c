@@ -167,7 +167,10 @@ static bool parse_points(struct parser *p, const struct field *field,
     }
     ARRAY_FIT(p->scene_arena, &values);
     *points = (struct points){ values.items, values.count };
-    return true;
+    return stream_peek(p)->kind != TOKEN_LESS ||
+           error_at(p, start, NULL,
+                    "%s points are announced here, but more follow",
+                    NUMBER_TEXT(count));
 }
 
 /* The next token as a word, kept as long as the scene; NULL after an error. */

@@ -44,6 +44,12 @@ static const char *owner_of(const struct word *word)
     return colours || pattern_find(word->text) ? "pigment" : NULL;
 }
 
+static bool is_texture_part(enum keyword keyword)
+{
+    return keyword == KEYWORD_PIGMENT || keyword == KEYWORD_NORMAL ||
+           keyword == KEYWORD_FINISH;
+}
+
 /* What a declared thing stands in; NULL: nothing in particular. */
 static const char *block_of(enum value_kind kind)
 {
@@ -77,6 +83,8 @@ const char *item_belongs(struct parser *p, const struct word *word,
     const char *owner = value ? block_of(value->kind) : NULL;
     if (word->reserved)
         owner = owner_of(word);
+    if (is_texture_part(word->keyword) && strcmp(block, "material") == 0)
+        owner = "texture";
     if (!owner || strcmp(owner, block) == 0)
         return NULL;
     return arena_printf(p->arena, "%s { %s%s }", owner, word->text,

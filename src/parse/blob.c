@@ -144,7 +144,7 @@ static bool parse_blob_part(struct parser *p, struct blob_builder *b)
     if (ok) {
         accept(p, TOKEN_COMMA);
         accept_word(p, "strength");
-        ok = parse_float(p, &n.strength) && blob_push(p, b, &n) &&
+        ok = parse_field(p, component_arguments, &n) && blob_push(p, b, &n) &&
              blob_part_items(p, b, word.word->text);
     }
     return block_end(p, open, ok);

@@ -168,7 +168,8 @@ bool parse_block_list(struct parser *p, const struct pattern *pattern,
         }
         if (!map_push(p, &builder, entry))
             return false;
-        accept(p, TOKEN_COMMA);
+        if (more)
+            accept(p, TOKEN_COMMA);
         more =
             more && (pigments ? stream_keyword(p) == word : at_any_colour(p));
     }

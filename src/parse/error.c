@@ -146,6 +146,16 @@ static const char *error_other_case(struct parser *p, const char *text)
     return colour_begins(word->keyword) ? small : NULL;
 }
 
+/* The pattern whose name is nearest, where one is wanted. */
+static const char *error_near_pattern(const char *wanted, const char *text)
+{
+    struct text_nearest nearest = text_nearest_start(text);
+    if (strstr(wanted, "a pattern"))
+        for (size_t i = 0; pattern_at(i); i++)
+            text_nearest_try(&nearest, pattern_at(i)->name);
+    return nearest.best;
+}
+
 /* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
@@ -160,6 +170,8 @@ static bool error_undeclared(struct parser *p, const char *wanted,
         hint = mistaken_word(token->word, "");
     if (!hint)
         hint = symbol_nearest(p, token->word->text);
+    if (!hint)
+        hint = error_near_pattern(wanted, token->word->text);
     if (!hint)
         hint = error_other_case(p, token->word->text);
     if (!hint && strcmp(wanted, "a condition") == 0)
@@ -216,6 +228,19 @@ static const char *error_subscript(struct parser *p)
                : NULL;
 }
 
+/* `pigment { V }` of a vector: it is no colour yet. */
+static const char *error_uncoloured(struct parser *p, const char *wanted)
+{
+    const struct token *token = stream_peek(p);
+    if (strncmp(wanted, "a colour", 8) != 0 || token->kind != TOKEN_WORD ||
+        token->word->reserved)
+        return NULL;
+    const struct value *value = symbol_find(p, token->word);
+    return value && value->kind == VALUE_VECTOR
+               ? arena_printf(p->arena, "rgb %s", token->word->text)
+               : NULL;
+}
+
 bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
 {
     if (p->blamed.source && p->blamed.source == p->last_span.source &&
@@ -232,6 +257,8 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
     const char *kind = error_kind(p);
     if (!hint)
         hint = error_subscript(p);
+    if (!hint)
+        hint = error_uncoloured(p, wanted);
     if (!hint)
         hint = wanted_signature(p, 1);
     return error_at(p, stream_span(p), hint ? hint : wanted_example(p, wanted),
@@ -265,6 +292,17 @@ static const char *error_block(struct parser *p, const char *block)
     return p->block_count ? arena_printf(p->arena, "'%s'", block) : block;
 }
 
+/* `spotlight { point_at 0 }`: what it is about stands beside it. */
+static const char *error_no_block(struct parser *p)
+{
+    struct span last = p->last_span;
+    if (!last.source || last.length > 40 ||
+        !isalpha((unsigned char)last.source->text[last.offset]))
+        return "; there is no item before it";
+    return arena_printf(p->arena, "; '%.*s' has no braces", (int)last.length,
+                        last.source->text + last.offset);
+}
+
 /* What stands where no value belongs. */
 static bool error_no_item(struct parser *p, const char *block)
 {
@@ -280,7 +318,7 @@ static bool error_no_item(struct parser *p, const char *block)
                       : comma ? "; no comma stands between items"
                       : kind == TOKEN_SEMICOLON
                           ? "; a ';' only ends #declare, #local and #version"
-                      : kind == TOKEN_LBRACE ? "; there is no item before it"
+                      : kind == TOKEN_LBRACE ? error_no_block(p)
                                              : "";
     return error_at(
         p, p->token_span, comma && values ? primitive_hint(p, block) : NULL,
@@ -305,6 +343,23 @@ static bool error_product(struct parser *p)
                           p->token.word->text),
              "a product wants a '*'");
     return true;
+}
+
+/* `Ball translate x`: a declared object that is moved or coloured beside, not
+ * in a block. */
+static const char *error_bare_object(struct parser *p, const struct word *word)
+{
+    struct span last = p->last_span;
+    if (p->block_count > 0 || !last.source || last.length > 40 ||
+        !isalpha((unsigned char)last.source->text[last.offset]))
+        return NULL;
+    const char *text = last.source->text + last.offset;
+    const struct value *value =
+        symbol_find(p, word_intern(p->words, text, last.length));
+    return value && value->kind == VALUE_OBJECT
+               ? arena_printf(p->arena, "object { %.*s %s ... }",
+                              (int)last.length, text, word->text)
+               : NULL;
 }
 
 /* What the word was meant to be. */
@@ -374,6 +429,8 @@ bool error_unknown_item(struct parser *p, const char *block,
         return false;
     const struct word *word = token->word;
     const char *belongs = unclosed_hint(p);
+    if (!belongs)
+        belongs = error_bare_object(p, word);
     if (!belongs)
         belongs = item_belongs(p, word, block);
     const char *kind = error_kind(p);

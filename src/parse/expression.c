@@ -42,12 +42,14 @@ bool parse_float(struct parser *p, double *out)
            value_to_float(p, start, &value, out);
 }
 
-/* The rest of a short line in parentheses. */
+/* The rest of a short line in parentheses, up to the next directive. */
 static const char *condition_hint(struct parser *p, struct span start)
 {
     const char *text = start.source->text + start.offset;
-    size_t length = strcspn(text, "(){}\r\n");
-    bool whole = text[length] == '\r' || text[length] == '\n';
+    size_t length = strcspn(text, "(){}#\r\n");
+    bool whole = text[length] && strchr("#\r\n", text[length]);
+    while (length > 0 && text[length - 1] == ' ')
+        length--;
     return whole && length < 40
                ? arena_printf(p->arena, "(%.*s)", (int)length, text)
                : "(";

@@ -17,14 +17,25 @@ static double height_number(float value, double top)
     return trunc((double)value * top + 0.5);
 }
 
+/* Two bytes as POV-Ray makes them: rounded down, and without what is beyond
+ * them, so that what is above them begins at 0 again. */
+static double height_cut(double number)
+{
+    number = trunc(number);
+    return fabs(number) < 1e15 ? number - 65536 * floor(number / 65536) : 0;
+}
+
 /* A grey byte is rounded down as the sum of its shares of red, green and blue
  * is in single precision, but neither are 16 bits nor bytes with alpha; colours
  * of 8 bits are two bytes, red and green, those of 16 as bright; a palette has
- * its entries' numbers. */
+ * its entries' numbers. EXR and HDR files are as written, premultiplied or not;
+ * red and green again, not rounded, and what is above two bytes is left out. */
 static double height_of(const struct image *image, const float *pixel)
 {
     if (image->indexed)
         return height_number(pixel[0], 255) * 256;
+    if (image->linear)
+        return height_cut((double)pixel[0] * 65280 + (double)pixel[1] * 255);
     float alpha = pixel[3] > 0 ? pixel[3] : 1;
     float v = pixel[0] / alpha;
     if (image->channels < 3 && image->bits > 8)
@@ -105,14 +116,9 @@ static void picture_take(void *context, const struct image *image, int y,
     }
 }
 
-/* Two bytes as POV-Ray makes them: rounded down, and without what is beyond
- * them, so that what is above 1 begins at 0 again. */
 static uint16_t height_of_value(double value)
 {
-    double number = trunc(value * 65535);
-    if (!(fabs(number) < 1e15))
-        return 0;
-    return (uint16_t)(number - 65536 * floor(number / 65536));
+    return (uint16_t)height_cut(value * 65535);
 }
 
 static double height_value(const struct function *function, vec3 point,

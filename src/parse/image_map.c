@@ -8,13 +8,17 @@
 #include "image/file.h"
 #include "image/tone.h"
 
+/* Whether the file's colours are premultiplied by its alpha. */
+enum image_multiplied { BY_KIND, MULTIPLIED, NOT_MULTIPLIED };
+
 /* Images already read in this parse: a loop may name one a thousand times. */
 struct image_cache {
     struct image_cache *next;
     const char *path;
     enum gamma_kind space;
     double assumed_gamma, file_gamma;
-    bool premultiplied, bumps, numbers;
+    enum image_multiplied multiplied;
+    bool bumps, numbers;
     struct image *image;
 };
 
@@ -22,11 +26,11 @@ struct image_cache {
 struct image_request {
     const char *name, *type; /* NULL: not said */
     struct span span;
-    double gamma;       /* of the file's numbers; 0: sRGB, -1: not said */
-    bool premultiplied; /* the file's colours are, whatever its kind says */
-    bool numbers;       /* of a palette's entries, not their colours */
-    double *bump_size;  /* of a bump_map, where numbers are no light; NULL */
-    bool pattern;       /* it is an image_pattern's */
+    double gamma; /* of the file's numbers; 0: sRGB, -1: not said */
+    enum image_multiplied multiplied;
+    bool numbers;      /* of a palette's entries, not their colours */
+    double *bump_size; /* of a bump_map, where numbers are no light; NULL */
+    bool pattern;      /* it is an image_pattern's */
     struct image_map *map;
 };
 
@@ -53,12 +57,14 @@ const struct field bump_fields[] = {
 /* How a file's numbers become the scene's (measured; tests/povray.md, section
  * 5.9). */
 struct image_decoding {
-    bool plain;     /* not at all */
-    bool index;     /* they count a palette's entries */
-    bool keep;      /* read as premultiplied: they are so already */
-    bool linear;    /* they are light */
-    double gamma;   /* light is their power; 0: sRGB */
-    double working; /* the scene counts light^(1/working); 0: in sRGB */
+    bool plain;         /* not at all */
+    bool index;         /* they count a palette's entries */
+    bool keep;          /* taken for premultiplied: so they were written */
+    bool raw;           /* taken as written, in a file that is premultiplied */
+    bool premultiplied; /* the file is, and they are not raw */
+    bool linear;        /* they are light */
+    double gamma;       /* light is their power; 0: sRGB */
+    double working;     /* the scene counts light^(1/working); 0: in sRGB */
 };
 
 /* Whether the file's numbers are the scene's as they are: before version 3.7
@@ -76,11 +82,15 @@ static struct image_decoding image_decoding(const struct parser *p,
 {
     double said = request->gamma;
     enum gamma_kind space = settings_gamma(p);
+    bool numbers = request->bump_size || request->pattern;
+    bool multiplied = image->linear; /* EXR */
+    enum image_multiplied taken = request->multiplied;
     return (struct image_decoding){
         .index = image->indexed,
-        .plain = request->bump_size || request->pattern ||
-                 (said < 0 && image_is_plain(p, image)),
-        .keep = request->premultiplied,
+        .plain = numbers || (said < 0 && image_is_plain(p, image)),
+        .keep = taken == MULTIPLIED && !multiplied && !numbers,
+        .raw = (taken == NOT_MULTIPLIED || numbers) && multiplied,
+        .premultiplied = taken != NOT_MULTIPLIED && !numbers && multiplied,
         .linear = image->linear,
         .gamma = said >= 0 ? said : image->gamma,
         .working = space == GAMMA_SRGB ? 0 : p->scene->settings.assumed_gamma,
@@ -110,7 +120,7 @@ static void image_convert(const struct image_decoding *how, struct image *image)
         float *pixel = image->pixels + 4 * i;
         float alpha = pixel[3] > 0 ? pixel[3] : 1;
         for (int k = 0; k < 3; k++) {
-            float value = pixel[k] / alpha;
+            float value = how->raw ? pixel[k] : pixel[k] / alpha;
             if (value != last)
                 decoded = (float)image_decode(how, (double)value);
             last = value;
@@ -156,6 +166,7 @@ static struct image *image_load(struct parser *p, const char *path,
         return NULL;
     }
     struct image_decoding how = image_decoding(p, kept, request);
+    kept->multiplied = kept->has_alpha && (how.keep || how.premultiplied);
     image_convert(&how, kept);
     return kept;
 }
@@ -168,7 +179,7 @@ static struct image *image_find(struct parser *p, const char *path,
     for (struct image_cache *c = p->images; c; c = c->next)
         if (strcmp(c->path, path) == 0 && c->space == space &&
             c->assumed_gamma == assumed && c->file_gamma == request->gamma &&
-            c->premultiplied == request->premultiplied &&
+            c->multiplied == request->multiplied &&
             c->bumps == (request->bump_size || request->pattern) &&
             c->numbers == request->numbers)
             return c->image;
@@ -182,7 +193,7 @@ static struct image *image_find(struct parser *p, const char *path,
         .space = space,
         .assumed_gamma = assumed,
         .file_gamma = request->gamma,
-        .premultiplied = request->premultiplied,
+        .multiplied = request->multiplied,
         .bumps = request->bump_size || request->pattern,
         .numbers = request->numbers,
         .image = image,
@@ -389,6 +400,17 @@ static bool parse_pattern_item_of_image(struct parser *p, struct image_map *map)
     return true;
 }
 
+/* image_multiplied = "premultiplied" [bool] . */
+static bool parse_multiplied(struct parser *p, struct image_request *request)
+{
+    bool on;
+    stream_next(p);
+    if (!parse_bool(p, &on))
+        return false;
+    request->multiplied = on ? MULTIPLIED : NOT_MULTIPLIED;
+    return true;
+}
+
 /* What may stand in this block. */
 static bool image_unknown(struct parser *p, const struct image_request *request)
 {
@@ -399,7 +421,7 @@ static bool image_unknown(struct parser *p, const struct image_request *request)
 }
 
 /* image_item = map_type | "once" | interpolation | image_filter
- *            | image_gamma | "premultiplied" [bool] | bump_item
+ *            | image_gamma | image_multiplied | bump_item
  *            | pattern_item_of_image . */
 static bool parse_image_item(struct parser *p, struct image_request *request)
 {
@@ -418,8 +440,7 @@ static bool parse_image_item(struct parser *p, struct image_request *request)
     case KEYWORD_GAMMA:
         return parse_image_gamma(p, request);
     case KEYWORD_PREMULTIPLIED:
-        stream_next(p);
-        return parse_bool(p, &request->premultiplied);
+        return parse_multiplied(p, request);
     case KEYWORD_BUMP_SIZE:
     case KEYWORD_USE_COLOUR:
     case KEYWORD_USE_INDEX:

@@ -78,19 +78,22 @@ static bool parse_area_light(struct parser *p, struct light *light)
     return area_size(p, &light->size1) && area_size(p, &light->size2);
 }
 
-/* The object of such a block, and what modifies it. */
+/* The object of such a block, put in its place, and what modifies it there. */
 static bool block_of_object(struct parser *p, const char *block,
-                            struct object **out)
+                            const affine *place, struct object **out)
 {
     struct modifiers m = { .block = block };
     if (!parse_object(p, out))
         return false;
+    if (place)
+        object_move(p->scene_arena, *out, place);
     m.object = *out;
     return parse_modifiers(p, &m);
 }
 
 /* looks_like = "looks_like" "{" object {modifier} "}" .
- * The object is written around the origin and goes where the light is. */
+ * The object is written around the origin and goes where the light is; then it
+ * is modified (measured). */
 static bool parse_looks_like(struct parser *p, struct object *owner,
                              struct light *light, struct object **looks)
 {
@@ -100,10 +103,9 @@ static bool parse_looks_like(struct parser *p, struct object *owner,
         return error_at(p, span, NULL, "a light has only one looks_like");
     stream_next(p);
     if (!block_begin(p, &open) ||
-        !block_end(p, open, block_of_object(p, "looks_like", looks)))
+        !block_end(p, open, block_of_object(p, "looks_like", &place, looks)))
         return false;
     object_link(p, *looks);
-    object_move(p->scene_arena, *looks, &place);
     light->looks_like = *looks;
     return object_adopt(p, owner, *looks);
 }
@@ -120,7 +122,8 @@ static bool parse_projected_through(struct parser *p, struct object *owner,
                         "a light has only one projected_through");
     stream_next(p);
     if (!block_begin(p, &open) ||
-        !block_end(p, open, block_of_object(p, "projected_through", &window)))
+        !block_end(p, open,
+                   block_of_object(p, "projected_through", NULL, &window)))
         return false;
     object_link(p, window);
     light->window = window;

@@ -174,14 +174,18 @@ static bool list_indices(struct parser *p, struct mesh2 *m, uint32_t *out,
         return false;
     for (int i = 0; i < 3; i++) {
         bool known = v[i] >= 0 && v[i] < (double)count;
+        const char *which =
+            v[i] == (double)count && count > 0 ? " and numbered from 0" : "";
         if (!known && m->plain)
             return error_at(p, span, NULL,
-                            "item %zu names number %s of the %s, which are %zu",
-                            m->plain_next, NUMBER_TEXT(v[i]), things, count);
+                            "item %zu names number %s of the %s, which are "
+                            "%zu%s",
+                            m->plain_next, NUMBER_TEXT(v[i]), things, count,
+                            which);
         if (!known)
             return error_at(p, span, NULL,
-                            "this names number %s of the %s, which are %zu",
-                            NUMBER_TEXT(v[i]), things, count);
+                            "this names number %s of the %s, which are %zu%s",
+                            NUMBER_TEXT(v[i]), things, count, which);
         out[i] = (uint32_t)v[i];
     }
     return true;

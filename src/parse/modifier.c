@@ -306,9 +306,8 @@ static enum taken parse_modifier_without_effect(struct parser *p)
     }
 }
 
-/* Those that follow each other move the object together: each would cost it a
- * matrix. */
-static enum taken modifier_transformation(struct parser *p, struct modifiers *m)
+/* Together: each for itself would cost the object a matrix. */
+enum taken parse_moves(struct parser *p, struct modifiers *m)
 {
     affine step = affine_identity(), inverse;
     struct span span = stream_span(p);
@@ -358,7 +357,7 @@ static bool modifier_photons(struct parser *p, struct object *object)
  * like "open". */
 static bool parse_modifier(struct parser *p, struct modifiers *m)
 {
-    enum taken taken = modifier_transformation(p, m);
+    enum taken taken = parse_moves(p, m);
     if (taken == NOT_MINE)
         taken = parse_covering(p, m->object);
     if (taken != NOT_MINE)

@@ -101,7 +101,7 @@ static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
            pattern_sampled(p, pattern);
 }
 
-/* object_pattern = "object" "{" object block_list "}" .
+/* object_pattern = "object" "{" object {transformation} block_list "}" .
  * In normals and textures there is their own kind of list instead. It is read
  * by whoever calls, and then parse_pattern_end. */
 static bool parse_object_pattern(struct parser *p, struct pattern *pattern)
@@ -112,7 +112,8 @@ static bool parse_object_pattern(struct parser *p, struct pattern *pattern)
     if (!block_begin(p, &made->open))
         return false;
     struct span span = stream_span(p);
-    if (!parse_object(p, &object))
+    if (!parse_object(p, &object) ||
+        parse_moves(p, &(struct modifiers){ .object = object }) == WRONG)
         return block_end(p, made->open, false);
     made->object = object;
     if (!object_is_solid(object))

@@ -189,6 +189,8 @@ struct modifiers {
     } bounds; /* bounded_by, for clipped_by { bounded_by } */
 };
 
+/* The transformations that are next, if there are any, all of them. */
+enum taken parse_moves(struct parser *p, struct modifiers *m);
 /* Modifiers up to the '}' of the object's block. */
 bool parse_modifiers(struct parser *p, struct modifiers *m);
 

@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "parse/expression.h"
 #include "parse/parser.h"
 #include "parse/stream.h"
 #include "scene/primitive.h"
@@ -77,8 +78,10 @@ const char *wanted_example(struct parser *p, const char *wanted)
     const char *text = last.source ? last.source->text + last.offset : "";
     enum token_kind next = stream_peek(p)->kind;
     if (!isalpha((unsigned char)*text) || next == TOKEN_EQUAL ||
-        next == TOKEN_COLON || next == TOKEN_COMMA ||
-        !word_intern(p->words, text, last.length)->reserved)
+        next == TOKEN_COLON || next == TOKEN_COMMA)
+        return NULL;
+    const struct word *word = word_intern(p->words, text, last.length);
+    if (!word->reserved || constant_is(p, word->keyword))
         return NULL;
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
         if (strncmp(wanted, examples[i].wanted, strlen(examples[i].wanted)) ==

@@ -18,20 +18,31 @@ static bool parse_sweep_type(struct parser *p, enum sweep_kind *kind)
     return true;
 }
 
+struct sweep_ball {
+    vec3 centre;
+    double radius;
+};
+
+static const struct field ball_arguments[] = {
+    { "centre", FIELD_VECTOR, offsetof(struct sweep_ball, centre), 0, 0,
+      "where the ball is", false },
+    { "radius", FIELD_FLOAT, offsetof(struct sweep_ball, radius), 0, 0,
+      "how large", false },
+    { .name = NULL },
+};
+
 /* sweep_ball = vector [","] float [","] . */
 static bool parse_sweep_ball(struct parser *p, double ball[4])
 {
-    vec3 at;
+    struct sweep_ball said;
     struct span start = stream_span(p);
-    if (!parse_vector(p, &at))
+    if (!parse_arguments(p, ball_arguments, &said))
         return false;
     accept(p, TOKEN_COMMA);
-    if (!parse_float(p, &ball[3]))
-        return false;
-    accept(p, TOKEN_COMMA);
-    ball[0] = at.x;
-    ball[1] = at.y;
-    ball[2] = at.z;
+    ball[0] = said.centre.x;
+    ball[1] = said.centre.y;
+    ball[2] = said.centre.z;
+    ball[3] = said.radius;
     for (int i = 0; i < 4; i++)
         if (!isfinite(ball[i]))
             return error_at(p, span_join(start, p->last_span), NULL,

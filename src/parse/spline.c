@@ -50,8 +50,10 @@ static bool parse_spline_point(struct parser *p, struct spline *spline,
     struct spline_knot knot = { 0 };
     struct value value;
     struct span start = stream_span(p);
-    if (!parse_float(p, &knot.time))
+    if (!parse_float(p, &knot.time)) {
+        note_unclosed(p);
         return false;
+    }
     accept(p, TOKEN_COMMA);
     if (!spline_number(p, start, knot.time))
         return false;

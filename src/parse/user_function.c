@@ -256,6 +256,13 @@ static bool compile_element(struct compiler *c, const struct word *word,
     return compile_call(c, word, slot->function);
 }
 
+/* `A > 0 ? A : 0` or `if (A > 0)`: functions know neither. */
+static bool error_choice(struct parser *p)
+{
+    return error_at(p, stream_span(p), "select(A, IF_NEGATIVE, IF_NOT)",
+                    "in a function it is select() that chooses");
+}
+
 static bool compile_word(struct compiler *c, const struct word *word)
 {
     int slot = compile_slot(c, word);
@@ -273,6 +280,8 @@ static bool compile_word(struct compiler *c, const struct word *word)
     const struct function_row *row = function_find(word->keyword);
     if (row && (row->one || row->two))
         return compile_builtin(c, word, row);
+    if (word->keyword == KEYWORD_IF)
+        return error_choice(c->p);
     const struct value *value = word->reserved ? NULL : symbol_find(c->p, word);
     if (value && value->kind == VALUE_FUNCTION) {
         stream_next(c->p);
@@ -354,9 +363,10 @@ static bool compile_climb(struct compiler *c, int lowest)
         enum token_kind kind = stream_peek(c->p)->kind;
         if (kind == TOKEN_OTHER && operator_unknown(c->p))
             return false;
+        if (kind == TOKEN_QUESTION)
+            return error_choice(c->p);
         int precedence = body_precedence(kind);
-        if (kind == TOKEN_QUESTION ||
-            operator_precedence(kind) == PRECEDENCE_NONE || precedence < lowest)
+        if (operator_precedence(kind) == PRECEDENCE_NONE || precedence < lowest)
             return true;
         stream_next(c->p);
         size_t before = c->function->steps.count;

@@ -94,7 +94,14 @@ static colour texel_clear(const struct image_map *map, int x, int y, colour c)
     return c;
 }
 
-/* The pixel in column x, row y from the bottom, as a pigment. */
+/* Whether neighbours are mixed premultiplied (measured: as the file is). */
+static bool image_mixes(const struct image_map *map)
+{
+    return map->image->multiplied && !map->no_alpha && !map->clear;
+}
+
+/* The pixel in column x, row y from the bottom, as a pigment; premultiplied if
+ * so are mixed. */
 static colour image_texel(const struct image_map *map, int x, int y)
 {
     const struct image *image = map->image;
@@ -102,7 +109,7 @@ static colour image_texel(const struct image_map *map, int x, int y)
     y = image_wrap(map, y, image->height);
     const float *p = image_pixel(image, x, image->height - 1 - y);
     double alpha = (double)p[3];
-    double scale = alpha > 0 && alpha < 1 ? 1 / alpha : 1;
+    double scale = alpha > 0 && alpha < 1 && !image_mixes(map) ? 1 / alpha : 1;
     colour c = { (double)p[0] * scale, (double)p[1] * scale,
                  (double)p[2] * scale, map->filter_all,
                  map->transmit_all + (map->no_alpha ? 0 : 1 - alpha) };
@@ -166,8 +173,7 @@ static colour image_bicubic(const struct image_map *map, double x, double y)
     return sum;
 }
 
-/* At (x, y), in pixels: on the picture. */
-static colour image_at(const struct image_map *map, double x, double y)
+static colour image_sample(const struct image_map *map, double x, double y)
 {
     switch (map->interpolation) {
     case IMAGE_NEAREST:
@@ -179,6 +185,18 @@ static colour image_at(const struct image_map *map, double x, double y)
         break;
     }
     return image_blend(map, x, y);
+}
+
+/* At (x, y), in pixels: on the picture. `transmit all` leaves premultiplied
+ * colours as strong as they are (measured). */
+static colour image_at(const struct image_map *map, double x, double y)
+{
+    colour c = image_sample(map, x, y);
+    double alpha = 1 - c.transmit;
+    if (!image_mixes(map) || !(alpha > 0))
+        return c;
+    return (colour){ c.r / alpha, c.g / alpha, c.b / alpha, c.filter,
+                     c.transmit };
 }
 
 colour image_map_colour(const struct image_map *map, vec3 point)

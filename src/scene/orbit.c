@@ -57,13 +57,16 @@ static bool orbit_is_even(const struct orbit *orbit)
     return way < 1 || way > 6;
 }
 
-/* Stayed where it is for all steps. */
+/* Stayed where it is for all steps. The sixth way is not that of the exterior
+ * (measured). */
 static double orbit_interior(const struct orbit *orbit, double nearest,
                              double x, double y)
 {
+    double factor = orbit->interior[1];
     int way = orbit_integer(orbit->interior[0]);
-    return orbit->interior[1] *
-           (way == 1 ? sqrt(nearest) : orbit_end(way, x, y));
+    if (way == 6)
+        return x * x + factor * y * y;
+    return factor * (way == 1 ? sqrt(nearest) : orbit_end(way, x, y));
 }
 
 struct complex {

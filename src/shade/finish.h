@@ -112,6 +112,24 @@ struct finish_mirror {
 struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
                                    double cosine, double ior);
 
+/* The mirrored direction, unit, for the normal of a surface's layer and that of
+ * the surface, which is turned to the viewer. It never goes into the
+ * surface: what would is mirrored back by the true surface, and where the bump
+ * faces away from the viewer that alone mirrors (measured). Part of its
+ * callers, whose vectors were mostly only just made: see path_gather. */
+INLINED vec3 surface_mirrored(vec3 surface, vec3 direction, vec3 normal)
+{
+    double cosine = vec3_dot(direction, normal);
+    vec3 mirrored = vec3_along(direction, normal, -2 * cosine);
+    double rise = vec3_dot(mirrored, surface);
+    if (rise < 0 && cosine < 0)
+        mirrored = vec3_along(mirrored, surface, -2 * rise);
+    else if (rise < 0)
+        mirrored =
+            vec3_along(direction, surface, -2 * vec3_dot(direction, surface));
+    return vec3_normalise(mirrored);
+}
+
 /* The same of paint there, tints and all; `view` is unit, to the viewer. */
 static inline struct finish_mirror
 finish_mirror_seen(const struct surface_paint *paint, vec3 view, double ior)
@@ -122,9 +140,13 @@ finish_mirror_seen(const struct surface_paint *paint, vec3 view, double ior)
     double cosine = vec3_dot(view, paint->bumped);
     struct finish_mirror mirror =
         finish_mirror(finish, colour_rgb(paint->pigment), cosine, ior);
-    if (finish_tints(finish))
+    if (finish_tints(finish)) {
+        vec3 from =
+            surface_mirrored(paint->normal, vec3_negate(view), paint->bumped);
         mirror.colour = rgb_mul(
-            mirror.colour, finish_tint(finish, paint->point, cosine, cosine));
+            mirror.colour, finish_tint(finish, paint->point,
+                                       vec3_dot(from, paint->bumped), cosine));
+    }
     return mirror;
 }
 

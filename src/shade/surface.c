@@ -208,13 +208,14 @@ static rgb surface_add_layers(struct surface *surface,
                               struct place *place, rgb weight)
 {
     const struct texture *texture = place->texture;
+    bool smooth = view->smooth || view->quality < QUALITY_BUMPS;
     for (size_t i = texture->count; i-- > 0;) {
         if (surface->count == TEXTURE_LAYERS)
             break;
         const struct layer *source = &texture->layers[i];
         struct surface_layer *layer = &surface->layer[surface->count++];
         /* Kept at hand: what was just stored is read back late. */
-        vec3 normal = view->smooth || !source->normal
+        vec3 normal = smooth || !source->normal
                           ? surface->normal
                           : layer_bump(source, place, surface->normal);
         colour pigment = layer_pigment(source, place, view->quality);

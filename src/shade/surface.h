@@ -14,6 +14,7 @@ enum {
     QUALITY_AREA_LIGHTS = 5,  /* the true shadow of area lights */
     QUALITY_TRANSPARENCY = 6, /* transmitted rays; no more quick_colour */
     QUALITY_REFLECTION = 8,   /* reflected rays */
+    QUALITY_BUMPS = 8,        /* `normal` */
     QUALITY_FOG = 9,
     QUALITY_PHOTONS = 9,
 };

@@ -174,7 +174,7 @@ void tracer_inside(const struct tracer *tracer, vec3 point,
 static bool tracer_is_painted(const struct tracer *tracer)
 {
     return !tracer->scene->settings.subsurface.on && !tracer->photons &&
-           tracer->quality >= QUALITY_TRANSPARENCY;
+           tracer->quality >= QUALITY_BUMPS;
 }
 
 static bool tracer_is_airless(const struct tracer *tracer)

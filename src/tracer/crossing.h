@@ -33,24 +33,6 @@ double crossing_plain_ior(const struct leaf *leaf,
 void crossing_fill_facet(struct crossing *crossing, const struct facets *facets,
                          unsigned i);
 
-/* The mirrored direction, unit, for the normal of a surface's layer and that of
- * the surface, which is turned to the viewer. It never goes into the
- * surface: what would is mirrored back by the true surface, and where the bump
- * faces away from the viewer that alone mirrors (measured). Part of its
- * callers, whose vectors were mostly only just made: see path_gather. */
-INLINED vec3 crossing_mirrored(vec3 surface, vec3 direction, vec3 normal)
-{
-    double cosine = vec3_dot(direction, normal);
-    vec3 mirrored = vec3_along(direction, normal, -2 * cosine);
-    double rise = vec3_dot(mirrored, surface);
-    if (rise < 0 && cosine < 0)
-        mirrored = vec3_along(mirrored, surface, -2 * rise);
-    else if (rise < 0)
-        mirrored =
-            vec3_along(direction, surface, -2 * vec3_dot(direction, surface));
-    return vec3_normalise(mirrored);
-}
-
 /* Snell: the direction behind the surface; a normal that faces away from the
  * viewer is turned round. Returns false in total reflection. */
 bool crossing_refracted(const struct crossing *crossing, vec3 direction,

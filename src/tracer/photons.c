@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "scene/photon.h"
+#include "shade/finish.h"
 #include "shade/media.h"
 #include "shade/shadow.h"
 #include "shade/spectrum.h"
@@ -239,7 +240,7 @@ static void flight_mirror(const struct flight *flight,
     if (!flight_counts(&branch))
         return;
     branch.ray.origin = crossing->at.point;
-    branch.ray.direction = crossing_mirrored(
+    branch.ray.direction = surface_mirrored(
         crossing->surface.normal, flight->ray.direction, layer->normal);
     branch.level++;
     flight_follow(&branch);
@@ -288,8 +289,8 @@ static bool flight_pass(struct flight *flight, struct crossing *crossing,
         flight_dim(flight, interior_fade(crossing->at.leaf->look->interior,
                                          crossing->at.t));
     if (inward) {
-        flight->ray.direction = crossing_mirrored(
-            crossing->surface.normal, flight->ray.direction, normal);
+        flight->ray.direction = surface_mirrored(crossing->surface.normal,
+                                                 flight->ray.direction, normal);
     } else {
         flight->ray.direction = direction;
         flight_dim(flight, surface->through);

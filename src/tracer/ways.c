@@ -27,8 +27,8 @@ static void ways_mirrors(struct ways *ways, const struct arrival *arrival,
         const struct surface_layer *layer = &surface->layer[i];
         if (rgb_peak(layer->reflection) == 0)
             continue;
-        vec3 direction = crossing_mirrored(crossing->surface.normal,
-                                           arrival->direction, layer->normal);
+        vec3 direction = surface_mirrored(crossing->surface.normal,
+                                          arrival->direction, layer->normal);
         ways_add(ways, WAY_MIRRORED, direction, layer->reflection, layer);
     }
 }
@@ -46,8 +46,8 @@ void ways_find(struct ways *ways, const struct arrival *arrival,
         through = rgb_grey(0);
     if (rgb_peak(through) > 0 && crossing->ior != 1 &&
         !crossing_refracted(crossing, direction, normal, &direction)) {
-        direction = crossing_mirrored(crossing->surface.normal,
-                                      arrival->direction, normal);
+        direction = surface_mirrored(crossing->surface.normal,
+                                     arrival->direction, normal);
         ways_add(ways, WAY_TURNED, direction, rgb_grey(1), NULL);
         return;
     }

@@ -366,11 +366,21 @@ static void add_child(struct flat *flat, struct children *children,
         *ARRAY_PUSH(flat->arena, children) = child->children[i];
 }
 
+/* Whether an intersection is empty since a part of it is: an empty union. */
+static bool leaves_nothing(const struct object *object,
+                           const struct object *part)
+{
+    bool group = part->kind == OBJECT_UNION || part->kind == OBJECT_MERGE ||
+                 part->kind == OBJECT_INTERSECTION;
+    return object->kind == OBJECT_INTERSECTION && group && !part->inverse;
+}
+
 static struct solid *build_node(struct flat *flat, const struct object *object,
                                 struct inherited *in)
 {
     struct children children = { NULL, 0, 0 };
     enum object_kind kind = turned_kind(object->kind, in);
+    bool is_void = false;
     in->no_flags |= kind == OBJECT_INTERSECTION;
     in->no_shadow_flags |= kind == OBJECT_MERGE;
     for (size_t i = 0; i < object->more->child_count; i++) {
@@ -378,8 +388,10 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
             build_solid(flat, object->more->children[i], in, false);
         if (child)
             add_child(flat, &children, kind, child);
+        else
+            is_void |= leaves_nothing(object, object->more->children[i]);
     }
-    if (children.count == 0)
+    if (children.count == 0 || is_void)
         return NULL;
     struct solid *only = children.items[0];
     if (children.count == 1 && !only->more->clip_count &&

@@ -25,3 +25,4 @@ Tile(3, 2, pigment { magnet 1 mandel 20 exterior 2, .1 interior 1, .5 translate 
 box { <1.5, -1.5, -.1>, <2, -1, .1> pigment { magnet 2 mandel 20 interior 5, .1 color_map { Map } scale .2 translate <1.6, -1.2, 0> } }
 box { <1.5, -1, -.1>, <2, -.5, .1> pigment { magnet 1 julia <1.5, .7>, 30 interior 1, 1 color_map { Map } scale .1 translate <1.7, -.7, 0> } }
 box { <1, -1, -.1>, <1.5, -.5, .1> pigment { magnet 2 julia <.5, .7> 30 exterior 8, 3 color_map { Map } scale .1 translate <1.2, -.7, 0> } }
+box { <1.5, -.5, -.1>, <2, 0, .1> pigment { mandel 15 interior 6, 3 color_map { Map } scale .15 translate <1.8, -.25, 0> } }

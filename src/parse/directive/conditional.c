@@ -140,6 +140,24 @@ static bool switch_matches(struct parser *p, enum keyword stop, double value,
     return true;
 }
 
+/* What stands between a #switch and its first #case would never be read. */
+static void switch_check(struct parser *p)
+{
+    const struct cursor *cursor = p->cursor;
+    if (cursor->index >= cursor->end)
+        return;
+    const struct token *next = &cursor->list->tokens[cursor->index];
+    enum keyword keyword =
+        next->kind == TOKEN_DIRECTIVE || next->kind == TOKEN_WORD
+            ? next->word->keyword
+            : KEYWORD_NONE;
+    bool cases = keyword == KEYWORD_CASE || keyword == KEYWORD_RANGE;
+    if (next->kind != TOKEN_DIRECTIVE || !cases)
+        error_at(p, token_span(cursor->list, cursor->index),
+                 cases ? arena_printf(p->arena, "#%s", next->word->text) : NULL,
+                 "'#case' or '#range' comes right behind '#switch (...)'");
+}
+
 /* switch_directive = "#switch" "(" condition ")" . */
 static bool switch_run(struct parser *p, struct span at)
 {
@@ -149,6 +167,8 @@ static bool switch_run(struct parser *p, struct span at)
     double value;
     bool ok = directive_float(p, &value), matches = false;
     directive_open(p, BLOCK_SWITCH, at);
+    if (ok && at.source->text[at.offset] == '#')
+        switch_check(p);
     while (ok && !matches) {
         enum keyword stop = stream_skip_block(p, stops, at);
         if (stop != KEYWORD_NONE)

@@ -1,15 +1,18 @@
-/* image_pattern: how bright a picture is, or its alpha. */
+/* image_pattern: how bright a picture is, or how clear. */
 #include "scene/image_map.h"
+
+#include "image/image.h"
 
 static double image_pattern_value(const struct pattern *pattern, vec3 point)
 {
     const struct made_pattern *made = pattern->parameters;
     if (!made->image)
         return 0;
-    colour c = image_map_colour(made->image, point);
-    if (made->image->alpha == ALPHA_ALWAYS)
-        return 1 - c.transmit;
-    return grey_of(c.r, c.g, c.b);
+    const struct image_map *map = made->image;
+    colour c = image_map_colour(map, point);
+    if (map->alpha == ALPHA_ALWAYS && map->image && map->image->has_alpha)
+        return c.transmit;
+    return fmax(0, fmin(grey_of(c.r, c.g, c.b), 1));
 }
 
 const struct pattern_kind image_pattern_pattern = {

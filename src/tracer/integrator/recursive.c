@@ -169,8 +169,8 @@ static void path_mirrors(struct path *path, const struct crossing *crossing)
         const struct layer_mirror mirror = {
             .finish = layer->finish,
             .point = crossing->at.point,
-            .direction = crossing_mirrored(surface->normal, path->ray.direction,
-                                           layer->normal),
+            .direction = surface_mirrored(surface->normal, path->ray.direction,
+                                          layer->normal),
             .tint = layer->reflection,
             .weight = weight,
         };
@@ -199,7 +199,7 @@ void path_leave_plain(struct path *path, const struct leaf *leaf,
     const struct layer_mirror mirror = {
         .finish = finish,
         .point = paint->point,
-        .direction = crossing_mirrored(paint->normal, direction, paint->bumped),
+        .direction = surface_mirrored(paint->normal, direction, paint->bumped),
         .tint = mirrored.colour,
         .weight = weight,
     };
@@ -233,7 +233,7 @@ static void path_part(struct path *path, const struct crossing *crossing,
         interiors_copy(&branch->inside, &own.beyond);
     } else {
         branch->ray.direction =
-            crossing_mirrored(own.surface.normal, path->ray.direction, normal);
+            surface_mirrored(own.surface.normal, path->ray.direction, normal);
     }
 }
 
@@ -267,7 +267,7 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
                                      &direction);
     if (inward) {
         direction =
-            crossing_mirrored(surface->normal, path->ray.direction, normal);
+            surface_mirrored(surface->normal, path->ray.direction, normal);
         path->straight = false;
         path->clear = 0;
     } else {
