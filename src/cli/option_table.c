@@ -160,7 +160,7 @@ static const struct option table[] = {
            "of colours when they are compared (2.5)"),
     INTEGER("Q", "Quality", quality, 0, 11,
             "0: plain colours, 4: shadows, 5: area lights, 6: textures, 8: "
-            "reflection and refraction, 9: all (9)"),
+            "bumps, reflection and refraction, 9: all (9)"),
     { .key = "Lighting", .word = "lighting", .set = set_lighting,
       .argument = "name",
       .help = "how light is worked out (mesh); see --list lightings" },
