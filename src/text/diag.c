@@ -73,7 +73,8 @@ static unsigned diag_put_source(struct diag_text *text, const char *line,
     return column;
 }
 
-/* Long lines (generated meshes) are cut to a window around the span. */
+/* Long lines (generated meshes) are cut to a window around the span, whose ends
+ * are no middles of characters, or, in what is no text, are where they are. */
 enum { DIAG_WINDOW = 160 };
 
 static void diag_put_excerpt(struct diag_text *text, struct span span,
@@ -83,12 +84,13 @@ static void diag_put_excerpt(struct diag_text *text, struct span span,
     size_t start = place.line_start, end = place.line_end;
     if (span.offset - start > DIAG_WINDOW / 2 && end - start > DIAG_WINDOW) {
         start = span.offset - DIAG_WINDOW / 2;
-        while (((unsigned char)source[start] & 0xc0) == 0x80)
+        while (start < span.offset &&
+               ((unsigned char)source[start] & 0xc0) == 0x80)
             start++;
     }
     if (end - start > DIAG_WINDOW) {
         end = start + DIAG_WINDOW;
-        while (((unsigned char)source[end] & 0xc0) == 0x80)
+        while (end > span.offset && ((unsigned char)source[end] & 0xc0) == 0x80)
             end--;
     }
     diag_putf(text, "%5u | ", place.line);
