@@ -58,7 +58,7 @@ INLINED void walk_clip(double low, double high, double origin, double direction,
     double near = a < b ? a : b, far = a < b ? b : a;
     double later = *from > near ? *from : near;
     double sooner = *to < far ? *to : far;
-    double beside = (origin >= low) & (origin <= high) ? *to : -HUGE_VAL;
+    double beside = ((origin >= low) & (origin <= high)) ? *to : -HUGE_VAL;
     *from = direction == 0 ? *from : later;
     *to = direction == 0 ? beside : sooner;
 }
@@ -167,8 +167,8 @@ CLONES static void walks_pass(struct walks *restrict w, double water,
         double b = w->origin[1][k] + w->direction[1][k] * w->to[k];
         double low = w->low[k] - w->doubt[k], high = w->high[k] + w->doubt[k];
         double side = w->high[k] < water ? 0 : 2;
-        side = (a > high) & (b > high) ? 1 : side;
-        side = (a < low) & (b < low) ? -1 : side;
+        side = ((a > high) & (b > high)) ? 1 : side;
+        side = ((a < low) & (b < low)) ? -1 : side;
         int32_t pass = side < 2 ? -1 : 0;
         int32_t one = ~pass & (w->level[k] == 0 ? -1 : 0);
         w->side[k] = side < 2 ? side : w->side[k];
