@@ -213,19 +213,38 @@ static const char *error_assigned(struct parser *p, const char *wanted)
                                : "; no ':' stands between a word and its value";
 }
 
+/* Longer ones are not told of. */
+enum { ERROR_WORD_MAX = 40 };
+
+/* The word read last, and how long it is; NULL: it was none. */
+static const char *error_last_word(const struct parser *p, int *length)
+{
+    struct span last = p->last_span;
+    if (!last.source || !isalpha((unsigned char)last.source->text[last.offset]))
+        return NULL;
+    *length = (int)last.length;
+    return last.source->text + last.offset;
+}
+
+/* The same if it names a value of that kind. */
+static const char *error_last_value(struct parser *p, enum value_kind kind,
+                                    int *length)
+{
+    const char *text = error_last_word(p, length);
+    const struct value *value =
+        text ? symbol_find(p, word_intern(p->words, text, (size_t)*length))
+             : NULL;
+    return value && value->kind == kind ? text : NULL;
+}
+
 /* `V[0]` of a vector: it has no subscripts. */
 static const char *error_subscript(struct parser *p)
 {
-    struct span last = p->last_span;
-    if (stream_peek(p)->kind != TOKEN_LBRACKET || !last.source ||
-        !isalpha((unsigned char)last.source->text[last.offset]))
-        return NULL;
-    const char *text = last.source->text + last.offset;
-    const struct value *value =
-        symbol_find(p, word_intern(p->words, text, last.length));
-    return value && value->kind == VALUE_VECTOR
-               ? arena_printf(p->arena, "%.*s.x ...", (int)last.length, text)
-               : NULL;
+    int length;
+    const char *text = stream_peek(p)->kind == TOKEN_LBRACKET
+                           ? error_last_value(p, VALUE_VECTOR, &length)
+                           : NULL;
+    return text ? arena_printf(p->arena, "%.*s.x ...", length, text) : NULL;
 }
 
 /* `pigment { V }` of a vector: it is no colour yet. */
@@ -295,12 +314,11 @@ static const char *error_block(struct parser *p, const char *block)
 /* `spotlight { point_at 0 }`: what it is about stands beside it. */
 static const char *error_no_block(struct parser *p)
 {
-    struct span last = p->last_span;
-    if (!last.source || last.length > 40 ||
-        !isalpha((unsigned char)last.source->text[last.offset]))
-        return "; there is no item before it";
-    return arena_printf(p->arena, "; '%.*s' has no braces", (int)last.length,
-                        last.source->text + last.offset);
+    int length;
+    const char *text = error_last_word(p, &length);
+    return text && length <= ERROR_WORD_MAX
+               ? arena_printf(p->arena, "; '%.*s' has no braces", length, text)
+               : "; there is no item before it";
 }
 
 /* What stands where no value belongs. */
@@ -349,16 +367,12 @@ static bool error_product(struct parser *p)
  * in a block. */
 static const char *error_bare_object(struct parser *p, const struct word *word)
 {
-    struct span last = p->last_span;
-    if (p->block_count > 0 || !last.source || last.length > 40 ||
-        !isalpha((unsigned char)last.source->text[last.offset]))
-        return NULL;
-    const char *text = last.source->text + last.offset;
-    const struct value *value =
-        symbol_find(p, word_intern(p->words, text, last.length));
-    return value && value->kind == VALUE_OBJECT
-               ? arena_printf(p->arena, "object { %.*s %s ... }",
-                              (int)last.length, text, word->text)
+    int length;
+    const char *text =
+        p->block_count == 0 ? error_last_value(p, VALUE_OBJECT, &length) : NULL;
+    return text && length <= ERROR_WORD_MAX
+               ? arena_printf(p->arena, "object { %.*s %s ... }", length, text,
+                              word->text)
                : NULL;
 }
 

@@ -299,8 +299,7 @@ static void blob_crosses_many(const void *shape, struct lane_run run,
 {
     struct rays_met first;
     blob_first_many(shape, run, rays, span, &first);
-    for (int i = run.first; i < run.end; i++)
-        met[i] = first.t[i] < (double)INFINITY ? -1 : 0;
+    rays_crosses_met(&first, run, met);
 }
 
 static void blob_intersect(const void *shape, const struct ray *ray,

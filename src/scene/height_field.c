@@ -135,8 +135,7 @@ static void height_crosses_many(const void *shape, struct lane_run run,
 {
     struct rays_met first;
     height_first_many(shape, run, rays, span, &first);
-    for (int i = run.first; i < run.end; i++)
-        met[i] = first.t[i] < HUGE_VAL ? -1 : 0;
+    rays_crosses_met(&first, run, met);
 }
 
 enum { CORNERS = 4, AROUND = 4 };

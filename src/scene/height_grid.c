@@ -213,15 +213,6 @@ INLINED double block_end(int at, int level, double origin, double inverse)
     return inverse != 0 ? (edge - origin) * inverse : HUGE_VAL;
 }
 
-/* The number of the square that is at `place`, which is in the block. */
-INLINED int square_at(double place, int block, int level, int last)
-{
-    int first = block << level, end = first + (1 << level) - 1;
-    end = end < last ? end : last;
-    place = place < first ? first : place;
-    return (int)(place < end ? place : end);
-}
-
 /* To the next block, of the largest size that begins there: without branches,
  * for which way a ray goes on nobody foretells. False: that was the last one.
  */
@@ -241,8 +232,9 @@ INLINED bool walk_on(const struct height_walk *w, struct height_place *place,
     if (place->to >= w->end || (unsigned)next >= (unsigned)count)
         return false;
     place->from = place->to;
-    const int there = square_at(origin + direction * place->from,
-                                beside >> level, level, last);
+    const int there =
+        height_square_at(origin + direction * place->from,
+                         beside >> level << level, 1 << level, last);
     place->i = along_x ? next : there;
     place->j = along_x ? there : next;
     /* Into a block whose parent is another one. */
@@ -273,21 +265,6 @@ static void walk_grid(const struct height_walk *w, struct height_place start)
     }
 }
 
-static void clip_slab(double low, double high, double origin, double direction,
-                      double *from, double *to)
-{
-    if (direction == 0) {
-        if (!(origin >= low && origin <= high))
-            *to = -HUGE_VAL;
-        return;
-    }
-    double inverse = 1 / direction;
-    double a = (low - origin) * inverse, b = (high - origin) * inverse;
-    double near = a < b ? a : b, far = a < b ? b : a;
-    *from = *from > near ? *from : near;
-    *to = *to < far ? *to : far;
-}
-
 /* The level to begin with: that of blocks half of which the ray may pass over
  * on its way down or up. What begins on the surface is near it. */
 static int first_level(const struct height_grid *grid, vec3 direction,
@@ -295,12 +272,7 @@ static int first_level(const struct height_grid *grid, vec3 direction,
 {
     double x = fabs(direction.x), z = fabs(direction.z);
     double way = 0.5 * (x > z ? x : z) * (to - from);
-    int level = 0;
-    if (!(from > tmin))
-        return 0;
-    while (level < grid->top && way > 1 << level)
-        level++;
-    return level;
+    return from > tmin ? height_level_of(way, grid->top) : 0;
 }
 
 void height_grid_crossings(const struct height_grid *grid,
@@ -310,9 +282,9 @@ void height_grid_crossings(const struct height_grid *grid,
     vec3 o = ray->origin, d = ray->direction;
     struct height_range range = height_grid_range(grid);
     double from = tmin, to = tmax;
-    clip_slab(0, grid->width - 1, o.x, d.x, &from, &to);
-    clip_slab(0, grid->height - 1, o.z, d.z, &from, &to);
-    clip_slab(range.low - 1.0, range.high + 1.0, o.y, d.y, &from, &to);
+    height_clip(0, grid->width - 1, o.x, d.x, &from, &to);
+    height_clip(0, grid->height - 1, o.z, d.z, &from, &to);
+    height_clip(range.low - 1.0, range.high + 1.0, o.y, d.y, &from, &to);
     if (!(from < to) || !isfinite(from) || !isfinite(to))
         return;
     struct height_walk walk = { .grid = grid,
@@ -327,13 +299,14 @@ void height_grid_crossings(const struct height_grid *grid,
                                 .context = context };
     double far = -from > to ? -from : to;
     walk.doubt = 1e-6 + 1e-12 * (fabs(o.y) + fabs(d.y) * far);
-    walk_grid(
-        &walk,
-        (struct height_place){
-            .from = from,
-            .level = first_level(grid, d, from, to, tmin),
-            .i = square_at(o.x + d.x * from, 0, grid->top, grid->width - 2),
-            .j = square_at(o.z + d.z * from, 0, grid->top, grid->height - 2) });
+    walk_grid(&walk,
+              (struct height_place){
+                  .from = from,
+                  .level = first_level(grid, d, from, to, tmin),
+                  .i = height_square_at(o.x + d.x * from, 0, 1 << grid->top,
+                                        grid->width - 2),
+                  .j = height_square_at(o.z + d.z * from, 0, 1 << grid->top,
+                                        grid->height - 2) });
 }
 
 /* ---- boxes ---- */

@@ -11,10 +11,12 @@
 #define SCENE_HEIGHT_GRID_H
 
 #include <stdint.h>
+#include <string.h>
 
 #include "base/arena.h"
 #include "scene/cell.h"
 #include "scene/ray.h"
+#include "scene/slab.h"
 
 enum {
     HEIGHT_GRID_LIMIT = 1 << 28, /* heights */
@@ -75,6 +77,39 @@ static inline double height_grid_at(const struct height_grid *grid, int i,
                                     int j)
 {
     return grid->heights[(size_t)j * (size_t)grid->width + (size_t)i];
+}
+
+/* The part of [*from, *to] of a ray that is between two planes across one of
+ * its axes; of a ray along them all or nothing. */
+static inline void height_clip(double low, double high, double origin,
+                               double direction, double *from, double *to)
+{
+    double enter = *from, leave = *to;
+    double inside = ((origin >= low) & (origin <= high)) ? *to : -HUGE_VAL;
+    slab_clip(low, high, origin, 1 / direction, &enter, &leave);
+    *from = direction == 0 ? *from : enter;
+    *to = direction == 0 ? inside : leave;
+}
+
+/* The level of the least blocks that are no narrower than `way` squares, `top`
+ * at most. */
+static inline int height_level_of(double way, int top)
+{
+    uint64_t bits;
+    memcpy(&bits, &way, sizeof bits);
+    int level = (int)(bits >> 52) - 1023 + (bits << 12 != 0);
+    level = way > 1 ? level : 0;
+    return level < top ? level : top;
+}
+
+/* The number of the square that is at `place`: of `size` from `first` on, and
+ * none beyond the last. */
+static inline int height_square_at(double place, int first, int size, int last)
+{
+    int most = first + size - 1;
+    double low = (double)first, high = (double)(most < last ? most : last);
+    double inner = place < high ? place : high;
+    return (int)(inner < low ? low : inner);
 }
 
 struct height_plane height_grid_plane(const struct height_grid *grid, int i,

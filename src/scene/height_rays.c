@@ -49,20 +49,6 @@ static inline unsigned flags_bits(const int32_t flags[WALKS])
 
 /* ---- the beginning ---- */
 
-/* As clip_slab. */
-INLINED void walk_clip(double low, double high, double origin, double direction,
-                       double *from, double *to)
-{
-    double inverse = 1 / direction;
-    double a = (low - origin) * inverse, b = (high - origin) * inverse;
-    double near = a < b ? a : b, far = a < b ? b : a;
-    double later = *from > near ? *from : near;
-    double sooner = *to < far ? *to : far;
-    double beside = ((origin >= low) & (origin <= high)) ? *to : -HUGE_VAL;
-    *from = direction == 0 ? *from : later;
-    *to = direction == 0 ? beside : sooner;
-}
-
 CLONES static void walks_clip(struct walks *restrict w,
                               const struct walks_grid *restrict grid,
                               double *restrict way, int32_t *restrict any)
@@ -72,9 +58,9 @@ CLONES static void walks_clip(struct walks *restrict w,
         double x = w->direction[0][k], z = w->direction[2][k];
         double y = w->direction[1][k];
         double from = w->tmin[k], to = w->tmax[k];
-        walk_clip(0, g.wide, w->origin[0][k], x, &from, &to);
-        walk_clip(0, g.deep, w->origin[2][k], z, &from, &to);
-        walk_clip(g.low, g.high, w->origin[1][k], y, &from, &to);
+        height_clip(0, g.wide, w->origin[0][k], x, &from, &to);
+        height_clip(0, g.deep, w->origin[2][k], z, &from, &to);
+        height_clip(g.low, g.high, w->origin[1][k], y, &from, &to);
         double size = fabs(x) > fabs(z) ? fabs(x) : fabs(z);
         double far = -from > to ? -from : to;
         w->inverse_x[k] = x != 0 ? 1 / x : 0;
@@ -90,26 +76,6 @@ CLONES static void walks_clip(struct walks *restrict w,
     }
 }
 
-/* As first_level, from the way that is begun with. */
-static int32_t walk_level(double way, int32_t top)
-{
-    uint64_t bits;
-    memcpy(&bits, &way, sizeof bits);
-    int32_t level = (int32_t)(bits >> 52) - 1023 + (bits << 12 != 0);
-    level = way > 1 ? level : 0;
-    return level < top ? level : top;
-}
-
-/* As square_at. */
-INLINED int32_t walk_square(double place, int32_t first, int32_t size,
-                            int32_t last)
-{
-    int32_t most = first + size - 1;
-    double low = (double)first, high = (double)(most < last ? most : last);
-    double inner = place < high ? place : high;
-    return (int32_t)(inner < low ? low : inner);
-}
-
 CLONES static void walks_squares_first(struct walks *restrict w,
                                        const struct walks_grid *restrict grid)
 {
@@ -118,8 +84,8 @@ CLONES static void walks_squares_first(struct walks *restrict w,
     for (int k = 0; k < WALKS; k++) {
         double x = w->origin[0][k] + w->direction[0][k] * w->from[k];
         double z = w->origin[2][k] + w->direction[2][k] * w->from[k];
-        w->i[k] = walk_square(x, 0, size, last_i);
-        w->j[k] = walk_square(z, 0, size, last_j);
+        w->i[k] = height_square_at(x, 0, size, last_i);
+        w->j[k] = height_square_at(z, 0, size, last_j);
     }
 }
 
@@ -138,7 +104,7 @@ static unsigned walks_begin(struct walks *w, const struct walks_grid *grid,
     walks_clip(w, grid, way, any);
     walks_squares_first(w, grid);
     for (int k = 0; k < WALKS; k++)
-        w->level[k] = any[k] ? walk_level(way[k], grid->top) : 0;
+        w->level[k] = any[k] ? height_level_of(way[k], grid->top) : 0;
     return flags_bits(any);
 }
 
@@ -222,8 +188,8 @@ CLONES static void walks_on(struct walks *restrict w,
         int32_t first_j = w->j[k] >> level << level;
         double x = w->origin[0][k] + w->direction[0][k] * w->to[k];
         double z = w->origin[2][k] + w->direction[2][k] * w->to[k];
-        int32_t beside_i = walk_square(x, first_i, size, last_i);
-        int32_t beside_j = walk_square(z, first_j, size, last_j);
+        int32_t beside_i = height_square_at(x, first_i, size, last_i);
+        int32_t beside_j = height_square_at(z, first_j, size, last_j);
         int32_t i = across ? walk_across(first_i, size, up_x) : beside_i;
         int32_t j = across ? beside_j : walk_across(first_j, size, up_z);
         int32_t at = across ? i : j, last = across ? last_i : last_j;

@@ -53,6 +53,13 @@ CLONES void rays_crosses_of(const struct rays_crossings *restrict all,
         }
 }
 
+CLONES void rays_crosses_met(const struct rays_met *restrict first,
+                             struct lane_run run, lane_flag *restrict met)
+{
+    EACH_LANE(i, run)
+        met[i] = first->t[i] < (double)INFINITY ? -1 : 0;
+}
+
 const struct rays_span *rays_span_asked(const struct rays_span *span,
                                         unsigned lanes, bool lane_by_lane,
                                         struct rays_span *out)

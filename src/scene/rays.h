@@ -138,6 +138,10 @@ void rays_first_of(const struct rays_crossings *all, struct lane_run run,
 void rays_crosses_of(const struct rays_crossings *all, struct lane_run run,
                      const struct rays_span *span, lane_flag *met);
 
+/* Which of them meet it at all. */
+void rays_crosses_met(const struct rays_met *first, struct lane_run run,
+                      lane_flag *met);
+
 /* The span, or, if that would be work for a shape that looks at rays one by
  * one, in *out that without the rays that are not asked about. */
 const struct rays_span *rays_span_asked(const struct rays_span *span,

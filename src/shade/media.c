@@ -25,9 +25,6 @@
 
 const double media_horizon = 2e10;
 
-/* Less light than this comes through: the rest is not looked at. */
-static const double media_dark = 1e-7;
-
 static struct media_sample sample_mix(struct media_sample a, double share,
                                       struct media_sample b, double rest)
 {
@@ -252,7 +249,7 @@ static bool pieces_dim(struct march *march, const struct pieces *pieces,
         veil_add(&march->veil, rgb_scale(mean.light, length));
         march->veil.through =
             rgb_mul(march->veil.through, depth_through(mean.depth, length));
-        if (rgb_peak(march->veil.through) < media_dark)
+        if (rgb_peak(march->veil.through) < MEDIA_DARK)
             return false;
     }
     return true;
@@ -364,7 +361,7 @@ static void march_part(struct march *march, const struct media_part *part,
             march_refining(march);
         else
             march_averaging(march);
-        if (rgb_peak(march->veil.through) < media_dark)
+        if (rgb_peak(march->veil.through) < MEDIA_DARK)
             return;
     }
 }
@@ -391,7 +388,7 @@ static void march_parts(struct march *march, const struct media_part *parts,
         int all = on ? extra : spare - extra, of = on ? lit : dark;
         int own = all / of + (seen[on]++ < all % of);
         march_part(march, &parts[i], 1 + own);
-        if (rgb_peak(march->veil.through) < media_dark)
+        if (rgb_peak(march->veil.through) < MEDIA_DARK)
             return;
     }
 }

@@ -7,9 +7,6 @@
 #include "shade/media_march.h"
 #include "shade/media_places.h"
 
-/* Less light than e to minus this comes through: the rest is not looked at. */
-static const double depth_dark = 16.12;
-
 void media_dims_begin(struct media_dims *dims, struct worker *worker, int ways)
 {
     dims->worker = worker;
@@ -85,7 +82,7 @@ static void dimming_march(const struct dimming *dimming, double length)
     march->length = length / intervals;
     for (int i = 0; i < intervals; i++) {
         march->from = i * march->length;
-        if (lesser(lesser(depth->r, depth->g), depth->b) > depth_dark)
+        if (lesser(lesser(depth->r, depth->g), depth->b) > MEDIA_DEEP)
             return;
         if (march->how->method == 3)
             dimming_refining(dimming);

@@ -6,6 +6,11 @@
 #include "scene/spots.h"
 #include "shade/media.h"
 
+/* Less light than this comes through, behind that depth: the rest of a way is
+ * not looked at. */
+#define MEDIA_DARK 1e-7
+#define MEDIA_DEEP 16.12 /* -log(MEDIA_DARK) */
+
 /* The way so far, and the interval that is next. */
 struct march {
     const struct media_way *way;

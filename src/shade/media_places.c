@@ -13,8 +13,8 @@ static double way_phase(const struct media_way *way, vec3 from)
     return phase;
 }
 
-/* Some places looking at a lamp, and their ways to it. */
-struct lamp_sights {
+/* Places looking at a lamp, and their ways to it. */
+struct media_sights {
     const struct media_way *way;
     const struct lamp *lamp;
     unsigned lit; /* if nothing is between */
@@ -23,7 +23,7 @@ struct lamp_sights {
     const struct interiors *inside[RAY_LANES];
 };
 
-static void sights_add(struct lamp_sights *sights, unsigned i, vec3 point)
+static void sights_add(struct media_sights *sights, unsigned i, vec3 point)
 {
     const struct lamp *lamp = sights->lamp;
     struct lamp_view *view = &sights->view[i];
@@ -39,7 +39,7 @@ static void sights_add(struct lamp_sights *sights, unsigned i, vec3 point)
 }
 
 /* The share of the lamp's light that gets to a place by itself. */
-static rgb sights_share(const struct lamp_sights *sights, unsigned i)
+static rgb sights_share(const struct media_sights *sights, unsigned i)
 {
     const struct media_way *way = sights->way;
     const struct lamp_target target = {
@@ -51,7 +51,7 @@ static rgb sights_share(const struct lamp_sights *sights, unsigned i)
 }
 
 /* To all of them: together, if that is quicker. */
-static void sights_look(struct lamp_sights *sights, rgb shares[RAY_LANES])
+static void sights_look(struct media_sights *sights, rgb shares[RAY_LANES])
 {
     const struct lamps *lamps = sights->way->lamps;
     const struct shadow_around around =
@@ -72,42 +72,39 @@ static void sights_look(struct lamp_sights *sights, rgb shares[RAY_LANES])
     }
 }
 
-/* What is scattered to the viewer at them, from number `first` on. */
-static void sights_scatter(const struct lamp_sights *sights,
-                           const rgb shares[RAY_LANES], struct places *places,
-                           int first)
+/* What is scattered to the viewer at them. */
+static void sights_scatter(const struct media_sights *sights,
+                           const rgb shares[RAY_LANES], struct places *places)
 {
     for (unsigned each = sights->lit; each; each &= each - 1) {
         int i = __builtin_ctz(each);
         const struct lamp_view *view = &sights->view[i];
         double phase = way_phase(sights->way, view->direction);
         rgb arriving = rgb_mul(shares[i], sights->lamp->light->colour);
-        rgb *light = &places->sample[first + i].light;
-        arriving = rgb_mul(arriving, places->scattered[first + i]);
+        rgb *light = &places->sample[i].light;
+        arriving = rgb_mul(arriving, places->scattered[i]);
         *light =
             rgb_add(*light, rgb_scale(arriving, phase * view->attenuation));
     }
 }
 
+_Static_assert((int)SPOTS_MAX <= (int)RAY_LANES, "each place has a lane");
+
 /* A lamp's light at the places that are in its beam. */
 static void places_lamp(const struct media_way *way, struct places *places,
                         const struct media_beam *beam)
 {
-    struct lamp_sights sights = { .way = way, .lamp = beam->lamp };
+    struct media_sights sights = { .way = way, .lamp = beam->lamp };
     rgb shares[RAY_LANES];
-    for (int first = 0; first < places->count; first += RAY_LANES) {
-        int end = places->count - first;
-        sights.lit = 0;
-        for (int i = 0; i < end && i < RAY_LANES; i++) {
-            vec3 point = spots_at(&places->at, first + i);
-            double t = vec3_dot(vec3_sub(point, way->origin), way->direction);
-            if (t >= beam->from && t <= beam->to &&
-                !rgb_is_black(places->scattered[first + i]))
-                sights_add(&sights, (unsigned)i, point);
-        }
-        sights_look(&sights, shares);
-        sights_scatter(&sights, shares, places, first);
+    for (int i = 0; i < places->count; i++) {
+        vec3 point = spots_at(&places->at, i);
+        double t = vec3_dot(vec3_sub(point, way->origin), way->direction);
+        if (t >= beam->from && t <= beam->to &&
+            !rgb_is_black(places->scattered[i]))
+            sights_add(&sights, (unsigned)i, point);
     }
+    sights_look(&sights, shares);
+    sights_scatter(&sights, shares, places);
 }
 
 /* That of all lamps. */
