@@ -139,6 +139,7 @@ static bool bool_mistyped(struct parser *p)
 bool parse_bool(struct parser *p, bool *out)
 {
     double number = 1;
+    *out = true; /* also after an error: callers may put it away unseen */
     if (bool_mistyped(p))
         return false;
     if (at_number(p) && !parse_float(p, &number))

@@ -110,6 +110,7 @@ static bool parse_internal_body(struct parser *p, struct function *function)
     field_locals(p, function, internal->arguments);
     struct step *step = field_step(p, function, STEP_MANY);
     step->many = internal->value;
+    step->manys = internal->values;
     step->slot = internal->arguments;
     function->work = 1 + internal->arguments;
     return true;

@@ -74,7 +74,10 @@ struct step {
         };
         const struct function *function;
         const struct function_field *field;
-        double (*many)(const double *);
+        struct {
+            double (*many)(const double *);
+            void (*manys)(octet *, int); /* of so many points, or NULL */
+        };
     };
 };
 

@@ -60,6 +60,10 @@ static void batch_two(const struct step *step, octet *a, const octet *b,
 static void batch_many(const struct step *step, octet *arguments, int count)
 {
     double own[ARGUMENTS_MOST];
+    if (step->manys) {
+        step->manys(arguments, count);
+        return;
+    }
     for (int i = 0; i < count; i++) {
         for (int k = 0; k < step->slot; k++)
             own[k] = arguments[k][i];

@@ -3,10 +3,15 @@
 #ifndef SCENE_INTERNAL_H
 #define SCENE_INTERNAL_H
 
+#include "base/octet.h"
+
 struct internal_function {
     int number, arguments;
     /* arguments[0..2] are x, y and z. */
     double (*value)(const double *arguments);
+    /* The same, to the bit, for up to OCTET points at once, into the first
+     * argument; or NULL. */
+    void (*values)(octet *arguments, int count);
 };
 
 /* The number of what is not in the tables: a pattern. */

@@ -31,16 +31,38 @@ rgb medium_density(const struct medium *medium, vec3 point)
     return density;
 }
 
+/* Those of the points where something is, and their numbers. */
+struct dense {
+    struct spots at;
+    int number[SPOTS_MAX];
+};
+
+static void dense_find(struct dense *dense, const struct spots *points,
+                       const rgb *densities)
+{
+    dense->at.count = 0;
+    for (int k = 0; k < points->count; k++) {
+        if (rgb_is_black(densities[k]))
+            continue;
+        dense->number[dense->at.count] = k;
+        spots_add(&dense->at, spots_at(points, k));
+    }
+}
+
 void medium_densities(const struct medium *medium, const struct spots *points,
                       rgb *densities)
 {
     colour colours[SPOTS_MAX];
+    struct dense dense;
     for (int k = 0; k < points->count; k++)
         densities[k] = rgb_grey(1);
     for (size_t i = 0; i < medium->density_count; i++) {
-        pigment_colours(medium->densities[i], points, colours);
-        for (int k = 0; k < points->count; k++)
-            densities[k] = rgb_mul(densities[k], colour_rgb(colours[k]));
+        dense_find(&dense, points, densities);
+        pigment_colours(medium->densities[i], &dense.at, colours);
+        for (int k = 0; k < dense.at.count; k++) {
+            rgb *density = &densities[dense.number[k]];
+            *density = rgb_mul(*density, colour_rgb(colours[k]));
+        }
     }
 }
 

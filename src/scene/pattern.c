@@ -138,22 +138,12 @@ vec3 pattern_locate(const struct pattern *pattern, vec3 point)
     return vec3_add(point, vec3_mul(pattern->turbulence.amount, step));
 }
 
-CLONES static void spots_moved(const affine *transform,
-                               const struct spots *restrict from,
-                               struct spots *restrict to)
-{
-    const affine move = *transform;
-    for (int i = 0; i < from->count; i++)
-        spots_put(to, i, affine_point(&move, spots_at(from, i)));
-}
-
 void pattern_locate_all(const struct pattern *pattern,
                         const struct spots *points, struct spots *located)
 {
-    located->count = points->count;
-    spots_moved(&pattern->inverse, points, located);
-    for (int i = 0; pattern->warps && i < points->count; i++)
-        spots_put(located, i, warp_all(pattern->warps, spots_at(located, i)));
+    spots_moved(points, &pattern->inverse, located);
+    if (pattern->warps)
+        warps_move(pattern->warps, located);
     if (pattern->turbulent && !(pattern->kind && pattern->kind->own_turbulence))
         noise_vectors_stir(located, &pattern->turbulence);
 }

@@ -3,8 +3,9 @@
 #ifndef SCENE_SPOTS_H
 #define SCENE_SPOTS_H
 
-#include "base/vec.h"
+#include "base/affine.h"
 #include "base/octet.h"
+#include "base/vec.h"
 
 enum { SPOTS_MAX = 2 * OCTET };
 
@@ -37,6 +38,10 @@ static inline struct spots spots_of(vec3 point)
     spots_add(&spots, point);
     return spots;
 }
+
+/* They are `moved` by the transform. */
+void spots_moved(const struct spots *restrict spots, const affine *transform,
+                 struct spots *restrict moved);
 
 static inline struct spots spots_scaled(const struct spots *spots,
                                         double factor)

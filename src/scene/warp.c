@@ -3,6 +3,7 @@
 
 #include "scene/noise.h"
 #include "scene/ray.h"
+#include "scene/spots.h"
 
 static vec3 warp_repeat(const struct warp *warp, vec3 point)
 {
@@ -121,29 +122,41 @@ static vec3 warp_cubic(vec3 p)
     return cross_place(3, 1, -p.x, p.y, most);
 }
 
+/* What it makes of a point, before what was moved before it. */
+static vec3 warp_bent(const struct warp *warp, vec3 point)
+{
+    switch (warp->kind) {
+    case WARP_TURBULENCE:
+        return vec3_add(point, vec3_mul(warp->turbulence.amount,
+                                        noise_vector_turbulence(
+                                            point, &warp->turbulence)));
+    case WARP_REPEAT:
+        return warp_repeat(warp, point);
+    case WARP_BLACK_HOLE:
+        return warp_black_hole(warp, point);
+    case WARP_CUBIC:
+        return warp_cubic(point);
+    default:
+        return warp_turned(warp->orientation, warp_laid(warp, point));
+    }
+}
+
 vec3 warp_all(const struct warp *warp, vec3 point)
 {
-    for (; warp; warp = warp->inner) {
-        switch (warp->kind) {
-        case WARP_TURBULENCE:
-            point = vec3_add(point, vec3_mul(warp->turbulence.amount,
-                                             noise_vector_turbulence(
-                                                 point, &warp->turbulence)));
-            break;
-        case WARP_REPEAT:
-            point = warp_repeat(warp, point);
-            break;
-        case WARP_BLACK_HOLE:
-            point = warp_black_hole(warp, point);
-            break;
-        case WARP_CUBIC:
-            point = warp_cubic(point);
-            break;
-        default:
-            point = warp_turned(warp->orientation, warp_laid(warp, point));
-            break;
-        }
-        point = affine_point(&warp->inverse, point);
-    }
+    for (; warp; warp = warp->inner)
+        point = affine_point(&warp->inverse, warp_bent(warp, point));
     return point;
+}
+
+void warps_move(const struct warp *warp, struct spots *spots)
+{
+    for (; warp; warp = warp->inner) {
+        struct spots bent = *spots;
+        if (warp->kind == WARP_TURBULENCE)
+            noise_vectors_stir(&bent, &warp->turbulence);
+        else
+            for (int i = 0; i < bent.count; i++)
+                spots_put(&bent, i, warp_bent(warp, spots_at(&bent, i)));
+        spots_moved(&bent, &warp->inverse, spots);
+    }
 }

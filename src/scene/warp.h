@@ -34,5 +34,7 @@ struct warp {
 
 /* The point that all of them make of one. */
 vec3 warp_all(const struct warp *warp, vec3 point);
+/* The same of several. */
+void warps_move(const struct warp *warp, struct spots *spots);
 
 #endif
