@@ -239,6 +239,19 @@ static void lamplights_shares(const struct lamplights *lights,
     }
 }
 
+/* Those of `lanes` where photons bring nothing. */
+static unsigned lamplights_straight(const struct lamplights *lights,
+                                    unsigned lanes)
+{
+    unsigned straight = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        const struct leaf *leaf = lights->facets->leaf[i];
+        straight |= (unsigned)leaf->look->photons->unlit << i;
+    }
+    return straight;
+}
+
 /* The same of all of them together. Returns those that are left. */
 static unsigned lamplights_fall(struct lamplights *lights,
                                 const struct lamp *lamp, unsigned lanes,
@@ -246,12 +259,14 @@ static unsigned lamplights_fall(struct lamplights *lights,
                                 struct facets_lit *lit)
 {
     const struct lamps *lamps = lights->lamps;
-    const struct shadow_around around =
+    struct shadow_around around =
         lamps_around(lamps, lamp, lights->facets->inside);
     bool through = lights->traced && lamps_together(lamps, lamp);
     struct shadows found;
     if (!through && !lamps_clear(lamps, lamp))
         return lanes;
+    if (around.photons)
+        around.straight = lamplights_straight(lights, lanes);
     shadow_falls_many(lamps->world, lights->worker, &lights->ways, lanes,
                       through ? &around : NULL, &found);
     looks->lit &= ~found.dark;

@@ -21,7 +21,7 @@ struct lamps lamps_new(const struct world *world, const struct scene *scene,
     lamps.foggy = air && (scene->fogs.count > 0 || scene->media.count > 0);
     lamps.misty = air && scene->murky;
     lamps.clear = quality >= QUALITY_SHADOWS && !lamps.misty;
-    lamps.straight = quality >= QUALITY_SHADOWS && !lamps.photons;
+    lamps.shadows = quality >= QUALITY_SHADOWS;
     lamps.plain = lamps.clear && world_is_opaque(world);
     lamps.items = memory_new(lamps.count * sizeof *lamps.items);
     for (size_t i = 0; i < lamps.count; i++)
@@ -59,7 +59,7 @@ struct lamp_question {
     const struct shaft *shaft; /* to all of it, or NULL */
     bool clear;                /* where nothing is in it all light comes */
     bool plain;                /* and none where something is */
-    bool even; /* on the way only surfaces take something of it */
+    bool together; /* several ways are asked for at once */
 };
 
 static struct lamp_question lamp_question(const struct lamps *lamps,
@@ -192,12 +192,13 @@ static void lamp_fall(const struct lamp_question *q, struct occlusions *ways,
                       unsigned lanes, struct shadows *shadows)
 {
     const struct interiors *inside[RAY_LANES];
-    const struct shadow_around around = { .inside = inside };
+    struct shadow_around around = lamps_around(q->lamps, q->lamp, inside);
+    around.straight = q->target->straight ? ~0u : 0;
     for (int i = 0; i < RAY_LANES; i++)
         inside[i] = q->target->inside;
     ways->light = q->lamp->number;
-    shadow_falls_many(q->lamps->world, q->worker, ways, lanes,
-                      q->lamps->photons ? NULL : &around, shadows);
+    shadow_falls_many(q->lamps->world, q->worker, ways, lanes, &around,
+                      shadows);
 }
 
 /* From those that are not clear. */
@@ -208,7 +209,7 @@ static void lamp_see_shaded(const struct lamp_question *q,
     const struct lamp_ways from = lamp_ways(q);
     struct shadows shadows;
     struct occlusions ways;
-    bool together = q->even && lanes & (lanes - 1);
+    bool together = q->together && lanes & (lanes - 1);
     shadows.dark = shadows.tinted = 0;
     shadows.left = together ? 0 : lanes;
     ways.shaft = q->shaft;
@@ -287,8 +288,8 @@ static void lamp_shaft(struct lamp_question *q, const struct area_grid *grid,
     struct shaft_rays rays = lamp_rays(q, grid);
     world_shaft(q->lamps->world, &rays, shaft);
     q->shaft = shaft;
-    q->even = lamps_clear_ways(q->lamps, q->lamp);
-    q->clear = !shaft->crowded && q->even;
+    q->together = lamps_ways_together(q->lamps, q->lamp);
+    q->clear = !shaft->crowded && lamps_clear_ways(q->lamps, q->lamp);
     q->plain = q->clear && shaft->plain;
 }
 

@@ -24,7 +24,7 @@ struct lamps {
     bool clear;    /* there are shadows, and but for fogs surfaces alone cast
                     * them */
     bool plain;    /* and these are opaque */
-    bool straight; /* there are shadows, and photons don't count */
+    bool shadows;  /* there are some */
 };
 
 /* Frees with lamps_free. World and scene must outlive it. */
@@ -59,14 +59,19 @@ static inline bool lamps_clear(const struct lamps *lamps,
     return !lamp->light->area && lamps_clear_ways(lamps, lamp);
 }
 
-/* Whether shadow_falls_many, with these around, tells it for several points at
- * once, of any lamp without a size if no photons count. */
+/* Whether shadow_falls_many, with these around, tells for several ways to a lamp
+ * at once what gets along them; and whether one of them tells what of its light
+ * gets to a point. */
+static inline bool lamps_ways_together(const struct lamps *lamps,
+                                       const struct lamp *lamp)
+{
+    return lamps->shadows && !lamp->light->shadowless && !lamp->light->pane;
+}
+
 static inline bool lamps_together(const struct lamps *lamps,
                                   const struct lamp *lamp)
 {
-    const struct light *light = lamp->light;
-    return lamps->straight && !light->shadowless && !light->pane &&
-           !light->area;
+    return !lamp->light->area && lamps_ways_together(lamps, lamp);
 }
 
 static inline struct shadow_around
@@ -77,6 +82,7 @@ lamps_around(const struct lamps *lamps, const struct lamp *lamp,
         .inside = inside,
         .fog = lamps_dim(lamps, lamp) ? lamps->scene : NULL,
         .misty = lamps->misty,
+        .photons = lamps->photons ? &lamp->light->photons : NULL,
     };
 }
 

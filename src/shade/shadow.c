@@ -256,11 +256,18 @@ CLONES static void ways_have_room(const struct rays_span *restrict span,
 /* Several ways and the panes on them. */
 struct shadow_rays {
     const struct occlusions *ways;
+    const struct shadow_around *around;
     unsigned begun; /* that have met any, */
     unsigned full;  /* and more than there is room for */
     struct shadow_ray at[RAY_LANES];
     struct shadow_crossing crossings[RAY_LANES][CROSSINGS_LANE];
 };
+
+static const struct photon_flags *
+around_photons(const struct shadow_around *around, unsigned lane)
+{
+    return around->straight >> lane & 1 ? NULL : around->photons;
+}
 
 static bool shadow_filter_lane(void *context, unsigned lane,
                                const struct world_hit *hit)
@@ -269,7 +276,7 @@ static bool shadow_filter_lane(void *context, unsigned lane,
     struct shadow_ray *shadow = &shadows->at[lane];
     const struct ray ray = rays_at(&shadows->ways->rays, (int)lane);
     if (!(shadows->begun >> lane & 1))
-        shadow_begin(shadow, NULL);
+        shadow_begin(shadow, around_photons(shadows->around, lane));
     shadows->begun |= 1u << lane;
     shadow->at = shadows->crossings[lane];
     shadow->room = CROSSINGS_LANE;
@@ -318,6 +325,7 @@ static void shadows_filtered(const struct world *world, struct worker *worker,
 {
     struct shadow_rays rays;
     rays.ways = ways;
+    rays.around = around;
     rays.begun = rays.full = 0;
     ways->filter = shadow_filter_lane;
     ways->context = &rays;

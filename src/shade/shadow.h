@@ -55,12 +55,14 @@ struct shadow_around {
     const struct interiors *const *inside; /* as of a path, for each */
     const struct scene *fog;               /* as of a path */
     bool misty;                            /* likewise */
+    const struct photon_flags *photons;    /* likewise, */
+    unsigned straight; /* but of these ways everything is light */
 };
 
 /* Shadow_visibility of the ways to one lamp that the bits `lanes` stand for,
- * which must set out at shadow_start and end at shadow_end, where photons don't
- * count. `around` NULL: neither do fogs and media, and panes are not looked
- * through: ways through them are left. Where fogs or media count directions
+ * which must set out at shadow_start and end at shadow_end. `around` NULL: fogs,
+ * media and photons don't count, and panes are not looked through: ways through
+ * them are left. Where fogs or media count directions
  * are unit. The filter of `ways` is set here. */
 void shadow_falls_many(const struct world *world, struct worker *worker,
                        struct occlusions *ways, unsigned lanes,
