@@ -6,7 +6,7 @@
 #include "image/file.h"
 #include "parse/rules.h"
 #include "parse/user_function.h"
-#include "scene/function.h"
+#include "scene/function_field.h"
 #include "scene/spots.h"
 
 /* Of all heights of a function together. */
@@ -124,12 +124,6 @@ static uint16_t height_of_value(double value)
 static double height_value(const struct function *function, vec3 point,
                            unsigned long *steps_left)
 {
-    const struct function_values *values = function->values;
-    if (values) {
-        double c[5];
-        values->at(values, point, c);
-        return grey_of(c[0], c[1], c[2]);
-    }
     const double arguments[] = { point.x, point.y, point.z };
     return function_evaluate(function, arguments, steps_left);
 }
@@ -149,6 +143,19 @@ static vec3 height_place(const struct height_grid *grid, int x, int y)
                      (double)y / (grid->height - 1), 0);
 }
 
+static void height_values(const struct function *function,
+                          const struct spots *spots, double *heights)
+{
+    double c[SPOTS_MAX][5];
+    if (!function->values) {
+        function_values_at(function, spots, heights);
+        return;
+    }
+    function_values_all(function->values, spots, c);
+    for (int i = 0; i < spots->count; i++)
+        heights[i] = grey_of(c[i][0], c[i][1], c[i][2]);
+}
+
 /* A row of a function that is worked out at several points at once. */
 static void height_row(const struct function *function,
                        const struct height_grid *grid, int y, uint16_t *row)
@@ -159,7 +166,7 @@ static void height_row(const struct function *function,
         spots.count = 0;
         while (spots.count < SPOTS_MAX && x + spots.count < grid->width)
             spots_add(&spots, height_place(grid, x + spots.count, y));
-        function_values_at(function, &spots, values);
+        height_values(function, &spots, values);
         for (int i = 0; i < spots.count; i++)
             row[x + i] = height_of_value(values[i]);
     }
@@ -176,7 +183,7 @@ static bool height_sample(struct parser *p, struct span span,
         uint16_t *row = grid->heights + (size_t)y * (size_t)grid->width;
         if (stream_stopped(p))
             return false;
-        if (function->together)
+        if (function->together || function->values)
             height_row(function, grid, y, row);
         else
             for (int x = 0; x < grid->width && left > 0; x++)

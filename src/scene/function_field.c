@@ -15,9 +15,7 @@ static void pattern_field_values(const struct function_field *field,
                                  const struct spots *spots, double *values)
 {
     struct spots located;
-    located.count = 0;
-    for (int i = 0; i < spots->count; i++)
-        spots_add(&located, pattern_locate(field->thing, spots_at(spots, i)));
+    pattern_locate_all(field->thing, spots, &located);
     pattern_values_at(field->thing, &located, values);
 }
 
@@ -61,16 +59,40 @@ const struct function_field *field_of_noise(struct arena *arena,
 
 /* ---- several values ---- */
 
+static double part_of(const double parts[5], int part)
+{
+    if (part == FIELD_GREY)
+        return grey_of(parts[0], parts[1], parts[2]);
+    if (part == FIELD_HEIGHT)
+        return (parts[0] + parts[1] / 255) * 0.996093; /* measured */
+    return parts[part];
+}
+
 static double values_part(const struct function_field *field, vec3 point)
 {
     const struct function_values *values = field->thing;
     double parts[5];
     values->at(values, point, parts);
-    if (field->part == FIELD_GREY)
-        return grey_of(parts[0], parts[1], parts[2]);
-    if (field->part == FIELD_HEIGHT)
-        return (parts[0] + parts[1] / 255) * 0.996093; /* measured */
-    return parts[field->part];
+    return part_of(parts, field->part);
+}
+
+void function_values_all(const struct function_values *values,
+                         const struct spots *spots, double (*parts)[5])
+{
+    if (values->all)
+        values->all(values, spots, parts);
+    else
+        for (int i = 0; i < spots->count; i++)
+            values->at(values, spots_at(spots, i), parts[i]);
+}
+
+static void values_parts(const struct function_field *field,
+                         const struct spots *spots, double *of)
+{
+    double parts[SPOTS_MAX][5];
+    function_values_all(field->thing, spots, parts);
+    for (int i = 0; i < spots->count; i++)
+        of[i] = part_of(parts[i], field->part);
 }
 
 const struct function_field *
@@ -79,6 +101,8 @@ field_of_values(struct arena *arena, const struct function_values *values,
 {
     struct function_field *field = ARENA_NEW(arena, struct function_field);
     *field = (struct function_field){ .value = values_part,
+                                      .values =
+                                          values->all ? values_parts : NULL,
                                       .thing = values,
                                       .part = part };
     return field;
@@ -92,10 +116,8 @@ static const struct function_values *values_new(struct arena *arena,
     return kept;
 }
 
-static void pigment_values(const struct function_values *values, vec3 point,
-                           double parts[5])
+static void colour_parts(colour c, double parts[5])
 {
-    colour c = pigment_colour(values->thing, point);
     parts[0] = c.r;
     parts[1] = c.g;
     parts[2] = c.b;
@@ -103,11 +125,27 @@ static void pigment_values(const struct function_values *values, vec3 point,
     parts[4] = c.transmit;
 }
 
+static void pigment_values(const struct function_values *values, vec3 point,
+                           double parts[5])
+{
+    colour_parts(pigment_colour(values->thing, point), parts);
+}
+
+static void pigment_values_all(const struct function_values *values,
+                               const struct spots *spots, double (*parts)[5])
+{
+    colour colours[SPOTS_MAX];
+    pigment_colours(values->thing, spots, colours);
+    for (int i = 0; i < spots->count; i++)
+        colour_parts(colours[i], parts[i]);
+}
+
 const struct function_values *values_of_pigment(struct arena *arena,
                                                 const struct pigment *pigment)
 {
     return values_new(
-        arena, (struct function_values){ pigment_values, pigment, 5, true });
+        arena, (struct function_values){ pigment_values, pigment_values_all,
+                                         pigment, 5, true });
 }
 
 static void spline_values(const struct function_values *values, vec3 point,
@@ -120,7 +158,7 @@ static void spline_values(const struct function_values *values, vec3 point,
 const struct function_values *values_of_spline(struct arena *arena,
                                                const struct spline *spline)
 {
-    return values_new(arena, (struct function_values){ spline_values, spline,
+    return values_new(arena, (struct function_values){ spline_values, NULL, spline,
                                                        spline->size, false });
 }
 
@@ -140,5 +178,6 @@ const struct function_values *values_of_affine(struct arena *arena,
     affine *kept = ARENA_NEW(arena, affine);
     *kept = *transform;
     return values_new(
-        arena, (struct function_values){ affine_values, kept, 3, false });
+        arena,
+        (struct function_values){ affine_values, NULL, kept, 3, false });
 }

@@ -27,6 +27,10 @@ const struct function_field *
 field_of_values(struct arena *arena, const struct function_values *values,
                 int part);
 
+/* What they are at several points. */
+void function_values_all(const struct function_values *values,
+                         const struct spots *spots, double (*parts)[5]);
+
 /* Its colours. */
 const struct function_values *values_of_pigment(struct arena *arena,
                                                 const struct pigment *pigment);
