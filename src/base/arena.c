@@ -52,7 +52,7 @@ static void arena_grow(struct arena *arena, size_t size)
         next = ARENA_LARGEST;
     if (next < size)
         next = size;
-    struct block *block = memory_new(sizeof *block + next);
+    struct block *block = memory_new_lazy(sizeof *block + next);
     block->size = next;
     block->previous = arena->block;
     arena->block = block;

@@ -21,6 +21,7 @@
 enum {
     LARGE_PAGE = 2 << 20,
     HEAD_ROOM = 64 << 10, /* whole pages, on any machine */
+    LAZY_LEAST = 64 << 10,
     HEAP_STEP = 16 * LARGE_PAGE,
     HEAP_KEPT = 64 * LARGE_PAGE, /* free, for what is wanted next */
 };
@@ -28,9 +29,9 @@ enum {
 /* Bytes of blocks that are not the heap's. Those of the heap alone are guarded
  * by the address sanitizer. */
 #ifdef __SANITIZE_ADDRESS__
-static const size_t mapped_least = SIZE_MAX;
+static const size_t mapped_least = SIZE_MAX, lazy_end = 0;
 #else
-static const size_t mapped_least = 2 * LARGE_PAGE;
+static const size_t mapped_least = 2 * LARGE_PAGE, lazy_end = 2 * LARGE_PAGE;
 #endif
 
 /* Before each block: what was mapped for it, nothing if it is the heap's. */
@@ -184,6 +185,27 @@ static struct head *mapped_block(size_t size, bool sparse)
     return head;
 }
 
+/* A block of usual pages: they come when they are touched, where the heap would
+ * zero them all. */
+static struct head *lazy_block(size_t size)
+{
+    size_t all = sizeof(struct head) + size;
+    void *mapping = mmap(NULL, all, PROT_READ | PROT_WRITE,
+                         MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (mapping == MAP_FAILED)
+        return NULL;
+    struct head *head = mapping;
+    *head = (struct head){ mapping, all };
+    return head;
+}
+
+static void *memory_got(struct head *head, size_t size)
+{
+    if (!head)
+        memory_exhausted(size);
+    return head + 1;
+}
+
 static void *memory_block(size_t size, bool sparse)
 {
     struct head *head = NULL;
@@ -191,9 +213,7 @@ static void *memory_block(size_t size, bool sparse)
         head = heap_block(size);
     else if (size < SIZE_MAX - 3 * LARGE_PAGE)
         head = mapped_block(size, sparse);
-    if (!head)
-        memory_exhausted(size);
-    return head + 1;
+    return memory_got(head, size);
 }
 
 void *memory_new(size_t size)
@@ -204,6 +224,12 @@ void *memory_new(size_t size)
 void *memory_new_sparse(size_t size)
 {
     return memory_block(size, true);
+}
+
+void *memory_new_lazy(size_t size)
+{
+    bool lazy = size >= LAZY_LEAST && size < lazy_end;
+    return lazy ? memory_got(lazy_block(size), size) : memory_new(size);
 }
 
 void memory_free(void *memory)

@@ -12,6 +12,10 @@ void *memory_new(size_t size);
  * it costs little. */
 void *memory_new_sparse(size_t size);
 
+/* The same for what is filled bit by bit from the front: the rest of it costs
+ * little. */
+void *memory_new_lazy(size_t size);
+
 /* As realloc: new bytes are not zeroed; `old` may be NULL. */
 void *memory_resize(void *old, size_t size);
 void memory_free(void *memory);

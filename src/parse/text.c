@@ -19,6 +19,7 @@ struct letter_made {
  * last. */
 struct typeface {
     struct typeface *next;
+    const char *name; /* it was last asked for by: where that is, is known */
     const char *path;
     const struct font *font;
     struct letter_made letters[LETTER_SLOTS];
@@ -33,13 +34,18 @@ enum { INTERNAL_FONTS = sizeof internal_fonts / sizeof *internal_fonts };
 static bool font_load(struct parser *p, const char *name, struct span span,
                       struct typeface **out)
 {
-    const char *problem = NULL,
-               *path = file_need(p, span, "font", name, ".ttf");
+    const char *problem = NULL, *path;
+    for (*out = p->fonts; *out; *out = (*out)->next)
+        if (strcmp((*out)->name, name) == 0)
+            return true;
+    path = file_need(p, span, "font", name, ".ttf");
     if (!path)
         return false;
     for (*out = p->fonts; *out; *out = (*out)->next)
-        if (strcmp((*out)->path, path) == 0)
+        if (strcmp((*out)->path, path) == 0) {
+            (*out)->name = arena_copy_text(p->arena, name, strlen(name));
             return true;
+        }
     const struct source *source =
         source_read(p->sources, path, span_none(), &problem);
     const struct font *font =
@@ -50,6 +56,7 @@ static bool font_load(struct parser *p, const char *name, struct span span,
                         problem);
     *out = ARENA_NEW(p->arena, struct typeface);
     (*out)->next = p->fonts;
+    (*out)->name = arena_copy_text(p->arena, name, strlen(name));
     (*out)->path = path;
     (*out)->font = font;
     p->fonts = *out;

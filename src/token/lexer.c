@@ -8,6 +8,10 @@
 /* A longer word is an error in POV-Ray too, even in skipped text. */
 enum { LEXER_WORD_LIMIT = 200 };
 
+/* So many tokens wait on the stack: by then it is known how many there will be,
+ * and memory that is new costs more than cutting them. */
+enum { LEXER_FIRST = 4096 };
+
 struct lexer {
     struct arena *arena;
     struct word_table *words;
@@ -351,12 +355,28 @@ static void lexer_token(struct lexer *lexer)
         lexer_punctuation(lexer);
 }
 
+/* All of them, in the arena; `first` is where they began. */
+static struct token *lexer_tokens(struct lexer *lexer,
+                                  const struct token *first)
+{
+    if (lexer->tokens.items != first) {
+        ARRAY_FIT(lexer->arena, &lexer->tokens);
+        return lexer->tokens.items;
+    }
+    struct token *tokens =
+        ARENA_ARRAY(lexer->arena, struct token, lexer->tokens.count);
+    memcpy(tokens, first, lexer->tokens.count * sizeof *tokens);
+    return tokens;
+}
+
 const struct token_list *lexer_run_part(struct arena *arena,
                                         struct word_table *words,
                                         const struct source *source,
                                         size_t start, size_t end)
 {
+    struct token first[LEXER_FIRST];
     struct lexer lexer = { .arena = arena,
+                           .tokens = { first, 0, LEXER_FIRST },
                            .words = words,
                            .bulk = { arena, words, source->text + end },
                            .text = source->text,
@@ -371,7 +391,7 @@ const struct token_list *lexer_run_part(struct arena *arena,
     lexer_push(&lexer, TOKEN_END, lexer.length, lexer.length);
     struct token_list *list = ARENA_NEW(arena, struct token_list);
     list->source = source;
-    list->tokens = lexer.tokens.items;
+    list->tokens = lexer_tokens(&lexer, first);
     list->count = lexer.tokens.count;
     return list;
 }
