@@ -9,32 +9,36 @@
  * their edges. A point that has lost its place is seen again. */
 enum { AREA_PLACES = 1021 };
 
-/* So many parts at a time are looked at in advance. */
-enum { AREA_FRONT = 64 };
+/* So many parts at a time are looked at together. */
+enum { AREA_FRONT = 256 };
 
 /* Of outlines: how often the light is cut in halves each way before parts are
  * cut along them; and where it isn't adaptive. */
 enum { OUTLINE_LEAST = 2, OUTLINE_MOST = 5, OUTLINE_FULL = 3 };
 
-/* Part of the grid, both ends included, and how often it was cut. */
+/* Part of the grid, both ends included, how often it was cut, and how much it
+ * counts of the whole. */
 struct area_part {
     int i0, i1, j0, j1;
     int level;
+    double weight;
 };
 
 struct area_walk;
 
-/* Whether the part is to be cut in smaller ones, by what is seen of it. */
-typedef bool area_cuts(struct area_walk *walk, const struct area_part *part);
+/* What share of the part is seen, by its corners. False if they don't tell: it
+ * is to be cut in smaller ones. */
+typedef bool area_tells(struct area_walk *walk, const struct area_part *part,
+                        rgb *share);
 
 struct area_walk {
     const struct area_grid *grid;
     rgb light; /* unshadowed */
     area_visit *visit;
     void *context;
-    area_cuts *cuts;
-    int surely;    /* parts of lower levels always are, if they
-                    * can be */
+    area_tells *tells;
+    int surely;    /* parts of lower levels always are cut, if they can be */
+    bool closely;  /* and parts that look alike may be */
     bool thorough; /* outlines */
     bool same;     /* all that was seen is like this, to the bit */
     rgb first;
@@ -173,6 +177,7 @@ static int part_cut(const struct area_part *part, struct area_part cut[4])
     for (int k = 0; k < columns * rows; k++) {
         cut[k] = *part;
         cut[k].level++;
+        cut[k].weight /= columns * rows;
         if (wide && k % columns == 0)
             cut[k].i1 = i / 2;
         else if (wide)
@@ -185,9 +190,16 @@ static int part_cut(const struct area_part *part, struct area_part cut[4])
     return columns * rows;
 }
 
-/* Parts of which it is still to be seen whether they are cut. */
+static bool part_surely_cut(const struct area_walk *walk,
+                            const struct area_part *part)
+{
+    return part->level < walk->surely && !part_is_smallest(part);
+}
+
+/* Parts of one level that are looked at. */
 struct area_front {
     int count;
+    bool full; /* there are more */
     struct area_part at[AREA_FRONT];
 };
 
@@ -202,100 +214,107 @@ static void area_foresee_part(struct area_walk *walk,
     area_want(walk, part->i1, part->j0);
     area_want(walk, part->i0, part->j1);
     area_want(walk, part->i1, part->j1);
-    if (part_is_smallest(part))
-        return;
-    if (part->level < walk->surely) {
+    if (part_surely_cut(walk, part)) {
         int count = part_cut(part, cut);
         for (int k = 0; k < count; k++)
             area_foresee_part(walk, &cut[k], front);
     } else if (front->count < AREA_FRONT) {
         front->at[front->count++] = *part;
+    } else {
+        front->full = true;
     }
 }
 
-/* Leaves those that are cut. */
-static void front_decide(struct area_walk *walk, struct area_front *front)
+/* Adds up the shares of those that are told; the others are cut for the next
+ * front. */
+static void front_tell(struct area_walk *walk, const struct area_front *front,
+                       struct area_front *next, rgb *sum)
 {
-    int kept = 0;
+    struct area_part cut[4];
+    int left[AREA_FRONT], count = 0;
+    rgb share;
     for (int n = 0; n < front->count; n++)
-        if (walk->cuts(walk, &front->at[n]))
-            front->at[kept++] = front->at[n];
-    front->count = kept;
+        if (walk->tells(walk, &front->at[n], &share))
+            *sum = rgb_add_scaled(*sum, share, front->at[n].weight);
+        else
+            left[count++] = n;
+    for (int n = 0; n < count; n++) {
+        int parts = part_cut(&front->at[left[n]], cut);
+        for (int k = 0; k < parts; k++)
+            area_foresee_part(walk, &cut[k], next);
+    }
 }
 
-/* Sees the points that are to be asked about, many at a time, as far as there
- * is room to tell which: level by level, since what is seen decides what is
- * next. */
-static void area_foresee(struct area_walk *walk, const struct area_part *part)
+/* What is seen of the part, point by point; its corners and what is foreseen
+ * are known. */
+static rgb area_part_seen(struct area_walk *walk, const struct area_part *part)
+{
+    struct area_part cut[4];
+    rgb sum = rgb_grey(0);
+    if (!part_surely_cut(walk, part) && walk->tells(walk, part, &sum))
+        return sum;
+    int count = part_cut(part, cut);
+    sum = rgb_grey(0);
+    for (int k = 0; k < count; k++)
+        sum = rgb_add(sum, area_part_seen(walk, &cut[k]));
+    return rgb_scale(sum, 1.0 / count);
+}
+
+/* What is seen of it, many points at a time: level by level, since what is seen
+ * decides what is next. */
+static rgb area_fronts_seen(struct area_walk *walk,
+                            const struct area_part *part)
 {
     struct area_front fronts[2], *now = &fronts[0], *next = &fronts[1];
-    now->count = next->count = 0;
+    rgb sum = rgb_grey(0);
+    now->count = 0;
+    now->full = next->full = false;
     area_foresee_part(walk, part, now);
     area_flush(walk);
-    while (now->count > 0) {
-        front_decide(walk, now);
+    while (now->count > 0 && (!walk->same || walk->closely)) {
         next->count = 0;
-        for (int n = 0; n < now->count; n++) {
-            struct area_part cut[4];
-            int count = part_cut(&now->at[n], cut);
-            for (int k = 0; k < count; k++)
-                area_foresee_part(walk, &cut[k], next);
-        }
+        front_tell(walk, now, next, &sum);
         area_flush(walk);
         struct area_front *done = now;
         now = next;
         next = done;
     }
-}
-
-/* The mean of what `share` says of what the part is cut into. */
-static rgb area_halves(struct area_walk *walk, const struct area_part *part,
-                       rgb (*share)(struct area_walk *walk,
-                                    const struct area_part *part))
-{
-    struct area_part cut[4];
-    int count = part_cut(part, cut);
-    rgb sum = rgb_grey(0);
-    for (int k = 0; k < count; k++)
-        sum = rgb_add(sum, share(walk, &cut[k]));
-    return rgb_scale(sum, 1.0 / count);
-}
-
-static bool part_cuts(struct area_walk *walk, const struct area_part *part)
-{
-    if (part->level < walk->surely)
-        return true;
-    struct area_corners at = area_corners(walk, part);
-    return !corners_agree(walk, &at);
-}
-
-static rgb area_part_seen(struct area_walk *walk, const struct area_part *part)
-{
-    bool smallest = part_is_smallest(part);
-    if (part->level < walk->surely && !smallest)
-        return area_halves(walk, part, area_part_seen);
-    struct area_corners at = area_corners(walk, part);
-    if (smallest || corners_agree(walk, &at))
-        return corners_mean(&at);
-    return area_halves(walk, part, area_part_seen);
+    if (walk->same)
+        return rgb_scale(walk->first, part->weight);
+    if (now->full || next->full)
+        return rgb_scale(area_part_seen(walk, part), part->weight);
+    return sum;
 }
 
 /* A part of so many points that they have no places all is cut first, if it
  * surely is. */
-static rgb area_part_foreseen(struct area_walk *walk,
-                              const struct area_part *part)
+static rgb area_seen(struct area_walk *walk, const struct area_part *part)
 {
     int64_t points =
         (int64_t)(part->i1 - part->i0 + 1) * (part->j1 - part->j0 + 1);
-    if (points > AREA_PLACES && part->level < walk->surely)
-        return area_halves(walk, part, area_part_foreseen);
-    area_foresee(walk, part);
-    return walk->same ? walk->first : area_part_seen(walk, part);
+    struct area_part cut[4];
+    if (points <= AREA_PLACES || part->level >= walk->surely)
+        return area_fronts_seen(walk, part);
+    int count = part_cut(part, cut);
+    rgb sum = rgb_grey(0);
+    for (int k = 0; k < count; k++)
+        sum = rgb_add(sum, area_seen(walk, &cut[k]));
+    return sum;
+}
+
+static bool corners_tell(struct area_walk *walk, const struct area_part *part,
+                         rgb *share)
+{
+    struct area_corners at = area_corners(walk, part);
+    if (!part_is_smallest(part) && !corners_agree(walk, &at))
+        return false;
+    *share = corners_mean(&at);
+    return true;
 }
 
 static struct area_part area_all(const struct area_grid *grid)
 {
-    return (struct area_part){ 0, grid->size1 - 1, 0, grid->size2 - 1, 0 };
+    return (struct area_part){ 0, grid->size1 - 1, 0, grid->size2 - 1, 0, 1 };
 }
 
 rgb area_visibility(const struct area_grid *grid, rgb arriving,
@@ -304,9 +323,10 @@ rgb area_visibility(const struct area_grid *grid, rgb arriving,
     const struct area_part all = area_all(grid);
     struct area_walk walk;
     area_walk_start(&walk, grid, arriving, visit, context);
-    walk.cuts = part_cuts;
+    walk.tells = corners_tell;
+    walk.closely = false;
     walk.surely = grid->adaptive < 0 ? INT_MAX : grid->adaptive;
-    return area_part_foreseen(&walk, &all);
+    return area_seen(&walk, &all);
 }
 
 /* How far from one end of an edge to the other the light changes, 0..1. */
@@ -425,25 +445,19 @@ static int outline_least(const struct area_walk *walk, rgb seen)
     return closely ? cuts : cuts - 1;
 }
 
-static bool outline_cuts_part(struct area_walk *walk,
-                              const struct area_part *part)
+static bool outline_tells(struct area_walk *walk, const struct area_part *part,
+                          rgb *share)
 {
-    if (part->level >= outline_cuts(walk->grid->adaptive))
+    struct area_corners at = area_corners(walk, part);
+    bool agree = corners_agree(walk, &at);
+    bool last = part->level >= outline_cuts(walk->grid->adaptive);
+    if (agree && (last || part->level >= outline_least(walk, at.a)))
+        *share = corners_mean(&at);
+    else if (last)
+        *share = outline_cut(walk, &at, part);
+    else
         return false;
-    struct area_corners at = area_corners(walk, part);
-    return !corners_agree(walk, &at) || part->level < outline_least(walk, at.a);
-}
-
-static rgb outline_part_seen(struct area_walk *walk,
-                             const struct area_part *part)
-{
-    int cuts = outline_cuts(walk->grid->adaptive);
-    struct area_corners at = area_corners(walk, part);
-    if (corners_agree(walk, &at) && part->level >= outline_least(walk, at.a))
-        return corners_mean(&at);
-    if (part->level >= cuts)
-        return outline_cut(walk, &at, part);
-    return area_halves(walk, part, outline_part_seen);
+    return true;
 }
 
 rgb area_outline(const struct area_grid *grid, rgb arriving, bool thorough,
@@ -452,9 +466,9 @@ rgb area_outline(const struct area_grid *grid, rgb arriving, bool thorough,
     const struct area_part all = area_all(grid);
     struct area_walk walk;
     area_walk_start(&walk, grid, arriving, visit, context);
+    walk.closely = true;
     walk.thorough = thorough;
-    walk.cuts = outline_cuts_part;
+    walk.tells = outline_tells;
     walk.surely = outline_cuts(grid->adaptive) - 1;
-    area_foresee(&walk, &all);
-    return walk.same ? walk.first : outline_part_seen(&walk, &all);
+    return area_fronts_seen(&walk, &all);
 }
