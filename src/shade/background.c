@@ -3,6 +3,9 @@
 
 #include "base/lesser.h"
 #include "scene/noise.h"
+#include "scene/rays.h"
+
+_Static_assert((int)SPOTS_MAX >= (int)RAY_LANES, "all rays of a packet");
 
 /* How long a ray is that hits nothing (measured). */
 static const double fog_horizon = 2e10;
@@ -14,20 +17,43 @@ static double fog_integral(double height)
     return height > 0 ? atan(height) : height;
 }
 
-/* How much of the fog noise at the middle of the way leaves: the more, the
+/* Ways through fog: rays and how far they go. */
+struct fog_ways {
+    const struct scene *scene;
+    int count;
+    struct ray ray[SPOTS_MAX];
+    double distance[SPOTS_MAX];
+};
+
+/* How much of the fog noise at the middle of each way leaves: the more, the
  * longer the way, also of ground fog that is above most of it (measured). */
-static double fog_left(const struct scene *scene, const struct fog *fog,
-                       const struct ray *ray, double way)
+static void fog_left(const struct fog_ways *ways, const struct fog *fog,
+                     double *left)
 {
     const double unseen = 38; /* 1 less exp(-38) is 1 */
-    double depth = way / fog->distance;
-    if (!fog->turbulent || depth > unseen)
-        return 1;
-    vec3 middle = vec3_along(ray->origin, ray->direction, way / 2);
-    double noise = noise_turbulence(scene->noise.generator,
-                                    vec3_mul(fog->turbulence.amount, middle),
-                                    &fog->turbulence);
-    return 1 - exp(-depth) * lesser(1, noise * fog->turbulent_share);
+    double depth[SPOTS_MAX], noise[SPOTS_MAX];
+    int number[SPOTS_MAX];
+    struct spots middles = { .count = 0 };
+    for (int i = 0; i < ways->count; i++) {
+        const struct ray *ray = &ways->ray[i];
+        double way = lesser(ways->distance[i], fog_horizon);
+        left[i] = 1;
+        depth[i] = way / fog->distance;
+        if (!fog->turbulent || depth[i] > unseen)
+            continue;
+        number[middles.count] = i;
+        vec3 middle = vec3_along(ray->origin, ray->direction, way / 2);
+        spots_add(&middles, vec3_mul(fog->turbulence.amount, middle));
+    }
+    if (middles.count == 0)
+        return;
+    noise_turbulences(ways->scene->noise.generator, &middles, &fog->turbulence,
+                      noise);
+    for (int k = 0; k < middles.count; k++) {
+        int i = number[k];
+        left[i] =
+            1 - exp(-depth[i]) * lesser(1, noise[k] * fog->turbulent_share);
+    }
 }
 
 /* How much fog a ray meets without turbulence: the mean density times the way,
@@ -52,21 +78,55 @@ static double fog_depth(const struct fog *fog, const struct ray *ray,
 /* Constant fog: T = exp(-d / distance), but at least `transmit`; the light
  * behind is tinted by `filter`. Several fogs add up: each weakens what is
  * behind, none weakens another's light. */
+static void fog_ways_veils(const struct fog_ways *ways, struct veil *veils)
+{
+    const struct scene *scene = ways->scene;
+    double left[SPOTS_MAX];
+    for (int i = 0; i < ways->count; i++)
+        veils[i] = (struct veil){ rgb_grey(0), rgb_grey(1) };
+    for (size_t k = 0; k < scene->fogs.count; k++) {
+        const struct fog *fog = &scene->fogs.items[k];
+        rgb tone = colour_rgb(fog->colour);
+        rgb tint = rgb_mix(rgb_grey(1), tone, fog->colour.filter);
+        fog_left(ways, fog, left);
+        for (int i = 0; i < ways->count; i++) {
+            struct veil *veil = &veils[i];
+            double depth = fog_depth(fog, &ways->ray[i], ways->distance[i]);
+            double clear = greater(exp(-depth * left[i]), fog->colour.transmit);
+            veil->light = rgb_add_scaled(veil->light, tone, 1 - clear);
+            veil->through = rgb_mul(veil->through, rgb_scale(tint, clear));
+        }
+    }
+}
+
 struct veil fog_veil(const struct scene *scene, const struct ray *ray,
                      double distance)
 {
-    struct veil veil = { rgb_grey(0), rgb_grey(1) };
-    for (size_t i = 0; i < scene->fogs.count; i++) {
-        const struct fog *fog = &scene->fogs.items[i];
-        rgb tone = colour_rgb(fog->colour);
-        rgb tint = rgb_mix(rgb_grey(1), tone, fog->colour.filter);
-        double depth = fog_depth(fog, ray, distance);
-        depth *= fog_left(scene, fog, ray, lesser(distance, fog_horizon));
-        double left = greater(exp(-depth), fog->colour.transmit);
-        veil.light = rgb_add_scaled(veil.light, tone, 1 - left);
-        veil.through = rgb_mul(veil.through, rgb_scale(tint, left));
-    }
+    struct fog_ways ways; /* no more of it than is needed */
+    struct veil veil;
+    ways.scene = scene;
+    ways.count = 1;
+    ways.ray[0] = *ray;
+    ways.distance[0] = distance;
+    fog_ways_veils(&ways, &veil);
     return veil;
+}
+
+void fog_veils(const struct scene *scene, const struct rays *rays,
+               unsigned lanes, const double *distances, struct veil *veils)
+{
+    struct fog_ways ways; /* no more of it than is needed */
+    struct veil found[SPOTS_MAX];
+    ways.scene = scene;
+    ways.count = 0;
+    for (unsigned each = lanes; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        ways.ray[ways.count] = rays_at(rays, (int)i);
+        ways.distance[ways.count++] = distances[i];
+    }
+    fog_ways_veils(&ways, found);
+    for (int k = 0; lanes; lanes &= lanes - 1)
+        veils[__builtin_ctz(lanes)] = found[k++];
 }
 
 /* The pigments of a sky so far. */

@@ -5,6 +5,8 @@
 #include "scene/scene.h"
 #include "scene/spots.h"
 
+struct rays;
+
 /* Light seen along a ray and what it lets pass of the light behind it. */
 struct veil {
     rgb light;
@@ -15,6 +17,10 @@ struct veil {
  * origin, INFINITY where it hits nothing. */
 struct veil fog_veil(const struct scene *scene, const struct ray *ray,
                      double distance);
+
+/* The same of those that the bits `lanes` stand for, to the bit. */
+void fog_veils(const struct scene *scene, const struct rays *rays,
+               unsigned lanes, const double *distances, struct veil *veils);
 
 /* The sky sphere in this unit direction; clear without one. */
 struct veil sky_veil(const struct scene *scene, vec3 direction);

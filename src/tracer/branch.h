@@ -55,13 +55,14 @@ void path_start(struct path *path, const struct picture_place *place);
 /* What it meets next: false if nothing. */
 bool path_meet(struct path *path, struct intersection *at);
 
-/* Through all that the air is full of, so far (INFINITY: to the end). */
-void path_air(struct path *path, double distance);
+/* Through all that the air is full of, so far (INFINITY: to the end); `fog` is
+ * what fogs on the way are like, or NULL if that is yet to be found out. */
+void path_air(struct path *path, double distance, const struct veil *fog);
 
 /* The same, and to the surface that it meets, or, where `sky` is not NULL, to
  * what it sees of that: false if the ray ends there. */
 bool path_arrive(struct path *path, struct crossing *crossing,
-                 const struct veil *sky);
+                 const struct veil *sky, const struct veil *fog);
 
 /* Light that comes from within the body: before lamps light the surface, which
  * it changes. */

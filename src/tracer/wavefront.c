@@ -180,7 +180,7 @@ void wavefront_go_on(struct path *path, struct crossing *crossing, bool met)
     struct veil sky;
     if (!met)
         sky = sky_veil(path->tracer->scene, path->ray.direction);
-    if (path_arrive(path, crossing, met ? NULL : &sky))
+    if (path_arrive(path, crossing, met ? NULL : &sky, NULL))
         wavefront_leave(path, crossing, path_light(path, crossing));
     else
         wavefront_end(path);

@@ -24,6 +24,8 @@ struct sights {
     unsigned lit;   /* the others that meet a surface to be lit */
     struct crossing crossing[WORLD_RAYS];
     struct veil sky[WORLD_RAYS]; /* of those that meet nothing */
+    unsigned foggy;              /* go through fog: */
+    struct veil fog[WORLD_RAYS];
 };
 
 static void sight_describe(struct sights *sights, unsigned i)
@@ -87,6 +89,29 @@ static struct path *sights_start(struct sights *sights, unsigned i)
     return path;
 }
 
+/* All those of `seen`: to what they meet, the others to where there is no more
+ * fog. */
+static void sights_fog(struct sights *sights, unsigned seen, unsigned meet)
+{
+    const struct tracer *tracer = sights->wavefront->tracer;
+    double distances[WORLD_RAYS];
+    for (unsigned each = seen; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        distances[i] =
+            meet >> i & 1 ? sights->faces.hit[i].t : (double)INFINITY;
+        sights->foggy |=
+            (unsigned)tracer_foggy(tracer, sight_inside(sights, i)) << i;
+    }
+    if (sights->foggy)
+        fog_veils(tracer->scene, sights->rays, sights->foggy, distances,
+                  sights->fog);
+}
+
+static const struct veil *sight_fog(const struct sights *sights, unsigned i)
+{
+    return sights->foggy >> i & 1 ? &sights->fog[i] : NULL;
+}
+
 /* To plain leaves. */
 static void sights_air(struct sights *sights)
 {
@@ -94,7 +119,7 @@ static void sights_air(struct sights *sights)
         unsigned i = (unsigned)__builtin_ctz(plain);
         if (!sights->path[i])
             sights->path[i] = sights_start(sights, i);
-        path_air(sights->path[i], sights->faces.hit[i].t);
+        path_air(sights->path[i], sights->faces.hit[i].t, sight_fog(sights, i));
     }
 }
 
@@ -103,7 +128,7 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
 {
     const struct tracer *tracer = sights->wavefront->tracer;
     unsigned meet = 0;
-    sights->plain = sights->lit = 0;
+    sights->plain = sights->lit = sights->foggy = 0;
     for (unsigned i = 0; i < sights->count; i++) {
         const struct leaf *leaf = sights->hits[i].leaf;
         meet |= (unsigned)(leaf != NULL) << i;
@@ -111,9 +136,12 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
     }
     meet &= seen;
     sights->plain &= tracer->painted ? seen : 0;
+    if (meet)
+        world_face_many(sights->rays, sights->hits, meet, &sights->faces);
+    if (tracer->scene->fogs.count > 0)
+        sights_fog(sights, seen, meet);
     if (!meet)
         return 0;
-    world_face_many(sights->rays, sights->hits, meet, &sights->faces);
     facets_start(&sights->facets, sights->rays, &sights->faces);
     sights->facets.places = sights->places;
     sights->facets.bailout = tracer->scene->settings.adc_bailout;
@@ -172,7 +200,8 @@ static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet)
         if (meets)
             sight_describe(sights, i);
         if (path_arrive(sights->path[i], crossing,
-                        meets ? NULL : &sights->sky[i])) {
+                        meets ? NULL : &sights->sky[i],
+                        sight_fog(sights, i))) {
             sights->lit |= 1u << i;
             facets_set(&sights->facets, i, &crossing->surface,
                        path_within(sights->path[i], crossing));

@@ -54,10 +54,12 @@ static void path_media(struct path *path, double distance)
 }
 
 /* Fog is before the media (measured). */
-void path_air(struct path *path, double distance)
+void path_air(struct path *path, double distance, const struct veil *fog)
 {
     const struct tracer *tracer = path->tracer;
-    if (tracer_foggy(tracer, &path->inside)) {
+    if (fog) {
+        path_veil(path, fog);
+    } else if (tracer_foggy(tracer, &path->inside)) {
         struct veil veil = fog_veil(tracer->scene, &path->ray, distance);
         path_veil(path, &veil);
     }
@@ -307,11 +309,11 @@ static void path_tell_light(const struct path *path, rgb light)
 }
 
 bool path_arrive(struct path *path, struct crossing *crossing,
-                 const struct veil *sky)
+                 const struct veil *sky, const struct veil *fog)
 {
     const struct tracer *tracer = path->tracer;
     const struct settings *settings = &tracer->scene->settings;
-    path_air(path, sky ? (double)INFINITY : crossing->at.t);
+    path_air(path, sky ? (double)INFINITY : crossing->at.t, fog);
     if (sky) {
         double clear;
         path_gather(path, tracer_beyond(tracer, sky, path->straight, &clear));
