@@ -195,8 +195,14 @@ static void isosurface_hits(const struct isosurface *s, const struct ray *ray,
         hits->at[hits->count++] = seeker.ends[1];
 }
 
-/* As POV-Ray, which sees no more of it but by request. What is nearer than the
- * accuracy is where the ray begins. */
+/* What is nearer is where the ray begins. */
+static double isosurface_nearest(const struct isosurface *s,
+                                 const struct ray *ray)
+{
+    return s->accuracy / vec3_length(ray->direction);
+}
+
+/* As POV-Ray, which sees no more of it but by request. */
 static int isosurface_wanted(const struct isosurface *s)
 {
     return s->all_intersections ? MOST : (int)fmax(fmin(s->max_trace, MOST), 1);
@@ -206,8 +212,8 @@ static void isosurface_intersect(const void *shape, const struct ray *ray,
                                  struct hits *hits)
 {
     const struct isosurface *s = shape;
-    double begin = s->accuracy / vec3_length(ray->direction);
-    isosurface_hits(s, ray, begin, isosurface_wanted(s), false, hits);
+    isosurface_hits(s, ray, isosurface_nearest(s, ray), isosurface_wanted(s),
+                    false, hits);
 }
 
 static void isosurface_traced(const void *shape, const struct ray *ray,
@@ -304,6 +310,20 @@ static void isosurface_first_many(const void *shape, struct lane_run run,
     isosurface_seek_many(shape, run, rays, span, (struct asking){ 0 }, met);
 }
 
+static void isosurface_told_many(const void *shape, struct lane_run run,
+                                 const struct rays *rays,
+                                 const struct rays_span *span,
+                                 struct rays_met *met)
+{
+    struct rays_span all = *span;
+    for (int i = run.first; i < run.end; i++) {
+        const struct ray ray = rays_at(rays, i);
+        if (span->near[i] < span->far[i])
+            all.near[i] = isosurface_nearest(shape, &ray);
+    }
+    isosurface_first_many(shape, run, rays, &all, met);
+}
+
 static void isosurface_crosses_many(const void *shape, struct lane_run run,
                                     const struct rays *rays,
                                     const struct rays_span *span,
@@ -373,6 +393,7 @@ const struct primitive isosurface_primitive = {
     .crosses = isosurface_crosses,
     .first = isosurface_first,
     .first_roughly = isosurface_first_roughly,
+    .told_many = isosurface_told_many,
     .crosses_many = isosurface_crosses_many,
     .lane_by_lane = true,
     .first_many = isosurface_first_many,

@@ -88,6 +88,11 @@ struct primitive {
     void (*first_many)(const void *shape, struct lane_run run,
                        const struct rays *rays, const struct rays_span *span,
                        struct rays_met *met);
+    /* The first of what intersect tells, if that is not all that first would:
+     * nearer than the span's, too. NULL: first_many. */
+    void (*told_many)(const void *shape, struct lane_run run,
+                      const struct rays *rays, const struct rays_span *span,
+                      struct rays_met *met);
     /* These look at some of the rays one by one: those whose crossings nobody
      * wants are worth leaving out. */
     bool lane_by_lane;

@@ -240,6 +240,8 @@ static void find_routines(struct solid *solid)
         primitive && (primitive->all_many || primitive->first_many);
     solid->crosses_many =
         primitive && (primitive->all_many || primitive->crosses_many);
+    solid->all_many =
+        primitive && (primitive->all_many || primitive->crossings_many);
 }
 
 void solid_measure(struct arena *arena, struct solid *solid)
@@ -265,15 +267,12 @@ void solid_measure(struct arena *arena, struct solid *solid)
     find_routines(solid);
 }
 
-/* Whether all crossings of most of its leaves are told of many rays at a time.
- */
+/* Whether crossings of most of its leaves are told of many rays at a time. */
 static bool has_routines(const struct solid *solid)
 {
     size_t having = 0;
     if (solid->leaf)
-        return solid->kind == OBJECT_SHAPE &&
-               (solid->leaf->object->primitive->all_many ||
-                solid->leaf->object->primitive->crossings_many);
+        return solid->first_many || solid->all_many;
     for (size_t i = 0; i < solid->child_count; i++)
         having += solid->children[i]->together;
     return 2 * having > solid->child_count;

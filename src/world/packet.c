@@ -200,7 +200,7 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
 {
     const struct leaf *leaf = solid->leaf;
     bool asked = !leaf->look->opaque && packet->filter;
-    if (asked && solid->together)
+    if (asked && solid->all_many)
         return packet_shape(packet, solid, lanes);
     lanes = solid_crosses_many(solid, packet->rays, &packet->span, lanes);
     if (asked)

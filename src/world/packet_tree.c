@@ -354,6 +354,44 @@ static unsigned look_each(const struct tree_look *look,
     return over;
 }
 
+/* Of one that tells the nearest of each ray; where that doesn't count, the ray
+ * looks by itself. */
+static unsigned look_at_first(const struct tree_look *look,
+                              const struct solid *solid, unsigned lanes)
+{
+    struct packet *packet = look->packet;
+    const struct primitive *primitive = solid->leaf->object->primitive;
+    const struct lane_run run = lane_run_of(lanes);
+    const struct rays *rays = look->rays;
+    struct rays local;
+    struct rays_span span;
+    struct rays_met met;
+    unsigned found = 0, wanted = 0;
+    crossings_span(look, solid, lanes, &span);
+    if (solid->moved) {
+        rays_into(solid->to_shape, run, rays, &local);
+        rays = &local;
+    }
+    memset(met.u, 0, sizeof met.u);
+    (primitive->told_many ? primitive->told_many : primitive->first_many)(
+        solid->leaf->shape, run, rays, &span, &met);
+    for (unsigned each = lanes; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        found |= (unsigned)(met.t[i] <= span.far[i]) << i;
+        wanted |= (unsigned)(met.t[i] > span.near[i]) << i;
+    }
+    unsigned counted = crossings_count(look, solid, met.t, found & wanted);
+    for (unsigned each = packet->occlusion ? 0 : counted; each;
+         each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        packet_offer(
+            packet, i, solid->leaf,
+            (struct hit){ met.t[i], (int)met.part[i], met.u[i], 0 });
+    }
+    return (packet->occlusion ? counted : 0) |
+           look_each(look, solid, found & ~counted);
+}
+
 static unsigned gates_open(const struct tree_look *look,
                            const struct solid *solid, unsigned lanes)
 {
@@ -395,9 +433,14 @@ static unsigned look_inside(const struct tree_look *look,
         return 0;
     if (!solid->together)
         return look_each(look, solid, lanes);
-    return solid->leaf->object->primitive->all_many
-               ? look_at_shape(look, solid, lanes)
-               : look_at_crossings(look, solid, lanes);
+    if (solid->all_many)
+        return solid->leaf->object->primitive->all_many
+                   ? look_at_shape(look, solid, lanes)
+                   : look_at_crossings(look, solid, lanes);
+    /* Of panes all crossings are wanted. */
+    return look->packet->occlusion && !solid->leaf->look->opaque
+               ? look_each(look, solid, lanes)
+               : look_at_first(look, solid, lanes);
 }
 
 static unsigned look_at_part(const struct tree_look *look,

@@ -112,9 +112,9 @@ struct solid {
     bool simple;   /* a leaf without parent, frame, clips and bounds */
     bool boxed;    /* rays must meet the box of the surface */
     bool moved;    /* to_shape is not the identity */
-    bool together; /* of most leaves rays side by side learn all at once */
-    bool first_many, crosses_many; /* a shape that has such a routine, or one
-                                    * that tells all: kept at hand */
+    bool together; /* most leaves are asked by rays side by side */
+    /* A shape that has such a routine, or one that tells all: kept at hand. */
+    bool first_many, crosses_many, all_many;
     const struct solid *parent;
     const struct leaf *leaf; /* shape, mesh; else NULL */
     union {
