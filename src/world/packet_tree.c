@@ -392,18 +392,38 @@ static unsigned look_at_first(const struct tree_look *look,
            look_each(look, solid, found & ~counted);
 }
 
-static unsigned gates_open(const struct tree_look *look,
-                           const struct solid *solid, unsigned lanes)
+/* Which of `lanes` do not miss it: as query_gate_opens. */
+static unsigned gate_open(const struct tree_look *look,
+                          const struct solid *gate, unsigned lanes)
 {
+    bool told =
+        gate->simple && gate->crosses_many && leaf_casts(gate->leaf, -1);
     unsigned open = 0;
-    for (unsigned rest = lanes; rest; rest &= rest - 1) {
+    struct rays_span span;
+    if (told) {
+        for (int i = 0; i < RAY_LANES; i++) {
+            span.near[i] = 0;
+            span.far[i] = HUGE_VAL;
+        }
+        open = solid_crosses_many(gate, look->rays, &span, lanes);
+    }
+    for (unsigned rest = lanes & ~open; rest; rest &= rest - 1) {
         unsigned i = (unsigned)__builtin_ctz(rest);
         struct ray ray = rays_at(look->rays, (int)i);
         struct slabs slabs = { ray.origin, lane_get(look->inverse, i) };
-        if (query_gates_open(solid, &ray, &slabs))
+        if (told ? solid_inside(gate, ray.origin)
+                 : query_gate_opens(gate, &ray, &slabs))
             open |= 1u << i;
     }
     return open;
+}
+
+static unsigned gates_open(const struct tree_look *look,
+                           const struct solid *solid, unsigned lanes)
+{
+    for (size_t i = 0; i < solid->more->gate_count && lanes; i++)
+        lanes = gate_open(look, solid->more->gates[i], lanes);
+    return lanes;
 }
 
 /* Those of `lanes` that may meet the box, which is in the look's space. */

@@ -197,25 +197,29 @@ bool query_leaf(struct query *query, const struct solid *solid,
                                         : query_mesh(query, solid, ray));
 }
 
-bool query_gates_open(const struct solid *solid, const struct ray *ray,
+bool query_gate_opens(const struct solid *gate, const struct ray *ray,
                       const struct slabs *slabs)
 {
-    for (size_t i = 0; i < solid->more->gate_count; i++) {
-        struct query probe;
-        probe.ray = *ray;
-        probe.slabs = *slabs;
-        probe.tmin = 0;
-        probe.tmax = HUGE_VAL;
-        probe.occlusion = true;
-        probe.spread = 0;
-        probe.light = -1;
-        probe.filter = NULL;
-        probe.leaf = NULL;
-        probe.blocked = false;
-        if (!query_solid(&probe, solid->more->gates[i]) &&
-            !solid_inside(solid->more->gates[i], ray->origin))
+    struct query probe;
+    probe.ray = *ray;
+    probe.slabs = *slabs;
+    probe.tmin = 0;
+    probe.tmax = HUGE_VAL;
+    probe.occlusion = true;
+    probe.spread = 0;
+    probe.light = -1;
+    probe.filter = NULL;
+    probe.leaf = NULL;
+    probe.blocked = false;
+    return query_solid(&probe, gate) || solid_inside(gate, ray->origin);
+}
+
+static bool query_gates_open(const struct solid *solid, const struct ray *ray,
+                             const struct slabs *slabs)
+{
+    for (size_t i = 0; i < solid->more->gate_count; i++)
+        if (!query_gate_opens(solid->more->gates[i], ray, slabs))
             return false;
-    }
     return true;
 }
 

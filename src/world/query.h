@@ -141,8 +141,8 @@ struct space {
 bool query_leaf(struct query *query, const struct solid *solid,
                 const struct ray *ray, const struct space *space);
 
-/* Whether the ray meets every gate of the solid or starts in it. */
-bool query_gates_open(const struct solid *solid, const struct ray *ray,
+/* Whether the ray meets the gate or starts in it. */
+bool query_gate_opens(const struct solid *gate, const struct ray *ray,
                       const struct slabs *slabs);
 
 /* Looks at everything in the solid; returns true when the search is over. */
