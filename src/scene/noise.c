@@ -115,13 +115,18 @@ static inline vec3 field_vector(const float field[NOISE_ROOM])
     return vec3_make((double)field[0], (double)field[1], (double)field[2]);
 }
 
-void noise_vector_octaves(vec3 point, struct octaves octaves, vec3 *vectors)
+void noise_vector_octaves(const struct spots *spots, struct octaves octaves,
+                          vec3 *vectors)
 {
-    float raw[OCTAVES_MAX][NOISE_ROOM];
-    const struct spots spots = spots_of(point);
-    fields_find(&spots, octaves, raw);
-    for (int i = 0; i < octaves.count; i++)
+    float raw[PLACES_MAX][NOISE_ROOM];
+    fields_find(spots, octaves, raw);
+    for (int i = 0; i < octaves.count * spots->count; i++)
         vectors[i] = field_vector(raw[i]);
+}
+
+void noise_vectors(const struct spots *spots, vec3 *vectors)
+{
+    noise_vector_octaves(spots, (struct octaves){ 1, 1 }, vectors);
 }
 
 vec3 noise_vector(vec3 point)

@@ -47,7 +47,11 @@ void noise_octaves(enum noise_generator generator, const struct spots *spots,
 /* A smooth random vector field, components about [-1,1] and mostly within
  * +-0.5: the step of a `turbulence` with one octave. */
 vec3 noise_vector(vec3 point);
-void noise_vector_octaves(vec3 point, struct octaves octaves, vec3 *vectors);
+void noise_vectors(const struct spots *spots, vec3 *vectors);
+
+/* The first octave of all spots, then the next one ... */
+void noise_vector_octaves(const struct spots *spots, struct octaves octaves,
+                          vec3 *vectors);
 
 /* The octaves POV-Ray would use: 1 to OCTAVES_MAX. */
 int turbulence_octaves(const struct turbulence *turbulence);
@@ -85,6 +89,7 @@ struct noise_waves noise_waves_of(const struct pattern *pattern, bool uneven);
 /* The mean of their heights at the point, and of their directions there times
  * their heights. */
 double noise_waves_height(const struct noise_waves *waves, vec3 point);
-vec3 noise_waves_tilt(const struct noise_waves *waves, vec3 point);
+void noise_waves_tilts(const struct noise_waves *waves,
+                       const struct spots *spots, vec3 *tilts);
 
 #endif

@@ -125,6 +125,8 @@ static void normal_tilts_at(const struct normal *perturbation,
         for (int i = 0; i < count; i++)
             tilts[i] = image_map_tilt(perturbation->bumps, spots_at(points, i),
                                       spots_at(normals, i));
+    } else if (pattern->kind->perturbations && !perturbation->slopes) {
+        pattern->kind->perturbations(pattern, points, tilts);
     } else if (pattern->kind->perturbation && !perturbation->slopes) {
         for (int i = 0; i < count; i++)
             tilts[i] = pattern->kind->perturbation(pattern, spots_at(points, i),

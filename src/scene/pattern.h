@@ -131,6 +131,9 @@ struct pattern_kind {
      * gradient of the value is used. */
     vec3 (*perturbation)(const struct pattern *pattern, vec3 point,
                          vec3 normal);
+    /* The same at several points, instead of it, where normals don't matter. */
+    void (*perturbations)(const struct pattern *pattern,
+                          const struct spots *points, vec3 *tilts);
     bool full; /* it is added as it is, for any amount */
 };
 

@@ -12,12 +12,11 @@ static void bumps_values(const struct pattern *pattern,
     noise_values(pattern_generator(pattern), spots, values);
 }
 
-static vec3 bumps_perturbation(const struct pattern *pattern, vec3 point,
-                               vec3 normal)
+static void bumps_perturbations(const struct pattern *pattern,
+                                const struct spots *points, vec3 *tilts)
 {
     (void)pattern;
-    (void)normal;
-    return noise_vector(point);
+    noise_vectors(points, tilts);
 }
 
 const struct pattern_kind bumps_pattern = {
@@ -25,5 +24,5 @@ const struct pattern_kind bumps_pattern = {
     .help = "smooth noise; as a normal, smooth bumps",
     .value = bumps_value,
     .values = bumps_values,
-    .perturbation = bumps_perturbation,
+    .perturbations = bumps_perturbations,
 };

@@ -10,24 +10,19 @@ static void dents_values(const struct pattern *pattern,
         values[i] = values[i] * values[i] * values[i];
 }
 
-static double dents_value(const struct pattern *pattern, vec3 point)
+static void dents_perturbations(const struct pattern *pattern,
+                                const struct spots *points, vec3 *tilts)
 {
-    struct spots spots = spots_of(point);
-    double value;
-    dents_values(pattern, &spots, &value);
-    return value;
-}
-
-static vec3 dents_perturbation(const struct pattern *pattern, vec3 point,
-                               vec3 normal)
-{
-    (void)normal;
-    return vec3_scale(noise_vector(point), dents_value(pattern, point));
+    double values[SPOTS_MAX];
+    dents_values(pattern, points, values);
+    noise_vectors(points, tilts);
+    for (int i = 0; i < points->count; i++)
+        tilts[i] = vec3_scale(tilts[i], values[i]);
 }
 
 const struct pattern_kind dents_pattern = {
     .name = "dents",
     .help = "the cube of noise; as a normal, scattered dents",
     .values = dents_values,
-    .perturbation = dents_perturbation,
+    .perturbations = dents_perturbations,
 };

@@ -9,17 +9,16 @@ static double ripples_value(const struct pattern *pattern, vec3 point)
     return 0.5 + 0.5 * noise_waves_height(&waves, point);
 }
 
-static vec3 ripples_perturbation(const struct pattern *pattern, vec3 point,
-                                 vec3 normal)
+static void ripples_perturbations(const struct pattern *pattern,
+                                  const struct spots *points, vec3 *tilts)
 {
     struct noise_waves waves = noise_waves_of(pattern, false);
-    (void)normal;
-    return noise_waves_tilt(&waves, point);
+    noise_waves_tilts(&waves, points, tilts);
 }
 
 const struct pattern_kind ripples_pattern = {
     .name = "ripples",
     .help = "circular waves of one length",
     .value = ripples_value,
-    .perturbation = ripples_perturbation,
+    .perturbations = ripples_perturbations,
 };

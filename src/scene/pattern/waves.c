@@ -8,17 +8,16 @@ static double waves_value(const struct pattern *pattern, vec3 point)
     return 0.5 + 0.2 * noise_waves_height(&waves, point);
 }
 
-static vec3 waves_perturbation(const struct pattern *pattern, vec3 point,
-                               vec3 normal)
+static void waves_perturbations(const struct pattern *pattern,
+                                const struct spots *points, vec3 *tilts)
 {
     struct noise_waves waves = noise_waves_of(pattern, true);
-    (void)normal;
-    return noise_waves_tilt(&waves, point);
+    noise_waves_tilts(&waves, points, tilts);
 }
 
 const struct pattern_kind waves_pattern = {
     .name = "waves",
     .help = "circular waves of many lengths",
     .value = waves_value,
-    .perturbation = waves_perturbation,
+    .perturbations = waves_perturbations,
 };

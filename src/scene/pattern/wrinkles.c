@@ -20,24 +20,28 @@ static void wrinkles_values(const struct pattern *pattern,
 }
 
 /* Measured: the components' magnitudes, so wrinkles lean to one side. */
-static vec3 wrinkles_perturbation(const struct pattern *pattern, vec3 point,
-                                  vec3 normal)
+static void wrinkles_perturbations(const struct pattern *pattern,
+                                   const struct spots *points, vec3 *tilts)
 {
-    vec3 sum = { 0, 0, 0 }, noise[OCTAVES_MAX];
-    double weight = 1;
+    vec3 noise[OCTAVES_MAX * SPOTS_MAX];
+    const int count = points->count;
     (void)pattern;
-    (void)normal;
-    noise_vector_octaves(point, wrinkles_octaves, noise);
-    for (int i = 0; i < OCTAVES_MAX; i++, weight /= 2) {
-        vec3 size = { fabs(noise[i].x), fabs(noise[i].y), fabs(noise[i].z) };
-        sum = vec3_along(sum, size, weight);
+    noise_vector_octaves(points, wrinkles_octaves, noise);
+    for (int k = 0; k < count; k++) {
+        vec3 sum = { 0, 0, 0 };
+        double weight = 1;
+        for (int i = 0; i < OCTAVES_MAX; i++, weight /= 2) {
+            vec3 at = noise[i * count + k];
+            vec3 size = { fabs(at.x), fabs(at.y), fabs(at.z) };
+            sum = vec3_along(sum, size, weight);
+        }
+        tilts[k] = sum;
     }
-    return sum;
 }
 
 const struct pattern_kind wrinkles_pattern = {
     .name = "wrinkles",
     .help = "noise of all sizes; as a normal, wrinkled",
     .values = wrinkles_values,
-    .perturbation = wrinkles_perturbation,
+    .perturbations = wrinkles_perturbations,
 };
