@@ -263,34 +263,135 @@ CLONES static void normals_out_of_pattern(const affine *restrict inward,
     }
 }
 
+/* Where normals are bent, in the pattern's own space. */
+struct bends {
+    struct spots points, normals;
+};
+
+/* entry_normal of several that are on no surface. */
+static void entry_normals(const struct normal_entry *entry,
+                          const struct bends *at, struct spots *bent)
+{
+    if (entry->normal)
+        normals_perturbed(entry->normal, &at->points, &at->normals, bent);
+    else
+        *bent = at->normals;
+}
+
+/* average_normal of them. */
+static void average_normals(const struct normal_map *map,
+                            const struct bends *at, struct spots *bent)
+{
+    struct spots each;
+    bent->count = at->points.count;
+    for (int k = 0; k < bent->count; k++)
+        spots_put(bent, k, vec3_make(0, 0, 0));
+    for (size_t i = 0; i < map->count; i++) {
+        entry_normals(&map->entries[i], at, &each);
+        for (int k = 0; k < bent->count; k++)
+            spots_put(bent, k,
+                      vec3_along(spots_at(bent, k), spots_at(&each, k),
+                                 map->entries[i].value));
+    }
+}
+
+/* Those of `lanes`, which are all between an entry and the one before it, or
+ * all at it. */
+static void places_bend(const struct normal_entry *entry, bool mixed,
+                        unsigned lanes, const struct map_place *places,
+                        const struct bends *at, struct spots *bent)
+{
+    struct bends some = { .points.count = 0, .normals.count = 0 };
+    struct spots high, low;
+    for (unsigned each = lanes; each; each &= each - 1) {
+        int i = __builtin_ctz(each);
+        spots_add(&some.points, spots_at(&at->points, i));
+        spots_add(&some.normals, spots_at(&at->normals, i));
+    }
+    entry_normals(entry, &some, &high);
+    if (mixed)
+        entry_normals(entry - 1, &some, &low);
+    for (int k = 0; lanes; lanes &= lanes - 1, k++) {
+        int i = __builtin_ctz(lanes);
+        vec3 to = spots_at(&high, k);
+        spots_put(bent, i,
+                  mixed ? vec3_mix(spots_at(&low, k), to, places[i].share)
+                        : to);
+    }
+}
+
+/* map_normal of them. */
+static void map_normals(const struct normal *perturbation,
+                        const struct bends *at, struct spots *bent)
+{
+    const struct pattern_kind *kind = perturbation->pattern.kind;
+    const struct normal_map *map = perturbation->map;
+    struct map_place places[SPOTS_MAX];
+    double values[SPOTS_MAX];
+    unsigned lanes = (1u << at->points.count) - 1;
+    if (kind->average) {
+        average_normals(map, at, bent);
+        return;
+    }
+    pattern_values_at(&perturbation->pattern, &at->points, values);
+    for (int i = 0; i < at->points.count; i++) {
+        places[i] = map_place_of(&map->entries[0].value,
+                                 sizeof map->entries[0], map->count, values[i]);
+        if (kind->blocks)
+            places[i].share = 1;
+    }
+    bent->count = at->points.count;
+    while (lanes) {
+        const struct map_place first = places[__builtin_ctz(lanes)];
+        unsigned same = 0;
+        for (unsigned each = lanes; each; each &= each - 1) {
+            const struct map_place *place = &places[__builtin_ctz(each)];
+            bool is = place->entry == first.entry &&
+                      (place->share < 1) == (first.share < 1);
+            same |= is ? each & -each : 0;
+        }
+        places_bend(&map->entries[first.entry], first.share < 1, same, places,
+                    at, bent);
+        lanes &= ~same;
+    }
+}
+
+/* What bends them instead of a map. */
+static void tilt_normals(const struct normal *perturbation,
+                         const struct bends *at, const double *heights,
+                         struct spots *bent)
+{
+    vec3 tilts[SPOTS_MAX];
+    normal_tilts_at(perturbation, &at->points, &at->normals, tilts);
+    bent->count = at->points.count;
+    for (int i = 0; i < bent->count; i++)
+        spots_put(bent, i,
+                  vec3_along(vec3_scale(spots_at(&at->normals, i),
+                                        perturbation->level ? heights[i] : 1),
+                             tilts[i], normal_amount(perturbation)));
+}
+
 void normals_perturbed(const struct normal *perturbation,
                        const struct spots *points, const struct spots *normals,
                        struct spots *perturbed)
 {
-    const int count = points->count;
-    perturbed->count = count;
-    if (normal_is_level(perturbation) || perturbation->map) {
-        for (int i = 0; i < count; i++)
-            spots_put(perturbed, i,
-                      normal_perturbed(perturbation, spots_at(points, i),
-                                       spots_at(normals, i), NULL));
+    struct normal_space space;
+    struct bends at;
+    struct spots bent;
+    double heights[SPOTS_MAX];
+    if (normal_is_level(perturbation)) {
+        *perturbed = *normals;
         return;
     }
-    struct normal_space space;
-    struct spots located, inner;
-    double heights[SPOTS_MAX];
-    vec3 tilts[SPOTS_MAX];
-    inner.count = count;
+    perturbed->count = at.normals.count = points->count;
     normal_space_of(&space, &perturbation->pattern);
-    pattern_locate_all(&perturbation->pattern, points, &located);
-    normals_into_pattern(space.cofactors, normals, &inner, heights);
-    normal_tilts_at(perturbation, &located, &inner, tilts);
-    for (int i = 0; i < count; i++)
-        spots_put(&inner, i,
-                  vec3_along(vec3_scale(spots_at(&inner, i),
-                                        perturbation->level ? heights[i] : 1),
-                             tilts[i], normal_amount(perturbation)));
-    normals_out_of_pattern(space.inward, &inner, normals, perturbed);
+    pattern_locate_all(&perturbation->pattern, points, &at.points);
+    normals_into_pattern(space.cofactors, normals, &at.normals, heights);
+    if (perturbation->map)
+        map_normals(perturbation, &at, &bent);
+    else
+        tilt_normals(perturbation, &at, heights, &bent);
+    normals_out_of_pattern(space.inward, &bent, normals, perturbed);
 }
 
 const struct normal *normal_moved(struct arena *arena,
