@@ -94,9 +94,9 @@ CLONES static void find_wave(const struct noise_tables *restrict tables,
                           tables->wave_source[1][number],
                           tables->wave_source[2][number] };
     const double phase = waves->phase;
-    const double each =
-        waves->uneven ? waves->frequency * tables->wave_frequency[number]
-                      : waves->frequency;
+    const double each = waves->uneven
+                            ? waves->frequency * tables->wave_frequency[number]
+                            : waves->frequency;
     for (int i = 0; i < OCTET; i++) {
         vec3 away = vec3_sub(spots_at(spots, first + i), source);
         double length = vec3_length(away);
@@ -110,8 +110,7 @@ CLONES static void find_wave(const struct noise_tables *restrict tables,
 
 /* Of one wave after the other, at OCTET points. */
 static void waves_tilts(const struct noise_waves *waves,
-                        const struct spots *spots, int first,
-                        vec3 tilts[OCTET])
+                        const struct spots *spots, int first, vec3 tilts[OCTET])
 {
     const struct noise_tables *tables = noise_tables();
     struct wave_octet at;

@@ -73,17 +73,28 @@ static vec3 normal_into_pattern(const struct cofactors *map, vec3 normal,
 struct bend {
     vec3 point, normal;
     const struct uv_source *surface;
+    double height; /* how long the normal is for bumps that are not scaled, by
+                    * this pattern or those around it; 0: they are */
 };
+
+/* As long as bumps want it. */
+static inline vec3 normal_raised(vec3 normal, double height)
+{
+    return vec3_scale(normal, height != 0 ? height : 1);
+}
+
+static vec3 normal_bent(const struct normal *perturbation,
+                        const struct bend *around);
 
 static vec3 entry_normal(const struct normal_entry *entry,
                          const struct bend *at)
 {
     if (!entry->normal)
-        return at->normal;
-    return normal_perturbed(
-        entry->normal,
-        pattern_start(&entry->normal->pattern, at->point, at->surface),
-        at->normal, at->surface);
+        return normal_raised(at->normal, at->height);
+    struct bend around = *at;
+    around.point =
+        pattern_start(&entry->normal->pattern, at->point, at->surface);
+    return normal_bent(entry->normal, &around);
 }
 
 static vec3 average_normal(const struct normal_map *map, const struct bend *at)
@@ -147,9 +158,8 @@ static double normal_amount(const struct normal *perturbation)
     return kind && kind->full ? 1 : perturbation->amount;
 }
 
-/* `length` is that of the normal for bumps that are not scaled; else 1. */
 static vec3 normal_tilted(const struct normal *perturbation,
-                          const struct bend *at, double length)
+                          const struct bend *at)
 {
     if (perturbation->map)
         return map_normal(perturbation, at);
@@ -157,7 +167,7 @@ static vec3 normal_tilted(const struct normal *perturbation,
     const struct spots normal = spots_of(at->normal);
     vec3 tilt;
     normal_tilts_at(perturbation, &point, &normal, &tilt);
-    return vec3_along(vec3_scale(at->normal, length), tilt,
+    return vec3_along(normal_raised(at->normal, at->height), tilt,
                       normal_amount(perturbation));
 }
 
@@ -211,24 +221,51 @@ static void normal_space_of(struct normal_space *space,
     }
 }
 
-vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
-                      vec3 normal, const struct uv_source *surface)
+/* A height in the pattern, of a normal that has one around it: no_bump_scale of
+ * a map counts for all that is in it (measured). */
+static inline double height_within(const struct normal *perturbation,
+                                   double height, double around)
+{
+    height = fabs(height) <= DBL_MAX ? height : 1;
+    return around != 0 ? height * around : perturbation->level ? height : 0;
+}
+
+/* Whether a bent normal stays as long as it has become, for the map with
+ * no_bump_scale around it: one that a map has made is unit even there
+ * (measured). */
+static inline bool normal_keeps_length(const struct normal *perturbation,
+                                       double around)
+{
+    return around != 0 && !perturbation->map;
+}
+
+/* `around` is in the space of what the pattern is a part of. */
+static vec3 normal_bent(const struct normal *perturbation,
+                        const struct bend *around)
 {
     const struct pattern *pattern = &perturbation->pattern;
     if (normal_is_level(perturbation))
-        return normal;
-    struct bend at = { .point = pattern_locate(pattern, point),
-                       .surface = surface };
+        return normal_raised(around->normal, around->height);
+    struct bend at = { .point = pattern_locate(pattern, around->point),
+                       .surface = around->surface };
     struct normal_space space;
     normal_space_of(&space, pattern);
     double height;
-    at.normal = normal_into_pattern(space.cofactors, normal, &height);
-    if (!perturbation->level || !isfinite(height))
-        height = 1;
-    vec3 local = normal_tilted(perturbation, &at, height);
+    at.normal = normal_into_pattern(space.cofactors, around->normal, &height);
+    at.height = height_within(perturbation, height, around->height);
+    vec3 local = normal_tilted(perturbation, &at);
+    if (normal_keeps_length(perturbation, around->height))
+        return affine_normal(space.inward, local);
     vec3 result = vec3_normalise(affine_normal(space.inward, local));
     double length = vec3_dot(result, result);
-    return length > 0.5 && length < 2 ? result : normal;
+    return length > 0.5 && length < 2 ? result : around->normal;
+}
+
+vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
+                      vec3 normal, const struct uv_source *surface)
+{
+    const struct bend around = { point, normal, surface, 0 };
+    return normal_bent(perturbation, &around);
 }
 
 CLONES static void normals_into_pattern(const struct cofactors *restrict map,
@@ -239,7 +276,7 @@ CLONES static void normals_into_pattern(const struct cofactors *restrict map,
     for (int i = 0; i < normals->count; i++) {
         double height;
         vec3 local = normal_into_pattern(map, spots_at(normals, i), &height);
-        heights[i] = fabs(height) <= DBL_MAX ? height : 1;
+        heights[i] = height;
         spots_put(inner, i, local);
     }
 }
@@ -263,19 +300,25 @@ CLONES static void normals_out_of_pattern(const affine *restrict inward,
     }
 }
 
-/* Where normals are bent, in the pattern's own space. */
+/* Several of them, on no surface. */
 struct bends {
     struct spots points, normals;
+    double height[SPOTS_MAX];
 };
 
-/* entry_normal of several that are on no surface. */
+static void normals_bent(const struct normal *perturbation,
+                         const struct bends *around, struct spots *bent);
+
 static void entry_normals(const struct normal_entry *entry,
                           const struct bends *at, struct spots *bent)
 {
+    bent->count = at->normals.count;
     if (entry->normal)
-        normals_perturbed(entry->normal, &at->points, &at->normals, bent);
+        normals_bent(entry->normal, at, bent);
     else
-        *bent = at->normals;
+        for (int i = 0; i < bent->count; i++)
+            spots_put(bent, i,
+                      normal_raised(spots_at(&at->normals, i), at->height[i]));
 }
 
 /* average_normal of them. */
@@ -301,10 +344,12 @@ static void places_bend(const struct normal_entry *entry, bool mixed,
                         unsigned lanes, const struct map_place *places,
                         const struct bends *at, struct spots *bent)
 {
-    struct bends some = { .points.count = 0, .normals.count = 0 };
+    struct bends some; /* no more of it than is needed */
     struct spots high, low;
+    some.points.count = some.normals.count = 0;
     for (unsigned each = lanes; each; each &= each - 1) {
         int i = __builtin_ctz(each);
+        some.height[some.points.count] = at->height[i];
         spots_add(&some.points, spots_at(&at->points, i));
         spots_add(&some.normals, spots_at(&at->normals, i));
     }
@@ -335,8 +380,8 @@ static void map_normals(const struct normal *perturbation,
     }
     pattern_values_at(&perturbation->pattern, &at->points, values);
     for (int i = 0; i < at->points.count; i++) {
-        places[i] = map_place_of(&map->entries[0].value,
-                                 sizeof map->entries[0], map->count, values[i]);
+        places[i] = map_place_of(&map->entries[0].value, sizeof map->entries[0],
+                                 map->count, values[i]);
         if (kind->blocks)
             places[i].share = 1;
     }
@@ -358,40 +403,57 @@ static void map_normals(const struct normal *perturbation,
 
 /* What bends them instead of a map. */
 static void tilt_normals(const struct normal *perturbation,
-                         const struct bends *at, const double *heights,
-                         struct spots *bent)
+                         const struct bends *at, struct spots *bent)
 {
     vec3 tilts[SPOTS_MAX];
     normal_tilts_at(perturbation, &at->points, &at->normals, tilts);
     bent->count = at->points.count;
     for (int i = 0; i < bent->count; i++)
-        spots_put(bent, i,
-                  vec3_along(vec3_scale(spots_at(&at->normals, i),
-                                        perturbation->level ? heights[i] : 1),
-                             tilts[i], normal_amount(perturbation)));
+        spots_put(
+            bent, i,
+            vec3_along(normal_raised(spots_at(&at->normals, i), at->height[i]),
+                       tilts[i], normal_amount(perturbation)));
+}
+
+/* normal_bent of several. */
+static void normals_bent(const struct normal *perturbation,
+                         const struct bends *around, struct spots *bent)
+{
+    struct normal_space space;
+    struct bends at;
+    struct spots local;
+    bent->count = at.normals.count = around->points.count;
+    if (normal_is_level(perturbation)) {
+        for (int i = 0; i < bent->count; i++)
+            spots_put(bent, i,
+                      normal_raised(spots_at(&around->normals, i),
+                                    around->height[i]));
+        return;
+    }
+    normal_space_of(&space, &perturbation->pattern);
+    pattern_locate_all(&perturbation->pattern, &around->points, &at.points);
+    normals_into_pattern(space.cofactors, &around->normals, &at.normals,
+                         at.height);
+    for (int i = 0; i < bent->count; i++)
+        at.height[i] =
+            height_within(perturbation, at.height[i], around->height[i]);
+    if (perturbation->map)
+        map_normals(perturbation, &at, &local);
+    else
+        tilt_normals(perturbation, &at, &local);
+    normals_out_of_pattern(space.inward, &local, &around->normals, bent);
+    for (int i = 0; i < bent->count; i++)
+        if (normal_keeps_length(perturbation, around->height[i]))
+            spots_put(bent, i,
+                      affine_normal(space.inward, spots_at(&local, i)));
 }
 
 void normals_perturbed(const struct normal *perturbation,
                        const struct spots *points, const struct spots *normals,
                        struct spots *perturbed)
 {
-    struct normal_space space;
-    struct bends at;
-    struct spots bent;
-    double heights[SPOTS_MAX];
-    if (normal_is_level(perturbation)) {
-        *perturbed = *normals;
-        return;
-    }
-    perturbed->count = at.normals.count = points->count;
-    normal_space_of(&space, &perturbation->pattern);
-    pattern_locate_all(&perturbation->pattern, points, &at.points);
-    normals_into_pattern(space.cofactors, normals, &at.normals, heights);
-    if (perturbation->map)
-        map_normals(perturbation, &at, &bent);
-    else
-        tilt_normals(perturbation, &at, heights, &bent);
-    normals_out_of_pattern(space.inward, &bent, normals, perturbed);
+    struct bends around = { *points, *normals, { 0 } };
+    normals_bent(perturbation, &around, perturbed);
 }
 
 const struct normal *normal_moved(struct arena *arena,

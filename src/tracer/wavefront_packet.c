@@ -99,8 +99,8 @@ static void sights_fog(struct sights *sights, unsigned seen, unsigned meet)
         unsigned i = (unsigned)__builtin_ctz(each);
         distances[i] =
             meet >> i & 1 ? sights->faces.hit[i].t : (double)INFINITY;
-        sights->foggy |=
-            (unsigned)tracer_foggy(tracer, sight_inside(sights, i)) << i;
+        sights->foggy |= (unsigned)tracer_foggy(tracer, sight_inside(sights, i))
+                         << i;
     }
     if (sights->foggy)
         fog_veils(tracer->scene, sights->rays, sights->foggy, distances,
@@ -200,8 +200,7 @@ static void sights_arrive(struct sights *sights, unsigned seen, unsigned meet)
         if (meets)
             sight_describe(sights, i);
         if (path_arrive(sights->path[i], crossing,
-                        meets ? NULL : &sights->sky[i],
-                        sight_fog(sights, i))) {
+                        meets ? NULL : &sights->sky[i], sight_fog(sights, i))) {
             sights->lit |= 1u << i;
             facets_set(&sights->facets, i, &crossing->surface,
                        path_within(sights->path[i], crossing));

@@ -384,9 +384,8 @@ static unsigned look_at_first(const struct tree_look *look,
     for (unsigned each = packet->occlusion ? 0 : counted; each;
          each &= each - 1) {
         unsigned i = (unsigned)__builtin_ctz(each);
-        packet_offer(
-            packet, i, solid->leaf,
-            (struct hit){ met.t[i], (int)met.part[i], met.u[i], 0 });
+        packet_offer(packet, i, solid->leaf,
+                     (struct hit){ met.t[i], (int)met.part[i], met.u[i], 0 });
     }
     return (packet->occlusion ? counted : 0) |
            look_each(look, solid, found & ~counted);
