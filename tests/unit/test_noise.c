@@ -153,11 +153,37 @@ static void several_are_as_one(void **state)
                             (g == NOISE_CLIPPED ? third : 2 * third - 0.5));
             }
         }
-        vec3 vectors[3], p = spots_at(&spots, 0);
-        noise_vector_octaves(p, (struct octaves){ 3, 1.7 }, vectors);
-        vec3 second = noise_vector(vec3_scale(p, 1.7));
-        assert_true(vectors[1].x == second.x && vectors[1].y == second.y &&
-                    vectors[1].z == second.z);
+        vec3 vectors[3 * SPOTS_MAX];
+        noise_vector_octaves(&spots, (struct octaves){ 3, 1.7 }, vectors);
+        for (int k = 0; k < spots.count; k++) {
+            vec3 at = vectors[spots.count + k];
+            vec3 second = noise_vector(vec3_scale(spots_at(&spots, k), 1.7));
+            assert_true(at.x == second.x && at.y == second.y &&
+                        at.z == second.z);
+        }
+    }
+}
+
+/* Waves look at several points one wave after the other, and at one point many
+ * waves at once: to the same bit. */
+static void waves_tilt_points_together(void **state)
+{
+    (void)state;
+    struct noise_waves waves = { 1.3, 0.2, 10, true };
+    for (int i = 0; i < 64; i++) {
+        struct spots spots = { 0 };
+        vec3 tilts[SPOTS_MAX], alone;
+        for (int k = 0; k <= i % SPOTS_MAX; k++)
+            spots_add(&spots, vec3_make(sin(i) * k, i * 0.37 - k, k * 0.2));
+        waves.uneven = i % 3 != 0;
+        waves.count = 1 + i;
+        noise_waves_tilts(&waves, &spots, tilts);
+        for (int k = 0; k < spots.count; k++) {
+            const struct spots one = spots_of(spots_at(&spots, k));
+            noise_waves_tilts(&waves, &one, &alone);
+            assert_true(tilts[k].x == alone.x && tilts[k].y == alone.y &&
+                        tilts[k].z == alone.z);
+        }
     }
 }
 
@@ -225,6 +251,7 @@ int main(void)
         cmocka_unit_test(noise_is_continuous),
         cmocka_unit_test(several_are_as_one),
         cmocka_unit_test(lattice_is_periodic),
+        cmocka_unit_test(waves_tilt_points_together),
         cmocka_unit_test(turbulence_octaves_are_limited),
         cmocka_unit_test(cubes_are_all_looked_at),
     };
