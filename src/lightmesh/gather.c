@@ -61,22 +61,26 @@ static vec3 gathering_jitter(const struct gathering *gathering)
 }
 
 /* Light of lamps: those that mesh points hold for the picture as well, or else
- * one shadow ray's. */
+ * one shadow ray's. Points are of all surfaces: where lamps are of some alone
+ * they don't know. */
 static rgb gathering_direct(const struct gathering *gathering,
+                            const struct surface *surface,
                             const struct receiver *receiver)
 {
     const struct gather *gather = gathering->gather;
     struct receiver asked = *receiver;
+    const struct lit_place place = { receiver->point, receiver->normal,
+                                     surface->at->leaf };
     asked.view.coarser = HIT_LEVELS;
-    if (gather->direct && gather->lamps->count > GATHER_LAMPS)
+    if (gather->direct && gather->lamps->count > GATHER_LAMPS &&
+        !scene_lamps_choose(gather->lamps->scene))
         return direct_mesh_nearest(gather->direct, gathering->worker, &asked,
                                    gathering_jitter(gathering));
     if (gather->lamps->count <= GATHER_EACH && gathering->before == 0)
         return each_lamp_light(gather->lamps, gathering->worker,
-                               gathering->draws, GATHER_LAMP, receiver->point,
-                               receiver->normal);
+                               gathering->draws, GATHER_LAMP, &place);
     return drawn_lamp_light(gather->lamps, gathering->worker, gathering->draws,
-                            GATHER_LAMP, receiver->point, receiver->normal);
+                            GATHER_LAMP, &place);
 }
 
 /* What is picked of what glows, as irradiance. */
@@ -221,7 +225,7 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .from = gathering->ray.origin,
                                        .view = gather->view,
                                        .weight = 1 };
-    rgb light = gathering_direct(gathering, &receiver);
+    rgb light = gathering_direct(gathering, surface, &receiver);
     struct indirect_share more = gather->around;
     bool found = gathering_known(gathering, surface, &receiver, matters, &more);
     if (!found && gather->onward)

@@ -43,8 +43,10 @@ static void sight_light(struct sight *sight, const struct gather *gather,
                         struct worker *worker, const struct draws *draws)
 {
     const struct surface *surface = &sight->surface;
-    rgb direct = drawn_lamp_light(gather->lamps, worker, draws, GATHER_LAMP,
-                                  surface->point, surface->normal);
+    const struct lit_place place = { surface->point, surface->normal,
+                                     surface->at->leaf };
+    rgb direct =
+        drawn_lamp_light(gather->lamps, worker, draws, GATHER_LAMP, &place);
     sight->albedo = surface_albedo(surface);
     sight->returned = surface_returned(surface);
     sight->ambient = rgb_mul(surface_ambient(surface), gather->ambience->light);

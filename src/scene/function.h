@@ -54,8 +54,8 @@ struct function_values {
     void (*at)(const struct function_values *values, vec3 point,
                double parts[5]);
     /* The same at several, or NULL. */
-    void (*all)(const struct function_values *values,
-                const struct spots *spots, double (*parts)[5]);
+    void (*all)(const struct function_values *values, const struct spots *spots,
+                double (*parts)[5]);
     const void *thing;
     int count; /* of them; a spline has only x */
     bool colour;

@@ -100,11 +100,11 @@ field_of_values(struct arena *arena, const struct function_values *values,
                 int part)
 {
     struct function_field *field = ARENA_NEW(arena, struct function_field);
-    *field = (struct function_field){ .value = values_part,
-                                      .values =
-                                          values->all ? values_parts : NULL,
-                                      .thing = values,
-                                      .part = part };
+    *field =
+        (struct function_field){ .value = values_part,
+                                 .values = values->all ? values_parts : NULL,
+                                 .thing = values,
+                                 .part = part };
     return field;
 }
 
@@ -143,9 +143,9 @@ static void pigment_values_all(const struct function_values *values,
 const struct function_values *values_of_pigment(struct arena *arena,
                                                 const struct pigment *pigment)
 {
-    return values_new(
-        arena, (struct function_values){ pigment_values, pigment_values_all,
-                                         pigment, 5, true });
+    return values_new(arena, (struct function_values){ pigment_values,
+                                                       pigment_values_all,
+                                                       pigment, 5, true });
 }
 
 static void spline_values(const struct function_values *values, vec3 point,
@@ -158,8 +158,9 @@ static void spline_values(const struct function_values *values, vec3 point,
 const struct function_values *values_of_spline(struct arena *arena,
                                                const struct spline *spline)
 {
-    return values_new(arena, (struct function_values){ spline_values, NULL, spline,
-                                                       spline->size, false });
+    return values_new(arena,
+                      (struct function_values){ spline_values, NULL, spline,
+                                                spline->size, false });
 }
 
 static void affine_values(const struct function_values *values, vec3 point,
@@ -178,6 +179,5 @@ const struct function_values *values_of_affine(struct arena *arena,
     affine *kept = ARENA_NEW(arena, affine);
     *kept = *transform;
     return values_new(
-        arena,
-        (struct function_values){ affine_values, NULL, kept, 3, false });
+        arena, (struct function_values){ affine_values, NULL, kept, 3, false });
 }

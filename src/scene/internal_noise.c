@@ -102,8 +102,8 @@ static void hetero_mf(const double *a, struct series *noise, double *values)
         weight *= smaller;
         octave = series_next(noise);
         for (int k = 0; k < noise->points; k++)
-            values[k] += (noise_signed(octave[k]) + offset) * weight *
-                         pow(values[k], t);
+            values[k] +=
+                (noise_signed(octave[k]) + offset) * weight * pow(values[k], t);
     }
     if (!(rest > 0))
         return;

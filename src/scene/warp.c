@@ -127,9 +127,9 @@ static vec3 warp_bent(const struct warp *warp, vec3 point)
 {
     switch (warp->kind) {
     case WARP_TURBULENCE:
-        return vec3_add(point, vec3_mul(warp->turbulence.amount,
-                                        noise_vector_turbulence(
-                                            point, &warp->turbulence)));
+        return vec3_add(
+            point, vec3_mul(warp->turbulence.amount,
+                            noise_vector_turbulence(point, &warp->turbulence)));
     case WARP_REPEAT:
         return warp_repeat(warp, point);
     case WARP_BLACK_HOLE:

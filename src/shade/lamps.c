@@ -59,7 +59,7 @@ struct lamp_question {
     const struct shaft *shaft; /* to all of it, or NULL */
     bool clear;                /* where nothing is in it all light comes */
     bool plain;                /* and none where something is */
-    bool together; /* several ways are asked for at once */
+    bool together;             /* several ways are asked for at once */
 };
 
 static struct lamp_question lamp_question(const struct lamps *lamps,

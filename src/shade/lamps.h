@@ -59,9 +59,9 @@ static inline bool lamps_clear(const struct lamps *lamps,
     return !lamp->light->area && lamps_clear_ways(lamps, lamp);
 }
 
-/* Whether shadow_falls_many, with these around, tells for several ways to a lamp
- * at once what gets along them; and whether one of them tells what of its light
- * gets to a point. */
+/* Whether shadow_falls_many, with these around, tells for several ways to a
+ * lamp at once what gets along them; and whether one of them tells what of its
+ * light gets to a point. */
 static inline bool lamps_ways_together(const struct lamps *lamps,
                                        const struct lamp *lamp)
 {

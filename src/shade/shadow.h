@@ -60,10 +60,10 @@ struct shadow_around {
 };
 
 /* Shadow_visibility of the ways to one lamp that the bits `lanes` stand for,
- * which must set out at shadow_start and end at shadow_end. `around` NULL: fogs,
- * media and photons don't count, and panes are not looked through: ways through
- * them are left. Where fogs or media count directions
- * are unit. The filter of `ways` is set here. */
+ * which must set out at shadow_start and end at shadow_end. `around` NULL:
+ * fogs, media and photons don't count, and panes are not looked through: ways
+ * through them are left. Where fogs or media count directions are unit. The
+ * filter of `ways` is set here. */
 void shadow_falls_many(const struct world *world, struct worker *worker,
                        struct occlusions *ways, unsigned lanes,
                        const struct shadow_around *around,

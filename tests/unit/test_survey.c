@@ -166,6 +166,7 @@ static void test_drawn(void **state)
     struct lamps lamps = lamps_new(all->world, all->scene, 9, 0);
     struct worker worker = { .scratch = arena_new(0) };
     vec3 place = { 0.5, 0, 0.3 }, up = { 0, 1, 0 };
+    const struct lit_place lit = { place, up, NULL };
     rgb all_of_them = rgb_grey(0), drawn = rgb_grey(0);
     enum { SAMPLES = 8192 };
     (void)state;
@@ -181,15 +182,15 @@ static void test_drawn(void **state)
     }
     for (uint32_t i = 0; i < SAMPLES; i++) {
         struct draws draws = { 7, i };
-        drawn = rgb_add(
-            drawn, drawn_lamp_light(&lamps, &worker, &draws, 0, place, up));
+        drawn =
+            rgb_add(drawn, drawn_lamp_light(&lamps, &worker, &draws, 0, &lit));
     }
     assert_true(rgb_peak(all_of_them) > 1);
     assert_true(fabs(drawn.r / SAMPLES - all_of_them.r) < 0.02 * all_of_them.r);
     assert_true(fabs(drawn.g / SAMPLES - all_of_them.g) < 0.02 * all_of_them.g);
     assert_true(fabs(drawn.b / SAMPLES - all_of_them.b) < 0.02 * all_of_them.b);
     struct draws draws = { 7, 0 };
-    rgb each = each_lamp_light(&lamps, &worker, &draws, 0, place, up);
+    rgb each = each_lamp_light(&lamps, &worker, &draws, 0, &lit);
     assert_true(rgb_peak(rgb_sub(each, all_of_them)) < 1e-9);
     arena_free(worker.scratch);
     lamps_free(&lamps);
