@@ -251,6 +251,10 @@ static const double answer_reach = 0.5;  /* of the grid's step: rays of a pixel
 static const double answer_bend = 0.985; /* near to each other, cosine, */
 static const double answer_rise = 0.3;   /* and on one surface, as corners */
 
+static const double beyond_weight = 0.5;    /* in the picture: what has as much
+                                             * beyond mirrors and glass is as much
+                                             * looked at as what is seen itself;
+                                             * cells of coarser points show */
 static const double one_point_worth = 0.02; /* what is worth no more beyond
                                              * mirrors and glass takes one mesh
                                              * point: neighbours differ by less
