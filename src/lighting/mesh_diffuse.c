@@ -11,11 +11,12 @@ struct asker {
     double weight;            /* in the picture */
     rgb albedo, ambient;      /* of irradiance, and of ambient light 1 */
     bool scatters;            /* whether irradiance does anything to it */
+    double behind;            /* how much that of the other side does of it */
 };
 
-static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
-                                        struct worker *worker,
-                                        const struct asker *asker)
+static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
+                                             struct worker *worker,
+                                             const struct asker *asker)
 {
     const struct indirect_mesh *mesh = known->mesh;
     const struct ambience *ambience = known->ambience;
@@ -23,7 +24,8 @@ static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
     double most = fmax(rgb_peak(asker->albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
     struct receiver receiver = asker->receiver;
-    bool beyond = known->pixels && !receiver.pixel;
+    bool beyond =
+        known->pixels && !receiver.pixel && asker->weight < beyond_weight;
     receiver.view = known->view;
     receiver.view.coarser += beyond;
     receiver.weight = asker->weight * most;
@@ -49,6 +51,27 @@ static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
                                    share.light };
 }
 
+/* And light that comes through it, as through a leaf. The pixels' corners are
+ * on the side that is seen. */
+static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
+                                        struct worker *worker,
+                                        const struct asker *asker)
+{
+    struct diffuse_light light = mesh_answer_side(known, worker, asker);
+    struct asker other = *asker;
+    struct receiver *receiver = &other.receiver;
+    if (!(asker->behind > 0) || !asker->scatters)
+        return light;
+    receiver->side = vec3_negate(receiver->side);
+    receiver->normal = vec3_negate(receiver->normal);
+    receiver->from = vec3_sub(vec3_scale(receiver->point, 2), receiver->from);
+    receiver->pixel = NULL;
+    other.albedo = rgb_scale(asker->albedo, asker->behind);
+    rgb through = mesh_answer_side(known, worker, &other).irradiance;
+    light.irradiance = rgb_add_scaled(light.irradiance, through, asker->behind);
+    return light;
+}
+
 struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
                                   struct worker *worker,
                                   const struct surface *surface)
@@ -66,6 +89,7 @@ struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
         .albedo = surface_albedo(surface),
         .ambient = surface_ambient(surface),
         .scatters = layer->finish->diffuse != 0,
+        .behind = surface_behind(surface),
     };
     return mesh_answer(known, worker, &asker);
 }
@@ -88,6 +112,9 @@ struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
         .albedo = facets_albedo(facets, i),
         .ambient = facets_ambient(facets, i),
         .scatters = facets->layer[0].diffuse[i] != 0,
+        .behind = finish_behind(facets->layer[0].diffuse[i],
+                                facets->layer[0].diffuse_back[i],
+                                facets->twice[i]),
     };
     return mesh_answer(known, worker, &asker);
 }

@@ -12,12 +12,14 @@ struct candidate {
 };
 
 static bool candidate_lights(struct candidate *candidate,
-                             const struct lamp *lamp, vec3 place, vec3 normal)
+                             const struct lamp *lamp,
+                             const struct lit_place *place)
 {
     const struct light *light = lamp->light;
-    if (!lamp_look(lamp, light->location, place, &candidate->view))
+    if ((place->leaf && !lamp_is_for(lamp, place->leaf)) ||
+        !lamp_look(lamp, light->location, place->point, &candidate->view))
         return false;
-    double cosine = vec3_dot(candidate->view.direction, normal);
+    double cosine = vec3_dot(candidate->view.direction, place->normal);
     candidate->lamp = lamp;
     candidate->light =
         rgb_scale(light->colour, cosine * candidate->view.attenuation);
@@ -53,8 +55,8 @@ static rgb candidate_light(const struct candidate *candidate,
 }
 
 rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
-                     const struct draws *draws, uint32_t slot, vec3 place,
-                     vec3 normal)
+                     const struct draws *draws, uint32_t slot,
+                     const struct lit_place *place)
 {
     struct candidate at[DRAWN_LAMPS];
     double sums[DRAWN_LAMPS], sum = 0, which[2] = { 0, 0 }, share;
@@ -66,7 +68,7 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
         size_t number = candidate_number(lamps, count, i, which[0]);
         if (count == lamps->count)
             number = i;
-        if (!candidate_lights(&at[lit], &lamps->items[number], place, normal))
+        if (!candidate_lights(&at[lit], &lamps->items[number], place))
             continue;
         sum += fabs(rgb_brightness(at[lit].light));
         sums[lit++] = sum;
@@ -77,19 +79,20 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
         &at[draw_share(sums, lit, which[1], &share)];
     double times = (double)lamps->count / (double)count / share;
     return rgb_scale(
-        candidate_light(drawn, lamps, worker, draws, slot + 1, place), times);
+        candidate_light(drawn, lamps, worker, draws, slot + 1, place->point),
+        times);
 }
 
 rgb each_lamp_light(const struct lamps *lamps, struct worker *worker,
-                    const struct draws *draws, uint32_t slot, vec3 place,
-                    vec3 normal)
+                    const struct draws *draws, uint32_t slot,
+                    const struct lit_place *place)
 {
     rgb sum = rgb_grey(0);
     for (size_t i = 0; i < lamps->count; i++) {
         struct candidate at;
-        if (candidate_lights(&at, &lamps->items[i], place, normal))
+        if (candidate_lights(&at, &lamps->items[i], place))
             sum = rgb_add(sum, candidate_light(&at, lamps, worker, draws,
-                                               slot + 1, place));
+                                               slot + 1, place->point));
     }
     return sum;
 }

@@ -8,15 +8,21 @@
 #include "base/draw.h"
 #include "shade/lamps.h"
 
-/* The irradiance of a place with this unit normal, in POV-Ray's units. Takes
- * the pairs of slots `slot` and `slot + 1`. */
+/* What is lit. */
+struct lit_place {
+    vec3 point, normal;      /* unit */
+    const struct leaf *leaf; /* whose lamps alone light it; NULL: all do */
+};
+
+/* Its irradiance, in POV-Ray's units. Takes the pairs of slots `slot` and
+ * `slot + 1`. */
 rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
-                     const struct draws *draws, uint32_t slot, vec3 place,
-                     vec3 normal);
+                     const struct draws *draws, uint32_t slot,
+                     const struct lit_place *place);
 
 /* The same of each lamp, by a shadow ray for each. */
 rgb each_lamp_light(const struct lamps *lamps, struct worker *worker,
-                    const struct draws *draws, uint32_t slot, vec3 place,
-                    vec3 normal);
+                    const struct draws *draws, uint32_t slot,
+                    const struct lit_place *place);
 
 #endif

@@ -2,8 +2,8 @@
 #include "lightmesh/gather.h"
 
 #include "base/warp.h"
-#include "lightmesh/drawn_lamp.h"
 #include "lightmesh/gather_glow.h"
+#include "lightmesh/gather_lamps.h"
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/near_field.h"
@@ -50,33 +50,6 @@ static void gathering_fog(struct gathering *gathering, double distance,
         *light = rgb_add(*light, rgb_mul(gathering->share, veil.light));
     gathering_opens(gathering, 1 - rgb_brightness(veil.through));
     gathering->share = rgb_mul(gathering->share, veil.through);
-}
-
-static vec3 gathering_jitter(const struct gathering *gathering)
-{
-    double u[2];
-    draw_pair(gathering->draws, GATHER_NEAR, u);
-    return vec3_make(u[0] - 0.5, u[1] - 0.5,
-                     draw_unit(gathering->draws, GATHER_HIGH) - 0.5);
-}
-
-/* Light of lamps: those that mesh points hold for the picture as well, or else
- * one shadow ray's. */
-static rgb gathering_direct(const struct gathering *gathering,
-                            const struct receiver *receiver)
-{
-    const struct gather *gather = gathering->gather;
-    struct receiver asked = *receiver;
-    asked.view.coarser = HIT_LEVELS;
-    if (gather->direct && gather->lamps->count > GATHER_LAMPS)
-        return direct_mesh_nearest(gather->direct, gathering->worker, &asked,
-                                   gathering_jitter(gathering));
-    if (gather->lamps->count <= GATHER_EACH && gathering->before == 0)
-        return each_lamp_light(gather->lamps, gathering->worker,
-                               gathering->draws, GATHER_LAMP, receiver->point,
-                               receiver->normal);
-    return drawn_lamp_light(gather->lamps, gathering->worker, gathering->draws,
-                            GATHER_LAMP, receiver->point, receiver->normal);
 }
 
 /* What is picked of what glows, as irradiance. */
@@ -204,7 +177,7 @@ static bool gathering_known(const struct gathering *gathering,
     return here ||
            (gather->indirect &&
             indirect_mesh_nearest(gather->indirect, gathering->worker, receiver,
-                                  gathering_jitter(gathering), share)) ||
+                                  gather_jitter(gathering->draws), share)) ||
            gather_closes(gather, gathering->worker, receiver, share);
 }
 
@@ -221,7 +194,8 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .from = gathering->ray.origin,
                                        .view = gather->view,
                                        .weight = 1 };
-    rgb light = gathering_direct(gathering, &receiver);
+    rgb light = gather_lamps(gather, gathering->worker, gathering->draws,
+                             gathering->before > 0, surface, &receiver);
     struct indirect_share more = gather->around;
     bool found = gathering_known(gathering, surface, &receiver, matters, &more);
     if (!found && gather->onward)
@@ -231,6 +205,25 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
             indirect_mesh_light(gather->indirect, gathering->worker, &receiver);
     more.light = rgb_add(bounce_toned(&gather->tone, more.light), light);
     return more;
+}
+
+/* And the part `behind` of what arrives on its other side: a leaf's. */
+static struct indirect_share
+gathering_through(const struct gathering *gathering,
+                  const struct surface *surface, double behind, double matters)
+{
+    struct surface other = *surface;
+    struct gathering from = *gathering;
+    struct indirect_share share = gathering_share(gathering, surface, matters);
+    if (!(behind > 0))
+        return share;
+    other.side = vec3_negate(surface->side);
+    other.normal = vec3_negate(surface->normal);
+    from.ray.origin =
+        vec3_sub(vec3_scale(surface->point, 2), gathering->ray.origin);
+    rgb light = gathering_share(&from, &other, behind * matters).light;
+    share.light = rgb_add_scaled(share.light, light, behind);
+    return share;
 }
 
 /* What counts little is looked at by few rays, for which it counts the more
@@ -250,14 +243,17 @@ static rgb gathering_shade(const struct gathering *gathering,
 {
     double solid = 1 - fmin(surface_sky(surface), 1);
     rgb light = surface_glow(surface);
-    rgb albedo = rgb_scale(surface_returned(surface), solid);
+    double behind = surface_behind(surface);
+    rgb albedo = rgb_scale(
+        albedo_bounded(surface_returned(surface), RETURNED_MOST / (1 + behind)),
+        solid);
     double matters = rgb_peak(rgb_mul(albedo, gathering->share));
     double count = gathering_chance(gathering, often_lit * matters,
                                     GATHER_MEETING + gathering->met);
     if (count == 0)
         return light;
     struct indirect_share arriving =
-        gathering_share(gathering, surface, count * matters);
+        gathering_through(gathering, surface, behind, count * matters);
     const struct ambience *ambience = gathering->gather->ambience;
     if (ambience->sky && ambience->everywhere)
         arriving.open = 1;

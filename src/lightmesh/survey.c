@@ -43,8 +43,10 @@ static void sight_light(struct sight *sight, const struct gather *gather,
                         struct worker *worker, const struct draws *draws)
 {
     const struct surface *surface = &sight->surface;
-    rgb direct = drawn_lamp_light(gather->lamps, worker, draws, GATHER_LAMP,
-                                  surface->point, surface->normal);
+    const struct lit_place place = { surface->point, surface->normal,
+                                     surface->at->leaf };
+    rgb direct =
+        drawn_lamp_light(gather->lamps, worker, draws, GATHER_LAMP, &place);
     sight->albedo = surface_albedo(surface);
     sight->returned = surface_returned(surface);
     sight->ambient = rgb_mul(surface_ambient(surface), gather->ambience->light);
@@ -91,6 +93,24 @@ gathered_hit(const struct ray *ray, const struct gathered_ray *found, rgb light)
     return hit;
 }
 
+/* What comes through from the far side of leaves, by a ray that is mirrored. */
+static void sight_add_behind(const struct sight *sight, const struct sums *sums,
+                             struct worker *worker, struct ray ray,
+                             const struct draws *draws,
+                             struct gathered_ray *found)
+{
+    const struct surface *surface = &sight->surface;
+    double behind = surface_behind(surface);
+    struct gathered_ray more;
+    if (!(behind > 0))
+        return;
+    double along = vec3_dot(ray.direction, surface->side);
+    ray.direction = vec3_along(ray.direction, surface->side, -2 * along);
+    gather_radiance(sums->gather, worker, &ray, draws, &more);
+    found->light = rgb_add_scaled(found->light, more.light, behind);
+    found->glow = rgb_add_scaled(found->glow, more.glow, behind);
+}
+
 static void sight_gather(const struct sight *sight, struct worker *worker,
                          struct draws draws, struct sums *sums)
 {
@@ -105,10 +125,12 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         struct ray ray = { sight->surface.point,
                            warp_lobe(u, sight->surface.side, 1) };
         gather_radiance(sums->gather, worker, &ray, &draws, &found);
+        sums->hits[first + (size_t)i] =
+            gathered_hit(&ray, &found, gathered_rest(sums->gather, &found));
+        sight_add_behind(sight, sums, worker, ray, &draws, &found);
         rgb rest = gathered_rest(sums->gather, &found);
         double whole =
             rgb_brightness(rgb_mul(sight->albedo, rest)) + ambient * found.open;
-        sums->hits[first + (size_t)i] = gathered_hit(&ray, &found, rest);
         sums->brought[first + (size_t)i] = (struct brought){
             whole, vec3_dot(ray.direction, sight->surface.side) / WARP_PI
         };

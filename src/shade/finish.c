@@ -221,6 +221,15 @@ double surface_restraint(const struct surface *surface)
     return peak > most ? most / peak : 1;
 }
 
+double surface_behind(const struct surface *surface)
+{
+    const struct finish *finish = surface->layer[0].finish;
+    if (surface->count == 0)
+        return 0;
+    return finish_behind(finish->diffuse, finish->diffuse_back,
+                         surface->at->leaf->look->double_illuminate);
+}
+
 rgb surface_returned(const struct surface *surface)
 {
     return albedo_bounded(surface_scattered(surface),

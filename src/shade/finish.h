@@ -79,6 +79,16 @@ rgb surface_albedo(const struct surface *surface);
  * `returned_most` of its layers allows: a factor, at most 1. */
 double surface_restraint(const struct surface *surface);
 
+/* How much of light from behind is sent to the viewer, of light from the
+ * front: `diffuse`'s second number over the first. */
+static inline double finish_behind(double diffuse, double back, bool twice)
+{
+    return twice ? 1 : diffuse != 0 ? back / diffuse : 0;
+}
+
+/* That of the outermost layer. */
+double surface_behind(const struct surface *surface);
+
 /* What they get of irradiance. */
 rgb surface_returned(const struct surface *surface);
 
