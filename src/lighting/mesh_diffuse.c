@@ -24,8 +24,7 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
     double most = fmax(rgb_peak(asker->albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
     struct receiver receiver = asker->receiver;
-    bool beyond =
-        known->pixels && !receiver.pixel && asker->weight < beyond_weight;
+    bool beyond = known->pixels && !receiver.pixel;
     receiver.view = known->view;
     receiver.view.coarser += beyond;
     receiver.weight = asker->weight * most;

@@ -101,15 +101,6 @@ static double plan_rough(const struct survey *survey)
                 gather_rough_most);
 }
 
-/* Rougher light than usual leaves blotches on what is smooth: noise is as rough
- * as the light, and falls slower than rays become more. */
-static double plan_blotched(const struct survey *survey)
-{
-    double rough = survey->rough / gather_rough;
-    return rough > 1 ? fmin(rough * rough, gather_blotched_most)
-                     : plan_rough(survey);
-}
-
 /* The more light comes from surfaces the more of the picture depends on it: all
  * of it in a chamber, of which a small picture shows as much as a large one. */
 static double plan_rays(const struct light_mesh_settings *said,
@@ -122,11 +113,9 @@ static double plan_rays(const struct light_mesh_settings *said,
     if (survey->open < open_enough)
         edges *= gather_chamber;
     else
-        each = fmax(
-            plan_blotched(survey) * each,
-            plan_rough(survey) *
-                (each + gather_pixel_mostly *
-                            fmin(fmax(survey->worth - gather_mostly, 0), 1)));
+        each = plan_rough(survey) *
+               (each + gather_pixel_mostly *
+                           fmin(fmax(survey->worth - gather_mostly, 0), 1));
     return each * edges * finer * finer;
 }
 

@@ -251,10 +251,6 @@ static const double answer_reach = 0.5;  /* of the grid's step: rays of a pixel
 static const double answer_bend = 0.985; /* near to each other, cosine, */
 static const double answer_rise = 0.3;   /* and on one surface, as corners */
 
-static const double beyond_weight = 0.5;    /* in the picture: what has as much
-                                             * beyond mirrors and glass is as much
-                                             * looked at as what is seen itself;
-                                             * cells of coarser points show */
 static const double one_point_worth = 0.02; /* what is worth no more beyond
                                              * mirrors and glass takes one mesh
                                              * point: neighbours differ by less
@@ -299,12 +295,6 @@ static const double gather_pixel_mostly = 8;  /* more for each unit of that, of
 static const double gather_rough = 0.2; /* what is usual, likewise; rougher
                                          * light gets more, a factor: */
 static const double gather_rough_least = 0.5, gather_rough_most = 1.75;
-static const double gather_blotched_most = 5; /* where most of the picture is
-                                               * not what is gathered [a wall
-                                               * beside a spotlit floor: the
-                                               * error falls from 3.3 % to 1.3,
-                                               * among 40 bulbs from 2.5 to
-                                               * 0.8] */
 static const double gather_chamber = 31; /* times as many where light stays */
 static const double gather_coarser_most = 3; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the

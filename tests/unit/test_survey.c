@@ -111,24 +111,6 @@ static void test_afford(void **state)
     scene_world_free(all);
 }
 
-/* Rough light, as that of a spotlit floor, has more rays: a wall beside it was
- * blotched. Not where most of the picture is what is gathered: there are many
- * anyway. */
-static void test_rough(void **state)
-{
-    struct scene_world *all = scene_world_new(CAMERA);
-    const struct survey floor = { .open = 0.7, .worth = 0.32, .rough = 0.45 };
-    const struct survey arcade = { .open = 0.14, .worth = 1.5, .rough = 0.8 };
-    struct mesh_frame wall = { .spacing = 1, .gather = 1, .samples = 256 };
-    struct mesh_frame pillar = wall;
-    (void)state;
-    plan_afford(&wall, all->scene, &floor, 3100, 43200);
-    assert_true(wall.samples == 64);
-    plan_afford(&pillar, all->scene, &arcade, 20000, 43200);
-    assert_true(pillar.samples == 32);
-    scene_world_free(all);
-}
-
 /* Ways are drawn in nets: their numbers are powers of two. */
 static void test_nets(void **state)
 {
@@ -220,8 +202,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_open),    cmocka_unit_test(test_room),
         cmocka_unit_test(test_outlook), cmocka_unit_test(test_afford),
-        cmocka_unit_test(test_rough),   cmocka_unit_test(test_nets),
-        cmocka_unit_test(test_paint),   cmocka_unit_test(test_drawn),
+        cmocka_unit_test(test_nets),    cmocka_unit_test(test_paint),
+        cmocka_unit_test(test_drawn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
