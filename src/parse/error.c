@@ -157,6 +157,44 @@ static const char *error_near_pattern(const char *wanted, const char *text)
 }
 
 /* An identifier that was never declared is the likeliest mistake of all. */
+/* `&lt;`, of a scene that was copied out of a web page's source. */
+static const char *error_entity(struct parser *p, const char *word)
+{
+    static const char *const entities[][2] = {
+        { "lt", "<" }, { "gt", ">" }, { "amp", "&" }, { "quot", "\"" }
+    };
+    struct span last = p->last_span;
+    if (!last.source || last.source->text[last.offset] != '&')
+        return NULL;
+    for (size_t i = 0; i < sizeof entities / sizeof *entities; i++)
+        if (strcmp(word, entities[i][0]) == 0)
+            return entities[i][1];
+    return NULL;
+}
+
+/* What is written in another language than this one; tells whether it was. */
+static bool error_foreign(struct parser *p, const char *word)
+{
+    const char *meant = error_entity(p, word);
+    if (meant) {
+        error_at(p, span_join(p->last_span, p->token_span), meant,
+                 "this is HTML for '%s'", meant);
+        stream_next(p);
+        accept(p, TOKEN_SEMICOLON);
+        p->blamed = p->last_span;
+        return true;
+    }
+    if (strcmp(word, "dictionary") != 0)
+        return false;
+    error_at(p, p->token_span, "array[3]",
+             "a dictionary needs POV-Ray 3.8, and glim reads 3.7; an array "
+             "keeps values by number");
+    stream_next(p);
+    if (stream_peek(p)->kind == TOKEN_LBRACE)
+        skip_brackets(p);
+    return true;
+}
+
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
 {
@@ -164,6 +202,8 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     if (token->kind != TOKEN_WORD || token->word->reserved ||
         symbol_lookup(p, token->word))
         return false;
+    if (error_foreign(p, token->word->text))
+        return true;
     if (!hint)
         hint = standard_include(p, token->word->text);
     if (!hint)
@@ -260,6 +300,16 @@ static const char *error_uncoloured(struct parser *p, const char *wanted)
                : NULL;
 }
 
+/* `2**3`, as other languages write a power. */
+static const char *error_power(struct parser *p)
+{
+    struct span last = p->last_span;
+    return stream_peek(p)->kind == TOKEN_STAR && last.source &&
+                   last.source->text[last.offset] == '*'
+               ? "pow(x, 2)"
+               : NULL;
+}
+
 bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
 {
     if (p->blamed.source && p->blamed.source == p->last_span.source &&
@@ -274,6 +324,8 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
         error_undeclared(p, wanted, hint))
         return false;
     const char *kind = error_kind(p);
+    if (!hint)
+        hint = error_power(p);
     if (!hint)
         hint = error_subscript(p);
     if (!hint)

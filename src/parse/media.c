@@ -114,6 +114,9 @@ static bool parse_scattering(struct parser *p, struct medium *medium)
 {
     struct span open;
     stream_next(p);
+    if (at_number(p))
+        return error_expected_hint(p, "the kind and the colour in braces",
+                                   "{ 1, rgb 1 }");
     return block_begin(p, &open) &&
            block_end(p, open, scattering_body(p, medium));
 }

@@ -172,6 +172,25 @@ static bool mistaken_after_else(struct parser *p)
            before->word->keyword == KEYWORD_ELSE;
 }
 
+/* What follows the one string of `#debug "a" x`. */
+static bool mistaken_after_message(struct parser *p)
+{
+    stream_peek(p);
+    const struct cursor *cursor = p->cursor;
+    if (cursor->index < 3)
+        return false;
+    const struct token *before = &cursor->list->tokens[cursor->index - 3];
+    if (before[0].kind != TOKEN_DIRECTIVE || before[1].kind != TOKEN_STRING ||
+        (before[0].word->keyword != KEYWORD_DEBUG &&
+         before[0].word->keyword != KEYWORD_WARNING))
+        return false;
+    error_at(p, p->token_span, "concat(\"a = \", str(a, 0, 3))",
+             "'#%s' takes one string; concat() joins several",
+             before[0].word->text);
+    stream_next(p);
+    return true;
+}
+
 static bool mistaken_bare(struct parser *p)
 {
     const struct token *token = stream_peek(p);
@@ -253,7 +272,8 @@ static bool mistaken_declaration(struct parser *p)
 
 bool mistaken_statement(struct parser *p)
 {
-    return mistaken_bare(p) || mistaken_declaration(p);
+    return mistaken_after_message(p) || mistaken_bare(p) ||
+           mistaken_declaration(p);
 }
 
 void mistaken_define(struct parser *p, struct span at)

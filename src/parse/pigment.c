@@ -1,4 +1,6 @@
 /* Pigments: the colour of a surface, plain, by pattern or from an image. */
+#include <string.h>
+
 #include "parse/function_field.h"
 #include "parse/rules.h"
 
@@ -111,6 +113,19 @@ static bool pigment_is_average(const struct pigment *pigment)
 }
 
 /* What stands next is none of a pigment. */
+/* A string where a colour or a picture was meant. */
+static bool error_pigment_string(struct parser *p)
+{
+    const char *text = stream_peek(p)->text;
+    if (strchr(text, '.'))
+        return error_at(p, stream_span(p),
+                        arena_printf(p->arena, "image_map { \"%s\" }", text),
+                        "a picture stands in an image_map");
+    return error_at(p, stream_span(p), "rgb <1, 0, 0>",
+                    "a colour has no quotes: it is rgb and its parts, or a "
+                    "name such as Red after #include \"colors.inc\"");
+}
+
 static bool error_pigment(struct parser *p, const struct pigment *pigment)
 {
     int blocks =
@@ -119,6 +134,8 @@ static bool error_pigment(struct parser *p, const struct pigment *pigment)
         return error_at(p, stream_span(p), NULL,
                         "'%s' takes %d colours, and this is one more",
                         pattern_name(&pigment->pattern), blocks);
+    if (stream_peek(p)->kind == TOKEN_STRING)
+        return error_pigment_string(p);
     return error_unknown_thing(p, "pigment", pigment_names,
                                "a colour, a pattern or a pigment");
 }

@@ -44,6 +44,9 @@ static bool parse_rainbow_item(struct parser *p, struct rainbow *rainbow)
         return parse_field(p, field, rainbow);
     if (stream_keyword(p) == KEYWORD_COLOUR_MAP)
         return parse_colour_map(p, &rainbow->map);
+    if (at_number(p))
+        return error_expected_hint(p, "a word that says what this number is",
+                                   "angle 42.5 width 5");
     return error_unknown_item(p, "rainbow", rainbow_names);
 }
 
