@@ -16,7 +16,7 @@ enum taken parse_normal_start(struct parser *p, struct normal *normal)
         normal->pattern.kind = NULL;
         return parse_bump_map(p, &normal->bumps, &normal->amount);
     }
-    enum taken taken = parse_pattern(p, &normal->pattern);
+    enum taken taken = parse_normal_pattern(p, &normal->pattern);
     if (taken == WRONG)
         return WRONG;
     if (taken == TAKEN) {

@@ -220,7 +220,7 @@ static bool parse_magnet(struct parser *p, struct pattern *pattern)
  *         | object_pattern | magnet | slope | image_pattern
  *         | density_file .
  * The name of a pattern and what its table in scene/pattern/ says. */
-enum taken parse_pattern(struct parser *p, struct pattern *pattern)
+enum taken parse_normal_pattern(struct parser *p, struct pattern *pattern)
 {
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD)
@@ -254,6 +254,16 @@ enum taken parse_pattern(struct parser *p, struct pattern *pattern)
     }
     return !kind->arguments ||
            parse_arguments(p, kind->arguments, pattern->parameters);
+}
+
+/* facets has normals and no values: POV-Ray refuses it here, too. */
+enum taken parse_pattern(struct parser *p, struct pattern *pattern)
+{
+    if (stream_keyword(p) != KEYWORD_FACETS)
+        return parse_normal_pattern(p, pattern);
+    error_at(p, stream_span(p), "crackle",
+             "'facets' is of normals alone: normal { facets size 0.5 }");
+    return WRONG;
 }
 
 /* noise_generator = "noise_generator" float . */

@@ -124,7 +124,9 @@ const struct texture *texture_stack(struct parser *p,
                                     const struct texture *bottom,
                                     const struct texture *top);
 
-/* pattern.c: a pattern's name and its arguments; the placing stays. */
+/* pattern.c: a pattern's name and its arguments; the placing stays. The first
+ * is for normals, which alone take facets. */
+enum taken parse_normal_pattern(struct parser *p, struct pattern *pattern);
 enum taken parse_pattern(struct parser *p, struct pattern *pattern);
 enum taken parse_pattern_item(struct parser *p, struct pattern *pattern);
 /* density_file.c; the keyword is next. */

@@ -11,3 +11,4 @@ sphere { 0, 1 pigment { "wood.png" } }
 #if (1 &lt; 2) sphere { 0, 1 } #end
 #declare Power = 2**3;
 isosurface { function { x**2 + y*y - 1 } }
+sphere { 0, 1 pigment { facets } }
