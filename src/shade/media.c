@@ -5,9 +5,10 @@
  * - Method 3 looks at s/2 + 2 places of each interval, for `samples s`: at 0,
  *   1/n, ... (n-1)/n of it. Each pair of neighbours stands for an equal piece;
  *   between them it looks at the middle, and between two of these three that
- *   differ by aa_threshold or more again, aa_level times at most. A piece's
- *   mean is (a + m + b) / 3; the light of a piece is dimmed by all pieces
- *   before it, not by itself.
+ *   differ by aa_threshold or more again, aa_level times at most. It is the
+ *   light of the whole interval that is compared: per unit, times its length.
+ *   A piece's mean is (a + m + b) / 3; the light of a piece is dimmed by all
+ *   pieces before it, not by itself.
  * - Methods 1 and 2 look at places at random, or in the middles of equal
  *   pieces, and go on at random until `variance` is met; light is dimmed up to
  *   its place.
@@ -72,7 +73,8 @@ static bool sample_differs(const struct march *march, struct media_sample a,
                            struct media_sample b)
 {
     rgb d = rgb_sub(a.light, b.light);
-    return fabs(d.r) + fabs(d.g) + fabs(d.b) >= march->how->threshold;
+    return (fabs(d.r) + fabs(d.g) + fabs(d.b)) * march->length >=
+           march->how->threshold;
 }
 
 /* Between places of the interval: what is at both ends and in the middle. */
