@@ -172,17 +172,27 @@ static bool mistaken_after_else(struct parser *p)
            before->word->keyword == KEYWORD_ELSE;
 }
 
-/* What follows the one string of `#debug "a" x`. */
+static bool mistaken_line_ends(const struct source *source, size_t from,
+                               size_t to)
+{
+    while (from < to && source->text[from] != '\n')
+        from++;
+    return from < to;
+}
+
+/* What follows the one string of `#debug "a" x` in its line. */
 static bool mistaken_after_message(struct parser *p)
 {
     stream_peek(p);
     const struct cursor *cursor = p->cursor;
-    if (cursor->index < 3)
+    if (cursor->index < 3 || cursor->list->source != p->token_span.source)
         return false;
     const struct token *before = &cursor->list->tokens[cursor->index - 3];
     if (before[0].kind != TOKEN_DIRECTIVE || before[1].kind != TOKEN_STRING ||
         (before[0].word->keyword != KEYWORD_DEBUG &&
-         before[0].word->keyword != KEYWORD_WARNING))
+         before[0].word->keyword != KEYWORD_WARNING) ||
+        mistaken_line_ends(p->token_span.source, before[1].offset,
+                           p->token_span.offset))
         return false;
     error_at(p, p->token_span, "concat(\"a = \", str(a, 0, 3))",
              "'#%s' takes one string; concat() joins several",

@@ -2,6 +2,8 @@
 // is wanted: one message each, and what to type.
 #declare Size = 1;
 #debug "size" Size
+#debug "next"
+shpere { 0, 1 }
 fog { fog_type ground distance 10 color rgb 1 }
 media { scattering 1 }
 rainbow { 42.5 5 }
