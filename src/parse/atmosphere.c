@@ -30,7 +30,7 @@ static bool parse_fog_type(struct parser *p, struct fog *fog)
     int type;
     stream_next(p);
     struct span span = stream_span(p);
-    if (stream_peek(p)->kind == TOKEN_WORD && !at_number(p))
+    if (!at_expression(p))
         return error_expected_hint(
             p, "fog_type 1, the same everywhere, or 2, on the ground", "2");
     if (!parse_integer(p, &type))

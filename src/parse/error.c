@@ -156,7 +156,6 @@ static const char *error_near_pattern(const char *wanted, const char *text)
     return nearest.best;
 }
 
-/* An identifier that was never declared is the likeliest mistake of all. */
 /* `&lt;`, of a scene that was copied out of a web page's source. */
 static const char *error_entity(struct parser *p, const char *word)
 {
@@ -195,6 +194,7 @@ static bool error_foreign(struct parser *p, const char *word)
     return true;
 }
 
+/* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
 {

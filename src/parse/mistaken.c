@@ -172,12 +172,9 @@ static bool mistaken_after_else(struct parser *p)
            before->word->keyword == KEYWORD_ELSE;
 }
 
-static bool mistaken_line_ends(const struct source *source, size_t from,
-                               size_t to)
+static size_t mistaken_line_end(const struct source *source, size_t at)
 {
-    while (from < to && source->text[from] != '\n')
-        from++;
-    return from < to;
+    return at + strcspn(source->text + at, "\r\n");
 }
 
 /* What follows the one string of `#debug "a" x` in its line. */
@@ -191,8 +188,8 @@ static bool mistaken_after_message(struct parser *p)
     if (before[0].kind != TOKEN_DIRECTIVE || before[1].kind != TOKEN_STRING ||
         (before[0].word->keyword != KEYWORD_DEBUG &&
          before[0].word->keyword != KEYWORD_WARNING) ||
-        mistaken_line_ends(p->token_span.source, before[1].offset,
-                           p->token_span.offset))
+        p->token_span.offset >
+            mistaken_line_end(p->token_span.source, before[1].offset))
         return false;
     error_at(p, p->token_span, "concat(\"a = \", str(a, 0, 3))",
              "'#%s' takes one string; concat() joins several",
@@ -293,8 +290,7 @@ void mistaken_define(struct parser *p, struct span at)
     if (token->kind == TOKEN_WORD && !token->word->reserved)
         symbol_set(p, token->word, (struct value){ .kind = VALUE_UNSUPPORTED },
                    false);
-    const char *text = at.source->text + at.offset;
-    size_t end = at.offset + strcspn(text, "\r\n");
+    size_t end = mistaken_line_end(at.source, at.offset);
     while (cursor->index < cursor->end &&
            cursor->list->tokens[cursor->index].offset < end)
         cursor->index++;

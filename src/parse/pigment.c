@@ -112,7 +112,6 @@ static bool pigment_is_average(const struct pigment *pigment)
     return pigment->kind == PIGMENT_PATTERN && pigment->pattern.kind->average;
 }
 
-/* What stands next is none of a pigment. */
 /* A string where a colour or a picture was meant. */
 static bool error_pigment_string(struct parser *p)
 {
@@ -126,6 +125,7 @@ static bool error_pigment_string(struct parser *p)
                     "name such as Red after #include \"colors.inc\"");
 }
 
+/* What stands next is none of a pigment. */
 static bool error_pigment(struct parser *p, const struct pigment *pigment)
 {
     int blocks =
