@@ -2,6 +2,7 @@
  * they are in the file, whatever their gamma (measured), or from a function. */
 #include "scene/height_field.h"
 
+#include "base/clones.h"
 #include "base/rgb.h"
 #include "image/file.h"
 #include "parse/rules.h"
@@ -156,6 +157,20 @@ static void height_values(const struct function *function,
         heights[i] = grey_of(c[i][0], c[i][1], c[i][2]);
 }
 
+/* The places of a row from x on, as many as are asked for at a time. */
+CLONES static void height_places(const struct height_grid *grid, int x, int y,
+                                 struct spots *spots)
+{
+    vec3 first = height_place(grid, 0, y);
+    int count = grid->width - x < SPOTS_MAX ? grid->width - x : SPOTS_MAX;
+    for (int i = 0; i < SPOTS_MAX; i++) {
+        spots->x[i] = (double)(x + i) / (grid->width - 1);
+        spots->y[i] = first.y;
+        spots->z[i] = first.z;
+    }
+    spots->count = count;
+}
+
 /* A row of a function that is worked out at several points at once. */
 static void height_row(const struct function *function,
                        const struct height_grid *grid, int y, uint16_t *row)
@@ -163,9 +178,7 @@ static void height_row(const struct function *function,
     for (int x = 0; x < grid->width; x += SPOTS_MAX) {
         struct spots spots;
         double values[SPOTS_MAX];
-        spots.count = 0;
-        while (spots.count < SPOTS_MAX && x + spots.count < grid->width)
-            spots_add(&spots, height_place(grid, x + spots.count, y));
+        height_places(grid, x, y, &spots);
         height_values(function, &spots, values);
         for (int i = 0; i < spots.count; i++)
             row[x + i] = height_of_value(values[i]);

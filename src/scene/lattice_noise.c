@@ -3,11 +3,12 @@
  * the eight linear functions are blended by 3t^2 - 2t^3. The random numbers are
  * POV-Ray's (scene/noise_tables).
  *
- * Where points are in their cells is worked out for four at a time, and for
+ * Where points are in their cells is worked out for eight at a time, and for
  * many of them before the first is asked for: no step of it waits long for the
  * one before. What the corners of a cell add up to follows for one point after
  * the other, a corner's value and gradient of all fields at a time, since
- * gathering numbers for four takes longer. */
+ * gathering numbers for several takes longer. Eight points in one cell, as
+ * neighbours are in the first octaves, have it added up together. */
 #include "scene/lattice_noise.h"
 
 #include <string.h>
@@ -15,20 +16,22 @@
 #include "base/clones.h"
 #include "scene/noise_cell.h"
 
-enum { CORNERS = 8, FOUR = LATTICE_STEP };
+enum { CORNERS = 8, STEP = LATTICE_STEP };
 
-typedef double doubles __attribute__((vector_size(8 * FOUR)));
-typedef uint64_t words __attribute__((vector_size(8 * FOUR)));
-typedef float floats __attribute__((vector_size(4 * FOUR)));
+typedef double doubles __attribute__((vector_size(8 * STEP)));
+typedef uint64_t words __attribute__((vector_size(8 * STEP)));
+typedef float floats __attribute__((vector_size(4 * STEP)));
+typedef float quad __attribute__((vector_size(16)));
 
 /* ---- cells ---- */
 
-/* The unit cells that four points are in and the places in them. Corner c is on
- * the upper planes of x, y and z where bit 0, 1 and 2 of c are set. */
+/* The unit cells that eight points are in and the places in them. Corner c is
+ * on the upper planes of x, y and z where bit 0, 1 and 2 of c are set. */
 struct cells {
-    LANE_LINES uint64_t plane[3][2][FOUR]; /* per axis: the lower, the upper */
-    float place[3][FOUR];
-    float weight[CORNERS][FOUR];
+    LANE_LINES uint64_t plane[3][2][STEP]; /* per axis: the lower, the upper */
+    float place[3][STEP];
+    float weight[CORNERS][STEP];
+    bool one; /* all of them are in the same one */
 };
 
 /* How far coordinates are above the planes below them, whose numbers are in the
@@ -51,9 +54,10 @@ INLINED words planes_lost(words low)
     return low >> 52 ^ 0x433;
 }
 
-INLINED bool any_lost(words lost)
+INLINED bool any(words bits)
 {
-    return (lost[0] | lost[1] | lost[2] | lost[3]) != 0;
+    return ((bits[0] | bits[1]) | (bits[2] | bits[3]) |
+            ((bits[4] | bits[5]) | (bits[6] | bits[7]))) != 0;
 }
 
 /* A coordinate that isn't lost, on a lattice that begins anew after 2^20
@@ -87,9 +91,11 @@ INLINED void cells_weigh(struct cells *cells, const floats blend[3])
 INLINED void cells_place(struct cells *cells, const doubles at[3], words *lost)
 {
     floats blend[3];
+    words differ = { 0 };
     for (int axis = 0; axis < 3; axis++) {
         words low;
         floats place = planes_below(at[axis], &low);
+        differ |= low ^ low[0];
         words below = (low + LATTICE_ORIGIN) & LATTICE_MASK;
         words above = (low + (LATTICE_ORIGIN + 1)) & LATTICE_MASK;
         memcpy(cells->plane[axis][0], &below, sizeof below);
@@ -98,27 +104,28 @@ INLINED void cells_place(struct cells *cells, const doubles at[3], words *lost)
         *lost |= planes_lost(low);
         blend[axis] = places_blend(place);
     }
+    cells->one = !any(differ);
     cells_weigh(cells, blend);
 }
 
-/* The four points from number i on; 0 for those that there aren't. */
-INLINED void four_points(doubles four[3], struct coordinates at, int i,
+/* The eight points from number i on; 0 for those that there aren't. */
+INLINED void step_points(doubles step[3], struct coordinates at, int i,
                          int count)
 {
-    static const int64_t chosen[2 * FOUR] = { -1, -1, -1, -1 };
+    static const int64_t chosen[2 * STEP] = { -1, -1, -1, -1, -1, -1, -1, -1 };
     const double *from[3] = { at.x + i, at.y + i, at.z + i };
-    int here = count - i < FOUR ? count - i : FOUR;
+    int here = count - i < STEP ? count - i : STEP;
     words mask;
-    memcpy(&mask, chosen + FOUR - here, sizeof mask);
+    memcpy(&mask, chosen + STEP - here, sizeof mask);
     for (int axis = 0; axis < 3; axis++) {
         words read;
         memcpy(&read, from[axis], sizeof read);
-        four[axis] = (doubles)(read & mask);
+        step[axis] = (doubles)(read & mask);
     }
 }
 
 /* So many points' cells are found before they are asked. */
-enum { CELLS = 8 };
+enum { CELLS = 4 };
 
 /* The same for points of which some are lost. */
 static __attribute__((noinline)) void cells_wrapped(struct cells cells[CELLS],
@@ -126,13 +133,13 @@ static __attribute__((noinline)) void cells_wrapped(struct cells cells[CELLS],
                                                     int from, int count)
 {
     words lost = { 0 };
-    for (int i = from; i < count && i < from + CELLS * FOUR; i += FOUR) {
-        doubles four[3];
-        four_points(four, at, i, count);
+    for (int i = from; i < count && i < from + CELLS * STEP; i += STEP) {
+        doubles step[3];
+        step_points(step, at, i, count);
         for (int axis = 0; axis < 3; axis++)
-            for (int k = 0; k < FOUR; k++)
-                four[axis][k] = plane_wrapped(four[axis][k]);
-        cells_place(&cells[(i - from) / FOUR], four, &lost);
+            for (int k = 0; k < STEP; k++)
+                step[axis][k] = plane_wrapped(step[axis][k]);
+        cells_place(&cells[(i - from) / STEP], step, &lost);
     }
 }
 
@@ -140,14 +147,14 @@ static __attribute__((noinline)) void cells_wrapped(struct cells cells[CELLS],
 INLINED int cells_find(struct cells cells[CELLS], struct coordinates at,
                        int from, int count)
 {
-    int some = count - from < CELLS * FOUR ? count - from : CELLS * FOUR;
+    int some = count - from < CELLS * STEP ? count - from : CELLS * STEP;
     words lost = { 0 };
-    for (int i = 0; i < some; i += FOUR) {
-        doubles four[3];
-        four_points(four, at, from + i, count);
-        cells_place(&cells[i / FOUR], four, &lost);
+    for (int i = 0; i < some; i += STEP) {
+        doubles step[3];
+        step_points(step, at, from + i, count);
+        cells_place(&cells[i / STEP], step, &lost);
     }
-    if (any_lost(lost))
+    if (any(lost))
         cells_wrapped(cells, at, from, count);
     return some;
 }
@@ -176,11 +183,11 @@ INLINED struct cell cell_at(double x, double y, double z)
 {
     struct cell cell;
     words low;
-    floats place = planes_below((doubles){ x, y, z, z }, &low);
-    if (any_lost(planes_lost(low)))
-        place = planes_below((doubles){ plane_wrapped(x), plane_wrapped(y),
-                                        plane_wrapped(z), 0 },
-                             &low);
+    floats place = planes_below((doubles){ x, y, z }, &low);
+    if (any(planes_lost(low)))
+        place = planes_below(
+            (doubles){ plane_wrapped(x), plane_wrapped(y), plane_wrapped(z) },
+            &low);
     floats blend = places_blend(place), rest = 1 - blend;
     for (int axis = 0; axis < 3; axis++) {
         cell.plane[axis][0] = lattice_plane((int64_t)low[axis]);
@@ -228,7 +235,7 @@ struct factors {
  * together in memory: compilers do it badly elsewhere. */
 typedef float wide __attribute__((vector_size(sizeof(struct factors))));
 
-_Static_assert(sizeof(struct factors) == FOUR * sizeof(floats) &&
+_Static_assert(sizeof(struct factors) == NOISE_NUMBERS * sizeof(quad) &&
                    (int)NOISE_FIELDS <= (int)NOISE_ROOM,
                "numbers are read side by side");
 
@@ -236,14 +243,14 @@ INLINED void factors_fill(struct factors *factors, const struct cell *cell)
 {
     for (int number = 0; number < NOISE_NUMBERS; number++) {
         float one = number == 0 ? 0.5f : cell->place[number - 1];
-        floats same = { one, one, one, one };
+        quad same = { one, one, one, one };
         memcpy(factors->of[number], &same, sizeof same);
     }
 }
 
-INLINED floats wide_part(const wide *sum, int i)
+INLINED quad wide_part(const wide *sum, int i)
 {
-    floats four;
+    quad four;
     memcpy(&four, (const char *)sum + (size_t)i * sizeof four, sizeof four);
     return four;
 }
@@ -265,36 +272,58 @@ INLINED void cell_fields(const struct noise_tables *tables,
         memcpy(&random, tables->fields[windows[c]], sizeof random);
         sum += (place - origin) * cell->weight[c] * random;
     }
-    floats total = wide_part(&sum, 0) + wide_part(&sum, 1) +
-                   wide_part(&sum, 2) + wide_part(&sum, 3);
+    quad total = wide_part(&sum, 0) + wide_part(&sum, 1) + wide_part(&sum, 2) +
+                 wide_part(&sum, 3);
     memcpy(out, &total, sizeof total);
 }
 
 /* Of the first field the four sums that are its noise together. */
-INLINED floats cell_sums(const struct noise_tables *tables,
-                         const struct cell *cell)
+INLINED quad cell_sums(const struct noise_tables *tables,
+                       const struct cell *cell)
 {
     uint32_t windows[CORNERS];
-    floats sum = { 0 };
-    floats place = { 0.5f, cell->place[0], cell->place[1], cell->place[2] };
+    quad sum = { 0 };
+    quad place = { 0.5f, cell->place[0], cell->place[1], cell->place[2] };
     cell_windows(tables, cell, windows);
     for (int c = 0; c < CORNERS; c++) {
-        const floats origin = { 0, (float)(c & 1), (float)(c >> 1 & 1),
-                                (float)(c >> 2) };
-        floats random;
+        const quad origin = { 0, (float)(c & 1), (float)(c >> 1 & 1),
+                              (float)(c >> 2) };
+        quad random;
         memcpy(&random, tables->first[windows[c]], sizeof random);
         sum += (place - origin) * cell->weight[c] * random;
     }
     return sum;
 }
 
-/* Each of four sums' own total. */
-INLINED floats sums_total(const floats sum[4])
+/* The noise of eight points in one cell: the same sums in the same order, one
+ * lane to each point. */
+INLINED floats cell_shared(const struct noise_tables *tables,
+                           const struct cells *cells)
 {
-    const floats a = __builtin_shufflevector(sum[0], sum[1], 0, 4, 1, 5);
-    const floats b = __builtin_shufflevector(sum[2], sum[3], 0, 4, 1, 5);
-    const floats c = __builtin_shufflevector(sum[0], sum[1], 2, 6, 3, 7);
-    const floats d = __builtin_shufflevector(sum[2], sum[3], 2, 6, 3, 7);
+    uint32_t windows[CORNERS];
+    floats place[3], sum[NOISE_NUMBERS] = { { 0 } };
+    struct cell cell = cell_of(cells, 0);
+    memcpy(place, cells->place, sizeof place);
+    cell_windows(tables, &cell, windows);
+    for (int c = 0; c < CORNERS; c++) {
+        const float *random = tables->first[windows[c]];
+        floats weight;
+        memcpy(&weight, cells->weight[c], sizeof weight);
+        sum[0] += 0.5f * weight * random[0];
+        for (int axis = 0; axis < 3; axis++)
+            sum[axis + 1] += (place[axis] - (float)(c >> axis & 1)) * weight *
+                             random[axis + 1];
+    }
+    return sum[0] + sum[1] + sum[2] + sum[3];
+}
+
+/* Each of four sums' own total. */
+INLINED quad sums_total(const quad sum[4])
+{
+    const quad a = __builtin_shufflevector(sum[0], sum[1], 0, 4, 1, 5);
+    const quad b = __builtin_shufflevector(sum[2], sum[3], 0, 4, 1, 5);
+    const quad c = __builtin_shufflevector(sum[0], sum[1], 2, 6, 3, 7);
+    const quad d = __builtin_shufflevector(sum[2], sum[3], 2, 6, 3, 7);
     return __builtin_shufflevector(a, b, 0, 1, 4, 5) +
            __builtin_shufflevector(a, b, 2, 3, 6, 7) +
            __builtin_shufflevector(c, d, 0, 1, 4, 5) +
@@ -303,21 +332,24 @@ INLINED floats sums_total(const floats sum[4])
 
 /* ---- many points ---- */
 
-/* Of up to four points whose cells are these. */
+/* Of up to eight points whose cells are these. */
 INLINED void cells_noise(const struct noise_tables *tables,
                          const struct cells *cells, int count, float *raw)
 {
-    floats sum[FOUR] = { { 0 } };
+    floats total;
+    quad sum[STEP] = { { 0 } };
+    if (cells->one) {
+        total = cell_shared(tables, cells);
+    } else {
 #pragma GCC unroll 1
-    for (int k = 0; k < count; k++) {
-        struct cell cell = cell_of(cells, k);
-        sum[k] = cell_sums(tables, &cell);
+        for (int k = 0; k < count; k++) {
+            struct cell cell = cell_of(cells, k);
+            sum[k] = cell_sums(tables, &cell);
+        }
+        total = __builtin_shufflevector(sums_total(sum), sums_total(sum + 4), 0,
+                                        1, 2, 3, 4, 5, 6, 7);
     }
-    floats total = sums_total(sum);
-    if (count == FOUR)
-        memcpy(raw, &total, sizeof total);
-    else
-        memcpy(raw, &total, (size_t)count * sizeof *raw);
+    memcpy(raw, &total, (size_t)count * sizeof *raw);
 }
 
 CLONES void lattice_noise(struct coordinates at, int count, float *raw)
@@ -326,15 +358,15 @@ CLONES void lattice_noise(struct coordinates at, int count, float *raw)
     struct cells cells[CELLS];
     if (count == 1) {
         struct cell alone = cell_at(at.x[0], at.y[0], at.z[0]);
-        floats sum = cell_sums(tables, &alone);
+        quad sum = cell_sums(tables, &alone);
         *raw = sum[0] + sum[1] + sum[2] + sum[3];
         return;
     }
     for (int from = 0, some; from < count; from += some) {
         some = cells_find(cells, at, from, count);
-        for (int i = 0; i < some; i += FOUR)
-            cells_noise(tables, &cells[i / FOUR],
-                        some - i < FOUR ? some - i : FOUR, raw + from + i);
+        for (int i = 0; i < some; i += STEP)
+            cells_noise(tables, &cells[i / STEP],
+                        some - i < STEP ? some - i : STEP, raw + from + i);
     }
 }
 
@@ -343,7 +375,7 @@ CLONES void lattice_noise_fields(struct coordinates at, int count,
 {
     const struct noise_tables *tables = noise_tables();
     struct cells cells[CELLS];
-    struct factors factors[CELLS * FOUR];
+    struct factors factors[CELLS * STEP];
     if (count == 1) {
         struct cell alone = cell_at(at.x[0], at.y[0], at.z[0]);
         factors_fill(factors, &alone);
@@ -353,11 +385,11 @@ CLONES void lattice_noise_fields(struct coordinates at, int count,
     for (int from = 0, some; from < count; from += some) {
         some = cells_find(cells, at, from, count);
         for (int i = 0; i < some; i++) {
-            struct cell cell = cell_of(&cells[i / FOUR], i % FOUR);
+            struct cell cell = cell_of(&cells[i / STEP], i % STEP);
             factors_fill(&factors[i], &cell);
         }
         for (int i = 0; i < some; i++) {
-            struct cell cell = cell_of(&cells[i / FOUR], i % FOUR);
+            struct cell cell = cell_of(&cells[i / STEP], i % STEP);
             cell_fields(tables, &cell, &factors[i], raw[from + i]);
         }
     }

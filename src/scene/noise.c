@@ -23,14 +23,14 @@ struct places {
     double x[PLACES_MAX], y[PLACES_MAX], z[PLACES_MAX];
 };
 
-static inline struct coordinates places_all(const struct places *places)
+INLINED struct coordinates places_all(const struct places *places)
 {
     return (struct coordinates){ places->x, places->y, places->z };
 }
 
 /* The first octave of all spots, then the next one ... */
-static inline void places_fill(struct places *places, const struct spots *spots,
-                               struct octaves octaves)
+INLINED void places_fill(struct places *places, const struct spots *spots,
+                         struct octaves octaves)
 {
     int count = spots->count;
     for (int i = 0; i < count; i++) {
@@ -46,14 +46,13 @@ static inline void places_fill(struct places *places, const struct spots *spots,
     }
 }
 
-static inline double clip(double value)
+INLINED double clip(double value)
 {
     return value < 0 ? 0 : value > 1 ? 1 : value;
 }
 
-static inline void generator_values(enum noise_generator generator,
-                                    struct coordinates at, int count,
-                                    double *values)
+INLINED void generator_values(enum noise_generator generator,
+                              struct coordinates at, int count, double *values)
 {
     float raw[PLACES_MAX];
     if (generator == NOISE_PERLIN) {
@@ -89,8 +88,9 @@ double noise_value(enum noise_generator generator, vec3 point)
     return value;
 }
 
-void noise_octaves(enum noise_generator generator, const struct spots *spots,
-                   struct octaves octaves, double *values)
+CLONES void noise_octaves(enum noise_generator generator,
+                          const struct spots *spots, struct octaves octaves,
+                          double *values)
 {
     struct places places;
     places_fill(&places, spots, octaves);

@@ -1,11 +1,12 @@
 /* granite: six octaves of folded noise, rough and spotty. */
+#include "base/clones.h"
 #include "base/lesser.h"
 #include "scene/noise.h"
 
 /* Measured: |1/2 - n| with n noise cut to its middle half, from 4 features
  * per unit on. */
-static void granite_values(const struct pattern *pattern,
-                           const struct spots *spots, double *values)
+CLONES static void granite_values(const struct pattern *pattern,
+                                  const struct spots *spots, double *values)
 {
     enum { GRANITE_OCTAVES = 6 };
     double noise[GRANITE_OCTAVES * SPOTS_MAX];
