@@ -2,8 +2,9 @@
  * coordinates, w runs along the axis. */
 #include "scene/extrusion.h"
 
+#include "base/clones.h"
 #include "scene/hit_search.h"
-#include "scene/slab_rays.h"
+#include "scene/slab.h"
 
 enum { PART_LOW = -1, PART_HIGH = -2 };
 
@@ -36,22 +37,6 @@ static vec3 extrusion_turned(const struct extrusion *e, vec3 p)
     return e->axis == 2 ? p : (vec3){ p.x, p.z, p.y };
 }
 
-const char *extrusion_prepare(void *shape, struct arena *arena,
-                              const char **warning)
-{
-    struct extrusion *e = shape;
-    if (e->low > e->high) {
-        double swap = e->low;
-        e->low = e->high;
-        e->high = swap;
-    }
-    e->outline =
-        outline_of_numbers(arena, e->segments.values, e->segments.count);
-    if (e->outline.count == 0)
-        *warning = "its outline has no length";
-    return NULL;
-}
-
 /* How large the outline is at the height w. */
 static double extrusion_scale(const struct extrusion *e, double w)
 {
@@ -72,6 +57,40 @@ static struct box3 extrusion_bounds(const void *shape)
         box = box3_add(box, extrusion_turned(e, high));
     }
     return box;
+}
+
+/* The box is a little larger, as rays along its sides are not told to be in it.
+ */
+static void extrusion_surround(struct extrusion *e)
+{
+    const struct box3 box = extrusion_bounds(e);
+    double wide = fabs(box.low.x) + fabs(box.high.x) + fabs(box.low.y) +
+                  fabs(box.high.y) + fabs(box.low.z) + fabs(box.high.z);
+    const vec3 rim = vec3_make(1e-9 * wide, 1e-9 * wide, 1e-9 * wide);
+    const double *low = e->outline.low, *high = e->outline.high;
+    e->around.low = extrusion_turned(e, vec3_sub(box.low, rim));
+    e->around.high = extrusion_turned(e, vec3_add(box.high, rim));
+    e->margin =
+        1e-9 * (fabs(low[0]) + fabs(low[1]) + fabs(high[0]) + fabs(high[1]));
+    e->tipped = e->conic && !(e->low > 1e-6 * wide || e->high < -1e-6 * wide);
+}
+
+const char *extrusion_prepare(void *shape, struct arena *arena,
+                              const char **warning)
+{
+    struct extrusion *e = shape;
+    if (e->low > e->high) {
+        double swap = e->low;
+        e->low = e->high;
+        e->high = swap;
+    }
+    e->outline =
+        outline_of_numbers(arena, e->segments.values, e->segments.count);
+    if (e->outline.count == 0)
+        *warning = "its outline has no length";
+    else
+        extrusion_surround(e);
+    return NULL;
 }
 
 static bool extrusion_covers(const struct extrusion *e, vec3 p)
@@ -128,26 +147,45 @@ static void side_found(void *context, int index, double s)
         hit_search_take(&search->hits, (struct hit){ t, index, s, 0 });
 }
 
-/* Around the piece, which is raised along the axis. The box is a little larger,
- * as a ray along one of its sides isn't told to be in it. */
-static struct box3 side_box(const struct extrusion *e,
-                            const struct piece *piece)
+/* Where a ray from o along d may meet the shape between tmin and tmax: what of
+ * the outline's plane it comes over, seen from the tip of a cone. Widened by
+ * what rounding may be. */
+INLINED struct rectangle ground_of(const struct box3 *around, double margin,
+                                   bool conic, vec3 o, vec3 d, double tmin,
+                                   double tmax)
 {
-    const double *low = piece->low, *high = piece->high;
-    double more = 1e-9 * (fabs(low[0]) + fabs(low[1]) + fabs(high[0]) +
-                          fabs(high[1]) + fabs(e->low) + fabs(e->high));
-    return (struct box3){ { low[0] - more, low[1] - more, e->low - more },
-                          { high[0] + more, high[1] + more, e->high + more } };
+    const struct slabs slabs = {
+        o, vec3_make(slab_inverse(d.x), slab_inverse(d.y), slab_inverse(d.z))
+    };
+    slabs_clip(&slabs, around, &tmin, &tmax);
+    double near = conic ? 1 / (o.z + tmin * d.z) : 1;
+    double far = conic ? 1 / (o.z + tmax * d.z) : 1;
+    double first[2] = { (o.x + tmin * d.x) * near, (o.y + tmin * d.y) * near };
+    double last[2] = { (o.x + tmax * d.x) * far, (o.y + tmax * d.y) * far };
+    double size =
+        fabs(first[0]) + fabs(first[1]) + fabs(last[0]) + fabs(last[1]);
+    double from = fabs(o.x) + fabs(o.y) + (conic ? fabs(o.z) * size : 0);
+    double scale = conic ? greater(fabs(near), fabs(far)) : 1;
+    double more = margin + 1e-15 * (scale * from + size);
+    /* No rectangle where the box is not met. */
+    double none = tmin <= tmax ? 0 : HUGE_VAL;
+    struct rectangle ground;
+    for (int k = 0; k < 2; k++) {
+        ground.low[k] = lesser(first[k], last[k]) - more + none;
+        ground.high[k] = greater(first[k], last[k]) + more - none;
+    }
+    return ground;
 }
 
-/* Whether the ray meets that box where it is looked for. */
-static bool side_is_met(const struct extrusion_search *search,
-                        const struct slabs *slabs, const struct piece *piece)
+static struct rectangle ray_ground(const struct extrusion *e,
+                                   const struct ray *ray, double tmin,
+                                   double tmax)
 {
-    const struct box3 box = side_box(search->extrusion, piece);
-    double enter = search->hits.tmin, leave = search->hits.tmax;
-    slabs_clip(slabs, &box, &enter, &leave);
-    return enter <= leave;
+    if (e->tipped)
+        return (struct rectangle){ { -HUGE_VAL, -HUGE_VAL },
+                                   { HUGE_VAL, HUGE_VAL } };
+    return ground_of(&e->around, e->margin, e->conic, ray->origin,
+                     ray->direction, tmin, tmax);
 }
 
 static inline void search_side(struct extrusion_search *search, size_t index)
@@ -159,11 +197,12 @@ static inline void search_side(struct extrusion_search *search, size_t index)
 static void search_sides(struct extrusion_search *search)
 {
     const struct extrusion *e = search->extrusion;
-    struct slabs slabs = slabs_of(&search->ray);
+    const struct rectangle ground =
+        ray_ground(e, &search->ray, search->hits.tmin, search->hits.tmax);
     for (size_t i = 0; i < e->outline.count; i++) {
         if (search->any && search->hits.found)
             return;
-        if (e->conic || side_is_met(search, &slabs, &e->outline.pieces[i]))
+        if (rectangle_has(&ground, &e->outline.pieces[i]))
             search_side(search, i);
     }
 }
@@ -259,35 +298,10 @@ static bool extrusion_crosses(const void *shape, const struct ray *ray,
 struct extrusion_lanes {
     struct rays rays;
     struct rays_span span;
-    double inverse[3][RAY_LANES]; /* of the directions, but of a cone's */
-    double line[3][RAY_LANES];    /* as of a search, of a cone */
+    struct outline_lines lines; /* and grounds */
     struct extrusion_search search[RAY_LANES];
     unsigned open; /* those that look for something still */
 };
-
-/* Those that meet the shape's box where they are looked for. Only of a cone, as
- * others have a box for each side. */
-static unsigned lanes_within(const struct extrusion *e, const struct rays *rays,
-                             const struct rays_span *span)
-{
-    unsigned within = 0;
-    for (int i = 0; i < RAY_LANES; i++)
-        within |= (unsigned)(span->near[i] < span->far[i]) << i;
-    if (!e->conic || !within)
-        return within;
-    double inverse[3][RAY_LANES];
-    const struct rays_boxed boxed = { rays, (const double(*)[RAY_LANES])inverse,
-                                      span };
-    struct box3 box = extrusion_bounds(e);
-    double more = 1e-9 * (vec3_length(box.low) + vec3_length(box.high));
-    vec3 rim = vec3_make(more, more, more);
-    LANE_LINES lane_flag met[RAY_LANES];
-    box.low = vec3_sub(box.low, rim);
-    box.high = vec3_add(box.high, rim);
-    rays_inverse(rays, lane_run_all(), inverse);
-    rays_meet_box(&boxed, &box, lane_run_all(), met);
-    return within & rays_bits(met);
-}
 
 /* Where rays meet a cap's plane, the outline's size times `scale`, and whether
  * it is where they look. */
@@ -348,13 +362,12 @@ static void lanes_begin(struct extrusion_lanes *lanes,
                         const struct extrusion *e, const struct rays *rays,
                         const struct rays_span *span, bool any)
 {
-    const unsigned within = lanes_within(e, rays, span);
     lanes->rays = *rays;
     lanes->span = *span;
     lanes->open = 0;
     for (int i = 0; i < RAY_LANES; i++) {
         struct extrusion_search *search = &lanes->search[i];
-        if (!(within >> i & 1)) {
+        if (!(span->near[i] < span->far[i])) {
             search->hits.found = false;
             continue;
         }
@@ -363,7 +376,7 @@ static void lanes_begin(struct extrusion_lanes *lanes,
         search->any = any;
         rays_set(&lanes->rays, i, search->ray.origin, search->ray.direction);
         for (int k = 0; k < 3; k++)
-            lanes->line[k][i] = search->line[k];
+            lanes->lines.line[k][i] = search->line[k];
         lanes->open |= 1u << i;
     }
     lanes_caps(lanes, e);
@@ -377,77 +390,61 @@ static void lanes_begin(struct extrusion_lanes *lanes,
     }
 }
 
-/* Those that may meet the side. */
-static unsigned lanes_met(const struct extrusion_lanes *lanes,
-                          const struct extrusion *e, const struct piece *piece)
+/* What an open one comes over where it looks. */
+static void lane_ground(struct extrusion_lanes *lanes,
+                        const struct extrusion *e, int i)
 {
-    LANE_LINES lane_flag met[RAY_LANES];
-    if (e->conic) {
-        outline_crosses_many(piece, (const double(*)[RAY_LANES])lanes->line,
-                             met);
-    } else {
-        const struct rays_boxed boxed = {
-            &lanes->rays, (const double(*)[RAY_LANES])lanes->inverse,
-            &lanes->span
-        };
-        const struct box3 box = side_box(e, piece);
-        rays_meet_box(&boxed, &box, lane_run_all(), met);
-    }
-    return lanes->open & rays_bits(met);
-}
-
-/* A rectangle in the outline's plane. */
-struct ground {
-    double low[2], high[2];
-};
-
-static bool ground_has(const struct ground *ground, const struct piece *piece)
-{
-    return ground->low[0] <= piece->high[0] &&
-           ground->high[0] >= piece->low[0] &&
-           ground->low[1] <= piece->high[1] && ground->high[1] >= piece->low[1];
-}
-
-/* What the ray comes over where it may meet the box. */
-static void ground_take(struct ground *ground,
-                        const struct extrusion_lanes *lanes, int i,
-                        const struct box3 *box)
-{
-    const double *low = &box->low.x, *high = &box->high.x;
-    double enter = lanes->span.near[i], leave = lanes->span.far[i];
-    for (int k = 0; k < 3; k++)
-        slab_clip(low[k], high[k], lanes->rays.origin[k][i],
-                  lanes->inverse[k][i], &enter, &leave);
-    for (int k = 0; k < 2 && enter <= leave; k++) {
-        double o = lanes->rays.origin[k][i], d = lanes->rays.direction[k][i];
-        double a = o + enter * d, b = o + leave * d;
-        double rounding = 1e-15 * (fabs(o) + fabs(a) + fabs(b));
-        ground->low[k] = lesser(ground->low[k], lesser(a, b) - rounding);
-        ground->high[k] = greater(ground->high[k], greater(a, b) + rounding);
-    }
-}
-
-/* What the open ones come over where they look; of a cone nothing is known. */
-static struct ground lanes_ground(struct extrusion_lanes *lanes,
-                                  const struct extrusion *e)
-{
-    const struct outline *o = &e->outline;
-    struct ground all = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
-    double more = 1e-9 * (fabs(o->low[0]) + fabs(o->low[1]) + fabs(o->high[0]) +
-                          fabs(o->high[1]) + fabs(e->low) + fabs(e->high));
-    const struct box3 box = {
-        { o->low[0] - more, o->low[1] - more, e->low - more },
-        { o->high[0] + more, o->high[1] + more, e->high + more }
-    };
-    if (e->conic)
-        return (struct ground){ { -HUGE_VAL, -HUGE_VAL },
-                                { HUGE_VAL, HUGE_VAL } };
-    rays_inverse(&lanes->rays, lane_run_all(), lanes->inverse);
-    for (unsigned left = lanes->open; left; left &= left - 1)
-        ground_take(&all, lanes, __builtin_ctz(left), &box);
+    const struct rectangle ground = ray_ground(
+        e, &lanes->search[i].ray, lanes->span.near[i], lanes->span.far[i]);
     for (int k = 0; k < 2; k++) {
-        all.low[k] -= more;
-        all.high[k] += more;
+        lanes->lines.low[k][i] = ground.low[k];
+        lanes->lines.high[k][i] = ground.high[k];
+    }
+}
+
+INLINED void grounds_find(struct extrusion_lanes *restrict lanes,
+                          const struct extrusion *restrict e, bool conic)
+{
+    const struct box3 around = e->around;
+    const double margin = e->margin;
+    for (int i = 0; i < RAY_LANES; i++) {
+        const struct rectangle ground =
+            ground_of(&around, margin, conic, rays_origin(&lanes->rays, i),
+                      rays_direction(&lanes->rays, i), lanes->span.near[i],
+                      lanes->span.far[i]);
+        for (int k = 0; k < 2; k++) {
+            lanes->lines.low[k][i] = ground.low[k];
+            lanes->lines.high[k][i] = ground.high[k];
+        }
+    }
+}
+
+/* What all of them come over; of those that look for nothing whatever it is. */
+CLONES static void lanes_grounds(struct extrusion_lanes *restrict lanes,
+                                 const struct extrusion *restrict e)
+{
+    if (e->conic)
+        grounds_find(lanes, e, true);
+    else
+        grounds_find(lanes, e, false);
+}
+
+/* What they come over all together. */
+static struct rectangle lanes_ground(struct extrusion_lanes *lanes,
+                                     const struct extrusion *e)
+{
+    struct rectangle all = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
+    if (e->tipped)
+        for (unsigned left = lanes->open; left; left &= left - 1)
+            lane_ground(lanes, e, __builtin_ctz(left));
+    else
+        lanes_grounds(lanes, e);
+    for (unsigned left = lanes->open; left; left &= left - 1) {
+        int i = __builtin_ctz(left);
+        for (int k = 0; k < 2; k++) {
+            all.low[k] = lesser(all.low[k], lanes->lines.low[k][i]);
+            all.high[k] = greater(all.high[k], lanes->lines.high[k][i]);
+        }
     }
     return all;
 }
@@ -456,17 +453,23 @@ static struct ground lanes_ground(struct extrusion_lanes *lanes,
 static void lanes_sides(struct extrusion_lanes *lanes,
                         const struct extrusion *e)
 {
-    const struct ground ground = lanes_ground(lanes, e);
+    const struct rectangle ground = lanes_ground(lanes, e);
     for (size_t k = 0; k < e->outline.count && lanes->open; k++) {
-        if (!ground_has(&ground, &e->outline.pieces[k]))
+        const struct piece *piece = &e->outline.pieces[k];
+        LANE_LINES lane_flag met[RAY_LANES];
+        if (!rectangle_has(&ground, piece))
             continue;
-        unsigned meet = lanes_met(lanes, e, &e->outline.pieces[k]);
-        for (; meet; meet &= meet - 1) {
-            unsigned i = (unsigned)__builtin_ctz(meet);
+        outline_crosses_many(piece, &lanes->lines, met);
+        for (unsigned left = lanes->open & rays_bits(met); left;
+             left &= left - 1) {
+            int i = __builtin_ctz(left);
             struct extrusion_search *search = &lanes->search[i];
             search_side(search, k);
+            if (!search->hits.found || lanes->span.far[i] == search->hits.tmax)
+                continue;
             lanes->span.far[i] = search->hits.tmax;
-            if (search->any && search->hits.found)
+            lane_ground(lanes, e, i);
+            if (search->any)
                 lanes->open &= ~(1u << i);
         }
     }

@@ -12,6 +12,9 @@ struct extrusion {
     bool conic; /* the outline is that at 1, and shrinks to a point at 0 */
     bool open;  /* no caps */
     struct outline outline;
+    struct box3 around; /* the shape, and a little more, in u, v, w */
+    double margin;      /* as little, in the outline's plane */
+    bool tipped;        /* a cone that reaches its tip, or nearly */
 };
 
 extern const struct primitive prism_primitive, text_primitive;

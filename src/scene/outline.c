@@ -389,13 +389,19 @@ static inline bool piece_is_near(const struct piece *piece, double a, double b,
 }
 
 CLONES void outline_crosses_many(const struct piece *restrict piece,
-                                 const double (*restrict line)[RAY_LANES],
+                                 const struct outline_lines *restrict lines,
                                  lane_flag *restrict met)
 {
     const struct piece box = *piece;
-    for (int i = 0; i < RAY_LANES; i++)
-        met[i] =
-            piece_is_near(&box, line[0][i], line[1][i], line[2][i]) ? -1 : 0;
+    for (int i = 0; i < RAY_LANES; i++) {
+        const struct rectangle ground = {
+            { lines->low[0][i], lines->low[1][i] },
+            { lines->high[0][i], lines->high[1][i] }
+        };
+        bool near = piece_is_near(&box, lines->line[0][i], lines->line[1][i],
+                                  lines->line[2][i]);
+        met[i] = near & rectangle_has(&ground, &box) ? -1 : 0;
+    }
 }
 
 /* Signs at ends are those of the numbers that neighbours share. */

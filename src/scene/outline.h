@@ -51,6 +51,19 @@ struct outline {
     double low[2], high[2];
 };
 
+struct rectangle {
+    double low[2], high[2];
+};
+
+/* Whether it has any of the piece's box. */
+static inline bool rectangle_has(const struct rectangle *rectangle,
+                                 const struct piece *piece)
+{
+    const double *low = rectangle->low, *high = rectangle->high;
+    return (low[0] <= piece->high[0]) & (high[0] >= piece->low[0]) &
+           (low[1] <= piece->high[1]) & (high[1] >= piece->low[1]);
+}
+
 /* The outline of these segments, in memory of the arena. */
 struct outline outline_new(struct arena *arena, const struct segment *segments,
                            size_t count);
@@ -73,9 +86,14 @@ typedef void outline_visit(void *context, int piece, double s);
 void outline_cross(const struct outline *outline, int piece,
                    const double line[3], outline_visit *visit, void *context);
 
-/* Which lines may cross the piece: where it says no, outline_cross finds
- * nothing. */
+/* Lines side by side, and rectangles of the plane in which they count. */
+struct outline_lines {
+    LANE_LINES double line[3][RAY_LANES], low[2][RAY_LANES], high[2][RAY_LANES];
+};
+
+/* Which of them may cross the piece: where it says no, outline_cross finds
+ * nothing in the rectangle. */
 void outline_crosses_many(const struct piece *piece,
-                          const double (*line)[RAY_LANES], lane_flag *met);
+                          const struct outline_lines *lines, lane_flag *met);
 
 #endif
