@@ -197,7 +197,8 @@ static bool revolution_crosses(const void *shape, const struct ray *ray,
     return revolution_first(shape, ray, tmin, tmax, &hit);
 }
 
-/* Rays side by side. */
+/* Rays side by side. Most meet no piece's surroundings: only those that do look
+ * for themselves. */
 struct spin_lanes {
     const struct rays *rays;
     struct rays_span span; /* `far` is where the nearest crossing is */
@@ -206,30 +207,52 @@ struct spin_lanes {
     struct spin spin[RAY_LANES];
     unsigned open;  /* those that look for something still */
     unsigned level; /* those that are */
+    unsigned begun; /* those that have looked */
 };
+
+CLONES static void lanes_squares(struct spin_lanes *restrict lanes,
+                                 lane_flag *restrict open,
+                                 lane_flag *restrict level)
+{
+    for (int i = 0; i < RAY_LANES; i++) {
+        vec3 o = rays_origin(lanes->rays, i),
+             d = rays_direction(lanes->rays, i);
+        double a = d.x * d.x + d.z * d.z;
+        lanes->a[i] = a;
+        lanes->b[i] = o.x * d.x + o.z * d.z;
+        lanes->c[i] = o.x * o.x + o.z * o.z;
+        open[i] = lanes->span.near[i] < lanes->span.far[i] ? -1 : 0;
+        level[i] = spin_is_level(a, d.y) ? -1 : 0;
+    }
+}
 
 static void lanes_begin(struct spin_lanes *lanes, const struct rays *rays,
                         const struct rays_span *span)
 {
+    LANE_LINES lane_flag open[RAY_LANES], level[RAY_LANES];
     lanes->rays = rays;
     lanes->span = *span;
-    lanes->open = lanes->level = 0;
-    for (unsigned i = 0; i < RAY_LANES; i++) {
-        struct spin *spin = &lanes->spin[i];
-        lanes->a[i] = lanes->b[i] = lanes->c[i] = 0;
-        if (!(span->near[i] < span->far[i])) {
-            spin->hits.found = false;
-            continue;
-        }
-        lanes->ray[i] = rays_at(rays, (int)i);
-        *spin = spin_new(&lanes->ray[i], span->near[i], span->far[i]);
-        lanes->a[i] = spin->a;
-        lanes->b[i] = spin->b;
-        lanes->c[i] = spin->c;
-        lanes->open |= 1u << i;
-        lanes->level |=
-            (unsigned)spin_is_level(spin->a, lanes->ray[i].direction.y) << i;
-    }
+    lanes->begun = 0;
+    lanes_squares(lanes, open, level);
+    lanes->open = rays_bits(open);
+    lanes->level = rays_bits(level);
+}
+
+/* The search of a lane, which begins when it is asked for. */
+static struct spin *lane_spin(struct spin_lanes *lanes, unsigned i)
+{
+    struct spin *spin = &lanes->spin[i];
+    if (lanes->begun >> i & 1)
+        return spin;
+    lanes->begun |= 1u << i;
+    lanes->ray[i] = rays_at(lanes->rays, (int)i);
+    spin->ray = &lanes->ray[i];
+    spin->a = lanes->a[i];
+    spin->b = lanes->b[i];
+    spin->c = lanes->c[i];
+    spin->hits = (struct hit_search){ .tmin = lanes->span.near[i],
+                                      .tmax = lanes->span.far[i] };
+    return spin;
 }
 
 CLONES static void lanes_meet(const struct spin_lanes *restrict lanes,
@@ -258,7 +281,7 @@ static void lanes_all(struct spin_lanes *lanes, const struct revolution *r,
         unsigned met = (rays_bits(flags) | lanes->level) & lanes->open;
         for (; met; met &= met - 1) {
             unsigned i = (unsigned)__builtin_ctz(met);
-            struct spin *spin = &lanes->spin[i];
+            struct spin *spin = lane_spin(lanes, i);
             if (lanes->level >> i & 1)
                 spin_level(spin, piece, (int)k);
             else
@@ -275,11 +298,13 @@ static void revolution_first_many(const void *shape, struct lane_run run,
                                   const struct rays_span *span,
                                   struct rays_met *met)
 {
+    const struct hit_search none = { .found = false };
     struct spin_lanes lanes;
     lanes_begin(&lanes, rays, span);
     lanes_all(&lanes, shape, false);
     for (int i = run.first; i < run.end; i++)
-        rays_met_take(met, i, &lanes.spin[i].hits);
+        rays_met_take(met, i,
+                      lanes.begun >> i & 1 ? &lanes.spin[i].hits : &none);
 }
 
 static void revolution_crosses_many(const void *shape, struct lane_run run,
@@ -291,7 +316,7 @@ static void revolution_crosses_many(const void *shape, struct lane_run run,
     lanes_begin(&lanes, rays, span);
     lanes_all(&lanes, shape, true);
     for (int i = run.first; i < run.end; i++)
-        met[i] = lanes.spin[i].hits.found ? -1 : 0;
+        met[i] = lanes.begun >> i & 1 && lanes.spin[i].hits.found ? -1 : 0;
 }
 
 static vec3 revolution_normal(const void *shape, const vec3 *at,
