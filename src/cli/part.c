@@ -201,7 +201,7 @@ bool part_start(struct part *part, const struct options *options,
 
 /* Pixels that are held in memory at most; they take 16 bytes, and 17 more while
  * they are drawn. */
-static const double whole_pixels = 8e6, band_pixels = 4e6;
+static const double whole_pixels = 4e6, band_pixels = 1e6;
 
 bool part_has_bands(const struct options *options, const char *name)
 {
