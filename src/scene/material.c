@@ -1,6 +1,7 @@
 /* Defaults of materials, and copies of textures that are moved. */
 #include "scene/map_entry.h"
 #include "scene/material.h"
+#include "scene/spots.h"
 
 struct interior interior_default(void)
 {
@@ -21,20 +22,11 @@ static int texture_average(const struct texture_choice *choice,
     return count;
 }
 
-int texture_choose(const struct texture_choice *choice, vec3 point,
-                   const struct uv_source *surface,
-                   struct texture_pick picks[TEXTURE_PICKS], vec3 *located)
+/* Between two entries of a map, or one of them. */
+static int texture_of_value(const struct texture_choice *choice, double value,
+                            struct texture_pick *picks)
 {
     const struct texture_entry *entries = choice->entries;
-    if (choice->rule) {
-        *located = pattern_locate(&choice->pattern, point);
-        return choice->rule(choice, *located, surface, picks);
-    }
-    *located = pattern_locate(&choice->pattern,
-                              pattern_start(&choice->pattern, point, surface));
-    if (choice->pattern.kind->average)
-        return texture_average(choice, picks);
-    double value = pattern_value_seen(&choice->pattern, *located, surface);
     struct map_place place = map_place_of(&entries[0].value, sizeof entries[0],
                                           choice->count, value);
     picks[0] = (struct texture_pick){ entries[place.entry].texture, 1 };
@@ -44,6 +36,33 @@ int texture_choose(const struct texture_choice *choice, vec3 point,
     picks[1] = (struct texture_pick){ entries[place.entry - 1].texture,
                                       1 - place.share };
     return 2;
+}
+
+int texture_choose(const struct texture_choice *choice, vec3 point,
+                   const struct uv_source *surface,
+                   struct texture_pick picks[TEXTURE_PICKS], vec3 *located)
+{
+    if (choice->rule) {
+        *located = pattern_locate(&choice->pattern, point);
+        return choice->rule(choice, *located, surface, picks);
+    }
+    *located = pattern_locate(&choice->pattern,
+                              pattern_start(&choice->pattern, point, surface));
+    if (choice->pattern.kind->average)
+        return texture_average(choice, picks);
+    return texture_of_value(
+        choice, pattern_value_seen(&choice->pattern, *located, surface), picks);
+}
+
+void texture_choose_all(const struct texture_choice *choice,
+                        const struct spots *points, struct spots *located,
+                        struct texture_pick (*picks)[2], int *counts)
+{
+    double values[SPOTS_MAX];
+    pattern_locate_all(&choice->pattern, points, located);
+    pattern_values_at(&choice->pattern, located, values);
+    for (int i = 0; i < points->count; i++)
+        counts[i] = texture_of_value(choice, values[i], picks[i]);
 }
 
 rgb texture_transmittance(const struct texture *texture, vec3 point,
@@ -92,10 +111,8 @@ bool texture_is_opaque(const struct texture *texture)
     return texture_opaque(texture, &budget);
 }
 
-bool texture_is_plain(const struct texture *texture)
+static bool layers_are_plain(const struct texture *texture)
 {
-    if (texture->choice || texture->count == 0)
-        return false;
     for (size_t i = 0; i < texture->count; i++) {
         const struct layer *layer = &texture->layers[i];
         const struct finish *finish = layer->finish;
@@ -105,6 +122,29 @@ bool texture_is_plain(const struct texture *texture)
             return false;
     }
     return true;
+}
+
+/* Two at a place have room for their layers. */
+static bool choice_is_plain(const struct texture_choice *choice)
+{
+    int budget = 1000;
+    if (choice->rule || choice->bumps || choice->pattern.kind->average ||
+        !pattern_is_of_space(&choice->pattern, &budget))
+        return false;
+    for (size_t i = 0; i < choice->count; i++) {
+        const struct texture *texture = choice->entries[i].texture;
+        if (texture->choice || 2 * texture->count > TEXTURE_LAYERS ||
+            texture_mirrors(texture) || !texture_is_opaque(texture) ||
+            !texture_is_plain(texture))
+            return false;
+    }
+    return true;
+}
+
+bool texture_is_plain(const struct texture *texture)
+{
+    return texture->choice ? choice_is_plain(texture->choice)
+                           : texture->count > 0 && layers_are_plain(texture);
 }
 
 bool texture_mirrors(const struct texture *texture)

@@ -187,6 +187,12 @@ int texture_choose(const struct texture_choice *choice, vec3 point,
                    const struct uv_source *surface,
                    struct texture_pick picks[TEXTURE_PICKS], vec3 *located);
 
+/* The same of a choice that is plain (texture_is_plain), at several points:
+ * picks[i] has room for two, and counts[i] of them are picked. */
+void texture_choose_all(const struct texture_choice *choice,
+                        const struct spots *points, struct spots *located,
+                        struct texture_pick (*picks)[2], int *counts);
+
 /* The share of light that passes the whole texture at a point of its space. */
 rgb texture_transmittance(const struct texture *texture, vec3 point,
                           const struct uv_source *uv);
@@ -256,8 +262,8 @@ bool normal_is_of_space(const struct normal *perturbation);
 bool texture_is_opaque(const struct texture *texture);
 
 /* Whether it is paint that needs to know no more of a surface than the point
- * and the normal: without choices, and no mirror takes from the layers below.
- */
+ * and the normal, and no mirror takes from the layers below; or a choice by the
+ * point alone of such that are smooth, opaque and no mirrors. */
 bool texture_is_plain(const struct texture *texture);
 
 /* Whether any layer does, that of a choice included. */

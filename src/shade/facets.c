@@ -107,11 +107,13 @@ struct painted {
     struct spots points;
 };
 
-/* A layer of them, and what it is painted with. */
+/* A layer of them, and what it is painted with. `at`: where they are in its
+ * space; NULL: by the coat. */
 struct coating {
     struct facet_layer *to;
     const struct layer *from;
     const struct world_coat *coat;
+    const struct lane_points *at;
 };
 
 static void paint_pigment(const struct coating *coating, unsigned i, colour c)
@@ -147,6 +149,13 @@ static void paint_bumps(const struct coating *coating,
         lane_put(normals, painted->lane[k], spots_at(&bumped, k));
 }
 
+/* Where number i is in the texture's space. */
+static vec3 coat_point(const struct facets *facets,
+                       const struct world_coat *coat, unsigned i)
+{
+    return affine_point(coat->to_texture, lane_get(facets->point, i));
+}
+
 /* The pigments, and the normals' bumps. */
 static void paint_points(const struct facets *facets,
                          const struct coating *coating, unsigned lanes)
@@ -163,8 +172,8 @@ static void paint_points(const struct facets *facets,
             unsigned i = (unsigned)__builtin_ctz(lanes);
             painted.lane[painted.points.count] = i;
             spots_add(&painted.points,
-                      affine_point(coating->coat->to_texture,
-                                   lane_get(facets->point, i)));
+                      coating->at ? lane_get(coating->at->at, i)
+                                  : coat_point(facets, coating->coat, i));
         }
         if (!even)
             paint_pigments(coating, &painted);
@@ -204,23 +213,115 @@ static unsigned weigh_next(struct facets *facets, unsigned k, unsigned lanes)
     return seen;
 }
 
-/* Those of one leaf and one texture. */
-static void paint_coat(struct facets *facets, const struct world_coat *coat,
-                       bool twice, unsigned lanes)
+/* A texture without a choice, from layer `first` on, whose weight is known. */
+struct painting {
+    const struct texture *texture;
+    const struct world_coat *coat;
+    const struct lane_points *at; /* as of a coating */
+    bool twice;
+    unsigned first;
+};
+
+static void paint_layers(struct facets *facets, const struct painting *painting,
+                         unsigned lanes)
 {
-    const struct texture *texture = coat->texture;
-    for (unsigned each = lanes; each; each &= each - 1)
-        lane_put(facets->layer[0].weight, (unsigned)__builtin_ctz(each),
-                 vec3_make(1, 1, 1));
-    for (size_t left = texture->count; left > 0 && lanes; left--) {
-        unsigned k = (unsigned)(texture->count - left);
+    const struct texture *texture = painting->texture;
+    unsigned k = painting->first;
+    for (size_t left = texture->count; left > 0 && lanes; left--, k++) {
         const struct layer *from = &texture->layers[left - 1];
-        const struct coating coating = { layer_at(facets, k), from, coat };
-        set_finish(coating.to, lanes, from->finish, twice);
+        const struct coating coating = { layer_at(facets, k), from,
+                                         painting->coat, painting->at };
+        set_finish(coating.to, lanes, from->finish, painting->twice);
         paint_points(facets, &coating, lanes);
         facets->layered |= k > 0 ? lanes : 0;
         lanes = left > 1 ? weigh_next(facets, k, lanes) : 0;
     }
+}
+
+/* How many layers of it can be seen. */
+static unsigned facet_depth(const struct facets *facets, unsigned i)
+{
+    unsigned k = 0;
+    while (k < facets->depth && facets->layer[k].lanes >> i & 1)
+        k++;
+    return k;
+}
+
+/* What a choice picks for each of some: one texture or the blend of two, and
+ * where the facet is in their space. */
+struct lane_picks {
+    unsigned lanes[2]; /* those that have a first and a second one */
+    struct texture_pick pick[RAY_LANES][2];
+    struct lane_points at;
+};
+
+static void picks_find(const struct facets *facets,
+                       const struct world_coat *coat, unsigned lanes,
+                       struct lane_picks *picks)
+{
+    picks->lanes[0] = lanes;
+    picks->lanes[1] = 0;
+    while (lanes) {
+        struct spots points = { .count = 0 }, located;
+        struct texture_pick pick[SPOTS_MAX][2];
+        unsigned lane[SPOTS_MAX];
+        int counts[SPOTS_MAX];
+        for (; lanes && points.count < SPOTS_MAX; lanes &= lanes - 1) {
+            unsigned i = (unsigned)__builtin_ctz(lanes);
+            lane[points.count] = i;
+            spots_add(&points, coat_point(facets, coat, i));
+        }
+        texture_choose_all(coat->texture->choice, &points, &located, pick,
+                           counts);
+        for (int k = 0; k < points.count; k++) {
+            unsigned i = lane[k];
+            memcpy(picks->pick[i], pick[k], sizeof pick[k]);
+            lane_put(picks->at.at, i, spots_at(&located, k));
+            picks->lanes[1] |= (unsigned)(counts[k] > 1) << i;
+        }
+    }
+}
+
+/* A choice: both that are blended are as layers, each of its share. */
+static void paint_choice(struct facets *facets, const struct world_coat *coat,
+                         bool twice, unsigned lanes)
+{
+    struct lane_picks picks;
+    picks_find(facets, coat, lanes, &picks);
+    for (int n = 0; n < 2; n++)
+        for (unsigned left = picks.lanes[n], same; left; left &= ~same) {
+            unsigned one = (unsigned)__builtin_ctz(left);
+            const struct painting painting = { picks.pick[one][n].texture, coat,
+                                               &picks.at, twice,
+                                               facet_depth(facets, one) };
+            struct facet_layer *first = layer_at(facets, painting.first);
+            same = 0;
+            for (unsigned each = left; each; each &= each - 1) {
+                unsigned i = (unsigned)__builtin_ctz(each);
+                const struct texture_pick *pick = &picks.pick[i][n];
+                if (pick->texture != painting.texture ||
+                    facet_depth(facets, i) != painting.first)
+                    continue;
+                lane_put(first->weight, i, vec3_of(rgb_grey(pick->share)));
+                same |= 1u << i;
+            }
+            paint_layers(facets, &painting, same);
+        }
+}
+
+/* Those of one leaf and one texture. */
+static void paint_coat(struct facets *facets, const struct world_coat *coat,
+                       bool twice, unsigned lanes)
+{
+    const struct painting painting = { coat->texture, coat, NULL, twice, 0 };
+    if (coat->texture->choice) {
+        paint_choice(facets, coat, twice, lanes);
+        return;
+    }
+    for (unsigned each = lanes; each; each &= each - 1)
+        lane_put(facets->layer[0].weight, (unsigned)__builtin_ctz(each),
+                 vec3_make(1, 1, 1));
+    paint_layers(facets, &painting, lanes);
 }
 
 static struct world_coat coat_of(const struct facets *facets,
@@ -293,15 +394,6 @@ vec3 facets_side(const struct facets *facets, unsigned i)
     vec3 side = world_face_side(facets->leaf[i], facets->faces, i);
     return vec3_dot(side, lane_get(facets->view, i)) < 0 ? vec3_negate(side)
                                                          : side;
-}
-
-/* How many layers of it can be seen. */
-static unsigned facet_depth(const struct facets *facets, unsigned i)
-{
-    unsigned k = 0;
-    while (k < facets->depth && facets->layer[k].lanes >> i & 1)
-        k++;
-    return k;
 }
 
 bool facets_face(const struct facets *facets, unsigned i, vec3 way)
