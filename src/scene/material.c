@@ -65,6 +65,20 @@ void texture_choose_all(const struct texture_choice *choice,
         counts[i] = texture_of_value(choice, values[i], picks[i]);
 }
 
+bool texture_choice_ways(const struct texture_choice *choice, const affine *to,
+                         const affine *from, affine *inner_to,
+                         affine *inner_from)
+{
+    if (!choice->bumps)
+        return false;
+    affine inward = pattern_affine(&choice->pattern), outward;
+    if (!affine_inverse(inward, &outward))
+        return false;
+    *inner_to = affine_compose(inward, *to);
+    *inner_from = affine_compose(*from, outward);
+    return true;
+}
+
 rgb texture_transmittance(const struct texture *texture, vec3 point,
                           const struct uv_source *uv)
 {
@@ -128,13 +142,12 @@ static bool layers_are_plain(const struct texture *texture)
 static bool choice_is_plain(const struct texture_choice *choice)
 {
     int budget = 1000;
-    if (choice->rule || choice->bumps || choice->pattern.kind->average ||
+    if (choice->rule || choice->pattern.kind->average ||
         !pattern_is_of_space(&choice->pattern, &budget))
         return false;
     for (size_t i = 0; i < choice->count; i++) {
         const struct texture *texture = choice->entries[i].texture;
         if (texture->choice || 2 * texture->count > TEXTURE_LAYERS ||
-            texture_mirrors(texture) || !texture_is_opaque(texture) ||
             !texture_is_plain(texture))
             return false;
     }

@@ -193,6 +193,13 @@ void texture_choose_all(const struct texture_choice *choice,
                         const struct spots *points, struct spots *located,
                         struct texture_pick (*picks)[2], int *counts);
 
+/* The ways from the world into the space of what is picked and back, as bumps
+ * need them: `to` and `from` are those of the choice's texture. False: there
+ * are none, or nothing that is picked has bumps. */
+bool texture_choice_ways(const struct texture_choice *choice, const affine *to,
+                         const affine *from, affine *inner_to,
+                         affine *inner_from);
+
 /* The share of light that passes the whole texture at a point of its space. */
 rgb texture_transmittance(const struct texture *texture, vec3 point,
                           const struct uv_source *uv);
@@ -262,8 +269,8 @@ bool normal_is_of_space(const struct normal *perturbation);
 bool texture_is_opaque(const struct texture *texture);
 
 /* Whether it is paint that needs to know no more of a surface than the point
- * and the normal, and no mirror takes from the layers below; or a choice by the
- * point alone of such that are smooth, opaque and no mirrors. */
+ * and the normal, and no mirror takes from the layers below; or a choice of
+ * such by the point alone. */
 bool texture_is_plain(const struct texture *texture);
 
 /* Whether any layer does, that of a choice included. */

@@ -34,7 +34,8 @@ static struct facet_layer *layer_at(struct facets *facets, unsigned k)
 {
     for (; facets->depth <= k; facets->depth++) {
         struct facet_layer *layer = &facets->layer[facets->depth];
-        layer->lanes = layer->shining = layer->uneven = layer->tinted = 0;
+        layer->lanes = layer->shining = layer->uneven = layer->tinted =
+            layer->begins = 0;
         memcpy(layer->normal, facets->normal, sizeof layer->normal);
         memset(layer->front, 0, sizeof layer->front);
         memset(layer->back, 0, sizeof layer->back);
@@ -46,7 +47,7 @@ void facets_start(struct facets *facets, const struct rays *rays,
                   const struct world_faces *faces)
 {
     facets->faces = faces;
-    facets->all = facets->layered = facets->depth = 0;
+    facets->all = facets->layered = facets->blended = facets->depth = 0;
     memcpy(facets->point, faces->point, sizeof facets->point);
     memset(facets->twice, 0, sizeof facets->twice);
     memset(facets->many, 0, sizeof facets->many);
@@ -222,6 +223,16 @@ struct painting {
     unsigned first;
 };
 
+/* Layers have the share of the first one of the picked texture. */
+static void lanes_share(struct facets *facets, unsigned k, unsigned first,
+                        unsigned lanes)
+{
+    for (; k > first && lanes; lanes &= lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(lanes);
+        facets->layer[k].share[i] = facets->layer[first].share[i];
+    }
+}
+
 static void paint_layers(struct facets *facets, const struct painting *painting,
                          unsigned lanes)
 {
@@ -233,6 +244,8 @@ static void paint_layers(struct facets *facets, const struct painting *painting,
                                          painting->coat, painting->at };
         set_finish(coating.to, lanes, from->finish, painting->twice);
         paint_points(facets, &coating, lanes);
+        if (painting->at)
+            lanes_share(facets, k, painting->first, lanes);
         facets->layered |= k > 0 ? lanes : 0;
         lanes = left > 1 ? weigh_next(facets, k, lanes) : 0;
     }
@@ -287,12 +300,20 @@ static void paint_choice(struct facets *facets, const struct world_coat *coat,
                          bool twice, unsigned lanes)
 {
     struct lane_picks picks;
+    affine to, from;
+    struct world_coat inner = *coat;
     picks_find(facets, coat, lanes, &picks);
+    facets->blended |= lanes;
+    if (texture_choice_ways(coat->texture->choice, coat->to_texture,
+                            coat->from_texture, &to, &from)) {
+        inner.to_texture = &to;
+        inner.from_texture = &from;
+    }
     for (int n = 0; n < 2; n++)
         for (unsigned left = picks.lanes[n], same; left; left &= ~same) {
             unsigned one = (unsigned)__builtin_ctz(left);
-            const struct painting painting = { picks.pick[one][n].texture, coat,
-                                               &picks.at, twice,
+            const struct painting painting = { picks.pick[one][n].texture,
+                                               &inner, &picks.at, twice,
                                                facet_depth(facets, one) };
             struct facet_layer *first = layer_at(facets, painting.first);
             same = 0;
@@ -303,8 +324,10 @@ static void paint_choice(struct facets *facets, const struct world_coat *coat,
                     facet_depth(facets, i) != painting.first)
                     continue;
                 lane_put(first->weight, i, vec3_of(rgb_grey(pick->share)));
+                first->share[i] = pick->share;
                 same |= 1u << i;
             }
+            first->begins |= same;
             paint_layers(facets, &painting, same);
         }
 }
@@ -458,6 +481,13 @@ struct surface_paint facets_paint_of(const struct facets *facets, unsigned i)
     return paint_at(facets, &facets->layer[0], i);
 }
 
+/* Of the surface, that the layer's texture has. */
+static double layer_share(const struct facets *facets,
+                          const struct facet_layer *layer, unsigned i)
+{
+    return facets->blended >> i & 1 ? layer->share[i] : 1;
+}
+
 /* Returns what it lets through of what gets to it. */
 static rgb fill_layer(const struct facets *facets, unsigned i, double ior,
                       const struct facet_layer *layer, struct surface_layer *to)
@@ -469,9 +499,17 @@ static rgb fill_layer(const struct facets *facets, unsigned i, double ior,
     to->pigment = paint.pigment;
     to->normal = paint.bumped;
     to->weight = weight_at(layer, i);
-    to->reflection = mirror.colour;
+    to->reflection = rgb_scale(mirror.colour, layer_share(facets, layer, i));
     to->reflection_weight = mirror.weight;
     return finish_through(paint.finish, paint.pigment, mirror.colour);
+}
+
+/* Whether a texture ends with layer `k`. */
+static bool facet_ends(const struct facets *facets, unsigned i, unsigned k,
+                       unsigned depth)
+{
+    return k + 1 == depth ||
+           (facets->blended >> i & 1 && facets->layer[k + 1].begins >> i & 1);
 }
 
 void facets_fill(const struct facets *facets, unsigned i, double ior,
@@ -482,11 +520,19 @@ void facets_fill(const struct facets *facets, unsigned i, double ior,
     surface->view = lane_get(facets->view, i);
     surface->normal = lane_get(facets->normal, i);
     surface->count = (int)depth;
-    surface->through = rgb_grey(1);
+    surface->through = rgb_grey(0);
+    surface->pane = surface->normal;
+    surface->pane_share = 0;
+    unsigned top = 0;
     for (unsigned k = 0; k < depth; k++) {
         struct surface_layer *to = &surface->layer[k];
         rgb through = fill_layer(facets, i, ior, &facets->layer[k], to);
-        surface->through = rgb_mul(to->weight, through);
+        if (!facet_ends(facets, i, k, depth))
+            continue;
+        through = rgb_mul(to->weight, through);
+        surface->through = rgb_add(surface->through, through);
+        surface_let_pass(surface, &surface->layer[top], through);
+        top = k + 1;
     }
 }
 

@@ -21,6 +21,7 @@ struct facet_layer {
     unsigned shining; /* those with highlights, */
     unsigned uneven;  /* finish_is_uneven, */
     unsigned tinted;  /* or finish_tints */
+    unsigned begins;  /* those of which a picked texture begins here */
     const struct finish *finish[RAY_LANES];
     LANE_LINES double normal[3][RAY_LANES]; /* with its bumps */
     /* Whether light from its front and its back does anything to it. */
@@ -28,11 +29,14 @@ struct facet_layer {
     double diffuse[RAY_LANES], diffuse_back[RAY_LANES], opacity[RAY_LANES];
     double pigment[3][RAY_LANES], weight[3][RAY_LANES];
     double clear[2][RAY_LANES]; /* of plain ones: filter and transmit */
+    double share[RAY_LANES];    /* of blended ones, of the surface: the picked
+                                 * texture's */
 };
 
 struct facets {
     unsigned all;     /* that are set */
     unsigned layered; /* of other than one layer */
+    unsigned blended; /* plain ones of a choice */
     facet_surface *tell;
     void *context;
     double bailout;                     /* as of a surface_view */

@@ -201,6 +201,16 @@ static vec3 layer_bump(const struct layer *layer, struct place *place,
     return bumped;
 }
 
+void surface_let_pass(struct surface *surface, const struct surface_layer *top,
+                      rgb through)
+{
+    double share = rgb_peak(through);
+    if (share > surface->pane_share) {
+        surface->pane = top->normal;
+        surface->pane_share = share;
+    }
+}
+
 /* Adds the layers of a texture that has no choice; returns what all of them
  * let pass of `weight`. */
 static rgb surface_add_layers(struct surface *surface,
@@ -208,6 +218,7 @@ static rgb surface_add_layers(struct surface *surface,
                               struct place *place, rgb weight)
 {
     const struct texture *texture = place->texture;
+    const struct surface_layer *top = &surface->layer[surface->count];
     bool smooth = view->smooth || view->quality < QUALITY_BUMPS;
     for (size_t i = texture->count; i-- > 0;) {
         if (surface->count == TEXTURE_LAYERS)
@@ -236,6 +247,7 @@ static rgb surface_add_layers(struct surface *surface,
         if (fabs(rgb_brightness(weight)) < view->bailout)
             break;
     }
+    surface_let_pass(surface, top, weight);
     return weight;
 }
 
@@ -261,18 +273,15 @@ static rgb surface_add_choice(struct surface *surface,
     const struct texture_choice *choice = place->texture->choice;
     struct texture_pick picks[TEXTURE_PICKS];
     struct place inner = *place;
-    affine inward, outward, to, from;
+    affine to, from;
     rgb through = rgb_grey(0);
     bool mapped = choice->pattern.uv;
     struct surface_uv seen = place_seen(place);
     int count = texture_choose(choice, place_point(place), &seen.source, picks,
                                &inner.point);
     inner.located = inner.picked = true;
-    if (choice->bumps)
-        inward = pattern_affine(&choice->pattern);
-    if (choice->bumps && affine_inverse(inward, &outward)) {
-        to = affine_compose(inward, mapped ? unmoved : *place->to);
-        from = affine_compose(mapped ? unmoved : *place->from, outward);
+    if (texture_choice_ways(choice, mapped ? &unmoved : place->to,
+                            mapped ? &unmoved : place->from, &to, &from)) {
         inner.to = &to;
         inner.from = &from;
     }
@@ -336,6 +345,8 @@ void surface_fill(struct surface *surface, const struct intersection *at,
     surface->side = vec3_against(at->face, view->direction);
     surface->count = 0;
     surface->through = rgb_grey(0);
+    surface->pane = surface->normal;
+    surface->pane_share = 0;
     if (view->quality < QUALITY_LIT)
         surface_fill_quick(surface, view);
     else

@@ -44,6 +44,10 @@ struct surface {
     int count;   /* layers that can be seen: those below are hidden */
     struct surface_layer layer[TEXTURE_LAYERS]; /* top first */
     rgb through; /* what all layers let pass; black when the last is hidden */
+    vec3 pane;   /* the normal that bends it: the top layer's of the texture
+                  * that lets most pass, where several are blended (measured: in
+                  * POV-Ray each bends its own) */
+    double pane_share; /* the largest colour of what that one lets pass */
 };
 
 /* How a surface is looked at. */
@@ -68,6 +72,11 @@ struct surface_paint {
     vec3 point, normal, bumped;
     colour pigment;
 };
+
+/* A texture that begins with this layer lets so much pass: keeps `pane`, which
+ * is the normal without bumps at first, and pane_share 0. */
+void surface_let_pass(struct surface *surface, const struct surface_layer *top,
+                      rgb through);
 
 /* What all layers let pass straight through: a shadow ray's view. */
 rgb surface_transmittance(const struct intersection *at);

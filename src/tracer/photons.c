@@ -275,7 +275,7 @@ static bool flight_pass(struct flight *flight, struct crossing *crossing,
                         bool mirrors)
 {
     const struct surface *surface = &crossing->surface;
-    vec3 normal = surface->layer[0].normal, direction = flight->ray.direction;
+    vec3 normal = surface->pane, direction = flight->ray.direction;
     rgb part = rgb_grey(1);
     bool inward = false;
     if (crossing->ior != 1) {

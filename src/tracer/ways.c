@@ -37,7 +37,7 @@ void ways_find(struct ways *ways, const struct arrival *arrival,
                const struct crossing *crossing)
 {
     const struct surface *surface = &crossing->surface;
-    vec3 normal = surface->layer[0].normal, direction = arrival->direction;
+    vec3 normal = surface->pane, direction = arrival->direction;
     rgb through = arrival->split ? surface->through : surface_passed(surface);
     ways->count = 0;
     if (arrival->level >= tracer_levels(arrival->tracer))

@@ -227,7 +227,7 @@ static void path_part(struct path *path, const struct crossing *crossing,
         return;
     struct crossing own = *crossing;
     struct path *branch = path_branch(path, crossing->at.point, part, weight);
-    vec3 normal = crossing->surface.layer[0].normal;
+    vec3 normal = crossing->surface.pane;
     crossing_divide(&own, &branch->inside, spectrum_place(number, parts));
     if (crossing_refracted(&own, path->ray.direction, normal,
                            &branch->ray.direction)) {
@@ -248,7 +248,7 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
     rgb through = surface->through;
     double bailout = tracer->scene->settings.adc_bailout;
     double weight = path->weight * rgb_peak(through);
-    vec3 normal = surface->layer[0].normal;
+    vec3 normal = surface->pane;
     vec3 direction = path->ray.direction;
     bool bends = crossing->ior != 1, inward = false;
     if (tracer->quality < QUALITY_TRANSPARENCY || rgb_peak(through) == 0 ||
