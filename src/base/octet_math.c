@@ -189,3 +189,17 @@ void numbers_sin(double *x, int count)
     for (int i = 0; i < count; i++)
         x[i] = lone_sin(x[i]);
 }
+
+void numbers_atan2(double *y, const double *x, int count)
+{
+    for (; count > 2; y += OCTET, x += OCTET, count -= OCTET) {
+        const size_t size = (size_t)(count < OCTET ? count : OCTET) * sizeof *y;
+        octet each = { 0 }, beside = { 0 };
+        memcpy(&each, y, size);
+        memcpy(&beside, x, size);
+        octet_atan2(&each, &beside);
+        memcpy(y, &each, size);
+    }
+    for (int i = 0; i < count; i++)
+        y[i] = lone_atan2(y[i], x[i]);
+}

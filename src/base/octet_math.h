@@ -14,8 +14,10 @@ void octet_cos(octet *x);
 void octet_sqrt(octet *x);
 void octet_abs(octet *x);
 
-/* The sine of each of `count` numbers, to the bit as above. */
+/* The sine of each of `count` numbers, and y[i] becomes atan2(y[i], x[i]), to
+ * the bit as above and below. */
 void numbers_sin(double *x, int count);
+void numbers_atan2(double *y, const double *x, int count);
 
 /* e^x, where x beyond 708 counts as that, and below -708; the logarithm of what
  * is above 0, where less than 1e-300 counts as that. Of eight at a time only.

@@ -19,7 +19,7 @@ static const double places[PLACES][2] = {
 static const struct pigment *paint_blocks(const struct surface *surface)
 {
     const struct leaf *leaf = surface->at->leaf;
-    if (!leaf->look->plain || leaf->look->texture->choice)
+    if (!leaf->look->spatial || leaf->look->texture->choice)
         return NULL;
     const struct pigment *pigment = leaf->look->texture->layers[0].pigment;
     const struct pattern_kind *kind = pigment->pattern.kind;

@@ -125,13 +125,13 @@ bool texture_is_opaque(const struct texture *texture)
     return texture_opaque(texture, &budget);
 }
 
-static bool layers_are_plain(const struct texture *texture)
+static bool layers_are_plain(const struct texture *texture, bool mapped)
 {
     for (size_t i = 0; i < texture->count; i++) {
         const struct layer *layer = &texture->layers[i];
         const struct finish *finish = layer->finish;
-        if ((layer->normal && !normal_is_of_space(layer->normal)) ||
-            !pigment_is_of_space(layer->pigment) ||
+        if ((layer->normal && (mapped || !normal_is_of_space(layer->normal))) ||
+            !pigment_is_of_point(layer->pigment) ||
             (i > 0 && finish->conserve_energy && finish_mirrors(finish)))
             return false;
     }
@@ -139,7 +139,7 @@ static bool layers_are_plain(const struct texture *texture)
 }
 
 /* Two at a place have room for their layers. */
-static bool choice_is_plain(const struct texture_choice *choice)
+static bool choice_is_plain(const struct texture_choice *choice, bool mapped)
 {
     int budget = 1000;
     if (choice->rule || choice->pattern.kind->average ||
@@ -148,16 +148,25 @@ static bool choice_is_plain(const struct texture_choice *choice)
     for (size_t i = 0; i < choice->count; i++) {
         const struct texture *texture = choice->entries[i].texture;
         if (texture->choice || 2 * texture->count > TEXTURE_LAYERS ||
-            !texture_is_plain(texture))
+            !texture_is_plain(texture, mapped))
             return false;
     }
     return true;
 }
 
-bool texture_is_plain(const struct texture *texture)
+bool texture_is_plain(const struct texture *texture, bool mapped)
 {
-    return texture->choice ? choice_is_plain(texture->choice)
-                           : texture->count > 0 && layers_are_plain(texture);
+    return texture->choice
+               ? choice_is_plain(texture->choice, mapped)
+               : texture->count > 0 && layers_are_plain(texture, mapped);
+}
+
+bool texture_is_spatial(const struct texture *texture)
+{
+    for (size_t i = 0; i < texture->count; i++)
+        if (texture->layers[i].pigment->pattern.uv)
+            return false;
+    return true;
 }
 
 bool texture_mirrors(const struct texture *texture)

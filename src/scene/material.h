@@ -265,13 +265,21 @@ bool pigment_is_opaque(const struct pigment *pigment);
  * enough. *budget as of pattern_is_of_space. */
 bool pigment_is_of_space(const struct pigment *pigment);
 bool pigment_all_of_space(const struct pigment *pigment, int *budget);
+
+/* The same, but its own pattern may be laid by the surface's coordinates: the
+ * point is then these. */
+bool pigment_is_of_point(const struct pigment *pigment);
 bool normal_is_of_space(const struct normal *perturbation);
 bool texture_is_opaque(const struct texture *texture);
 
-/* Whether it is paint that needs to know no more of a surface than the point
- * and the normal, and no mirror takes from the layers below; or a choice of
- * such by the point alone. */
-bool texture_is_plain(const struct texture *texture);
+/* Whether it is paint that needs to know no more of a surface than the point,
+ * the surface's coordinates and the normal, and no mirror takes from the layers
+ * below; or a choice of such by the point alone. `mapped`: the point is the
+ * surface's coordinates. */
+bool texture_is_plain(const struct texture *texture, bool mapped);
+
+/* Whether none of its pigments is laid by the surface's coordinates. */
+bool texture_is_spatial(const struct texture *texture);
 
 /* Whether any layer does, that of a choice included. */
 bool texture_mirrors(const struct texture *texture);

@@ -421,6 +421,13 @@ bool pigment_is_of_space(const struct pigment *pigment)
     return pigment_all_of_space(pigment, &budget);
 }
 
+bool pigment_is_of_point(const struct pigment *pigment)
+{
+    struct pigment laid = *pigment;
+    laid.pattern.uv = false;
+    return pigment_is_of_space(&laid);
+}
+
 const struct pigment *pigment_moved(struct arena *arena,
                                     const struct pigment *pigment,
                                     const affine *transform)

@@ -126,11 +126,22 @@ static void paint_pigment(const struct coating *coating, unsigned i, colour c)
     to->opacity[i] = finish_opacity(coating->from->finish, c);
 }
 
-static void paint_pigments(const struct coating *coating,
+static vec3 facet_uv(const struct facets *facets, unsigned i)
+{
+    return world_face_uv(facets->leaf[i], facets->faces, i);
+}
+
+static void paint_pigments(const struct facets *facets,
+                           const struct coating *coating,
                            const struct painted *painted)
 {
+    const struct pigment *pigment = coating->from->pigment;
     colour colours[SPOTS_MAX];
-    pigment_colours(coating->from->pigment, &painted->points, colours);
+    struct spots uv = { .count = 0 };
+    for (int i = 0; pigment->pattern.uv && i < painted->points.count; i++)
+        spots_add(&uv, facet_uv(facets, painted->lane[i]));
+    pigment_colours(pigment, pigment->pattern.uv ? &uv : &painted->points,
+                    colours);
     for (int i = 0; i < painted->points.count; i++)
         paint_pigment(coating, painted->lane[i], colours[i]);
 }
@@ -154,7 +165,9 @@ static void paint_bumps(const struct coating *coating,
 static vec3 coat_point(const struct facets *facets,
                        const struct world_coat *coat, unsigned i)
 {
-    return affine_point(coat->to_texture, lane_get(facets->point, i));
+    return facets->leaf[i]->look->uv_mapping
+               ? facet_uv(facets, i)
+               : affine_point(coat->to_texture, lane_get(facets->point, i));
 }
 
 /* The pigments, and the normals' bumps. */
@@ -177,7 +190,7 @@ static void paint_points(const struct facets *facets,
                                   : coat_point(facets, coating->coat, i));
         }
         if (!even)
-            paint_pigments(coating, &painted);
+            paint_pigments(facets, coating, &painted);
         if (bumpy)
             paint_bumps(coating, &painted);
     }

@@ -63,7 +63,7 @@ static rgb pane_through(const struct ray *ray, const struct world_hit *hit)
 {
     const struct leaf *leaf = hit->leaf;
     struct intersection at;
-    if (leaf->look->plain && !leaf->look->coated &&
+    if (leaf->look->spatial && !leaf->look->coated &&
         !(leaf->look->interior && leaf->look->interior->caustics != 0))
         return texture_transmittance(
             leaf->look->texture,

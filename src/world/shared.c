@@ -29,13 +29,15 @@ const struct pose *shared_pose(struct shared *shared, struct arena *arena,
 
 /* What all textures of a look are. */
 struct judgement {
-    bool opaque, plain, mirrors;
+    bool mapped; /* by the surface's own coordinates */
+    bool opaque, plain, spatial, mirrors;
 };
 
 static void judge_texture(struct judgement *all, const struct texture *texture)
 {
     all->opaque = all->opaque && texture_is_opaque(texture);
-    all->plain = all->plain && texture_is_plain(texture);
+    all->plain = all->plain && texture_is_plain(texture, all->mapped);
+    all->spatial = all->spatial && texture_is_spatial(texture);
     all->mirrors = all->mirrors || texture_mirrors(texture);
 }
 
@@ -43,7 +45,10 @@ static void judge_texture(struct judgement *all, const struct texture *texture)
 static void look_judge(struct leaf_look *look)
 {
     const struct mesh *mesh = look->mesh;
-    struct judgement all = { .opaque = true, .plain = !look->uv_mapping };
+    struct judgement all = { .mapped = look->uv_mapping,
+                             .opaque = true,
+                             .plain = true,
+                             .spatial = !look->uv_mapping };
     judge_texture(&all, look->texture);
     if (look->inner)
         judge_texture(&all, look->inner->texture);
@@ -52,6 +57,7 @@ static void look_judge(struct leaf_look *look)
             judge_texture(&all, mesh->textures[i]);
     look->opaque = all.opaque;
     look->plain = all.plain;
+    look->spatial = all.plain && all.spatial;
     look->last = all.plain && all.opaque && !all.mirrors;
     look->coated = look->inner || mesh;
 }

@@ -52,11 +52,12 @@ struct leaf_look {
                    * level, whatever its parts say */
     bool inverse; /* turned inside out, all its ancestors considered */
     /* By what its textures are (shared.h): */
-    bool opaque; /* none lets light pass */
-    bool coated; /* its texture is not the same all over it */
-    bool plain;  /* its paint is plain (texture_is_plain) wherever it is */
-    bool last;   /* it is plain, and no ray goes on from it: it is opaque and
-                  * mirrors nothing */
+    bool opaque;  /* none lets light pass */
+    bool coated;  /* its texture is not the same all over it */
+    bool plain;   /* its paint is plain (texture_is_plain) wherever it is, */
+    bool spatial; /* and the same on any surface there (texture_is_spatial) */
+    bool last;    /* it is plain, and no ray goes on from it: it is opaque and
+                   * mirrors nothing */
 };
 
 /* A shape or a mesh in the world. */

@@ -95,6 +95,10 @@ void world_face_many(const struct rays *rays, const struct world_hit *hits,
 vec3 world_face_side(const struct leaf *leaf, const struct world_faces *faces,
                      unsigned i);
 
+/* As world_uv, of number `i`. */
+vec3 world_face_uv(const struct leaf *leaf, const struct world_faces *faces,
+                   unsigned i);
+
 /* What a leaf is painted with somewhere. */
 struct world_coat {
     const struct texture *texture;

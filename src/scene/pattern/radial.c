@@ -1,14 +1,23 @@
 /* radial: the angle around the y axis, one cycle per turn. */
+#include <string.h>
+
+#include "base/octet_math.h"
 #include "scene/material.h"
+#include "scene/spots.h"
 
 /* Measured: clockwise from -z when seen from above; within 0.001 of the axis
  * (in x and in z) a constant. */
-static double radial_value(const struct pattern *pattern, vec3 point)
+static void radial_values(const struct pattern *pattern,
+                          const struct spots *spots, double *values)
 {
+    int count = spots->count;
     (void)pattern;
-    if (fabs(point.x) < 0.001 && fabs(point.z) < 0.001)
-        return 0.25;
-    return 0.25 + (atan2(point.x, point.z) + M_PI) / (2 * M_PI);
+    memcpy(values, spots->x, (size_t)count * sizeof *values);
+    numbers_atan2(values, spots->z, count);
+    for (int i = 0; i < count; i++) {
+        bool middle = fabs(spots->x[i]) < 0.001 && fabs(spots->z[i]) < 0.001;
+        values[i] = middle ? 0.25 : 0.25 + (values[i] + M_PI) / (2 * M_PI);
+    }
 }
 
 static const struct blend_entry radial_colours[] = {
@@ -24,5 +33,5 @@ const struct pattern_kind radial_pattern = {
     .name = "radial",
     .help = "the angle around the y axis",
     .map = &radial_map,
-    .value = radial_value,
+    .values = radial_values,
 };

@@ -11,11 +11,14 @@ static const struct field spiral1_arguments[] = {
     { .name = NULL },
 };
 
-static double spiral1_value(const struct pattern *pattern, vec3 point)
+static void spiral1_values(const struct pattern *pattern,
+                           const struct spots *spots, double *values)
 {
     const struct spiral1 *spiral = pattern->parameters;
-    return hypot(point.x, point.y) +
-           spiral_winding(pattern, spiral->arms, point);
+    double radii[SPOTS_MAX];
+    spiral_winding(pattern, spiral->arms, spots, radii, values);
+    for (int i = 0; i < spots->count; i++)
+        values[i] = radii[i] + values[i];
 }
 
 const struct pattern_kind spiral1_pattern = {
@@ -24,5 +27,5 @@ const struct pattern_kind spiral1_pattern = {
     .size = sizeof(struct spiral1),
     .arguments = spiral1_arguments,
     .wave = WAVE_TRIANGLE,
-    .value = spiral1_value,
+    .values = spiral1_values,
 };

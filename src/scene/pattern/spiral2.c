@@ -19,13 +19,15 @@ static double spiral2_triangle(double value)
 }
 
 /* Measured: rings, and the spiral of spiral1 over them. */
-static double spiral2_value(const struct pattern *pattern, vec3 point)
+static void spiral2_values(const struct pattern *pattern,
+                           const struct spots *spots, double *values)
 {
     const struct spiral2 *spiral = pattern->parameters;
-    double radius = hypot(point.x, point.y);
-    return spiral2_triangle(radius) +
-           spiral2_triangle(radius +
-                            spiral_winding(pattern, spiral->arms, point));
+    double radii[SPOTS_MAX];
+    spiral_winding(pattern, spiral->arms, spots, radii, values);
+    for (int i = 0; i < spots->count; i++)
+        values[i] =
+            spiral2_triangle(radii[i]) + spiral2_triangle(radii[i] + values[i]);
 }
 
 const struct pattern_kind spiral2_pattern = {
@@ -34,5 +36,5 @@ const struct pattern_kind spiral2_pattern = {
     .size = sizeof(struct spiral2),
     .arguments = spiral2_arguments,
     .wave = WAVE_TRIANGLE,
-    .value = spiral2_value,
+    .values = spiral2_values,
 };
