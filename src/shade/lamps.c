@@ -22,6 +22,7 @@ struct lamps lamps_new(const struct world *world, const struct scene *scene,
     lamps.misty = air && scene->murky;
     lamps.clear = quality >= QUALITY_SHADOWS && !lamps.misty;
     lamps.shadows = quality >= QUALITY_SHADOWS;
+    lamps.smooth = quality < QUALITY_BUMPS;
     lamps.plain = lamps.clear && world_is_opaque(world);
     lamps.items = memory_new(lamps.count * sizeof *lamps.items);
     for (size_t i = 0; i < lamps.count; i++)
@@ -84,6 +85,7 @@ static struct shadow_path lamp_path(const struct lamps *lamps,
         .inside = target->inside,
         .fog = lamps_dim(lamps, lamp) ? lamps->scene : NULL,
         .misty = lamps->misty,
+        .smooth = lamps->smooth,
         .spread = target->spread,
         .photons =
             lamps->photons && !target->straight ? &lamp->light->photons : NULL,

@@ -25,6 +25,7 @@ struct lamps {
                     * them */
     bool plain;    /* and these are opaque */
     bool shadows;  /* there are some */
+    bool smooth;   /* bumps are left out */
 };
 
 /* Frees with lamps_free. World and scene must outlive it. */
@@ -82,6 +83,7 @@ lamps_around(const struct lamps *lamps, const struct lamp *lamp,
         .inside = inside,
         .fog = lamps_dim(lamps, lamp) ? lamps->scene : NULL,
         .misty = lamps->misty,
+        .smooth = lamps->smooth,
         .photons = lamps->photons ? &lamp->light->photons : NULL,
     };
 }

@@ -26,7 +26,8 @@ struct shadow_crossing {
 
 struct shadow_ray {
     rgb share;                          /* of those that found no place */
-    const struct photon_flags *photons; /* as in the path */
+    const struct photon_flags *photons; /* as in the path, and: */
+    bool smooth;
     int count;
     struct shadow_crossing *at; /* in order of t, with room for: */
     int room;
@@ -39,27 +40,31 @@ static bool crossing_before(const struct shadow_crossing *a,
 }
 
 static void shadow_begin(struct shadow_ray *shadow,
-                         const struct photon_flags *photons)
+                         const struct photon_flags *photons, bool smooth)
 {
     shadow->photons = photons;
+    shadow->smooth = smooth;
     shadow->share = rgb_grey(1);
     shadow->count = 0;
 }
 
 /* What light gets from `caustics` c at a surface, bumps and all: 1 + |cos|^(45
  * c) times. */
-static double pane_caustics(const struct intersection *at, vec3 direction)
+static double pane_caustics(const struct intersection *at, vec3 direction,
+                            bool smooth)
 {
     const struct interior *interior = at->leaf->look->interior;
     if (!interior || interior->caustics == 0)
         return 1;
-    double cosine = fabs(vec3_dot(surface_bumps(at, direction), direction));
+    vec3 normal = smooth ? at->normal : surface_bumps(at, direction);
+    double cosine = fabs(vec3_dot(normal, direction));
     return 1 + pow(cosine, 45 * interior->caustics);
 }
 
 /* What a surface lets pass of the light along the ray. Of most only the place
  * matters. */
-static rgb pane_through(const struct ray *ray, const struct world_hit *hit)
+static rgb pane_through(const struct ray *ray, const struct world_hit *hit,
+                        bool smooth)
 {
     const struct leaf *leaf = hit->leaf;
     struct intersection at;
@@ -71,7 +76,7 @@ static rgb pane_through(const struct ray *ray, const struct world_hit *hit)
             NULL);
     world_describe(ray, hit, &at);
     return rgb_scale(surface_transmittance(&at),
-                     pane_caustics(&at, ray->direction));
+                     pane_caustics(&at, ray->direction, smooth));
 }
 
 /* Whether this light goes through it, or round it, as photons. */
@@ -88,8 +93,9 @@ static bool shadow_filter(void *context, const struct ray *ray,
     struct shadow_ray *shadow = context;
     if (shadow_is_bent(shadow->photons, hit->leaf))
         return true;
-    struct shadow_crossing crossing = { hit->hit.t, hit->leaf,
-                                        pane_through(ray, hit) };
+    struct shadow_crossing crossing = {
+        hit->hit.t, hit->leaf, pane_through(ray, hit, shadow->smooth)
+    };
     if (rgb_peak(crossing.through) == 0)
         return true;
     if (shadow->count == shadow->room) {
@@ -210,7 +216,7 @@ static rgb shadow_filtered(const struct world *world, struct worker *worker,
 {
     struct shadow_crossing crossings[CROSSINGS_MAX];
     struct shadow_ray shadow;
-    shadow_begin(&shadow, path->photons);
+    shadow_begin(&shadow, path->photons, path->smooth);
     shadow.at = crossings;
     shadow.room = CROSSINGS_MAX;
     if (shadow_blocked(world, path, from, to, &shadow))
@@ -276,7 +282,8 @@ static bool shadow_filter_lane(void *context, unsigned lane,
     struct shadow_ray *shadow = &shadows->at[lane];
     const struct ray ray = rays_at(&shadows->ways->rays, (int)lane);
     if (!(shadows->begun >> lane & 1))
-        shadow_begin(shadow, around_photons(shadows->around, lane));
+        shadow_begin(shadow, around_photons(shadows->around, lane),
+                     shadows->around->smooth);
     shadows->begun |= 1u << lane;
     shadow->at = shadows->crossings[lane];
     shadow->room = CROSSINGS_LANE;
@@ -336,7 +343,7 @@ static void shadows_filtered(const struct world *world, struct worker *worker,
     if (around->fog || around->misty)
         shadows->tinted = lanes & ~shadows->dark & ~shadows->left;
     for (unsigned each = shadows->tinted & ~rays.begun; each; each &= each - 1)
-        shadow_begin(&rays.at[__builtin_ctz(each)], NULL);
+        shadow_begin(&rays.at[__builtin_ctz(each)], NULL, true);
     shadows_shares(&rays, worker, around, shadows->tinted, shadows);
 }
 

@@ -25,6 +25,7 @@ struct shadow_path {
      * no light of this way. NULL: there are none, or they light nothing there.
      */
     const struct photon_flags *photons;
+    bool smooth;   /* bumps of panes do nothing, by +Q */
     double spread; /* of the way: see world_glimpse */
     uint64_t key;  /* of random numbers: media are met without bias; 0: as
                     * POV-Ray samples them */
@@ -55,6 +56,7 @@ struct shadow_around {
     const struct interiors *const *inside; /* as of a path, for each */
     const struct scene *fog;               /* as of a path */
     bool misty;                            /* likewise */
+    bool smooth;                           /* likewise */
     const struct photon_flags *photons;    /* likewise, */
     unsigned straight; /* but of these ways everything is light */
 };
