@@ -24,6 +24,8 @@ Wall(-.5, -.1, pigment { image_pattern { png "parts/flag.png" use_alpha } color_
 Wall(1.8, -.1, pigment { image_pattern { png "parts/heights_palette.png" use_alpha } color_map { Two } })
 box { 0, <1, 1, .1> pigment { rgb .8 } translate <.65, -.1, .9>
   normal { bump_map { png "parts/cutout.png" bump_size 3 interpolate 2 } } }
-height_field { png "parts/cutout.png" scale <1.4, .5, 1.4> translate <-1, -.4, -1.5>
+height_field { png "parts/cutout.png" scale <1.4, .5, 1.4> translate <-1.5, -.4, -1.5>
   pigment { rgb <.8, .7, .5> } }
+height_field { png "parts/alpha.png" scale <1.4, .5, 1.4> translate <.1, -.4, -1.5>
+  pigment { rgb <.5, .7, .8> } }
 plane { z, 3 pigment { rgb <0, .4, .4> } finish { emission 1 diffuse 0 } }
