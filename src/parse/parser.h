@@ -215,8 +215,13 @@ bool parse_components(struct parser *p, double *out, int size);
  * `bare_vector` false a vector needs rgb, rgbf, color ... before it. */
 bool parse_colour(struct parser *p, colour *out);
 bool parse_string(struct parser *p, const char **out);
-/* Whether the next token can begin an expression / a colour. */
+/* Reads a colour, or a number alone: *is_number. */
+bool parse_colour_or_number(struct parser *p, colour *out, double *number,
+                            bool *is_number);
+/* Whether the next token can begin an expression / one that is a number, as
+ * far as can be told without reading it / a colour. */
 bool at_expression(struct parser *p);
+bool at_number(struct parser *p);
 bool at_colour(struct parser *p);
 
 /* ---- args.c: values by field table ---- */

@@ -33,17 +33,6 @@ bool at_any_colour(struct parser *p)
     return at_colour(p) || at_expression(p);
 }
 
-bool at_number(struct parser *p)
-{
-    const struct token *token = stream_peek(p);
-    const struct value *value = NULL;
-    if (token->kind == TOKEN_WORD && !token->word->reserved)
-        value = symbol_find(p, token->word);
-    return token->kind == TOKEN_NUMBER || token->kind == TOKEN_MINUS ||
-           token->kind == TOKEN_PLUS || token->kind == TOKEN_LPAREN ||
-           (value && value->kind == VALUE_FLOAT);
-}
-
 bool bracket_begin(struct parser *p, struct span *open)
 {
     *open = stream_span(p);

@@ -23,8 +23,6 @@ const struct field *accept_field(struct parser *p, const struct field *table);
 
 /* Whether the next token begins a colour, keyword or bare vector or number. */
 bool at_any_colour(struct parser *p);
-/* Whether it begins a number and not a colour. */
-bool at_number(struct parser *p);
 
 /* '[' around an entry of a map. */
 bool bracket_begin(struct parser *p, struct span *open);
