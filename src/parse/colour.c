@@ -194,7 +194,7 @@ bool at_colour(struct parser *p)
         return colour_begins(token->word->keyword);
     const struct value *value = symbol_find(p, token->word);
     if (value && value->kind == VALUE_ARRAY)
-        return array_kind(value->array) == VALUE_COLOUR;
+        value = array_sample(value->array);
     return value && (value->kind == VALUE_COLOUR ||
                      (value->kind == VALUE_VECTOR && value->size > 3));
 }

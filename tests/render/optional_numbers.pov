@@ -1,5 +1,6 @@
 // Numbers that may be missing, given as elements, calls and components; colours
-// of a map that begin as the numbers of old maps do.
+// of a map that begin as the numbers of old maps do; vectors of a mesh2 that are
+// worked out; colours that are elements of five numbers.
 // compare: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -21,7 +22,7 @@ sphere { <.8, 1.2, 0>, .6
 sphere { <2.4, 1.2, 0>, .6 pigment { slope { y V.x, V.z } }
   finish { reflection { A[0] V.y fresnel F(1) } diffuse V.z V.y } }
 mesh2 {
-  vertex_vectors { 4, <-2.8, -.4, 0>, <-1.4, -.4, -.3>, <-1.4, .4, 0>, <-2.8, .4, 0> }
+  vertex_vectors { 4, <-5.6, -.8, 0>*K, <-1.4, -.4, -.3>, <-1.4, 0, 0> + .4*y, <-2.8, .4, 0> }
   texture_list { 2, texture { pigment { C } } texture { pigment { rgb V } } }
   face_indices { 2, Faces[0], mod(3, 2), Faces[1], A[0] }
 }
@@ -31,4 +32,5 @@ sphere { <1.6, 0, 0>, .6 hollow S(1).x pigment { rgbt <1, 1, 1, .6> }
   interior { media { emission <.2, .8, .1> samples 3 method 3 } } }
 sphere { <2.7, 0, -.5>, .5 hollow vrotate(x, y).y pigment { rgbt <1, .4, 1, .6> }
   interior { media { emission <.9, .1, .1> samples 3 method 3 } } }
-plane { y, -.7 pigment { rgb .6 } }
+#declare Fives = array[1] { <.8, .9, 1, 0, 0> }
+plane { y, -.7 pigment { Fives[0]*.6 } }
