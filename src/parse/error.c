@@ -8,7 +8,6 @@
 #include "parse/mistaken.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
-#include "parse/unsupported.h"
 #include "scene/pattern.h"
 
 enum { ERROR_TRACE_LIMIT = 8 }; /* most notes of one trace */
@@ -320,7 +319,7 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
     stream_peek(p);
     p->silent = true;
     wanted = wanted_field(p, wanted, 1);
-    if (error_follows(p) || unsupported_use(p) || error_is_silent(p) ||
+    if (error_follows(p) || at_poison(p) || error_is_silent(p) ||
         error_undeclared(p, wanted, hint))
         return false;
     const char *kind = error_kind(p);
@@ -486,7 +485,7 @@ bool error_unknown_item(struct parser *p, const char *block,
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_END)
         return error_file_ends(p, block);
-    if (error_follows(p) || unsupported_use(p) || mistaken_statement(p) ||
+    if (error_follows(p) || at_poison(p) || mistaken_statement(p) ||
         error_is_silent(p))
         return false;
     if (token->kind != TOKEN_WORD)

@@ -11,7 +11,6 @@
 #include "parse/stream.h"
 #include "parse/symbol.h"
 #include "scene/function.h"
-#include "parse/unsupported.h"
 #include "parse/user_function.h"
 
 enum { VECTOR_LIMIT = 5 }; /* components */
@@ -297,15 +296,13 @@ static bool thing_element(struct parser *p, const struct word *word,
     if (!array_element(p, value->array, &slot))
         return false;
     *value = *slot;
-    if (slot->kind == VALUE_UNSUPPORTED)
-        unsupported_report(p, at, word, slot->unsupported);
-    else if (slot->kind == VALUE_NONE)
+    if (slot->kind == VALUE_NONE)
         error_at(p, span_join(at, p->last_span), NULL,
                  "this element of '%s' was never set", word->text);
     if (slot->kind == VALUE_ARRAY)
         return array_copy(p, span_join(at, p->last_span), slot->array,
                           &value->array);
-    return slot->kind != VALUE_UNSUPPORTED && slot->kind != VALUE_NONE;
+    return slot->kind != VALUE_POISON && slot->kind != VALUE_NONE;
 }
 
 /* The name of a whole array, of a function, of a texture ...

@@ -66,7 +66,6 @@ struct parser {
     unsigned field_nesting;    /* when its reading began */
     const char *shape;         /* whose arguments are being read, or NULL */
     unsigned declaring;        /* #declares being read inside each other */
-    const struct unsupported *unsupported; /* met inside a #declare */
     struct span blamed; /* the last token of a value that was reported and
                          * taken: what follows it is not at fault */
     struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */
@@ -156,10 +155,6 @@ bool error_expected_hint(struct parser *p, const char *wanted,
  * block is taken. */
 bool error_unopened(struct parser *p);
 
-/* A POV-Ray feature glim does not have: "'photons' is not supported". Inside
- * a #declare the error is kept and reported where the identifier is used. */
-bool error_unsupported(struct parser *p, struct span span, const char *feature);
-
 /* An unknown word in a block: "unknown item 'pigmnt' in 'sphere'", the hint
  * being the nearest of the reserved words or of `fields`. */
 bool error_unknown_item(struct parser *p, const char *block,
@@ -232,9 +227,11 @@ bool parse_field(struct parser *p, const struct field *field, void *base);
 
 /* ---- symbol.c ---- */
 
-/* The value of an identifier, or NULL; unsupported ones are reported by
- * symbol_take. */
+/* The value of an identifier, or NULL. */
 const struct value *symbol_find(struct parser *p, const struct word *word);
+/* Whether the next token is an identifier whose declaration had an error, of
+ * which no more is said. */
+bool at_poison(struct parser *p);
 void symbol_set(struct parser *p, const struct word *word, struct value value,
                 bool local);
 

@@ -71,25 +71,6 @@ bool error_unknown_thing(struct parser *p, const char *block,
     return error_unknown_item(p, block, names);
 }
 
-bool skip_unsupported(struct parser *p, const char *feature)
-{
-    struct span span = stream_span(p), open;
-    stream_next(p);
-    error_unsupported(p, span, feature);
-    if (stream_peek(p)->kind == TOKEN_LBRACE && block_begin(p, &open))
-        block_end(p, open, false);
-    return false;
-}
-
-bool check_supported(struct parser *p, const struct unsupported_word *list)
-{
-    enum keyword keyword = stream_keyword(p);
-    for (; keyword && list->keyword; list++)
-        if (list->keyword == keyword)
-            return error_unsupported(p, stream_span(p), list->feature);
-    return true;
-}
-
 bool at_body_end(struct parser *p)
 {
     enum token_kind kind = stream_peek(p)->kind;

@@ -95,22 +95,17 @@ static bool declare_semicolon(struct parser *p, const struct value *value)
 }
 
 /* What is declared gets a value in any case, so that its uses are not
- * reported too: errors leave VALUE_UNSUPPORTED behind. */
+ * reported too: errors leave VALUE_POISON behind. */
 static bool declare_value(struct parser *p, struct value *value)
 {
-    const struct unsupported *outer = p->unsupported;
     unsigned errors = p->diag->errors;
-    p->unsupported = NULL;
     p->declaring++;
     bool ok = parse_value(p, value);
     p->declaring--;
-    if (!ok || p->unsupported) {
-        *value = (struct value){ .kind = VALUE_UNSUPPORTED,
-                                 .unsupported = p->unsupported };
-        ok = p->diag->errors == errors;
-    }
-    p->unsupported = outer;
-    return ok;
+    if (ok)
+        return true;
+    *value = (struct value){ .kind = VALUE_POISON };
+    return p->diag->errors == errors;
 }
 
 /* Where the value goes: an element's place or, slot NULL, the name itself. */
@@ -152,7 +147,7 @@ static void declare_tell(struct parser *p, const struct declaration *head,
                          const struct value *value)
 {
     const struct parse_listener *listener = p->options->listener;
-    if (!listener || value->kind == VALUE_UNSUPPORTED)
+    if (!listener || value->kind == VALUE_POISON)
         return;
     bool is_colour = value->kind == VALUE_COLOUR;
     struct parse_declared declared = {
