@@ -85,7 +85,7 @@ bool parse_integer(struct parser *p, int *out)
         return error_at(p, span_join(start, p->last_span), NULL,
                         "expected a whole number, found %s",
                         NUMBER_TEXT(number));
-    *out = (int)lround(number);
+    *out = (int)number;
     return true;
 }
 
