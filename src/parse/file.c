@@ -55,11 +55,24 @@ const char *file_need(struct parser *p, struct span span, const char *what,
     return file_checked(p, span, what, name, file_locate(p, name, extension));
 }
 
+/* A name with the '"' of another string at its end. */
+static const char *file_unclosed(struct parser *p, struct span span,
+                                 const char *what, const char *name)
+{
+    int length = (int)strcspn(name, "\r\n");
+    error_at(p, span, arena_printf(p->arena, "\"%.*s\"", length, name),
+             "the name of the %s goes on in the next line; a '\"' is missing",
+             what);
+    return NULL;
+}
+
 const char *file_checked(struct parser *p, struct span span, const char *what,
                          const char *name, const char *path)
 {
     const struct permit_list *denier =
         path ? permits_denier(p->options->permits, path) : NULL;
+    if (!path && strchr(name, '\n'))
+        return file_unclosed(p, span, what, name);
     if (!path)
         error_at(p, span, file_hint(p, name), "can't find the %s '%s'", what,
                  file_shown(p, name));

@@ -74,6 +74,17 @@ static bool declare_name(struct parser *p, const struct word **name)
     return declare_name_ends(p);
 }
 
+/* The last token of the value as it was written: of a macro's value its call,
+ * not what is in the macro. */
+static struct span declare_end(const struct parser *p)
+{
+    const struct cursor *cursor = p->cursor;
+    size_t taken = cursor->index - p->peeked;
+    return cursor == p->directive && taken > 0
+               ? token_span(cursor->list, taken - 1)
+               : p->last_span;
+}
+
 /* A #declare of a number needs a ';': without it POV-Ray could not tell where
  * the expression ends. Before version 3.5 its lack was a warning. One more may
  * follow, wherever the text goes on: `#declare A = M();` with a M that ends in
@@ -89,7 +100,7 @@ static bool declare_semicolon(struct parser *p, const struct value *value)
     }
     if (!needed || (p->version_said && p->version < 3.5))
         return true;
-    return error_at(p, p->last_span, ";",
+    return error_at(p, declare_end(p), ";",
                     "a declaration of %s must end with ';'",
                     value_kind_name(value->kind));
 }
