@@ -193,6 +193,19 @@ static bool error_foreign(struct parser *p, const char *word)
     return true;
 }
 
+/* A name that is used while its own declaration goes on. */
+static void note_declaring(struct parser *p, const struct word *name)
+{
+    const struct declaring *d = p->declaring;
+    while (d && d->name != name)
+        d = d->outer;
+    if (d && d->block_count < p->block_count)
+        note_at(p, p->blocks[d->block_count],
+                "this '{' of the declaration of '%s' is not closed yet; a '}' "
+                "may be missing",
+                name->text);
+}
+
 /* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
@@ -228,6 +241,7 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     error_at(p, p->token_span, hint,
              "expected %s, found '%s', which is not declared", wanted,
              token->word->text);
+    note_declaring(p, token->word);
     return true;
 }
 

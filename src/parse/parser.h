@@ -31,6 +31,13 @@ enum {
                                         * after an error */
 };
 
+/* A #declare whose value is being read. */
+struct declaring {
+    const struct word *name;
+    unsigned block_count; /* of the blocks it stands in */
+    const struct declaring *outer;
+};
+
 struct parser {
     const struct parse_options *options;
     struct diag *diag;
@@ -65,7 +72,7 @@ struct parser {
     const struct field *field; /* whose value is being read, or NULL */
     unsigned field_nesting;    /* when its reading began */
     const char *shape;         /* whose arguments are being read, or NULL */
-    unsigned declaring;        /* #declares being read inside each other */
+    const struct declaring *declaring; /* the #declare being read, or NULL */
     struct span blamed; /* the last token of a value that was reported and
                          * taken: what follows it is not at fault */
     struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */

@@ -107,12 +107,14 @@ static bool declare_semicolon(struct parser *p, const struct value *value)
 
 /* What is declared gets a value in any case, so that its uses are not
  * reported too: errors leave VALUE_POISON behind. */
-static bool declare_value(struct parser *p, struct value *value)
+static bool declare_value(struct parser *p, const struct word *name,
+                          struct value *value)
 {
     unsigned errors = p->diag->errors;
-    p->declaring++;
+    const struct declaring now = { name, p->block_count, p->declaring };
+    p->declaring = &now;
     bool ok = parse_value(p, value);
-    p->declaring--;
+    p->declaring = now.outer;
     if (ok)
         return true;
     *value = (struct value){ .kind = VALUE_POISON };
@@ -189,7 +191,7 @@ static bool declare_read(struct parser *p, bool local)
         return false;
     }
     struct value value = { .kind = VALUE_NONE };
-    bool ok = declare_value(p, &value);
+    bool ok = declare_value(p, head.name, &value);
     if (p->failed)
         return false;
     if (head.slot) {
