@@ -23,6 +23,7 @@ struct codec_target {
     void (*take)(void *context, int y);
     void *context;
     bool has_alpha, linear;
+    bool multiplied; /* the colours, which are as in the file, are by alpha */
     double gamma;
     bool plain;
     bool numbers; /* wanted: a palette's numbers, not its colours */
@@ -31,7 +32,7 @@ struct codec_target {
     int channels, bits;
 };
 
-/* See image_read. Colours are premultiplied. */
+/* See image_read_raw. */
 typedef bool codec_decode_function(const char *path,
                                    struct codec_target *target, char *error,
                                    size_t size);

@@ -198,6 +198,7 @@ static void file_describe(struct image *image,
                           const struct codec_target *target)
 {
     image->has_alpha = target->has_alpha;
+    image->multiplied = target->multiplied;
     image->linear = target->linear;
     image->gamma = target->gamma;
     image->plain = target->plain;
@@ -207,8 +208,8 @@ static void file_describe(struct image *image,
     image->bits = target->bits;
 }
 
-static struct image *file_read(const char *path, bool numbers, char *error,
-                               size_t size)
+struct image *image_read_raw(const char *path, bool numbers, char *error,
+                             size_t size)
 {
     struct image *image = NULL;
     struct codec_target target = { .allocate = file_allocate,
@@ -225,12 +226,14 @@ static struct image *file_read(const char *path, bool numbers, char *error,
 
 struct image *image_read(const char *path, char *error, size_t size)
 {
-    return file_read(path, false, error, size);
-}
-
-struct image *image_read_numbers(const char *path, char *error, size_t size)
-{
-    return file_read(path, true, error, size);
+    struct image *image = image_read_raw(path, false, error, size);
+    if (!image || !image->has_alpha || image->multiplied)
+        return image;
+    size_t count = (size_t)image->width * (size_t)image->height;
+    for (float *p = image->pixels; count-- > 0; p += 4)
+        for (int c = 0; c < 3; c++)
+            p[c] *= p[3];
+    return image;
 }
 
 /* A picture on its way through, of which one row is there. */

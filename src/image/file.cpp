@@ -234,13 +234,6 @@ static void codec_spread(float *pixels, size_t count, int channels, int alpha)
     }
 }
 
-static void codec_premultiply(float *pixels, size_t count)
-{
-    for (size_t i = 0; i < count; i++, pixels += 4)
-        for (int c = 0; c < 3; c++)
-            pixels[c] *= pixels[3];
-}
-
 // Radiance's bytes stand for the middle of what they were rounded down from
 // (Ward, "Real Pixels"); OpenImageIO takes its lower end. The largest of three
 // has its first bit set, and tells the exponent of all.
@@ -258,13 +251,11 @@ static void codec_centre(float *pixels, size_t count)
 // What is done to pixels as they are read.
 struct codec_finish {
     int channels, alpha;
-    bool premultiply, centre;
+    bool centre;
 
     void apply(float *pixels, size_t count) const
     {
         codec_spread(pixels, count, channels, alpha);
-        if (premultiply)
-            codec_premultiply(pixels, count);
         if (centre)
             codec_centre(pixels, count);
     }
@@ -324,13 +315,14 @@ static bool codec_decode_checked(const char *path, struct codec_target *target,
         !target->linear && (std::strcmp(input->format_name(), "pnm") == 0 ||
                             std::strcmp(input->format_name(), "tiff") == 0);
     target->has_alpha = alpha >= 0;
+    target->multiplied = target->has_alpha && !straight;
     target->channels = channels;
     target->bits = int(spec.format.size()) * 8;
     float *pixels =
         target->allocate(target->context, spec.width, spec.height, error, size);
     if (!pixels)
         return false;
-    codec_finish finish = { channels, alpha, straight && alpha >= 0,
+    codec_finish finish = { channels, alpha,
                             std::strcmp(input->format_name(), "hdr") == 0 };
     if (target->take)
         return codec_stream(*input, target, finish, pixels, error, size);

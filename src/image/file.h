@@ -22,8 +22,11 @@ struct image_format {
  * reason into error[size]. 8- and 16-bit numbers become 0..1, not decoded. */
 struct image *image_read(const char *path, char *error, size_t size);
 
-/* The same, but of a PNG or GIF with a palette the numbers, not the colours. */
-struct image *image_read_numbers(const char *path, char *error, size_t size);
+/* The same with the colours as they stand in the file, premultiplied if the
+ * image's `multiplied` says so; with `numbers` those of the palette of a PNG or
+ * GIF, not its colours. */
+struct image *image_read_raw(const char *path, bool numbers, char *error,
+                             size_t size);
 
 /* Who takes the numbers of a picture without keeping it. */
 struct image_rows {
@@ -36,8 +39,8 @@ struct image_rows {
     bool any_size; /* beyond IMAGE_PIXEL_LIMIT, too */
 };
 
-/* As image_read_numbers, row by row. False with the reason, which is empty if
- * it wasn't wanted. */
+/* As image_read_raw with `numbers`, row by row. False with the reason, which is
+ * empty if it wasn't wanted. */
 bool image_read_rows(const char *path, const struct image_rows *rows,
                      char *error, size_t size);
 

@@ -11,9 +11,10 @@ enum { IMAGE_SIDE_LIMIT = 65535, IMAGE_PIXEL_LIMIT = 1 << 28 };
 struct image {
     int width, height;
     float *pixels;   /* width * height * 4, row by row from the top; alpha is
-                      * opacity, colours are premultiplied by it */
+                      * opacity, colours are premultiplied by it, but of what
+                      * is read raw and of a scene's if `multiplied` is false */
     bool has_alpha;  /* read: the file had one */
-    bool multiplied; /* a scene's: neighbours are mixed premultiplied */
+    bool multiplied; /* read: colours were premultiplied in the file */
     bool linear;     /* read: the file's numbers are linear light (EXR, HDR) */
     double gamma;    /* read: they are light to the power 1/gamma, says the
                       * file (PNG); 0: it says nothing */

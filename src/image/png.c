@@ -254,7 +254,7 @@ static bool png_begin(png_structp png, png_infop info, struct png_reader *r)
     return true;
 }
 
-/* One row of the file as premultiplied RGBA. */
+/* One row of the file as RGBA. */
 static void png_take_row(const struct png_reader *r, const unsigned char *row,
                          float *out)
 {
@@ -267,7 +267,7 @@ static void png_take_row(const struct png_reader *r, const unsigned char *row,
                         : (float)row[0] * (1.0f / 255);
         out[3] = r->target->has_alpha ? in[r->channels - 1] : 1;
         for (int c = 0; c < 3; c++)
-            out[c] = in[grey ? 0 : c] * out[3];
+            out[c] = in[grey ? 0 : c];
     }
 }
 

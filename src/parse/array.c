@@ -264,6 +264,21 @@ static bool array_add_dimension(struct parser *p, struct array *array)
     return true;
 }
 
+/* `array[3] mixed { ... }`, of a later version. */
+static bool array_is_mixed(struct parser *p)
+{
+    const struct token *token = stream_peek_infix(p);
+    if (token->kind != TOKEN_WORD || strcmp(token->word->text, "mixed") != 0)
+        return false;
+    error_at(p, p->token_span, NULL,
+             "a mixed array needs POV-Ray 3.8, and glim reads 3.7; all "
+             "elements of an array are of one kind");
+    stream_next(p);
+    if (stream_peek(p)->kind == TOKEN_LBRACE)
+        skip_brackets(p);
+    return true;
+}
+
 /* array = "array" "[" float "]" {"[" float "]"} [array_values] . */
 bool parse_array(struct parser *p, struct value *value)
 {
@@ -275,6 +290,8 @@ bool parse_array(struct parser *p, struct value *value)
     while (stream_peek_infix(p)->kind == TOKEN_LBRACKET)
         if (!array_add_dimension(p, array))
             return false;
+    if (array_is_mixed(p))
+        return false;
     array->elements = ARENA_ARRAY(p->arena, struct value, array->count);
     struct value *next = array->elements;
     *value = (struct value){ .kind = VALUE_ARRAY, .array = array };

@@ -16,16 +16,22 @@ static const char *const interior_items[] = { "fade_color", "fade_distance",
 static const char *const light_items[] = { "area_light", "looks_like",
                                            "point_at",   "shadowless",
                                            "spotlight",  NULL };
-static const char *const settings_items[] = {
-    "adc_bailout",     "ambient_light", "assumed_gamma",
-    "max_trace_level", "radiosity",     NULL
-};
+static const char *const normal_items[] = { "bump_map", "bump_size",
+                                            "normal_map", "slope_map", NULL };
+static const char *const settings_items[] = { "adc_bailout",
+                                              "ambient_light",
+                                              "assumed_gamma",
+                                              "max_trace_level",
+                                              "photons",
+                                              "radiosity",
+                                              NULL };
+static const char *const texture_items[] = { "material_map", "texture_map",
+                                             NULL };
 
 static const struct owner owners[] = {
-    { "camera", camera_items },
-    { "interior", interior_items },
-    { "light_source", light_items },
-    { "global_settings", settings_items },
+    { "camera", camera_items },      { "interior", interior_items },
+    { "light_source", light_items }, { "global_settings", settings_items },
+    { "normal", normal_items },      { "texture", texture_items },
 };
 
 static const char *owner_of(const struct word *word)

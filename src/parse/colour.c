@@ -136,30 +136,53 @@ bool parse_channels(struct parser *p, struct value *value)
     }
 }
 
+/* The value of what is no channel, `rgb 1` or `Red * 0.5`. */
+static bool parse_colour_value(struct parser *p, struct value *value)
+{
+    struct span start = stream_span(p);
+    bool ok = colour_model(stream_keyword(p))
+                  ? parse_model(p, value)
+                  : parse_operation(p, PRECEDENCE_SUM, "a colour", value);
+    if (!ok || value_is_poison(value))
+        return false;
+    return value_size(value) ||
+           error_at(p, span_join(start, p->last_span), NULL,
+                    "expected a colour, found %s", value_describe(value));
+}
+
+/* After its value come its channels. */
+static bool colour_end(struct parser *p, struct value *value, colour *out)
+{
+    value_promote(value, 5);
+    if (!parse_channels(p, value))
+        return false;
+    const double *n = value->number;
+    *out = (colour){ n[0], n[1], n[2], n[3], n[4] };
+    return true;
+}
+
 /* colour = ["color" | "colour"] [[model] operation] channels . */
 bool parse_colour(struct parser *p, colour *out)
 {
-    struct span start = stream_span(p);
     accept_keyword(p, KEYWORD_COLOUR);
-    enum keyword keyword = stream_keyword(p);
     struct value value = { .kind = VALUE_COLOUR };
-    if (channel_index(keyword) < 0) {
-        bool ok = colour_model(keyword)
-                      ? parse_model(p, &value)
-                      : parse_operation(p, PRECEDENCE_SUM, "a colour", &value);
-        if (!ok || value_is_poison(&value))
-            return false;
-        if (!value_size(&value))
-            return error_at(p, span_join(start, p->last_span), NULL,
-                            "expected a colour, found %s",
-                            value_describe(&value));
-        value_promote(&value, 5);
-    }
-    if (!parse_channels(p, &value))
+    if (channel_index(stream_keyword(p)) < 0 && !parse_colour_value(p, &value))
         return false;
-    const double *n = value.number;
-    *out = (colour){ n[0], n[1], n[2], n[3], n[4] };
-    return true;
+    return colour_end(p, &value, out);
+}
+
+bool parse_colour_or_number(struct parser *p, colour *out, double *number,
+                            bool *is_number)
+{
+    struct value value;
+    *is_number = false;
+    if (at_colour(p))
+        return parse_colour(p, out);
+    if (!parse_colour_value(p, &value))
+        return false;
+    *is_number = value.kind == VALUE_FLOAT;
+    *number = value.number[0];
+    return *is_number || colour_end(p, &value, out);
 }
 
 bool at_colour(struct parser *p)
@@ -171,7 +194,7 @@ bool at_colour(struct parser *p)
         return colour_begins(token->word->keyword);
     const struct value *value = symbol_find(p, token->word);
     if (value && value->kind == VALUE_ARRAY)
-        return array_kind(value->array) == VALUE_COLOUR;
+        value = array_sample(value->array);
     return value && (value->kind == VALUE_COLOUR ||
                      (value->kind == VALUE_VECTOR && value->size > 3));
 }

@@ -32,21 +32,23 @@ static bool map_push(struct parser *p, struct map_builder *builder,
 /* colour_map_entry = "[" float [","] ( colour | float [","] colour [","] colour
  * )
  *                    "]" .
- * The second form is that of old scenes: from one value to another. */
+ * The second form is that of old scenes: from one value to another. A colour
+ * may begin as that number does: 0.5 * Red. */
 static bool parse_colour_map_entry(struct parser *p,
                                    struct map_builder *builder)
 {
     struct blend_entry entry = { .pigment = NULL };
     struct span open;
     double end;
+    bool old;
     if (!bracket_begin(p, &open) || !parse_float(p, &entry.value))
         return false;
     accept(p, TOKEN_COMMA);
-    bool old = at_number(p);
-    if (old && !parse_float(p, &end))
+    if (!parse_colour_or_number(p, &entry.colour, &end, &old))
         return false;
     accept(p, TOKEN_COMMA);
-    if (!parse_colour(p, &entry.colour) || !map_push(p, builder, entry))
+    if ((old && !parse_colour(p, &entry.colour)) ||
+        !map_push(p, builder, entry))
         return false;
     accept(p, TOKEN_COMMA);
     if (old) {

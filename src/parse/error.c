@@ -8,7 +8,6 @@
 #include "parse/mistaken.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
-#include "parse/unsupported.h"
 #include "scene/pattern.h"
 
 enum { ERROR_TRACE_LIMIT = 8 }; /* most notes of one trace */
@@ -194,6 +193,19 @@ static bool error_foreign(struct parser *p, const char *word)
     return true;
 }
 
+/* A name that is used while its own declaration goes on. */
+static void note_declaring(struct parser *p, const struct word *name)
+{
+    const struct declaring *d = p->declaring;
+    while (d && d->name != name)
+        d = d->outer;
+    if (d && d->block_count < p->block_count)
+        note_at(p, p->blocks[d->block_count],
+                "this '{' of the declaration of '%s' is not closed yet; a '}' "
+                "may be missing",
+                name->text);
+}
+
 /* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
@@ -229,6 +241,7 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     error_at(p, p->token_span, hint,
              "expected %s, found '%s', which is not declared", wanted,
              token->word->text);
+    note_declaring(p, token->word);
     return true;
 }
 
@@ -320,7 +333,7 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
     stream_peek(p);
     p->silent = true;
     wanted = wanted_field(p, wanted, 1);
-    if (error_follows(p) || unsupported_use(p) || error_is_silent(p) ||
+    if (error_follows(p) || at_poison(p) || error_is_silent(p) ||
         error_undeclared(p, wanted, hint))
         return false;
     const char *kind = error_kind(p);
@@ -486,7 +499,7 @@ bool error_unknown_item(struct parser *p, const char *block,
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_END)
         return error_file_ends(p, block);
-    if (error_follows(p) || unsupported_use(p) || mistaken_statement(p) ||
+    if (error_follows(p) || at_poison(p) || mistaken_statement(p) ||
         error_is_silent(p))
         return false;
     if (token->kind != TOKEN_WORD)

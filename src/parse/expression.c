@@ -10,7 +10,7 @@
 #include "parse/spline.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
-#include "parse/unsupported.h"
+#include "scene/function.h"
 #include "parse/user_function.h"
 
 enum { VECTOR_LIMIT = 5 }; /* components */
@@ -85,30 +85,8 @@ bool parse_integer(struct parser *p, int *out)
         return error_at(p, span_join(start, p->last_span), NULL,
                         "expected a whole number, found %s",
                         NUMBER_TEXT(number));
-    *out = (int)lround(number);
+    *out = (int)number;
     return true;
-}
-
-/* Whether a number follows, rather than the next item of a block. */
-static bool at_number(struct parser *p)
-{
-    const struct token *token = stream_peek(p);
-    switch (token->kind) {
-    case TOKEN_NUMBER:
-    case TOKEN_LPAREN:
-    case TOKEN_PLUS:
-    case TOKEN_MINUS:
-    case TOKEN_NOT:
-        return true;
-    case TOKEN_WORD:
-        break;
-    default:
-        return false;
-    }
-    if (token->word->reserved)
-        return constant_is_number(p, token->word->keyword);
-    const struct value *value = symbol_find(p, token->word);
-    return value && value->kind == VALUE_FLOAT;
 }
 
 /* Whether the next token is on, off ... mistyped, rather than an item of the
@@ -318,15 +296,13 @@ static bool thing_element(struct parser *p, const struct word *word,
     if (!array_element(p, value->array, &slot))
         return false;
     *value = *slot;
-    if (slot->kind == VALUE_UNSUPPORTED)
-        unsupported_report(p, at, word, slot->unsupported);
-    else if (slot->kind == VALUE_NONE)
+    if (slot->kind == VALUE_NONE)
         error_at(p, span_join(at, p->last_span), NULL,
                  "this element of '%s' was never set", word->text);
     if (slot->kind == VALUE_ARRAY)
         return array_copy(p, span_join(at, p->last_span), slot->array,
                           &value->array);
-    return slot->kind != VALUE_UNSUPPORTED && slot->kind != VALUE_NONE;
+    return slot->kind != VALUE_POISON && slot->kind != VALUE_NONE;
 }
 
 /* The name of a whole array, of a function, of a texture ...
@@ -383,24 +359,85 @@ bool parse_expression(struct parser *p, struct value *value)
     return value->kind != VALUE_COLOUR || parse_channels(p, value);
 }
 
+/* ---- what follows, told without reading it ---- */
+
+/* What a declared name, subscribed or called if it can be, gives. */
+static enum value_kind name_gives(struct parser *p, const struct word *word)
+{
+    const struct value *value = symbol_find(p, word);
+    if (!value)
+        return VALUE_NONE;
+    switch (value->kind) {
+    case VALUE_ARRAY:
+        return array_kind(value->array);
+    case VALUE_FUNCTION:
+        return value->function->values ? VALUE_VECTOR : VALUE_FLOAT;
+    case VALUE_SPLINE:
+        return VALUE_VECTOR;
+    default:
+        return value->kind;
+    }
+}
+
+/* What the word that is peeked gives; VALUE_NONE: it begins no expression. */
+static enum value_kind word_gives(struct parser *p, const struct word *word)
+{
+    if (!word->reserved)
+        return name_gives(p, word);
+    if (constant_is(p, word->keyword))
+        return constant_is_number(p, word->keyword) ? VALUE_FLOAT
+                                                    : VALUE_VECTOR;
+    if (colour_begins(word->keyword))
+        return VALUE_COLOUR;
+    return function_gives(word->keyword);
+}
+
+/* Whether a '.' follows the name that is peeked, its subscripts and its
+ * arguments. */
+static bool at_component(struct parser *p)
+{
+    size_t left, at = 0;
+    unsigned depth = 0;
+    const struct token *tokens = stream_raw(p, &left);
+    for (; at < left; at++) {
+        enum token_kind kind = tokens[at].kind;
+        if (kind == TOKEN_LPAREN || kind == TOKEN_LBRACKET)
+            depth++;
+        else if (depth == 0)
+            break;
+        else if (kind == TOKEN_RPAREN || kind == TOKEN_RBRACKET)
+            depth--;
+    }
+    return at < left && tokens[at].kind == TOKEN_DOT;
+}
+
+bool at_number(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    switch (token->kind) {
+    case TOKEN_NUMBER:
+    case TOKEN_LPAREN:
+    case TOKEN_PLUS:
+    case TOKEN_MINUS:
+    case TOKEN_NOT:
+        return true;
+    case TOKEN_WORD:
+        break;
+    default:
+        return false;
+    }
+    enum value_kind kind = word_gives(p, token->word);
+    return kind == VALUE_FLOAT ||
+           ((kind == VALUE_VECTOR || kind == VALUE_COLOUR) && at_component(p));
+}
+
 bool at_expression(struct parser *p)
 {
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_LESS || token->kind == TOKEN_STRING ||
         at_number(p))
         return true;
-    if (token->kind != TOKEN_WORD)
-        return false;
-    if (token->word->reserved)
-        return constant_is(p, token->word->keyword) ||
-               colour_begins(token->word->keyword) ||
-               function_is(token->word->keyword);
-    const struct value *value = symbol_find(p, token->word);
-    if (!value)
-        return false;
     enum value_kind kind =
-        value->kind == VALUE_ARRAY ? array_kind(value->array) : value->kind;
-    return kind == VALUE_VECTOR || kind == VALUE_COLOUR ||
-           kind == VALUE_FLOAT || kind == VALUE_STRING ||
-           kind == VALUE_FUNCTION || kind == VALUE_SPLINE;
+        token->kind == TOKEN_WORD ? word_gives(p, token->word) : VALUE_NONE;
+    return kind == VALUE_VECTOR || kind == VALUE_COLOUR || kind == VALUE_STRING;
 }

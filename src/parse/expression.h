@@ -1,7 +1,7 @@
 /* What the files of the expression half of the parser share.
  *
  * Two kinds of failure: a rule that can't go on reading returns false, as
- * everywhere; a value that can't be computed (an unsupported function, the
+ * everywhere; a value that can't be computed (a function of nothing, the
  * root of -1) is reported and becomes *poison*, which every operator passes
  * on, so that the rest of the expression is read and nothing is said twice.
  * No public function gives poison away: they return false instead. */
@@ -12,12 +12,12 @@
 
 static inline struct value value_poison(void)
 {
-    return (struct value){ .kind = VALUE_UNSUPPORTED };
+    return (struct value){ .kind = VALUE_POISON };
 }
 
 static inline bool value_is_poison(const struct value *value)
 {
-    return value->kind == VALUE_UNSUPPORTED;
+    return value->kind == VALUE_POISON;
 }
 
 static inline struct value value_float(double number)

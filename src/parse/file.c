@@ -55,11 +55,27 @@ const char *file_need(struct parser *p, struct span span, const char *what,
     return file_checked(p, span, what, name, file_locate(p, name, extension));
 }
 
+/* A name in the span that has the '"' of another string at its end; reports. */
+static bool file_unclosed(struct parser *p, struct span span, const char *what)
+{
+    const char *quote =
+        memchr(span.source->text + span.offset, '"', span.length);
+    size_t length = quote ? 1 + strcspn(quote + 1, "\"\r\n") : 0;
+    if (!length || (quote[length] != '\n' && quote[length] != '\r'))
+        return false;
+    error_at(p, span, arena_printf(p->arena, "%.*s\"", (int)length, quote),
+             "the name of the %s goes on in the next line; a '\"' is missing",
+             what);
+    return true;
+}
+
 const char *file_checked(struct parser *p, struct span span, const char *what,
                          const char *name, const char *path)
 {
     const struct permit_list *denier =
         path ? permits_denier(p->options->permits, path) : NULL;
+    if (!path && file_unclosed(p, span, what))
+        return NULL;
     if (!path)
         error_at(p, span, file_hint(p, name), "can't find the %s '%s'", what,
                  file_shown(p, name));

@@ -84,6 +84,32 @@ bool function_is(enum keyword keyword)
            keyword == KEYWORD_PROD;
 }
 
+enum value_kind function_gives(enum keyword keyword)
+{
+    switch (keyword) {
+    case KEYWORD_CHR:
+    case KEYWORD_CONCAT:
+    case KEYWORD_DATETIME:
+    case KEYWORD_STR:
+    case KEYWORD_STRLWR:
+    case KEYWORD_STRUPR:
+    case KEYWORD_SUBSTR:
+    case KEYWORD_VSTR:
+        return VALUE_STRING;
+    case KEYWORD_MAX_EXTENT:
+    case KEYWORD_MIN_EXTENT:
+    case KEYWORD_TRACE:
+    case KEYWORD_VAXIS_ROTATE:
+    case KEYWORD_VCROSS:
+    case KEYWORD_VNORMALIZE:
+    case KEYWORD_VROTATE:
+    case KEYWORD_VTURBULENCE:
+        return VALUE_VECTOR;
+    default:
+        return function_is(keyword) ? VALUE_FLOAT : VALUE_NONE;
+    }
+}
+
 void call_error(struct parser *p, const struct call *call, struct value *result,
                 const char *hint, const char *format, ...)
 {

@@ -39,6 +39,9 @@ const struct function_row *function_find(enum keyword keyword);
 /* Whether the word is the name of a function, supported or not. */
 bool function_is(enum keyword keyword);
 
+/* What it gives: a float, vector or string; VALUE_NONE: it is no function. */
+enum value_kind function_gives(enum keyword keyword);
+
 /* Reads a call, the function's name being next; may give poison. */
 bool parse_call(struct parser *p, struct value *value);
 

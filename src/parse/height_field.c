@@ -29,16 +29,16 @@ static double height_cut(double number)
 /* A grey byte is rounded down as the sum of its shares of red, green and blue
  * is in single precision, but neither are 16 bits nor bytes with alpha; colours
  * of 8 bits are two bytes, red and green, those of 16 as bright; a palette has
- * its entries' numbers. EXR and HDR files are as written, premultiplied or not;
- * red and green again, not rounded, and what is above two bytes is left out. */
+ * its entries' numbers. All are as written, premultiplied or not. EXR and HDR
+ * files have red and green again, not rounded, and what is above two bytes is
+ * left out. */
 static double height_of(const struct image *image, const float *pixel)
 {
     if (image->indexed)
         return height_number(pixel[0], 255) * 256;
     if (image->linear)
         return height_cut((double)pixel[0] * 65280 + (double)pixel[1] * 255);
-    float alpha = pixel[3] > 0 ? pixel[3] : 1;
-    float v = pixel[0] / alpha;
+    float v = pixel[0];
     if (image->channels < 3 && image->bits > 8)
         return height_number(v, 65535);
     if (image->channels == 2)
@@ -48,13 +48,11 @@ static double height_of(const struct image *image, const float *pixel)
         return trunc((double)(grey * 255.0F)) * 257;
     }
     if (image->bits > 8) {
-        double grey = grey_of((double)v, (double)(pixel[1] / alpha),
-                              (double)(pixel[2] / alpha));
+        double grey = grey_of((double)v, (double)pixel[1], (double)pixel[2]);
         return trunc(grey * 65535);
     }
     double red = height_number(v, 255);
-    double green = height_number(pixel[1] / alpha, 255);
-    return red * 256 + green;
+    return red * 256 + height_number(pixel[1], 255);
 }
 
 /* Makes room for the heights, if all that will be known of them has. */

@@ -48,7 +48,7 @@ static void picture_pixel(const struct function *function, vec3 point,
             picture_number(function_evaluate(function, arguments, steps_left));
     double alpha = fmin(fmax(1 - c[4], 0), 1);
     for (int i = 0; i < 3; i++)
-        pixel[i] = isfinite(c[i]) ? (float)(c[i] * alpha) : 0;
+        pixel[i] = isfinite(c[i]) ? (float)c[i] : 0;
     pixel[3] = (float)alpha;
 }
 

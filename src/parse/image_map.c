@@ -57,14 +57,12 @@ const struct field bump_fields[] = {
 /* How a file's numbers become the scene's (measured; tests/povray.md, section
  * 5.9). */
 struct image_decoding {
-    bool plain;         /* not at all */
-    bool index;         /* they count a palette's entries */
-    bool keep;          /* taken for premultiplied: so they were written */
-    bool raw;           /* taken as written, in a file that is premultiplied */
-    bool premultiplied; /* the file is, and they are not raw */
-    bool linear;        /* they are light */
-    double gamma;       /* light is their power; 0: sRGB */
-    double working;     /* the scene counts light^(1/working); 0: in sRGB */
+    bool plain;      /* not at all */
+    bool index;      /* they count a palette's entries */
+    bool multiplied; /* light times alpha: in a file that is so */
+    bool linear;     /* they are light */
+    double gamma;    /* light is their power; 0: sRGB */
+    double working;  /* the scene counts light^(1/working); 0: in sRGB */
 };
 
 /* Whether the file's numbers are the scene's as they are: before version 3.7
@@ -76,21 +74,24 @@ static bool image_is_plain(const struct parser *p, const struct image *image)
     return settings_gamma(p) == GAMMA_NONE || image->plain || (old && untold);
 }
 
+/* Whether its numbers are no light. */
+static bool image_is_numbers(const struct image_request *request)
+{
+    return request->bump_size || request->pattern;
+}
+
 static struct image_decoding image_decoding(const struct parser *p,
                                             const struct image *image,
                                             const struct image_request *request)
 {
     double said = request->gamma;
     enum gamma_kind space = settings_gamma(p);
-    bool numbers = request->bump_size || request->pattern;
-    bool multiplied = image->linear; /* EXR */
-    enum image_multiplied taken = request->multiplied;
+    bool numbers = image_is_numbers(request);
     return (struct image_decoding){
         .index = image->indexed,
         .plain = numbers || (said < 0 && image_is_plain(p, image)),
-        .keep = taken == MULTIPLIED && !multiplied && !numbers,
-        .raw = (taken == NOT_MULTIPLIED || numbers) && multiplied,
-        .premultiplied = taken != NOT_MULTIPLIED && !numbers && multiplied,
+        .multiplied = image->multiplied && !numbers &&
+                      request->multiplied != NOT_MULTIPLIED,
         .linear = image->linear,
         .gamma = said >= 0 ? said : image->gamma,
         .working = space == GAMMA_SRGB ? 0 : p->scene->settings.assumed_gamma,
@@ -118,13 +119,13 @@ static void image_convert(const struct image_decoding *how, struct image *image)
     size_t count = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < count; i++) {
         float *pixel = image->pixels + 4 * i;
-        float alpha = pixel[3] > 0 ? pixel[3] : 1;
+        float alpha = how->multiplied && pixel[3] > 0 ? pixel[3] : 1;
         for (int k = 0; k < 3; k++) {
-            float value = how->raw ? pixel[k] : pixel[k] / alpha;
+            float value = pixel[k] / alpha;
             if (value != last)
                 decoded = (float)image_decode(how, (double)value);
             last = value;
-            pixel[k] = how->keep ? decoded : decoded * alpha;
+            pixel[k] = decoded * alpha;
         }
     }
 }
@@ -149,8 +150,7 @@ static struct image *image_load(struct parser *p, const char *path,
 {
     char problem[256] = "";
     struct image *image =
-        request->numbers ? image_read_numbers(path, problem, sizeof problem)
-                         : image_read(path, problem, sizeof problem);
+        image_read_raw(path, request->numbers, problem, sizeof problem);
     if (!image) {
         error_at(p, request->span, NULL, "can't read the image '%s': %s", path,
                  problem);
@@ -166,8 +166,11 @@ static struct image *image_load(struct parser *p, const char *path,
         return NULL;
     }
     struct image_decoding how = image_decoding(p, kept, request);
-    kept->multiplied = kept->has_alpha && (how.keep || how.premultiplied);
     image_convert(&how, kept);
+    /* What is said to be premultiplied, if the file is not, is taken for it
+     * once its numbers are light. */
+    bool said = request->multiplied == MULTIPLIED && kept->has_alpha;
+    kept->multiplied = how.multiplied || (said && !image_is_numbers(request));
     return kept;
 }
 
@@ -180,7 +183,7 @@ static struct image *image_find(struct parser *p, const char *path,
         if (strcmp(c->path, path) == 0 && c->space == space &&
             c->assumed_gamma == assumed && c->file_gamma == request->gamma &&
             c->multiplied == request->multiplied &&
-            c->bumps == (request->bump_size || request->pattern) &&
+            c->bumps == image_is_numbers(request) &&
             c->numbers == request->numbers)
             return c->image;
     struct image *image = image_load(p, path, request);
@@ -194,7 +197,7 @@ static struct image *image_find(struct parser *p, const char *path,
         .assumed_gamma = assumed,
         .file_gamma = request->gamma,
         .multiplied = request->multiplied,
-        .bumps = request->bump_size || request->pattern,
+        .bumps = image_is_numbers(request),
         .numbers = request->numbers,
         .image = image,
     };
@@ -394,9 +397,7 @@ static bool parse_bump_item(struct parser *p, struct image_request *request)
 /* pattern_item_of_image = "use_colour" | "use_alpha" . */
 static bool parse_pattern_item_of_image(struct parser *p, struct image_map *map)
 {
-    map->alpha = stream_next(p).word->keyword == KEYWORD_USE_ALPHA
-                     ? ALPHA_ALWAYS
-                     : ALPHA_NEVER;
+    map->use_alpha = stream_next(p).word->keyword == KEYWORD_USE_ALPHA;
     return true;
 }
 

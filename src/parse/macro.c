@@ -38,6 +38,11 @@ static bool macro_parameters(struct parser *p, struct macro *macro)
     while (tokens[cursor->index].kind == TOKEN_WORD) {
         const struct word *name = tokens[cursor->index].word;
         struct span span = token_span(cursor->list, cursor->index);
+        bool pair = tokens[cursor->index + 1].kind == TOKEN_WORD;
+        if (pair && strcmp(name->text, "optional") == 0)
+            return error_at(p, span, NULL,
+                            "an optional parameter needs POV-Ray 3.8, and "
+                            "glim reads 3.7; calls give all of them");
         if (name->reserved)
             return error_at(p, span, NULL,
                             "'%s' is a reserved word; name the parameter "

@@ -15,27 +15,6 @@ struct mesh2 {
     size_t plain_next;
 };
 
-/* "< number, number, number >" as it is in the text, the '<' being next. */
-static bool list_plain_vector(struct parser *p, double *v)
-{
-    size_t left, at = 0;
-    if (stream_peek(p)->kind != TOKEN_LESS)
-        return false;
-    const struct token *raw = stream_raw(p, &left);
-    for (int i = 0; i < 3; i++) {
-        bool minus = at < left && raw[at].kind == TOKEN_MINUS;
-        at += minus;
-        if (at + 1 >= left || raw[at].kind != TOKEN_NUMBER)
-            return false;
-        v[i] = minus ? -raw[at].number : raw[at].number;
-        if (raw[at + 1].kind != (i < 2 ? TOKEN_COMMA : TOKEN_GREATER))
-            return false;
-        at += 2;
-    }
-    stream_skip_raw(p, at);
-    return true;
-}
-
 static bool plain_count(struct parser *p, const struct number_list *list,
                         size_t *count)
 {
@@ -92,8 +71,7 @@ static bool list_vector(struct parser *p, struct mesh2 *m, double *v, int size)
         memcpy(v, m->plain->vectors[m->plain_next++], 3 * sizeof *v);
         return true;
     }
-    if (!(size == 3 && list_plain_vector(p, v)) &&
-        !parse_components(p, v, size))
+    if (!parse_components(p, v, size))
         return false;
     accept(p, TOKEN_COMMA);
     return true;

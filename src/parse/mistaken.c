@@ -28,6 +28,9 @@ static const struct synonym synonyms[] = {
     { "light", NULL, "light_source" },
     { "lamp", NULL, "light_source" },
     { "point_light", NULL, "light_source" },
+    { "spot", "light_source", "spotlight" },
+    { "spot_light", "light_source", "spotlight" },
+    { "directional", "light_source", "parallel" },
     { "pointlight", NULL, "light_source" },
     { "intensity", NULL, "rgb 2" },
     { "brightness", "light_source", "rgb 2" },
@@ -288,7 +291,7 @@ void mistaken_define(struct parser *p, struct span at)
     struct cursor *cursor = p->cursor;
     const struct token *token = &cursor->list->tokens[cursor->index];
     if (token->kind == TOKEN_WORD && !token->word->reserved)
-        symbol_set(p, token->word, (struct value){ .kind = VALUE_UNSUPPORTED },
+        symbol_set(p, token->word, (struct value){ .kind = VALUE_POISON },
                    false);
     size_t end = mistaken_line_end(at.source, at.offset);
     while (cursor->index < cursor->end &&

@@ -8,7 +8,6 @@
 #include "parse/spline.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
-#include "parse/unsupported.h"
 #include "parse/user_function.h"
 
 enum { VECTOR_LIMIT = 5 }; /* components */
@@ -261,15 +260,13 @@ static bool operand_element(struct parser *p, const char *wanted,
                  word->text);
         *value = value_poison();
     }
-    if (slot->kind == VALUE_UNSUPPORTED)
-        unsupported_report(p, start, word, slot->unsupported);
     if (slot->kind == VALUE_SPLINE &&
         stream_peek_infix(p)->kind == TOKEN_LPAREN)
         return spline_call(p, slot->spline, word, value);
     if (slot->kind == VALUE_FUNCTION &&
         stream_peek_infix(p)->kind == TOKEN_LPAREN)
         return function_call(p, slot->function, word, value);
-    if (slot->kind == VALUE_NONE || slot->kind == VALUE_UNSUPPORTED ||
+    if (slot->kind == VALUE_NONE || slot->kind == VALUE_POISON ||
         value_size(value) || slot->kind == VALUE_STRING ||
         slot->kind == VALUE_SPLINE)
         return true;
@@ -289,8 +286,7 @@ static bool parse_identifier(struct parser *p, const char *wanted,
     }
     value_copy(value, &symbol->value);
     switch (value->kind) {
-    case VALUE_UNSUPPORTED:
-        unsupported_use(p);
+    case VALUE_POISON:
         return operand_skip_identifier(p, value);
     case VALUE_FLOAT:
     case VALUE_VECTOR:

@@ -31,6 +31,13 @@ enum {
                                         * after an error */
 };
 
+/* A #declare whose value is being read. */
+struct declaring {
+    const struct word *name;
+    unsigned block_count; /* of the blocks it stands in */
+    const struct declaring *outer;
+};
+
 struct parser {
     const struct parse_options *options;
     struct diag *diag;
@@ -65,8 +72,7 @@ struct parser {
     const struct field *field; /* whose value is being read, or NULL */
     unsigned field_nesting;    /* when its reading began */
     const char *shape;         /* whose arguments are being read, or NULL */
-    unsigned declaring;        /* #declares being read inside each other */
-    const struct unsupported *unsupported; /* met inside a #declare */
+    const struct declaring *declaring; /* the #declare being read, or NULL */
     struct span blamed; /* the last token of a value that was reported and
                          * taken: what follows it is not at fault */
     struct span reported[DIAG_ERROR_LIMIT]; /* places of errors: once each */
@@ -156,10 +162,6 @@ bool error_expected_hint(struct parser *p, const char *wanted,
  * block is taken. */
 bool error_unopened(struct parser *p);
 
-/* A POV-Ray feature glim does not have: "'photons' is not supported". Inside
- * a #declare the error is kept and reported where the identifier is used. */
-bool error_unsupported(struct parser *p, struct span span, const char *feature);
-
 /* An unknown word in a block: "unknown item 'pigmnt' in 'sphere'", the hint
  * being the nearest of the reserved words or of `fields`. */
 bool error_unknown_item(struct parser *p, const char *block,
@@ -215,8 +217,13 @@ bool parse_components(struct parser *p, double *out, int size);
  * `bare_vector` false a vector needs rgb, rgbf, color ... before it. */
 bool parse_colour(struct parser *p, colour *out);
 bool parse_string(struct parser *p, const char **out);
-/* Whether the next token can begin an expression / a colour. */
+/* Reads a colour, or a number alone: *is_number. */
+bool parse_colour_or_number(struct parser *p, colour *out, double *number,
+                            bool *is_number);
+/* Whether the next token can begin an expression / one that is a number, as
+ * far as can be told without reading it / a colour. */
 bool at_expression(struct parser *p);
+bool at_number(struct parser *p);
 bool at_colour(struct parser *p);
 
 /* ---- args.c: values by field table ---- */
@@ -227,9 +234,11 @@ bool parse_field(struct parser *p, const struct field *field, void *base);
 
 /* ---- symbol.c ---- */
 
-/* The value of an identifier, or NULL; unsupported ones are reported by
- * symbol_take. */
+/* The value of an identifier, or NULL. */
 const struct value *symbol_find(struct parser *p, const struct word *word);
+/* Whether the next token is an identifier whose declaration had an error, of
+ * which no more is said. */
+bool at_poison(struct parser *p);
 void symbol_set(struct parser *p, const struct word *word, struct value value,
                 bool local);
 

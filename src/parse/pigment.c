@@ -9,13 +9,6 @@ enum {
     PIGMENT_PARTS_LIMIT = 10000, /* all are asked whether they are opaque */
 };
 
-static const struct unsupported_word pigment_unsupported[] = {
-    { KEYWORD_NORMAL_MAP, "'normal_map'" },
-    { KEYWORD_SLOPE_MAP, "'slope_map'" },
-    { KEYWORD_TEXTURE_MAP, "'texture_map'" },
-    { KEYWORD_NONE, NULL },
-};
-
 static const struct field pigment_names[] = {
     { .name = "colour_map" }, { .name = "pigment_map" },
     { .name = "turbulence" }, { .name = "octaves" },
@@ -172,9 +165,7 @@ enum taken parse_pigment_item(struct parser *p, struct pigment *pigment)
         pigment->has_quick_colour = true;
         return parse_colour(p, &pigment->quick_colour);
     default:
-        return check_supported(p, pigment_unsupported)
-                   ? parse_pattern_item(p, &pigment->pattern)
-                   : WRONG;
+        return parse_pattern_item(p, &pigment->pattern);
     }
 }
 
@@ -196,8 +187,7 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
     bool settled = value && pigment->pattern.uv && !mapped;
     const affine place = pigment->pattern.inverse;
     pigment->pattern.uv |= mapped;
-    if (!check_supported(p, pigment_unsupported) ||
-        !parse_pigment_start(p, pigment))
+    if (!parse_pigment_start(p, pigment))
         return false;
     while (!at_body_end(p)) {
         enum taken taken = parse_pigment_item(p, pigment);

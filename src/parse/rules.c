@@ -33,17 +33,6 @@ bool at_any_colour(struct parser *p)
     return at_colour(p) || at_expression(p);
 }
 
-bool at_number(struct parser *p)
-{
-    const struct token *token = stream_peek(p);
-    const struct value *value = NULL;
-    if (token->kind == TOKEN_WORD && !token->word->reserved)
-        value = symbol_find(p, token->word);
-    return token->kind == TOKEN_NUMBER || token->kind == TOKEN_MINUS ||
-           token->kind == TOKEN_PLUS || token->kind == TOKEN_LPAREN ||
-           (value && value->kind == VALUE_FLOAT);
-}
-
 bool bracket_begin(struct parser *p, struct span *open)
 {
     *open = stream_span(p);
@@ -80,25 +69,6 @@ bool error_unknown_thing(struct parser *p, const char *block,
         next->kind == TOKEN_RBRACE)
         return error_expected(p, thing);
     return error_unknown_item(p, block, names);
-}
-
-bool skip_unsupported(struct parser *p, const char *feature)
-{
-    struct span span = stream_span(p), open;
-    stream_next(p);
-    error_unsupported(p, span, feature);
-    if (stream_peek(p)->kind == TOKEN_LBRACE && block_begin(p, &open))
-        block_end(p, open, false);
-    return false;
-}
-
-bool check_supported(struct parser *p, const struct unsupported_word *list)
-{
-    enum keyword keyword = stream_keyword(p);
-    for (; keyword && list->keyword; list++)
-        if (list->keyword == keyword)
-            return error_unsupported(p, stream_span(p), list->feature);
-    return true;
 }
 
 bool at_body_end(struct parser *p)

@@ -23,8 +23,6 @@ const struct field *accept_field(struct parser *p, const struct field *table);
 
 /* Whether the next token begins a colour, keyword or bare vector or number. */
 bool at_any_colour(struct parser *p);
-/* Whether it begins a number and not a colour. */
-bool at_number(struct parser *p);
 
 /* '[' around an entry of a map. */
 bool bracket_begin(struct parser *p, struct span *open);
@@ -39,23 +37,10 @@ bool at_body_end(struct parser *p);
 /* The inside of a block whose settings change nothing, up to its '}'. */
 bool skip_block(struct parser *p);
 
-/* One word of a list, and what is said about it. */
-struct unsupported_word {
-    enum keyword keyword;
-    const char *feature; /* "media": as in "glim does not support media yet" */
-};
-
 /* error_unknown_item, but "expected THING, found 'T', which is not declared"
  * for a word alone in its block, which must be meant as an identifier. */
 bool error_unknown_thing(struct parser *p, const char *block,
                          const struct field *names, const char *thing);
-
-/* Reports the next word as unsupported and takes it with its block. */
-bool skip_unsupported(struct parser *p, const char *feature);
-
-/* Reports the next token if it is in the list, which ends with KEYWORD_NONE;
- * false when it was. */
-bool check_supported(struct parser *p, const struct unsupported_word *list);
 
 /* ---- texture.c and the files of its parts ----
  *

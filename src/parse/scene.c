@@ -3,25 +3,6 @@
 #include "parse/mistaken.h"
 #include "parse/rules.h"
 
-static const struct unsupported_word scene_unsupported[] = {
-    { KEYWORD_PHOTONS, "'photons'" },
-    { KEYWORD_RADIOSITY, "'radiosity'" },
-    { KEYWORD_NONE, NULL },
-};
-
-static const struct unsupported_word thing_unsupported[] = {
-    { KEYWORD_WARP, "'warp'" },
-    { KEYWORD_NONE, NULL },
-};
-
-static const char *unsupported_name(const struct unsupported_word *list,
-                                    enum keyword keyword)
-{
-    while (list->keyword && list->keyword != keyword)
-        list++;
-    return keyword ? list->feature : NULL;
-}
-
 /* ---- what can be declared ---- */
 
 /* The next layer of a declared texture. Directives must not run before the
@@ -111,9 +92,6 @@ static bool thing_light_group(struct parser *p, struct value *value)
 enum taken parse_thing(struct parser *p, struct value *value)
 {
     enum keyword keyword = stream_keyword(p);
-    const char *unsupported = unsupported_name(thing_unsupported, keyword);
-    if (unsupported)
-        return skip_unsupported(p, unsupported);
     switch (keyword) {
     case KEYWORD_TEXTURE:
         return thing_texture(p, value);
@@ -315,10 +293,6 @@ static bool scene_setting(struct parser *p)
 static bool scene_unknown(struct parser *p)
 {
     struct span open;
-    const char *unsupported =
-        unsupported_name(scene_unsupported, stream_keyword(p));
-    if (unsupported)
-        return skip_unsupported(p, unsupported);
     if (mistaken_statement(p))
         return true; /* and read on right behind it */
     if (at_word(p, "max_trace_level") || at_word(p, "max_intersections"))

@@ -5,7 +5,6 @@
 #include "base/text.h"
 #include "parse/array.h"
 #include "parse/stream.h"
-#include "parse/unsupported.h"
 
 struct scope {
     struct scope *parent;
@@ -89,6 +88,17 @@ const struct value *symbol_find(struct parser *p, const struct word *word)
 {
     struct symbol *symbol = symbol_lookup(p, word);
     return symbol && symbol->value.kind != VALUE_NONE ? &symbol->value : NULL;
+}
+
+bool at_poison(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved)
+        return false;
+    const struct value *value = symbol_find(p, token->word);
+    if (value && value->kind == VALUE_ARRAY)
+        value = array_sample(value->array);
+    return value && value->kind == VALUE_POISON;
 }
 
 static struct symbol *symbol_add(struct parser *p, struct scope *scope,
@@ -218,10 +228,8 @@ const struct value *accept_value(struct parser *p, enum value_kind kind)
     if (value->kind == kind)
         return value;
     p->blamed = p->last_span;
-    if (value->kind == VALUE_UNSUPPORTED) {
-        unsupported_report(p, p->last_span, symbol->word, value->unsupported);
+    if (value->kind == VALUE_POISON)
         return NULL;
-    }
     if (value->kind == VALUE_NONE)
         error_at(p, p->last_span, NULL, "this element of '%s' was never set",
                  symbol->word->text);

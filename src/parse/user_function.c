@@ -10,7 +10,6 @@
 #include "parse/operator.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
-#include "parse/unsupported.h"
 #include "scene/function_field.h"
 
 enum {
@@ -23,9 +22,9 @@ struct compiler {
     struct function *function;
     const struct word *names[FUNCTION_NAMES]; /* by slot */
     int name_count;
-    unsigned height;  /* of the stack at this point of the body */
-    bool standard;    /* no parameters named: x, y, z, and u = x, v = y */
-    bool unsupported; /* it uses something glim does not have */
+    unsigned height; /* of the stack at this point of the body */
+    bool standard;   /* no parameters named: x, y, z, and u = x, v = y */
+    bool poisoned;   /* a part of it had an error */
 };
 
 static void compile_height(struct compiler *c, unsigned height)
@@ -230,7 +229,7 @@ static bool compile_constant(struct compiler *c)
     if (!parse_operand(p, "a number or a parameter of the function", &value))
         return false;
     if (value_is_poison(&value))
-        c->unsupported = true;
+        c->poisoned = true;
     else if (!value_to_float(p, start, &value, &number))
         return false;
     compile_step(c, STEP_NUMBER, 1)->number = number;
@@ -460,7 +459,7 @@ bool parse_function(struct parser *p, struct value *value)
         !block_end(p, open, compile_body(&c)))
         return false;
     *value = (struct value){ .kind = VALUE_FUNCTION, .function = c.function };
-    return !c.unsupported;
+    return !c.poisoned;
 }
 
 /* function_image = "function" float [","] float
@@ -483,7 +482,7 @@ bool parse_function_image(struct parser *p, int *width, int *height,
     if (!parse_integer(p, height) || !block_begin(p, &open))
         return false;
     standard_parameters(&c);
-    return block_end(p, open, compile_body(&c)) && !c.unsupported;
+    return block_end(p, open, compile_body(&c)) && !c.poisoned;
 }
 
 /* argument_list = "(" float {[","] float} ")" . */

@@ -6,8 +6,8 @@
 
 #include "parse/parser.h"
 
-/* Reads `function [(names)] { body }`, the keyword being next. One that glim
- * can't compute is read whole and reported as unsupported. */
+/* Reads `function [(names)] { body }`, the keyword being next. One that
+ * has an error is read whole. */
 bool parse_function(struct parser *p, struct value *value);
 
 /* Reads `function WIDTH, HEIGHT { body }`, the keyword being next: a picture of

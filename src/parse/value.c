@@ -36,7 +36,7 @@ const char *value_kind_name(enum value_kind kind)
         [VALUE_SKY_SPHERE] = "a sky_sphere",
         [VALUE_RAINBOW] = "a rainbow",
         [VALUE_FILE] = "an open file",
-        [VALUE_UNSUPPORTED] = "something unsupported",
+        [VALUE_POISON] = "something wrong",
     };
     return names[kind];
 }

@@ -36,8 +36,8 @@ enum value_kind {
     VALUE_FOG,
     VALUE_SKY_SPHERE,
     VALUE_RAINBOW,
-    VALUE_FILE,        /* an open one */
-    VALUE_UNSUPPORTED, /* using it is the error kept in `unsupported` */
+    VALUE_FILE,   /* an open one */
+    VALUE_POISON, /* after an error that was reported */
 };
 
 struct array;
@@ -48,7 +48,6 @@ struct medium;
 struct function;
 struct spline;
 struct symbol;
-struct unsupported;
 
 struct value {
     enum value_kind kind;
@@ -80,7 +79,6 @@ struct value {
         const struct rainbow *rainbow;
         const struct sky_sphere *sky;
         struct data_file *file;
-        const struct unsupported *unsupported;
     };
 };
 

@@ -109,7 +109,8 @@ static colour image_texel(const struct image_map *map, int x, int y)
     y = image_wrap(map, y, image->height);
     const float *p = image_pixel(image, x, image->height - 1 - y);
     double alpha = (double)p[3];
-    double scale = alpha > 0 && alpha < 1 && !image_mixes(map) ? 1 / alpha : 1;
+    bool divide = image->multiplied && !image_mixes(map);
+    double scale = divide && alpha > 0 && alpha < 1 ? 1 / alpha : 1;
     colour c = { (double)p[0] * scale, (double)p[1] * scale,
                  (double)p[2] * scale, map->filter_all,
                  map->transmit_all + (map->no_alpha ? 0 : 1 - alpha) };

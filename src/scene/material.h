@@ -46,12 +46,9 @@ enum image_interpolation {
     IMAGE_NORMALISED_DISTANCE = 4,
 };
 
-/* Whether an image_pattern's value is alpha, or how bright the colour is. */
-enum image_alpha { ALPHA_IF_THERE, ALPHA_NEVER, ALPHA_ALWAYS };
-
 struct image_map {
-    enum image_alpha alpha;
     const struct image *image; /* linear light in the working space */
+    bool use_alpha; /* an image_pattern's value is how clear, not how bright */
     enum image_projection projection;
     enum image_interpolation interpolation;
     bool once;

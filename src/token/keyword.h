@@ -1,6 +1,6 @@
 /* Every reserved word of the language but the names of primitives and
  * patterns, which their own lists reserve. X(NAME, "spelling"); words that
- * glim does not support yet are here too, so that an error can name them. */
+ * glim never reads are here too, so that an error can name them. */
 #ifndef TOKEN_KEYWORD_H
 #define TOKEN_KEYWORD_H
 

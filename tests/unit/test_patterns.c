@@ -307,7 +307,7 @@ static void image_alpha_is_transmit(void **state)
                              .filter_all = 0.125,
                              .transmit_all = 0.25 };
     colour c = image_map_colour(&map, vec3_make(0.1, 0.1, 0));
-    assert_true(c.r == 0.5 && c.filter == 0.125 && c.transmit == 0.75);
+    assert_true(c.r == 0.25 && c.filter == 0.125 && c.transmit == 0.75);
     assert_false(image_map_is_opaque(&map));
     image_free(image);
 }

@@ -132,9 +132,8 @@ static bool read_variable(struct parser *p, const struct word **name,
             return false;
         kind = (*element)->kind;
     }
-    if (kind == VALUE_NONE || kind == VALUE_UNSUPPORTED ||
-        kind == VALUE_FLOAT || kind == VALUE_VECTOR || kind == VALUE_COLOUR ||
-        kind == VALUE_STRING)
+    if (kind == VALUE_NONE || kind == VALUE_POISON || kind == VALUE_FLOAT ||
+        kind == VALUE_VECTOR || kind == VALUE_COLOUR || kind == VALUE_STRING)
         return true;
     return error_at(p, span, NULL, "'%s' is %s by now; name another",
                     (*name)->text, value_kind_name(kind));

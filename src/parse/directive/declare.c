@@ -74,6 +74,17 @@ static bool declare_name(struct parser *p, const struct word **name)
     return declare_name_ends(p);
 }
 
+/* The last token of the value as it was written: of a macro's value its call,
+ * not what is in the macro. */
+static struct span declare_end(const struct parser *p)
+{
+    const struct cursor *cursor = p->cursor;
+    size_t taken = cursor->index - p->peeked;
+    return cursor == p->directive && taken > 0
+               ? token_span(cursor->list, taken - 1)
+               : p->last_span;
+}
+
 /* A #declare of a number needs a ';': without it POV-Ray could not tell where
  * the expression ends. Before version 3.5 its lack was a warning. One more may
  * follow, wherever the text goes on: `#declare A = M();` with a M that ends in
@@ -89,28 +100,25 @@ static bool declare_semicolon(struct parser *p, const struct value *value)
     }
     if (!needed || (p->version_said && p->version < 3.5))
         return true;
-    return error_at(p, p->last_span, ";",
+    return error_at(p, declare_end(p), ";",
                     "a declaration of %s must end with ';'",
                     value_kind_name(value->kind));
 }
 
 /* What is declared gets a value in any case, so that its uses are not
- * reported too: errors leave VALUE_UNSUPPORTED behind. */
-static bool declare_value(struct parser *p, struct value *value)
+ * reported too: errors leave VALUE_POISON behind. */
+static bool declare_value(struct parser *p, const struct word *name,
+                          struct value *value)
 {
-    const struct unsupported *outer = p->unsupported;
     unsigned errors = p->diag->errors;
-    p->unsupported = NULL;
-    p->declaring++;
+    const struct declaring now = { name, p->block_count, p->declaring };
+    p->declaring = &now;
     bool ok = parse_value(p, value);
-    p->declaring--;
-    if (!ok || p->unsupported) {
-        *value = (struct value){ .kind = VALUE_UNSUPPORTED,
-                                 .unsupported = p->unsupported };
-        ok = p->diag->errors == errors;
-    }
-    p->unsupported = outer;
-    return ok;
+    p->declaring = now.outer;
+    if (ok)
+        return true;
+    *value = (struct value){ .kind = VALUE_POISON };
+    return p->diag->errors == errors;
 }
 
 /* Where the value goes: an element's place or, slot NULL, the name itself. */
@@ -152,7 +160,7 @@ static void declare_tell(struct parser *p, const struct declaration *head,
                          const struct value *value)
 {
     const struct parse_listener *listener = p->options->listener;
-    if (!listener || value->kind == VALUE_UNSUPPORTED)
+    if (!listener || value->kind == VALUE_POISON)
         return;
     bool is_colour = value->kind == VALUE_COLOUR;
     struct parse_declared declared = {
@@ -183,7 +191,7 @@ static bool declare_read(struct parser *p, bool local)
         return false;
     }
     struct value value = { .kind = VALUE_NONE };
-    bool ok = declare_value(p, &value);
+    bool ok = declare_value(p, head.name, &value);
     if (p->failed)
         return false;
     if (head.slot) {

@@ -10,8 +10,10 @@ static double image_pattern_value(const struct pattern *pattern, vec3 point)
         return 0;
     const struct image_map *map = made->image;
     colour c = image_map_colour(map, point);
-    if (map->alpha == ALPHA_ALWAYS && map->image && map->image->has_alpha)
-        return c.transmit;
+    /* Measured: palettes have alpha, be it 1 all over; of pictures without
+     * alpha it is how red they are. */
+    if (map->use_alpha && map->image)
+        return map->image->has_alpha || map->image->palette ? c.transmit : c.r;
     return fmax(0, fmin(grey_of(c.r, c.g, c.b), 1));
 }
 

@@ -1,1 +1,0 @@
-sphere { 0, 1 pigment { gradient x slope_map { [0 <0, 1>] } } }
