@@ -196,8 +196,8 @@ enum {
     GATHER_MIRRORS = 3,   /* on one way */
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
     CLOSE_RAYS = 30000,   /* between its walls */
-    NEAR_RAYS = 12,       /* to what is close to a place that is seen; */
-    NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
+    NEAR_RAYS = 10,       /* to what is close to a corner, */
+    NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth] */
     LONE_PLACES = 4,      /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,     /* likewise, of what they were told */
     PIXEL_SLOTS = 16,     /* both are kept for so many that were last refined */
@@ -242,8 +242,11 @@ static const double grid_margin = 0.25; /* of a cell, by which a corner is
 static const double block_places = 0.25; /* of the grid's step, from one place
                                           * of a block to the next */
 static const double block_bend = 0.95;   /* cosine of normals that share one */
-static const double block_beside = 1.5;  /* of that: what is no farther is one
-                                          * surface, or shows no difference */
+static const double block_around = 1;    /* spacings: places no farther from the
+                                          * middle ask the same mesh points, */
+static const double block_around_bend = 0.5; /* if their normals are so near */
+static const double block_beside = 1.5; /* of that: what is no farther is one
+                                         * surface, or shows no difference */
 
 static const double answer_reach = 0.5;  /* of the grid's step: rays of a pixel
                                           * that are no farther apart have one
