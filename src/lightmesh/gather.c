@@ -207,22 +207,29 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
     return more;
 }
 
-/* And the part `behind` of what arrives on its other side: a leaf's. */
-static struct indirect_share
-gathering_through(const struct gathering *gathering,
-                  const struct surface *surface, double behind, double matters)
+/* What arrives on its other side, as on a leaf's. */
+static rgb gathering_behind(const struct gathering *gathering,
+                            const struct surface *surface, double matters)
 {
     struct surface other = *surface;
     struct gathering from = *gathering;
-    struct indirect_share share = gathering_share(gathering, surface, matters);
-    if (!(behind > 0))
-        return share;
     other.side = vec3_negate(surface->side);
     other.normal = vec3_negate(surface->normal);
     from.ray.origin =
         vec3_sub(vec3_scale(surface->point, 2), gathering->ray.origin);
-    rgb light = gathering_share(&from, &other, behind * matters).light;
-    share.light = rgb_add_scaled(share.light, light, behind);
+    return gathering_share(&from, &other, matters).light;
+}
+
+/* And the part `behind` of that. */
+static struct indirect_share
+gathering_through(const struct gathering *gathering,
+                  const struct surface *surface, double behind, double matters)
+{
+    struct indirect_share share = gathering_share(gathering, surface, matters);
+    if (behind > 0)
+        share.light = rgb_add_scaled(
+            share.light, gathering_behind(gathering, surface, behind * matters),
+            behind);
     return share;
 }
 

@@ -49,17 +49,21 @@ static struct draws near_draws(const struct gather *gather, unsigned number)
 
 /* A Fermat spiral on the disc below the hemisphere (Vogel 1979): a draw of so
  * few leaves gaps, where what is close is missed by all places alike [truth:
- * ten of these are as good as twelve drawn in nets]. */
+ * ten of these are as good as twelve drawn in nets]. Each packet of them goes
+ * all along it. */
 struct near_ways near_ways_new(int count)
 {
     const double golden = WARP_PI * (3 - sqrt(5));
-    struct near_ways ways = { count,
+    const int packets = (count + RAY_LANES - 1) / RAY_LANES;
+    struct near_ways ways = { 0,
                               memory_new((size_t)count * sizeof *ways.ways) };
-    for (int i = 0; i < count; i++) {
-        double square = (i + 0.5) / count, radius = sqrt(square);
-        ways.ways[i] = vec3_make(radius * cos(i * golden),
-                                 radius * sin(i * golden), sqrt(1 - square));
-    }
+    for (int packet = 0; packet < packets; packet++)
+        for (int i = packet; i < count; i += packets) {
+            double square = (i + 0.5) / count, radius = sqrt(square);
+            ways.ways[ways.count++] =
+                vec3_make(radius * cos(i * golden), radius * sin(i * golden),
+                          sqrt(1 - square));
+        }
     return ways;
 }
 
