@@ -7,6 +7,7 @@
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/near_field.h"
+#include "lightmesh/onward.h"
 #include "lightmesh/tuning.h"
 #include "shade/background.h"
 #include "shade/finish.h"
@@ -68,6 +69,36 @@ static rgb gathering_picked(const struct gathering *gathering,
     return rgb_scale(found.light, density / (density + found.density));
 }
 
+/* Whether a ray goes on from there, by this chance. */
+static bool gathering_goes_on(const struct gathering *gathering, double chance)
+{
+    return onward_chance(gathering->gather->onwards, gathering->draws,
+                         gathering->met) < chance;
+}
+
+/* That ray; *draws and what it brings into *found. */
+static struct gathering gathering_further(const struct gathering *gathering,
+                                          const struct surface *surface,
+                                          const struct draws *draws,
+                                          struct gathered_ray *found)
+{
+    vec3 way = onward_way(gathering->gather->onwards, gathering->draws,
+                          gathering->met);
+    found->at.leaf = NULL;
+    found->glow = rgb_grey(0);
+    found->open = 0;
+    return (struct gathering){
+        .gather = gathering->gather,
+        .worker = gathering->worker,
+        .draws = draws,
+        .ray = { surface->point, warp_turned(way, surface->side) },
+        .share = rgb_grey(1),
+        .open = &found->open,
+        .mirrors = gathering->mirrors,
+        .before = gathering->before + 1,
+    };
+}
+
 /* One ray more from there, as often as it matters: by how much it differs from
  * what is usual, which may be less than nothing. */
 static struct indirect_share gathering_onward(const struct gathering *gathering,
@@ -75,27 +106,17 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
                                               double matters)
 {
     const struct gather *gather = gathering->gather;
-    struct draws draws =
-        draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
     struct indirect_share share = gather->around;
     bool blind = gather->close && gathering->before == 0;
     double often = blind ? onward_often_blind : onward_often;
-    double chance = fmin(often * matters, 1), u[2];
+    double chance = fmin(often * matters, 1);
     if (gathering->before >= ONWARD_MOST ||
-        draw_unit(&draws, GATHER_CHANCE) >= chance)
+        !gathering_goes_on(gathering, chance))
         return share;
-    struct gathered_ray found = { .open = 0 };
-    draw_pair(&draws, GATHER_DIRECTION, u);
-    struct gathering further = {
-        .gather = gather,
-        .worker = gathering->worker,
-        .draws = &draws,
-        .ray = { surface->point, warp_lobe(u, surface->side, 1) },
-        .share = rgb_grey(1),
-        .open = &found.open,
-        .mirrors = gathering->mirrors,
-        .before = gathering->before + 1,
-    };
+    const struct draws draws = onward_draws(gathering->draws, gathering->met);
+    struct gathered_ray found;
+    struct gathering further =
+        gathering_further(gathering, surface, &draws, &found);
     const struct ray ray = further.ray;
     double density = vec3_dot(ray.direction, surface->side) / WARP_PI;
     found.light = gathering_follow(&further, &found.at, &found.glow);
@@ -129,25 +150,15 @@ static struct indirect_share gathering_here(const struct gathering *gathering,
     const struct gather *gather = gathering->gather;
     struct indirect_share share =
         indirect_light_share(gather->here, surface->normal);
-    struct gathered_ray found = { .open = 0 };
-    struct draws draws =
-        draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
-    double chance = fmin(often_near * matters, 1), u[2];
+    double chance = fmin(often_near * matters, 1);
     if (gathering->before > 0 || gather->crevice == 0 ||
-        draw_unit(&draws, GATHER_CHANCE) >= chance)
+        !gathering_goes_on(gathering, chance))
         return share;
-    draw_pair(&draws, GATHER_DIRECTION, u);
-    struct gathering further = {
-        .gather = gather,
-        .worker = gathering->worker,
-        .draws = &draws,
-        .ray = { surface->point, warp_lobe(u, surface->side, 1) },
-        .share = rgb_grey(1),
-        .open = &found.open,
-        .mirrors = gathering->mirrors,
-        .before = gathering->before + 1,
-        .known = true,
-    };
+    const struct draws draws = onward_draws(gathering->draws, gathering->met);
+    struct gathered_ray found;
+    struct gathering further =
+        gathering_further(gathering, surface, &draws, &found);
+    further.known = true;
     gathering->worker->counters.shadow_rays++;
     const struct glimpse near = { surface_offset(surface->point), gather->reach,
                                   gather_spread };

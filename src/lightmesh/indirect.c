@@ -31,6 +31,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         mesh->bright = options->bright;
     mesh->near = near_ways_new(options->near);
     mesh->near_lone = near_ways_new(options->near_lone);
+    mesh->near_onwards = near_onwards_new(&mesh->gather, options->near);
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
         mesh->lone_samples /= LONE_PART;
@@ -59,6 +60,8 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     if (mesh->samples < 1)
         mesh->samples = 1;
     mesh->ways = gather_ways_new(direct->lamps->seed, mesh->samples);
+    mesh->onwards = onwards_new(direct->lamps->seed, mesh->ways.count);
+    mesh->gather.onwards = &mesh->onwards;
     point_mesh_start(&mesh->points, options->bytes /
                                         ((size_t)options->bounces + 3) *
                                         (bounce > 1 ? 1 : 4));
@@ -89,6 +92,8 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
         gather_ways_free(&mesh->ways);
         near_ways_free(&mesh->near);
         near_ways_free(&mesh->near_lone);
+        onwards_free(&mesh->near_onwards);
+        onwards_free(&mesh->onwards);
         memory_free(mesh);
         mesh = next;
     }

@@ -16,6 +16,7 @@
 #include "lightmesh/gather.h"
 #include "lightmesh/indirect_light.h"
 #include "lightmesh/near_field.h"
+#include "lightmesh/onward.h"
 
 enum { BOUNCES_MAX = 20 };
 
@@ -47,7 +48,9 @@ struct indirect_mesh {
                                   * there */
     int samples, lone_samples;
     struct gather_ways ways;
+    struct onwards onwards;           /* of its gather rays */
     struct near_ways near, near_lone; /* of near rays, as of its options */
+    struct onwards near_onwards;      /* likewise */
 };
 
 /* Frees with indirect_mesh_free. All that is given must outlive it. */

@@ -47,6 +47,11 @@ static struct draws near_draws(const struct gather *gather, unsigned number)
     return (struct draws){ gather->lamps->seed ^ near_key, number };
 }
 
+struct onwards near_onwards_new(const struct gather *gather, int rays)
+{
+    return onwards_new(near_draws(gather, 0).key, (uint32_t)rays);
+}
+
 /* A Fermat spiral on the disc below the hemisphere (Vogel 1979): a draw of so
  * few leaves gaps, where what is close is missed by all places alike [truth:
  * ten of these are as good as twelve drawn in nets]. Each packet of them goes
@@ -198,6 +203,7 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
     nearby.gather.indirect = mesh;
     nearby.gather.here = light;
     nearby.gather.reach = nearby.reach;
+    nearby.gather.onwards = &mesh->near_onwards;
     bool any = nearby_look_around(&nearby, light);
     if (any)
         indirect_light_dim(light,

@@ -7,6 +7,7 @@
 #define LIGHTMESH_NEAR_FIELD_H
 
 #include "lightmesh/gather.h"
+#include "lightmesh/onward.h"
 
 struct indirect_mesh;
 struct receiver;
@@ -22,6 +23,9 @@ struct near_ways {
 /* Frees with near_ways_free. */
 struct near_ways near_ways_new(int count);
 void near_ways_free(struct near_ways *ways);
+
+/* What is drawn where so many rays go on. */
+struct onwards near_onwards_new(const struct gather *gather, int rays);
 
 /* What the receiver gets of *light, a blend of the mesh's points, by rays along
  * these ways; *light is mended as well, and the share is that of the receiver's
