@@ -89,7 +89,7 @@ static const double kept_rays = 4; /* times as many that are wanted of a point:
 static const double seek_lift = 0.3;    /* above the surface, spacings */
 static const double seek_rise = 0.2;    /* points lower than that count less,
                                          * spacings */
-static const double seek_least = 0.02;  /* of a place's points that gather: what
+static const double seek_least = 0.03;  /* of a place's points that gather: what
                                          * counts no more isn't asked [pillars]
                                          */
 static const double seek_worth = 0.17;  /* and the more of them the less the
@@ -207,7 +207,7 @@ enum {
 /* Indirect light at corners on surfaces [price, look]. */
 enum { INDIRECT_PIXELS_BYTES = 24 * 1000 * 1000 };
 static const double indirect_pixels_most = 15200;  /* corners, but for these: */
-static const double indirect_pixels_near = 4.5;    /* apart at least, pixels */
+static const double indirect_pixels_near = 5;      /* apart at least, pixels */
 static const double indirect_pixels_far = 18;      /* and at most */
 static const double indirect_pixels_flat = 0.9999; /* cosine: no bump */
 static const double indirect_pixels_bend = 0.8;  /* cosine of normals that share
