@@ -148,15 +148,19 @@ static void place_find(struct block *block, const struct pixel_blocks *blocks,
                              vec3_along(b->origin, b->direction, t)));
 }
 
-/* What is close enough may be beside as well: the next blade of grass. */
+/* What is close enough may be beside as well: the next blade of grass. Nothing
+ * that the picture shows is between places of neighbouring pixels. */
 static bool place_serves(const struct block *block, int number,
-                         const struct receiver *receiver)
+                         const struct pixel_blocks *blocks,
+                         struct worker *worker, const struct receiver *receiver)
 {
     const struct corner *corner = &block->places[number].corner;
     double apart = vec3_length(vec3_sub(corner->point, receiver->point));
-    return vec3_dot(corner->side, receiver->side) >= block_bend &&
-           (corner_serves(corner, receiver) ||
-            apart <= block_beside * block->places[number].footprint);
+    if (vec3_dot(corner->side, receiver->side) < block_bend)
+        return false;
+    return apart <= block_beside * block->places[number].footprint ||
+           (corner_serves(corner, receiver) &&
+            corner_sees(corner, blocks->mesh, worker, receiver));
 }
 
 /* Whether mesh points are much farther off than that place is from the middle:
@@ -222,9 +226,7 @@ bool pixel_blocks_light(const struct pixel_blocks *blocks,
             continue;
         if (!block->places[number].placed)
             place_find(block, blocks, number, receiver);
-        if (!place_serves(block, number, receiver) ||
-            !corner_sees(&block->places[number].corner, blocks->mesh, worker,
-                         receiver))
+        if (!place_serves(block, number, blocks, worker, receiver))
             continue;
         place_ask(block, blocks, worker, number, receiver);
         *share = corner_share(&block->places[number].corner,
