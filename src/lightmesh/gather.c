@@ -53,22 +53,6 @@ static void gathering_fog(struct gathering *gathering, double distance,
     gathering->share = rgb_mul(gathering->share, veil.through);
 }
 
-/* What is picked of what glows, as irradiance. */
-static rgb gathering_picked(const struct gathering *gathering,
-                            const struct surface *surface,
-                            const struct draws *draws)
-{
-    const struct gather *gather = gathering->gather;
-    struct gathered_glow found;
-    if (!emitters_any(gather->emitters) ||
-        !gather_pick(gather, gathering->worker, surface->point, draws, &found))
-        return rgb_grey(0);
-    double density = vec3_dot(found.direction, surface->side) / WARP_PI;
-    if (!(density > 0))
-        return rgb_grey(0);
-    return rgb_scale(found.light, density / (density + found.density));
-}
-
 /* Whether a ray goes on from there, by this chance. */
 static bool gathering_goes_on(const struct gathering *gathering, double chance)
 {
@@ -120,8 +104,9 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     const struct ray ray = further.ray;
     double density = vec3_dot(ray.direction, surface->side) / WARP_PI;
     found.light = gathering_follow(&further, &found.at, &found.glow);
-    found.light = rgb_add(gather_balanced(gather, &ray, density, &found),
-                          gathering_picked(gathering, surface, &draws));
+    found.light =
+        rgb_add(gather_balanced(gather, &ray, density, &found),
+                gather_picked(gather, gathering->worker, surface, &draws));
     share.light = rgb_mix(share.light, found.light, 1 / chance);
     share.open += (found.open - share.open) / chance;
     return share;
