@@ -96,7 +96,7 @@ static const double seek_worth = 0.17;  /* and the more of them the less the
                                          * place is worth, down to that [price]
                                          */
 static const double nearest_rise = 0.1; /* likewise, of the nearest */
-static const double worth_fine = 0.25;  /* what is worth less is a level
+static const double worth_fine = 0.15;  /* what is worth less is a level
                                          * coarser, share of the picture */
 static const double worth_step = 3;     /* and one more for each such factor */
 static const double obstacle_reach = 2.5;  /* spacings */
