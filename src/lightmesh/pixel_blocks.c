@@ -148,31 +148,32 @@ static void place_find(struct block *block, const struct pixel_blocks *blocks,
                              vec3_along(b->origin, b->direction, t)));
 }
 
-/* What is close enough may be beside as well: the next blade of grass. Nothing
- * that the picture shows is between places of neighbouring pixels. */
+/* What is close enough may be beside as well: the next blade of grass. */
 static bool place_serves(const struct block *block, int number,
-                         const struct pixel_blocks *blocks,
-                         struct worker *worker, const struct receiver *receiver)
+                         const struct receiver *receiver)
 {
     const struct corner *corner = &block->places[number].corner;
     double apart = vec3_length(vec3_sub(corner->point, receiver->point));
-    if (vec3_dot(corner->side, receiver->side) < block_bend)
-        return false;
-    return apart <= block_beside * block->places[number].footprint ||
-           (corner_serves(corner, receiver) &&
-            corner_sees(corner, blocks->mesh, worker, receiver));
+    return vec3_dot(corner->side, receiver->side) >= block_bend &&
+           (corner_serves(corner, receiver) ||
+            apart <= block_beside * block->places[number].footprint);
 }
 
-/* Whether mesh points are much farther off than that place is from the middle:
- * they look alike from both. */
-static bool place_is_central(const struct block *block, int number)
+/* Whether mesh points look alike from there and from the middle: they are much
+ * farther off, and no thin wall is between. */
+static bool place_is_central(const struct block *block,
+                             const struct pixel_blocks *blocks,
+                             struct worker *worker, int number,
+                             const struct receiver *receiver)
 {
-    const struct corner *middle = &block->places[BLOCK_PLACES / 2].corner,
-                        *corner = &block->places[number].corner;
-    double apart = vec3_length(vec3_sub(corner->point, middle->point));
+    const struct corner *middle = &block->places[BLOCK_PLACES / 2].corner;
+    double apart = vec3_length(vec3_sub(receiver->point, middle->point));
+    if (number == BLOCK_PLACES / 2)
+        return true;
     return block->places[BLOCK_PLACES / 2].placed &&
            apart <= block_around * middle->reach &&
-           vec3_dot(corner->side, middle->side) >= block_around_bend;
+           vec3_dot(receiver->side, middle->side) >= block_around_bend &&
+           corner_sees(middle, blocks->mesh, worker, receiver);
 }
 
 /* What the points around the middle know, for those places: finding which of
@@ -202,7 +203,7 @@ static void place_ask(struct block *block, const struct pixel_blocks *blocks,
         corner_receiver(&block->places[number].corner, like, coarser);
     struct corner_light *light = &block->places[number].light;
     const struct near_ways *ways = &blocks->mesh->near_lone;
-    if (place_is_central(block, number) &&
+    if (place_is_central(block, blocks, worker, number, &receiver) &&
         block_ask(block, blocks, worker, like, coarser)) {
         light->light = block->light;
         light->share = near_field_share(blocks->mesh, worker, &receiver, ways,
@@ -226,7 +227,9 @@ bool pixel_blocks_light(const struct pixel_blocks *blocks,
             continue;
         if (!block->places[number].placed)
             place_find(block, blocks, number, receiver);
-        if (!place_serves(block, number, blocks, worker, receiver))
+        if (!place_serves(block, number, receiver) ||
+            !corner_sees(&block->places[number].corner, blocks->mesh, worker,
+                         receiver))
             continue;
         place_ask(block, blocks, worker, number, receiver);
         *share = corner_share(&block->places[number].corner,
