@@ -196,9 +196,12 @@ double census_gathered(const struct census *census)
     return tally_uneven(few[2], count, more);
 }
 
+/* By more and more rays, until they are sure. */
 double census_crowding(const struct census *census)
 {
     double crowding = census_by(census, CENSUS_EDGE);
-    return crowding < census_sure ? crowding
-                                  : census_by(census, CENSUS_FINE_EDGE);
+    for (int edge = 2 * CENSUS_EDGE;
+         edge <= CENSUS_FINE_EDGE && crowding >= census_sure; edge *= 2)
+        crowding = census_by(census, edge);
+    return crowding;
 }

@@ -46,10 +46,10 @@ struct receiver corner_receiver(const struct corner *corner,
 
 void corner_ask(struct corner_light *light, const struct indirect_mesh *mesh,
                 struct worker *worker, const struct receiver *receiver,
-                int rays)
+                const struct near_ways *ways)
 {
     light->share =
-        indirect_mesh_around(mesh, worker, receiver, rays, &light->light);
+        indirect_mesh_around(mesh, worker, receiver, ways, &light->light);
 }
 
 bool corner_serves(const struct corner *corner, const struct receiver *receiver)

@@ -30,10 +30,10 @@ void corner_here(struct corner *corner, const struct indirect_mesh *mesh,
 struct receiver corner_receiver(const struct corner *corner,
                                 const struct receiver *like, int coarser);
 
-/* What the receiver at a corner gets, with so many short rays. */
+/* What the receiver at a corner gets, with short rays along `ways`. */
 void corner_ask(struct corner_light *light, const struct indirect_mesh *mesh,
                 struct worker *worker, const struct receiver *receiver,
-                int rays);
+                const struct near_ways *ways);
 
 /* Whether both are on one surface, which may be bent, and near to each other.
  */

@@ -171,7 +171,7 @@ const struct corner_light *corner_store_light(const struct corner_store *store,
     const struct corner *corner =
         corner_store_corner(store, worker, cell, i, like);
     struct receiver receiver = corner_receiver(corner, like, cell->coarser);
-    corner_ask(record, store->mesh, worker, &receiver, store->mesh->near);
+    corner_ask(record, store->mesh, worker, &receiver, &store->mesh->near);
     if (state == TABLE_MINE)
         table_publish(store->lights, record);
     return record;

@@ -7,6 +7,7 @@
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/near_field.h"
+#include "lightmesh/onward.h"
 #include "lightmesh/tuning.h"
 #include "shade/background.h"
 #include "shade/finish.h"
@@ -52,20 +53,34 @@ static void gathering_fog(struct gathering *gathering, double distance,
     gathering->share = rgb_mul(gathering->share, veil.through);
 }
 
-/* What is picked of what glows, as irradiance. */
-static rgb gathering_picked(const struct gathering *gathering,
-                            const struct surface *surface,
-                            const struct draws *draws)
+/* Whether a ray goes on from there, by this chance. */
+static bool gathering_goes_on(const struct gathering *gathering, double chance)
 {
-    const struct gather *gather = gathering->gather;
-    struct gathered_glow found;
-    if (!emitters_any(gather->emitters) ||
-        !gather_pick(gather, gathering->worker, surface->point, draws, &found))
-        return rgb_grey(0);
-    double density = vec3_dot(found.direction, surface->side) / WARP_PI;
-    if (!(density > 0))
-        return rgb_grey(0);
-    return rgb_scale(found.light, density / (density + found.density));
+    return onward_chance(gathering->gather->onwards, gathering->draws,
+                         gathering->met) < chance;
+}
+
+/* That ray; *draws and what it brings into *found. */
+static struct gathering gathering_further(const struct gathering *gathering,
+                                          const struct surface *surface,
+                                          const struct draws *draws,
+                                          struct gathered_ray *found)
+{
+    vec3 way = onward_way(gathering->gather->onwards, gathering->draws,
+                          gathering->met);
+    found->at.leaf = NULL;
+    found->glow = rgb_grey(0);
+    found->open = 0;
+    return (struct gathering){
+        .gather = gathering->gather,
+        .worker = gathering->worker,
+        .draws = draws,
+        .ray = { surface->point, warp_turned(way, surface->side) },
+        .share = rgb_grey(1),
+        .open = &found->open,
+        .mirrors = gathering->mirrors,
+        .before = gathering->before + 1,
+    };
 }
 
 /* One ray more from there, as often as it matters: by how much it differs from
@@ -75,32 +90,23 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
                                               double matters)
 {
     const struct gather *gather = gathering->gather;
-    struct draws draws =
-        draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
     struct indirect_share share = gather->around;
     bool blind = gather->close && gathering->before == 0;
     double often = blind ? onward_often_blind : onward_often;
-    double chance = fmin(often * matters, 1), u[2];
+    double chance = fmin(often * matters, 1);
     if (gathering->before >= ONWARD_MOST ||
-        draw_unit(&draws, GATHER_CHANCE) >= chance)
+        !gathering_goes_on(gathering, chance))
         return share;
-    struct gathered_ray found = { .open = 0 };
-    draw_pair(&draws, GATHER_DIRECTION, u);
-    struct gathering further = {
-        .gather = gather,
-        .worker = gathering->worker,
-        .draws = &draws,
-        .ray = { surface->point, warp_lobe(u, surface->side, 1) },
-        .share = rgb_grey(1),
-        .open = &found.open,
-        .mirrors = gathering->mirrors,
-        .before = gathering->before + 1,
-    };
+    const struct draws draws = onward_draws(gathering->draws, gathering->met);
+    struct gathered_ray found;
+    struct gathering further =
+        gathering_further(gathering, surface, &draws, &found);
     const struct ray ray = further.ray;
     double density = vec3_dot(ray.direction, surface->side) / WARP_PI;
     found.light = gathering_follow(&further, &found.at, &found.glow);
-    found.light = rgb_add(gather_balanced(gather, &ray, density, &found),
-                          gathering_picked(gathering, surface, &draws));
+    found.light =
+        rgb_add(gather_balanced(gather, &ray, density, &found),
+                gather_picked(gather, gathering->worker, surface, &draws));
     share.light = rgb_mix(share.light, found.light, 1 / chance);
     share.open += (found.open - share.open) / chance;
     return share;
@@ -129,25 +135,15 @@ static struct indirect_share gathering_here(const struct gathering *gathering,
     const struct gather *gather = gathering->gather;
     struct indirect_share share =
         indirect_light_share(gather->here, surface->normal);
-    struct gathered_ray found = { .open = 0 };
-    struct draws draws =
-        draws_within(gathering->draws, GATHER_ONWARD + gathering->met);
-    double chance = fmin(often_near * matters, 1), u[2];
+    double chance = fmin(often_near * matters, 1);
     if (gathering->before > 0 || gather->crevice == 0 ||
-        draw_unit(&draws, GATHER_CHANCE) >= chance)
+        !gathering_goes_on(gathering, chance))
         return share;
-    draw_pair(&draws, GATHER_DIRECTION, u);
-    struct gathering further = {
-        .gather = gather,
-        .worker = gathering->worker,
-        .draws = &draws,
-        .ray = { surface->point, warp_lobe(u, surface->side, 1) },
-        .share = rgb_grey(1),
-        .open = &found.open,
-        .mirrors = gathering->mirrors,
-        .before = gathering->before + 1,
-        .known = true,
-    };
+    const struct draws draws = onward_draws(gathering->draws, gathering->met);
+    struct gathered_ray found;
+    struct gathering further =
+        gathering_further(gathering, surface, &draws, &found);
+    further.known = true;
     gathering->worker->counters.shadow_rays++;
     const struct glimpse near = { surface_offset(surface->point), gather->reach,
                                   gather_spread };
@@ -207,22 +203,29 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
     return more;
 }
 
-/* And the part `behind` of what arrives on its other side: a leaf's. */
-static struct indirect_share
-gathering_through(const struct gathering *gathering,
-                  const struct surface *surface, double behind, double matters)
+/* What arrives on its other side, as on a leaf's. */
+static rgb gathering_behind(const struct gathering *gathering,
+                            const struct surface *surface, double matters)
 {
     struct surface other = *surface;
     struct gathering from = *gathering;
-    struct indirect_share share = gathering_share(gathering, surface, matters);
-    if (!(behind > 0))
-        return share;
     other.side = vec3_negate(surface->side);
     other.normal = vec3_negate(surface->normal);
     from.ray.origin =
         vec3_sub(vec3_scale(surface->point, 2), gathering->ray.origin);
-    rgb light = gathering_share(&from, &other, behind * matters).light;
-    share.light = rgb_add_scaled(share.light, light, behind);
+    return gathering_share(&from, &other, matters).light;
+}
+
+/* And the part `behind` of that. */
+static struct indirect_share
+gathering_through(const struct gathering *gathering,
+                  const struct surface *surface, double behind, double matters)
+{
+    struct indirect_share share = gathering_share(gathering, surface, matters);
+    if (behind > 0)
+        share.light = rgb_add_scaled(
+            share.light, gathering_behind(gathering, surface, behind * matters),
+            behind);
     return share;
 }
 

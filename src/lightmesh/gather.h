@@ -12,6 +12,7 @@
 #include "shade/emitters.h"
 
 struct indirect_mesh;
+struct onwards;
 
 /* The irradiance of light from everywhere that ends a row of bounces, and
  * stands in where a place sees no mesh point; false where it isn't known.
@@ -37,6 +38,7 @@ struct gather {
     const void *close_context;
     bool onward; /* where that knows nothing further rays end it, and stand in
                   * likewise */
+    const struct onwards *onwards; /* what is drawn for these; may be NULL */
     double
         wide; /* radius of what a ray stands for, of its length; 0: a point */
     struct indirect_share around; /* what ends the bounces where nothing else

@@ -1,6 +1,7 @@
 /* Glowing things, picked: see gather_glow.h. */
 #include "lightmesh/gather_glow.h"
 
+#include "base/warp.h"
 #include "lightmesh/gather_paint.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
@@ -49,4 +50,17 @@ bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
         return false;
     return isinf(pick.distance) ||
            fabs(at.t - pick.distance) <= 1e-5 * (1 + at.t);
+}
+
+rgb gather_picked(const struct gather *gather, struct worker *worker,
+                  const struct surface *surface, const struct draws *draws)
+{
+    struct gathered_glow found;
+    if (!emitters_any(gather->emitters) ||
+        !gather_pick(gather, worker, surface->point, draws, &found))
+        return rgb_grey(0);
+    double density = vec3_dot(found.direction, surface->side) / WARP_PI;
+    if (!(density > 0))
+        return rgb_grey(0);
+    return rgb_scale(found.light, density / (density + found.density));
 }

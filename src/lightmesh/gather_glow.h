@@ -22,4 +22,8 @@ struct gathered_glow {
 bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
                  const struct draws *draws, struct gathered_glow *found);
 
+/* What is picked of what glows, as irradiance of the surface. */
+rgb gather_picked(const struct gather *gather, struct worker *worker,
+                  const struct surface *surface, const struct draws *draws);
+
 #endif

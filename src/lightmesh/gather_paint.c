@@ -6,6 +6,7 @@
 #include "lightmesh/tuning.h"
 #include "scene/material.h"
 #include "scene/pattern.h"
+#include "scene/spots.h"
 
 enum { PLACES = 6 };
 
@@ -33,15 +34,20 @@ void gather_paint(struct surface *surface, double radius)
     if (!pigment)
         return;
     struct surface_layer *layer = &surface->layer[0];
+    struct spots points; /* no more of it than is needed */
+    colour colours[PLACES];
     rgb sum = rgb_grey(0);
     vec3 across, down;
+    points.count = 0;
     warp_frame(surface->side, &across, &down);
     for (int i = 0; i < PLACES; i++) {
         vec3 point = vec3_along(surface->point, across, radius * places[i][0]);
         point = vec3_along(point, down, radius * places[i][1]);
-        point = affine_point(surface->at->to_texture, point);
-        sum = rgb_add(sum, colour_rgb(pigment_colour(pigment, point)));
+        spots_add(&points, affine_point(surface->at->to_texture, point));
     }
+    pigment_colours(pigment, &points, colours);
+    for (int i = 0; i < PLACES; i++)
+        sum = rgb_add(sum, colour_rgb(colours[i]));
     sum = rgb_scale(sum, 1.0 / PLACES);
     layer->pigment.r = sum.r;
     layer->pigment.g = sum.g;

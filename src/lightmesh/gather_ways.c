@@ -68,6 +68,7 @@ struct gather_ways gather_ways_new(uint64_t seed, int samples)
     uint32_t count = (GATHER_PARTS - 1) * ways.set + ways.samples;
     if (count > WAYS_MOST)
         return ways;
+    ways.count = count;
     ways.ways = memory_new(count * sizeof *ways.ways);
     ways.order = memory_new(count * sizeof *ways.order);
     struct way_order *sorted = memory_new(ways.samples * sizeof *sorted);

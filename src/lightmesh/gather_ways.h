@@ -14,7 +14,8 @@ enum { GATHER_PARTS = 8 }; /* of a set */
 struct gather_ways {
     uint32_t samples; /* of a part, */
     uint32_t set;     /* of which the next begins so many further on */
-    vec3 *ways;       /* unit; NULL: too many to be kept */
+    uint32_t count;   /* of all parts; 0: too many to be kept */
+    vec3 *ways;       /* unit; NULL: there are none */
     uint32_t *order;  /* samples of each part, so that neighbours go nearly the
                        * same way; likewise */
 };

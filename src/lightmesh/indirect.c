@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "lightmesh/gatherer.h"
-#include "lightmesh/near_field.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 
@@ -30,8 +29,9 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     mesh->gather.wide = 2 / sqrt(fmax(options->samples, 1));
     if (options->bright && options->bright->count > 0)
         mesh->bright = options->bright;
-    mesh->near = options->near;
-    mesh->near_ways = near_field_ways(&mesh->gather, mesh->near);
+    mesh->near = near_ways_new(options->near);
+    mesh->near_lone = near_ways_new(options->near_lone);
+    mesh->near_onwards = near_onwards_new(&mesh->gather, options->near);
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
         mesh->lone_samples /= LONE_PART;
@@ -60,6 +60,8 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     if (mesh->samples < 1)
         mesh->samples = 1;
     mesh->ways = gather_ways_new(direct->lamps->seed, mesh->samples);
+    mesh->onwards = onwards_new(direct->lamps->seed, mesh->ways.count);
+    mesh->gather.onwards = &mesh->onwards;
     point_mesh_start(&mesh->points, options->bytes /
                                         ((size_t)options->bounces + 3) *
                                         (bounce > 1 ? 1 : 4));
@@ -88,7 +90,10 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
         struct indirect_mesh *next = mesh->next;
         point_mesh_free(&mesh->points);
         gather_ways_free(&mesh->ways);
-        memory_free(mesh->near_ways);
+        near_ways_free(&mesh->near);
+        near_ways_free(&mesh->near_lone);
+        onwards_free(&mesh->near_onwards);
+        onwards_free(&mesh->onwards);
         memory_free(mesh);
         mesh = next;
     }
@@ -112,27 +117,28 @@ const char *indirect_mesh_source(const struct indirect_mesh *mesh,
                : "what is usual: the picture shows too little of it";
 }
 
-static struct indirect_light blend_light(const struct mesh_blend *blend)
-{
-    struct indirect_light sum = indirect_light_none;
-    for (int i = 0; i < blend->count; i++)
-        indirect_light_mix(&sum, blend->at[i].payload,
-                           (float)blend->at[i].weight);
-    return sum;
-}
-
-/* A point that is the place itself sees by itself what is close. */
-struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
-                                           struct worker *worker,
-                                           const struct receiver *receiver,
-                                           int rays,
-                                           struct indirect_light *light)
+bool indirect_mesh_blend(const struct indirect_mesh *mesh,
+                         struct worker *worker, const struct receiver *receiver,
+                         struct indirect_light *light)
 {
     struct mesh_blend blend;
     point_mesh_blend(&mesh->points, worker, receiver, &blend);
-    *light = blend_light(&blend);
-    return blend.here ? indirect_light_share(light, receiver->side)
-                      : near_field_share(mesh, worker, receiver, rays, light);
+    *light = indirect_light_none;
+    for (int i = 0; i < blend.count; i++)
+        indirect_light_mix(light, blend.at[i].payload,
+                           (float)blend.at[i].weight);
+    return !blend.here;
+}
+
+struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
+                                           struct worker *worker,
+                                           const struct receiver *receiver,
+                                           const struct near_ways *ways,
+                                           struct indirect_light *light)
+{
+    return indirect_mesh_blend(mesh, worker, receiver, light)
+               ? near_field_share(mesh, worker, receiver, ways, light)
+               : indirect_light_share(light, receiver->side);
 }
 
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
@@ -147,13 +153,11 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
     }
     struct indirect_light light;
     if (!receiver->pixel) {
-        struct mesh_blend blend;
-        point_mesh_blend(&mesh->points, worker, receiver, &blend);
-        light = blend_light(&blend);
+        indirect_mesh_blend(mesh, worker, receiver, &light);
         return indirect_light_share(&light, receiver->normal);
     }
-    struct indirect_share share = indirect_mesh_around(
-        mesh, worker, receiver, mesh->near / NEAR_LONE_PART, &light);
+    struct indirect_share share =
+        indirect_mesh_around(mesh, worker, receiver, &mesh->near_lone, &light);
     if (vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat)
         share = indirect_light_share(&light, receiver->normal);
     return share;

@@ -15,6 +15,8 @@
 #include "lightmesh/gather_ways.h"
 #include "lightmesh/gather.h"
 #include "lightmesh/indirect_light.h"
+#include "lightmesh/near_field.h"
+#include "lightmesh/onward.h"
 
 enum { BOUNCES_MAX = 20 };
 
@@ -23,10 +25,11 @@ struct indirect_options {
     struct lattice_view view;     /* of gather rays */
     struct refinement refinement; /* likewise */
     const struct interpolation *interpolation;
-    double radius; /* of interpolation, in spacings; 0: its own */
-    int bounces;   /* 1..BOUNCES_MAX */
-    int samples;   /* gather rays of a mesh point */
-    int near;      /* rays to what is close to a place that is seen */
+    double radius;       /* of interpolation, in spacings; 0: its own */
+    int bounces;         /* 1..BOUNCES_MAX */
+    int samples;         /* gather rays of a mesh point */
+    int near, near_lone; /* rays to what is close to a corner of many pixels,
+                          * and to a place that is seen alone */
     const struct bright *bright; /* where most light comes from; NULL: nobody
                                   * looked */
     size_t bytes;                /* of memory, all bounces together */
@@ -43,9 +46,11 @@ struct indirect_mesh {
     struct indirect_mesh *next;  /* of the bounce before this, or NULL */
     const struct bright *bright; /* as of its options; NULL: none of its rays go
                                   * there */
-    int samples, lone_samples, near;
+    int samples, lone_samples;
     struct gather_ways ways;
-    vec3 *near_ways; /* of the near rays */
+    struct onwards onwards;           /* of its gather rays */
+    struct near_ways near, near_lone; /* of near rays, as of its options */
+    struct onwards near_onwards;      /* likewise */
 };
 
 /* Frees with indirect_mesh_free. All that is given must outlive it. */
@@ -61,12 +66,18 @@ bool indirect_mesh_leaves(const struct indirect_mesh *mesh,
                           const struct receiver *receiver);
 
 /* What the mesh points around know together, before the receiver's cosines,
- * into *light, mended by so many rays to what stands close (near_field.h).
+ * into *light. Returns false where there are none, and it is the receiver's own
+ * place that knows: that sees by itself what is close. */
+bool indirect_mesh_blend(const struct indirect_mesh *mesh,
+                         struct worker *worker, const struct receiver *receiver,
+                         struct indirect_light *light);
+
+/* The same, mended by rays along `ways` to what stands close (near_field.h).
  * Returns what the receiver's side gets of it, without bumps. */
 struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
                                            struct worker *worker,
                                            const struct receiver *receiver,
-                                           int rays,
+                                           const struct near_ways *ways,
                                            struct indirect_light *light);
 
 /* What is worth little is less exact. */

@@ -94,6 +94,7 @@ static void corners_find(struct corners *corners,
 {
     const struct grid_cell *name = &corners->name;
     corners->count = 0;
+    corners->sum = 0;
     corners->missing = !corners->cell;
     if (corners->missing)
         return;
@@ -106,6 +107,7 @@ static void corners_find(struct corners *corners,
             corners->missing = true;
             continue;
         }
+        corners->sum += name->weight[i];
         corners->at[corners->count].number = i;
         corners->at[corners->count].weight = name->weight[i];
         corners->at[corners->count++].corner = corner;
@@ -116,13 +118,10 @@ static void corners_ask(struct corners *corners,
                         const struct indirect_pixels *pixels,
                         struct worker *worker, const struct receiver *receiver)
 {
-    corners->sum = 0;
-    for (int i = 0; i < corners->count; i++) {
-        corners->sum += corners->at[i].weight;
+    for (int i = 0; i < corners->count; i++)
         corners->at[i].light =
             corner_store_light(pixels->store, worker, corners->cell,
                                corners->at[i].number, receiver);
-    }
 }
 
 /* Where they differ much something may stand between, or on a corner. Cells
@@ -341,11 +340,13 @@ static bool grid_light(const struct indirect_pixels *pixels,
     hold[0] = corners_flat(&at[0], pixels, worker, receiver);
     if (cells_light(at, hold, blend, share))
         return true;
+    corners_find(&at[0], pixels, worker, receiver, false);
+    if (at[0].sum < indirect_pixels_enough)
+        return lone_light(pixels, worker, receiver, share);
     if (hold[1] == CELL_HOLDS) {
         corners_find(&at[1], pixels, worker, receiver, true);
         corners_ask(&at[1], pixels, worker, receiver);
     }
-    corners_find(&at[0], pixels, worker, receiver, false);
     corners_ask(&at[0], pixels, worker, receiver);
     return corners_blend(pixels, worker, receiver, at, blend, share) ||
            lone_light(pixels, worker, receiver, share);

@@ -59,7 +59,7 @@ bool lone_places_light(const struct lone_places *places, struct worker *worker,
         lone->at[i].coarser = coarser;
         corner_here(&lone->at[i].corner, places->mesh, receiver);
         corner_ask(&lone->at[i].light, places->mesh, worker, receiver,
-                   places->mesh->near / NEAR_LONE_PART);
+                   &places->mesh->near_lone);
     }
     *share = corner_share(&lone->at[i].corner, &lone->at[i].light, receiver);
     return true;

@@ -22,7 +22,7 @@ struct nearby {
     struct worker *worker;
     const struct receiver *receiver;
     double reach; /* of its rays, units */
-    int rays;
+    const struct near_ways *ways;
     struct along all, hidden;     /* sums of what the points say */
     struct indirect_light met;    /* what comes from what was met, */
     struct indirect_share shares; /* and what the side gets of it */
@@ -47,30 +47,48 @@ static struct draws near_draws(const struct gather *gather, unsigned number)
     return (struct draws){ gather->lamps->seed ^ near_key, number };
 }
 
-vec3 *near_field_ways(const struct gather *gather, int rays)
+struct onwards near_onwards_new(const struct gather *gather, int rays)
 {
-    vec3 *ways = memory_new((size_t)rays * sizeof *ways);
-    for (int i = 0; i < rays; i++) {
-        const struct draws draws = near_draws(gather, (unsigned)i);
-        double u[2];
-        draw_pair(&draws, GATHER_DIRECTION, u);
-        ways[i] = warp_lambert(u);
-    }
+    return onwards_new(near_draws(gather, 0).key, (uint32_t)rays);
+}
+
+/* A Fermat spiral on the disc below the hemisphere (Vogel 1979): a draw of so
+ * few leaves gaps, where what is close is missed by all places alike [truth:
+ * ten of these are as good as twelve drawn in nets]. Each packet of them goes
+ * all along it. */
+struct near_ways near_ways_new(int count)
+{
+    const double golden = WARP_PI * (3 - sqrt(5));
+    const int packets = (count + RAY_LANES - 1) / RAY_LANES;
+    struct near_ways ways = { 0,
+                              memory_new((size_t)count * sizeof *ways.ways) };
+    for (int packet = 0; packet < packets; packet++)
+        for (int i = packet; i < count; i += packets) {
+            double square = (i + 0.5) / count, radius = sqrt(square);
+            ways.ways[ways.count++] =
+                vec3_make(radius * cos(i * golden), radius * sin(i * golden),
+                          sqrt(1 - square));
+        }
     return ways;
 }
 
-/* Numbers from `first` on, which are drawn by the cosine. */
+void near_ways_free(struct near_ways *ways)
+{
+    memory_free(ways->ways);
+}
+
+/* Numbers from `first` on. */
 static void nearby_trace(const struct nearby *nearby, int first,
                          struct gather_rays *sent)
 {
     const struct receiver *receiver = nearby->receiver;
     const struct gather *gather = &nearby->mesh->gather;
     sent->count = 0;
-    for (int i = first; i < nearby->rays && sent->count < RAY_LANES; i++) {
+    for (int i = first; i < nearby->ways->count && sent->count < RAY_LANES;
+         i++) {
         const struct draws draws = near_draws(gather, (unsigned)i);
-        gather_rays_add(
-            sent, &draws, receiver->point,
-            warp_turned(nearby->mesh->near_ways[i], receiver->side));
+        gather_rays_add(sent, &draws, receiver->point,
+                        warp_turned(nearby->ways->ways[i], receiver->side));
     }
     gather_rays_trace(gather, nearby->worker, nearby->reach, sent);
 }
@@ -90,7 +108,7 @@ static double nearby_meet(struct nearby *nearby, const struct gather_rays *sent,
     vec3 way = rays_at(&sent->rays, (int)i).direction;
     struct gathered_ray found;
     double density = vec3_dot(way, nearby->receiver->side) / WARP_PI;
-    double count = nearby->rays;
+    double count = nearby->ways->count;
     if (!(density > 0) || !sent->hits[i].leaf)
         return 0;
     gather_rays_follow(&nearby->gather, nearby->worker, sent, i, &found);
@@ -140,13 +158,13 @@ static bool nearby_look_around(struct nearby *nearby,
                                const struct indirect_light *light)
 {
     bool any = false;
-    for (int first = 0; first < nearby->rays; first += RAY_LANES) {
+    for (int first = 0; first < nearby->ways->count; first += RAY_LANES) {
         struct gather_rays sent;
         nearby_trace(nearby, first, &sent);
         unsigned met = nearby_met(&sent);
         any = any || met > 0;
         nearby->gather.crevice = share_deep((double)met / sent.count);
-        if (any || first + RAY_LANES < nearby->rays)
+        if (any || first + RAY_LANES < nearby->ways->count)
             nearby_add(nearby, &sent, light);
     }
     return any;
@@ -171,7 +189,8 @@ static double share_left(double hidden, double all)
 struct indirect_share near_field_share(const struct indirect_mesh *mesh,
                                        struct worker *worker,
                                        const struct receiver *receiver,
-                                       int rays, struct indirect_light *light)
+                                       const struct near_ways *ways,
+                                       struct indirect_light *light)
 {
     struct nearby nearby = {
         .mesh = mesh,
@@ -179,11 +198,12 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
         .worker = worker,
         .receiver = receiver,
         .reach = near_reach(mesh, receiver),
-        .rays = rays,
+        .ways = ways,
     };
     nearby.gather.indirect = mesh;
     nearby.gather.here = light;
     nearby.gather.reach = nearby.reach;
+    nearby.gather.onwards = &mesh->near_onwards;
     bool any = nearby_look_around(&nearby, light);
     if (any)
         indirect_light_dim(light,

@@ -7,23 +7,34 @@
 #define LIGHTMESH_NEAR_FIELD_H
 
 #include "lightmesh/gather.h"
+#include "lightmesh/onward.h"
 
 struct indirect_mesh;
 struct receiver;
 struct worker;
 
-/* Its rays look along these, around a z that is the side; nets of them
- * (base/draw.h) begin with the first. The caller frees them. */
-vec3 *near_field_ways(const struct gather *gather, int rays);
+/* Where its rays look, around a z that is the side: drawn by the cosine, as
+ * evenly as so few can be. */
+struct near_ways {
+    int count;
+    vec3 *ways;
+};
 
-/* What the receiver gets of *light, a blend of the mesh's points, by so many
- * rays; *light is mended as well, and the share is that of the receiver's side,
- * without bumps. What glows hides nothing: mesh points pick it. Where half of
- * the rays meet nothing the others are spared. */
+/* Frees with near_ways_free. */
+struct near_ways near_ways_new(int count);
+void near_ways_free(struct near_ways *ways);
+
+/* What is drawn where so many rays go on. */
+struct onwards near_onwards_new(const struct gather *gather, int rays);
+
+/* What the receiver gets of *light, a blend of the mesh's points, by rays along
+ * these ways; *light is mended as well, and the share is that of the receiver's
+ * side, without bumps. What glows hides nothing: mesh points pick it. */
 struct indirect_share near_field_share(const struct indirect_mesh *mesh,
                                        struct worker *worker,
                                        const struct receiver *receiver,
-                                       int rays, struct indirect_light *light);
+                                       const struct near_ways *ways,
+                                       struct indirect_light *light);
 
 /* How much what is so far off counts as what mesh points see past, of what is
  * within reach: 1 nearby, 0 out of it. */

@@ -28,6 +28,9 @@ struct block {
         struct corner corner;
         struct corner_light light;
     } places[BLOCK_PLACES];
+    int coarser; /* as the middle was asked for what the points around know, */
+    bool around; /* whether there are any, */
+    struct indirect_light light; /* and what that is */
 };
 
 struct pixel_blocks {
@@ -89,6 +92,7 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks)
     struct rays_span span = { { 0 }, { 0 } };
     int number[BLOCK_PLACES];
     unsigned count = 0;
+    block->coarser = -1;
     for (int i = 0; i < BLOCK_PLACES; i++) {
         block->hits[i].leaf = NULL;
         block->places[i].placed = false;
@@ -155,6 +159,39 @@ static bool place_serves(const struct block *block, int number,
             apart <= block_beside * block->places[number].footprint);
 }
 
+/* Whether mesh points look alike from there and from the middle: they are much
+ * farther off, and no thin wall is between. */
+static bool place_is_central(const struct block *block,
+                             const struct pixel_blocks *blocks,
+                             struct worker *worker, int number,
+                             const struct receiver *receiver)
+{
+    const struct corner *middle = &block->places[BLOCK_PLACES / 2].corner;
+    double apart = vec3_length(vec3_sub(receiver->point, middle->point));
+    if (number == BLOCK_PLACES / 2)
+        return true;
+    return block->places[BLOCK_PLACES / 2].placed &&
+           apart <= block_around * middle->reach &&
+           vec3_dot(receiver->side, middle->side) >= block_around_bend &&
+           corner_sees(middle, blocks->mesh, worker, receiver);
+}
+
+/* What the points around the middle know, for those places: finding which of
+ * them see a place costs as much as looking around there. */
+static bool block_ask(struct block *block, const struct pixel_blocks *blocks,
+                      struct worker *worker, const struct receiver *like,
+                      int coarser)
+{
+    if (block->coarser == coarser)
+        return block->around;
+    const struct receiver receiver =
+        corner_receiver(&block->places[BLOCK_PLACES / 2].corner, like, coarser);
+    block->around =
+        indirect_mesh_blend(blocks->mesh, worker, &receiver, &block->light);
+    block->coarser = coarser;
+    return block->around;
+}
+
 static void place_ask(struct block *block, const struct pixel_blocks *blocks,
                       struct worker *worker, int number,
                       const struct receiver *like)
@@ -164,8 +201,16 @@ static void place_ask(struct block *block, const struct pixel_blocks *blocks,
         return;
     struct receiver receiver =
         corner_receiver(&block->places[number].corner, like, coarser);
-    corner_ask(&block->places[number].light, blocks->mesh, worker, &receiver,
-               blocks->mesh->near / NEAR_LONE_PART);
+    struct corner_light *light = &block->places[number].light;
+    const struct near_ways *ways = &blocks->mesh->near_lone;
+    if (place_is_central(block, blocks, worker, number, &receiver) &&
+        block_ask(block, blocks, worker, like, coarser)) {
+        light->light = block->light;
+        light->share = near_field_share(blocks->mesh, worker, &receiver, ways,
+                                        &light->light);
+    } else {
+        corner_ask(light, blocks->mesh, worker, &receiver, ways);
+    }
     block->places[number].coarser = coarser;
 }
 

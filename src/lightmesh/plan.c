@@ -232,6 +232,11 @@ static void plan_direct(struct plan *plan,
                        plan->direct.refinement.levels + KEPT_LEVELS);
 }
 
+static int near_rays(const struct plan *plan, int usual)
+{
+    return (int)ceil(plan->finer * plan->finer * usual);
+}
+
 static void plan_indirect(struct plan *plan,
                           const struct light_mesh_settings *said,
                           gather_close *close, const void *close_context)
@@ -252,8 +257,8 @@ static void plan_indirect(struct plan *plan,
         .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
         .samples = frame->samples,
-        .near = NEAR_LONE_PART * (int)ceil(plan->finer * plan->finer *
-                                           NEAR_RAYS / NEAR_LONE_PART),
+        .near = near_rays(plan, NEAR_RAYS),
+        .near_lone = near_rays(plan, NEAR_LONE_RAYS),
         .bytes = INDIRECT_BYTES,
         .close = close,
         .close_context = close_context,

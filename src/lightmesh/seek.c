@@ -4,10 +4,9 @@
 
 #include "base/random.h"
 #include "base/smooth.h"
-#include "lightmesh/obstacles.h"
 #include "lightmesh/point_mesh.h"
+#include "lightmesh/seek_sight.h"
 #include "lightmesh/tuning.h"
-#include "shade/shadow.h"
 
 /* A surface place that looks for its mesh points. */
 struct seeker {
@@ -15,31 +14,10 @@ struct seeker {
     struct worker *worker;
     const struct receiver *receiver;
     int level, finer; /* levels that may follow it */
-    double least;     /* share of a point that isn't asked */
+    double least;     /* share of a point that isn't asked, */
+    double most;      /* and of one that is known not to see the place */
     struct mesh_blend *blend;
 };
-
-static bool seeker_sees(const struct seeker *seeker,
-                        const struct lattice_point *point, vec3 from)
-{
-    const struct obstacles *around =
-        point_mesh_around(seeker->mesh, seeker->worker, point);
-    vec3 offset = vec3_sub(seeker->receiver->point, from);
-    enum sight sight = obstacles_sight(around, offset, seeker->receiver->side);
-    if (sight != SIGHT_UNSURE)
-        return sight == SIGHT_CLEAR;
-    double length = vec3_length(offset);
-    struct ray ray = { seeker->receiver->point,
-                       vec3_scale(offset, -1 / length) };
-    seeker->worker->counters.shadow_rays++;
-    return !world_occluded(
-        seeker->mesh->world,
-        &(struct occlusion){ .ray = &ray,
-                             .tmin = surface_offset(seeker->receiver->point),
-                             .tmax = length,
-                             .light = -1,
-                             .spread = gather_spread });
-}
 
 /* 0 behind the surface, 1 well before it. */
 static double seeker_rise(const struct seeker *seeker, vec3 from,
@@ -53,6 +31,7 @@ static double seeker_rise(const struct seeker *seeker, vec3 from,
 /* Mesh points of one level that are before the surface. */
 struct candidates {
     int count;
+    double hidden; /* weight of those that are known not to see the place */
     struct {
         struct lattice_point point;
         vec3 place;
@@ -71,10 +50,13 @@ static void seek_candidates(const struct seeker *seeker,
     vec3 at = lattice_units(&mesh->lattice, seeker->level, lifted);
     int count = mesh->interpolation->weights(at, seeker->receiver->side,
                                              mesh->radius, weights);
-    double least = 0;
-    for (int i = 0; i < count; i++)
+    double least = 0, most = 0;
+    for (int i = 0; i < count; i++) {
         least += seeker->least * weights[i].weight;
+        most += seeker->most * weights[i].weight;
+    }
     candidates->count = 0;
+    candidates->hidden = 0;
     for (int i = 0; i < count; i++) {
         struct lattice_point point;
         if (weights[i].weight <= least)
@@ -86,6 +68,10 @@ static void seek_candidates(const struct seeker *seeker,
             (weights[i].weight - least) * seeker_rise(seeker, from, spacing);
         if (weight <= 0)
             continue;
+        if (weights[i].weight > most) {
+            candidates->hidden += weight;
+            continue;
+        }
         candidates->at[candidates->count].point = point;
         candidates->at[candidates->count].place = from;
         candidates->at[candidates->count++].weight = weight;
@@ -124,7 +110,8 @@ static void seek_seen(struct seeker *seeker,
     struct mesh_blend *blend = seeker->blend;
     for (int i = 0; i < candidates->count; i++) {
         const struct lattice_point *point = &candidates->at[i].point;
-        if (!seeker_sees(seeker, point, candidates->at[i].place))
+        if (!seek_sees(mesh, seeker->worker, seeker->receiver, point,
+                       candidates->at[i].place))
             continue;
         blend->at[blend->count].payload =
             point_mesh_payload(mesh, seeker->worker, point);
@@ -141,10 +128,11 @@ static double seek_points(struct seeker *seeker)
     struct mesh_blend *blend = seeker->blend;
     struct candidates candidates;
     int first = blend->count;
-    double sum = 0, all = 0;
+    double sum = 0, all;
     seek_candidates(seeker, &candidates);
     if (!seek_alike(seeker, &candidates))
         seek_seen(seeker, &candidates);
+    all = candidates.hidden;
     for (int i = 0; i < candidates.count; i++)
         all += candidates.at[i].weight;
     for (int i = first; i < blend->count; i++)
@@ -262,7 +250,8 @@ static struct seeker seeker_new(const struct point_mesh *mesh,
                              .receiver = receiver,
                              .finer = mesh->refinement.levels,
                              .least = mesh->least /
-                                      fmax(receiver->weight, seek_worth) };
+                                      fmax(receiver->weight, seek_worth),
+                             .most = 1 };
     seeker.level =
         lattice_level(&mesh->lattice, &receiver->view, receiver->point, coarse);
     *finest = seeker.level - receiver->view.coarser;
@@ -303,6 +292,7 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     blend->here = false;
     seek_levels(seeker, finest, coarse);
     if (blend->count == 0 && mesh->least > 0) {
+        seeker.most = seeker.least;
         seeker.least = 0;
         seek_levels(seeker, finest, coarse);
     }
@@ -325,61 +315,4 @@ void point_mesh_want(const struct point_mesh *mesh,
             distinct_add(wanted, lattice_key(&point));
         }
     }
-}
-
-/* The corners of a cell, roughly from near to far: those reached from the
- * nearest by steps along axes, the first of which costs least. */
-static void nearest_corners(vec3 at, struct lattice_point corner[8])
-{
-    double t[3] = { at.x - floor(at.x), at.y - floor(at.y),
-                    at.z - floor(at.z) };
-    int low[3] = { (int)floor(at.x), (int)floor(at.y), (int)floor(at.z) };
-    int axis[3] = { 0, 1, 2 };
-    for (int i = 1; i < 3; i++)
-        for (int j = i;
-             j > 0 && fabs(t[axis[j]] - 0.5) < fabs(t[axis[j - 1]] - 0.5);
-             j--) {
-            int swap = axis[j];
-            axis[j] = axis[j - 1];
-            axis[j - 1] = swap;
-        }
-    for (int steps = 0; steps < 8; steps++)
-        for (int i = 0; i < 3; i++) {
-            int up = t[axis[i]] >= 0.5, step = steps >> i & 1;
-            corner[steps].at[axis[i]] = low[axis[i]] + (up ^ step);
-        }
-}
-
-const void *point_mesh_nearest(const struct point_mesh *mesh,
-                               struct worker *worker,
-                               const struct receiver *receiver, vec3 jitter)
-{
-    double coarse;
-    struct lattice_point corner[8];
-    struct seeker seeker = { .mesh = mesh,
-                             .worker = worker,
-                             .receiver = receiver };
-    vec3 place = receiver->point, normal = receiver->side;
-    seeker.level =
-        lattice_level(&mesh->lattice, &receiver->view, place, &coarse);
-    if (coarse > 0.5)
-        seeker.level++;
-    double spacing = lattice_spacing(&mesh->lattice, seeker.level);
-    vec3 lifted = vec3_along(place, normal, seek_lift * spacing);
-    vec3 at = lattice_units(&mesh->lattice, seeker.level, lifted);
-    nearest_corners(vec3_add(at, jitter), corner);
-    for (int traced = 0; traced < 2; traced++)
-        for (int i = 0; i < 8; i++) {
-            corner[i].level = seeker.level;
-            vec3 from = lattice_place(&mesh->lattice, &corner[i]);
-            vec3 offset = vec3_sub(place, from);
-            if (-vec3_dot(offset, normal) < nearest_rise * spacing)
-                continue;
-            if (traced ? seeker_sees(&seeker, &corner[i], from)
-                       : obstacles_sight(
-                             point_mesh_around(mesh, worker, &corner[i]),
-                             offset, normal) == SIGHT_CLEAR)
-                return point_mesh_payload(mesh, worker, &corner[i]);
-        }
-    return NULL;
 }

@@ -89,14 +89,14 @@ static const double kept_rays = 4; /* times as many that are wanted of a point:
 static const double seek_lift = 0.3;    /* above the surface, spacings */
 static const double seek_rise = 0.2;    /* points lower than that count less,
                                          * spacings */
-static const double seek_least = 0.02;  /* of a place's points that gather: what
+static const double seek_least = 0.03;  /* of a place's points that gather: what
                                          * counts no more isn't asked [pillars]
                                          */
 static const double seek_worth = 0.17;  /* and the more of them the less the
                                          * place is worth, down to that [price]
                                          */
 static const double nearest_rise = 0.1; /* likewise, of the nearest */
-static const double worth_fine = 0.25;  /* what is worth less is a level
+static const double worth_fine = 0.15;  /* what is worth less is a level
                                          * coarser, share of the picture */
 static const double worth_step = 3;     /* and one more for each such factor */
 static const double obstacle_reach = 2.5;  /* spacings */
@@ -196,8 +196,8 @@ enum {
     GATHER_MIRRORS = 3,   /* on one way */
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
     CLOSE_RAYS = 30000,   /* between its walls */
-    NEAR_RAYS = 12,       /* to what is close to a place that is seen; */
-    NEAR_LONE_PART = 2,   /* one in so many where only a pixel shares them */
+    NEAR_RAYS = 10,       /* to what is close to a corner, */
+    NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth] */
     LONE_PLACES = 4,      /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,     /* likewise, of what they were told */
     PIXEL_SLOTS = 16,     /* both are kept for so many that were last refined */
@@ -207,7 +207,7 @@ enum {
 /* Indirect light at corners on surfaces [price, look]. */
 enum { INDIRECT_PIXELS_BYTES = 24 * 1000 * 1000 };
 static const double indirect_pixels_most = 15200;  /* corners, but for these: */
-static const double indirect_pixels_near = 4.5;    /* apart at least, pixels */
+static const double indirect_pixels_near = 5;      /* apart at least, pixels */
 static const double indirect_pixels_far = 18;      /* and at most */
 static const double indirect_pixels_flat = 0.9999; /* cosine: no bump */
 static const double indirect_pixels_bend = 0.8;  /* cosine of normals that share
@@ -242,8 +242,11 @@ static const double grid_margin = 0.25; /* of a cell, by which a corner is
 static const double block_places = 0.25; /* of the grid's step, from one place
                                           * of a block to the next */
 static const double block_bend = 0.95;   /* cosine of normals that share one */
-static const double block_beside = 1.5;  /* of that: what is no farther is one
-                                          * surface, or shows no difference */
+static const double block_around = 1;    /* spacings: places no farther from the
+                                          * middle ask the same mesh points, */
+static const double block_around_bend = 0.5; /* if their normals are so near */
+static const double block_beside = 1.5; /* of that: what is no farther is one
+                                         * surface, or shows no difference */
 
 static const double answer_reach = 0.5;  /* of the grid's step: rays of a pixel
                                           * that are no farther apart have one

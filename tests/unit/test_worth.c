@@ -96,9 +96,11 @@ static void test_levels(void **state)
     const char *floor = "plane { y, 0 }";
     (void)state;
     size_t whole = points_asked(floor, 0, 1, &lone);
-    size_t little = points_asked(floor, 0, 0.2, &lone);
-    size_t least = points_asked(floor, 0, 0.05, &lone);
+    size_t little = points_asked(floor, 0, 0.12, &lone);
+    size_t least = points_asked(floor, 0, 0.04, &lone);
     assert_true(whole > 200);
+    /* dark paint, as of half of a floor's squares: no mesh of its own */
+    assert_int_equal(points_asked(floor, 0, 0.2, &lone), whole);
     assert_true(little < whole);
     assert_true(least < little / 2 && least > 0);
     assert_int_equal(points_asked(floor, 1, 1, &lone), little);
@@ -139,12 +141,38 @@ static void test_unknown_void(void **state)
     stage_end(&stage);
 }
 
+/* As even as so few can be: their mean is that of the cosine, and each packet
+ * of many has it. */
+static void test_near_ways(void **state)
+{
+    const int counts[] = { 5, 10, 64 };
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct near_ways ways = near_ways_new(counts[i]);
+        assert_int_equal(ways.count, counts[i]);
+        for (int first = 0; first < ways.count; first += RAY_LANES) {
+            int end = first + RAY_LANES;
+            end = end < ways.count ? end : ways.count;
+            vec3 sum = { 0, 0, 0 };
+            for (int k = first; k < end; k++) {
+                assert_true(fabs(vec3_length(ways.ways[k]) - 1) < 1e-9);
+                sum = vec3_add(sum, ways.ways[k]);
+            }
+            sum = vec3_scale(sum, 1.0 / (end - first));
+            assert_true(fabs(sum.x) < 0.16 && fabs(sum.y) < 0.16);
+            assert_true(fabs(sum.z - 2.0 / 3) < 0.04);
+        }
+        near_ways_free(&ways);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_levels),
         cmocka_unit_test(test_gap),
         cmocka_unit_test(test_unknown_void),
+        cmocka_unit_test(test_near_ways),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,22 @@
+/* Whether a mesh point sees the place of a surface that looks for points. */
+#ifndef LIGHTMESH_SEEK_SIGHT_H
+#define LIGHTMESH_SEEK_SIGHT_H
+
+#include "lightmesh/obstacles.h"
+#include "lightmesh/point_mesh.h"
+
+/* As far as what is around the point, which is at `from`, can tell; */
+enum sight seek_sight(const struct point_mesh *mesh, struct worker *worker,
+                      const struct receiver *receiver,
+                      const struct lattice_point *point, vec3 from);
+
+/* where it can't, by a ray; */
+bool seek_looks(const struct point_mesh *mesh, struct worker *worker,
+                const struct receiver *receiver, vec3 from);
+
+/* and by both. */
+bool seek_sees(const struct point_mesh *mesh, struct worker *worker,
+               const struct receiver *receiver,
+               const struct lattice_point *point, vec3 from);
+
+#endif
