@@ -207,7 +207,7 @@ enum {
 /* Indirect light at corners on surfaces [price, look]. */
 enum { INDIRECT_PIXELS_BYTES = 24 * 1000 * 1000 };
 static const double indirect_pixels_most = 15200;  /* corners, but for these: */
-static const double indirect_pixels_near = 5;      /* apart at least, pixels */
+static const double indirect_pixels_near = 4.5;    /* apart at least, pixels */
 static const double indirect_pixels_far = 18;      /* and at most */
 static const double indirect_pixels_flat = 0.9999; /* cosine: no bump */
 static const double indirect_pixels_bend = 0.8;  /* cosine of normals that share
