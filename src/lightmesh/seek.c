@@ -16,6 +16,7 @@ struct seeker {
     int level, finer; /* levels that may follow it */
     double least;     /* share of a point that isn't asked, */
     double most;      /* and of one that is known not to see the place */
+    bool through;     /* clear panes hide nothing */
     struct mesh_blend *blend;
 };
 
@@ -110,8 +111,11 @@ static void seek_seen(struct seeker *seeker,
     struct mesh_blend *blend = seeker->blend;
     for (int i = 0; i < candidates->count; i++) {
         const struct lattice_point *point = &candidates->at[i].point;
-        if (!seek_sees(mesh, seeker->worker, seeker->receiver, point,
-                       candidates->at[i].place))
+        if (seeker->through
+                ? !seek_looks_through(mesh, seeker->worker, seeker->receiver,
+                                      candidates->at[i].place)
+                : !seek_sees(mesh, seeker->worker, seeker->receiver, point,
+                             candidates->at[i].place))
             continue;
         blend->at[blend->count].payload =
             point_mesh_payload(mesh, seeker->worker, point);
@@ -294,6 +298,14 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     if (blend->count == 0 && mesh->least > 0) {
         seeker.most = seeker.least;
         seeker.least = 0;
+        seek_levels(seeker, finest, coarse);
+    }
+    /* A gap behind a clear pane, too narrow for points, has about the light
+     * that is before it: few rays of its own would say less. */
+    if (blend->count == 0 && mesh->least > 0 && !world_is_opaque(mesh->world)) {
+        seeker.through = true;
+        seeker.least = 0;
+        seeker.most = 1;
         seek_levels(seeker, finest, coarse);
     }
     if (blend->count == 0)

@@ -89,6 +89,7 @@ static const double kept_rays = 4; /* times as many that are wanted of a point:
 static const double seek_lift = 0.3;    /* above the surface, spacings */
 static const double seek_rise = 0.2;    /* points lower than that count less,
                                          * spacings */
+static const double seek_clear = 0.5;   /* of light: panes that let it pass */
 static const double seek_least = 0.03;  /* of a place's points that gather: what
                                          * counts no more isn't asked [pillars]
                                          */
