@@ -400,7 +400,7 @@ CLONES void outline_crosses_many(const struct piece *restrict piece,
         };
         bool near = piece_is_near(&box, lines->line[0][i], lines->line[1][i],
                                   lines->line[2][i]);
-        met[i] = near & rectangle_has(&ground, &box) ? -1 : 0;
+        met[i] = (near & rectangle_has(&ground, &box)) ? -1 : 0;
     }
 }
 
