@@ -14,13 +14,13 @@ enum sight seek_sight(const struct point_mesh *mesh, struct worker *worker,
 bool seek_looks(const struct point_mesh *mesh, struct worker *worker,
                 const struct receiver *receiver, vec3 from);
 
-/* The same by a ray that clear panes don't stop. */
-bool seek_looks_through(const struct point_mesh *mesh, struct worker *worker,
-                        const struct receiver *receiver, vec3 from);
-
 /* and by both. */
 bool seek_sees(const struct point_mesh *mesh, struct worker *worker,
                const struct receiver *receiver,
                const struct lattice_point *point, vec3 from);
+
+/* As seek_looks, by a ray that clear panes don't stop. */
+bool seek_looks_through(const struct point_mesh *mesh, struct worker *worker,
+                        const struct receiver *receiver, vec3 from);
 
 #endif

@@ -270,12 +270,8 @@ static bool array_is_mixed(struct parser *p)
     const struct token *token = stream_peek_infix(p);
     if (token->kind != TOKEN_WORD || strcmp(token->word->text, "mixed") != 0)
         return false;
-    error_at(p, p->token_span, NULL,
-             "a mixed array needs POV-Ray 3.8, and glim reads 3.7; all "
-             "elements of an array are of one kind");
-    stream_next(p);
-    if (stream_peek(p)->kind == TOKEN_LBRACE)
-        skip_brackets(p);
+    error_later(p, NULL, "a mixed array",
+                "all elements of an array are of one kind");
     return true;
 }
 

@@ -155,6 +155,17 @@ static const char *error_near_pattern(const char *wanted, const char *text)
     return nearest.best;
 }
 
+bool error_later(struct parser *p, const char *hint, const char *what,
+                 const char *instead)
+{
+    error_at(p, p->token_span, hint,
+             "%s needs POV-Ray 3.8, and glim reads 3.7; %s", what, instead);
+    stream_next(p);
+    if (stream_peek(p)->kind == TOKEN_LBRACE)
+        skip_brackets(p);
+    return false;
+}
+
 /* `&lt;`, of a scene that was copied out of a web page's source. */
 static const char *error_entity(struct parser *p, const char *word)
 {
@@ -184,12 +195,8 @@ static bool error_foreign(struct parser *p, const char *word)
     }
     if (strcmp(word, "dictionary") != 0)
         return false;
-    error_at(p, p->token_span, "array[3]",
-             "a dictionary needs POV-Ray 3.8, and glim reads 3.7; an array "
-             "keeps values by number");
-    stream_next(p);
-    if (stream_peek(p)->kind == TOKEN_LBRACE)
-        skip_brackets(p);
+    error_later(p, "array[3]", "a dictionary",
+                "an array keeps values by number");
     return true;
 }
 

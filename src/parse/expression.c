@@ -10,8 +10,8 @@
 #include "parse/spline.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
-#include "scene/function.h"
 #include "parse/user_function.h"
+#include "scene/function.h"
 
 enum { VECTOR_LIMIT = 5 }; /* components */
 

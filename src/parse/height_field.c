@@ -136,7 +136,7 @@ static bool height_too_slow(struct parser *p, struct span span)
 }
 
 /* Of x and y from 0 to 1, y downwards from z = 1. */
-static vec3 height_place(const struct height_grid *grid, int x, int y)
+INLINED vec3 height_place(const struct height_grid *grid, int x, int y)
 {
     return vec3_make((double)x / (grid->width - 1),
                      (double)y / (grid->height - 1), 0);
@@ -159,14 +159,9 @@ static void height_values(const struct function *function,
 CLONES static void height_places(const struct height_grid *grid, int x, int y,
                                  struct spots *spots)
 {
-    vec3 first = height_place(grid, 0, y);
-    int count = grid->width - x < SPOTS_MAX ? grid->width - x : SPOTS_MAX;
-    for (int i = 0; i < SPOTS_MAX; i++) {
-        spots->x[i] = (double)(x + i) / (grid->width - 1);
-        spots->y[i] = first.y;
-        spots->z[i] = first.z;
-    }
-    spots->count = count;
+    for (int i = 0; i < SPOTS_MAX; i++)
+        spots_put(spots, i, height_place(grid, x + i, y));
+    spots->count = grid->width - x < SPOTS_MAX ? grid->width - x : SPOTS_MAX;
 }
 
 /* A row of a function that is worked out at several points at once. */

@@ -162,6 +162,12 @@ bool error_expected_hint(struct parser *p, const char *wanted,
  * block is taken. */
 bool error_unopened(struct parser *p);
 
+/* What the next word stands for is of a later version: "a dictionary needs
+ * POV-Ray 3.8 ...; an array keeps values by number". The word is taken, and the
+ * block behind it. */
+bool error_later(struct parser *p, const char *hint, const char *what,
+                 const char *instead);
+
 /* An unknown word in a block: "unknown item 'pigmnt' in 'sphere'", the hint
  * being the nearest of the reserved words or of `fields`. */
 bool error_unknown_item(struct parser *p, const char *block,

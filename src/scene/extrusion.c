@@ -154,9 +154,7 @@ INLINED struct rectangle ground_of(const struct box3 *around, double margin,
                                    bool conic, vec3 o, vec3 d, double tmin,
                                    double tmax)
 {
-    const struct slabs slabs = {
-        o, vec3_make(slab_inverse(d.x), slab_inverse(d.y), slab_inverse(d.z))
-    };
+    const struct slabs slabs = slabs_of(&(struct ray){ o, d });
     slabs_clip(&slabs, around, &tmin, &tmax);
     double near = conic ? 1 / (o.z + tmin * d.z) : 1;
     double far = conic ? 1 / (o.z + tmax * d.z) : 1;
@@ -390,16 +388,22 @@ static void lanes_begin(struct extrusion_lanes *lanes,
     }
 }
 
+INLINED void ground_put(struct outline_lines *lines, int i,
+                        struct rectangle ground)
+{
+    for (int k = 0; k < 2; k++) {
+        lines->low[k][i] = ground.low[k];
+        lines->high[k][i] = ground.high[k];
+    }
+}
+
 /* What an open one comes over where it looks. */
 static void lane_ground(struct extrusion_lanes *lanes,
                         const struct extrusion *e, int i)
 {
-    const struct rectangle ground = ray_ground(
-        e, &lanes->search[i].ray, lanes->span.near[i], lanes->span.far[i]);
-    for (int k = 0; k < 2; k++) {
-        lanes->lines.low[k][i] = ground.low[k];
-        lanes->lines.high[k][i] = ground.high[k];
-    }
+    ground_put(&lanes->lines, i,
+               ray_ground(e, &lanes->search[i].ray, lanes->span.near[i],
+                          lanes->span.far[i]));
 }
 
 INLINED void grounds_find(struct extrusion_lanes *restrict lanes,
@@ -407,16 +411,12 @@ INLINED void grounds_find(struct extrusion_lanes *restrict lanes,
 {
     const struct box3 around = e->around;
     const double margin = e->margin;
-    for (int i = 0; i < RAY_LANES; i++) {
-        const struct rectangle ground =
-            ground_of(&around, margin, conic, rays_origin(&lanes->rays, i),
-                      rays_direction(&lanes->rays, i), lanes->span.near[i],
-                      lanes->span.far[i]);
-        for (int k = 0; k < 2; k++) {
-            lanes->lines.low[k][i] = ground.low[k];
-            lanes->lines.high[k][i] = ground.high[k];
-        }
-    }
+    for (int i = 0; i < RAY_LANES; i++)
+        ground_put(&lanes->lines, i,
+                   ground_of(&around, margin, conic,
+                             rays_origin(&lanes->rays, i),
+                             rays_direction(&lanes->rays, i),
+                             lanes->span.near[i], lanes->span.far[i]));
 }
 
 /* What all of them come over; of those that look for nothing whatever it is. */
@@ -468,9 +468,10 @@ static void lanes_sides(struct extrusion_lanes *lanes,
             if (!search->hits.found || lanes->span.far[i] == search->hits.tmax)
                 continue;
             lanes->span.far[i] = search->hits.tmax;
-            lane_ground(lanes, e, i);
             if (search->any)
                 lanes->open &= ~(1u << i);
+            else
+                lane_ground(lanes, e, i);
         }
     }
 }

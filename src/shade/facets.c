@@ -170,6 +170,22 @@ static vec3 coat_point(const struct facets *facets,
                : affine_point(coat->to_texture, lane_get(facets->point, i));
 }
 
+/* As many of the lanes as are painted at a time, which are taken from them.
+ * `at` as of a coating. */
+static void painted_take(struct painted *painted, const struct facets *facets,
+                         const struct world_coat *coat,
+                         const struct lane_points *at, unsigned *lanes)
+{
+    struct spots *points = &painted->points;
+    points->count = 0;
+    for (; *lanes && points->count < SPOTS_MAX; *lanes &= *lanes - 1) {
+        unsigned i = (unsigned)__builtin_ctz(*lanes);
+        painted->lane[points->count] = i;
+        spots_add(points,
+                  at ? lane_get(at->at, i) : coat_point(facets, coat, i));
+    }
+}
+
 /* The pigments, and the normals' bumps. */
 static void paint_points(const struct facets *facets,
                          const struct coating *coating, unsigned lanes)
@@ -181,14 +197,8 @@ static void paint_points(const struct facets *facets,
     for (unsigned each = lanes; even && each; each &= each - 1)
         paint_pigment(coating, (unsigned)__builtin_ctz(each), pigment->colour);
     while (lanes && (bumpy || !even)) {
-        struct painted painted = { .points.count = 0 };
-        for (; lanes && painted.points.count < SPOTS_MAX; lanes &= lanes - 1) {
-            unsigned i = (unsigned)__builtin_ctz(lanes);
-            painted.lane[painted.points.count] = i;
-            spots_add(&painted.points,
-                      coating->at ? lane_get(coating->at->at, i)
-                                  : coat_point(facets, coating->coat, i));
-        }
+        struct painted painted; /* no more of it than is needed */
+        painted_take(&painted, facets, coating->coat, coating->at, &lanes);
         if (!even)
             paint_pigments(facets, coating, &painted);
         if (bumpy)
@@ -236,16 +246,6 @@ struct painting {
     unsigned first;
 };
 
-/* Layers have the share of the first one of the picked texture. */
-static void lanes_share(struct facets *facets, unsigned k, unsigned first,
-                        unsigned lanes)
-{
-    for (; k > first && lanes; lanes &= lanes - 1) {
-        unsigned i = (unsigned)__builtin_ctz(lanes);
-        facets->layer[k].share[i] = facets->layer[first].share[i];
-    }
-}
-
 static void paint_layers(struct facets *facets, const struct painting *painting,
                          unsigned lanes)
 {
@@ -257,8 +257,6 @@ static void paint_layers(struct facets *facets, const struct painting *painting,
                                          painting->coat, painting->at };
         set_finish(coating.to, lanes, from->finish, painting->twice);
         paint_points(facets, &coating, lanes);
-        if (painting->at)
-            lanes_share(facets, k, painting->first, lanes);
         facets->layered |= k > 0 ? lanes : 0;
         lanes = left > 1 ? weigh_next(facets, k, lanes) : 0;
     }
@@ -288,19 +286,15 @@ static void picks_find(const struct facets *facets,
     picks->lanes[0] = lanes;
     picks->lanes[1] = 0;
     while (lanes) {
-        struct spots points = { .count = 0 }, located;
+        struct painted painted; /* no more of it than is needed */
+        struct spots located;
         struct texture_pick pick[SPOTS_MAX][2];
-        unsigned lane[SPOTS_MAX];
         int counts[SPOTS_MAX];
-        for (; lanes && points.count < SPOTS_MAX; lanes &= lanes - 1) {
-            unsigned i = (unsigned)__builtin_ctz(lanes);
-            lane[points.count] = i;
-            spots_add(&points, coat_point(facets, coat, i));
-        }
-        texture_choose_all(coat->texture->choice, &points, &located, pick,
-                           counts);
-        for (int k = 0; k < points.count; k++) {
-            unsigned i = lane[k];
+        painted_take(&painted, facets, coat, NULL, &lanes);
+        texture_choose_all(coat->texture->choice, &painted.points, &located,
+                           pick, counts);
+        for (int k = 0; k < painted.points.count; k++) {
+            unsigned i = painted.lane[k];
             memcpy(picks->pick[i], pick[k], sizeof pick[k]);
             lane_put(picks->at.at, i, spots_at(&located, k));
             picks->lanes[1] |= (unsigned)(counts[k] > 1) << i;
@@ -494,11 +488,11 @@ struct surface_paint facets_paint_of(const struct facets *facets, unsigned i)
     return paint_at(facets, &facets->layer[0], i);
 }
 
-/* Of the surface, that the layer's texture has. */
-static double layer_share(const struct facets *facets,
-                          const struct facet_layer *layer, unsigned i)
+/* Of the surface, that the texture which begins with layer `top` has. */
+static double texture_share(const struct facets *facets, unsigned i,
+                            unsigned top)
 {
-    return facets->blended >> i & 1 ? layer->share[i] : 1;
+    return facets->blended >> i & 1 ? facets->layer[top].share[i] : 1;
 }
 
 /* Returns what it lets through of what gets to it. */
@@ -512,7 +506,7 @@ static rgb fill_layer(const struct facets *facets, unsigned i, double ior,
     to->pigment = paint.pigment;
     to->normal = paint.bumped;
     to->weight = weight_at(layer, i);
-    to->reflection = rgb_scale(mirror.colour, layer_share(facets, layer, i));
+    to->reflection = mirror.colour;
     to->reflection_weight = mirror.weight;
     return finish_through(paint.finish, paint.pigment, mirror.colour);
 }
@@ -540,6 +534,8 @@ void facets_fill(const struct facets *facets, unsigned i, double ior,
     for (unsigned k = 0; k < depth; k++) {
         struct surface_layer *to = &surface->layer[k];
         rgb through = fill_layer(facets, i, ior, &facets->layer[k], to);
+        to->reflection =
+            rgb_scale(to->reflection, texture_share(facets, i, top));
         if (!facet_ends(facets, i, k, depth))
             continue;
         through = rgb_mul(to->weight, through);

@@ -29,8 +29,8 @@ struct facet_layer {
     double diffuse[RAY_LANES], diffuse_back[RAY_LANES], opacity[RAY_LANES];
     double pigment[3][RAY_LANES], weight[3][RAY_LANES];
     double clear[2][RAY_LANES]; /* of plain ones: filter and transmit */
-    double share[RAY_LANES];    /* of blended ones, of the surface: the picked
-                                 * texture's */
+    double share[RAY_LANES];    /* of the surface, that the picked texture has
+                                 * which begins here */
 };
 
 struct facets {
