@@ -49,7 +49,7 @@ static bool frame_write(struct work *work, const struct tracer *tracer,
     if (options->render.share.count)
         return true;
     if (part_has_bands(options, name))
-        return part_write(&work->part, file.settings, name, file.origin);
+        return part_write(&work->part, file.settings, name, file.origin, image);
     return picture_show(image, options, tracer, work->stop, NULL,
                         &work->diag) &&
            picture_write(image, &file, &work->diag);
@@ -79,8 +79,9 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
     if (!part_start(&work->part, options, settings, name, work->origin.items,
                     &work->diag))
         return false;
-    int rows = part_has_bands(options, name) ? part_band_rows(render->width)
-                                             : render->height;
+    int rows = part_has_bands(options, name)
+                   ? part_band_rows(render, render->width)
+                   : render->height;
     struct image *image = image_new(render->width, rows);
     bool done = frame_pixels(work, tracer, name, image, stats);
     stats_lap(stats, &stats->rendering);

@@ -260,7 +260,7 @@ static bool join_write(struct joining *joining)
     const struct picture_file picture = { &options, &settings, joining->picture,
                                           origin };
     return part_image_write(joining->files, joining->names.count, &picture,
-                            joining->diag);
+                            NULL, joining->diag);
 }
 
 bool part_join(const char *name, struct diag *diag)

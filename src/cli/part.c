@@ -2,6 +2,7 @@
 #include "cli/part.h"
 
 #include <fcntl.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -199,9 +200,10 @@ bool part_start(struct part *part, const struct options *options,
     return false;
 }
 
-/* Pixels that are held in memory at most; they take 16 bytes, and 17 more while
- * they are drawn. */
-static const double whole_pixels = 4e6, band_pixels = 1e6;
+/* Pixels that are held in memory at most, of bands for each thread too; they
+ * take 16 bytes, and 1 to 17 more while they are drawn. */
+static const double whole_pixels = 4e6, band_pixels = 1e6,
+                    thread_pixels = 1.3e5;
 
 bool part_has_bands(const struct options *options, const char *name)
 {
@@ -213,9 +215,10 @@ bool part_has_bands(const struct options *options, const char *name)
            !(integrator_for(options->lighting)->sample && targets);
 }
 
-int part_band_rows(int width)
+int part_band_rows(const struct render_options *options, int width)
 {
-    int bands = (int)(band_pixels / width / RENDER_BAND);
+    double pixels = fmin(band_pixels, thread_pixels * options->threads);
+    int bands = (int)(pixels / width / RENDER_BAND);
     return (bands > 1 ? bands : 1) * RENDER_BAND;
 }
 

@@ -38,12 +38,14 @@ bool part_start(struct part *part, const struct options *options,
  */
 bool part_has_bands(const struct options *options, const char *name);
 
-/* How many rows a band has. */
-int part_band_rows(int width);
+/* How many rows a band has of a picture so wide: the more threads the more, so
+ * that few wait for a band's last tile. */
+int part_band_rows(const struct render_options *options, int width);
 
-/* Writes a picture that was drawn in bands, as picture_write. */
+/* Writes a picture that was drawn in bands, as picture_write; in the last of
+ * them, which it overwrites. */
 bool part_write(struct part *part, const struct settings *settings,
-                const char *name, const char *origin);
+                const char *name, const char *origin, struct image *band);
 
 /* After it. `done`: the picture is written, or the part is whole; then the file
  * of a picture is removed. Returns false after an error was printed. */

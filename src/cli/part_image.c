@@ -134,14 +134,15 @@ static const struct image *reading_at(void *context, int y, int *top)
 }
 
 bool part_image_write(struct part_file *const *files, size_t count,
-                      const struct picture_file *picture, struct diag *diag)
+                      const struct picture_file *picture, struct image *band,
+                      struct diag *diag)
 {
     const char *name = picture->name;
     struct image_format format;
     struct output_space space;
     struct tone_table levels;
     int width = part_file_width(files[0]), height = part_file_height(files[0]);
-    int rows = part_band_rows(width);
+    int rows = part_band_rows(&picture->options->render, width);
     char why[256];
     picture_describe(picture->options, picture->settings, &format, &space);
     format.note = picture->origin;
@@ -154,7 +155,8 @@ bool part_image_write(struct part_file *const *files, size_t count,
         output_levels_fill(&space, &levels);
         reading.levels = &levels;
     }
-    reading.band = image_new(width, bands && rows < height ? rows : height);
+    reading.band =
+        band ? band : image_new(width, bands && rows < height ? rows : height);
     const struct image_bands source = { width, height, reading_at, &reading };
     bool done;
     if (bands) {
@@ -164,7 +166,8 @@ bool part_image_write(struct part_file *const *files, size_t count,
         done = image_write(reading_at(&reading, 0, &top), name, &format, why,
                            sizeof why);
     }
-    image_free(reading.band);
+    if (!band)
+        image_free(reading.band);
     if (!done)
         diag_print(diag, DIAG_ERROR, span_none(), NULL, "can't write '%s': %s",
                    name, why);
@@ -172,9 +175,9 @@ bool part_image_write(struct part_file *const *files, size_t count,
 }
 
 bool part_write(struct part *part, const struct settings *settings,
-                const char *name, const char *origin)
+                const char *name, const char *origin, struct image *band)
 {
     const struct picture_file picture = { part->options, settings, name,
                                           origin };
-    return part_image_write(&part->keeper.file, 1, &picture, part->diag);
+    return part_image_write(&part->keeper.file, 1, &picture, band, part->diag);
 }

@@ -15,6 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/array.h"
 #include "base/hash.h"
 #include "base/memory.h"
 #include "base/parallel.h"
@@ -28,7 +29,7 @@ enum {
     TEXT_LIMIT = 8 << 20,
     SIDE_LIMIT = 4097, /* of a tile; rows of tallies are longer */
     WINDOW = 1 << 20,
-    GATHERED = 512 << 10, /* bytes that are written at once */
+    GATHERED = 128 << 10, /* bytes that are written at once */
     OPAQUE = 1 << 16,     /* in a record's kind: the fourth float is always 1 */
     RGB_BYTES = 3 * sizeof(float),
     RGBA_BYTES = 4 * sizeof(float),
@@ -60,7 +61,6 @@ struct part_tile {
     enum part_kind kind;
     struct area area;
     off_t at; /* of its record */
-    struct part_tile *before;
 };
 
 /* What waits to be written, all at one place. */
@@ -78,8 +78,12 @@ struct part_file {
     struct lock *lock; /* of the next four */
     struct part_room room, spare;
     off_t end; /* where the next tile goes */
-    struct part_tile *last;
-    atomic_int problem; /* errno of the first failure; 0: none */
+    struct {
+        struct part_tile *items; /* the oldest first */
+        size_t count, capacity;
+    } tiles;
+    struct arena *arena; /* theirs alone, so that they grow where they are */
+    atomic_int problem;  /* errno of the first failure; 0: none */
 };
 
 static bool part_has_floats(enum part_kind kind)
@@ -164,10 +168,8 @@ static bool write_at(int handle, const void *from, size_t count, off_t at)
 static void tile_add(struct part_file *file, enum part_kind kind,
                      struct area area, off_t at)
 {
-    struct part_tile *tile = memory_new(sizeof *tile);
-    *tile = (struct part_tile){ .kind = kind, .area = area, .at = at };
-    tile->before = file->last;
-    file->last = tile;
+    *ARRAY_PUSH(file->arena, &file->tiles) =
+        (struct part_tile){ .kind = kind, .area = area, .at = at };
 }
 
 /* A process that was killed may hold it for a moment yet. */
@@ -219,6 +221,7 @@ static struct part_file *part_new(int handle, int width, int height,
     file->height = height;
     file->text = memory_new(length + 1);
     file->lock = lock_new();
+    file->arena = arena_new(0);
     return file;
 }
 
@@ -415,15 +418,10 @@ void part_file_close(struct part_file *file)
     if (!file)
         return;
     part_file_flush(file);
-    struct part_tile *tile = file->last;
-    while (tile) {
-        struct part_tile *before = tile->before;
-        memory_free(tile);
-        tile = before;
-    }
     close(file->handle);
     lock_free(file->lock);
     memory_free(file->spare.bytes);
+    arena_free(file->arena);
     memory_free(file->text);
     memory_free(file);
 }
@@ -551,25 +549,13 @@ void part_file_sync(struct part_file *file)
     fdatasync(file->handle);
 }
 
-static struct part_tile *tiles_turned(struct part_tile *tile)
-{
-    struct part_tile *turned = NULL;
-    while (tile) {
-        struct part_tile *before = tile->before;
-        tile->before = turned;
-        turned = tile;
-        tile = before;
-    }
-    return turned;
-}
-
 void part_file_each(struct part_file *file, enum part_kind kind,
                     struct area within, part_take *take, void *context)
 {
     struct part_record record;
     part_file_flush(file);
-    struct part_tile *oldest = tiles_turned(file->last);
-    for (struct part_tile *tile = oldest; tile; tile = tile->before) {
+    for (size_t i = 0; i < file->tiles.count; i++) {
+        const struct part_tile *tile = &file->tiles.items[i];
         if (tile->kind != kind || !area_meet(tile->area, within))
             continue;
         void *values = NULL;
@@ -582,5 +568,4 @@ void part_file_each(struct part_file *file, enum part_kind kind,
             take(context, tile->area, values);
         memory_free(values);
     }
-    file->last = tiles_turned(oldest);
 }

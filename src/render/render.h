@@ -56,7 +56,7 @@ struct render_options {
                     * where bands are drawn */
 };
 
-enum { RENDER_BAND = 256 };
+enum { RENDER_BAND = 32 };
 
 /* About how many camera rays that takes. */
 double render_camera_rays(const struct render_options *options);

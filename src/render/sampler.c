@@ -25,21 +25,22 @@ static struct area centres_tiled(const struct render_options *options)
                       smaller(bottom + (bottom % tile != 0), options->height) };
 }
 
-/* Whether method 1 may write a whole picture's first samples into the picture
- * itself. */
-static bool sampler_in_place(const struct sampler *sampler,
-                             const struct image *image)
+/* Whether method 1 may write the first samples into the image itself: it has
+ * room for all of them but the row above and the column before. */
+static bool sampler_in_place(const struct sampler *sampler)
 {
     const struct area *tiled = &sampler->tiled, *wanted = &sampler->wanted;
-    return sampler_centres(sampler) && wanted->left == 0 && wanted->top == 0 &&
-           wanted->right == image->width && wanted->bottom == image->height &&
-           tiled->right == image->width && tiled->bottom == image->height;
+    return sampler_centres(sampler) && tiled->left == 0 &&
+           tiled->right == sampler->image->width &&
+           tiled->top == sampler->options->image_top &&
+           memcmp(wanted, tiled, sizeof *tiled) == 0;
 }
 
 static float *sampler_edges_new(const struct sampler *sampler)
 {
-    size_t across = (size_t)sampler->tiled.right + 1;
-    size_t down = (size_t)sampler->tiled.bottom + 1;
+    const struct area *tiled = &sampler->tiled;
+    size_t across = (size_t)(tiled->right - tiled->left + 1);
+    size_t down = (size_t)(tiled->bottom - tiled->top + 1);
     size_t columns = (across + CENTRES_TILE) / CENTRES_TILE;
     size_t pixels = sampler_edge_rows(sampler) * across + columns * down;
     return memory_new(pixels * 4 * sizeof(float));
@@ -91,7 +92,7 @@ struct sampler sampler_new(const struct tracer *tracer,
     if (options->antialias)
         sampler.perceived = perceived_new(&tracer->scene->settings, options);
     sampler.direct = !options->antialias;
-    if (sampler_in_place(&sampler, image))
+    if (sampler_in_place(&sampler))
         sampler.edges = sampler_edges_new(&sampler);
     sampler.grid = sampler.direct || sampler.edges
                        ? image->pixels

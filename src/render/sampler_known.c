@@ -152,7 +152,8 @@ void sampler_take_first(const struct sampler *sampler, struct area tile,
 {
     size_t wide = (size_t)(tile.right - tile.left) * 4;
     for (int y = tile.top; y < tile.bottom; y++, values += wide)
-        if (tile.left >= 0 && y >= 0 && row_is(sampler, tile, y, SAMPLER_SEEN))
+        if (tile.left >= sampler->tiled.left && y >= sampler->tiled.top &&
+            row_is(sampler, tile, y, SAMPLER_SEEN))
             memcpy(values, sampler_place(sampler, tile.left, y),
                    wide * sizeof *values);
         else

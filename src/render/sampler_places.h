@@ -26,16 +26,19 @@ static inline bool sampler_centres(const struct sampler *sampler)
 /* Rows, then columns, that are above or to the left of a tile. */
 static inline size_t sampler_edge_rows(const struct sampler *sampler)
 {
-    return (size_t)((sampler->tiled.bottom + CENTRES_TILE) / CENTRES_TILE);
+    const struct area *tiled = &sampler->tiled;
+    return (size_t)((tiled->bottom - tiled->top + CENTRES_TILE) / CENTRES_TILE);
 }
 
 /* Where it is kept what tiles to the right and below see of a place; NULL: they
  * don't. */
 static inline float *sampler_edge(const struct sampler *sampler, int x, int y)
 {
-    size_t across = (size_t)sampler->tiled.right + 1;
-    size_t down = (size_t)sampler->tiled.bottom + 1;
-    size_t column = (size_t)(x + 1), row = (size_t)(y + 1);
+    const struct area *tiled = &sampler->tiled;
+    size_t across = (size_t)(tiled->right - tiled->left + 1);
+    size_t down = (size_t)(tiled->bottom - tiled->top + 1);
+    size_t column = (size_t)(x - tiled->left + 1);
+    size_t row = (size_t)(y - tiled->top + 1);
     if (row % CENTRES_TILE == 0)
         return sampler->edges + (row / CENTRES_TILE * across + column) * 4;
     if (column % CENTRES_TILE != 0)
@@ -55,7 +58,7 @@ static inline float *sampler_place(const struct sampler *sampler, int x, int y)
         return sampler_pixel(sampler, x, y);
     const struct area *first =
         sampler->edges ? &sampler->tiled : &sampler->first;
-    if (sampler->edges && (x < 0 || y < 0))
+    if (sampler->edges && (x < first->left || y < first->top))
         return sampler_edge(sampler, x, y);
     size_t columns = (size_t)(first->right - first->left);
     size_t row = (size_t)(y - first->top), column = (size_t)(x - first->left);
