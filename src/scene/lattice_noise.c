@@ -8,9 +8,9 @@
  * one before. What the corners of a cell add up to follows for one point after
  * the other, a corner's value and gradient of all fields at a time, since
  * gathering numbers for several takes longer. Points in one cell, as neighbours
- * are in the first octaves, have it added up together; where they stand in a row
- * along x, as those of a picture made of a pattern do, what y and z have to do
- * with it is added up once for all of them. */
+ * are in the first octaves, have it added up together; where they stand in a
+ * row along x, as those of a picture made of a pattern do, what y and z have to
+ * do with it is added up once for all of them. */
 #include "scene/lattice_noise.h"
 
 #include <string.h>
@@ -35,9 +35,8 @@ struct cells {
     LANE_LINES uint64_t plane[3][2][STEP]; /* per axis: the lower, the upper */
     float place[3][STEP];
     float weight[CORNERS][STEP]; /* not of a row */
-    LANE_LINES int64_t cell[STEP]; /* the same for those in the same one */
-    bool one; /* all of them are */
-    bool row; /* they have the same y and z */
+    bool one;                    /* all of them are in the same one */
+    bool row;                    /* they have the same y and z */
 };
 
 /* How far coordinates are above the planes below them, whose numbers are in the
@@ -104,21 +103,20 @@ INLINED bool cells_in_row(const doubles at[3])
 INLINED void cells_place(struct cells *cells, const doubles at[3], words *lost)
 {
     floats blend[3];
-    words number = { 0 };
+    words differ = { 0 };
     for (int axis = 0; axis < 3; axis++) {
         words low;
         floats place = planes_below(at[axis], &low);
+        differ |= low ^ low[0];
         words below = (low + LATTICE_ORIGIN) & LATTICE_MASK;
         words above = (low + (LATTICE_ORIGIN + 1)) & LATTICE_MASK;
         memcpy(cells->plane[axis][0], &below, sizeof below);
         memcpy(cells->plane[axis][1], &above, sizeof above);
         memcpy(cells->place[axis], &place, sizeof place);
         *lost |= planes_lost(low);
-        number = number << 20 | below;
         blend[axis] = places_blend(place);
     }
-    memcpy(cells->cell, &number, sizeof number);
-    cells->one = !any(number ^ number[0]);
+    cells->one = !any(differ);
     cells->row = cells_in_row(at);
     if (!cells->row)
         cells_weigh(cells, blend);
@@ -382,29 +380,20 @@ INLINED floats floats_chosen(flags flag, floats now, floats before)
     return (floats)(((flags)now & flag) | ((flags)before & ~flag));
 }
 
-INLINED int flags_count(wide_flags flag)
-{
-    return -(int)(((flag[0] + flag[1]) + (flag[2] + flag[3])) +
-                  ((flag[4] + flag[5]) + (flag[6] + flag[7])));
-}
-
-/* Adding up a cell for eight points takes as long as for so many alone. */
-enum { CELL_SHARED = 3 };
-
-/* Of points with the same y and z in several cells. */
+/* Of points with the same y and z, in cells that differ in x alone. */
 INLINED floats cells_row(const struct noise_tables *tables,
                          const struct cells *cells)
 {
-    wide_flags number;
+    wide_flags plane;
     floats total = { 0 };
-    memcpy(&number, cells->cell, sizeof number);
+    const uint64_t *planes = cells->plane[0][0];
+    memcpy(&plane, planes, sizeof plane);
 #pragma GCC unroll 1
     for (int i = 0; i < STEP; i++) {
-        wide_flags same = number == cells->cell[i];
-        if (i > 0 && cells->cell[i] == cells->cell[i - 1])
-            continue;
-        total = floats_chosen(__builtin_convertvector(same, flags),
-                              cell_row(tables, cells, i), total);
+        wide_flags same = plane == (int64_t)planes[i];
+        if (i == 0 || planes[i] != planes[i - 1])
+            total = floats_chosen(__builtin_convertvector(same, flags),
+                                  cell_row(tables, cells, i), total);
     }
     return total;
 }
