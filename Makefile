@@ -26,7 +26,9 @@ WARNINGS += -Wno-psabi
 C_WARNINGS = $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes \
 	-Wold-style-definition
 
-FLAGS_release = -O3 -DNDEBUG
+# Functions begin with a line of the cache: else a tenth of a hot loop's time
+# depends on what lies before it.
+FLAGS_release = -O3 -DNDEBUG -falign-functions=64
 FLAGS_debug   = -O0 -g
 FLAGS_asan    = -O1 -g -fno-omit-frame-pointer \
 	-fsanitize=address,undefined,float-cast-overflow \

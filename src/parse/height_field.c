@@ -20,7 +20,7 @@ static double height_number(float value, double top)
 
 /* Two bytes as POV-Ray makes them: rounded down, and without what is beyond
  * them, so that what is above them begins at 0 again. */
-static double height_cut(double number)
+static inline double height_cut(double number)
 {
     number = trunc(number);
     return fabs(number) < 1e15 ? number - 65536 * floor(number / 65536) : 0;
@@ -115,9 +115,11 @@ static void picture_take(void *context, const struct image *image, int y,
     }
 }
 
-static uint16_t height_of_value(double value)
+CLONES static void heights_of_values(const double *restrict values, int count,
+                                     uint16_t *restrict heights)
 {
-    return (uint16_t)height_cut(value * 65535);
+    for (int i = 0; i < count; i++)
+        heights[i] = (uint16_t)(int)height_cut(values[i] * 65535);
 }
 
 static double height_value(const struct function *function, vec3 point,
@@ -173,8 +175,7 @@ static void height_row(const struct function *function,
         double values[SPOTS_MAX];
         height_places(grid, x, y, &spots);
         height_values(function, &spots, values);
-        for (int i = 0; i < spots.count; i++)
-            row[x + i] = height_of_value(values[i]);
+        heights_of_values(values, spots.count, row + x);
     }
 }
 
@@ -192,9 +193,11 @@ static bool height_sample(struct parser *p, struct span span,
         if (function->together || function->values)
             height_row(function, grid, y, row);
         else
-            for (int x = 0; x < grid->width && left > 0; x++)
-                row[x] = height_of_value(
-                    height_value(function, height_place(grid, x, y), &left));
+            for (int x = 0; x < grid->width && left > 0; x++) {
+                double value =
+                    height_value(function, height_place(grid, x, y), &left);
+                heights_of_values(&value, 1, row + x);
+            }
     }
     return left > 0 || height_too_slow(p, span);
 }

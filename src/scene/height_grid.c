@@ -31,18 +31,58 @@ static struct height_range range_join(struct height_range a,
                                   a.high > b.high ? a.high : b.high };
 }
 
-/* Of 2 x 2 squares. */
-static struct height_range range_of_points(const struct height_grid *grid,
-                                           int column, int row)
+/* So many blocks' ranges are found at a time. */
+enum { RANGES = 256, RANGE_POINTS = 2 * RANGES + 1 };
+
+INLINED uint16_t lower(uint16_t a, uint16_t b)
 {
-    struct height_range range = { UINT16_MAX, 0 };
-    for (int j = 2 * row; j <= 2 * row + 2 && j < grid->height; j++) {
-        for (int i = 2 * column; i <= 2 * column + 2 && i < grid->width; i++) {
-            uint16_t h = (uint16_t)height_grid_at(grid, i, j);
-            range = range_join(range, (struct height_range){ h, h });
-        }
+    return a < b ? a : b;
+}
+
+INLINED uint16_t higher(uint16_t a, uint16_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The ranges of `count` blocks of 2 x 2 squares below three rows of points.
+ * Points that are no longer in the grid are those at its edge once more. */
+CLONES static void ranges_of_points(const uint16_t *const rows[3], int points,
+                                    struct height_range *restrict ranges,
+                                    int count)
+{
+    uint16_t low[RANGE_POINTS], high[RANGE_POINTS];
+    const uint16_t *a = rows[0], *b = rows[1], *c = rows[2];
+    for (int i = 0; i < points; i++) {
+        low[i] = lower(lower(a[i], b[i]), c[i]);
+        high[i] = higher(higher(a[i], b[i]), c[i]);
     }
-    return range;
+    for (int i = points; i < 2 * count + 1; i++) {
+        low[i] = low[points - 1];
+        high[i] = high[points - 1];
+    }
+    for (int k = 0; k < count; k++) {
+        ranges[k].low =
+            lower(lower(low[2 * k], low[2 * k + 1]), low[2 * k + 2]);
+        ranges[k].high =
+            higher(higher(high[2 * k], high[2 * k + 1]), high[2 * k + 2]);
+    }
+}
+
+/* A row of blocks of 2 x 2 squares. */
+static void row_of_points(const struct height_grid *grid, int row,
+                          struct height_range *ranges, int count)
+{
+    for (int k = 0; k < count; k += RANGES) {
+        const uint16_t *rows[3];
+        int some = count - k < RANGES ? count - k : RANGES;
+        int points = grid->width - 2 * k < 2 * some + 1 ? grid->width - 2 * k
+                                                        : 2 * some + 1;
+        for (int i = 0; i < 3; i++) {
+            int y = 2 * row + i < grid->height ? 2 * row + i : grid->height - 1;
+            rows[i] = grid->heights + (size_t)y * (size_t)grid->width + 2 * k;
+        }
+        ranges_of_points(rows, points, ranges + k, some);
+    }
 }
 
 static struct height_range range_of_blocks(const struct height_level *below,
@@ -72,9 +112,11 @@ void height_grid_prepare(struct height_grid *grid, struct arena *arena)
                                     columns * (size_t)level->rows);
         for (int j = 0; j < level->rows; j++) {
             struct height_range *row = level->blocks + (size_t)j * columns;
-            for (int i = 0; i < level->columns; i++)
-                row[i] = k == 1 ? range_of_points(grid, i, j)
-                                : range_of_blocks(level - 1, i, j);
+            if (k == 1)
+                row_of_points(grid, j, row, level->columns);
+            else
+                for (int i = 0; i < level->columns; i++)
+                    row[i] = range_of_blocks(level - 1, i, j);
         }
     }
 }
