@@ -83,8 +83,10 @@ static struct inherited inherit(struct flat *flat, const struct object *object,
 {
     struct inherited in = *up;
     in.depth++;
-    in.to_world = affine_compose(up->to_world, *object->maps->own);
-    in.to_tree = affine_compose(up->to_tree, *object->maps->own);
+    if (object->maps->own != &affine_unmoved) {
+        in.to_world = affine_compose(up->to_world, *object->maps->own);
+        in.to_tree = affine_compose(up->to_tree, *object->maps->own);
+    }
     if (object->texture) {
         in.texture = object->texture;
         in.from_texture = affine_compose(up->to_world, *object->maps->texture);
@@ -255,7 +257,8 @@ static void measure_leaf(struct flat *flat, struct solid *solid,
     bool has_inside = shape ? object->primitive->solid : object->mesh->solid;
     struct box3 box =
         shape ? object->primitive->bounds(leaf->shape) : object->mesh->bounds;
-    solid->surface = solid_padded(affine_box(to_tree, box));
+    solid->surface = solid_padded(
+        to_tree == &affine_unmoved ? box : affine_box(to_tree, box));
     solid->region = &solid_nothing;
     solid->holes = &solid_everything;
     if (!has_inside)
@@ -297,7 +300,7 @@ static struct solid *build_leaf_solid(struct flat *flat,
     solid->moved = pose != &pose_unmoved;
     if (object->kind == OBJECT_MESH)
         solid_more(flat->arena, solid)->tree = flat_tree(flat, object->mesh);
-    measure_leaf(flat, solid, moved ? &affine_unmoved : &in->to_tree);
+    measure_leaf(flat, solid, solid->moved ? &in->to_tree : &affine_unmoved);
     return solid;
 }
 
