@@ -56,7 +56,7 @@ static const double large_page_slow = 1e-3; /* seconds; usual ones take 0.8 */
 static atomic_size_t usual_bytes;
 static atomic_uint usual_next, usual_blocks;
 
-enum { USUAL_LEAST = 32 * LARGE_PAGE, USUAL_MOST = 16 };
+enum { USUAL_LEAST = 8 * LARGE_PAGE, USUAL_MOST = 16 };
 
 /* Whether the next block is to be of large pages. */
 static bool large_pages_wanted(size_t size)
