@@ -169,6 +169,14 @@ bool texture_is_spatial(const struct texture *texture)
     return true;
 }
 
+bool texture_is_even(const struct texture *texture)
+{
+    bool even = !texture->choice;
+    for (size_t i = 0; i < texture->count; i++)
+        even = even && texture->layers[i].pigment->kind == PIGMENT_COLOUR;
+    return even;
+}
+
 bool texture_mirrors(const struct texture *texture)
 {
     for (size_t i = 0; i < texture->count; i++)

@@ -278,6 +278,10 @@ bool texture_is_plain(const struct texture *texture, bool mapped);
 /* Whether none of its pigments is laid by the surface's coordinates. */
 bool texture_is_spatial(const struct texture *texture);
 
+/* Whether its pigments are colours: the share of light that passes it is the
+ * same at any point. */
+bool texture_is_even(const struct texture *texture);
+
 /* Whether any layer does, that of a choice included. */
 bool texture_mirrors(const struct texture *texture);
 

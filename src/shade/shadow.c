@@ -67,9 +67,12 @@ static rgb pane_through(const struct ray *ray, const struct world_hit *hit,
                         bool smooth)
 {
     const struct leaf *leaf = hit->leaf;
+    const struct interior *interior = leaf->look->interior;
     struct intersection at;
-    if (leaf->look->spatial && !leaf->look->coated &&
-        !(leaf->look->interior && leaf->look->interior->caustics != 0))
+    bool gathered = interior && interior->caustics != 0;
+    if (leaf->look->tinted && !gathered)
+        return leaf->look->tint;
+    if (leaf->look->spatial && !leaf->look->coated && !gathered)
         return texture_transmittance(
             leaf->look->texture,
             affine_point(leaf->look->to_texture, ray_point(ray, hit->hit.t)),

@@ -14,6 +14,7 @@
 #ifndef WORLD_SOLID_H
 #define WORLD_SOLID_H
 
+#include "base/rgb.h"
 #include "scene/mesh.h"
 #include "scene/object.h"
 #include "scene/rays.h"
@@ -58,6 +59,8 @@ struct leaf_look {
     bool spatial; /* and the same on any surface there (texture_is_spatial) */
     bool last;    /* it is plain, and no ray goes on from it: it is opaque and
                    * mirrors nothing */
+    bool tinted;  /* it lets the same light pass all over it: */
+    rgb tint;
 };
 
 /* A shape or a mesh in the world. */
