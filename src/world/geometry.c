@@ -46,12 +46,12 @@ static inline double embree_far(double t, double shift, double doubt)
     return embree_number((t + shift) * (1 + 1e-6) + doubt);
 }
 
-/* Which of Embree's rays are asked about, as bits of their numbers. */
-static unsigned lanes_of(const int *valid, const unsigned *id, unsigned n)
+/* The bits of those rays' numbers. */
+static unsigned lanes_of(unsigned asked, const unsigned *id)
 {
     unsigned lanes = 0;
-    for (unsigned i = 0; i < n; i++)
-        lanes |= valid[i] == -1 ? 1u << id[i] : 0;
+    for (; asked; asked &= asked - 1)
+        lanes |= 1u << id[__builtin_ctz(asked)];
     return lanes;
 }
 
@@ -63,13 +63,12 @@ static void packet_intersect(const struct RTCIntersectFunctionNArguments *a,
     float *tfar = (float *)a->rayhit + LANE_TFAR * a->N;
     const unsigned *id = (const unsigned *)a->rayhit + LANE_ID * a->N;
     unsigned *hit = (unsigned *)a->rayhit + LANE_HIT * a->N;
+    unsigned asked = embree_asked(a->valid, a->N);
     double before[RAY_LANES];
     memcpy(before, packet->span.far, sizeof before);
-    packet_look(packet, geometry->solids.items[a->primID],
-                lanes_of(a->valid, id, a->N));
-    for (unsigned i = 0; i < a->N; i++) {
-        if (a->valid[i] != -1)
-            continue;
+    packet_look(packet, geometry->solids.items[a->primID], lanes_of(asked, id));
+    for (; asked; asked &= asked - 1) {
+        unsigned i = (unsigned)__builtin_ctz(asked);
         double now = packet->span.far[id[i]];
         a->valid[i] = now < before[id[i]] ? -1 : 0;
         if (!a->valid[i])
@@ -112,11 +111,10 @@ static void packet_occluded(const struct RTCOccludedFunctionNArguments *a,
     const struct geometry *geometry = a->geometryUserPtr;
     float *tfar = (float *)a->ray + LANE_TFAR * a->N;
     const unsigned *id = (const unsigned *)a->ray + LANE_ID * a->N;
-    packet_look(packet, geometry->solids.items[a->primID],
-                lanes_of(a->valid, id, a->N));
-    for (unsigned i = 0; i < a->N; i++) {
-        if (a->valid[i] != -1)
-            continue;
+    unsigned asked = embree_asked(a->valid, a->N);
+    packet_look(packet, geometry->solids.items[a->primID], lanes_of(asked, id));
+    for (; asked; asked &= asked - 1) {
+        unsigned i = (unsigned)__builtin_ctz(asked);
         if (packet->open >> id[i] & 1)
             a->valid[i] = 0;
         else

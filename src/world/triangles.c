@@ -20,9 +20,9 @@ static struct triangle_ref locate(const struct RTCFilterFunctionNArguments *a,
 
 static void nearest_filter(const struct RTCFilterFunctionNArguments *a)
 {
-    for (unsigned i = 0; i < a->N; i++) {
-        if (a->valid[i] != -1)
-            continue;
+    unsigned asked = embree_asked(a->valid, a->N);
+    for (; asked; asked &= asked - 1) {
+        unsigned i = (unsigned)__builtin_ctz(asked);
         struct query *query = query_lane(a->context, a->ray, a->N, i);
         struct triangle_ref ref = locate(a, i);
         double t;
@@ -59,9 +59,9 @@ static bool blocks_plainly(struct query *query,
 
 static void plain_shadow_filter(const struct RTCFilterFunctionNArguments *a)
 {
-    for (unsigned i = 0; i < a->N; i++) {
-        if (a->valid[i] != -1)
-            continue;
+    unsigned asked = embree_asked(a->valid, a->N);
+    for (; asked; asked &= asked - 1) {
+        unsigned i = (unsigned)__builtin_ctz(asked);
         struct query *query = query_lane(a->context, a->ray, a->N, i);
         query->blocked = blocks_plainly(query, a, i);
         if (!query->blocked)
@@ -79,9 +79,9 @@ static bool blocks(struct query *query, struct triangle_ref ref)
 
 static void shadow_filter(const struct RTCFilterFunctionNArguments *a)
 {
-    for (unsigned i = 0; i < a->N; i++) {
-        if (a->valid[i] != -1)
-            continue;
+    unsigned asked = embree_asked(a->valid, a->N);
+    for (; asked; asked &= asked - 1) {
+        unsigned i = (unsigned)__builtin_ctz(asked);
         struct query *query = query_lane(a->context, a->ray, a->N, i);
         if (!blocks(query, locate(a, i)))
             a->valid[i] = 0;
