@@ -5,13 +5,9 @@
 #include "base/clones.h"
 #include "base/rgb.h"
 #include "image/file.h"
+#include "parse/function_picture.h"
 #include "parse/rules.h"
 #include "parse/user_function.h"
-#include "scene/function_field.h"
-#include "scene/spots.h"
-
-/* Of all heights of a function together. */
-enum { HEIGHT_STEPS = 1000000000 };
 
 static double height_number(float value, double top)
 {
@@ -122,84 +118,41 @@ CLONES static void heights_of_values(const double *restrict values, int count,
         heights[i] = (uint16_t)(int)height_cut(values[i] * 65535);
 }
 
-static double height_value(const struct function *function, vec3 point,
-                           unsigned long *steps_left)
-{
-    const double arguments[] = { point.x, point.y, point.z };
-    return function_evaluate(function, arguments, steps_left);
-}
-
 static bool height_too_slow(struct parser *p, struct span span)
 {
     return error_at(p, span, NULL,
                     "all heights together take more than %d steps of the "
                     "function, glim's limit",
-                    HEIGHT_STEPS);
+                    FUNCTION_PICTURE_STEPS);
 }
 
 /* Of x and y from 0 to 1, y downwards from z = 1. */
-INLINED vec3 height_place(const struct height_grid *grid, int x, int y)
+static bool height_row(struct function_picture *picture, int y, uint16_t *row)
 {
-    return vec3_make((double)x / (grid->width - 1),
-                     (double)y / (grid->height - 1), 0);
-}
-
-static void height_values(const struct function *function,
-                          const struct spots *spots, double *heights)
-{
-    double c[SPOTS_MAX][5];
-    if (!function->values) {
-        function_values_at(function, spots, heights);
-        return;
+    struct function_piece piece;
+    for (int x = 0; x < picture->width; x += piece.count) {
+        if (!function_picture_piece(picture, x, y, &piece))
+            return false;
+        for (int i = 0; picture->function->values && i < piece.count; i++)
+            piece.values[i] = grey_of(piece.parts[i][0], piece.parts[i][1],
+                                      piece.parts[i][2]);
+        heights_of_values(piece.values, piece.count, row + x);
     }
-    function_values_all(function->values, spots, c);
-    for (int i = 0; i < spots->count; i++)
-        heights[i] = grey_of(c[i][0], c[i][1], c[i][2]);
+    return true;
 }
 
-/* The places of a row from x on, as many as are asked for at a time. */
-CLONES static void height_places(const struct height_grid *grid, int x, int y,
-                                 struct spots *spots)
-{
-    for (int i = 0; i < SPOTS_MAX; i++)
-        spots_put(spots, i, height_place(grid, x + i, y));
-    spots->count = grid->width - x < SPOTS_MAX ? grid->width - x : SPOTS_MAX;
-}
-
-/* A row of a function that is worked out at several points at once. */
-static void height_row(const struct function *function,
-                       const struct height_grid *grid, int y, uint16_t *row)
-{
-    for (int x = 0; x < grid->width; x += SPOTS_MAX) {
-        struct spots spots;
-        double values[SPOTS_MAX];
-        height_places(grid, x, y, &spots);
-        height_values(function, &spots, values);
-        heights_of_values(values, spots.count, row + x);
-    }
-}
-
-/* No function that is worked out at several points at once takes more steps
- * than were counted before. */
 static bool height_sample(struct parser *p, struct span span,
-                          const struct function *function,
+                          struct function_picture *picture,
                           struct height_grid *grid)
 {
-    unsigned long left = HEIGHT_STEPS;
     for (int y = 0; y < grid->height; y++) {
-        uint16_t *row = grid->heights + (size_t)y * (size_t)grid->width;
         if (stream_stopped(p))
             return false;
-        if (function->together || function->values)
-            height_row(function, grid, y, row);
-        else
-            for (int x = 0; x < grid->width && left > 0; x++) {
-                double value =
-                    height_value(function, height_place(grid, x, y), &left);
-                heights_of_values(&value, 1, row + x);
-            }
+        if (!height_row(picture, y,
+                        grid->heights + (size_t)y * (size_t)grid->width))
+            return height_too_slow(p, span);
     }
-    return left > 0 || height_too_slow(p, span);
+    return true;
 }
 
 static bool height_function(struct parser *p, struct height_grid *grid)
@@ -210,11 +163,12 @@ static bool height_function(struct parser *p, struct height_grid *grid)
     if (!parse_function_image(p, &width, &height, &function))
         return false;
     span = span_join(span, p->last_span);
-    double count = (double)width * height;
-    if (count <= HEIGHT_GRID_LIMIT && count * function->work > HEIGHT_STEPS)
+    struct function_picture picture =
+        function_picture_new(function, width, height);
+    if ((double)width * height <= HEIGHT_GRID_LIMIT && !picture.steps_left)
         return height_too_slow(p, span);
     return height_room(p, span, grid, width, height) &&
-           height_sample(p, span, function, grid);
+           height_sample(p, span, &picture, grid);
 }
 
 static bool skip_decoding(struct parser *p)

@@ -1,13 +1,12 @@
 /* A picture made by a function: image_map { function W, H { ... } }. */
+#include <string.h>
+
 #include "image/image.h"
+#include "parse/function_picture.h"
 #include "parse/rules.h"
 #include "parse/user_function.h"
-#include "scene/function.h"
 
-enum {
-    PICTURE_PIXELS = 1 << 24,
-    PICTURE_STEPS = 1000000000,
-};
+enum { PICTURE_PIXELS = 1 << 24 };
 
 static bool picture_room(struct parser *p, struct span span, int width,
                          int height)
@@ -36,20 +35,32 @@ static double picture_number(double value)
     return (number - 65536 * floor(number / 65536)) / 65535;
 }
 
-static void picture_pixel(const struct function *function, vec3 point,
-                          unsigned long *steps_left, float pixel[4])
+static void picture_pixel(const struct function_piece *piece, bool colours,
+                          int i, float pixel[4])
 {
-    const double arguments[] = { point.x, point.y, point.z };
     double c[5] = { 0 };
-    if (function->values)
-        function->values->at(function->values, point, c);
+    if (colours)
+        memcpy(c, piece->parts[i], sizeof c);
     else
-        c[0] = c[1] = c[2] =
-            picture_number(function_evaluate(function, arguments, steps_left));
+        c[0] = c[1] = c[2] = picture_number(piece->values[i]);
     double alpha = fmin(fmax(1 - c[4], 0), 1);
-    for (int i = 0; i < 3; i++)
-        pixel[i] = isfinite(c[i]) ? (float)c[i] : 0;
+    for (int k = 0; k < 3; k++)
+        pixel[k] = isfinite(c[k]) ? (float)c[k] : 0;
     pixel[3] = (float)alpha;
+}
+
+static bool picture_row(struct function_picture *picture, struct image *image,
+                        int y)
+{
+    struct function_piece piece;
+    for (int x = 0; x < image->width; x += piece.count) {
+        if (!function_picture_piece(picture, x, y, &piece))
+            return false;
+        for (int i = 0; i < piece.count; i++)
+            picture_pixel(&piece, picture->function->values != NULL, i,
+                          image_pixel(image, x + i, y));
+    }
+    return true;
 }
 
 bool parse_image_of_function(struct parser *p, const struct image **out)
@@ -58,29 +69,25 @@ bool parse_image_of_function(struct parser *p, const struct image **out)
     struct image *image = ARENA_NEW(p->scene_arena, struct image);
     struct span span = stream_span(p);
     int width, height;
+    bool ok = true;
     if (!parse_function_image(p, &width, &height, &function))
         return false;
     span = span_join(span, p->last_span);
     if (!picture_room(p, span, width, height))
         return false;
-    double pixels = (double)width * height;
-    unsigned long left = PICTURE_STEPS;
+    struct function_picture picture =
+        function_picture_new(function, width, height);
     *image = (struct image){ .width = width, .height = height };
-    image->pixels = ARENA_ARRAY(p->scene_arena, float, 4 * (size_t)pixels);
-    bool slow = pixels * function->work > PICTURE_STEPS;
-    for (int y = 0; y < height && !slow; y++) {
+    image->pixels =
+        ARENA_ARRAY(p->scene_arena, float, 4 * (size_t)width * (size_t)height);
+    *out = image;
+    for (int y = 0; y < height && ok; y++) {
         if (stream_stopped(p))
             return false;
-        for (int x = 0; x < width && left > 0; x++) {
-            vec3 point = { width > 1 ? (double)x / (width - 1) : 0,
-                           height > 1 ? (double)y / (height - 1) : 0, 0 };
-            picture_pixel(function, point, &left, image_pixel(image, x, y));
-        }
+        ok = picture_row(&picture, image, y);
     }
-    *out = image;
-    return (!slow && left > 0) ||
-           error_at(p, span, NULL,
-                    "all pixels together take more than %d steps of the "
-                    "function, glim's limit",
-                    PICTURE_STEPS);
+    return ok || error_at(p, span, NULL,
+                          "all pixels together take more than %d steps of the "
+                          "function, glim's limit",
+                          FUNCTION_PICTURE_STEPS);
 }
