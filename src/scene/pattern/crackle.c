@@ -28,10 +28,11 @@ static const struct field crackle_items[] = {
     { .name = NULL },
 };
 
-/* The three smallest sums of powers so far, and whose is the first. */
+/* The three smallest sums of powers so far, and how many cubes away the cube of
+ * the first is. */
 struct nearest {
     double sum[3];
-    vec3 point;
+    vec3 step;
 };
 
 static double crackle_power(const struct crackle *crackle, double distance)
@@ -48,12 +49,12 @@ static double crackle_sum(const struct crackle *crackle, vec3 distance)
            crackle_power(crackle, distance.z);
 }
 
-static void nearest_add(struct nearest *nearest, double sum, vec3 point)
+static void nearest_add(struct nearest *nearest, double sum, vec3 step)
 {
     double *s = nearest->sum;
     if (sum < s[0]) {
         s[2] = s[1], s[1] = s[0], s[0] = sum;
-        nearest->point = point;
+        nearest->step = step;
     } else if (sum < s[1]) {
         s[2] = s[1], s[1] = sum;
     } else if (sum < s[2]) {
@@ -88,14 +89,15 @@ static void place_measure(struct crackle_place *p, int ring)
 }
 
 /* Adds the point of the cube so many steps away. */
-static void crackle_visit(const struct crackle_place *p, vec3 step,
+static void crackle_visit(const struct crackle_place *p, vec3 step, bool near,
                           struct nearest *nearest)
 {
     vec3 cell = vec3_add(p->base, step);
-    vec3 inner = noise_cell_point(cell.x, cell.y, cell.z);
-    vec3 offset = vec3_sub(vec3_add(step, inner), p->place);
-    nearest_add(nearest, crackle_sum(p->crackle, offset),
-                vec3_add(cell, inner));
+    vec3 point = near
+                     ? cubes_point(p->base, step)
+                     : vec3_add(step, noise_cell_point(cell.x, cell.y, cell.z));
+    vec3 offset = vec3_sub(point, p->place);
+    nearest_add(nearest, crackle_sum(p->crackle, offset), step);
 }
 
 /* The cubes that are so many steps away along some axis, but for those that are
@@ -114,22 +116,32 @@ static void crackle_ring(const struct crackle_place *p, int ring, int keep,
                 continue;
             for (int x = -ring; x <= ring; x += side || !ring ? 1 : 2 * ring)
                 if (!far || px[x] + py[y] + pz[z] <= nearest->sum[keep])
-                    crackle_visit(p, vec3_make(x, y, z), nearest);
+                    crackle_visit(p, vec3_make(x, y, z), ring < 2, nearest);
         }
     }
 }
 
+/* Which of the sums is the last that matters. */
+static int crackle_kept(const struct crackle *crackle)
+{
+    return crackle->solid ? 0 : crackle->form.z != 0 ? 2 : 1;
+}
+
 /* The cubes at most two away, nearer ones first. Outside of the inner 27 all
  * is more than 1 away, and so is the sum of powers. */
-static struct nearest crackle_search(const struct crackle *crackle, vec3 point)
+static struct nearest crackle_search(const struct crackle *crackle, vec3 base,
+                                     vec3 place)
 {
-    struct nearest nearest = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, point };
-    struct crackle_place p = { .crackle = crackle };
-    int keep = crackle->form.z != 0 ? 2 : 1, from = 0;
-    p.base = vec3_make(floor(point.x), floor(point.y), floor(point.z));
-    p.place = vec3_sub(point, p.base);
-    if (crackle->metric == 2 && !crackle->solid) {
-        cubes_nearest(p.base, p.place, nearest.sum);
+    struct nearest nearest = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { 0, 0, 0 } };
+    struct crackle_place p = { crackle, base, place, { { 0 } } };
+    int keep = crackle_kept(crackle), from = 0;
+    if (crackle->metric == 2) {
+        if (crackle->solid)
+            nearest.step = cubes_first(base, place, &nearest.sum[0]);
+        else
+            cubes_nearest(base, place, nearest.sum);
+        if (nearest.sum[keep] <= 1)
+            return nearest;
         from = CRACKLE_FAR;
     }
     for (int ring = 0; ring <= CRACKLE_FAR; ring++) {
@@ -142,18 +154,35 @@ static struct nearest crackle_search(const struct crackle *crackle, vec3 point)
     return nearest;
 }
 
+static vec3 cube_of(vec3 point)
+{
+    return vec3_make(floor(point.x), floor(point.y), floor(point.z));
+}
+
+static vec3 centre_of(const struct crackle *crackle, vec3 point)
+{
+    vec3 base = cube_of(point);
+    struct nearest nearest =
+        crackle_search(crackle, base, vec3_sub(point, base));
+    vec3 cell = vec3_add(base, nearest.step);
+    return vec3_add(cell, noise_cell_point(cell.x, cell.y, cell.z));
+}
+
 vec3 crackle_centre(vec3 point)
 {
     static const struct crackle cells = { { -1, 1, 0 }, 2, 0, true };
-    return crackle_search(&cells, point).point;
+    return centre_of(&cells, point);
 }
 
 static double crackle_value(const struct pattern *pattern, vec3 point)
 {
     const struct crackle *crackle = pattern->parameters;
-    struct nearest nearest = crackle_search(crackle, point);
     if (crackle->solid)
-        return noise_value(pattern_generator(pattern), nearest.point);
+        return noise_value(pattern_generator(pattern),
+                           centre_of(crackle, point));
+    vec3 base = cube_of(point);
+    struct nearest nearest =
+        crackle_search(crackle, base, vec3_sub(point, base));
     double deep = crackle_power(crackle, crackle->offset);
     double root = 1 / crackle->metric;
     double d[3];
