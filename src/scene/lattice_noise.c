@@ -7,10 +7,8 @@
  * many of them before the first is asked for: no step of it waits long for the
  * one before. What the corners of a cell add up to follows for one point after
  * the other, a corner's value and gradient of all fields at a time, since
- * gathering numbers for several takes longer. Points in one cell, as neighbours
- * are in the first octaves, have it added up together; where they stand in a
- * row along x, as those of a picture made of a pattern do, what y and z have to
- * do with it is added up once for all of them. */
+ * gathering numbers for several takes longer. Eight points in one cell, as
+ * neighbours are in the first octaves, have it added up together. */
 #include "scene/lattice_noise.h"
 
 #include <string.h>
@@ -23,8 +21,6 @@ enum { CORNERS = 8, STEP = LATTICE_STEP };
 typedef double doubles __attribute__((vector_size(8 * STEP)));
 typedef uint64_t words __attribute__((vector_size(8 * STEP)));
 typedef float floats __attribute__((vector_size(4 * STEP)));
-typedef int32_t flags __attribute__((vector_size(4 * STEP)));
-typedef int64_t wide_flags __attribute__((vector_size(8 * STEP)));
 typedef float quad __attribute__((vector_size(16)));
 
 /* ---- cells ---- */
@@ -34,9 +30,8 @@ typedef float quad __attribute__((vector_size(16)));
 struct cells {
     LANE_LINES uint64_t plane[3][2][STEP]; /* per axis: the lower, the upper */
     float place[3][STEP];
-    float weight[CORNERS][STEP]; /* not of a row */
-    bool one;                    /* all of them are in the same one */
-    bool row;                    /* they have the same y and z */
+    float weight[CORNERS][STEP];
+    bool one; /* all of them are in the same one */
 };
 
 /* How far coordinates are above the planes below them, whose numbers are in the
@@ -93,13 +88,6 @@ INLINED void cells_weigh(struct cells *cells, const floats blend[3])
     }
 }
 
-/* Whether all have the y and z of the first. */
-INLINED bool cells_in_row(const doubles at[3])
-{
-    words y = (words)at[1], z = (words)at[2];
-    return y[0] == y[1] && z[0] == z[1] && !any((y ^ y[0]) | (z ^ z[0]));
-}
-
 INLINED void cells_place(struct cells *cells, const doubles at[3], words *lost)
 {
     floats blend[3];
@@ -117,9 +105,7 @@ INLINED void cells_place(struct cells *cells, const doubles at[3], words *lost)
         blend[axis] = places_blend(place);
     }
     cells->one = !any(differ);
-    cells->row = cells_in_row(at);
-    if (!cells->row)
-        cells_weigh(cells, blend);
+    cells_weigh(cells, blend);
 }
 
 /* The eight points from number i on; 0 for those that there aren't. */
@@ -309,14 +295,14 @@ INLINED quad cell_sums(const struct noise_tables *tables,
     return sum;
 }
 
-/* The noise of eight points in the cell of point i, those of others are of no
- * use: the same sums in the same order, one lane to each point. */
+/* The noise of eight points in one cell: the same sums in the same order, one
+ * lane to each point. */
 INLINED floats cell_shared(const struct noise_tables *tables,
-                           const struct cells *cells, int i)
+                           const struct cells *cells)
 {
     uint32_t windows[CORNERS];
     floats place[3], sum[NOISE_NUMBERS] = { { 0 } };
-    struct cell cell = cell_of(cells, i);
+    struct cell cell = cell_of(cells, 0);
     memcpy(place, cells->place, sizeof place);
     cell_windows(tables, &cell, windows);
     for (int c = 0; c < CORNERS; c++) {
@@ -329,34 +315,6 @@ INLINED floats cell_shared(const struct noise_tables *tables,
                              random[axis + 1];
     }
     return sum[0] + sum[1] + sum[2] + sum[3];
-}
-
-/* The same of points with the same y and z: what the four corners below and
- * those above in x give are linear functions of x. */
-INLINED floats cell_row(const struct noise_tables *tables,
-                        const struct cells *cells, int i)
-{
-    uint32_t windows[CORNERS];
-    floats x;
-    quad sum[2] = { { 0 } };
-    struct cell cell = cell_of(cells, i);
-    const float *at = cell.place;
-    const float y = at[1] * at[1] * (3 - 2 * at[1]);
-    const float z = at[2] * at[2] * (3 - 2 * at[2]);
-    const float weight[4] = { (1 - y) * (1 - z), y * (1 - z), (1 - y) * z,
-                              y * z };
-    const quad place = { 0.5f, 1, at[1], at[2] };
-    memcpy(&x, cells->place[0], sizeof x);
-    cell_windows(tables, &cell, windows);
-    for (int c = 0; c < CORNERS; c++) {
-        const quad origin = { 0, 0, (float)(c >> 1 & 1), (float)(c >> 2) };
-        quad random;
-        memcpy(&random, tables->first[windows[c]], sizeof random);
-        sum[c & 1] += (place - origin) * weight[c >> 1] * random;
-    }
-    floats below = sum[0][0] + sum[0][2] + sum[0][3] + x * sum[0][1];
-    floats above = sum[1][0] + sum[1][2] + sum[1][3] + (x - 1) * sum[1][1];
-    return below + places_blend(x) * (above - below);
 }
 
 /* Each of four sums' own total. */
@@ -374,40 +332,14 @@ INLINED quad sums_total(const quad sum[4])
 
 /* ---- many points ---- */
 
-/* Those of `now`, and of `before` where the flag isn't set. */
-INLINED floats floats_chosen(flags flag, floats now, floats before)
-{
-    return (floats)(((flags)now & flag) | ((flags)before & ~flag));
-}
-
-/* Of points with the same y and z, in cells that differ in x alone. */
-INLINED floats cells_row(const struct noise_tables *tables,
-                         const struct cells *cells)
-{
-    wide_flags plane;
-    floats total = { 0 };
-    const uint64_t *planes = cells->plane[0][0];
-    memcpy(&plane, planes, sizeof plane);
-#pragma GCC unroll 1
-    for (int i = 0; i < STEP; i++) {
-        wide_flags same = plane == (int64_t)planes[i];
-        if (i == 0 || planes[i] != planes[i - 1])
-            total = floats_chosen(__builtin_convertvector(same, flags),
-                                  cell_row(tables, cells, i), total);
-    }
-    return total;
-}
-
 /* Of up to eight points whose cells are these. */
 INLINED void cells_noise(const struct noise_tables *tables,
                          const struct cells *cells, int count, float *raw)
 {
     floats total;
     quad sum[STEP] = { { 0 } };
-    if (cells->row) {
-        total = cells_row(tables, cells);
-    } else if (cells->one) {
-        total = cell_shared(tables, cells, 0);
+    if (cells->one) {
+        total = cell_shared(tables, cells);
     } else {
 #pragma GCC unroll 1
         for (int k = 0; k < count; k++) {

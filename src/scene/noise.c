@@ -34,9 +34,9 @@ INLINED void places_fill(struct places *places, const struct spots *spots,
 {
     int count = spots->count;
     for (int i = 0; i < count; i++) {
-        places->x[i] = spots->x[i];
-        places->y[i] = spots->y[i];
-        places->z[i] = spots->z[i];
+        places->x[i] = spots->x[i] * octaves.first;
+        places->y[i] = spots->y[i] * octaves.first;
+        places->z[i] = spots->z[i] * octaves.first;
     }
     places->count = count * octaves.count;
     for (int i = count; i < places->count; i++) {
@@ -51,15 +51,19 @@ INLINED double clip(double value)
     return value < 0 ? 0 : value > 1 ? 1 : value;
 }
 
-INLINED void generator_values(enum noise_generator generator,
+/* `even`: as wide as those of NOISE_CLIPPED, whichever it is. */
+INLINED void generator_values(enum noise_generator generator, bool even,
                               struct coordinates at, int count, double *values)
 {
+    const double wide = even && generator != NOISE_CLIPPED ? 2 : 1;
+    const double less = even && generator != NOISE_CLIPPED ? 0.5 : 0;
     float raw[PLACES_MAX];
     if (generator == NOISE_PERLIN) {
         for (int i = 0; i < count; i++)
-            values[i] = clip(
-                0.795 * perlin_noise(vec3_make(at.x[i], at.y[i], at.z[i])) +
-                0.4925);
+            values[i] = wide * clip(0.795 * perlin_noise(vec3_make(
+                                                at.x[i], at.y[i], at.z[i])) +
+                                    0.4925) -
+                        less;
         return;
     }
     lattice_noise(at, count, raw);
@@ -68,13 +72,14 @@ INLINED void generator_values(enum noise_generator generator,
             values[i] = clip((double)raw[i] + 0.5);
     else
         for (int i = 0; i < count; i++)
-            values[i] = clip(VALUE_SCALE * (double)raw[i] + VALUE_OFFSET);
+            values[i] =
+                wide * clip(VALUE_SCALE * (double)raw[i] + VALUE_OFFSET) - less;
 }
 
 void noise_values(enum noise_generator generator, const struct spots *spots,
                   double *values)
 {
-    generator_values(generator,
+    generator_values(generator, false,
                      (struct coordinates){ spots->x, spots->y, spots->z },
                      spots->count, values);
 }
@@ -82,7 +87,7 @@ void noise_values(enum noise_generator generator, const struct spots *spots,
 double noise_value(enum noise_generator generator, vec3 point)
 {
     double value;
-    generator_values(generator,
+    generator_values(generator, false,
                      (struct coordinates){ &point.x, &point.y, &point.z }, 1,
                      &value);
     return value;
@@ -94,11 +99,8 @@ CLONES void noise_octaves(enum noise_generator generator,
 {
     struct places places;
     places_fill(&places, spots, octaves);
-    generator_values(generator, places_all(&places), places.count, values);
-    if (generator == NOISE_CLIPPED)
-        return;
-    for (int i = 0; i < places.count; i++)
-        values[i] = 2 * values[i] - 0.5;
+    generator_values(generator, true, places_all(&places), places.count,
+                     values);
 }
 
 /* The fields at all octaves. */
@@ -126,7 +128,7 @@ void noise_vector_octaves(const struct spots *spots, struct octaves octaves,
 
 void noise_vectors(const struct spots *spots, vec3 *vectors)
 {
-    noise_vector_octaves(spots, (struct octaves){ 1, 1 }, vectors);
+    noise_vector_octaves(spots, (struct octaves){ 1, 1, 1 }, vectors);
 }
 
 vec3 noise_vector(vec3 point)
@@ -155,7 +157,7 @@ int turbulence_octaves(const struct turbulence *turbulence)
 
 static struct octaves octaves_of(const struct turbulence *turbulence)
 {
-    return (struct octaves){ turbulence_octaves(turbulence),
+    return (struct octaves){ turbulence_octaves(turbulence), 1,
                              turbulence->lambda };
 }
 

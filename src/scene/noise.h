@@ -36,7 +36,7 @@ void noise_values(enum noise_generator generator, const struct spots *spots,
 enum { OCTAVES_MAX = 10 };
 struct octaves {
     int count;
-    double lambda;
+    double first, lambda; /* what the point is multiplied by, once and again */
 };
 
 /* As wide as NOISE_CLIPPED, but not cut: what granite, wrinkles and turbulence

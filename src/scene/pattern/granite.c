@@ -10,9 +10,8 @@ CLONES static void granite_values(const struct pattern *pattern,
 {
     enum { GRANITE_OCTAVES = 6 };
     double noise[GRANITE_OCTAVES * SPOTS_MAX];
-    struct spots scaled = spots_scaled(spots, 4);
-    noise_octaves(pattern_generator(pattern), &scaled,
-                  (struct octaves){ GRANITE_OCTAVES, 2 }, noise);
+    noise_octaves(pattern_generator(pattern), spots,
+                  (struct octaves){ GRANITE_OCTAVES, 4, 2 }, noise);
     for (int i = 0; i < spots->count; i++) {
         double sum = 0, weight = 1;
         for (int octave = 0; octave < GRANITE_OCTAVES; octave++, weight /= 2)

@@ -2,7 +2,7 @@
 #include "base/lesser.h"
 #include "scene/noise.h"
 
-static const struct octaves wrinkles_octaves = { OCTAVES_MAX, 2 };
+static const struct octaves wrinkles_octaves = { OCTAVES_MAX, 1, 2 };
 
 static void wrinkles_values(const struct pattern *pattern,
                             const struct spots *spots, double *values)
