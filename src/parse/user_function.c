@@ -156,21 +156,6 @@ static bool compile_part(struct compiler *c, const struct function *callee)
     return true;
 }
 
-/* The one step of a function that only hands on its arguments, as those of
- * functions.inc do; else NULL. */
-static const struct step *function_only_step(const struct function *callee)
-{
-    const struct step *steps = callee->steps.items;
-    size_t n = (size_t)callee->parameter_count;
-    if (callee->values || callee->steps.count != n + 1 ||
-        (steps[n].kind != STEP_FIELD && steps[n].kind != STEP_MANY))
-        return NULL;
-    for (size_t i = 0; i < n; i++)
-        if (steps[i].kind != STEP_LOCAL || steps[i].slot != (int)i)
-            return NULL;
-    return &steps[n];
-}
-
 /* The function's name is behind. */
 static bool compile_call(struct compiler *c, const struct word *word,
                          const struct function *callee)

@@ -98,6 +98,8 @@ struct function {
     unsigned levels; /* of functions made of pigments made of functions ... */
     const struct function_values *values; /* what it gives instead of a
                                            * number, or NULL */
+    const struct function_field *field;   /* that it is of its arguments, and
+                                           * nothing else; or NULL */
     struct {
         struct step *items;
         size_t count, capacity;
@@ -133,8 +135,12 @@ void function_values_at(const struct function *function,
                         const struct spots *spots, double *values);
 
 /* Finds out whether values are worked out together, and are even, of a function
- * whose steps are there. */
+ * whose steps are there, and whether it is but a field. */
 void function_join(struct function *function);
+
+/* The one step of a function that only hands on its arguments, as those of
+ * functions.inc do; else NULL. */
+const struct step *function_only_step(const struct function *function);
 
 /* The same for samples, which are taken while the scene is read: few steps. */
 double function_sample(const struct function *function, vec3 point);

@@ -259,9 +259,31 @@ static double step_apart(const struct step *step)
     }
 }
 
+const struct step *function_only_step(const struct function *function)
+{
+    const struct step *steps = function->steps.items;
+    size_t n = (size_t)function->parameter_count;
+    if (function->values || function->steps.count != n + 1 ||
+        (steps[n].kind != STEP_FIELD && steps[n].kind != STEP_MANY))
+        return NULL;
+    for (size_t i = 0; i < n; i++)
+        if (steps[i].kind != STEP_LOCAL || steps[i].slot != (int)i)
+            return NULL;
+    return &steps[n];
+}
+
+/* Of functions that are nothing but one. */
+static const struct function_field *field_alone(const struct function *function)
+{
+    const struct step *only = function_only_step(function);
+    bool field = only && only->kind == STEP_FIELD && only->field->values;
+    return field ? only->field : NULL;
+}
+
 /* Each function that is called leaves a place empty: see batch_run. */
 void function_join(struct function *f)
 {
+    f->field = field_alone(f);
     f->together = !f->values && f->work < BATCH_WORK &&
                   (unsigned)f->slots + f->height + f->depth + 1 <= BATCH_STACK;
     f->apart = 0;
@@ -291,6 +313,12 @@ void function_values_at(const struct function *function,
                         const struct spots *spots, double *values)
 {
     int count = spots->count;
+    if (function->field) {
+        function->field->values(function->field, spots, values);
+        for (int i = 0; i < count; i++)
+            values[i] = isnan(values[i]) ? 0 : values[i];
+        return;
+    }
     bool together = function->even || (function->together && count > 1);
     for (int i = 0; !together && i < count; i++)
         values[i] = function_at(function, spots_at(spots, i));
