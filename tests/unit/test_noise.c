@@ -142,7 +142,7 @@ static void several_are_as_one(void **state)
         for (int g = NOISE_CLIPPED; g <= NOISE_PERLIN; g++) {
             enum noise_generator generator = (enum noise_generator)g;
             noise_values(generator, &spots, values);
-            noise_octaves(generator, &spots, (struct octaves){ 3, 1.7 },
+            noise_octaves(generator, &spots, (struct octaves){ 3, 1, 1.7 },
                           octaves);
             for (int k = 0; k < spots.count; k++) {
                 vec3 p = spots_at(&spots, k);
@@ -154,7 +154,7 @@ static void several_are_as_one(void **state)
             }
         }
         vec3 vectors[3 * SPOTS_MAX];
-        noise_vector_octaves(&spots, (struct octaves){ 3, 1.7 }, vectors);
+        noise_vector_octaves(&spots, (struct octaves){ 3, 1, 1.7 }, vectors);
         for (int k = 0; k < spots.count; k++) {
             vec3 at = vectors[spots.count + k];
             vec3 second = noise_vector(vec3_scale(spots_at(&spots, k), 1.7));
