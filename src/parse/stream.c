@@ -318,7 +318,7 @@ const struct token *stream_peek_infix(struct parser *p)
 struct token stream_next(struct parser *p)
 {
     struct token token = *stream_peek(p);
-    p->last_span = p->token_span;
+    span_copy(&p->last_span, &p->token_span);
     p->peeked = false;
     p->taken++;
     return token;
@@ -326,8 +326,10 @@ struct token stream_next(struct parser *p)
 
 struct span stream_span(struct parser *p)
 {
+    struct span span;
     stream_peek(p);
-    return p->token_span;
+    span_copy(&span, &p->token_span);
+    return span;
 }
 
 enum keyword stream_keyword(struct parser *p)

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "base/arena.h"
 
@@ -18,6 +19,18 @@ struct span {
     const struct source *source;
     uint32_t offset, length;
 };
+
+/* As an assignment, which compilers make by one wide register: that would wait
+ * for what was just written in parts. */
+static inline void span_copy(struct span *to, const struct span *from)
+{
+    const struct source *source = from->source;
+    uint64_t place;
+    memcpy(&place, &from->offset, sizeof place);
+    __asm__("" : "+r"(source), "+r"(place));
+    to->source = source;
+    memcpy(&to->offset, &place, sizeof place);
+}
 
 struct source {
     const char *name; /* as the user gave or would type it */
