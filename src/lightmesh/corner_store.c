@@ -129,6 +129,8 @@ static void corner_look(struct corner *corner, const struct corner_store *store,
     if (world_within(store->mesh->points.world, &line, 0, length, RAY_CAMERA,
                      &at)) {
         corner_meet(corner, store->mesh, like, &line, &at);
+        /* Far off a cell may be larger than those of the mesh. */
+        corner->reach = fmax(corner->reach, length);
         corner->met = corner_shows(store, worker, corner, length);
     }
 }
