@@ -279,7 +279,7 @@ static const double bright_round = 0.7; /* radius of what is in a cell, sides */
 static const double bright_wall = 1e-3; /* of that its walls are off */
 
 static const double gather_noise = 0.009; /* of the picture */
-static const double gather_net = 1.43; /* the noise of a net falls by the power
+static const double gather_net = 1.43; /* the noise of ways falls by the power
                                         * 1/1.43 of its size [room to
                                         * pillars] */
 static const double gather_worth_none = 0.003; /* change of the picture that is
