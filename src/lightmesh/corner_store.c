@@ -11,7 +11,7 @@
 /* Of a cell's step: what is no higher is on one plane, but for rounding. */
 static const double cell_thickness = 1e-6;
 
-enum { CELLS_ACROSS = 8, CELLS_DOWN = 4, CELL_LEVELS = 2 };
+enum { CELLS_ACROSS = 8, CELLS_DOWN = 4, CELL_LEVELS = 4 };
 
 struct cells {
     struct corner_cell at[CELL_LEVELS][CELLS_DOWN][CELLS_ACROSS];
