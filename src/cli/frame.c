@@ -131,7 +131,7 @@ static bool work_keeps(const struct work *work)
             (frames->animated && frames->last > frames->first));
 }
 
-/* What the first frame of an animation has made others may use and add to, and
+/* What the root of an animation has made others may use and add to, and
  * nothing else: so each frame is the same whichever were drawn before it. */
 static void frame_keep(struct work *work, const struct tracer *tracer)
 {
@@ -181,19 +181,19 @@ static struct world *frame_world(struct work *work, const struct scene *scene)
                      &work->diag);
 }
 
-/* Begins the lighting of the first frame, for the points of others. */
-static bool root_light(struct work *work, const struct scene *scene)
+/* Begins the lighting of a frame, for the points of others. */
+static void root_light(struct work *work, const struct scene *scene,
+                       struct diag *diag)
 {
     struct world *world = frame_world(work, scene);
     const struct lighting_options light = frame_lighting(work);
     void *state =
-        world ? work->lighting->start(world, scene, &light, &work->diag) : NULL;
+        world ? work->lighting->start(world, scene, &light, diag) : NULL;
     if (state) {
         work->kept = work->lighting->keep(state);
         work->lighting->finish(state);
     }
     world_free(world);
-    return state != NULL;
 }
 
 static bool fingerprints_same(struct fingerprint a, struct fingerprint b)
@@ -202,30 +202,43 @@ static bool fingerprints_same(struct fingerprint a, struct fingerprint b)
            a.lights == b.lights && a.surroundings == b.surroundings;
 }
 
-/* Before a frame whose animation begins with another, which this process has
- * not drawn: if both show the same things, the other's lighting is begun.
- * Returns false after an error was printed. */
-static bool root_make(struct work *work, const struct scene *scene, int number)
+/* Begins that of frame `number`, if it shows the same things. Says nothing:
+ * when that frame is drawn it will. */
+static void root_try(struct work *work, const struct scene *scene, int number)
+{
+    struct arena *arena = arena_new(0);
+    struct parse_options parse = frame_parsing(work, number);
+    struct diag silent = work->diag;
+    silent.listen = NULL;
+    silent.out = NULL;
+    struct scene *other = parse_scene(work->source, &parse, arena, &silent);
+    if (other && fingerprints_same(scene_fingerprint(scene, true),
+                                   scene_fingerprint(other, true)))
+        root_light(work, other, &silent);
+    scene_free(other);
+    arena_free(arena);
+}
+
+/* Before the first frame of an animation that this process draws: all of them
+ * light what they show by one mesh, lest that changes from frame to frame. It
+ * is the first frame's, or the last one's if that is in a chamber: from outside
+ * nobody would look for what lights it. */
+static void root_make(struct work *work, const struct scene *scene, int number)
 {
     const struct options *options = &work->options;
     const struct frames *frames = &options->frames;
-    if (!frames->animated || number == frames->first || work->kept.bytes ||
-        work->root_tried || !work_keeps(work) ||
+    if (!frames->animated || frames->last <= frames->first ||
+        work->kept.bytes || work->root_tried || !work_keeps(work) ||
         options->light.light_mesh.load_file || options->probe)
-        return true;
+        return;
     work->root_tried = true;
-    struct arena *arena = arena_new(0);
-    struct parse_options parse = frame_parsing(work, frames->first);
-    struct diag quiet = work->diag;
-    quiet.quiet_messages = quiet.quiet_warnings = true;
-    struct scene *first = parse_scene(work->source, &parse, arena, &quiet);
-    bool good = first != NULL;
-    if (good && fingerprints_same(scene_fingerprint(scene, true),
-                                  scene_fingerprint(first, true)))
-        good = root_light(work, first);
-    scene_free(first);
-    arena_free(arena);
-    return good;
+    root_try(work, scene, frames->last);
+    if (work->kept.inside)
+        return;
+    memory_free(work->kept.bytes);
+    work->kept = (struct lighting_kept){ .bytes = NULL };
+    if (number != frames->first)
+        root_try(work, scene, frames->first);
 }
 
 /* Lights the world. */
@@ -310,8 +323,8 @@ static bool frame_make(struct work *work, int number, const char *name,
     }
     stats_lap(&stats, &stats.parsing);
     work->lighting = lighting_for(options->lighting, scene);
-    bool done = root_make(work, scene, number) &&
-                frame_render(work, scene, name, &stats);
+    root_make(work, scene, number);
+    bool done = frame_render(work, scene, name, &stats);
     if (done && options->stats)
         (stats_are_json(options) ? stats_json : stats_print)(&stats);
     scene_free(scene);

@@ -23,8 +23,8 @@ struct work {
     const struct source *source;
     const struct lighting *lighting; /* of this frame's scene */
     struct probe_file points;        /* of --probe */
-    struct lighting_kept kept;       /* by the first frame, and those after */
-    bool root_tried;                 /* to begin that frame's lighting */
+    struct lighting_kept kept;       /* by the root of all frames, and them */
+    bool root_tried;                 /* to begin that one's lighting */
     size_t first_file;               /* of options.parse.asked, for the scene */
     struct targets targets;          /* of --depend: pictures, kept or drawn */
     struct kept pictures;            /* by +C */

@@ -19,6 +19,7 @@ struct lighting_kept {
     void *bytes; /* freed with memory_free; NULL: nothing */
     size_t size;
     uint64_t family; /* the same of all that may be used in one picture */
+    bool inside;     /* begun in a chamber: it knows what lights it */
 };
 
 /* When that may be used. */

@@ -176,6 +176,7 @@ static struct lighting_kept mesh_keep(const void *state)
     struct lighting_kept kept;
     kept.bytes = mesh_file_pack(&mesh->stamp, meshes, count, &kept.size);
     kept.family = mesh_stamp_family(&mesh->stamp);
+    kept.inside = mesh->stamp.frame.closed;
     return kept;
 }
 

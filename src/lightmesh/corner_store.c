@@ -11,7 +11,7 @@
 /* Of a cell's step: what is no higher is on one plane, but for rounding. */
 static const double cell_thickness = 1e-6;
 
-enum { CELLS_ACROSS = 8, CELLS_DOWN = 4, CELL_LEVELS = 2 };
+enum { CELLS_ACROSS = 8, CELLS_DOWN = 4, CELL_LEVELS = 4 };
 
 struct cells {
     struct corner_cell at[CELL_LEVELS][CELLS_DOWN][CELLS_ACROSS];
@@ -129,6 +129,8 @@ static void corner_look(struct corner *corner, const struct corner_store *store,
     if (world_within(store->mesh->points.world, &line, 0, length, RAY_CAMERA,
                      &at)) {
         corner_meet(corner, store->mesh, like, &line, &at);
+        /* Far off a cell may be larger than those of the mesh. */
+        corner->reach = fmax(corner->reach, length);
         corner->met = corner_shows(store, worker, corner, length);
     }
 }

@@ -33,6 +33,13 @@ static uint32_t pair_place(const double u[2])
     return place;
 }
 
+/* Ways wind around the sphere along a spiral, from pole to pole by equal areas:
+ * they leave smaller gaps than a net that is drawn [truth: 0.95 of its error].
+ * By such a part of a turn from each to the next all parts together are even,
+ * each of them, and every second and every fourth way of one (Stolarsky 1973
+ * tells by their distances from each other). */
+static const double way_turn = 0.21225;
+
 struct way_order {
     uint32_t place, sample;
 };
@@ -45,13 +52,28 @@ static int way_compare(const void *a, const void *b)
                : (x->sample > y->sample) - (x->sample < y->sample);
 }
 
-/* Those of the part that begins at `first`. */
-static void ways_draw(struct gather_ways *ways, uint64_t seed, uint32_t first,
+/* Which of so many along the spiral sample `i` is: the first half and the first
+ * quarter of them go all along it as well, those of each part beside those of
+ * others. */
+static uint32_t way_step(uint32_t i, uint32_t samples)
+{
+    uint32_t quarter = (samples + 3) / 4, half = (samples + 1) / 2;
+    return i < quarter ? 4 * i
+           : i < half  ? 4 * (i - quarter) + 2
+                       : 2 * (i - half) + 1;
+}
+
+/* Those of the part. */
+static void ways_draw(struct gather_ways *ways, uint32_t part,
                       struct way_order *sorted)
 {
+    const uint32_t first = part * ways->set;
+    const double count = (double)GATHER_PARTS * ways->samples;
     for (uint32_t i = 0; i < ways->samples; i++) {
-        double u[2];
-        way_pair(seed, first + i, u);
+        uint32_t turned = (way_step(i, ways->samples) + part) % ways->samples;
+        uint32_t step = GATHER_PARTS * turned + part;
+        const double turns = step * way_turn;
+        const double u[2] = { (step + 0.5) / count, turns - floor(turns) };
         ways->ways[first + i] = warp_sphere(u);
         sorted[i] = (struct way_order){ pair_place(u), i };
     }
@@ -60,7 +82,7 @@ static void ways_draw(struct gather_ways *ways, uint64_t seed, uint32_t first,
         ways->order[first + i] = sorted[i].sample;
 }
 
-struct gather_ways gather_ways_new(uint64_t seed, int samples)
+struct gather_ways gather_ways_new(int samples)
 {
     struct gather_ways ways = { .samples = (uint32_t)samples, .set = 1 };
     while (ways.set < ways.samples)
@@ -73,7 +95,7 @@ struct gather_ways gather_ways_new(uint64_t seed, int samples)
     ways.order = memory_new(count * sizeof *ways.order);
     struct way_order *sorted = memory_new(ways.samples * sizeof *sorted);
     for (uint32_t part = 0; part < GATHER_PARTS; part++)
-        ways_draw(&ways, seed, part * ways.set, sorted);
+        ways_draw(&ways, part, sorted);
     memory_free(sorted);
     return ways;
 }

@@ -1,7 +1,7 @@
 /* The ways that gather rays of mesh points go: all points look along the same
  * ones, but for the corners of a cell, which have eight parts of one large set:
  * neighbours don't differ by chance, and between them a place has a set as
- * large. They are drawn once. */
+ * large. They are found once. */
 #ifndef LIGHTMESH_GATHER_WAYS_H
 #define LIGHTMESH_GATHER_WAYS_H
 
@@ -21,7 +21,7 @@ struct gather_ways {
 };
 
 /* Frees with gather_ways_free. */
-struct gather_ways gather_ways_new(uint64_t seed, int samples);
+struct gather_ways gather_ways_new(int samples);
 void gather_ways_free(struct gather_ways *ways);
 
 /* Way `index` of those that `key` names: all are equally likely. */

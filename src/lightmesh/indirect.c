@@ -59,7 +59,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     }
     if (mesh->samples < 1)
         mesh->samples = 1;
-    mesh->ways = gather_ways_new(direct->lamps->seed, mesh->samples);
+    mesh->ways = gather_ways_new(mesh->samples);
     mesh->onwards = onwards_new(direct->lamps->seed, mesh->ways.count);
     mesh->gather.onwards = &mesh->onwards;
     point_mesh_start(&mesh->points, options->bytes /
@@ -127,6 +127,7 @@ bool indirect_mesh_blend(const struct indirect_mesh *mesh,
     for (int i = 0; i < blend.count; i++)
         indirect_light_mix(light, blend.at[i].payload,
                            (float)blend.at[i].weight);
+    indirect_light_tint(light, blend.through);
     return !blend.here;
 }
 

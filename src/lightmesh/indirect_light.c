@@ -44,6 +44,16 @@ void indirect_light_dim(struct indirect_light *light, double factor,
         light->open[i] *= (float)open;
 }
 
+void indirect_light_tint(struct indirect_light *light, rgb share)
+{
+    for (int i = 0; i < HARMONICS; i++) {
+        light->light.r[i] *= (float)share.r;
+        light->light.g[i] *= (float)share.g;
+        light->light.b[i] *= (float)share.b;
+        light->open[i] *= (float)rgb_brightness(share);
+    }
+}
+
 struct indirect_share indirect_light_share(const struct indirect_light *light,
                                            vec3 normal)
 {

@@ -23,6 +23,9 @@ void indirect_light_mix(struct indirect_light *sum,
                         const struct indirect_light *from, float weight);
 void indirect_light_scale(struct indirect_light *light, float factor);
 
+/* Leaves only that share of each colour, and of the openness. */
+void indirect_light_tint(struct indirect_light *light, rgb share);
+
 /* Leaves only so much of the light, and of the openness. */
 void indirect_light_dim(struct indirect_light *light, double factor,
                         double open);

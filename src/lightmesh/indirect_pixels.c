@@ -325,6 +325,23 @@ static bool coarse_light(struct corners *corners, enum corner_hold hold,
            corners_coarse(corners, pixels, worker, receiver, share);
 }
 
+/* On flat surfaces so much by those twice as far apart again, if they are
+ * enough: where the level changes they are what is coarse. */
+static void coarse_blend(const struct indirect_pixels *pixels,
+                         struct worker *worker, const struct receiver *receiver,
+                         int level, double blend, struct indirect_share *share)
+{
+    struct corners coarser;
+    if (blend <= 0)
+        return;
+    corners_begin(&coarser, pixels, worker, receiver, level + 2);
+    enum corner_hold hold = corners_flat(&coarser, pixels, worker, receiver);
+    if (!cell_is_even(&coarser, hold, indirect_pixels_same))
+        return;
+    const struct indirect_share more = corners_flat_share(&coarser);
+    share_blend(share, &more, blend);
+}
+
 /* By corners that are about `level` apart, or blocks, or the receiver alone. */
 static bool grid_light(const struct indirect_pixels *pixels,
                        struct worker *worker, const struct receiver *receiver,
@@ -334,8 +351,11 @@ static bool grid_light(const struct indirect_pixels *pixels,
     enum corner_hold hold[2];
     corners_begin(&at[1], pixels, worker, receiver, level + 1);
     hold[1] = corners_flat(&at[1], pixels, worker, receiver);
-    if (coarse_light(&at[1], hold[1], pixels, worker, receiver, share))
+    if (coarse_light(&at[1], hold[1], pixels, worker, receiver, share)) {
+        if (hold[1] == CELL_HOLDS)
+            coarse_blend(pixels, worker, receiver, level, blend, share);
         return true;
+    }
     corners_begin(&at[0], pixels, worker, receiver, level);
     hold[0] = corners_flat(&at[0], pixels, worker, receiver);
     if (cells_light(at, hold, blend, share))

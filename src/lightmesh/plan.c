@@ -34,15 +34,15 @@ static double frame_gather(const struct light_mesh_settings *said,
     return fmax(spacing, size / (indirect_cells * plan_finer(said)));
 }
 
-/* Ways are drawn in nets (base/draw.h), whose sizes are powers of two: a part
- * of one is worse than a smaller net [truth: array1 with 64 rays 0.025, with 72
- * 0.035]. */
-static int nets_within(double rays)
+/* Powers of two, so that what asks for a few more rays or less, as the next
+ * picture of an animation does, has as many [flicker: twice as much at the
+ * median with multiples of four]. */
+static int rays_within(double rays)
 {
-    int net = GATHER_LEAST;
-    while (2 * net <= rays)
-        net *= 2;
-    return net;
+    int within = GATHER_LEAST;
+    while (2 * within <= rays)
+        within *= 2;
+    return within;
 }
 
 /* As many gather rays of a point as make noise that is hardly seen, for what
@@ -60,7 +60,7 @@ static int frame_samples(const struct light_mesh_settings *said,
     bool closed = survey->open < open_enough;
     wanted =
         fmin(fmax(wanted, closed ? CHAMBER_LEAST : GATHER_LEAST), GATHER_MOST);
-    return nets_within(sqrt(2) * wanted * finer * finer); /* the nearest */
+    return rays_within(sqrt(2) * wanted * finer * finer); /* the nearest */
 }
 
 struct mesh_frame plan_frame(const struct scene *scene,
@@ -128,7 +128,7 @@ static double frame_rays(const struct mesh_frame *frame)
 /* No more rays of a point than that, but `least` if it had so many. */
 static void frame_ask(struct mesh_frame *frame, double rays, int least)
 {
-    int fewer = nets_within(fmax(rays - OBSTACLE_DIRECTIONS, least));
+    int fewer = rays_within(fmax(rays - OBSTACLE_DIRECTIONS, least));
     if (fewer < frame->samples)
         frame->samples = fewer;
 }

@@ -94,6 +94,7 @@ enum { BLEND_POINTS = 4 * INTERPOLATION_POINTS };
 struct mesh_blend {
     int count; /* at least 1 */
     bool here; /* no point is of use: the one there is was made for the place */
+    rgb through; /* of their light, what panes let pass to the place */
     struct {
         const void *payload; /* valid until the worker's scratch is reset */
         double weight;       /* they sum to 1 */

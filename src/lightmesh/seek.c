@@ -8,15 +8,21 @@
 #include "lightmesh/seek_sight.h"
 #include "lightmesh/tuning.h"
 
+/* What panes let pass of the light of points behind them. */
+struct passed {
+    rgb sum; /* by their weights, */
+    double weights;
+};
+
 /* A surface place that looks for its mesh points. */
 struct seeker {
     const struct point_mesh *mesh;
     struct worker *worker;
     const struct receiver *receiver;
-    int level, finer; /* levels that may follow it */
-    double least;     /* share of a point that isn't asked, */
-    double most;      /* and of one that is known not to see the place */
-    bool through;     /* clear panes hide nothing */
+    int level, finer;      /* levels that may follow it */
+    double least;          /* share of a point that isn't asked, */
+    double most;           /* and of one that is known not to see the place */
+    struct passed *passed; /* by panes, which hide nothing; NULL: they do */
     struct mesh_blend *blend;
 };
 
@@ -104,21 +110,35 @@ static bool seek_alike(struct seeker *seeker,
     return true;
 }
 
+/* Whether the place sees that one of them, maybe through panes. */
+static bool seek_finds(struct seeker *seeker,
+                       const struct candidates *candidates, int i)
+{
+    struct passed *passed = seeker->passed;
+    vec3 place = candidates->at[i].place;
+    double weight = candidates->at[i].weight;
+    rgb through;
+    if (!passed)
+        return seek_sees(seeker->mesh, seeker->worker, seeker->receiver,
+                         &candidates->at[i].point, place);
+    if (!seek_looks_through(seeker->mesh, seeker->worker, seeker->receiver,
+                            place, &through))
+        return false;
+    passed->sum = rgb_add_scaled(passed->sum, through, weight);
+    passed->weights += weight;
+    return true;
+}
+
 static void seek_seen(struct seeker *seeker,
                       const struct candidates *candidates)
 {
     const struct point_mesh *mesh = seeker->mesh;
     struct mesh_blend *blend = seeker->blend;
     for (int i = 0; i < candidates->count; i++) {
-        const struct lattice_point *point = &candidates->at[i].point;
-        if (seeker->through
-                ? !seek_looks_through(mesh, seeker->worker, seeker->receiver,
-                                      candidates->at[i].place)
-                : !seek_sees(mesh, seeker->worker, seeker->receiver, point,
-                             candidates->at[i].place))
+        if (!seek_finds(seeker, candidates, i))
             continue;
         blend->at[blend->count].payload =
-            point_mesh_payload(mesh, seeker->worker, point);
+            point_mesh_payload(mesh, seeker->worker, &candidates->at[i].point);
         blend->at[blend->count++].weight = candidates->at[i].weight;
         if (mesh->interpolation->single)
             break;
@@ -285,6 +305,20 @@ static void seek_levels(struct seeker seeker, int finest, double coarse)
     }
 }
 
+/* In glass, or in a gap behind a pane, too narrow for points, there is about
+ * the light that is before it, less what it keeps: few rays of its own would
+ * say less. */
+static void seek_behind(struct seeker seeker, int finest, double coarse)
+{
+    struct passed passed = { rgb_grey(0), 0 };
+    seeker.passed = &passed;
+    seeker.least = seek_behind_least;
+    seeker.most = 1;
+    seek_levels(seeker, finest, coarse);
+    if (passed.weights > 0)
+        seeker.blend->through = rgb_scale(passed.sum, 1 / passed.weights);
+}
+
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
                       const struct receiver *receiver, struct mesh_blend *blend)
 {
@@ -294,20 +328,15 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     seeker.blend = blend;
     blend->count = 0;
     blend->here = false;
+    blend->through = rgb_grey(1);
     seek_levels(seeker, finest, coarse);
     if (blend->count == 0 && mesh->least > 0) {
         seeker.most = seeker.least;
         seeker.least = 0;
         seek_levels(seeker, finest, coarse);
     }
-    /* A gap behind a clear pane, too narrow for points, has about the light
-     * that is before it: few rays of its own would say less. */
-    if (blend->count == 0 && mesh->least > 0 && !world_is_opaque(mesh->world)) {
-        seeker.through = true;
-        seeker.least = 0;
-        seeker.most = 1;
-        seek_levels(seeker, finest, coarse);
-    }
+    if (blend->count == 0 && mesh->least > 0 && !world_is_opaque(mesh->world))
+        seek_behind(seeker, finest, coarse);
     if (blend->count == 0)
         seek_here(&seeker);
 }

@@ -1,7 +1,6 @@
 /* Sights of mesh points: see seek_sight.h. */
 #include "lightmesh/seek_sight.h"
 
-#include "base/lesser.h"
 #include "lightmesh/tuning.h"
 #include "shade/shadow.h"
 #include "shade/surface.h"
@@ -15,10 +14,11 @@ enum sight seek_sight(const struct point_mesh *mesh, struct worker *worker,
                            receiver->side);
 }
 
-/* Whether nothing is between; `filter`: but what it lets pass. */
+/* Whether nothing is between; `filter`: but what it lets pass, into *through.
+ */
 static bool seek_ray(const struct point_mesh *mesh, struct worker *worker,
                      const struct receiver *receiver, vec3 from,
-                     world_filter *filter)
+                     world_filter *filter, rgb *through)
 {
     vec3 offset = vec3_sub(receiver->point, from);
     double length = vec3_length(offset);
@@ -31,31 +31,34 @@ static bool seek_ray(const struct point_mesh *mesh, struct worker *worker,
                              .tmax = length,
                              .light = -1,
                              .filter = filter,
+                             .context = through,
                              .spread = gather_spread });
 }
 
 bool seek_looks(const struct point_mesh *mesh, struct worker *worker,
                 const struct receiver *receiver, vec3 from)
 {
-    return seek_ray(mesh, worker, receiver, from, NULL);
+    return seek_ray(mesh, worker, receiver, from, NULL, NULL);
 }
 
-/* Whether a surface on the way lets less than half of any colour pass: then the
- * light behind it is another. */
+/* Whether a surface on the way lets too little pass: then the light behind it
+ * is another. */
 static bool pane_hides(void *context, const struct ray *ray,
                        const struct world_hit *hit)
 {
+    rgb *through = context;
     struct intersection at;
-    (void)context;
     world_describe(ray, hit, &at);
-    rgb through = surface_transmittance(&at);
-    return lesser(lesser(through.r, through.g), through.b) < seek_clear;
+    *through = rgb_mul(*through, surface_transmittance(&at));
+    return rgb_peak(*through) < seek_clear;
 }
 
 bool seek_looks_through(const struct point_mesh *mesh, struct worker *worker,
-                        const struct receiver *receiver, vec3 from)
+                        const struct receiver *receiver, vec3 from,
+                        rgb *through)
 {
-    return seek_ray(mesh, worker, receiver, from, pane_hides);
+    *through = rgb_grey(1);
+    return seek_ray(mesh, worker, receiver, from, pane_hides, through);
 }
 
 bool seek_sees(const struct point_mesh *mesh, struct worker *worker,

@@ -19,8 +19,10 @@ bool seek_sees(const struct point_mesh *mesh, struct worker *worker,
                const struct receiver *receiver,
                const struct lattice_point *point, vec3 from);
 
-/* As seek_looks, by a ray that clear panes don't stop. */
+/* As seek_looks, by a ray that panes don't stop; *through is what they let pass
+ * of the light. */
 bool seek_looks_through(const struct point_mesh *mesh, struct worker *worker,
-                        const struct receiver *receiver, vec3 from);
+                        const struct receiver *receiver, vec3 from,
+                        rgb *through);
 
 #endif

@@ -86,20 +86,21 @@ static const double kept_rays = 4; /* times as many that are wanted of a point:
                                     * others are made */
 
 /* Mesh points in space [forest, thinwall, room]. */
-static const double seek_lift = 0.3;    /* above the surface, spacings */
-static const double seek_rise = 0.2;    /* points lower than that count less,
-                                         * spacings */
-static const double seek_clear = 0.5;   /* of light: panes that let it pass */
-static const double seek_least = 0.03;  /* of a place's points that gather: what
-                                         * counts no more isn't asked [pillars]
-                                         */
-static const double seek_worth = 0.17;  /* and the more of them the less the
-                                         * place is worth, down to that [price]
-                                         */
-static const double nearest_rise = 0.1; /* likewise, of the nearest */
-static const double worth_fine = 0.15;  /* what is worth less is a level
-                                         * coarser, share of the picture */
-static const double worth_step = 3;     /* and one more for each such factor */
+static const double seek_lift = 0.3;   /* above the surface, spacings */
+static const double seek_rise = 0.2;   /* points lower than that count less,
+                                        * spacings */
+static const double seek_clear = 0.1;  /* of light: panes that let it pass */
+static const double seek_least = 0.03; /* of a place's points that gather: what
+                                        * counts no more isn't asked [pillars]
+                                        */
+static const double seek_worth = 0.17; /* and the more of them the less the
+                                        * place is worth, down to that [price]
+                                        */
+static const double seek_behind_least = 0.06; /* likewise, behind panes */
+static const double nearest_rise = 0.1;       /* likewise, of the nearest */
+static const double worth_fine = 0.15;        /* what is worth less is a level
+                                               * coarser, share of the picture */
+static const double worth_step = 3; /* and one more for each such factor */
 static const double obstacle_reach = 2.5;  /* spacings */
 static const double obstacle_plane = 0.03; /* flat within that share */
 static const double obstacle_hides = 1.25; /* of the way to what stands on all
@@ -245,9 +246,9 @@ static const double block_places = 0.25; /* of the grid's step, from one place
 static const double block_bend = 0.95;   /* cosine of normals that share one */
 static const double block_around = 1;    /* spacings: places no farther from the
                                           * middle ask the same mesh points, */
-static const double block_around_bend = 0.5; /* if their normals are so near */
-static const double block_beside = 1.5; /* of that: what is no farther is one
-                                         * surface, or shows no difference */
+static const double block_around_bend = 0; /* if their normals are so near */
+static const double block_beside = 1.5;    /* of that: what is no farther is one
+                                            * surface, or shows no difference */
 
 static const double answer_reach = 0.5;  /* of the grid's step: rays of a pixel
                                           * that are no farther apart have one
@@ -278,7 +279,7 @@ static const double bright_round = 0.7; /* radius of what is in a cell, sides */
 static const double bright_wall = 1e-3; /* of that its walls are off */
 
 static const double gather_noise = 0.009; /* of the picture */
-static const double gather_net = 1.43; /* the noise of a net falls by the power
+static const double gather_net = 1.43; /* the noise of ways falls by the power
                                         * 1/1.43 of its size [room to
                                         * pillars] */
 static const double gather_worth_none = 0.003; /* change of the picture that is

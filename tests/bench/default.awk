@@ -60,5 +60,8 @@ END {
             middle["truth"], 0.04)
         judge("truth of " who["truth"], worst["truth"], 0.1)
     }
+    if (count["flicker"])
+        judge("flicker, % at the 95th percentile, " who["flicker"],
+            worst["flicker"], 0.5)
     exit missed > 0
 }
