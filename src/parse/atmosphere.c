@@ -158,7 +158,7 @@ static bool sky_add(struct parser *p, struct sky_sphere *sky)
         memcpy(pigments, sky->pigments, sky->count * sizeof *pigments);
     sky->pigments = pigments;
     struct span span = stream_span(p);
-    return parse_pigment(p, &pigments[sky->count]) &&
+    return parse_plain_pigment(p, &pigments[sky->count]) &&
            uv_refuse(p, span, &pigments[sky->count++]->pattern);
 }
 

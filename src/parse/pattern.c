@@ -96,8 +96,7 @@ static bool parse_function_pattern(struct parser *p, struct pattern *pattern)
 static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
 {
     struct made_pattern *made = pattern->parameters;
-    made->pigment = p->defaults.pigment;
-    return parse_pigment_block(p, &made->pigment) &&
+    return parse_plain_pigment(p, &made->pigment) &&
            pattern_sampled(p, pattern);
 }
 
