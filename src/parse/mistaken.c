@@ -70,6 +70,8 @@ static const struct synonym synonyms[] = {
     { "noise", NULL, "bozo" },
     { "perlin", NULL, "bozo" },
     { "random", NULL, "rand(STREAM)" },
+    { "eof", NULL, "defined(HANDLE)" },
+    { "feof", NULL, "defined(HANDLE)" },
     { "normalize", NULL, "vnormalize(V)" },
     { "length", NULL, "vlength(V)" },
     { "dot", NULL, "vdot(V, W)" },

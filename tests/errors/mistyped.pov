@@ -1,0 +1,19 @@
+#version 3.7;
+#include "colors.inc"
+#include "stones.inc"
+#declare Ball = sphere { 0, 1 }
+#declare Brick = torus { 1, .3 }
+#declare Jade = pigment { rgb y }
+sphere { <0, 2, -3
+    1 }
+sphere { <0.4, 0.4, 0.4, 0, Ball), 1 }
+object { brick }
+#declare Textures = array(8);
+#for (I, 0, 7) #declare Textures[I] = texture { pigment { rgb 1 } } #end
+#for (t, 0, 7) #end
+#declare Path = spline { natural 0, x, 1, y };
+sphere { 0, 1 pigment { checker Jade White } }
+sphere { 0, 1 texture { hexagon T_Stone1 T_Stone2 T_Stone3 } }
+text { ttf "timrom.ttf", Balls, .1, 0 }
+object { Cylinder_Z }
+#while (!eof(File)) #end
