@@ -115,6 +115,10 @@ static bool fog_items(struct parser *p, struct fog *fog)
             return false;
         accept(p, TOKEN_COMMA);
     }
+    if (fog->altitude == 0 && fog->ground)
+        warning_at(p, p->token_span, "fog_alt 1",
+                   "a fog_type 2 without a fog_alt ends at its fog_offset; "
+                   "POV-Ray draws black");
     if (fog->altitude == 0)
         fog->altitude = fog_altitude_least;
     return true;

@@ -17,3 +17,5 @@ sphere { 0, 1 texture { hexagon T_Stone1 T_Stone2 T_Stone3 } }
 text { ttf "timrom.ttf", Balls, .1, 0 }
 object { Cylinder_Z }
 #while (!eof(File)) #end
+lathe { linear_spline 3, <0, 0, 0>, <1, 0, 0>, <1, 1, 0> }
+light_source { y, rgb 1 area_light x, z, 3 }
