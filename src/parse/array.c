@@ -73,7 +73,13 @@ static bool array_number(struct parser *p, double *number, struct span *start)
         return false;
     struct cursor *outer = brackets_begin(p);
     *start = stream_span(p);
-    bool ok = parse_float(p, number) && expect(p, TOKEN_RBRACKET, open);
+    bool ok = parse_float(p, number);
+    if (ok && stream_peek(p)->kind == TOKEN_COMMA)
+        ok = error_at(p, p->token_span, "][",
+                      "expected ']', found ','; each dimension has its own "
+                      "brackets");
+    else
+        ok = ok && expect(p, TOKEN_RBRACKET, open);
     return brackets_end(p, outer, ok);
 }
 

@@ -557,6 +557,8 @@ bool error_unknown_item(struct parser *p, const char *block,
     const char *belongs = unclosed_hint(p);
     if (!belongs)
         belongs = error_bare_object(p, word);
+    if (!belongs && word->reserved)
+        belongs = mistaken_word(word, block);
     if (!belongs)
         belongs = item_belongs(p, word, block);
     const char *kind = error_kind(p);

@@ -50,6 +50,9 @@ static bool parse_spline_point(struct parser *p, struct spline *spline,
     struct spline_knot knot = { 0 };
     struct value value;
     struct span start = stream_span(p);
+    if (stream_peek(p)->kind == TOKEN_LESS)
+        return error_expected_hint(p, "a number, the time of the point",
+                                   "0, <1, 2, 3>");
     if (!parse_float(p, &knot.time)) {
         note_unclosed(p);
         return false;

@@ -19,3 +19,12 @@ object { Cylinder_Z }
 #while (!eof(File)) #end
 lathe { linear_spline 3, <0, 0, 0>, <1, 0, 0>, <1, 1, 0> }
 light_source { y, rgb 1 area_light x, z, 3 }
+light_source { y, rgb 1 spotlight look_at 0 }
+#declare Table = array[2, 3];
+#declare Way = spline { linear_spline <0, 0, 0>, <1, 0, 0> };
+mesh2 {
+    vertex_vectors { 3, x, y, z }
+    texture_list { 1, texture { pigment { rgb 1 } } texture { pigment { rgb x } } }
+    face_indices { 1, <0, 1, 2>, 0 }
+}
+box { 0, 1 pigment { image_map { png "../render/parts/dot.png" interpolate bilinear } } }
