@@ -52,7 +52,7 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
     struct pattern fresh = pattern_new(p->scene_arena, kind);
     pattern_lay(&fresh, pattern->inverse);
     fresh.warps = pattern->warps;
-    fresh.frequency = pattern->frequency;
+    fresh.frequency = kind->still || kind->blocks ? 0 : pattern->frequency;
     fresh.phase = pattern->phase;
     fresh.exponent = pattern->exponent;
     if (kind->wave == WAVE_RAMP)
