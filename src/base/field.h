@@ -25,6 +25,7 @@ enum field_kind {
     FIELD_POINTS,  /* struct points: how many, then so many vectors, each of 2
                     * or 3 components (a 2-D one has z = 0), commas optional:
                     * 4, <0,0>, <1,0>, <1,1>, <0,0> */
+    FIELD_POINTS2, /* the same, each of 2 components */
 };
 
 /* The value of a FIELD_TERMS. */

@@ -86,6 +86,7 @@ static uint64_t hash_field(uint64_t hash, enum field_kind kind, const void *at)
     case FIELD_NAME:
         return hash_text(hash, *(const char *const *)at);
     case FIELD_POINTS:
+    case FIELD_POINTS2:
         return hash_bytes(hash, points->items,
                           points->count * sizeof *points->items);
     }

@@ -204,6 +204,7 @@ static void file_describe(struct image *image,
     image->plain = target->plain;
     image->indexed = target->indexed;
     image->palette = target->palette;
+    image->png = strcmp(target->type, "png") == 0;
     image->channels = target->channels;
     image->bits = target->bits;
 }

@@ -23,6 +23,7 @@ struct image {
     bool indexed;    /* read as numbers: pixels are a palette's
                       * numbers, 1 being 255 */
     bool palette;    /* read: the file has one (PNG) */
+    bool png;        /* read: of this kind */
     bool plain;      /* read: of a kind whose numbers POV-Ray takes for the
                       * scene's own, whatever they are (PPM, PGM, TIFF) */
 };

@@ -138,6 +138,17 @@ static bool at_no_value(struct parser *p)
     return token->kind == TOKEN_RBRACE;
 }
 
+static bool field_point(struct parser *p, const struct field *field, vec3 *out)
+{
+    double flat[2];
+    if (field->kind == FIELD_POINTS)
+        return field_vector(p, field, out);
+    if (!field_components(p, field, flat, 2))
+        return false;
+    *out = vec3_make(flat[0], flat[1], 0);
+    return true;
+}
+
 /* points = float {[","] vector} . */
 static bool parse_points(struct parser *p, const struct field *field,
                          struct points *points)
@@ -161,7 +172,7 @@ static bool parse_points(struct parser *p, const struct field *field,
             return error_at(p, start, NULL,
                             "%s points are announced here, but only %zu follow",
                             NUMBER_TEXT(count), values.count);
-        if (!field_vector(p, field, &point))
+        if (!field_point(p, field, &point))
             return false;
         *ARRAY_PUSH(p->scene_arena, &values) = point;
     }
@@ -284,6 +295,7 @@ static bool field_read(struct parser *p, const struct field *field, void *base)
         outer = brackets_begin(p);
         return brackets_end(p, outer, parse_terms(p, field, at));
     case FIELD_POINTS:
+    case FIELD_POINTS2:
         return parse_points(p, field, at);
     }
     return false;

@@ -73,7 +73,13 @@ static bool array_number(struct parser *p, double *number, struct span *start)
         return false;
     struct cursor *outer = brackets_begin(p);
     *start = stream_span(p);
-    bool ok = parse_float(p, number) && expect(p, TOKEN_RBRACKET, open);
+    bool ok = parse_float(p, number);
+    if (ok && stream_peek(p)->kind == TOKEN_COMMA)
+        ok = error_at(p, p->token_span, "][",
+                      "expected ']', found ','; each dimension has its own "
+                      "brackets");
+    else
+        ok = ok && expect(p, TOKEN_RBRACKET, open);
     return brackets_end(p, outer, ok);
 }
 
@@ -275,6 +281,17 @@ static bool array_is_mixed(struct parser *p)
     return true;
 }
 
+/* `array(8)`, as other languages have it. */
+static const char *array_size_hint(struct parser *p)
+{
+    size_t left;
+    const struct token *token = stream_peek(p), *size = stream_raw(p, &left);
+    return token->kind == TOKEN_LPAREN && left > 1 &&
+                   size[0].kind == TOKEN_NUMBER && size[1].kind == TOKEN_RPAREN
+               ? arena_printf(p->arena, "[%g]", size->number)
+               : "[3]";
+}
+
 /* array = "array" "[" float "]" {"[" float "]"} [array_values] . */
 bool parse_array(struct parser *p, struct value *value)
 {
@@ -282,7 +299,8 @@ bool parse_array(struct parser *p, struct value *value)
     stream_next(p);
     array->count = 1;
     if (stream_peek(p)->kind != TOKEN_LBRACKET)
-        return error_expected_hint(p, "'[' and the size of the array", "[3]");
+        return error_expected_hint(p, "'[' and the size of the array",
+                                   array_size_hint(p));
     while (stream_peek_infix(p)->kind == TOKEN_LBRACKET)
         if (!array_add_dimension(p, array))
             return false;

@@ -115,6 +115,10 @@ static bool fog_items(struct parser *p, struct fog *fog)
             return false;
         accept(p, TOKEN_COMMA);
     }
+    if (fog->altitude == 0 && fog->ground)
+        warning_at(p, p->token_span, "fog_alt 1",
+                   "a fog_type 2 without a fog_alt ends at its fog_offset; "
+                   "POV-Ray draws black");
     if (fog->altitude == 0)
         fog->altitude = fog_altitude_least;
     return true;
@@ -158,7 +162,7 @@ static bool sky_add(struct parser *p, struct sky_sphere *sky)
         memcpy(pigments, sky->pigments, sky->count * sizeof *pigments);
     sky->pigments = pigments;
     struct span span = stream_span(p);
-    return parse_pigment(p, &pigments[sky->count]) &&
+    return parse_plain_pigment(p, &pigments[sky->count]) &&
            uv_refuse(p, span, &pigments[sky->count++]->pattern);
 }
 

@@ -82,6 +82,19 @@ static const char *block_of(enum value_kind kind)
     }
 }
 
+/* Behind `checker` and its like stand colours or blocks. */
+static bool behind_list_pattern(const struct parser *p)
+{
+    struct span last = p->last_span;
+    const struct pattern_kind *kind;
+    for (size_t i = 0; last.source && (kind = pattern_at(i)); i++)
+        if (kind->blocks && strlen(kind->name) == last.length &&
+            memcmp(last.source->text + last.offset, kind->name, last.length) ==
+                0)
+            return true;
+    return false;
+}
+
 const char *item_belongs(struct parser *p, const struct word *word,
                          const char *block)
 {
@@ -91,7 +104,8 @@ const char *item_belongs(struct parser *p, const struct word *word,
         owner = owner_of(word);
     if (is_texture_part(word->keyword) && strcmp(block, "material") == 0)
         owner = "texture";
-    if (!owner || strcmp(owner, block) == 0)
+    bool within = owner && strcmp(owner, block) == 0;
+    if (!owner || (within && !(value && behind_list_pattern(p))))
         return NULL;
     return arena_printf(p->arena, "%s { %s%s }", owner, word->text,
                         value ? "" : " ...");

@@ -7,7 +7,7 @@
 enum curve { CURVE_LINEAR, CURVE_QUADRATIC, CURVE_CUBIC, CURVE_BEZIER };
 
 static const struct field curve_points[] = {
-    { "points", FIELD_POINTS, 0, 0, 0, "how many points, then the points" },
+    { "points", FIELD_POINTS2, 0, 0, 0, "how many points, then the points" },
     { .name = NULL },
 };
 

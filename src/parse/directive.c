@@ -141,8 +141,11 @@ bool directive_condition_end(struct parser *p, struct directive_head outer)
 bool directive_float(struct parser *p, double *out)
 {
     struct directive_head outer = directive_head_begin(p);
-    bool ok = parse_condition(p, out);
-    return directive_condition_end(p, outer) && ok;
+    bool ok = parse_condition(p, out), told = p->told;
+    p->told |= !ok;
+    ok &= directive_condition_end(p, outer);
+    p->told = told;
+    return ok;
 }
 
 bool directive_string(struct parser *p, const char **out)

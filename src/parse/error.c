@@ -213,6 +213,41 @@ static void note_declaring(struct parser *p, const struct word *name)
                 name->text);
 }
 
+/* The declared name that is nearest, but no other value where a string is
+ * wanted: its quotes are forgotten. */
+static const char *error_nearest(struct parser *p, const char *wanted,
+                                 const char *text)
+{
+    const char *name = symbol_nearest(p, text);
+    const struct value *value =
+        name ? symbol_find(p, word_intern(p->words, name, strlen(name))) : NULL;
+    bool fits = !value || strcmp(wanted, "a string") != 0 ||
+                value->kind == VALUE_STRING;
+    return fits ? name : NULL;
+}
+
+/* A reserved word instead of a name that differs from it by case only. */
+static const char *error_declared_case(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    const char *name = token->kind == TOKEN_WORD && token->word->reserved
+                           ? symbol_nearest(p, token->word->text)
+                           : NULL;
+    return name && text_equal_nocase(name, token->word->text) ? name : NULL;
+}
+
+/* A string that goes on over lines has most likely taken the quotes of the next
+ * one for its end. */
+static void note_long_string(struct parser *p)
+{
+    struct span last = p->last_span;
+    if (!last.source || last.source->text[last.offset] != '"' ||
+        !memchr(last.source->text + last.offset, '\n', last.length))
+        return;
+    last.length = 1;
+    note_at(p, last, "this string ends lines below; its '\"' may be missing");
+}
+
 /* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
@@ -228,7 +263,7 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     if (!hint)
         hint = mistaken_word(token->word, "");
     if (!hint)
-        hint = symbol_nearest(p, token->word->text);
+        hint = error_nearest(p, wanted, token->word->text);
     if (!hint)
         hint = error_near_pattern(wanted, token->word->text);
     if (!hint)
@@ -341,8 +376,10 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
     p->silent = true;
     wanted = wanted_field(p, wanted, 1);
     if (error_follows(p) || at_poison(p) || error_is_silent(p) ||
-        error_undeclared(p, wanted, hint))
+        error_undeclared(p, wanted, hint)) {
+        note_long_string(p);
         return false;
+    }
     const char *kind = error_kind(p);
     if (!hint)
         hint = error_power(p);
@@ -351,11 +388,14 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
     if (!hint)
         hint = error_uncoloured(p, wanted);
     if (!hint)
+        hint = error_declared_case(p);
+    if (!hint)
         hint = wanted_signature(p, 1);
-    return error_at(p, stream_span(p), hint ? hint : wanted_example(p, wanted),
-                    "expected %s, found %s%s%s%s", wanted, error_found(p),
-                    kind ? ", " : "", kind ? kind : "",
-                    error_assigned(p, wanted));
+    error_at(p, stream_span(p), hint ? hint : wanted_example(p, wanted),
+             "expected %s, found %s%s%s%s", wanted, error_found(p),
+             kind ? ", " : "", kind ? kind : "", error_assigned(p, wanted));
+    note_long_string(p);
+    return false;
 }
 
 bool error_expected(struct parser *p, const char *wanted)
@@ -517,6 +557,8 @@ bool error_unknown_item(struct parser *p, const char *block,
     const char *belongs = unclosed_hint(p);
     if (!belongs)
         belongs = error_bare_object(p, word);
+    if (!belongs && word->reserved)
+        belongs = mistaken_word(word, block);
     if (!belongs)
         belongs = item_belongs(p, word, block);
     const char *kind = error_kind(p);

@@ -42,11 +42,33 @@ bool parse_float(struct parser *p, double *out)
            value_to_float(p, start, &value, out);
 }
 
-/* The rest of a short line in parentheses, up to the next directive. */
+/* The ')' of a condition: where the line ends without it, what follows is not
+ * told of. */
+static bool condition_closes(struct parser *p, struct span open)
+{
+    struct span last = p->last_span;
+    if (accept(p, TOKEN_RPAREN))
+        return true;
+    struct span next = p->token_span;
+    size_t end = last.offset + last.length;
+    bool here = next.source == last.source && next.offset >= end &&
+                !memchr(next.source->text + end, '\n', next.offset - end);
+    if (here || !last.source || p->token.kind == TOKEN_END)
+        return expect(p, TOKEN_RPAREN, open);
+    error_at(p, open, NULL, "the '(' of this condition is not closed");
+    p->blamed = p->last_span;
+    return false;
+}
+
+/* The rest of a short line in parentheses, up to the next directive; of
+ * `#case 1:` the number. */
 static const char *condition_hint(struct parser *p, struct span start)
 {
     const char *text = start.source->text + start.offset;
-    size_t length = strcspn(text, "(){}#\r\n");
+    size_t length = strcspn(text, "(){}#\r\n"), number = start.length;
+    size_t behind = number + strspn(text + number, " ");
+    if (stream_peek(p)->kind == TOKEN_NUMBER && strchr(":\"", text[behind]))
+        return arena_printf(p->arena, "(%.*s)", (int)number, text);
     bool whole = text[length] && strchr("#\r\n", text[length]);
     while (length > 0 && text[length - 1] == ' ')
         length--;
@@ -66,7 +88,7 @@ bool parse_condition(struct parser *p, double *out)
     struct cursor *outer = brackets_begin(p);
     struct span start = stream_span(p);
     bool ok = parse_operation(p, PRECEDENCE_CONDITION, "a condition", &value) &&
-              expect(p, TOKEN_RPAREN, open);
+              condition_closes(p, open);
     if (!brackets_end(p, outer, ok) || !value_to_float(p, start, &value, out))
         return false;
     if (!operator_truth(*out))

@@ -120,7 +120,8 @@ static bool pigment_body(struct parser *p, struct function *function)
 {
     const struct pigment *pigment;
     struct span span = stream_span(p);
-    if (!parse_pigment(p, &pigment) || !uv_refuse(p, span, &pigment->pattern))
+    if (!parse_plain_pigment(p, &pigment) ||
+        !uv_refuse(p, span, &pigment->pattern))
         return false;
     function->values = values_of_pigment(p->scene_arena, pigment);
     function->work = 1 + pigment->work;

@@ -127,7 +127,6 @@ void vector_trace(struct parser *p, const struct call *call,
     *result = value_vector(point);
     if (call->target) {
         struct value given = value_vector(normal);
-        symbol_give(call->target, &given);
-        p->changes++;
+        symbol_give(p, call->target, &given);
     }
 }

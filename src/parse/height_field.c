@@ -22,12 +22,12 @@ static inline double height_cut(double number)
     return fabs(number) < 1e15 ? number - 65536 * floor(number / 65536) : 0;
 }
 
-/* A grey byte is rounded down as the sum of its shares of red, green and blue
- * is in single precision, but neither are 16 bits nor bytes with alpha; colours
- * of 8 bits are two bytes, red and green, those of 16 as bright; a palette has
- * its entries' numbers. All are as written, premultiplied or not. EXR and HDR
- * files have red and green again, not rounded, and what is above two bytes is
- * left out. */
+/* A grey byte of a PNG is rounded down as the sum of its shares of red, green
+ * and blue is in single precision, but no others, 16 bits or with alpha;
+ * colours of 8 bits are two bytes, red and green, those of 16 as bright; a
+ * palette has its entries' numbers. All are as written, premultiplied or not.
+ * EXR and HDR files have red and green again, not rounded, and what is above
+ * two bytes is left out. */
 static double height_of(const struct image *image, const float *pixel)
 {
     if (image->indexed)
@@ -37,9 +37,11 @@ static double height_of(const struct image *image, const float *pixel)
     float v = pixel[0];
     if (image->channels < 3 && image->bits > 8)
         return height_number(v, 65535);
-    if (image->channels == 2)
+    if (image->channels == 2 || (image->channels == 1 && !image->png))
         return height_number(v, 255) * 257;
     if (image->channels == 1) {
+        /* Divided, as readers of files don't. */
+        v = (float)height_number(v, 255) / 255;
         float grey = 0.297F * v + 0.589F * v + 0.114F * v;
         return trunc((double)(grey * 255.0F)) * 257;
     }

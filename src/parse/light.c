@@ -75,7 +75,12 @@ static bool parse_area_light(struct parser *p, struct light *light)
     if (!parse_vector(p, &light->axis2))
         return false;
     accept(p, TOKEN_COMMA);
-    return area_size(p, &light->size1) && area_size(p, &light->size2);
+    if (!area_size(p, &light->size1))
+        return false;
+    if (!at_number(p))
+        return error_expected_hint(p, "how many lights along the second axis",
+                                   "area_light x, z, 4, 4");
+    return area_size(p, &light->size2);
 }
 
 /* The object of such a block, put in its place, and what modifies it there. */

@@ -39,6 +39,10 @@ static bool macro_parameters(struct parser *p, struct macro *macro)
         const struct word *name = tokens[cursor->index].word;
         struct span span = token_span(cursor->list, cursor->index);
         bool pair = tokens[cursor->index + 1].kind == TOKEN_WORD;
+        bool behind = macro->parameter_count > 0 &&
+                      tokens[cursor->index - 1].kind != TOKEN_COMMA;
+        if (name->reserved && behind) /* the ')' is missing */
+            break;
         if (pair && strcmp(name->text, "optional") == 0)
             return error_at(p, span, NULL,
                             "an optional parameter needs POV-Ray 3.8, and "
@@ -87,8 +91,7 @@ static bool macro_run(struct parser *p, struct span at)
         return false;
     macro->end = cursor->index++;
     struct value value = { .kind = VALUE_MACRO, .macro = macro };
-    if (ok)
-        symbol_set(p, macro->name, value, false);
+    symbol_set(p, macro->name, ok ? value : value_poison(), false);
     return ok;
 }
 

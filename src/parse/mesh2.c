@@ -306,7 +306,15 @@ static enum taken parse_mesh2_list(struct parser *p, struct mesh2 *m)
         m->plain_next = 0;
         return rule(p, m);
     }
-    return block_begin(p, &open) && block_end(p, open, rule(p, m));
+    if (!block_begin(p, &open))
+        return WRONG;
+    bool ok = rule(p, m);
+    if (ok && stream_peek(p)->kind != TOKEN_RBRACE) {
+        error_expected(p, "'}' after as many items as are announced");
+        note_at(p, open, "to match this '{'");
+        ok = false;
+    }
+    return block_end(p, open, ok);
 }
 
 /* Without normal_indices, faces use their vertices' numbers if there are as

@@ -159,25 +159,36 @@ static bool vector_subtracted(struct parser *p, int size)
     return true;
 }
 
+/* Enough components, and then none. */
+static bool vector_unclosed(struct parser *p, struct span open)
+{
+    error_expected(p, "a number or '>'");
+    note_at(p, open, "to match this '<'");
+    return false;
+}
+
 /* A comma between components is optional, one after the last allowed.
  * vector_value = "<" float [","] float {[","] float} [","] ">" . */
 static bool parse_vector_value(struct parser *p, struct value *value)
 {
     double numbers[VECTOR_LIMIT] = { 0 };
     int size = 0;
-    bool commas = false;
+    bool comma = false, commas = false;
     struct span open = stream_span(p);
     stream_next(p);
     while (size < VECTOR_LIMIT &&
            (size < 2 || stream_peek(p)->kind != TOKEN_GREATER)) {
-        if (size > 1 && stream_peek(p)->kind == TOKEN_RBRACE)
+        if (size > 1 && !comma && !at_number(p))
             break;
+        if (size > 2 && !at_number(p))
+            return vector_unclosed(p, open);
         if (size == 1 && stream_peek(p)->kind == TOKEN_GREATER && !commas &&
             vector_subtracted(p, size))
             return false;
         if (!parse_float(p, &numbers[size++]))
             return false;
-        commas |= accept(p, TOKEN_COMMA);
+        comma = accept(p, TOKEN_COMMA);
+        commas |= comma;
     }
     if (size == 2 && stream_peek(p)->kind == TOKEN_GREATER && !commas)
         vector_subtracted(p, size);

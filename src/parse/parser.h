@@ -92,6 +92,7 @@ struct parser {
         const struct finish *finish;
         struct texture *texture; /* of the three, or of earlier ones */
     } defaults;
+    const struct pigment *plain; /* what those of no surface start from */
     bool density; /* what is read is a pigment by the name of density */
     struct {
         struct finish **items;

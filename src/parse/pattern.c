@@ -52,7 +52,7 @@ static void pattern_become(struct parser *p, struct pattern *pattern,
     struct pattern fresh = pattern_new(p->scene_arena, kind);
     pattern_lay(&fresh, pattern->inverse);
     fresh.warps = pattern->warps;
-    fresh.frequency = pattern->frequency;
+    fresh.frequency = kind->still || kind->blocks ? 0 : pattern->frequency;
     fresh.phase = pattern->phase;
     fresh.exponent = pattern->exponent;
     if (kind->wave == WAVE_RAMP)
@@ -96,8 +96,7 @@ static bool parse_function_pattern(struct parser *p, struct pattern *pattern)
 static bool parse_pigment_pattern(struct parser *p, struct pattern *pattern)
 {
     struct made_pattern *made = pattern->parameters;
-    made->pigment = p->defaults.pigment;
-    return parse_pigment_block(p, &made->pigment) &&
+    return parse_plain_pigment(p, &made->pigment) &&
            pattern_sampled(p, pattern);
 }
 

@@ -213,6 +213,12 @@ bool parse_pigment_block(struct parser *p, const struct pigment **in)
            block_end(p, open, parse_pigment_body(p, in));
 }
 
+bool parse_plain_pigment(struct parser *p, const struct pigment **out)
+{
+    *out = p->plain;
+    return parse_pigment_block(p, out);
+}
+
 bool parse_pigment(struct parser *p, const struct pigment **out)
 {
     *out = p->defaults.pigment;

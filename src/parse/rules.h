@@ -51,6 +51,9 @@ bool error_unknown_thing(struct parser *p, const char *block,
 /* Refuses uv_mapping, said from the span on, where there is no surface. */
 bool uv_refuse(struct parser *p, struct span span,
                const struct pattern *pattern);
+/* Of no surface, but of the sky, a function or a pattern: #default doesn't
+ * count for it, but it does for the entries of its maps (measured). */
+bool parse_plain_pigment(struct parser *p, const struct pigment **out);
 bool parse_pigment_block(struct parser *p, const struct pigment **in);
 bool parse_pigment_body(struct parser *p, const struct pigment **in);
 /* The inside of normal { } or of an entry of a normal_map. */

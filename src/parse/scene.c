@@ -162,7 +162,8 @@ static bool scene_camera(struct parser *p)
     struct span span = stream_span(p);
     if (!parse_camera(p, &camera))
         return false;
-    if (p->scene->camera_said)
+    bool library = library_user(p, span).source != span.source;
+    if (p->scene->camera_said && !library) /* screen.inc says it twice itself */
         warning_at(p, span, NULL,
                    "a second camera: the one before it is not used");
     p->scene->camera_said = true;

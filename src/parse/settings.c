@@ -297,7 +297,7 @@ void defaults_init(struct parser *p)
     *pigment = pigment_default(p->scene_arena);
     *finish = finish_default();
     *ARRAY_PUSH(p->arena, &p->finishes) = finish;
-    p->defaults.pigment = pigment;
+    p->plain = p->defaults.pigment = pigment;
     p->defaults.normal = NULL;
     p->defaults.finish = finish;
 }

@@ -50,6 +50,9 @@ static bool parse_spline_point(struct parser *p, struct spline *spline,
     struct spline_knot knot = { 0 };
     struct value value;
     struct span start = stream_span(p);
+    if (stream_peek(p)->kind == TOKEN_LESS)
+        return error_expected_hint(p, "a number, the time of the point",
+                                   "0, <1, 2, 3>");
     if (!parse_float(p, &knot.time)) {
         note_unclosed(p);
         return false;
@@ -98,11 +101,33 @@ static void spline_copy(struct parser *p, struct spline *spline)
     }
 }
 
+/* `natural` is short for natural_spline to some. */
+static const char *spline_type_hint(struct parser *p)
+{
+    static const enum keyword types[] = { KEYWORD_LINEAR_SPLINE,
+                                          KEYWORD_QUADRATIC_SPLINE,
+                                          KEYWORD_CUBIC_SPLINE,
+                                          KEYWORD_NATURAL_SPLINE };
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD)
+        return NULL;
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
+        const char *name = keyword_spelling(types[i]);
+        if (strncmp(name, token->word->text, token->word->length) == 0)
+            return name;
+    }
+    return NULL;
+}
+
 static bool spline_points(struct parser *p, struct spline *spline)
 {
     spline_copy(p, spline);
     double place[SPLINE_SIZE] = { 0 };
-    parse_spline_type(p, &spline->kind);
+    if (!parse_spline_type(p, &spline->kind)) {
+        const char *hint = spline_type_hint(p);
+        if (hint)
+            return error_expected_hint(p, "the type of a spline", hint);
+    }
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_spline_point(p, spline, place))
             return false;

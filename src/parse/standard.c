@@ -12,6 +12,14 @@ static const char *const standard_files[] = {
     "shapes.inc",  "shapes2.inc",   "shapes3.inc",    "shapesq.inc",
     "rand.inc",    "math.inc",      "transforms.inc", "strings.inc",
     "consts.inc",  "functions.inc", "ior.inc",        "arrays.inc",
+    "sunpos.inc",  "screen.inc",    "rad_def.inc",
+};
+
+/* Those that one of these includes. */
+static const char *const standard_parts[][2] = {
+    { "shapes_old.inc", "shapes.inc" },
+    { "glass_old.inc", "glass.inc" },
+    { "woodmaps.inc", "woods.inc" },
 };
 
 static bool standard_is_name(char c)
@@ -41,15 +49,25 @@ static bool standard_declares(const char *text, const char *name)
     return false;
 }
 
+static bool standard_file_declares(struct parser *p, const char *file,
+                                   const char *name)
+{
+    const char *problem, *path = file_find(p, file, NULL);
+    const struct source *source =
+        path ? source_read(p->arena, path, span_none(), &problem) : NULL;
+    return source && standard_declares(source->text, name);
+}
+
 const char *standard_include(struct parser *p, const char *name)
 {
-    size_t count = sizeof standard_files / sizeof *standard_files;
-    for (size_t i = 0; i < count; i++) {
-        const char *problem, *path = file_find(p, standard_files[i], NULL);
-        const struct source *source =
-            path ? source_read(p->arena, path, span_none(), &problem) : NULL;
-        if (source && standard_declares(source->text, name))
-            return arena_printf(p->arena, "#include \"%s\"", standard_files[i]);
-    }
-    return NULL;
+    size_t files = sizeof standard_files / sizeof *standard_files;
+    size_t parts = sizeof standard_parts / sizeof *standard_parts;
+    const char *found = NULL;
+    for (size_t i = 0; i < files && !found; i++)
+        if (standard_file_declares(p, standard_files[i], name))
+            found = standard_files[i];
+    for (size_t i = 0; i < parts && !found; i++)
+        if (standard_file_declares(p, standard_parts[i][0], name))
+            found = standard_parts[i][1];
+    return found ? arena_printf(p->arena, "#include \"%s\"", found) : NULL;
 }

@@ -9,6 +9,7 @@
 struct scope {
     struct scope *parent;
     struct symbol *symbols;
+    unsigned long changes; /* of them, which are forgotten with them */
 };
 
 /* Freed symbols are kept for reuse: macros called a million times would
@@ -62,6 +63,7 @@ void scope_pop(struct parser *p)
         symbol->next = p->free_symbols;
         p->free_symbols = symbol;
     }
+    p->changes -= scope->changes;
     p->scope = scope->parent;
     scope->parent = p->free_scopes;
     p->free_scopes = scope;
@@ -147,7 +149,6 @@ struct symbol *symbol_make_in(struct parser *p, struct scope *scope,
     while (*top && scope_is_within(p, (*top)->scope, scope))
         top = &(*top)->shadowed;
     struct symbol *found = symbol_meant(*top);
-    p->changes++;
     if (!local) {
         if (found)
             return found;
@@ -166,11 +167,34 @@ struct symbol *symbol_make_in(struct parser *p, struct scope *scope,
 void symbol_set(struct parser *p, const struct word *word, struct value value,
                 bool local)
 {
-    symbol_give(symbol_make_in(p, p->scope, word, local), &value);
+    symbol_give(p, symbol_make_in(p, p->scope, word, local), &value);
 }
 
-void symbol_give(struct symbol *symbol, const struct value *value)
+/* Surely the same, that is: not all are compared. */
+static bool value_is_same(const struct value *a, const struct value *b)
 {
+    if (a->kind != b->kind || a->size != b->size)
+        return false;
+    switch (a->kind) {
+    case VALUE_FLOAT:
+        return a->number[0] == b->number[0];
+    case VALUE_VECTOR:
+    case VALUE_COLOUR:
+        return memcmp(a->number, b->number, sizeof a->number) == 0;
+    case VALUE_STRING:
+        return strcmp(a->text, b->text) == 0;
+    default:
+        return false;
+    }
+}
+
+void symbol_give(struct parser *p, struct symbol *symbol,
+                 const struct value *value)
+{
+    if (!value_is_same(&symbol->value, value)) {
+        p->changes++;
+        symbol->scope->changes += !symbol->element;
+    }
     value_copy(&symbol->value, value);
     if (symbol->element)
         value_copy(symbol->element, value);

@@ -22,7 +22,8 @@ bool scope_push(struct parser *p);
 void scope_pop(struct parser *p);
 
 /* Gives the symbol, and what it stands for, a value. */
-void symbol_give(struct symbol *symbol, const struct value *value);
+void symbol_give(struct parser *p, struct symbol *symbol,
+                 const struct value *value);
 
 /* The innermost symbol, references followed; NULL: not declared. */
 struct symbol *symbol_lookup(struct parser *p, const struct word *word);

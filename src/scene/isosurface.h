@@ -31,6 +31,10 @@ double isosurface_value(const struct isosurface *surface, vec3 point);
 void isosurface_values(const struct isosurface *surface,
                        const struct spots *spots, double *values);
 
+/* How large max_gradient must be, measured on so many chords; 0 if nothing
+ * crosses the surface twice. */
+double isosurface_gradient(const struct isosurface *surface, int chords);
+
 /* With POV-Ray's defaults. */
 void isosurface_init(struct isosurface *surface);
 

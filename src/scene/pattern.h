@@ -102,6 +102,7 @@ struct pattern_kind {
     const struct field *arguments; /* positional: gradient <1,0,0> */
     const struct field *items;     /* named: brick_size, agate_turb ... */
     enum wave wave;                /* default */
+    bool still; /* frequency 0 by default, with which there is no phase */
     /* 0: a continuous pattern. n: value() is one of 0..n-1 and the pattern
      * takes a list of n colours or pigments (checker 2, hexagon 3). */
     int blocks;

@@ -78,7 +78,7 @@ static rgb pane_through(const struct ray *ray, const struct world_hit *hit,
             affine_point(leaf->look->to_texture, ray_point(ray, hit->hit.t)),
             NULL);
     world_describe(ray, hit, &at);
-    return rgb_scale(surface_transmittance(&at),
+    return rgb_scale(surface_passes(&at, ray->direction),
                      pane_caustics(&at, ray->direction, smooth));
 }
 

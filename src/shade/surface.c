@@ -355,7 +355,13 @@ void surface_fill(struct surface *surface, const struct intersection *at,
 
 rgb surface_transmittance(const struct intersection *at)
 {
-    struct surface_uv uv = surface_uv(at, at->normal, at->normal);
+    return surface_passes(at, vec3_negate(at->normal));
+}
+
+rgb surface_passes(const struct intersection *at, vec3 direction)
+{
+    struct surface_uv uv = surface_uv(at, vec3_against(at->normal, direction),
+                                      vec3_negate(vec3_normalise(direction)));
     struct bumps last = { .any = false };
     struct place place = place_at(at, &uv.source, &last);
     return texture_transmittance(at->texture, place_point(&place), place.uv);

@@ -81,6 +81,10 @@ void surface_let_pass(struct surface *surface, const struct surface_layer *top,
 /* What all layers let pass straight through: a shadow ray's view. */
 rgb surface_transmittance(const struct intersection *at);
 
+/* The same along a ray: to slope and aoi its origin is the viewer (measured).
+ */
+rgb surface_passes(const struct intersection *at, vec3 direction);
+
 /* Gives unit normals in the world a layer's bumps, at points of the texture's
  * space; all of it must be of space. `to` and `from`: world <-> the texture's
  * space. */

@@ -163,8 +163,9 @@ static bool flight_counts(const struct flight *flight)
 static bool flight_pass_clear(struct flight *flight,
                               const struct intersection *at)
 {
-    rgb through =
-        at->leaf->look->opaque ? rgb_grey(0) : surface_transmittance(at);
+    rgb through = at->leaf->look->opaque
+                      ? rgb_grey(0)
+                      : surface_passes(at, flight->ray.direction);
     flight_dim(flight, through);
     if (interiors_find(&flight->inside, at->leaf->body) >= 0 &&
         interior_dims_shadows(at->leaf->look->interior))

@@ -33,7 +33,8 @@ static inline void shape_fill(struct arena *arena, const struct field *field,
             terms->count = (size_t)(end - numbers);
             terms->values = ARENA_ARRAY(arena, double, terms->count);
             memcpy(terms->values, numbers, terms->count * sizeof *numbers);
-        } else if (field->kind == FIELD_POINTS) {
+        } else if (field->kind == FIELD_POINTS ||
+                   field->kind == FIELD_POINTS2) {
             struct points *points = at;
             points->count = (size_t)(end - numbers) / 3;
             points->items = ARENA_ARRAY(arena, vec3, points->count);

@@ -130,8 +130,11 @@ static bool declare_place(struct parser *p, struct declaration *head)
     if (stream_peek_infix(p)->kind != TOKEN_LBRACKET)
         return true;
     struct symbol *symbol = symbol_lookup(p, name);
+    if (symbol && symbol->value.kind == VALUE_POISON)
+        return false;
     if (!symbol || symbol->value.kind != VALUE_ARRAY)
-        return error_at(p, p->last_span, symbol_nearest(p, name->text),
+        return error_at(p, p->last_span,
+                        symbol ? NULL : symbol_nearest(p, name->text),
                         "'%s' is not an array", name->text);
     p->changes++;
     return array_element(p, symbol->value.array, &head->slot);
@@ -198,7 +201,7 @@ static bool declare_read(struct parser *p, bool local)
         *head.slot = value;
     } else {
         struct symbol *symbol = symbol_make_in(p, scope, head.name, local);
-        symbol_give(symbol, &value);
+        symbol_give(p, symbol, &value);
         symbol->deprecated = head.deprecated;
         symbol->deprecated_once = head.once;
         declare_tell(p, &head, &value);

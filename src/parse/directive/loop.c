@@ -73,7 +73,12 @@ static bool for_head(struct parser *p, struct open_block *block)
     if (!accept(p, TOKEN_LPAREN))
         return error_expected_hint(p, "'('", "#for (i, 0, 9)");
     const struct token *token = stream_peek(p);
-    if (token->kind != TOKEN_WORD || token->word->reserved)
+    if (token->kind == TOKEN_WORD && token->word->reserved)
+        return error_at(p, p->token_span, NULL,
+                        "'%s' is a reserved word; name the loop's variable "
+                        "otherwise",
+                        token->word->text);
+    if (token->kind != TOKEN_WORD)
         return error_expected(p, "the name of the loop's variable");
     block->variable = stream_next(p).word;
     if (!for_numbers(p, block, open))

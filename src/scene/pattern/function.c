@@ -4,10 +4,18 @@
 #include "scene/pattern.h"
 #include "scene/spots.h"
 
+/* What is above 1 counts by its fraction, before frequency and phase; what is
+ * below 0 by itself (measured). */
+static inline double function_cut(double value)
+{
+    return value > 1 ? value - floor(value) : value;
+}
+
 static double function_value(const struct pattern *pattern, vec3 point)
 {
     const struct made_pattern *made = pattern->parameters;
-    return made->function ? function_at(made->function, point) : 0;
+    return made->function ? function_cut(function_at(made->function, point))
+                          : 0;
 }
 
 static void function_values(const struct pattern *pattern,
@@ -16,8 +24,8 @@ static void function_values(const struct pattern *pattern,
     const struct made_pattern *made = pattern->parameters;
     if (made->function)
         function_values_at(made->function, spots, values);
-    for (int i = 0; !made->function && i < spots->count; i++)
-        values[i] = 0;
+    for (int i = 0; i < spots->count; i++)
+        values[i] = made->function ? function_cut(values[i]) : 0;
 }
 
 const struct pattern_kind function_pattern = {

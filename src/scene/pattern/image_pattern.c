@@ -19,6 +19,7 @@ static double image_pattern_value(const struct pattern *pattern, vec3 point)
 
 const struct pattern_kind image_pattern_pattern = {
     .name = "image_pattern",
+    .still = true,
     .help = "how bright a picture is: image_pattern { png \"a.png\" }",
     .size = sizeof(struct made_pattern),
     .arguments = made_pattern_fields,

@@ -51,6 +51,7 @@ static vec3 quilted_perturbation(const struct pattern *pattern, vec3 point,
 
 const struct pattern_kind quilted_pattern = {
     .name = "quilted",
+    .still = true,
     .help = "a cushion in each unit cube",
     .size = sizeof(struct quilted),
     .defaults = &quilted_defaults,

@@ -14,7 +14,7 @@ struct sor {
 };
 
 static const struct field sor_arguments[] = {
-    { "points", FIELD_POINTS, offsetof(struct sor, points), 0, 0,
+    { "points", FIELD_POINTS2, offsetof(struct sor, points), 0, 0,
       "how many points, then each one's radius and height, from below", false },
     { .name = NULL },
 };
