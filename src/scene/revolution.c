@@ -53,6 +53,7 @@ struct spin {
     const struct ray *ray;
     double a, b, c;
     struct hit_search hits;
+    bool any; /* whichever crossing is found first is enough */
 };
 
 static void spin_add(struct spin *spin, int part, double s, double t)
@@ -101,6 +102,18 @@ static double spin_place(const struct spin *spin, double radius, double t)
                                                                  : roots[1];
 }
 
+/* Whether the ray is looked at all the while it is as high as the piece: then
+ * each crossing counts, wherever it is. */
+static bool spin_counts(const struct spin *spin, const struct piece *piece)
+{
+    double dy = spin->ray->direction.y, oy = spin->ray->origin.y;
+    double low = (piece->low[1] - oy) / dy, high = (piece->high[1] - oy) / dy;
+    double margin = 1e-9 * (fabs(low) + fabs(high));
+    return dy * dy > spin_flat * spin->a &&
+           lesser(low, high) - margin > spin->hits.tmin &&
+           greater(low, high) + margin < spin->hits.tmax;
+}
+
 /* With h = y(s) - oy the ray is at this height at t = h / dy, and there as far
  * from the axis as the curve if c dy^2 + 2 b dy h + a h^2 - dy^2 x(s)^2 = 0. */
 static void spin_piece(struct spin *spin, const struct piece *piece, int part)
@@ -117,6 +130,10 @@ static void spin_piece(struct spin *spin, const struct piece *piece, int part)
     int degree = 6;
     while (degree > 1 && p[degree] == 0)
         degree--;
+    if (spin->any && spin_counts(spin, piece)) {
+        spin->hits.found = polynomial_crosses(p, degree, 0, 1);
+        return;
+    }
     int count = polynomial_roots(p, degree, 0, 1, roots, 6);
     for (int i = 0; i < count; i++) {
         segment_point(curve, roots[i], at);
@@ -165,6 +182,8 @@ static void spin_all(struct spin *spin, const struct revolution *r)
     bool level = spin_is_level(spin->a, dy);
     for (size_t i = 0; i < r->outline.count; i++) {
         const struct piece *piece = &r->outline.pieces[i];
+        if (spin->any && spin->hits.found)
+            return;
         if (level)
             spin_level(spin, piece, (int)i);
         else if (piece_is_met(piece, oy, dy, abc, spin->hits.tmin,
@@ -193,8 +212,10 @@ static bool revolution_first(const void *shape, const struct ray *ray,
 static bool revolution_crosses(const void *shape, const struct ray *ray,
                                double tmin, double tmax)
 {
-    struct hit hit;
-    return revolution_first(shape, ray, tmin, tmax, &hit);
+    struct spin spin = spin_new(ray, tmin, tmax);
+    spin.any = true;
+    spin_all(&spin, shape);
+    return spin.hits.found;
 }
 
 /* Rays side by side. Most meet no piece's surroundings: only those that do look
@@ -208,6 +229,7 @@ struct spin_lanes {
     unsigned open;  /* those that look for something still */
     unsigned level; /* those that are */
     unsigned begun; /* those that have looked */
+    bool any;       /* whichever crossing is found first is enough */
 };
 
 CLONES static void lanes_squares(struct spin_lanes *restrict lanes,
@@ -227,12 +249,13 @@ CLONES static void lanes_squares(struct spin_lanes *restrict lanes,
 }
 
 static void lanes_begin(struct spin_lanes *lanes, const struct rays *rays,
-                        const struct rays_span *span)
+                        const struct rays_span *span, bool any)
 {
     LANE_LINES lane_flag open[RAY_LANES], level[RAY_LANES];
     lanes->rays = rays;
     lanes->span = *span;
     lanes->begun = 0;
+    lanes->any = any;
     lanes_squares(lanes, open, level);
     lanes->open = rays_bits(open);
     lanes->level = rays_bits(level);
@@ -250,6 +273,7 @@ static struct spin *lane_spin(struct spin_lanes *lanes, unsigned i)
     spin->a = lanes->a[i];
     spin->b = lanes->b[i];
     spin->c = lanes->c[i];
+    spin->any = lanes->any;
     spin->hits = (struct hit_search){ .tmin = lanes->span.near[i],
                                       .tmax = lanes->span.far[i] };
     return spin;
@@ -269,10 +293,8 @@ CLONES static void lanes_meet(const struct spin_lanes *restrict lanes,
     }
 }
 
-/* As spin_all, but piece after piece, each for all of them. `any`: whichever
- * crossing is found first is enough. */
-static void lanes_all(struct spin_lanes *lanes, const struct revolution *r,
-                      bool any)
+/* As spin_all, but piece after piece, each for all of them. */
+static void lanes_all(struct spin_lanes *lanes, const struct revolution *r)
 {
     for (size_t k = 0; k < r->outline.count && lanes->open; k++) {
         const struct piece *piece = &r->outline.pieces[k];
@@ -287,7 +309,7 @@ static void lanes_all(struct spin_lanes *lanes, const struct revolution *r,
             else
                 spin_piece(spin, piece, (int)k);
             lanes->span.far[i] = spin->hits.tmax;
-            if (any && spin->hits.found)
+            if (lanes->any && spin->hits.found)
                 lanes->open &= ~(1u << i);
         }
     }
@@ -300,8 +322,8 @@ static void revolution_first_many(const void *shape, struct lane_run run,
 {
     const struct hit_search none = { .found = false };
     struct spin_lanes lanes;
-    lanes_begin(&lanes, rays, span);
-    lanes_all(&lanes, shape, false);
+    lanes_begin(&lanes, rays, span, false);
+    lanes_all(&lanes, shape);
     for (int i = run.first; i < run.end; i++)
         rays_met_take(met, i,
                       lanes.begun >> i & 1 ? &lanes.spin[i].hits : &none);
@@ -313,8 +335,8 @@ static void revolution_crosses_many(const void *shape, struct lane_run run,
                                     lane_flag *met)
 {
     struct spin_lanes lanes;
-    lanes_begin(&lanes, rays, span);
-    lanes_all(&lanes, shape, true);
+    lanes_begin(&lanes, rays, span, true);
+    lanes_all(&lanes, shape);
     for (int i = run.first; i < run.end; i++)
         met[i] = lanes.begun >> i & 1 && lanes.spin[i].hits.found ? -1 : 0;
 }
