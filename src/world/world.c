@@ -354,17 +354,18 @@ static bool boxes_meet(struct box3 a, struct box3 b)
     return !box3_is_empty(box3_intersection(a, b));
 }
 
-bool world_may_contain(const struct world *world, struct box3 box)
+bool world_contains_alike(const struct world *world, struct box3 box)
 {
     const struct container_list *list = &world->flat.containers;
     for (size_t i = 0; i < list->count; i++) {
         const struct solid *solid = list->items[i];
         bool bounded = box3_is_finite(solid->surface);
-        if (boxes_meet(*solid->region, box) &&
-            (!bounded || boxes_meet(solid->surface, box)))
-            return true;
+        bool away = !boxes_meet(*solid->region, box) ||
+                    (bounded && !boxes_meet(solid->surface, box));
+        if (!away && (solid->more->clip_count || !solid_surrounds(solid, box)))
+            return false;
     }
-    return false;
+    return true;
 }
 
 static void visit_solids(const struct solid_list *list,
