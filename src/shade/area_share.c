@@ -434,15 +434,36 @@ static int outline_cuts(int adaptive)
     return cuts < OUTLINE_MOST ? cuts : OUTLINE_MOST;
 }
 
-/* Dark parts are looked at as closely as `adaptive` asks, for there may be gaps
+/* How often the light is cut each way so that it is looked at from no fewer
+ * places than its author has written. */
+static int outline_asked(const struct area_grid *grid)
+{
+    const struct light *light = grid->light;
+    int size = light->size1 > light->size2 ? light->size1 : light->size2;
+    int cuts = outline_cuts(grid->adaptive), asked = 1;
+    if (grid->adaptive >= 0)
+        return cuts - (grid->adaptive < cuts);
+    while (asked < cuts && 1 << asked < size - 1)
+        asked++;
+    return asked;
+}
+
+/* Parts are cut so often whatever they look like. */
+static int outline_surely(const struct area_grid *grid)
+{
+    int cuts = outline_cuts(grid->adaptive), asked = outline_asked(grid);
+    return grid->adaptive < 0 && asked < cuts ? asked : cuts - 1;
+}
+
+/* Dark parts are looked at as closely as the author asks, for there may be gaps
  * in what hides them; lit ones more closely where it costs little. */
 static int outline_least(const struct area_walk *walk, rgb seen)
 {
-    int adaptive = walk->grid->adaptive;
-    int cuts = outline_cuts(adaptive);
-    bool lit = rgb_peak(seen) > 0;
-    bool closely = lit ? walk->thorough : adaptive < 0 || adaptive >= cuts;
-    return closely ? cuts : cuts - 1;
+    int surely = outline_surely(walk->grid);
+    if (rgb_peak(seen) > 0)
+        return walk->thorough ? surely + 1 : surely;
+    int asked = outline_asked(walk->grid);
+    return asked > surely ? asked : surely;
 }
 
 static bool outline_tells(struct area_walk *walk, const struct area_part *part,
@@ -469,6 +490,6 @@ rgb area_outline(const struct area_grid *grid, rgb arriving, bool thorough,
     walk.closely = true;
     walk.thorough = thorough;
     walk.tells = outline_tells;
-    walk.surely = outline_cuts(grid->adaptive) - 1;
+    walk.surely = outline_surely(grid);
     return area_fronts_seen(&walk, &all);
 }
