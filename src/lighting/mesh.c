@@ -122,6 +122,8 @@ static struct survey mesh_survey(const struct mesh_lighting *mesh,
     if (gather.onward || chamber)
         survey = survey_of(&gather, scene, &worker,
                            chamber ? CHAMBER_RAYS : SURVEY_RAYS);
+    if (survey.bright.count > 0)
+        survey = survey_of(&gather, scene, &worker, BRIGHT_RAYS);
     arena_free(worker.scratch);
     return survey;
 }

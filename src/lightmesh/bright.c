@@ -182,7 +182,16 @@ static vec3 cell_centre(const struct cell *cell, double side)
     return vec3_make(at[0], at[1], at[2]);
 }
 
-/* The cells that bring most, if they are brighter by far than others. */
+/* By how much light is more than the least that counts, 0 to 1. */
+static double bright_beyond(double light, double least)
+{
+    return fmin(fmax(light / least - 1, 0) / bright_fade, 1);
+}
+
+/* The cells that bring most, if they are brighter by far than others. All that
+ * are so beyond doubt are alike: what few hits say of how bright each is would
+ * change from picture to picture of an animation, and rays with it. Nothing is
+ * left out but what hardly matters, since whether it is aimed at does. */
 static void bright_choose(struct bright *bright, struct cell *cells,
                           size_t joined, double side)
 {
@@ -192,13 +201,17 @@ static void bright_choose(struct bright *bright, struct cell *cells,
         hits += cells[i].count;
     }
     qsort(cells, joined, sizeof *cells, cell_brighter);
+    double rest = joined > BRIGHT_MOST ? cells[BRIGHT_MOST].light : 0;
+    rest = fmax(rest, bright_least * total);
     for (size_t i = 0; i < joined && bright->count < BRIGHT_MOST; i++) {
         const struct cell *cell = &cells[i];
-        double light = cell->light / cell->count;
-        if (light > bright_times * total / hits)
+        double worth = bright_beyond(cell->light / cell->count,
+                                     bright_times * total / hits) *
+                       bright_beyond(cell->light, rest);
+        if (worth > 0)
             bright->at[bright->count++] =
                 (struct bright_disc){ cell_centre(cell, side),
-                                      side_normal(cell->side), light };
+                                      side_normal(cell->side), worth };
     }
 }
 
@@ -229,14 +242,6 @@ static double disc_angle(const struct aim *aim, const struct aim_disc *disc)
     return WARP_PI * area * facing / ((square + area) * sqrt(square));
 }
 
-/* A power of two, or none. */
-static uint32_t disc_rays(double wanted)
-{
-    return !(wanted >= 0.7)
-               ? 0
-               : (uint32_t)fmin(exp2(round(log2(wanted))), AIM_RAYS_MOST);
-}
-
 static uint64_t disc_key(const struct bright_disc *disc, double side)
 {
     int facing = side_of(disc->normal);
@@ -259,15 +264,15 @@ void aim_take(struct aim *aim, const struct bright *bright, vec3 place,
         disc->offset = vec3_sub(bright->at[i].centre, place);
         disc->normal = bright->at[i].normal;
         disc->key = disc_key(&bright->at[i], bright->radius / bright_round);
-        sum += share[i] = bright->at[i].light * disc_angle(aim, disc);
+        sum += share[i] = bright->at[i].worth * disc_angle(aim, disc);
     }
     for (int i = 0; i < bright->count; i++) {
-        uint32_t wanted = sum > 0 ? disc_rays(rays * share[i] / sum) : 0;
-        if (wanted == 0)
+        double wanted = sum > 0 ? rays * share[i] / sum : 0;
+        if (!(wanted > 0))
             continue;
         aim->disc[count] = aim->disc[i];
-        aim->disc[count++].rays = wanted;
-        aim->rays += wanted;
+        aim->disc[count].rays = fmin(wanted, AIM_RAYS_MOST);
+        aim->rays += aim->disc[count++].rays;
     }
     aim->count = count;
 }

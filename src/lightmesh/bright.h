@@ -13,7 +13,7 @@
 
 #include "base/vec.h"
 
-enum { BRIGHT_MOST = 32 };
+enum { BRIGHT_MOST = 64 };
 
 /* Discs in the cells of a lattice in the world, which stays where it is when
  * the camera moves. */
@@ -23,7 +23,8 @@ struct bright {
     struct bright_disc {
         vec3 centre;
         vec3 normal;  /* unit, along an axis, to where its light goes */
-        double light; /* mean of what comes from there */
+        double worth; /* of being aimed at, up to 1: in an animation discs come
+                       * and go by and by */
     } at[BRIGHT_MOST];
 };
 
@@ -42,10 +43,12 @@ struct bright bright_of(const struct bright_hit *hits, size_t count);
 struct aim {
     int count;
     double radius;
-    uint32_t rays; /* of all discs */
+    double rays; /* of all discs */
     struct aim_disc {
         vec3 offset, normal; /* from the mesh point */
-        uint32_t rays;       /* that it is worth: a power of two, */
+        double rays;         /* that it is worth: the last may count in part, so
+                              * that what is worth a little more brings nearly
+                              * the same */
         uint64_t key;        /* whose directions this names: always the same */
     } disc[BRIGHT_MOST];
 };

@@ -18,6 +18,12 @@ struct gatherer {
     struct aim aim;
 };
 
+/* Rays that are waiting. */
+struct waiting {
+    struct gather_rays rays;
+    double counts[RAY_LANES]; /* how much each counts */
+};
+
 /* What came from the only wall near is kept apart: it lights nothing, and is
  * rougher. */
 struct gathered {
@@ -52,38 +58,39 @@ static vec3 gatherer_way(const struct gatherer *gatherer,
 
 /* One gather ray. What glows counts by how likely it is to be found so. */
 static void gatherer_look(const struct gatherer *gatherer,
-                          const struct gather_rays *sent, unsigned i,
+                          const struct waiting *waiting, unsigned i,
                           struct gathered *sum)
 {
     const struct gather *gather = &gatherer->mesh->gather;
-    const struct ray ray = rays_at(&sent->rays, (int)i);
+    const struct ray ray = rays_at(&waiting->rays.rays, (int)i);
     double density = gatherer_density(gatherer, ray.direction);
     bool wall = vec3_dot(ray.direction, gatherer->site->wall) > 0;
     struct gathered_ray found;
-    gather_rays_follow(gather, gatherer->worker, sent, i, &found);
+    gather_rays_follow(gather, gatherer->worker, &waiting->rays, i, &found);
     indirect_light_add(wall ? &sum->wall : &sum->light, ray.direction,
                        gather_balanced(gather, &ray, density, &found),
-                       found.open, density);
+                       found.open, density / waiting->counts[i]);
 }
 
-/* Those that are waiting. */
 static void gatherer_flush(const struct gatherer *gatherer,
-                           struct gather_rays *sent, struct gathered *sum)
+                           struct waiting *waiting, struct gathered *sum)
 {
+    struct gather_rays *rays = &waiting->rays;
     gather_rays_trace(&gatherer->mesh->gather, gatherer->worker,
-                      (double)INFINITY, sent);
-    for (unsigned i = 0; i < sent->count; i++)
-        gatherer_look(gatherer, sent, i, sum);
-    sent->count = 0;
+                      (double)INFINITY, rays);
+    for (unsigned i = 0; i < rays->count; i++)
+        gatherer_look(gatherer, waiting, i, sum);
+    rays->count = 0;
 }
 
 static void gatherer_send(const struct gatherer *gatherer,
-                          const struct draws *draws, vec3 way,
-                          struct gather_rays *sent, struct gathered *sum)
+                          const struct draws *draws, vec3 way, double counts,
+                          struct waiting *waiting, struct gathered *sum)
 {
-    gather_rays_add(sent, draws, gatherer->site->place, way);
-    if (sent->count == RAY_LANES)
-        gatherer_flush(gatherer, sent, sum);
+    waiting->counts[waiting->rays.count] = counts;
+    gather_rays_add(&waiting->rays, draws, gatherer->site->place, way);
+    if (waiting->rays.count == RAY_LANES)
+        gatherer_flush(gatherer, waiting, sum);
 }
 
 /* The same for a place on something that glows. */
@@ -132,7 +139,7 @@ static uint32_t gatherer_sample(const struct gatherer *gatherer, uint32_t i)
 
 /* The sum of what is sent everywhere. */
 static void gatherer_even(const struct gatherer *gatherer,
-                          struct gather_rays *sent, struct gathered *sum)
+                          struct waiting *waiting, struct gathered *sum)
 {
     uint32_t samples = gatherer->site->lone ? gatherer->even
                                             : (uint32_t)gatherer->mesh->samples;
@@ -146,9 +153,9 @@ static void gatherer_even(const struct gatherer *gatherer,
         vec3 way = gatherer_way(gatherer, &draws);
         bool wall = vec3_dot(way, gatherer->site->wall) > 0;
         if (!wall || sample < wall_end)
-            gatherer_send(gatherer, &draws, way, sent, sum);
+            gatherer_send(gatherer, &draws, way, 1, waiting, sum);
     }
-    gatherer_flush(gatherer, sent, sum);
+    gatherer_flush(gatherer, waiting, sum);
 }
 
 /* And of what is sent to one bright place. What is worth more rays sends the
@@ -156,7 +163,7 @@ static void gatherer_even(const struct gatherer *gatherer,
  * the place a little brighter. */
 static void gatherer_aim_at(const struct gatherer *gatherer,
                             const struct aim_disc *disc,
-                            struct gather_rays *sent, struct gathered *sum)
+                            struct waiting *waiting, struct gathered *sum)
 {
     struct draws draws = { random_key(gatherer->mesh->gather.lamps->seed,
                                       disc->key),
@@ -167,25 +174,26 @@ static void gatherer_aim_at(const struct gatherer *gatherer,
         draw_pair(&draws, GATHER_DIRECTION, u);
         vec3 way = aim_way(&gatherer->aim, disc, u);
         if (!(vec3_dot(way, gatherer->site->wall) > 0))
-            gatherer_send(gatherer, &draws, way, sent, sum);
+            gatherer_send(gatherer, &draws, way, fmin(disc->rays - i, 1),
+                          waiting, sum);
     }
 }
 
 static void gatherer_aim(const struct gatherer *gatherer,
-                         struct gather_rays *sent, struct gathered *sum)
+                         struct waiting *waiting, struct gathered *sum)
 {
     for (int i = 0; i < gatherer->aim.count; i++)
-        gatherer_aim_at(gatherer, &gatherer->aim.disc[i], sent, sum);
-    gatherer_flush(gatherer, sent, sum);
+        gatherer_aim_at(gatherer, &gatherer->aim.disc[i], waiting, sum);
+    gatherer_flush(gatherer, waiting, sum);
 }
 
 static struct gathered gatherer_mean(const struct gatherer *gatherer)
 {
     struct gathered sum = { indirect_light_none, indirect_light_none };
     uint32_t count = gatherer->count;
-    struct gather_rays sent = { .count = 0 };
-    gatherer_even(gatherer, &sent, &sum);
-    gatherer_aim(gatherer, &sent, &sum);
+    struct waiting waiting = { .rays.count = 0 };
+    gatherer_even(gatherer, &waiting, &sum);
+    gatherer_aim(gatherer, &waiting, &sum);
     if (emitters_any(gatherer->mesh->gather.emitters))
         for (uint32_t i = 0; i < count && !worker_stopped(gatherer->worker);
              i++) {
@@ -223,10 +231,8 @@ void gatherer_fill(const void *context, struct worker *worker,
     if (mesh->bright && !site->lone) {
         uint32_t aimed = gatherer.count / BRIGHT_PART;
         aim_take(&gatherer.aim, mesh->bright, site->place, aimed);
-        if (gatherer.aim.count > 0) {
+        if (gatherer.aim.count > 0)
             gatherer.even -= aimed;
-            gatherer.count = gatherer.even + gatherer.aim.rays;
-        }
     }
     struct gathered light = gatherer_mean(&gatherer);
     indirect_light_mix(&light.light, &light.wall, 1);

@@ -196,7 +196,7 @@ void mesh_frame_put(const struct mesh_frame *frame,
         const struct bright_disc *disc = &f->bright.at[i];
         const double of_disc[FRAME_DISC_NUMBERS] = {
             disc->centre.x, disc->centre.y, disc->centre.z, disc->normal.x,
-            disc->normal.y, disc->normal.z, disc->light
+            disc->normal.y, disc->normal.z, disc->worth
         };
         memcpy(to, of_disc, sizeof of_disc);
         to += FRAME_DISC_NUMBERS;
@@ -237,7 +237,7 @@ bool mesh_frame_possible(const struct mesh_frame *frame)
         if (!isfinite(numbers[i]))
             return false;
     for (int i = 0; i < frame->bright.count; i++)
-        if (!(frame->bright.at[i].light > 0))
+        if (!(frame->bright.at[i].worth > 0))
             return false;
     return frame->spacing > 0 && frame->wanted > 0 && frame->near >= 0 &&
            frame->size >= 0 && frame->gather > 0 && frame->bright.radius >= 0;

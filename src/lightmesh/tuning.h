@@ -28,6 +28,7 @@ enum {
     SURVEY_EDGE = 16,  /* the same that tell what indirect light is worth, */
     SURVEY_RAYS = 4,   /* gather rays of each, */
     CHAMBER_RAYS = 32, /* or, where little light leaves the scene, so many, */
+    BRIGHT_RAYS = 128, /* or, where most of it comes from few places; */
     SURVEY_PANES = 4,  /* and how many panes both pass: */
 };
 static const double pane_least = 0.5; /* of the light they let so much pass */
@@ -271,10 +272,13 @@ static const double near_shallow = 0.3, near_deep = 0.6; /* of short rays that
                                                           * corner, a crevice
                                                           */
 
-static const double bright_times = 4;   /* as bright as the mean is bright; */
-static const double bright_gain = 0.8;  /* of the variance there is without is
-                                         * worth aiming at them */
-static const double bright_cells = 10;  /* along the chamber, at least */
+static const double bright_times = 4; /* as bright as the mean is bright; */
+static const double bright_least =
+    1e-3;                              /* of all light, which comes from it; */
+static const double bright_fade = 2;   /* what has so much more is worth most */
+static const double bright_gain = 0.8; /* of the variance there is without is
+                                        * worth aiming at them */
+static const double bright_cells = 10; /* along the chamber, at least */
 static const double bright_round = 0.7; /* radius of what is in a cell, sides */
 static const double bright_wall = 1e-3; /* of that its walls are off */
 

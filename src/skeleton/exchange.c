@@ -2,6 +2,7 @@
  * rays, evenly over their area; a ray of zone i stands for S_i / N of it. */
 #include "skeleton/exchange.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/draw.h"
@@ -168,15 +169,22 @@ static void exchange_openings(const struct exchange *exchange, size_t number,
     }
 }
 
+/* How many rays each zone sends, of so many in all, about: the nearest power of
+ * two. What moves in a scene makes a zone more or less, and by one ray more or
+ * less the light of all walls would change by chance [flicker]. */
+static size_t rays_each(size_t all, size_t zones)
+{
+    double wanted = (double)all / (double)(zones + 1);
+    double rays = exp2(round(log2(wanted)));
+    return (size_t)fmin(fmax(rays, RAYS_LEAST), RAYS_MOST);
+}
+
 void exchange_measure(const struct sight *sight, const struct patches *patches,
                       struct enclosure *enclosure)
 {
     struct exchange exchange = { .sight = sight, .patches = patches };
     exchange_sort(&exchange, enclosure->count);
-    size_t rays = sight->skeleton->rays / (exchange.count + 1);
-    exchange.rays = rays < RAYS_LEAST  ? RAYS_LEAST
-                    : rays > RAYS_MOST ? RAYS_MOST
-                                       : rays;
+    exchange.rays = rays_each(sight->skeleton->rays, exchange.count);
     exchange.met =
         memory_new(exchange.count * exchange.rays * sizeof *exchange.met);
     parallel_run(sight->scene.threads, exchange.count, sight->scene.stop,

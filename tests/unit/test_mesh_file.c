@@ -44,7 +44,7 @@ static struct mesh_stamp stamp_of(const char *text)
                                        .around = { { 1, 2, 3 }, 0.5 },
                                        .bright = { 1, 0.25 } };
     stamp.frame.bright.at[0].centre = vec3_make(4, 5, 6);
-    stamp.frame.bright.at[0].light = 7;
+    stamp.frame.bright.at[0].worth = 7;
     scene_world_free(all);
     return stamp;
 }
@@ -96,7 +96,7 @@ static void test_back(void **state)
     assert_true(file.stamp.frame.bright.count == 1 &&
                 file.stamp.frame.bright.radius == 0.25 &&
                 file.stamp.frame.bright.at[0].centre.z == 6 &&
-                file.stamp.frame.bright.at[0].light == 7);
+                file.stamp.frame.bright.at[0].worth == 7);
     assert_true(mesh_stamp_same(&file.stamp, &stamp, text, sizeof text));
     assert_false(mesh_file_fill(&file, meshes, 2, 1, NULL));
     assert_true(mesh_file_fill(&file, meshes, 1, 1e-9, NULL));
