@@ -38,12 +38,13 @@ static struct radiance blur_mean(const struct blur *blur)
 static bool blur_settled(const struct blur *blur, const struct camera *camera)
 {
     double n = blur->count;
+    if (n < BLUR_LEAST || n < camera->blur_samples[0])
+        return false;
     double sure = fmin(fmax(camera->confidence, 0), 0.999999);
     double width = log((1 + sure) / (1 - sure)) / 1.702;
     rgb mean = rgb_scale(blur->sum, 1 / n);
     rgb spread = rgb_sub(rgb_scale(blur->squares, 1 / n), rgb_mul(mean, mean));
-    return n >= BLUR_LEAST && n >= camera->blur_samples[0] &&
-           rgb_peak(spread) * width * width <= n * camera->variance;
+    return rgb_peak(spread) * width * width <= n * camera->variance;
 }
 
 /* Each ray is of another place of the pixel, whatever antialiasing does beside
@@ -93,102 +94,170 @@ static bool tracer_may_mix(const struct tracer *tracer,
            lighting->in_any_order(tracer->lighting_state);
 }
 
-/* Rays through the lens at a place of the picture. */
-struct lens_rays {
+/* A place of the picture, while rays through the lens are added up. */
+struct lens_pixel {
     const struct tracer *tracer;
     struct worker *worker;
     const struct picture_place *place;
     uint64_t key;
     int most;
+    struct blur blur;
+    bool settled;
 };
 
-/* Where one of them goes through the picture and through the lens. */
-static void lens_choose(const struct lens_rays *all, int number, double at[2],
-                        double lens[2])
+static void lens_start(struct lens_pixel *pixel, const struct tracer *tracer,
+                       struct worker *worker, const struct picture_place *place)
 {
-    const struct camera *camera = &all->tracer->scene->camera;
-    blur_spread(camera, (struct draws){ all->key, (uint32_t)number }, at);
-    for (int i = 0; i < 2; i++)
-        at[i] += all->place->at[i];
-    if (camera->bokeh)
-        lens_shaped_point(camera->bokeh, number, all->key, lens);
-    else
-        lens_point(all->most, number, all->key, lens);
+    const struct camera *camera = &tracer->scene->camera;
+    uint64_t bits[2];
+    memcpy(bits, place->at, sizeof bits);
+    *pixel = (struct lens_pixel){ .tracer = tracer,
+                                  .worker = worker,
+                                  .place = place,
+                                  .key = random_key(bits[0], bits[1]),
+                                  .most = (int)camera->blur_samples[1],
+                                  .settled = !camera_sees(camera, place->at[0],
+                                                          place->at[1]) };
 }
 
-static struct radiance lens_see_one(const struct lens_rays *all, int number)
+/* Where one of its rays goes through the picture and through the lens. */
+static void lens_choose(const struct lens_pixel *pixel, int number,
+                        double at[2], double lens[2])
+{
+    const struct camera *camera = &pixel->tracer->scene->camera;
+    blur_spread(camera, (struct draws){ pixel->key, (uint32_t)number }, at);
+    for (int i = 0; i < 2; i++)
+        at[i] += pixel->place->at[i];
+    if (camera->bokeh)
+        lens_shaped_point(camera->bokeh, number, pixel->key, lens);
+    else
+        lens_point(pixel->most, number, pixel->key, lens);
+}
+
+static struct radiance lens_see_one(const struct lens_pixel *pixel, int number)
 {
     double at[2], lens[2];
-    lens_choose(all, number, at, lens);
+    lens_choose(pixel, number, at, lens);
     return tracer_ray(
-        all->tracer, all->worker,
-        camera_lens_ray(&all->tracer->scene->camera, at[0], at[1], lens), NULL);
+        pixel->tracer, pixel->worker,
+        camera_lens_ray(&pixel->tracer->scene->camera, at[0], at[1], lens),
+        NULL);
 }
 
-/* What `count` of them see, from number `first` on. */
-static void lens_see(const struct lens_rays *all, int first, unsigned count,
-                     struct radiance *seen)
+static bool lens_is_done(const struct lens_pixel *pixel)
+{
+    return pixel->settled || pixel->blur.count >= pixel->most ||
+           worker_stopped(pixel->worker);
+}
+
+static void lens_add(struct lens_pixel *pixel, struct radiance seen)
+{
+    if (pixel->settled)
+        return;
+    blur_add(&pixel->blur, seen);
+    pixel->settled = blur_settled(&pixel->blur, &pixel->tracer->scene->camera);
+}
+
+/* Rays that are followed together, of several pixels. */
+struct lens_packet {
+    struct camera_places places, lenses;
+    struct lens_pixel *pixels[WORLD_RAYS];
+    unsigned count;
+};
+
+/* Adds what they see to their pixels, in their order. */
+static void lens_see(struct lens_packet *packet)
 {
     struct rays rays;
-    struct camera_places places, lenses;
     struct world_hit hits[WORLD_RAYS];
+    struct radiance seen[WORLD_RAYS];
     struct wavefront wavefront;
-    struct tracer_met met = { NULL, &rays, hits, count };
-    double at[2] = { 0, 0 }, lens[2] = { 0, 0 };
-    for (unsigned i = 0; i < RAY_LANES; i++) {
-        if (i < count)
-            lens_choose(all, first + (int)i, at, lens);
-        places.x[i] = at[0];
-        places.y[i] = at[1];
-        lenses.x[i] = lens[0];
-        lenses.y[i] = lens[1];
+    struct tracer_met met = { NULL, &rays, hits, packet->count };
+    if (!packet->count)
+        return;
+    const struct lens_pixel *any = packet->pixels[0];
+    for (unsigned i = packet->count; i < RAY_LANES; i++) {
+        packet->places.x[i] = packet->places.x[i - 1];
+        packet->places.y[i] = packet->places.y[i - 1];
+        packet->lenses.x[i] = packet->lenses.x[i - 1];
+        packet->lenses.y[i] = packet->lenses.y[i - 1];
     }
-    camera_lens_rays(&all->tracer->scene->camera, &places, &lenses, count,
-                     &rays);
-    tracer_meet_many(all->tracer, &rays, count, hits);
-    wavefront_start(&wavefront, all->tracer, all->worker, true);
+    camera_lens_rays(&any->tracer->scene->camera, &packet->places,
+                     &packet->lenses, packet->count, &rays);
+    tracer_meet_many(any->tracer, &rays, packet->count, hits);
+    wavefront_start(&wavefront, any->tracer, any->worker, true);
     wavefront_see(&wavefront, &met, seen);
+    arena_reset(any->worker->scratch);
+    for (unsigned i = 0; i < packet->count; i++)
+        lens_add(packet->pixels[i], seen[i]);
+    packet->count = 0;
 }
 
-/* So many more are followed together: few, while few may be enough. */
-static int lens_batch(const struct blur *blur, const struct camera *camera,
-                      int most)
+/* So many more of a pixel are followed before it is looked at: few, while few
+ * may be enough. */
+static int lens_batch(const struct lens_pixel *pixel)
 {
+    const struct camera *camera = &pixel->tracer->scene->camera;
+    int count = pixel->blur.count, left = pixel->most - count;
     int least = (int)fmax(BLUR_LEAST, camera->blur_samples[0]);
-    int more =
-        blur->count < least ? least - blur->count : (blur->count / 2 + 3) & ~3;
-    more = more < most - blur->count ? more : most - blur->count;
+    int more = count < least ? least - count : (count / 2 + 3) & ~3;
+    more = more < left ? more : left;
     return more < WORLD_RAYS ? more : WORLD_RAYS;
 }
 
+/* The next few rays of a pixel. */
+static void lens_go_on(struct lens_pixel *pixel, struct lens_packet *packet)
+{
+    int first = pixel->blur.count, some = lens_batch(pixel);
+    for (int i = 0; i < some && !pixel->settled; i++) {
+        double at[2], lens[2];
+        unsigned lane = packet->count++;
+        lens_choose(pixel, first + i, at, lens);
+        packet->places.x[lane] = at[0];
+        packet->places.y[lane] = at[1];
+        packet->lenses.x[lane] = lens[0];
+        packet->lenses.y[lane] = lens[1];
+        packet->pixels[lane] = pixel;
+        if (packet->count == WORLD_RAYS)
+            lens_see(packet);
+    }
+}
+
+/* Pixels close together, whose rays fill each other's packets. */
+static void tracer_blurred_many(const struct tracer *tracer,
+                                struct worker *worker,
+                                const struct picture_place *places,
+                                unsigned count, struct radiance *out)
+{
+    struct lens_pixel pixels[WORLD_RAYS];
+    struct lens_packet packet = { .count = 0 };
+    for (unsigned i = 0; i < count; i++)
+        lens_start(&pixels[i], tracer, worker, &places[i]);
+    for (bool more = true; more;) {
+        more = false;
+        for (unsigned i = 0; i < count; i++)
+            if (!lens_is_done(&pixels[i])) {
+                lens_go_on(&pixels[i], &packet);
+                more = true;
+            }
+        lens_see(&packet);
+    }
+    for (unsigned i = 0; i < count; i++)
+        out[i] = blur_mean(&pixels[i].blur);
+}
+
+/* Ray by ray. */
 static struct radiance tracer_blurred(const struct tracer *tracer,
                                       struct worker *worker,
                                       const struct picture_place *place)
 {
-    const struct camera *camera = &tracer->scene->camera;
-    struct lens_rays all = { .tracer = tracer,
-                             .worker = worker,
-                             .place = place,
-                             .most = (int)camera->blur_samples[1] };
-    struct blur blur = { .count = 0 };
-    struct radiance seen[WORLD_RAYS];
-    bool mixed = tracer_may_mix(tracer, worker), settled = false;
-    uint64_t bits[2];
-    memcpy(bits, place->at, sizeof bits);
-    all.key = random_key(bits[0], bits[1]);
-    while (!settled && blur.count < all.most && !worker_stopped(worker)) {
-        int some = mixed ? lens_batch(&blur, camera, all.most) : 1;
-        if (mixed)
-            lens_see(&all, blur.count, (unsigned)some, seen);
-        else
-            seen[0] = lens_see_one(&all, blur.count);
+    struct lens_pixel pixel;
+    lens_start(&pixel, tracer, worker, place);
+    while (!lens_is_done(&pixel)) {
+        lens_add(&pixel, lens_see_one(&pixel, pixel.blur.count));
         arena_reset(worker->scratch);
-        for (int i = 0; i < some && !settled; i++) {
-            blur_add(&blur, seen[i]);
-            settled = blur_settled(&blur, camera);
-        }
     }
-    return blur_mean(&blur);
+    return blur_mean(&pixel.blur);
 }
 
 /* The mean of the pixel's rays; those that lead nowhere don't count. */
@@ -264,8 +333,13 @@ void tracer_see_many(const struct tracer *tracer, struct worker *worker,
                      const struct tracer_met *met, struct radiance *out)
 {
     const struct camera *camera = &tracer->scene->camera;
-    bool single = camera->rays <= 1 && !camera_blurs(camera);
-    if (single && tracer_may_mix(tracer, worker)) {
+    bool blurs = camera_blurs(camera), single = camera->rays <= 1 && !blurs;
+    bool mixed = tracer_may_mix(tracer, worker);
+    if (blurs && mixed) {
+        tracer_blurred_many(tracer, worker, met->places, met->count, out);
+        return;
+    }
+    if (single && mixed) {
         struct wavefront wavefront;
         wavefront_start(&wavefront, tracer, worker, true);
         wavefront_see(&wavefront, met, out);
