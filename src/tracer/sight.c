@@ -33,28 +33,24 @@ static struct radiance blur_mean(const struct blur *blur)
                               blur->opacity * share };
 }
 
-/* Whether the mean's variance is, with the confidence asked for, small enough.
+/* How many of its deviations a mean may be away, with the confidence asked for.
  * The logistic distribution stands for the normal one. */
-static bool blur_settled(const struct blur *blur, const struct camera *camera)
+static double blur_width(const struct camera *camera)
+{
+    double sure = fmin(fmax(camera->confidence, 0), 0.999999);
+    return log((1 + sure) / (1 - sure)) / 1.702;
+}
+
+/* Whether the mean's variance is small enough. */
+static bool blur_settled(const struct blur *blur, const struct camera *camera,
+                         double width)
 {
     double n = blur->count;
     if (n < BLUR_LEAST || n < camera->blur_samples[0])
         return false;
-    double sure = fmin(fmax(camera->confidence, 0), 0.999999);
-    double width = log((1 + sure) / (1 - sure)) / 1.702;
     rgb mean = rgb_scale(blur->sum, 1 / n);
     rgb spread = rgb_sub(rgb_scale(blur->squares, 1 / n), rgb_mul(mean, mean));
     return rgb_peak(spread) * width * width <= n * camera->variance;
-}
-
-/* Each ray is of another place of the pixel, whatever antialiasing does beside
- * it (measured). */
-static void blur_spread(const struct camera *camera, struct draws draws,
-                        double at[2])
-{
-    draw_pair(&draws, 0, at);
-    for (int i = 0; i < 2; i++)
-        at[i] = camera->pixels[i] > 0 ? (at[i] - 0.5) / camera->pixels[i] : 0;
 }
 
 /* What one ray of the camera sees. */
@@ -94,112 +90,189 @@ static bool tracer_may_mix(const struct tracer *tracer,
            lighting->in_any_order(tracer->lighting_state);
 }
 
-/* A place of the picture, while rays through the lens are added up. */
-struct lens_pixel {
+/* The rays through a camera's lens. */
+struct lens {
     const struct tracer *tracer;
     struct worker *worker;
-    const struct picture_place *place;
+    const struct camera *camera;
+    double width; /* blur_width */
+    int most;     /* rays of a pixel */
+    bool disc;    /* a round one: lens_disc_points */
+};
+
+static struct lens lens_of(const struct tracer *tracer, struct worker *worker)
+{
+    const struct camera *camera = &tracer->scene->camera;
+    int most = (int)camera->blur_samples[1];
+    return (struct lens){ tracer, worker,
+                          camera, blur_width(camera),
+                          most,   !camera->bokeh && lens_is_disc(most) };
+}
+
+/* A place of the picture, while its rays are added up. */
+struct lens_pixel {
+    const struct lens *lens;
+    double at[2], begin[2];
     uint64_t key;
-    int most;
+    struct draw_slot slot;
     struct blur blur;
     bool settled;
 };
 
-static void lens_start(struct lens_pixel *pixel, const struct tracer *tracer,
-                       struct worker *worker, const struct picture_place *place)
+static void lens_start(struct lens_pixel *pixel, const struct lens *lens,
+                       const double at[2])
 {
-    const struct camera *camera = &tracer->scene->camera;
     uint64_t bits[2];
-    memcpy(bits, place->at, sizeof bits);
-    *pixel = (struct lens_pixel){ .tracer = tracer,
-                                  .worker = worker,
-                                  .place = place,
-                                  .key = random_key(bits[0], bits[1]),
-                                  .most = (int)camera->blur_samples[1],
-                                  .settled = !camera_sees(camera, place->at[0],
-                                                          place->at[1]) };
+    memcpy(bits, at, sizeof bits);
+    *pixel = (struct lens_pixel){ .lens = lens,
+                                  .at = { at[0], at[1] },
+                                  .key = random_key(bits[0], bits[1]) };
+    pixel->settled = !camera_sees(lens->camera, at[0], at[1]);
+    pixel->slot = draw_slot_of(pixel->key, 0);
+    lens_begin(pixel->key, pixel->begin);
 }
 
-/* Where one of its rays goes through the picture and through the lens. */
+/* Where in its pixel a ray is, of a number in [0,1): each is of another place,
+ * whatever antialiasing does beside it (measured). */
+static double lens_spread(const struct lens *lens, int axis, double drawn)
+{
+    double pixels = lens->camera->pixels[axis];
+    return pixels > 0 ? (drawn - 0.5) / pixels : 0;
+}
+
+/* Where one of its rays goes through a lens. */
 static void lens_choose(const struct lens_pixel *pixel, int number,
-                        double at[2], double lens[2])
+                        double point[2])
 {
-    const struct camera *camera = &pixel->tracer->scene->camera;
-    blur_spread(camera, (struct draws){ pixel->key, (uint32_t)number }, at);
-    for (int i = 0; i < 2; i++)
-        at[i] += pixel->place->at[i];
-    if (camera->bokeh)
-        lens_shaped_point(camera->bokeh, number, pixel->key, lens);
+    const struct lens *lens = pixel->lens;
+    if (lens->camera->bokeh)
+        lens_shaped_point(lens->camera->bokeh, number, pixel->key, point);
     else
-        lens_point(pixel->most, number, pixel->key, lens);
+        lens_point(lens->most, number, pixel->key, point);
 }
 
-static struct radiance lens_see_one(const struct lens_pixel *pixel, int number)
+static struct radiance lens_see_one(const struct lens_pixel *pixel)
 {
-    double at[2], lens[2];
-    lens_choose(pixel, number, at, lens);
-    return tracer_ray(
-        pixel->tracer, pixel->worker,
-        camera_lens_ray(&pixel->tracer->scene->camera, at[0], at[1], lens),
-        NULL);
+    const struct lens *lens = pixel->lens;
+    int number = pixel->blur.count;
+    double at[2], point[2];
+    draw_pair(&(struct draws){ pixel->key, (uint32_t)number }, 0, at);
+    for (int i = 0; i < 2; i++)
+        at[i] = pixel->at[i] + lens_spread(lens, i, at[i]);
+    lens_choose(pixel, number, point);
+    return tracer_ray(lens->tracer, lens->worker,
+                      camera_lens_ray(lens->camera, at[0], at[1], point), NULL);
 }
 
 static bool lens_is_done(const struct lens_pixel *pixel)
 {
-    return pixel->settled || pixel->blur.count >= pixel->most ||
-           worker_stopped(pixel->worker);
+    return pixel->settled || pixel->blur.count >= pixel->lens->most ||
+           worker_stopped(pixel->lens->worker);
 }
 
 static void lens_add(struct lens_pixel *pixel, struct radiance seen)
 {
+    const struct lens *lens = pixel->lens;
     if (pixel->settled)
         return;
     blur_add(&pixel->blur, seen);
-    pixel->settled = blur_settled(&pixel->blur, &pixel->tracer->scene->camera);
+    pixel->settled = blur_settled(&pixel->blur, lens->camera, lens->width);
 }
 
 /* Rays that are followed together, of several pixels. */
 struct lens_packet {
-    struct camera_places places, lenses;
-    struct lens_pixel *pixels[WORLD_RAYS];
+    struct lens_pixel *pixels[RAY_LANES];
+    struct draw_lanes draws; /* index: the ray's number */
     unsigned count;
 };
 
+/* Where they go through the picture. */
+static void packet_places(const struct lens_packet *packet,
+                          struct camera_places *places)
+{
+    _Static_assert((int)DRAW_LANES == (int)RAY_LANES, "a packet");
+    draw_pairs(&packet->draws, places->x, places->y);
+    for (unsigned i = 0; i < packet->count; i++) {
+        const struct lens_pixel *pixel = packet->pixels[i];
+        places->x[i] = pixel->at[0] + lens_spread(pixel->lens, 0, places->x[i]);
+        places->y[i] = pixel->at[1] + lens_spread(pixel->lens, 1, places->y[i]);
+    }
+}
+
+/* And through the lens. */
+static void packet_points(const struct lens_packet *packet,
+                          struct camera_places *points)
+{
+    LANE_LINES double number[RAY_LANES] = { 0 };
+    memset(points, 0, sizeof *points);
+    for (unsigned i = 0; i < packet->count; i++) {
+        const struct lens_pixel *pixel = packet->pixels[i];
+        double at[2] = { pixel->begin[0], pixel->begin[1] };
+        number[i] = packet->draws.index[i];
+        if (!pixel->lens->disc)
+            lens_choose(pixel, (int)packet->draws.index[i], at);
+        points->x[i] = at[0];
+        points->y[i] = at[1];
+    }
+    if (packet->pixels[0]->lens->disc)
+        lens_disc_points(number, points->x, points->y);
+}
+
+/* The last ray goes on in the lanes beyond. */
+static void places_fill(struct camera_places *places, unsigned count)
+{
+    for (unsigned i = count; i < RAY_LANES; i++) {
+        places->x[i] = places->x[i - 1];
+        places->y[i] = places->y[i - 1];
+    }
+}
+
 /* Adds what they see to their pixels, in their order. */
-static void lens_see(struct lens_packet *packet)
+static void packet_see(struct lens_packet *packet)
 {
     struct rays rays;
+    struct camera_places places, points;
     struct world_hit hits[WORLD_RAYS];
     struct radiance seen[WORLD_RAYS];
     struct wavefront wavefront;
     struct tracer_met met = { NULL, &rays, hits, packet->count };
     if (!packet->count)
         return;
-    const struct lens_pixel *any = packet->pixels[0];
-    for (unsigned i = packet->count; i < RAY_LANES; i++) {
-        packet->places.x[i] = packet->places.x[i - 1];
-        packet->places.y[i] = packet->places.y[i - 1];
-        packet->lenses.x[i] = packet->lenses.x[i - 1];
-        packet->lenses.y[i] = packet->lenses.y[i - 1];
-    }
-    camera_lens_rays(&any->tracer->scene->camera, &packet->places,
-                     &packet->lenses, packet->count, &rays);
-    tracer_meet_many(any->tracer, &rays, packet->count, hits);
-    wavefront_start(&wavefront, any->tracer, any->worker, true);
+    const struct lens *lens = packet->pixels[0]->lens;
+    packet_places(packet, &places);
+    packet_points(packet, &points);
+    places_fill(&places, packet->count);
+    places_fill(&points, packet->count);
+    camera_lens_rays(lens->camera, &places, &points, packet->count, &rays);
+    tracer_meet_many(lens->tracer, &rays, packet->count, hits);
+    wavefront_start(&wavefront, lens->tracer, lens->worker, true);
     wavefront_see(&wavefront, &met, seen);
-    arena_reset(any->worker->scratch);
+    arena_reset(lens->worker->scratch);
     for (unsigned i = 0; i < packet->count; i++)
         lens_add(packet->pixels[i], seen[i]);
     packet->count = 0;
+}
+
+static void packet_take(struct lens_packet *packet, struct lens_pixel *pixel,
+                        int number)
+{
+    unsigned lane = packet->count++;
+    packet->pixels[lane] = pixel;
+    packet->draws.order[lane] = pixel->slot.order;
+    packet->draws.first[lane] = pixel->slot.first;
+    packet->draws.second[lane] = pixel->slot.second;
+    packet->draws.index[lane] = (uint32_t)number;
+    if (packet->count == WORLD_RAYS)
+        packet_see(packet);
 }
 
 /* So many more of a pixel are followed before it is looked at: few, while few
  * may be enough. */
 static int lens_batch(const struct lens_pixel *pixel)
 {
-    const struct camera *camera = &pixel->tracer->scene->camera;
-    int count = pixel->blur.count, left = pixel->most - count;
-    int least = (int)fmax(BLUR_LEAST, camera->blur_samples[0]);
+    const struct lens *lens = pixel->lens;
+    int count = pixel->blur.count, left = lens->most - count;
+    int least = (int)fmax(BLUR_LEAST, lens->camera->blur_samples[0]);
     int more = count < least ? least - count : (count / 2 + 3) & ~3;
     more = more < left ? more : left;
     return more < WORLD_RAYS ? more : WORLD_RAYS;
@@ -209,18 +282,8 @@ static int lens_batch(const struct lens_pixel *pixel)
 static void lens_go_on(struct lens_pixel *pixel, struct lens_packet *packet)
 {
     int first = pixel->blur.count, some = lens_batch(pixel);
-    for (int i = 0; i < some && !pixel->settled; i++) {
-        double at[2], lens[2];
-        unsigned lane = packet->count++;
-        lens_choose(pixel, first + i, at, lens);
-        packet->places.x[lane] = at[0];
-        packet->places.y[lane] = at[1];
-        packet->lenses.x[lane] = lens[0];
-        packet->lenses.y[lane] = lens[1];
-        packet->pixels[lane] = pixel;
-        if (packet->count == WORLD_RAYS)
-            lens_see(packet);
-    }
+    for (int i = 0; i < some && !pixel->settled; i++)
+        packet_take(packet, pixel, first + i);
 }
 
 /* Pixels close together, whose rays fill each other's packets. */
@@ -229,10 +292,11 @@ static void tracer_blurred_many(const struct tracer *tracer,
                                 const struct picture_place *places,
                                 unsigned count, struct radiance *out)
 {
+    const struct lens lens = lens_of(tracer, worker);
     struct lens_pixel pixels[WORLD_RAYS];
     struct lens_packet packet = { .count = 0 };
     for (unsigned i = 0; i < count; i++)
-        lens_start(&pixels[i], tracer, worker, &places[i]);
+        lens_start(&pixels[i], &lens, places[i].at);
     for (bool more = true; more;) {
         more = false;
         for (unsigned i = 0; i < count; i++)
@@ -240,7 +304,7 @@ static void tracer_blurred_many(const struct tracer *tracer,
                 lens_go_on(&pixels[i], &packet);
                 more = true;
             }
-        lens_see(&packet);
+        packet_see(&packet);
     }
     for (unsigned i = 0; i < count; i++)
         out[i] = blur_mean(&pixels[i].blur);
@@ -251,10 +315,11 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
                                       struct worker *worker,
                                       const struct picture_place *place)
 {
+    const struct lens lens = lens_of(tracer, worker);
     struct lens_pixel pixel;
-    lens_start(&pixel, tracer, worker, place);
+    lens_start(&pixel, &lens, place->at);
     while (!lens_is_done(&pixel)) {
-        lens_add(&pixel, lens_see_one(&pixel, pixel.blur.count));
+        lens_add(&pixel, lens_see_one(&pixel));
         arena_reset(worker->scratch);
     }
     return blur_mean(&pixel.blur);
@@ -329,11 +394,17 @@ static struct radiance see_one(const struct tracer *tracer,
     return seen;
 }
 
+bool tracer_is_single(const struct tracer *tracer)
+{
+    const struct camera *camera = &tracer->scene->camera;
+    return camera->rays <= 1 && !camera_blurs(camera);
+}
+
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
                      const struct tracer_met *met, struct radiance *out)
 {
-    const struct camera *camera = &tracer->scene->camera;
-    bool blurs = camera_blurs(camera), single = camera->rays <= 1 && !blurs;
+    bool blurs = camera_blurs(&tracer->scene->camera);
+    bool single = tracer_is_single(tracer);
     bool mixed = tracer_may_mix(tracer, worker);
     if (blurs && mixed) {
         tracer_blurred_many(tracer, worker, met->places, met->count, out);
