@@ -193,11 +193,12 @@ void tracer_ready(struct tracer *tracer)
     for (int corner = 0; corner < 4; corner++)
         origins = box3_add(origins,
                            camera_ray(camera, corner % 2, corner / 2).origin);
-    tracer->ready = true;
-    if (camera->kind->lines == CAMERA_CENTRAL)
-        tracer_inside(tracer, camera->location, &tracer->start);
-    else if (camera->kind->lines != CAMERA_SCATTERED)
-        tracer->ready = !world_may_contain(tracer->world, origins);
+    bool scattered = camera->kind->lines == CAMERA_SCATTERED;
+    bool one = vec3_length(vec3_sub(origins.high, origins.low)) == 0;
+    tracer->ready =
+        scattered || one || !world_may_contain(tracer->world, origins);
+    if (one && !scattered)
+        tracer_inside(tracer, origins.low, &tracer->start);
     tracer->airless = tracer->ready && tracer_is_airless(tracer);
     tracer->painted = tracer_is_painted(tracer);
 }
