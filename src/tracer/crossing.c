@@ -195,8 +195,9 @@ void tracer_ready(struct tracer *tracer)
                            camera_ray(camera, corner % 2, corner / 2).origin);
     bool scattered = camera->kind->lines == CAMERA_SCATTERED;
     bool one = vec3_length(vec3_sub(origins.high, origins.low)) == 0;
-    tracer->ready = scattered || one || world_is_even(tracer->world, origins);
-    if (tracer->ready && !scattered)
+    tracer->ready =
+        scattered || one || !world_may_contain(tracer->world, origins);
+    if (one && !scattered)
         tracer_inside(tracer, origins.low, &tracer->start);
     tracer->airless = tracer->ready && tracer_is_airless(tracer);
     tracer->painted = tracer_is_painted(tracer);

@@ -5,7 +5,6 @@
 #include "base/memory.h"
 #include "world/describe.h"
 #include "world/geometry.h"
-#include "world/overlap.h"
 #include "world/packet.h"
 #include "world/shaft_tree.h"
 
@@ -355,36 +354,17 @@ static bool boxes_meet(struct box3 a, struct box3 b)
     return !box3_is_empty(box3_intersection(a, b));
 }
 
-/* Of a body of several only that none holds anything there is known. */
-static bool solid_is_even(const struct solid *solid, struct box3 box,
-                          const uint8_t *marks)
-{
-    bool bounded = box3_is_finite(solid->surface);
-    vec3 half = vec3_scale(vec3_sub(box.high, box.low), 0.5);
-    if (!boxes_meet(*solid->region, box) ||
-        (bounded && !boxes_meet(solid->surface, box)))
-        return true;
-    struct overlap overlap =
-        solid_overlap(solid, vec3_add(box.low, half), half, false, marks);
-    return !overlap.inside ||
-           (solid->leaf && !overlap.outside &&
-            (!bounded || (box3_contains(solid->surface, box.low) &&
-                          box3_contains(solid->surface, box.high))));
-}
-
-bool world_is_even(const struct world *world, struct box3 box)
+bool world_may_contain(const struct world *world, struct box3 box)
 {
     const struct container_list *list = &world->flat.containers;
-    double size = vec3_length(box.low) + vec3_length(box.high);
-    vec3 margin = vec3_scale(vec3_make(size, size, size), 1e-9);
-    uint8_t *marks = memory_new(world->flat.leaf_count + 1);
-    bool even = true;
-    box.low = vec3_sub(box.low, margin);
-    box.high = vec3_add(box.high, margin);
-    for (size_t i = 0; even && i < list->count; i++)
-        even = solid_is_even(list->items[i], box, marks);
-    memory_free(marks);
-    return even;
+    for (size_t i = 0; i < list->count; i++) {
+        const struct solid *solid = list->items[i];
+        bool bounded = box3_is_finite(solid->surface);
+        if (boxes_meet(*solid->region, box) &&
+            (!bounded || boxes_meet(solid->surface, box)))
+            return true;
+    }
+    return false;
 }
 
 static void visit_solids(const struct solid_list *list,

@@ -212,8 +212,8 @@ void world_containing(const struct world *world, vec3 point,
                       void (*visit)(void *context, const struct leaf *leaf),
                       void *context);
 
-/* Whether world_containing surely finds the same for all points of the box. */
-bool world_is_even(const struct world *world, struct box3 box);
+/* False if world_containing finds nothing for any point of the box. */
+bool world_may_contain(const struct world *world, struct box3 box);
 
 /* Calls `solid` for every shape and CSG object, and `mesh` for every mesh that
  * is no part of one; always in the same order. */
