@@ -10,8 +10,8 @@ VERSION = 0.1
 
 # What building needs, and what testing needs besides; Debian's names. Other
 # systems' are in tests/tools/packages. Some releases lack one that ends in "?".
-PACKAGES      = gcc g++ make libembree-dev libpng-dev libjansson-dev? \
-	$(IMAGE_PACKAGES)
+PACKAGES      = gcc g++ make libembree-dev libpng-dev libjpeg-dev \
+	libjansson-dev? $(IMAGE_PACKAGES)
 TEST_PACKAGES = libcmocka-dev mandoc povray povray-includes povray-examples \
 	openimageio-tools $(CLANG_FORMAT)?
 GIVEN_CPPFLAGS := $(CPPFLAGS)
@@ -71,9 +71,10 @@ override CXXFLAGS += -std=c++17 $(WARNINGS) -Wno-cast-qual $(FLAGS)
 override CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
 	-DGLIM_VERSION='"$(VERSION)"' -DGLIM_VERSION_NUMBER=$(VERSION) \
 	-DGLIM_EMBREE=$(EMBREE)
-override LDLIBS   += -lpng -lz -lpthread -lm -ldl
+PICTURE_LDLIBS     = -lpng -ljpeg -lz -lpthread -lm -ldl
+override LDLIBS   += $(PICTURE_LDLIBS)
 # Image files are a module of their own, loaded when needed: see src/image/codec.h.
-# PNG needs none of it.
+# PNG needs none of it, nor does JPEG to be read.
 ifneq ($(IMAGES),png)
 MODULE = $(BUILD)/glim-image.so
 IMAGE_PACKAGES = libopenimageio-dev
@@ -125,13 +126,13 @@ $(BUILD)/glim: $(BUILD)/src/main.o $(BUILD)/libglim.a | $(MODULE) $(SERVER)
 $(BUILD)/glim-compare: $(BUILD)/src/compare/main.o $(BUILD)/libglim.a | \
 		$(MODULE)
 	$(call TICK,link $@)
-	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -lpng -lz -lpthread -lm -ldl
+	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ $(PICTURE_LDLIBS)
 
 # Nothing of the tracer is in it, either.
 $(BUILD)/glim-language-server: $(SERVER_OBJECTS) $(BUILD)/libglim.a
 	$(call TICK,link $@)
-	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -ljansson -lpng -lz \
-		-lpthread -lm -ldl
+	@$(CXX) $(FLAGS) $(NO_LTO_LINK) $(LDFLAGS) -o $@ $^ -ljansson \
+		$(PICTURE_LDLIBS)
 
 # Texts that are a part of it: each line a string of C.
 $(BUILD)/text/grammar.inc: $(sort $(wildcard grammar/*.ebnf))

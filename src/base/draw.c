@@ -1,6 +1,8 @@
 /* Owen-scrambled Sobol pairs: see draw.h. */
 #include "base/draw.h"
 
+#include "base/clones.h"
+
 static uint32_t bits_reversed(uint32_t x)
 {
     x = x << 16 | x >> 16;
@@ -39,30 +41,50 @@ static uint32_t sobol_second(uint32_t x)
     return x ^ x >> 16;
 }
 
-/* The place of the sample in the sequence of the slot. */
-static uint32_t draw_index(const struct draws *draws, uint64_t key)
+/* The number that 32 bits, the highest first, are behind the point. */
+static double bits_fraction(uint32_t bits)
 {
-    return bits_scrambled(bits_reversed(draws->index), (uint32_t)key);
+    return bits * 0x1p-32;
 }
 
-static double draw_first(uint32_t index, uint64_t key)
+struct draw_slot draw_slot_of(uint64_t key, uint32_t slot)
 {
-    return bits_scrambled(index, (uint32_t)(key >> 32)) * 0x1p-32;
+    uint64_t own = random_key(key, slot);
+    return (struct draw_slot){ .order = (uint32_t)own,
+                               .first = (uint32_t)(own >> 32),
+                               .second = (uint32_t)random_mix(own) };
+}
+
+/* The place of the sample in the sequence of the slot. */
+static uint32_t draw_index(uint32_t index, uint32_t order)
+{
+    return bits_scrambled(bits_reversed(index), order);
 }
 
 void draw_pair(const struct draws *draws, uint32_t slot, double pair[2])
 {
-    uint64_t key = random_key(draws->key, slot);
-    uint32_t index = draw_index(draws, key);
-    pair[0] = draw_first(index, key);
-    pair[1] = bits_scrambled(sobol_second(index), (uint32_t)random_mix(key)) *
-              0x1p-32;
+    struct draw_slot own = draw_slot_of(draws->key, slot);
+    uint32_t index = draw_index(draws->index, own.order);
+    pair[0] = bits_fraction(bits_scrambled(index, own.first));
+    pair[1] = bits_fraction(bits_scrambled(sobol_second(index), own.second));
+}
+
+CLONES void draw_pairs(const struct draw_lanes *restrict lanes,
+                       double *restrict x, double *restrict y)
+{
+    for (int i = 0; i < DRAW_LANES; i++) {
+        uint32_t index = draw_index(lanes->index[i], lanes->order[i]);
+        uint32_t second = sobol_second(index);
+        x[i] = bits_fraction(bits_scrambled(index, lanes->first[i]));
+        y[i] = bits_fraction(bits_scrambled(second, lanes->second[i]));
+    }
 }
 
 double draw_unit(const struct draws *draws, uint32_t slot)
 {
-    uint64_t key = random_key(draws->key, slot);
-    return draw_first(draw_index(draws, key), key);
+    struct draw_slot own = draw_slot_of(draws->key, slot);
+    uint32_t index = draw_index(draws->index, own.order);
+    return bits_fraction(bits_scrambled(index, own.first));
 }
 
 struct draws draws_within(const struct draws *draws, uint64_t part)

@@ -19,6 +19,23 @@ struct draws {
  * (0,n,2)-net in base 2; slots are independent. */
 void draw_pair(const struct draws *draws, uint32_t slot, double pair[2]);
 
+/* What scrambles a slot of a key: one for all indices. */
+struct draw_slot {
+    uint32_t order, first, second;
+};
+
+struct draw_slot draw_slot_of(uint64_t key, uint32_t slot);
+
+/* Pairs of so many slots and indices at a time, to the bit as draw_pair's. */
+enum { DRAW_LANES = 16 };
+
+struct draw_lanes {
+    uint32_t order[DRAW_LANES], first[DRAW_LANES], second[DRAW_LANES];
+    uint32_t index[DRAW_LANES];
+};
+
+void draw_pairs(const struct draw_lanes *lanes, double *x, double *y);
+
 /* The first number of a slot's pair. */
 double draw_unit(const struct draws *draws, uint32_t slot);
 

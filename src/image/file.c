@@ -15,6 +15,7 @@
 #include "image/codec.h"
 #include "image/exr.h"
 #include "image/gif.h"
+#include "image/jpeg.h"
 #include "image/kind.h"
 #include "image/png.h"
 
@@ -177,6 +178,17 @@ static const char *file_kind(const char *path, char *error, size_t size)
     return kind;
 }
 
+/* What reads it, if it isn't the module. */
+static codec_decode_function *
+file_own_decoder(const char *path, const struct codec_target *target)
+{
+    if (strcmp(target->type, "gif") == 0 && target->numbers)
+        return gif_decode;
+    if (strcmp(target->type, "jpeg") == 0 && jpeg_is_ours(path))
+        return jpeg_decode;
+    return strcmp(target->type, "png") == 0 ? png_decode : NULL;
+}
+
 static bool file_decode(const char *path, struct codec_target *target,
                         char *error, size_t size)
 {
@@ -186,10 +198,8 @@ static bool file_decode(const char *path, struct codec_target *target,
     if (!target->type)
         return false;
     *error = '\0';
-    codec_decode_function *decode = png_decode;
-    if (target->numbers && strcmp(target->type, "gif") == 0)
-        decode = gif_decode;
-    else if (strcmp(target->type, "png") != 0)
+    codec_decode_function *decode = file_own_decoder(path, target);
+    if (!decode)
         *(void **)&decode = file_codec("codec_decode", error, size);
     return decode && decode(path, target, error, size);
 }

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "lighting/lamplights_area.h"
+
 /* The lamp at hand as all of them see it; the directions are those of the
  * ways. */
 struct lamp_looks {
@@ -354,29 +356,22 @@ static void lamplights_shadow(struct lamplights *lights,
     lamplights_shares(lights, lamp, left, looks, lit);
 }
 
-/* A surface that a lamp lights by itself. */
-struct alone {
-    struct facets *facets;
-    unsigned i;
-};
-
-static void alone_visit(void *context, const struct light_sample *sample)
-{
-    const struct alone *alone = context;
-    facets_add_one(alone->facets, alone->i, sample);
-}
-
-static void lamplights_give_each(struct lamplights *lights,
+/* Of one that lights from all over its area; shadows are asked one by one. */
+static void lamplights_give_area(struct lamplights *lights,
                                  const struct lamp *lamp)
 {
-    for (unsigned all = lights->facets->all; all; all &= all - 1) {
-        unsigned i = (unsigned)__builtin_ctz(all);
-        struct alone alone = { lights->facets, i };
+    rgb shares[RAY_LANES];
+    unsigned lit = lamplights_for(lights, lamp);
+    for (unsigned each = lit; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
         struct lamplight one = lamplights_at(lights, i);
-        one.visit = alone_visit;
-        one.context = &alone;
-        lamplight_give(&one, lamp);
+        struct lamp_view view;
+        lamp_look(lamp, lamp->light->location, one.surface->point, &view);
+        shares[i] = lights->share(&one, lamp, &view);
+        if (rgb_peak(shares[i]) == 0)
+            lit &= ~(1u << i);
     }
+    lamplights_add_area(lights, lamp, lit, shares);
 }
 
 void lamplights_give(struct lamplights *lights, const struct lamp *lamp)
@@ -385,7 +380,7 @@ void lamplights_give(struct lamplights *lights, const struct lamp *lamp)
     struct lamp_looks looks;
     struct facets_lit lit;
     if (lamp->light->area_illumination && lamps_soft(lamps, lamp)) {
-        lamplights_give_each(lights, lamp);
+        lamplights_give_area(lights, lamp);
         return;
     }
     lamplights_look(lights, lamp, &looks);

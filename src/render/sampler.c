@@ -183,7 +183,7 @@ void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
     if ((sampler->sparse && !sampler_needs_near(sampler, area, hits->apron)) ||
         !block_start(sampler, &block, hits, area, false))
         return;
-    block_meet(sampler, &block);
+    tracer_meet_many(sampler->tracer, &block.rays, block.count, block.hits);
     for (int y = area.top; y < area.bottom; y++)
         for (int x = area.left; x < area.right; x++)
             *first_hits_at(hits, x, y) = block.hits[count++];

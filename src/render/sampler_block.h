@@ -38,11 +38,13 @@ static inline void block_aim(const struct sampler *sampler,
     tracer_rays(sampler->tracer, block->places, block->count, &block->rays);
 }
 
-/* What they meet first. */
+/* What they meet first, if it matters. */
 static inline void block_meet(const struct sampler *sampler,
                               struct sampler_block *block)
 {
-    tracer_meet_many(sampler->tracer, &block->rays, block->count, block->hits);
+    if (tracer_is_single(sampler->tracer))
+        tracer_meet_many(sampler->tracer, &block->rays, block->count,
+                         block->hits);
 }
 
 /* What the camera sees there, of what is met first. */

@@ -7,6 +7,7 @@
 #include "base/listing.h"
 #include "base/octet_math.h"
 #include "scene/material.h"
+#include "scene/spots.h"
 
 #define X(name) extern const struct camera_kind name##_camera;
 #include "scene/camera/list.h"
@@ -136,16 +137,24 @@ bool camera_sees(const struct camera *camera, double x, double y)
            camera->kind->sees(camera, x - 0.5, camera_above(camera, y));
 }
 
+/* Where its normal is asked, x and y from the middle of the picture. */
+static vec3 camera_bend_at(const struct camera *camera, double x, double y)
+{
+    double at[2] = { x, y };
+    if (camera->kind->bend_at)
+        camera->kind->bend_at(camera, x, y, at);
+    return vec3_make(at[0], at[1], 0);
+}
+
 /* The normal bends the ray as it bends a surface's at the place in the picture,
  * whose sides are 1 and whose middle is the origin (measured). */
 static vec3 camera_bent(const struct camera *camera, double x, double y,
                         vec3 direction)
 {
-    double at[2] = { x - 0.5, camera_above(camera, y) };
-    if (camera->kind->bend_at)
-        camera->kind->bend_at(camera, at[0], at[1], at);
     return vec3_normalise(normal_perturbed(
-        camera->normal, vec3_make(at[0], at[1], 0), direction, NULL));
+        camera->normal,
+        camera_bend_at(camera, x - 0.5, camera_above(camera, y)), direction,
+        NULL));
 }
 
 static inline struct ray camera_finished(const struct camera *camera, double x,
@@ -196,16 +205,21 @@ CLONES static void directions_unit(struct rays *rays)
         lane_put(to, i, vec3_normalise(lane_get(to, i)));
 }
 
+/* camera_bent of them; the places are from the middle of the picture. */
 static void rays_bent(const struct camera *camera,
                       const struct camera_places *places, unsigned count,
                       struct rays *rays)
 {
+    struct spots points = { .count = 0 }, directions = { .count = 0 }, bent;
+    _Static_assert((int)RAY_LANES <= (int)SPOTS_MAX, "a packet");
     for (unsigned i = 0; i < count; i++) {
-        struct ray ray = rays_at(rays, (int)i);
-        vec3 bent =
-            camera_bent(camera, places->x[i], places->y[i], ray.direction);
-        rays_set(rays, (int)i, ray.origin, bent);
+        spots_add(&points, camera_bend_at(camera, places->x[i], places->y[i]));
+        spots_add(&directions, rays_direction(rays, (int)i));
     }
+    normals_perturbed(camera->normal, &points, &directions, &bent);
+    for (unsigned i = 0; i < count; i++)
+        rays_set(rays, (int)i, rays_origin(rays, (int)i),
+                 vec3_normalise(spots_at(&bent, (int)i)));
 }
 
 /* The rays of OCTET places from number `first` on, of a kind that turns. */
@@ -255,7 +269,7 @@ void camera_rays(const struct camera *camera,
         }
     directions_unit(rays);
     if (camera->normal)
-        rays_bent(camera, places, count, rays);
+        rays_bent(camera, &at, count, rays);
 }
 
 bool camera_pixel_ray(const struct camera *camera, double x, double y, int i,

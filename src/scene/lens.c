@@ -5,9 +5,13 @@
 #include "scene/lens.h"
 
 #include <math.h>
+#include <string.h>
 
+#include "base/clones.h"
+#include "base/octet_math.h"
 #include "base/random.h"
 #include "scene/material.h"
+#include "scene/rays.h"
 
 static const double lens_radius = 0.25;
 enum { SHAPE_TRIES = 1000 }; /* for a point of a shape that lets light pass */
@@ -17,8 +21,8 @@ static const double pi = 3.14159265358979323846;
 void lens_sample(const double u[2], double point[2])
 {
     double r = lens_radius * sqrt(u[0]), turn = 2 * pi * u[1];
-    point[0] = r * cos(turn);
-    point[1] = r * sin(turn);
+    point[0] = r * lone_cos(turn);
+    point[1] = r * lone_sin(turn);
 }
 
 /* Rings of a hexagon of so many cells, or 0. */
@@ -44,14 +48,68 @@ static void hexagon_cell(int i, double cell[2])
     cell[1] = ring * sin(from) + step * sin(along);
 }
 
+void lens_begin(uint64_t key, double begin[2])
+{
+    begin[0] = random_unit(key);
+    begin[1] = random_unit(random_mix(key));
+}
+
 /* In [0,1)^2, by Roberts' sequence: any number of points in a row are evenly
  * spread. */
+static inline void lens_step(double number, double *x, double *y)
+{
+    *x += number * 0.7548776662466927;
+    *y += number * 0.5698402909980532;
+    *x -= floor(*x);
+    *y -= floor(*y);
+}
+
 static void lens_place(uint64_t key, int i, double place[2])
 {
-    place[0] = random_unit(key) + i * 0.7548776662466927;
-    place[1] = random_unit(random_mix(key)) + i * 0.5698402909980532;
-    place[0] -= floor(place[0]);
-    place[1] -= floor(place[1]);
+    lens_begin(key, place);
+    lens_step(i, &place[0], &place[1]);
+}
+
+bool lens_is_disc(int count)
+{
+    return count != 4 && !hexagon_rings(count);
+}
+
+CLONES static void lens_steps(const double *restrict number, double *restrict x,
+                              double *restrict y)
+{
+    for (int i = 0; i < RAY_LANES; i++)
+        lens_step(number[i], &x[i], &y[i]);
+}
+
+CLONES static void octet_spread(octet *radius, octet *turn)
+{
+    octet_sqrt(radius);
+    *radius *= lens_radius;
+    *turn *= 2 * pi;
+}
+
+CLONES static void octet_around(const octet *radius, octet *sine, octet *cosine)
+{
+    *sine *= *radius;
+    *cosine *= *radius;
+}
+
+void lens_disc_points(const double *number, double *x, double *y)
+{
+    lens_steps(number, x, y);
+    for (int i = 0; i < RAY_LANES; i += OCTET) {
+        octet radius, sine, cosine;
+        memcpy(&radius, x + i, sizeof radius);
+        memcpy(&sine, y + i, sizeof sine);
+        octet_spread(&radius, &sine);
+        cosine = sine;
+        octet_sin(&sine);
+        octet_cos(&cosine);
+        octet_around(&radius, &sine, &cosine);
+        memcpy(x + i, &cosine, sizeof cosine);
+        memcpy(y + i, &sine, sizeof sine);
+    }
 }
 
 void lens_point(int count, int i, uint64_t key, double point[2])

@@ -295,8 +295,8 @@ bool normal_tilts(const struct normal *perturbation);
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
                       vec3 normal, const struct uv_source *surface);
 
-/* The same at several points of what is of space; `perturbed` is neither of the
- * others. */
+/* The same at several points, off any surface or of what is of space;
+ * `perturbed` is neither of the others. */
 void normals_perturbed(const struct normal *perturbation,
                        const struct spots *points, const struct spots *normals,
                        struct spots *perturbed);

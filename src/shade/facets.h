@@ -118,8 +118,4 @@ struct facets_lit {
 void facets_add(struct facets *facets, const struct facets_lit *lit,
                 unsigned lanes);
 
-/* The same of one. */
-void facets_add_one(struct facets *facets, unsigned i,
-                    const struct light_sample *sample);
-
 #endif

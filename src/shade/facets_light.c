@@ -229,14 +229,6 @@ CLONES static void add_shares(double (*restrict lights)[RAY_LANES],
         }
 }
 
-void facets_add_one(struct facets *facets, unsigned i,
-                    const struct light_sample *sample)
-{
-    rgb light = facets_light(facets, i);
-    surface_add_light(facets_surface(facets, i), sample, &light);
-    lane_put(facets->light, i, vec3_of(light));
-}
-
 static void add_layer(struct facets *facets, const struct facet_layer *layer,
                       const struct facets_lit *lit, unsigned lanes)
 {

@@ -193,13 +193,12 @@ void tracer_ready(struct tracer *tracer)
     for (int corner = 0; corner < 4; corner++)
         origins = box3_add(origins,
                            camera_ray(camera, corner % 2, corner / 2).origin);
-    bool central = camera->kind->lines == CAMERA_CENTRAL;
     bool scattered = camera->kind->lines == CAMERA_SCATTERED;
+    bool one = vec3_length(vec3_sub(origins.high, origins.low)) == 0;
     tracer->ready =
-        central || scattered || world_contains_alike(tracer->world, origins);
+        scattered || one || world_contains_alike(tracer->world, origins);
     if (tracer->ready && !scattered)
-        tracer_inside(tracer, central ? camera->location : origins.low,
-                      &tracer->start);
+        tracer_inside(tracer, origins.low, &tracer->start);
     tracer->airless = tracer->ready && tracer_is_airless(tracer);
     tracer->painted = tracer_is_painted(tracer);
 }

@@ -33,27 +33,24 @@ static struct radiance blur_mean(const struct blur *blur)
                               blur->opacity * share };
 }
 
-/* Whether the mean's variance is, with the confidence asked for, small enough.
+/* How many of its deviations a mean may be away, with the confidence asked for.
  * The logistic distribution stands for the normal one. */
-static bool blur_settled(const struct blur *blur, const struct camera *camera)
+static double blur_width(const struct camera *camera)
 {
-    double n = blur->count;
     double sure = fmin(fmax(camera->confidence, 0), 0.999999);
-    double width = log((1 + sure) / (1 - sure)) / 1.702;
-    rgb mean = rgb_scale(blur->sum, 1 / n);
-    rgb spread = rgb_sub(rgb_scale(blur->squares, 1 / n), rgb_mul(mean, mean));
-    return n >= BLUR_LEAST && n >= camera->blur_samples[0] &&
-           rgb_peak(spread) * width * width <= n * camera->variance;
+    return log((1 + sure) / (1 - sure)) / 1.702;
 }
 
-/* Each ray is of another place of the pixel, whatever antialiasing does beside
- * it (measured). */
-static void blur_spread(const struct camera *camera, struct draws draws,
-                        double at[2])
+/* Whether the mean's variance is small enough. */
+static bool blur_settled(const struct blur *blur, const struct camera *camera,
+                         double width)
 {
-    draw_pair(&draws, 0, at);
-    for (int i = 0; i < 2; i++)
-        at[i] = camera->pixels[i] > 0 ? (at[i] - 0.5) / camera->pixels[i] : 0;
+    double n = blur->count;
+    if (n < BLUR_LEAST || n < camera->blur_samples[0])
+        return false;
+    rgb mean = rgb_scale(blur->sum, 1 / n);
+    rgb spread = rgb_sub(rgb_scale(blur->squares, 1 / n), rgb_mul(mean, mean));
+    return rgb_peak(spread) * width * width <= n * camera->variance;
 }
 
 /* What one ray of the camera sees. */
@@ -93,102 +90,239 @@ static bool tracer_may_mix(const struct tracer *tracer,
            lighting->in_any_order(tracer->lighting_state);
 }
 
-/* Rays through the lens at a place of the picture. */
-struct lens_rays {
+/* The rays through a camera's lens. */
+struct lens {
     const struct tracer *tracer;
     struct worker *worker;
-    const struct picture_place *place;
-    uint64_t key;
-    int most;
+    const struct camera *camera;
+    double width; /* blur_width */
+    int most;     /* rays of a pixel */
+    bool disc;    /* a round one: lens_disc_points */
 };
 
-/* Where one of them goes through the picture and through the lens. */
-static void lens_choose(const struct lens_rays *all, int number, double at[2],
-                        double lens[2])
+static struct lens lens_of(const struct tracer *tracer, struct worker *worker)
 {
-    const struct camera *camera = &all->tracer->scene->camera;
-    blur_spread(camera, (struct draws){ all->key, (uint32_t)number }, at);
-    for (int i = 0; i < 2; i++)
-        at[i] += all->place->at[i];
-    if (camera->bokeh)
-        lens_shaped_point(camera->bokeh, number, all->key, lens);
+    const struct camera *camera = &tracer->scene->camera;
+    int most = (int)camera->blur_samples[1];
+    return (struct lens){ tracer, worker,
+                          camera, blur_width(camera),
+                          most,   !camera->bokeh && lens_is_disc(most) };
+}
+
+/* A place of the picture, while its rays are added up. */
+struct lens_pixel {
+    const struct lens *lens;
+    double at[2], begin[2];
+    uint64_t key;
+    struct draw_slot slot;
+    struct blur blur;
+    bool settled;
+};
+
+static void lens_start(struct lens_pixel *pixel, const struct lens *lens,
+                       const double at[2])
+{
+    uint64_t bits[2];
+    memcpy(bits, at, sizeof bits);
+    *pixel = (struct lens_pixel){ .lens = lens,
+                                  .at = { at[0], at[1] },
+                                  .key = random_key(bits[0], bits[1]) };
+    pixel->settled = !camera_sees(lens->camera, at[0], at[1]);
+    pixel->slot = draw_slot_of(pixel->key, 0);
+    lens_begin(pixel->key, pixel->begin);
+}
+
+/* Where in its pixel a ray is, of a number in [0,1): each is of another place,
+ * whatever antialiasing does beside it (measured). */
+static double lens_spread(const struct lens *lens, int axis, double drawn)
+{
+    double pixels = lens->camera->pixels[axis];
+    return pixels > 0 ? (drawn - 0.5) / pixels : 0;
+}
+
+/* Where one of its rays goes through a lens. */
+static void lens_choose(const struct lens_pixel *pixel, int number,
+                        double point[2])
+{
+    const struct lens *lens = pixel->lens;
+    if (lens->camera->bokeh)
+        lens_shaped_point(lens->camera->bokeh, number, pixel->key, point);
     else
-        lens_point(all->most, number, all->key, lens);
+        lens_point(lens->most, number, pixel->key, point);
 }
 
-static struct radiance lens_see_one(const struct lens_rays *all, int number)
+static struct radiance lens_see_one(const struct lens_pixel *pixel)
 {
-    double at[2], lens[2];
-    lens_choose(all, number, at, lens);
-    return tracer_ray(
-        all->tracer, all->worker,
-        camera_lens_ray(&all->tracer->scene->camera, at[0], at[1], lens), NULL);
+    const struct lens *lens = pixel->lens;
+    int number = pixel->blur.count;
+    double at[2], point[2];
+    draw_pair(&(struct draws){ pixel->key, (uint32_t)number }, 0, at);
+    for (int i = 0; i < 2; i++)
+        at[i] = pixel->at[i] + lens_spread(lens, i, at[i]);
+    lens_choose(pixel, number, point);
+    return tracer_ray(lens->tracer, lens->worker,
+                      camera_lens_ray(lens->camera, at[0], at[1], point), NULL);
 }
 
-/* What `count` of them see, from number `first` on. */
-static void lens_see(const struct lens_rays *all, int first, unsigned count,
-                     struct radiance *seen)
+static bool lens_is_done(const struct lens_pixel *pixel)
+{
+    return pixel->settled || pixel->blur.count >= pixel->lens->most ||
+           worker_stopped(pixel->lens->worker);
+}
+
+static void lens_add(struct lens_pixel *pixel, struct radiance seen)
+{
+    const struct lens *lens = pixel->lens;
+    if (pixel->settled)
+        return;
+    blur_add(&pixel->blur, seen);
+    pixel->settled = blur_settled(&pixel->blur, lens->camera, lens->width);
+}
+
+/* Rays that are followed together, of several pixels. */
+struct lens_packet {
+    struct lens_pixel *pixels[RAY_LANES];
+    struct draw_lanes draws; /* index: the ray's number */
+    unsigned count;
+};
+
+/* Where they go through the picture. */
+static void packet_places(const struct lens_packet *packet,
+                          struct camera_places *places)
+{
+    _Static_assert((int)DRAW_LANES == (int)RAY_LANES, "a packet");
+    draw_pairs(&packet->draws, places->x, places->y);
+    for (unsigned i = 0; i < packet->count; i++) {
+        const struct lens_pixel *pixel = packet->pixels[i];
+        places->x[i] = pixel->at[0] + lens_spread(pixel->lens, 0, places->x[i]);
+        places->y[i] = pixel->at[1] + lens_spread(pixel->lens, 1, places->y[i]);
+    }
+}
+
+/* And through the lens. */
+static void packet_points(const struct lens_packet *packet,
+                          struct camera_places *points)
+{
+    LANE_LINES double number[RAY_LANES] = { 0 };
+    memset(points, 0, sizeof *points);
+    for (unsigned i = 0; i < packet->count; i++) {
+        const struct lens_pixel *pixel = packet->pixels[i];
+        double at[2] = { pixel->begin[0], pixel->begin[1] };
+        number[i] = packet->draws.index[i];
+        if (!pixel->lens->disc)
+            lens_choose(pixel, (int)packet->draws.index[i], at);
+        points->x[i] = at[0];
+        points->y[i] = at[1];
+    }
+    if (packet->pixels[0]->lens->disc)
+        lens_disc_points(number, points->x, points->y);
+}
+
+/* The last ray goes on in the lanes beyond. */
+static void places_fill(struct camera_places *places, unsigned count)
+{
+    for (unsigned i = count; i < RAY_LANES; i++) {
+        places->x[i] = places->x[i - 1];
+        places->y[i] = places->y[i - 1];
+    }
+}
+
+/* Adds what they see to their pixels, in their order. */
+static void packet_see(struct lens_packet *packet)
 {
     struct rays rays;
-    struct camera_places places, lenses;
+    struct camera_places places, points;
     struct world_hit hits[WORLD_RAYS];
+    struct radiance seen[WORLD_RAYS];
     struct wavefront wavefront;
-    struct tracer_met met = { NULL, &rays, hits, count };
-    double at[2] = { 0, 0 }, lens[2] = { 0, 0 };
-    for (unsigned i = 0; i < RAY_LANES; i++) {
-        if (i < count)
-            lens_choose(all, first + (int)i, at, lens);
-        places.x[i] = at[0];
-        places.y[i] = at[1];
-        lenses.x[i] = lens[0];
-        lenses.y[i] = lens[1];
-    }
-    camera_lens_rays(&all->tracer->scene->camera, &places, &lenses, count,
-                     &rays);
-    tracer_meet_many(all->tracer, &rays, count, hits);
-    wavefront_start(&wavefront, all->tracer, all->worker, true);
+    struct tracer_met met = { NULL, &rays, hits, packet->count };
+    if (!packet->count)
+        return;
+    const struct lens *lens = packet->pixels[0]->lens;
+    packet_places(packet, &places);
+    packet_points(packet, &points);
+    places_fill(&places, packet->count);
+    places_fill(&points, packet->count);
+    camera_lens_rays(lens->camera, &places, &points, packet->count, &rays);
+    tracer_meet_many(lens->tracer, &rays, packet->count, hits);
+    wavefront_start(&wavefront, lens->tracer, lens->worker, true);
     wavefront_see(&wavefront, &met, seen);
+    arena_reset(lens->worker->scratch);
+    for (unsigned i = 0; i < packet->count; i++)
+        lens_add(packet->pixels[i], seen[i]);
+    packet->count = 0;
 }
 
-/* So many more are followed together: few, while few may be enough. */
-static int lens_batch(const struct blur *blur, const struct camera *camera,
-                      int most)
+static void packet_take(struct lens_packet *packet, struct lens_pixel *pixel,
+                        int number)
 {
-    int least = (int)fmax(BLUR_LEAST, camera->blur_samples[0]);
-    int more =
-        blur->count < least ? least - blur->count : (blur->count / 2 + 3) & ~3;
-    more = more < most - blur->count ? more : most - blur->count;
+    unsigned lane = packet->count++;
+    packet->pixels[lane] = pixel;
+    packet->draws.order[lane] = pixel->slot.order;
+    packet->draws.first[lane] = pixel->slot.first;
+    packet->draws.second[lane] = pixel->slot.second;
+    packet->draws.index[lane] = (uint32_t)number;
+    if (packet->count == WORLD_RAYS)
+        packet_see(packet);
+}
+
+/* So many more of a pixel are followed before it is looked at: few, while few
+ * may be enough. */
+static int lens_batch(const struct lens_pixel *pixel)
+{
+    const struct lens *lens = pixel->lens;
+    int count = pixel->blur.count, left = lens->most - count;
+    int least = (int)fmax(BLUR_LEAST, lens->camera->blur_samples[0]);
+    int more = count < least ? least - count : (count / 2 + 3) & ~3;
+    more = more < left ? more : left;
     return more < WORLD_RAYS ? more : WORLD_RAYS;
 }
 
+/* The next few rays of a pixel. */
+static void lens_go_on(struct lens_pixel *pixel, struct lens_packet *packet)
+{
+    int first = pixel->blur.count, some = lens_batch(pixel);
+    for (int i = 0; i < some && !pixel->settled; i++)
+        packet_take(packet, pixel, first + i);
+}
+
+/* Pixels close together, whose rays fill each other's packets. */
+static void tracer_blurred_many(const struct tracer *tracer,
+                                struct worker *worker,
+                                const struct picture_place *places,
+                                unsigned count, struct radiance *out)
+{
+    const struct lens lens = lens_of(tracer, worker);
+    struct lens_pixel pixels[WORLD_RAYS];
+    struct lens_packet packet = { .count = 0 };
+    for (unsigned i = 0; i < count; i++)
+        lens_start(&pixels[i], &lens, places[i].at);
+    for (bool more = true; more;) {
+        more = false;
+        for (unsigned i = 0; i < count; i++)
+            if (!lens_is_done(&pixels[i])) {
+                lens_go_on(&pixels[i], &packet);
+                more = true;
+            }
+        packet_see(&packet);
+    }
+    for (unsigned i = 0; i < count; i++)
+        out[i] = blur_mean(&pixels[i].blur);
+}
+
+/* Ray by ray. */
 static struct radiance tracer_blurred(const struct tracer *tracer,
                                       struct worker *worker,
                                       const struct picture_place *place)
 {
-    const struct camera *camera = &tracer->scene->camera;
-    struct lens_rays all = { .tracer = tracer,
-                             .worker = worker,
-                             .place = place,
-                             .most = (int)camera->blur_samples[1] };
-    struct blur blur = { .count = 0 };
-    struct radiance seen[WORLD_RAYS];
-    bool mixed = tracer_may_mix(tracer, worker), settled = false;
-    uint64_t bits[2];
-    memcpy(bits, place->at, sizeof bits);
-    all.key = random_key(bits[0], bits[1]);
-    while (!settled && blur.count < all.most && !worker_stopped(worker)) {
-        int some = mixed ? lens_batch(&blur, camera, all.most) : 1;
-        if (mixed)
-            lens_see(&all, blur.count, (unsigned)some, seen);
-        else
-            seen[0] = lens_see_one(&all, blur.count);
+    const struct lens lens = lens_of(tracer, worker);
+    struct lens_pixel pixel;
+    lens_start(&pixel, &lens, place->at);
+    while (!lens_is_done(&pixel)) {
+        lens_add(&pixel, lens_see_one(&pixel));
         arena_reset(worker->scratch);
-        for (int i = 0; i < some && !settled; i++) {
-            blur_add(&blur, seen[i]);
-            settled = blur_settled(&blur, camera);
-        }
     }
-    return blur_mean(&blur);
+    return blur_mean(&pixel.blur);
 }
 
 /* The mean of the pixel's rays; those that lead nowhere don't count. */
@@ -260,12 +394,23 @@ static struct radiance see_one(const struct tracer *tracer,
     return seen;
 }
 
+bool tracer_is_single(const struct tracer *tracer)
+{
+    const struct camera *camera = &tracer->scene->camera;
+    return camera->rays <= 1 && !camera_blurs(camera);
+}
+
 void tracer_see_many(const struct tracer *tracer, struct worker *worker,
                      const struct tracer_met *met, struct radiance *out)
 {
-    const struct camera *camera = &tracer->scene->camera;
-    bool single = camera->rays <= 1 && !camera_blurs(camera);
-    if (single && tracer_may_mix(tracer, worker)) {
+    bool blurs = camera_blurs(&tracer->scene->camera);
+    bool single = tracer_is_single(tracer);
+    bool mixed = tracer_may_mix(tracer, worker);
+    if (blurs && mixed) {
+        tracer_blurred_many(tracer, worker, met->places, met->count, out);
+        return;
+    }
+    if (single && mixed) {
         struct wavefront wavefront;
         wavefront_start(&wavefront, tracer, worker, true);
         wavefront_see(&wavefront, met, out);

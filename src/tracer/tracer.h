@@ -49,6 +49,10 @@ struct tracer_met {
     unsigned count;
 };
 
+/* Whether the camera has one ray at each place: else tracer_see_many makes its
+ * own, and what it is told of others isn't asked for. */
+bool tracer_is_single(const struct tracer *tracer);
+
 /* The same at up to WORLD_RAYS places, quicker where they are neighbours, in
  * parts: the camera's rays, what it meets first, and what is seen then.
  * The worker's scratch memory is reset after each. */

@@ -6,12 +6,19 @@
 #include "scene/primitive.h"
 #include "world/mesh_tree.h"
 
+/* Parts of a tree that last kept crossings of their siblings from counting:
+ * they are asked first, since they are likely to do so again. */
+struct refusers {
+    const struct solid *of[4];
+};
+
 /* On the way through one tree. */
 struct tree_look {
     struct packet *packet;
     const struct solid *root;
     const struct rays *rays; /* in the root's frame, as is the inverse */
     const double (*inverse)[RAY_LANES];
+    struct refusers *refusers;
 };
 
 CLONES static void find_inside_box(const struct box3 *box, struct lane_run run,
@@ -125,20 +132,57 @@ static unsigned lanes_inside(const struct solid *solid,
                              points, lanes);
 }
 
-/* Where the siblings of `node` let crossings of it count. */
+enum { REFUSERS = sizeof(struct refusers) / sizeof(struct solid *) };
+
+static bool refusers_have(const struct refusers *refusers,
+                          const struct solid *solid)
+{
+    for (int k = 0; k < REFUSERS; k++)
+        if (refusers->of[k] == solid)
+            return true;
+    return false;
+}
+
+/* In front of the others, of which one is forgotten. */
+static void refusers_add(struct refusers *refusers, const struct solid *solid)
+{
+    for (int k = REFUSERS - 1; k > 0; k--)
+        refusers->of[k] = refusers->of[k - 1];
+    refusers->of[0] = solid;
+}
+
+/* Where the sibling lets crossings count. */
+static unsigned sibling_agrees(const struct solid *sibling,
+                               const struct lane_points *points, unsigned lanes)
+{
+    unsigned inside = lanes_inside(sibling, points, lanes);
+    bool wanted = sibling->parent->kind == OBJECT_INTERSECTION;
+    return wanted ? inside : lanes & ~inside;
+}
+
+/* Where the siblings of `node` let crossings of it count; in which order they
+ * are asked doesn't matter. */
 static unsigned siblings_agree(const struct solid *node,
+                               struct refusers *refusers,
                                const struct lane_points *points, unsigned lanes)
 {
     const struct solid *parent = node->parent;
+    struct refusers asked = *refusers;
     if (parent->kind == OBJECT_UNION)
         return lanes;
-    bool wanted = parent->kind == OBJECT_INTERSECTION;
+    for (int k = 0; k < REFUSERS && lanes; k++) {
+        const struct solid *sibling = asked.of[k];
+        if (sibling && sibling->parent == parent && sibling != node)
+            lanes = sibling_agrees(sibling, points, lanes);
+    }
     for (size_t i = 0; i < parent->child_count && lanes; i++) {
         const struct solid *sibling = parent->children[i];
-        if (sibling == node)
+        if (sibling == node || refusers_have(&asked, sibling))
             continue;
-        unsigned inside = lanes_inside(sibling, points, lanes);
-        lanes = wanted ? inside : lanes & ~inside;
+        unsigned agreed = sibling_agrees(sibling, points, lanes);
+        if (agreed != lanes)
+            refusers_add(refusers, sibling);
+        lanes = agreed;
     }
     return lanes;
 }
@@ -169,7 +213,7 @@ static unsigned crossings_count(const struct tree_look *look,
         lanes = inside_all(node->more->clips, node->more->clip_count, points,
                            lanes);
         if (node->parent)
-            lanes = siblings_agree(node, &inner, lanes);
+            lanes = siblings_agree(node, look->refusers, &inner, lanes);
     }
     return lanes;
 }
@@ -474,7 +518,9 @@ static unsigned look_at_part(const struct tree_look *look,
 unsigned packet_tree(struct packet *packet, const struct solid *solid,
                      unsigned lanes)
 {
-    struct tree_look look = { packet, solid, packet->rays, packet->inverse };
+    struct refusers refusers = { { NULL } };
+    struct tree_look look = { packet, solid, packet->rays, packet->inverse,
+                              &refusers };
     struct rays local;
     LANE_LINES double inverse[3][RAY_LANES];
     lanes = box_met(&look, &solid->surface, lanes);
@@ -496,6 +542,7 @@ unsigned packet_tree(struct packet *packet, const struct solid *solid,
 unsigned packet_shape(struct packet *packet, const struct solid *solid,
                       unsigned lanes)
 {
-    const struct tree_look look = { packet, solid, packet->rays, NULL };
+    struct refusers none = { { NULL } };
+    const struct tree_look look = { packet, solid, packet->rays, NULL, &none };
     return look_inside(&look, solid, lanes);
 }

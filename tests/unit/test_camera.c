@@ -1,7 +1,9 @@
 /* scene/camera against rays measured on POV-Ray 3.7. */
 #include "harness.h"
 
+#include "base/draw.h"
 #include "scene/camera.h"
+#include "scene/lens.h"
 
 /* Where the rays through the middles of the first and the last pixel of an
  * 8 x 6 picture meet the plane z = 10. */
@@ -149,6 +151,38 @@ static void looking_into_the_sky_works(void **state)
     assert_true(camera.right.x == 1.33 && camera.up.z == -1);
 }
 
+/* A packet of rays through a lens is of those that go through it one by one. */
+static void packets_are_of_lone_rays(void **state)
+{
+    (void)state;
+    double number[RAY_LANES], x[RAY_LANES], y[RAY_LANES];
+    double across[RAY_LANES], above[RAY_LANES];
+    struct draw_lanes lanes;
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        double begin[2];
+        struct draw_slot slot = draw_slot_of(i / 3, 0);
+        lens_begin(i / 3, begin);
+        number[i] = 7 * i;
+        x[i] = begin[0];
+        y[i] = begin[1];
+        lanes.order[i] = slot.order;
+        lanes.first[i] = slot.first;
+        lanes.second[i] = slot.second;
+        lanes.index[i] = 7 * i;
+    }
+    lens_disc_points(number, x, y);
+    draw_pairs(&lanes, across, above);
+    assert_true(lens_is_disc(10) && !lens_is_disc(4) && !lens_is_disc(19));
+    for (unsigned i = 0; i < RAY_LANES; i++) {
+        const struct draws draws = { i / 3, 7 * i };
+        double point[2], drawn[2];
+        lens_point(10, (int)(7 * i), i / 3, point);
+        draw_pair(&draws, 0, drawn);
+        assert_true(point[0] == x[i] && point[1] == y[i]);
+        assert_true(drawn[0] == across[i] && drawn[1] == above[i]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -159,6 +193,7 @@ int main(void)
         cmocka_unit_test(transformations_come_last),
         cmocka_unit_test(impossible_cameras_are_told),
         cmocka_unit_test(looking_into_the_sky_works),
+        cmocka_unit_test(packets_are_of_lone_rays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -321,6 +321,8 @@ static void formats_come_back(void **state)
     assert_true(round_trip("a.ppm", ppm, true) <= 1.01 / 255);
     struct image_format jpeg = { .type = "jpeg", .bits = 8, .quality = 95 };
     assert_true(round_trip("a.jpg", jpeg, true) <= 0.1);
+    jpeg.grey = true;
+    assert_true(round_trip("a.jpg", jpeg, true) <= 0.1);
 }
 
 /* A picture of one row of blocks and a row more, of numbers that zlib can't

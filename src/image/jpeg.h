@@ -1,0 +1,16 @@
+/* JPEG files, read without loading OpenImageIO: see jpeg.c. */
+#ifndef IMAGE_JPEG_H
+#define IMAGE_JPEG_H
+
+#include <stdbool.h>
+
+#include "image/codec.h"
+
+/* Whether jpeg_decode reads this file, which begins as a JPEG: all but those
+ * in printers' inks. */
+bool jpeg_is_ours(const char *path);
+
+/* As codec_decode. */
+codec_decode_function jpeg_decode;
+
+#endif
