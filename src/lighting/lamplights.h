@@ -20,6 +20,7 @@ struct lamplights {
     rgb (*share)(struct lamplight *light, const struct lamp *lamp,
                  const struct lamp_view *view);
     bool traced; /* `share` is that of shadow rays, and nothing else is known */
+    bool fine;   /* and then, of area lights, that of lamps_share_fine */
     const void *knows; /* for `share` and `foresee` */
     /* NULL: nothing is known. */
     struct lamplights_known (*foresee)(const struct lamplights *lights,

@@ -117,6 +117,7 @@ static void rays_illuminate_many(const void *state, struct worker *worker,
     lights.worker = worker;
     lights.share = lamplight_trace;
     lights.traced = true;
+    lights.fine = false;
     lights.foresee = NULL;
     lamplights_start(&lights, facets);
     for (size_t i = 0; i < lamps->count; i++)
