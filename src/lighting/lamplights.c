@@ -223,8 +223,7 @@ static rgb lamplights_share(const struct lamplights *lights,
 {
     const struct lamp_target target = lamplights_target(lights, i, looks);
     if (lights->traced)
-        return (lights->fine ? lamps_share_fine : lamps_share)(
-            lights->lamps, lamp, lights->worker, &target);
+        return lights->traced(lights->lamps, lamp, lights->worker, &target);
     struct lamplight one = lamplights_at(lights, i);
     return lights->share(&one, lamp, &target.view);
 }

@@ -19,8 +19,10 @@ struct lamplights {
     /* As of a lamplight: the share of what is not wholly lit or wholly dark. */
     rgb (*share)(struct lamplight *light, const struct lamp *lamp,
                  const struct lamp_view *view);
-    bool traced; /* `share` is that of shadow rays, and nothing else is known */
-    bool fine;   /* and then, of area lights, that of lamps_share_fine */
+    /* lamps_share or lamps_share_fine if `share` is that, and nothing else is
+     * known; else NULL. */
+    rgb (*traced)(const struct lamps *lamps, const struct lamp *lamp,
+                  struct worker *worker, const struct lamp_target *target);
     const void *knows; /* for `share` and `foresee` */
     /* NULL: nothing is known. */
     struct lamplights_known (*foresee)(const struct lamplights *lights,

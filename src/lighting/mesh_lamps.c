@@ -187,7 +187,7 @@ void mesh_lamps_light_many(const struct mesh_lamps *mesh, struct worker *worker,
     lights.lamps = lamps;
     lights.worker = worker;
     lights.share = chosen ? lamplight_trace_fine : mesh_share;
-    lights.traced = lights.fine = chosen;
+    lights.traced = chosen ? lamps_share_fine : NULL;
     lights.knows = mesh;
     lights.foresee = chosen || !mesh->knowers->pixels ? NULL : mesh_foresee;
     lamplights_start(&lights, facets);

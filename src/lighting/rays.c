@@ -116,8 +116,7 @@ static void rays_illuminate_many(const void *state, struct worker *worker,
     lights.lamps = lamps;
     lights.worker = worker;
     lights.share = lamplight_trace;
-    lights.traced = true;
-    lights.fine = false;
+    lights.traced = lamps_share;
     lights.foresee = NULL;
     lamplights_start(&lights, facets);
     for (size_t i = 0; i < lamps->count; i++)

@@ -38,9 +38,7 @@ static bool sampler_in_place(const struct sampler *sampler)
 
 static float *sampler_edges_new(const struct sampler *sampler)
 {
-    const struct area *tiled = &sampler->tiled;
-    size_t across = (size_t)(tiled->right - tiled->left + 1);
-    size_t down = (size_t)(tiled->bottom - tiled->top + 1);
+    size_t across = sampler_across(sampler), down = sampler_down(sampler);
     size_t columns = (across + CENTRES_TILE) / CENTRES_TILE;
     size_t pixels = sampler_edge_rows(sampler) * across + columns * down;
     return memory_new(pixels * 4 * sizeof(float));

@@ -23,22 +23,32 @@ static inline bool sampler_centres(const struct sampler *sampler)
     return sampler->options->antialias && sampler->options->method != 2;
 }
 
+_Static_assert((int)RENDER_BAND % CENTRES_TILE == 0, "bands of whole tiles");
+
+/* Places of the grid each way, with the column before and the row above. */
+static inline size_t sampler_across(const struct sampler *sampler)
+{
+    return (size_t)(sampler->tiled.right - sampler->tiled.left + 1);
+}
+
+static inline size_t sampler_down(const struct sampler *sampler)
+{
+    return (size_t)(sampler->tiled.bottom - sampler->tiled.top + 1);
+}
+
 /* Rows, then columns, that are above or to the left of a tile. */
 static inline size_t sampler_edge_rows(const struct sampler *sampler)
 {
-    const struct area *tiled = &sampler->tiled;
-    return (size_t)((tiled->bottom - tiled->top + CENTRES_TILE) / CENTRES_TILE);
+    return (sampler_down(sampler) + CENTRES_TILE - 1) / CENTRES_TILE;
 }
 
 /* Where it is kept what tiles to the right and below see of a place; NULL: they
  * don't. */
 static inline float *sampler_edge(const struct sampler *sampler, int x, int y)
 {
-    const struct area *tiled = &sampler->tiled;
-    size_t across = (size_t)(tiled->right - tiled->left + 1);
-    size_t down = (size_t)(tiled->bottom - tiled->top + 1);
-    size_t column = (size_t)(x - tiled->left + 1);
-    size_t row = (size_t)(y - tiled->top + 1);
+    size_t across = sampler_across(sampler), down = sampler_down(sampler);
+    size_t column = (size_t)(x - sampler->tiled.left + 1);
+    size_t row = (size_t)(y - sampler->tiled.top + 1);
     if (row % CENTRES_TILE == 0)
         return sampler->edges + (row / CENTRES_TILE * across + column) * 4;
     if (column % CENTRES_TILE != 0)

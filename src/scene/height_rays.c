@@ -30,23 +30,6 @@ struct walks_grid {
     int32_t last_i, last_j, top;
 };
 
-/* Flags of all, as bits; all of one are set or none. */
-static inline unsigned flags_bits(const int32_t flags[WALKS])
-{
-#ifdef __SSE2__
-    const __m128 *at = (const __m128 *)flags;
-    unsigned bits = 0;
-    for (int i = 0; i < WALKS / 4; i++)
-        bits |= (unsigned)_mm_movemask_ps(at[i]) << 4 * i;
-    return bits;
-#else
-    unsigned bits = 0;
-    for (int k = 0; k < WALKS; k++)
-        bits |= (unsigned)(flags[k] & 1) << k;
-    return bits;
-#endif
-}
-
 /* ---- the beginning ---- */
 
 CLONES static void walks_clip(struct walks *restrict w,
@@ -105,7 +88,7 @@ static unsigned walks_begin(struct walks *w, const struct walks_grid *grid,
     walks_squares_first(w, grid);
     for (int k = 0; k < WALKS; k++)
         w->level[k] = any[k] ? height_level_of(way[k], grid->top) : 0;
-    return flags_bits(any);
+    return flags_bits(any, WALKS);
 }
 
 /* ---- steps ---- */
@@ -327,7 +310,7 @@ static unsigned walks_look(const struct height_grid *grid, struct walks *w,
     walks_meet(w, grid->water, square, met);
     for (int k = 0; k < WALKS; k++)
         moves[k] |= square[k] & ~met[k];
-    return flags_bits(met) & lanes;
+    return flags_bits(met, WALKS) & lanes;
 }
 
 static void walks_go(const struct height_grid *grid,
@@ -339,14 +322,14 @@ static void walks_go(const struct height_grid *grid,
         walks_ends(w);
         walks_ranges(grid, w, lanes);
         walks_pass(w, grid->water, moves, square);
-        unsigned looking = flags_bits(square) & lanes;
+        unsigned looking = flags_bits(square, WALKS) & lanes;
         if (looking) {
             unsigned done = walks_look(grid, w, looking, square, moves);
             walks_take(w, over, done, met);
             lanes &= ~done;
         }
         walks_on(w, over, moves, gone);
-        lanes &= ~(flags_bits(moves) & flags_bits(gone));
+        lanes &= ~(flags_bits(moves, WALKS) & flags_bits(gone, WALKS));
     }
 }
 

@@ -148,6 +148,21 @@ const struct rays_span *rays_span_asked(const struct rays_span *span,
                                         unsigned lanes, bool lane_by_lane,
                                         struct rays_span *out);
 
+/* Bit by bit what n flags say, of which all bits are set or none. */
+static inline unsigned flags_bits(const int32_t *flags, unsigned n)
+{
+    unsigned bits = 0, i = 0;
+#ifdef __SSE2__
+    for (; i + 4 <= n; i += 4)
+        bits |= (unsigned)_mm_movemask_ps(
+                    _mm_loadu_ps((const float *)(const void *)(flags + i)))
+                << i;
+#endif
+    for (; i < n; i++)
+        bits |= (unsigned)(flags[i] & 1) << i;
+    return bits;
+}
+
 /* Bit by bit what the flags of all lanes say. */
 static inline unsigned rays_bits(const lane_flag flags[RAY_LANES])
 {

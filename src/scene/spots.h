@@ -43,17 +43,4 @@ static inline struct spots spots_of(vec3 point)
 void spots_moved(const struct spots *restrict spots, const affine *transform,
                  struct spots *restrict moved);
 
-static inline struct spots spots_scaled(const struct spots *spots,
-                                        double factor)
-{
-    struct spots scaled;
-    scaled.count = spots->count;
-    for (int i = 0; i < spots->count; i++) {
-        scaled.x[i] = spots->x[i] * factor;
-        scaled.y[i] = spots->y[i] * factor;
-        scaled.z[i] = spots->z[i] * factor;
-    }
-    return scaled;
-}
-
 #endif

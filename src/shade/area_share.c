@@ -39,7 +39,8 @@ struct area_walk {
     area_tells *tells;
     int surely;    /* parts of lower levels always are cut, if they can be */
     bool closely;  /* and parts that look alike may be */
-    bool thorough; /* outlines */
+    int asked;     /* outlines: so often dark parts are cut, */
+    bool thorough; /* and lit ones once more than surely */
     bool same;     /* all that was seen is like this, to the bit */
     rgb first;
     struct area_points wanted;  /* known soon: their places are taken */
@@ -448,22 +449,12 @@ static int outline_asked(const struct area_grid *grid)
     return asked;
 }
 
-/* Parts are cut so often whatever they look like. */
-static int outline_surely(const struct area_grid *grid)
-{
-    int cuts = outline_cuts(grid->adaptive), asked = outline_asked(grid);
-    return grid->adaptive < 0 && asked < cuts ? asked : cuts - 1;
-}
-
 /* Dark parts are looked at as closely as the author asks, for there may be gaps
  * in what hides them; lit ones more closely where it costs little. */
 static int outline_least(const struct area_walk *walk, rgb seen)
 {
-    int surely = outline_surely(walk->grid);
-    if (rgb_peak(seen) > 0)
-        return walk->thorough ? surely + 1 : surely;
-    int asked = outline_asked(walk->grid);
-    return asked > surely ? asked : surely;
+    bool lit = rgb_peak(seen) > 0;
+    return lit ? walk->surely + walk->thorough : walk->asked;
 }
 
 static bool outline_tells(struct area_walk *walk, const struct area_part *part,
@@ -490,6 +481,9 @@ rgb area_outline(const struct area_grid *grid, rgb arriving, bool thorough,
     walk.closely = true;
     walk.thorough = thorough;
     walk.tells = outline_tells;
-    walk.surely = outline_surely(grid);
+    walk.asked = outline_asked(grid);
+    walk.surely = outline_cuts(grid->adaptive) - 1;
+    if (walk.surely > walk.asked)
+        walk.surely = walk.asked;
     return area_fronts_seen(&walk, &all);
 }

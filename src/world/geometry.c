@@ -63,7 +63,7 @@ static void packet_intersect(const struct RTCIntersectFunctionNArguments *a,
     float *tfar = (float *)a->rayhit + LANE_TFAR * a->N;
     const unsigned *id = (const unsigned *)a->rayhit + LANE_ID * a->N;
     unsigned *hit = (unsigned *)a->rayhit + LANE_HIT * a->N;
-    unsigned asked = embree_asked(a->valid, a->N);
+    unsigned asked = flags_bits(a->valid, a->N);
     double before[RAY_LANES];
     memcpy(before, packet->span.far, sizeof before);
     packet_look(packet, geometry->solids.items[a->primID], lanes_of(asked, id));
@@ -111,7 +111,7 @@ static void packet_occluded(const struct RTCOccludedFunctionNArguments *a,
     const struct geometry *geometry = a->geometryUserPtr;
     float *tfar = (float *)a->ray + LANE_TFAR * a->N;
     const unsigned *id = (const unsigned *)a->ray + LANE_ID * a->N;
-    unsigned asked = embree_asked(a->valid, a->N);
+    unsigned asked = flags_bits(a->valid, a->N);
     packet_look(packet, geometry->solids.items[a->primID], lanes_of(asked, id));
     for (; asked; asked &= asked - 1) {
         unsigned i = (unsigned)__builtin_ctz(asked);

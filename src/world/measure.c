@@ -148,8 +148,8 @@ static struct boxes measure_union(const struct solid *solid)
 bool solid_surrounds(const struct solid *gate, struct box3 box)
 {
     if (gate->kind != OBJECT_SHAPE || gate->leaf->look->inverse ||
-        gate->more->frame || !gate->leaf->object->primitive->convex ||
-        !box3_is_finite(box))
+        gate->more->frame || gate->more->clip_count ||
+        !gate->leaf->object->primitive->convex || !box3_is_finite(box))
         return false;
     for (int i = 0; i < 8; i++) {
         vec3 corner = { i & 1 ? box.high.x : box.low.x,

@@ -7,10 +7,6 @@
 
 #include <stdbool.h>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 #if GLIM_EMBREE == 4
 #include <embree4/rtcore.h>
 typedef struct RTCRayQueryContext embree_context;
@@ -62,22 +58,6 @@ extern struct embree embree;
 /* Once is enough; any thread may. Returns why it can't be, which is valid as
  * long as the program runs, or NULL. */
 const char *embree_load(void);
-
-/* Which of n rays a callback is asked about, bit by bit as Embree has them. Of
- * `valid` all numbers are 0 or -1. */
-static inline unsigned embree_asked(const int *valid, unsigned n)
-{
-    unsigned asked = 0, i = 0;
-#ifdef __SSE2__
-    for (; i + 4 <= n; i += 4)
-        asked |= (unsigned)_mm_movemask_ps(
-                     _mm_loadu_ps((const float *)(const void *)(valid + i)))
-                 << i;
-#endif
-    for (; i < n; i++)
-        asked |= (unsigned)(valid[i] & 1) << i;
-    return asked;
-}
 
 /* These hand `context`, whatever it is the beginning of, to the callbacks
  * and fill it in first. The nearest crossing: */

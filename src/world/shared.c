@@ -60,7 +60,8 @@ static void look_judge(struct leaf_look *look)
     look->spatial = all.plain && all.spatial;
     look->last = all.plain && all.opaque && !all.mirrors;
     look->coated = look->inner || mesh;
-    look->tinted = !look->coated && texture_is_even(look->texture);
+    look->tinted =
+        !look->opaque && !look->coated && texture_is_even(look->texture);
     if (look->tinted)
         look->tint =
             texture_transmittance(look->texture, vec3_make(0, 0, 0), NULL);

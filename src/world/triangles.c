@@ -20,7 +20,7 @@ static struct triangle_ref locate(const struct RTCFilterFunctionNArguments *a,
 
 static void nearest_filter(const struct RTCFilterFunctionNArguments *a)
 {
-    unsigned asked = embree_asked(a->valid, a->N);
+    unsigned asked = flags_bits(a->valid, a->N);
     for (; asked; asked &= asked - 1) {
         unsigned i = (unsigned)__builtin_ctz(asked);
         struct query *query = query_lane(a->context, a->ray, a->N, i);
@@ -59,7 +59,7 @@ static bool blocks_plainly(struct query *query,
 
 static void plain_shadow_filter(const struct RTCFilterFunctionNArguments *a)
 {
-    unsigned asked = embree_asked(a->valid, a->N);
+    unsigned asked = flags_bits(a->valid, a->N);
     for (; asked; asked &= asked - 1) {
         unsigned i = (unsigned)__builtin_ctz(asked);
         struct query *query = query_lane(a->context, a->ray, a->N, i);
@@ -79,7 +79,7 @@ static bool blocks(struct query *query, struct triangle_ref ref)
 
 static void shadow_filter(const struct RTCFilterFunctionNArguments *a)
 {
-    unsigned asked = embree_asked(a->valid, a->N);
+    unsigned asked = flags_bits(a->valid, a->N);
     for (; asked; asked &= asked - 1) {
         unsigned i = (unsigned)__builtin_ctz(asked);
         struct query *query = query_lane(a->context, a->ray, a->N, i);

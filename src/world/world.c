@@ -362,7 +362,7 @@ bool world_contains_alike(const struct world *world, struct box3 box)
         bool bounded = box3_is_finite(solid->surface);
         bool away = !boxes_meet(*solid->region, box) ||
                     (bounded && !boxes_meet(solid->surface, box));
-        if (!away && (solid->more->clip_count || !solid_surrounds(solid, box)))
+        if (!away && !solid_surrounds(solid, box))
             return false;
     }
     return true;

@@ -28,11 +28,10 @@ static const struct field crackle_items[] = {
     { .name = NULL },
 };
 
-/* The three smallest sums of powers so far, and how many cubes away the cube of
- * the first is. */
+/* The three smallest sums of powers so far, and the cube of the first. */
 struct nearest {
     double sum[3];
-    vec3 step;
+    vec3 cell;
 };
 
 static double crackle_power(const struct crackle *crackle, double distance)
@@ -49,12 +48,12 @@ static double crackle_sum(const struct crackle *crackle, vec3 distance)
            crackle_power(crackle, distance.z);
 }
 
-static void nearest_add(struct nearest *nearest, double sum, vec3 step)
+static void nearest_add(struct nearest *nearest, double sum, vec3 cell)
 {
     double *s = nearest->sum;
     if (sum < s[0]) {
         s[2] = s[1], s[1] = s[0], s[0] = sum;
-        nearest->step = step;
+        nearest->cell = cell;
     } else if (sum < s[1]) {
         s[2] = s[1], s[1] = sum;
     } else if (sum < s[2]) {
@@ -97,7 +96,7 @@ static void crackle_visit(const struct crackle_place *p, vec3 step, bool near,
                      ? cubes_point(p->base, step)
                      : vec3_add(step, noise_cell_point(cell.x, cell.y, cell.z));
     vec3 offset = vec3_sub(point, p->place);
-    nearest_add(nearest, crackle_sum(p->crackle, offset), step);
+    nearest_add(nearest, crackle_sum(p->crackle, offset), cell);
 }
 
 /* The cubes that are so many steps away along some axis, but for those that are
@@ -129,15 +128,17 @@ static int crackle_kept(const struct crackle *crackle)
 
 /* The cubes at most two away, nearer ones first. Outside of the inner 27 all
  * is more than 1 away, and so is the sum of powers. */
-static struct nearest crackle_search(const struct crackle *crackle, vec3 base,
-                                     vec3 place)
+static struct nearest crackle_search(const struct crackle *crackle, vec3 point)
 {
-    struct nearest nearest = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { 0, 0, 0 } };
+    const vec3 base = vec3_make(floor(point.x), floor(point.y), floor(point.z));
+    const vec3 place = vec3_sub(point, base);
+    struct nearest nearest = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, base };
     struct crackle_place p = { crackle, base, place, { { 0 } } };
     int keep = crackle_kept(crackle), from = 0;
     if (crackle->metric == 2) {
         if (crackle->solid)
-            nearest.step = cubes_first(base, place, &nearest.sum[0]);
+            nearest.cell =
+                vec3_add(base, cubes_first(base, place, &nearest.sum[0]));
         else
             cubes_nearest(base, place, nearest.sum);
         if (nearest.sum[keep] <= 1)
@@ -154,17 +155,9 @@ static struct nearest crackle_search(const struct crackle *crackle, vec3 base,
     return nearest;
 }
 
-static vec3 cube_of(vec3 point)
-{
-    return vec3_make(floor(point.x), floor(point.y), floor(point.z));
-}
-
 static vec3 centre_of(const struct crackle *crackle, vec3 point)
 {
-    vec3 base = cube_of(point);
-    struct nearest nearest =
-        crackle_search(crackle, base, vec3_sub(point, base));
-    vec3 cell = vec3_add(base, nearest.step);
+    vec3 cell = crackle_search(crackle, point).cell;
     return vec3_add(cell, noise_cell_point(cell.x, cell.y, cell.z));
 }
 
@@ -180,9 +173,7 @@ static double crackle_value(const struct pattern *pattern, vec3 point)
     if (crackle->solid)
         return noise_value(pattern_generator(pattern),
                            centre_of(crackle, point));
-    vec3 base = cube_of(point);
-    struct nearest nearest =
-        crackle_search(crackle, base, vec3_sub(point, base));
+    struct nearest nearest = crackle_search(crackle, point);
     double deep = crackle_power(crackle, crackle->offset);
     double root = 1 / crackle->metric;
     double d[3];
