@@ -223,7 +223,7 @@ bool macro_call(struct parser *p, const struct word *word, struct span at)
     scope_push(p);
     for (int i = 0; i < macro->parameter_count; i++) {
         struct symbol *symbol = symbol_make_parameter(p, macro->parameters[i]);
-        symbol->value = values[i].value;
+        value_copy(&symbol->value, &values[i].value);
         symbol->element = values[i].element;
     }
     return true;

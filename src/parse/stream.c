@@ -211,12 +211,12 @@ static void stream_warn_sign(struct parser *p, const struct token *token)
 }
 
 /* Whether neither directive nor macro can begin with it. */
-static bool token_is_plain(const struct token *token)
+static bool token_is_plain(struct parser *p, const struct token *token)
 {
     switch (token->kind) {
     case TOKEN_WORD:
-        return token->word->reserved &&
-               !stream_lacks_sign(token->word->keyword);
+        return token->word->reserved ? !stream_lacks_sign(token->word->keyword)
+                                     : !macro_is_call(p, token->word);
     case TOKEN_DIRECTIVE:
     case TOKEN_BAD:
         return false;
@@ -252,7 +252,7 @@ static bool stream_fetch(struct parser *p, bool infix)
             cursor->index++;
             continue;
         }
-        if (token_is_plain(token)) {
+        if (token_is_plain(p, token)) {
             stream_take(p, cursor);
             return true;
         }
@@ -293,9 +293,9 @@ static struct span stream_end_span(struct parser *p)
     return p->last_span;
 }
 
-/* Apart from its callers, which are asked several times for each token. */
+/* What the callers of stream_look rarely come to. */
 __attribute__((noinline)) static const struct token *
-stream_look(struct parser *p, bool infix)
+stream_search(struct parser *p, bool infix)
 {
     static const struct token end = { .kind = TOKEN_END };
     if (stream_fetch(p, infix))
@@ -303,6 +303,24 @@ stream_look(struct parser *p, bool infix)
     p->peeked = false;
     p->token_span = stream_end_span(p);
     return &end;
+}
+
+/* As stream_search, for most tokens in a few steps: those that stand next and
+ * need nothing run or asked. Apart from its callers, which are asked several
+ * times for each token.
+ */
+__attribute__((noinline)) static const struct token *
+stream_look(struct parser *p, bool infix)
+{
+    struct cursor *cursor = p->cursor;
+    if (!p->failed && !p->spare_semicolon && cursor->index < cursor->end &&
+        p->fetched % STREAM_PATIENCE != STREAM_PATIENCE - 1 &&
+        token_is_plain(p, &cursor->list->tokens[cursor->index])) {
+        p->fetched++;
+        stream_take(p, cursor);
+        return &p->token;
+    }
+    return stream_search(p, infix);
 }
 
 const struct token *stream_peek(struct parser *p)
