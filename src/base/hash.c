@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "base/rgb.h"
 
-enum { LANES = 8, ROW = LANES * sizeof(uint64_t), LONG = 256 };
+enum { LANES = 8, ROW = LANES * sizeof(uint64_t), LONG = 128 };
 
 /* A bijection, as all that a word goes through: no two words give the same. */
 static inline uint64_t lane_mix(uint64_t lane, uint64_t word)

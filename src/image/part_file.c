@@ -23,7 +23,7 @@
 #include "image/output.h"
 
 enum {
-    PART_VERSION = 4,
+    PART_VERSION = 5,
     ORDER = 0x01020304,
     MARK = 0x454c4954,
     TEXT_LIMIT = 8 << 20,
