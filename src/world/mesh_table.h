@@ -10,6 +10,7 @@ struct mesh_entry {
     const struct mesh_tree *tree;
     size_t uses;    /* objects that give it to Embree as it is */
     void *instance; /* Embree's scene, if it is shared by instances */
+    bool special;   /* some copy of it lets light pass or casts no shadow */
 };
 
 /* Zeroed: empty. */

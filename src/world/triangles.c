@@ -214,7 +214,8 @@ static bool share_mesh(struct triangles *triangles, struct mesh_entry *entry,
     embree.SetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     write_vertices(vertices, mesh, &identity);
     write_indices(indices, mesh, 0);
-    geometry_attach(scene, geometry, &triangles->shared, shadow_filter);
+    geometry_attach(scene, geometry, &triangles->shared,
+                    entry->special ? shadow_filter : plain_shadow_filter);
     embree.CommitScene(scene);
     entry->instance = scene;
     return true;
@@ -271,6 +272,18 @@ bool triangles_any_shared(const struct flat *flat)
     return false;
 }
 
+/* What all copies of a mesh are decides how its shadow is found. */
+static void mark_special(struct flat *flat)
+{
+    for (size_t i = 0; i < flat->meshes.count; i++) {
+        const struct leaf *leaf = flat->meshes.items[i];
+        if (!leaf_is_plain(leaf))
+            mesh_table_entry(flat->arena, &flat->meshes_used,
+                             leaf->object->mesh)
+                ->special = true;
+    }
+}
+
 bool triangles_add(struct triangles *triangles, struct flat *flat,
                    RTCDevice device, RTCScene scene, vec3 centre)
 {
@@ -281,6 +294,7 @@ bool triangles_add(struct triangles *triangles, struct flat *flat,
     triangles->leaves =
         ARENA_ARRAY(flat->arena, const struct leaf *, triangles->leaf_room);
     triangles->shared.leaves = triangles->leaves;
+    mark_special(flat);
     for (size_t i = 0; i < flat->meshes.count; i++) {
         const struct leaf *leaf = flat->meshes.items[i];
         struct mesh_entry *entry = mesh_table_entry(
