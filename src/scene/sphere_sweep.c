@@ -290,13 +290,16 @@ static bool search_row(void *context, size_t number)
 /* ---- the true surface ---- */
 
 /* What of the ball at s is nearest to touching the point, by Newton's method on
- * (p - c) c' + r r' = 0. */
-static double touch_share(const struct sweep_segment *segment, vec3 point,
-                          double s)
+ * (p - c) c' + r r' = 0. Where balls grow faster than they move, one of the
+ * piece's ends has all the others within it. */
+static double touch_share(const struct sweep_segment *segment,
+                          const struct sweep_piece *piece, vec3 point, double s)
 {
     for (int i = 0; i < SWEEP_ROUNDS; i++) {
         struct ball c = segment_at(segment, s), v = segment_slope(segment, s);
         struct ball a = segment_bend(segment, s);
+        if (vec3_dot(v.at, v.at) <= v.radius * v.radius)
+            return piece->s[v.radius > 0];
         vec3 w = vec3_sub(point, c.at);
         double f = vec3_dot(w, v.at) + c.radius * v.radius;
         double slope = vec3_dot(w, a.at) - vec3_dot(v.at, v.at) +
@@ -324,7 +327,7 @@ static double end_refine(const struct sphere_sweep *sweep,
     double dd = vec3_dot(ray->direction, ray->direction);
     double near = 0.01 * (piece->from.radius + piece->to.radius) / sqrt(dd);
     for (int i = 0; i < SWEEP_ROUNDS; i++) {
-        s = touch_share(segment, ray_point(ray, t), s);
+        s = touch_share(segment, piece, ray_point(ray, t), s);
         struct ball c = segment_at(segment, s);
         vec3 w = vec3_sub(ray_point(ray, end->t), c.at);
         if (quadratic_roots(dd, vec3_dot(w, ray->direction),
@@ -366,7 +369,8 @@ static vec3 sphere_sweep_normal(const void *shape, const vec3 *at,
     const struct sphere_sweep *sweep = shape;
     const struct sweep_piece *piece = &sweep->pieces[hit->part];
     const struct sweep_segment *segment = &sweep->segments[piece->segment];
-    double s = touch_share(segment, point, 0.5 * (piece->s[0] + piece->s[1]));
+    double s =
+        touch_share(segment, piece, point, 0.5 * (piece->s[0] + piece->s[1]));
     vec3 normal = vec3_sub(point, segment_at(segment, s).at);
     return vec3_dot(normal, normal) > 0 ? normal : vec3_make(0, 1, 0);
 }
