@@ -212,6 +212,25 @@ static struct box3 sphere_sweep_bounds(const void *shape)
     return ((const struct sphere_sweep *)shape)->bounds;
 }
 
+/* Around the balls that are named, those of cubic splines twice as large. */
+static struct box3 sphere_sweep_told(const void *shape, const affine *place)
+{
+    const struct sphere_sweep *sweep = shape;
+    const double(*m)[4] = place->m;
+    struct box3 box = box3_empty();
+    for (size_t i = 0; i < sweep->balls.count; i += 4) {
+        const double *v = sweep->balls.values + i;
+        double radius = fabs(v[3]) * (sweep->kind == SWEEP_CUBIC ? 2 : 1);
+        vec3 at = affine_point(place, vec3_make(v[0], v[1], v[2]));
+        vec3 r = { radius * hypot(hypot(m[0][0], m[0][1]), m[0][2]),
+                   radius * hypot(hypot(m[1][0], m[1][1]), m[1][2]),
+                   radius * hypot(hypot(m[2][0], m[2][1]), m[2][2]) };
+        box =
+            box3_union(box, (struct box3){ vec3_sub(at, r), vec3_add(at, r) });
+    }
+    return box;
+}
+
 /* ---- all pieces ---- */
 
 struct stretch_end {
@@ -464,6 +483,7 @@ const struct primitive sphere_sweep_primitive = {
     .solid = true,
     .prepare = sphere_sweep_prepare,
     .bounds = sphere_sweep_bounds,
+    .told = sphere_sweep_told,
     .intersect = sphere_sweep_intersect,
     .normal = sphere_sweep_normal,
     .inside = sphere_sweep_inside,
