@@ -154,8 +154,11 @@ static bool macro_arguments(struct parser *p, const struct macro *macro,
 {
     struct span open = stream_span(p);
     if (!expect(p, TOKEN_LPAREN, span_none())) {
-        note_at(p, macro->span, "macro '%s' is defined here",
-                macro->name->text);
+        note_at(p, macro->span,
+                "'%s' is a macro, defined here: wherever it is named it is "
+                "called, as %s(%s)",
+                macro->name->text, macro->name->text,
+                macro->parameter_count > 0 ? "..." : "");
         return false;
     }
     for (int i = 0; i < macro->parameter_count; i++) {

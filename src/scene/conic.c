@@ -33,6 +33,27 @@ struct box3 conic_bounds(const void *shape)
                       rim_bounds(conic->apex, conic->axis, conic->apex_radius));
 }
 
+/* Around the box around the wider end's cylinder, as that stands when z is
+ * turned the shortest way from the narrower end to the wider. */
+struct box3 conic_told(const void *shape, const affine *place)
+{
+    const struct conic *conic = shape;
+    bool down = fabs(conic->base_radius) >= fabs(conic->apex_radius);
+    vec3 axis = down ? vec3_negate(conic->axis) : conic->axis;
+    vec3 z = { 0, 0, 1 }, about = vec3_cross(z, axis);
+    double radius = fabs(down ? conic->base_radius : conic->apex_radius);
+    double degrees = atan2(vec3_length(about), axis.z) * 180 / M_PI;
+    if (vec3_dot(about, about) == 0)
+        about = vec3_make(1, 0, 0);
+    affine turned =
+        affine_compose(affine_translation(down ? conic->apex : conic->base),
+                       affine_axis_rotation(about, degrees));
+    turned = affine_compose(*place, turned);
+    return affine_box(&turned,
+                      (struct box3){ { -radius, -radius, 0 },
+                                     { radius, radius, conic->height } });
+}
+
 /* POV-Ray keeps the map of these: moved they only cost less. */
 bool conic_move(void *shape, const affine *outward, const affine *inward)
 {

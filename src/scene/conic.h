@@ -20,6 +20,7 @@ bool conic_prepare(struct conic *conic);
 /* For shapes made of a struct conic. */
 bool conic_move(void *shape, const affine *outward, const affine *inward);
 struct box3 conic_bounds(const void *shape);
+struct box3 conic_told(const void *shape, const affine *place);
 void conic_intersect(const void *shape, const struct ray *ray,
                      struct hits *hits);
 bool conic_crosses(const void *shape, const struct ray *ray, double tmin,

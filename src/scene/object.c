@@ -156,6 +156,14 @@ static struct box3 half_space_bounds(const struct object *object)
     return box;
 }
 
+static struct box3 shape_bounds(const struct object *object)
+{
+    const struct primitive *primitive = object->primitive;
+    return primitive->told ? primitive->told(object->shape, object->maps->own)
+                           : affine_box(object->maps->own,
+                                        primitive->bounds(object->shape));
+}
+
 /* What a part of an intersection leaves of it: a single shape that is not
  * bounded on all sides, by those that it has (measured). */
 static struct box3 object_part_bounds(const struct object *object)
@@ -165,10 +173,7 @@ static struct box3 object_part_bounds(const struct object *object)
         return half_space_bounds(object);
     if (!shape || object->more->clip_count > 0 || object_is_bounded(object))
         return object_bounds(object);
-    return object->inverse
-               ? box3_infinite()
-               : affine_box(object->maps->own,
-                            object->primitive->bounds(object->shape));
+    return object->inverse ? box3_infinite() : shape_bounds(object);
 }
 
 static struct box3 object_children_bounds(const struct object *object)
@@ -189,9 +194,9 @@ static struct box3 object_own_bounds(const struct object *object)
 {
     switch (object->kind) {
     case OBJECT_SHAPE:
-        return object->primitive->bounds(object->shape);
+        return shape_bounds(object);
     case OBJECT_MESH:
-        return object->mesh->bounds;
+        return affine_box(object->maps->own, object->mesh->bounds);
     case OBJECT_LIGHT:
         return box3_empty();
     case OBJECT_UNION:
@@ -199,7 +204,7 @@ static struct box3 object_own_bounds(const struct object *object)
     case OBJECT_INTERSECTION:
         break;
     }
-    return object_children_bounds(object);
+    return affine_box(object->maps->own, object_children_bounds(object));
 }
 
 static struct box3 box_within(struct box3 box, const struct clip *clips,
@@ -225,7 +230,7 @@ struct box3 object_bounds(const struct object *object)
 {
     if (object->inverse)
         return box3_infinite();
-    struct box3 box = affine_box(object->maps->own, object_own_bounds(object));
+    struct box3 box = object_own_bounds(object);
     if (!box3_is_empty(box) && box_is_endless(box))
         box = box3_infinite();
     box = box_within(box, object->more->clips, object->more->clip_count);

@@ -47,6 +47,9 @@ struct primitive {
     bool (*unseen)(const void *shape);
     /* May be infinite in some directions. */
     struct box3 (*bounds)(const void *shape);
+    /* The box around it, moved by `place`, that min_extent and max_extent tell,
+     * where POV-Ray's is larger (measured). NULL: around the bounds. */
+    struct box3 (*told)(const void *shape, const affine *place);
     /* Around the part of the inside that is in the box, or empty; NULL: no
      * better known than the bounds. */
     struct box3 (*within)(const void *shape, struct box3 box);

@@ -17,7 +17,6 @@ static const struct field revolution_items[] = {
     { .name = NULL },
 };
 
-/* Inside is what has an odd number of curves farther from the axis. */
 const char *revolution_prepare(void *shape, struct arena *arena,
                                const char **warning)
 {
@@ -42,10 +41,15 @@ static struct box3 revolution_bounds(const void *shape)
                           { radius, r->outline.high[1], radius } };
 }
 
+/* Inside is what has an odd number of curves farther from the axis. But a
+ * curve that is open leaves a hole: nothing that is nearer to the axis than
+ * all of it is inside (measured). */
 static bool revolution_inside(const void *shape, vec3 point)
 {
     const struct revolution *r = shape;
-    return outline_covers(&r->outline, hypot(point.x, point.z), point.y);
+    double radius = hypot(point.x, point.z);
+    return radius >= r->outline.low[0] &&
+           outline_covers(&r->outline, radius, point.y);
 }
 
 /* What of the ray the curves need: x^2 + z^2 = a t^2 + 2 b t + c. */

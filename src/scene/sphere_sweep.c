@@ -212,6 +212,25 @@ static struct box3 sphere_sweep_bounds(const void *shape)
     return ((const struct sphere_sweep *)shape)->bounds;
 }
 
+/* Around the balls that are named, those of cubic splines twice as large. */
+static struct box3 sphere_sweep_told(const void *shape, const affine *place)
+{
+    const struct sphere_sweep *sweep = shape;
+    const double(*m)[4] = place->m;
+    struct box3 box = box3_empty();
+    for (size_t i = 0; i < sweep->balls.count; i += 4) {
+        const double *v = sweep->balls.values + i;
+        double radius = fabs(v[3]) * (sweep->kind == SWEEP_CUBIC ? 2 : 1);
+        vec3 at = affine_point(place, vec3_make(v[0], v[1], v[2]));
+        vec3 r = { radius * hypot(hypot(m[0][0], m[0][1]), m[0][2]),
+                   radius * hypot(hypot(m[1][0], m[1][1]), m[1][2]),
+                   radius * hypot(hypot(m[2][0], m[2][1]), m[2][2]) };
+        box =
+            box3_union(box, (struct box3){ vec3_sub(at, r), vec3_add(at, r) });
+    }
+    return box;
+}
+
 /* ---- all pieces ---- */
 
 struct stretch_end {
@@ -290,13 +309,16 @@ static bool search_row(void *context, size_t number)
 /* ---- the true surface ---- */
 
 /* What of the ball at s is nearest to touching the point, by Newton's method on
- * (p - c) c' + r r' = 0. */
-static double touch_share(const struct sweep_segment *segment, vec3 point,
-                          double s)
+ * (p - c) c' + r r' = 0. Where balls grow faster than they move, one of the
+ * piece's ends has all the others within it. */
+static double touch_share(const struct sweep_segment *segment,
+                          const struct sweep_piece *piece, vec3 point, double s)
 {
     for (int i = 0; i < SWEEP_ROUNDS; i++) {
         struct ball c = segment_at(segment, s), v = segment_slope(segment, s);
         struct ball a = segment_bend(segment, s);
+        if (vec3_dot(v.at, v.at) <= v.radius * v.radius)
+            return piece->s[v.radius > 0];
         vec3 w = vec3_sub(point, c.at);
         double f = vec3_dot(w, v.at) + c.radius * v.radius;
         double slope = vec3_dot(w, a.at) - vec3_dot(v.at, v.at) +
@@ -324,7 +346,7 @@ static double end_refine(const struct sphere_sweep *sweep,
     double dd = vec3_dot(ray->direction, ray->direction);
     double near = 0.01 * (piece->from.radius + piece->to.radius) / sqrt(dd);
     for (int i = 0; i < SWEEP_ROUNDS; i++) {
-        s = touch_share(segment, ray_point(ray, t), s);
+        s = touch_share(segment, piece, ray_point(ray, t), s);
         struct ball c = segment_at(segment, s);
         vec3 w = vec3_sub(ray_point(ray, end->t), c.at);
         if (quadratic_roots(dd, vec3_dot(w, ray->direction),
@@ -366,7 +388,8 @@ static vec3 sphere_sweep_normal(const void *shape, const vec3 *at,
     const struct sphere_sweep *sweep = shape;
     const struct sweep_piece *piece = &sweep->pieces[hit->part];
     const struct sweep_segment *segment = &sweep->segments[piece->segment];
-    double s = touch_share(segment, point, 0.5 * (piece->s[0] + piece->s[1]));
+    double s =
+        touch_share(segment, piece, point, 0.5 * (piece->s[0] + piece->s[1]));
     vec3 normal = vec3_sub(point, segment_at(segment, s).at);
     return vec3_dot(normal, normal) > 0 ? normal : vec3_make(0, 1, 0);
 }
@@ -460,6 +483,7 @@ const struct primitive sphere_sweep_primitive = {
     .solid = true,
     .prepare = sphere_sweep_prepare,
     .bounds = sphere_sweep_bounds,
+    .told = sphere_sweep_told,
     .intersect = sphere_sweep_intersect,
     .normal = sphere_sweep_normal,
     .inside = sphere_sweep_inside,

@@ -1,4 +1,5 @@
-// lathe: every curve, closed and open, seen from the side and from above, cut.
+// lathe: every curve, closed and open, seen from the side and from above, cut:
+// what is open has a hole down its axis.
 // compare: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -25,3 +26,7 @@ lathe { cubic_spline 6, <0, -1>, <.2, 0>, <.7, .3>, <.3, .7>, <.6, 1.1>, <1, 1>
     clipped_by { plane { x, .1 } }
     pigment { rgb <.9, .3, .4> } translate <2.2, 0, -1.4> }
 plane { y, -.05 pigment { checker rgb .8, rgb .5 } }
+difference {
+    lathe { linear_spline 4, <.4, 0>, <.2, .3>, <.4, .6>, <.25, .9> }
+    box { <-1, -1, -1>, <1, 1, 0> pigment { rgb <.2, .3, .9> } }
+    pigment { rgb <.9, .2, .2> } translate <-.6, .2, -2.2> }

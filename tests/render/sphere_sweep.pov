@@ -1,4 +1,5 @@
-// Sphere sweeps: straight, through balls, near balls; one in CSG, one of glass.
+// Sphere sweeps: straight, through balls, near balls; one in CSG, one of glass,
+// one whose first ball has the second one within it.
 // compare: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -19,3 +20,5 @@ sphere_sweep { linear_spline 3, <-2, 0, 1>, .2 <-2, 1, -1>, .4 <-1, 2, -1>, .1
     pigment { rgbt <.5, 1, .5, .5> } interior { ior 1.2 } }
 sphere_sweep { cubic_spline 5, <-1, 0, 0>, .2, <0, 1, 0>, .3, <1, 0, 0>, .2,
     <1, 1, 1>, .1 <2, 1, 1>, .1 tolerance .01 rotate -40*y }
+sphere_sweep { linear_spline 3, <2, -.4, -1.5>, .5, <2.2, -.4, -1.5>, .1,
+    <3, -.4, -1.5>, .1 clipped_by { plane { y, -.3 } } }

@@ -17,3 +17,11 @@ global_settings { assumed_gamma 1 }
 #declare A = union { sphere { 0, 2 } plane { y, 0 } } Show(A)
 #declare A = sor { 4, <.3, 0>, <.4, .2>, <.6, .6>, <.3, 1> } Show(A)
 #declare A = sor { 5, <.3, 0>, <.4, .2>, <.8, .5>, <.3, 1>, <.2, 1.1> } Show(A)
+// Cylinders, cones and sweeps: the box of a box that stands along the axis, and
+// that of the balls that are named.
+#declare A = cylinder { 0, <1, 2, 1>, .5 rotate 30*z } Show(A)
+#declare A = cone { <1, 0, 2>, .2, <1, 2, -1>, .5 rotate 40*x } Show(A)
+#declare A = cone { 0, .6, <1, 2, 1>, .5 scale 2 } Show(A)
+#declare A = union { cylinder { <1, 1, 1>, <0, -2, -3>, .5 open } box { 0, 1 } scale <1, 2, 1> } Show(A)
+#declare A = sphere_sweep { cubic_spline 5, <0, 0, 0>, .2, <1, 0, 0>, .3, <1, 1, 0>, .2, <2, 1, 1>, .3, <3, 1, 0>, .2 rotate 30*z } Show(A)
+#declare A = sphere_sweep { b_spline 4, <0, 0, 0>, .2, <1, 0, 0>, .3, <1, 1, 0>, .2, <2, 1, 1>, .3 scale <1, 2, 1> } Show(A)

@@ -48,6 +48,7 @@ const struct primitive cone_primitive = {
     .bounded = BOUNDS_AS_BOX,
     .prepare = cone_prepare,
     .bounds = conic_bounds,
+    .told = conic_told,
     .move = conic_move,
     .intersect = conic_intersect,
     .all_many = conic_all_many,

@@ -38,6 +38,7 @@ const struct primitive cylinder_primitive = {
     .convex = true,
     .prepare = cylinder_prepare,
     .bounds = conic_bounds,
+    .told = conic_told,
     .move = conic_move,
     .intersect = conic_intersect,
     .all_many = conic_all_many,
