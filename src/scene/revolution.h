@@ -10,6 +10,8 @@ struct revolution {
                             * distance from the axis, y the height */
     bool sturm;            /* accepted: the roots are exact anyway */
     struct outline outline;
+    struct rectangle
+        *boxes; /* of the segments: their uv asks for the nearest */
 };
 
 extern const struct primitive lathe_primitive;
