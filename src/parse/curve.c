@@ -223,7 +223,7 @@ static bool parse_prism_arguments(struct parser *p, void *shape)
     prism->axis = 1;
     while (parse_prism_kind(p, prism, &b.curve))
         continue;
-    if (!parse_float(p, &prism->low))
+    if (points_flagged(p) || !parse_float(p, &prism->low))
         return false;
     accept(p, TOKEN_COMMA);
     if (!parse_float(p, &prism->high))
