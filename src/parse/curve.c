@@ -259,6 +259,7 @@ static bool parse_lathe_arguments(struct parser *p, void *shape)
         return false;
     curve_open(p, &b);
     lathe->segments = curve_terms(p, &b);
+    lathe->bezier = b.curve == CURVE_BEZIER;
     return true;
 }
 

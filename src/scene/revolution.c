@@ -8,6 +8,8 @@
 static const struct field revolution_fields[] = {
     { "segments", FIELD_TERMS, offsetof(struct revolution, segments), 0, 0,
       "the curve", false },
+    { "bezier_spline", FIELD_FLAG, offsetof(struct revolution, bezier), 0, 0,
+      "its control points are around it", false },
     { .name = NULL },
 };
 
@@ -27,6 +29,21 @@ static size_t revolution_count(const struct revolution *r)
     return r->segments.count / SEGMENT_NUMBERS;
 }
 
+/* What POV-Ray takes for the box around the curve (measured): of Bezier curves
+ * that of their control points. */
+static struct rectangle revolution_around(const struct revolution *r)
+{
+    const struct outline *outline = &r->outline;
+    struct rectangle around = { { outline->low[0], outline->low[1] },
+                                { outline->high[0], outline->high[1] } };
+    for (size_t i = 0; r->bezier && i < revolution_count(r); i++)
+        for (int k = 0; k < 2; k++) {
+            around.low[k] = lesser(around.low[k], r->boxes[i].low[k]);
+            around.high[k] = greater(around.high[k], r->boxes[i].high[k]);
+        }
+    return around;
+}
+
 const char *revolution_prepare(void *shape, struct arena *arena,
                                const char **warning)
 {
@@ -37,6 +54,7 @@ const char *revolution_prepare(void *shape, struct arena *arena,
     r->boxes = ARENA_ARRAY(arena, struct rectangle, count);
     for (size_t i = 0; i < count; i++)
         r->boxes[i] = segment_box(&revolution_segments(r)[i]);
+    r->around = revolution_around(r);
     if (r->outline.count == 0)
         *warning = "its curve has no length";
     return NULL;
@@ -55,14 +73,24 @@ static struct box3 revolution_bounds(const void *shape)
                           { radius, r->outline.high[1], radius } };
 }
 
+static struct box3 revolution_told(const void *shape, const affine *place)
+{
+    const struct revolution *r = shape;
+    const struct rectangle *around = &r->around;
+    double radius = greater(fabs(around->low[0]), fabs(around->high[0]));
+    return affine_box(place,
+                      (struct box3){ { -radius, around->low[1], -radius },
+                                     { radius, around->high[1], radius } });
+}
+
 /* Inside is what has an odd number of curves farther from the axis. But a
  * curve that is open leaves a hole: nothing that is nearer to the axis than
- * all of it is inside (measured). */
+ * the box around it is inside (measured). */
 static bool revolution_inside(const void *shape, vec3 point)
 {
     const struct revolution *r = shape;
     double radius = hypot(point.x, point.z);
-    return radius >= r->outline.low[0] &&
+    return radius >= r->around.low[0] &&
            outline_covers(&r->outline, radius, point.y);
 }
 
@@ -481,6 +509,7 @@ const struct primitive lathe_primitive = {
     .alike = true,
     .prepare = revolution_prepare,
     .bounds = revolution_bounds,
+    .told = revolution_told,
     .intersect = revolution_intersect,
     .crosses = revolution_crosses,
     .first = revolution_first,
