@@ -105,6 +105,11 @@ static void ini_read_word(struct ini *ini)
     size_t start = ini->next, length = 0;
     char quote = '\0';
     char *word = NULL;
+    if (strncmp(ini->source->text + start, "//", 2) == 0) {
+        ini_fail(ini, start, start + 2,
+                 "a comment in an INI file begins with ';'");
+        return;
+    }
     for (; !ini_is_end(ini_char(ini)); ini->next++) {
         char c = ini_char(ini);
         if (!quote && strchr(" \t;", c))
@@ -301,6 +306,11 @@ static bool ini_missing(struct option_reader *reader, const char *name,
     if (meant)
         return option_fail(reader, &plain,
                            "'%s' is no option like this: type %s", name, meant);
+    size_t key = strcspn(name, ":");
+    if (name[key] && option_find_key(arena_copy_text(reader->arena, name, key)))
+        return option_fail(reader, &plain,
+                           "'%s' is no option like this: type %.*s=%s", name,
+                           (int)key, name, name + key + 1);
     return option_fail(reader, &plain,
                        "there is no INI file '%s' or '%s.ini', and a scene's "
                        "name ends in .pov",

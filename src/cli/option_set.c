@@ -329,8 +329,9 @@ bool set_file_type(struct option_reader *reader, const struct option *option,
             bits = bits * 10 + (*c - '0');
         else
             return option_fail(reader, setting,
-                               "'%s' is no file type: a letter, a number of "
-                               "bits and g for grey, as in N16g",
+                               "'%s' is no file type: type a letter (N is PNG, "
+                               "E OpenEXR, J JPEG), and behind it a number of "
+                               "bits and g for grey if you like, as in N16g",
                                value);
     }
     reader->options->file_type = type->letter;

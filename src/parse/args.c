@@ -149,6 +149,22 @@ static bool field_point(struct parser *p, const struct field *field, vec3 *out)
     return true;
 }
 
+bool points_flagged(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    size_t left;
+    if (token->kind != TOKEN_WORD || (token->word->keyword != KEYWORD_OPEN &&
+                                      token->word->keyword != KEYWORD_STURM))
+        return false;
+    enum token_kind next = stream_raw(p, &left)->kind;
+    if (left == 0 || (next != TOKEN_LESS && next != TOKEN_COMMA &&
+                      next != TOKEN_NUMBER && next != TOKEN_MINUS))
+        return false;
+    error_at(p, stream_span(p), NULL, "'%s' comes behind the last point",
+             token->word->text);
+    return true;
+}
+
 /* points = float {[","] vector} . */
 static bool parse_points(struct parser *p, const struct field *field,
                          struct points *points)
@@ -159,7 +175,8 @@ static bool parse_points(struct parser *p, const struct field *field,
     } values = { 0 };
     struct span start = stream_span(p);
     double count;
-    if (!parse_float(p, &count) || !field_check(p, field, start, count))
+    if (points_flagged(p) || !parse_float(p, &count) ||
+        !field_check(p, field, start, count))
         return false;
     if (!(count >= 0 && count <= POINTS_LIMIT))
         return error_at(p, start, NULL,
@@ -168,6 +185,8 @@ static bool parse_points(struct parser *p, const struct field *field,
     while (values.count < (size_t)count) {
         vec3 point;
         accept(p, TOKEN_COMMA);
+        if (points_flagged(p))
+            return false;
         if (at_no_value(p))
             return error_at(p, start, NULL,
                             "%s points are announced here, but only %zu follow",

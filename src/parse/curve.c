@@ -223,7 +223,7 @@ static bool parse_prism_arguments(struct parser *p, void *shape)
     prism->axis = 1;
     while (parse_prism_kind(p, prism, &b.curve))
         continue;
-    if (!parse_float(p, &prism->low))
+    if (points_flagged(p) || !parse_float(p, &prism->low))
         return false;
     accept(p, TOKEN_COMMA);
     if (!parse_float(p, &prism->high))
@@ -259,6 +259,7 @@ static bool parse_lathe_arguments(struct parser *p, void *shape)
         return false;
     curve_open(p, &b);
     lathe->segments = curve_terms(p, &b);
+    lathe->bezier = b.curve == CURVE_BEZIER;
     return true;
 }
 

@@ -355,16 +355,6 @@ static const char *error_uncoloured(struct parser *p, const char *wanted)
                : NULL;
 }
 
-/* `2**3`, as other languages write a power. */
-static const char *error_power(struct parser *p)
-{
-    struct span last = p->last_span;
-    return stream_peek(p)->kind == TOKEN_STAR && last.source &&
-                   last.source->text[last.offset] == '*'
-               ? "pow(x, 2)"
-               : NULL;
-}
-
 bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
 {
     if (p->blamed.source && p->blamed.source == p->last_span.source &&
@@ -382,8 +372,6 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
     }
     const char *kind = error_kind(p);
     if (!hint)
-        hint = error_power(p);
-    if (!hint)
         hint = error_subscript(p);
     if (!hint)
         hint = error_uncoloured(p, wanted);
@@ -391,6 +379,8 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
         hint = error_declared_case(p);
     if (!hint)
         hint = wanted_signature(p, 1);
+    if (!hint)
+        hint = mistaken_value(p, wanted);
     error_at(p, stream_span(p), hint ? hint : wanted_example(p, wanted),
              "expected %s, found %s%s%s%s", wanted, error_found(p),
              kind ? ", " : "", kind ? kind : "", error_assigned(p, wanted));

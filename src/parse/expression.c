@@ -2,6 +2,7 @@
  * string ... with fast paths for what meshes are full of. */
 #include "parse/expression.h"
 
+#include <ctype.h>
 #include <limits.h>
 
 #include "base/text.h"
@@ -229,6 +230,10 @@ static size_t string_misquoted(struct parser *p)
     size_t inside = *text == '\'' ? strcspn(text + 1, "'\n") : 0;
     if (inside && text[1 + inside] == '\'')
         return inside + 2;
+    inside = *text == '<' ? strcspn(text + 1, " ,>\n") : 0;
+    if (inside && text[1 + inside] == '>' && isalpha((unsigned char)text[1]) &&
+        memchr(text, '.', inside))
+        return inside + 2; /* <colors.inc>, as C has it */
     size_t length = strcspn(text, " \t\r\n;,(){}\"");
     bool name = token->kind == TOKEN_WORD && !token->word->reserved &&
                 !symbol_lookup(p, token->word);
@@ -243,7 +248,7 @@ static bool string_unquoted(struct parser *p, const char **out)
     if (length == 0)
         return false;
     const char *text = span.source->text + span.offset;
-    bool quoted = *text == '\'';
+    bool quoted = *text == '\'' || *text == '<';
     span.length = (uint32_t)length;
     *out = arena_copy_text(p->arena, text + quoted, length - 2 * quoted);
     error_at(p, span, arena_printf(p->arena, "\"%s\"", *out),

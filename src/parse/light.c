@@ -75,6 +75,9 @@ static bool parse_area_light(struct parser *p, struct light *light)
     if (!parse_vector(p, &light->axis2))
         return false;
     accept(p, TOKEN_COMMA);
+    if (!at_number(p))
+        return error_expected_hint(p, "how many lights along the first axis",
+                                   "area_light x, z, 4, 4");
     if (!area_size(p, &light->size1))
         return false;
     if (!at_number(p))

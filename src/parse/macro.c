@@ -26,13 +26,32 @@ bool macro_is_call(struct parser *p, const struct word *word)
     return value && value->kind == VALUE_MACRO;
 }
 
+/* `#macro A P, Q`: the brackets are forgotten. */
+static const char *macro_bracketed(struct parser *p)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyz_0123456789"
+                                  "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD || token->word->reserved)
+        return "()";
+    const char *text = p->token_span.source->text + p->token_span.offset;
+    size_t end = strspn(text, letters), blanks = 0, more = end;
+    for (; more > 0; end += blanks + more) {
+        blanks = text[end] == ',' ? 1 + strspn(text + end + 1, " ") : 0;
+        more = blanks ? strspn(text + end + blanks, letters) : 0;
+        if (more == 0)
+            break;
+    }
+    return arena_printf(p->arena, "(%.*s)", (int)end, text);
+}
+
 /* Read as written: a parameter may have the name of another macro.
  * macro_parameters = "(" [name {[","] name}] ")" . */
 static bool macro_parameters(struct parser *p, struct macro *macro)
 {
     struct span open = stream_span(p);
-    if (!expect(p, TOKEN_LPAREN, span_none()))
-        return false;
+    if (!accept(p, TOKEN_LPAREN))
+        return error_expected_hint(p, "'('", macro_bracketed(p));
     struct cursor *cursor = p->cursor;
     const struct token *tokens = cursor->list->tokens;
     while (tokens[cursor->index].kind == TOKEN_WORD) {

@@ -17,6 +17,15 @@ static const struct synonym synonyms[] = {
     { "field_of_view", NULL, "angle" },
     { "zoom", NULL, "angle" },
     { "position", "camera", "location" },
+    { "position", "", "<1, 2, 3>" },
+    { "size", "", "dimension_size(A, 1)" },
+    { "len", "", "dimension_size(A, 1)" },
+    { "return", "", "function(x) { x*x }" },
+    { "target", "light_source", "point_at" },
+    { "shadows", "light_source", "shadowless" },
+    { "shadows", NULL, "no_shadow" },
+    { "type", "fog", "fog_type" },
+    { "height", "fog", "fog_alt" },
     { "origin", "camera", "location" },
     { "eye", "camera", "location" },
     { "target", "camera", "look_at" },
@@ -96,6 +105,22 @@ const char *mistaken_word(const struct word *word, const char *block)
             (!synonyms[i].block || strcmp(block, synonyms[i].block) == 0))
             return synonyms[i].meant;
     return NULL;
+}
+
+/* `2**3`, `[1, 2]`, and `size(A)`, a word that means something else here. */
+const char *mistaken_value(struct parser *p, const char *wanted)
+{
+    const struct token *token = stream_peek(p);
+    struct span last = p->last_span;
+    if (token->kind == TOKEN_STAR && last.source &&
+        last.source->text[last.offset] == '*')
+        return "pow(x, 2)";
+    if (token->kind == TOKEN_LBRACKET && strcmp(wanted, "a value") == 0)
+        return "array[3] {1, 2, 3}";
+    return strncmp(wanted, "a ", 2) == 0 && token->kind == TOKEN_WORD &&
+                   token->word->reserved
+               ? mistaken_word(token->word, "")
+               : NULL;
 }
 
 static const struct {

@@ -10,6 +10,9 @@
  * the one it stands in. NULL: nothing comes to mind. */
 const char *mistaken_word(const struct word *word, const char *block);
 
+/* What the next token was meant to be, where `wanted` was expected; or NULL. */
+const char *mistaken_value(struct parser *p, const char *wanted);
+
 /* The directive that is meant by the word after a '#', or KEYWORD_NONE. */
 enum keyword mistaken_directive_word(const struct word *word);
 

@@ -36,14 +36,32 @@ void value_promote(struct value *value, int size)
     }
 }
 
+/* A number among arguments, where a string is wanted. */
+static const char *value_as_text(struct parser *p, struct span span,
+                                 const struct value *value, const char *wanted)
+{
+    size_t before = span.offset;
+    while (before > 0 && span.source->text[before - 1] == ' ')
+        before--;
+    if (strcmp(wanted, "a string") != 0 || value->kind != VALUE_FLOAT ||
+        span.length > 40 || before == 0 ||
+        !strchr("(,", span.source->text[before - 1]))
+        return NULL;
+    return arena_printf(p->arena, "str(%.*s, 0, 3)", (int)span.length,
+                        span.source->text + span.offset);
+}
+
 static bool value_mismatch(struct parser *p, struct span start,
                            const struct value *value, const char *wanted)
 {
     if (value_is_poison(value))
         return false;
-    return error_at(p, span_join(start, p->last_span), wanted_signature(p, 0),
-                    "expected %s, found %s", wanted_field(p, wanted, 0),
-                    value_describe(value));
+    struct span span = span_join(start, p->last_span);
+    const char *hint = wanted_signature(p, 0);
+    if (!hint)
+        hint = value_as_text(p, span, value, wanted);
+    return error_at(p, span, hint, "expected %s, found %s",
+                    wanted_field(p, wanted, 0), value_describe(value));
 }
 
 bool value_to_float(struct parser *p, struct span start,

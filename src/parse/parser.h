@@ -235,6 +235,10 @@ bool at_colour(struct parser *p);
 
 /* ---- args.c: values by field table ---- */
 
+/* Whether `open` or `sturm` stands before what it follows, a shape's points;
+ * says so. */
+bool points_flagged(struct parser *p);
+
 bool parse_arguments(struct parser *p, const struct field *table, void *base);
 /* Reads the value of one field (its name has been taken). */
 bool parse_field(struct parser *p, const struct field *field, void *base);

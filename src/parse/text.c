@@ -194,6 +194,9 @@ static bool parse_text_arguments(struct parser *p, struct object *text)
     if (!parse_float(p, &thickness))
         return false;
     accept(p, TOKEN_COMMA);
+    if (stream_peek(p)->kind == TOKEN_RBRACE)
+        return error_expected_hint(p, "how far apart the letters are, a vector",
+                                   "text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
     return parse_vector(p, &offset) &&
            text_letters(p, text, face, string, thickness, offset);
 }

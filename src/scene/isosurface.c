@@ -393,6 +393,7 @@ const struct primitive isosurface_primitive = {
     .crosses = isosurface_crosses,
     .first = isosurface_first,
     .first_roughly = isosurface_first_roughly,
+    .some = true,
     .told_many = isosurface_told_many,
     .crosses_many = isosurface_crosses_many,
     .lane_by_lane = true,

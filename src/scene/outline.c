@@ -86,6 +86,28 @@ void segment_tangent(const struct segment *segment, double s, double tangent[2])
     tangent[1] = cubic_slope(segment->y, s);
 }
 
+/* It is among its control points. */
+struct rectangle segment_box(const struct segment *segment)
+{
+    struct rectangle box;
+    for (int i = 0; i < 2; i++) {
+        const double *c = i ? segment->y : segment->x;
+        double control[4] = { c[0], c[0] + c[1] / 3,
+                              c[0] + (2 * c[1] + c[2]) / 3,
+                              c[0] + c[1] + c[2] + c[3] };
+        double rounding =
+            1e-14 * (fabs(c[0]) + fabs(c[1]) + fabs(c[2]) + fabs(c[3]));
+        double low = control[0], high = control[0];
+        for (int k = 1; k < 4; k++) {
+            low = lesser(low, control[k]);
+            high = greater(high, control[k]);
+        }
+        box.low[i] = low - rounding;
+        box.high[i] = high + rounding;
+    }
+    return box;
+}
+
 /* Where the cubic turns between 0 and 1: at most twice. */
 static int cubic_turns(const double c[4], double turns[2])
 {

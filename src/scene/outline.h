@@ -38,6 +38,13 @@ void segment_point(const struct segment *segment, double s, double point[2]);
 void segment_tangent(const struct segment *segment, double s,
                      double tangent[2]);
 
+struct rectangle {
+    double low[2], high[2];
+};
+
+/* Has each point that segment_point tells, roundings and all. */
+struct rectangle segment_box(const struct segment *segment);
+
 /* A part of a segment along which x and y only grow or only shrink. */
 struct piece {
     struct segment curve;
@@ -48,10 +55,6 @@ struct piece {
 struct outline {
     struct piece *pieces;
     size_t count;
-    double low[2], high[2];
-};
-
-struct rectangle {
     double low[2], high[2];
 };
 

@@ -31,6 +31,7 @@ struct primitive {
     const struct field *items;
     bool solid;  /* has an inside: may be a part of intersections */
     bool beyond; /* its inside reaches beyond its bounds (disc) */
+    bool some;   /* intersect tells the first few crossings only */
     bool convex; /* a box whose corners are inside is inside */
     bool alike;  /* its fields say all of it, and preparing takes long: what is
                   * written again is kept once */

@@ -8,6 +8,8 @@
 static const struct field revolution_fields[] = {
     { "segments", FIELD_TERMS, offsetof(struct revolution, segments), 0, 0,
       "the curve", false },
+    { "bezier_spline", FIELD_FLAG, offsetof(struct revolution, bezier), 0, 0,
+      "its control points are around it", false },
     { .name = NULL },
 };
 
@@ -17,12 +19,42 @@ static const struct field revolution_items[] = {
     { .name = NULL },
 };
 
+static const struct segment *revolution_segments(const struct revolution *r)
+{
+    return (const struct segment *)(const void *)r->segments.values;
+}
+
+static size_t revolution_count(const struct revolution *r)
+{
+    return r->segments.count / SEGMENT_NUMBERS;
+}
+
+/* What POV-Ray takes for the box around the curve (measured): of Bezier curves
+ * that of their control points. */
+static struct rectangle revolution_around(const struct revolution *r)
+{
+    const struct outline *outline = &r->outline;
+    struct rectangle around = { { outline->low[0], outline->low[1] },
+                                { outline->high[0], outline->high[1] } };
+    for (size_t i = 0; r->bezier && i < revolution_count(r); i++)
+        for (int k = 0; k < 2; k++) {
+            around.low[k] = lesser(around.low[k], r->boxes[i].low[k]);
+            around.high[k] = greater(around.high[k], r->boxes[i].high[k]);
+        }
+    return around;
+}
+
 const char *revolution_prepare(void *shape, struct arena *arena,
                                const char **warning)
 {
     struct revolution *r = shape;
+    size_t count = revolution_count(r);
     r->outline =
         outline_of_numbers(arena, r->segments.values, r->segments.count);
+    r->boxes = ARENA_ARRAY(arena, struct rectangle, count);
+    for (size_t i = 0; i < count; i++)
+        r->boxes[i] = segment_box(&revolution_segments(r)[i]);
+    r->around = revolution_around(r);
     if (r->outline.count == 0)
         *warning = "its curve has no length";
     return NULL;
@@ -41,14 +73,24 @@ static struct box3 revolution_bounds(const void *shape)
                           { radius, r->outline.high[1], radius } };
 }
 
+static struct box3 revolution_told(const void *shape, const affine *place)
+{
+    const struct revolution *r = shape;
+    const struct rectangle *around = &r->around;
+    double radius = greater(fabs(around->low[0]), fabs(around->high[0]));
+    return affine_box(place,
+                      (struct box3){ { -radius, around->low[1], -radius },
+                                     { radius, around->high[1], radius } });
+}
+
 /* Inside is what has an odd number of curves farther from the axis. But a
  * curve that is open leaves a hole: nothing that is nearer to the axis than
- * all of it is inside (measured). */
+ * the box around it is inside (measured). */
 static bool revolution_inside(const void *shape, vec3 point)
 {
     const struct revolution *r = shape;
     double radius = hypot(point.x, point.z);
-    return radius >= r->outline.low[0] &&
+    return radius >= r->around.low[0] &&
            outline_covers(&r->outline, radius, point.y);
 }
 
@@ -396,23 +438,64 @@ static double segment_nearest(const struct segment *segment, const double p[2])
     return (low + high) / 2;
 }
 
+/* How far a box is from a point, squared. */
+static double rectangle_away(const struct rectangle *box, const double p[2])
+{
+    double x = greater(greater(box->low[0] - p[0], p[0] - box->high[0]), 0);
+    double y = greater(greater(box->low[1] - p[1], p[1] - box->high[1]), 0);
+    return x * x + y * y;
+}
+
+/* The place of a curve that is nearest to a point: of those as near the first
+ * one. */
+struct nearest {
+    double away, s;
+    size_t segment;
+};
+
+static void nearest_take(const struct revolution *r, size_t i,
+                         const double p[2], struct nearest *nearest)
+{
+    const struct segment *segment = &revolution_segments(r)[i];
+    double s = segment_nearest(segment, p);
+    double away = segment_away(segment, s, p);
+    if (away < nearest->away || (away == nearest->away && i < nearest->segment))
+        *nearest = (struct nearest){ away, s, i };
+}
+
+/* Searches the segment whose box is nearest, and then what others may have
+ * something as near. */
+static struct nearest revolution_nearest(const struct revolution *r,
+                                         const double p[2])
+{
+    struct nearest nearest = { .away = HUGE_VAL };
+    size_t count = revolution_count(r), first = 0;
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < count && least > 0; i++) {
+        double away = rectangle_away(&r->boxes[i], p);
+        if (away < least) {
+            least = away;
+            first = i;
+        }
+    }
+    nearest_take(r, first, p, &nearest);
+    for (size_t i = 0; i < count; i++)
+        if (i != first && rectangle_away(&r->boxes[i], p) <= nearest.away)
+            nearest_take(r, i, p, &nearest);
+    return nearest;
+}
+
 /* Along the curve each segment is as long as the others (measured). */
 static void revolution_uv(const void *shape, vec3 point, double uv[2])
 {
     const struct revolution *r = shape;
-    const struct segment *segments = (const struct segment *)r->segments.values;
-    size_t count = r->segments.count / SEGMENT_NUMBERS;
     const double p[2] = { hypot(point.x, point.z), point.y };
-    double least = (double)INFINITY;
     uv[0] = ray_turn(point.x, point.z);
     uv[1] = 0;
-    for (size_t i = 0; i < count; i++) {
-        double s = segment_nearest(&segments[i], p);
-        double away = segment_away(&segments[i], s, p);
-        if (away < least) {
-            least = away;
-            uv[1] = ((double)i + s) / (double)count;
-        }
+    if (revolution_count(r) > 0) {
+        struct nearest nearest = revolution_nearest(r, p);
+        uv[1] =
+            ((double)nearest.segment + nearest.s) / (double)revolution_count(r);
     }
 }
 
@@ -426,6 +509,7 @@ const struct primitive lathe_primitive = {
     .alike = true,
     .prepare = revolution_prepare,
     .bounds = revolution_bounds,
+    .told = revolution_told,
     .intersect = revolution_intersect,
     .crosses = revolution_crosses,
     .first = revolution_first,

@@ -8,8 +8,11 @@
 struct revolution {
     struct terms segments; /* struct segment after segment, as numbers: x is the
                             * distance from the axis, y the height */
+    bool bezier;           /* they are Bezier curves */
     bool sturm;            /* accepted: the roots are exact anyway */
     struct outline outline;
+    struct rectangle around; /* of the outline or of control points */
+    struct rectangle *boxes; /* of the segments, for uv */
 };
 
 extern const struct primitive lathe_primitive;

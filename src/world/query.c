@@ -65,15 +65,19 @@ bool query_wants(const struct query *query, const struct leaf *leaf, double t)
            (t == query->tmax && query->leaf && tie_is_won(leaf, query->leaf));
 }
 
+static bool query_counts(const struct query *query, const struct solid *solid,
+                         const struct ray *ray, const struct hit *hit)
+{
+    return query_wants(query, solid->leaf, hit->t) &&
+           (solid->simple || solid_counts(solid, ray_point(ray, hit->t),
+                                          ray_point(&query->ray, hit->t)));
+}
+
 static bool take_if_counts(struct query *query, const struct solid *solid,
                            const struct ray *ray, const struct hit *hit)
 {
-    if (!query_wants(query, solid->leaf, hit->t))
-        return false;
-    if (!solid->simple && !solid_counts(solid, ray_point(ray, hit->t),
-                                        ray_point(&query->ray, hit->t)))
-        return false;
-    return query_take(query, solid->leaf, hit);
+    return query_counts(query, solid, ray, hit) &&
+           query_take(query, solid->leaf, hit);
 }
 
 /* Whether any crossing blocks the ray, so that it need not be known which. */
@@ -157,6 +161,32 @@ static bool query_crossings(struct query *query, const struct solid *solid,
     return query->blocked;
 }
 
+/* Light through panes that tell some of their crossings only: as in POV-Ray the
+ * ray sets out anew from each that counts (measured). */
+static bool query_anew(struct query *query, const struct solid *solid,
+                       const struct ray *ray, const struct ray *inner)
+{
+    struct ray onward = *inner;
+    double gone = 0;
+    for (bool goes_on = true; goes_on;) {
+        struct hits hits;
+        hits.count = 0;
+        solid->leaf->object->primitive->intersect(solid->leaf->shape, &onward,
+                                                  &hits);
+        goes_on = false;
+        for (int i = 0; i < hits.count && !goes_on; i++) {
+            struct hit *hit = &hits.at[i];
+            hit->t += gone;
+            goes_on = query_counts(query, solid, ray, hit);
+            if (goes_on && query_take(query, solid->leaf, hit))
+                return true;
+            if (goes_on)
+                onward.origin = ray_point(inner, gone = hit->t);
+        }
+    }
+    return false;
+}
+
 static bool query_shape(struct query *query, const struct solid *solid,
                         const struct ray *ray, const struct space *space)
 {
@@ -172,6 +202,9 @@ static bool query_shape(struct query *query, const struct solid *solid,
     }
     if (primitive->crossings)
         return query_crossings(query, solid, ray, inner, space);
+    if (primitive->some && query->occlusion && query->filter &&
+        !solid->leaf->look->opaque)
+        return query_anew(query, solid, ray, inner);
     primitive->intersect(solid->leaf->shape, inner, &hits);
     for (int i = 0; i < hits.count; i++)
         if (take_if_counts(query, solid, ray, &hits.at[i]))

@@ -1,5 +1,6 @@
 // lathe: every curve, closed and open, seen from the side and from above, cut:
-// what is open has a hole down its axis.
+// what is open has a hole down its axis, that of Bezier curves as wide as their
+// control points say.
 // compare: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -30,3 +31,7 @@ difference {
     lathe { linear_spline 4, <.4, 0>, <.2, .3>, <.4, .6>, <.25, .9> }
     box { <-1, -1, -1>, <1, 1, 0> pigment { rgb <.2, .3, .9> } }
     pigment { rgb <.9, .2, .2> } translate <-.6, .2, -2.2> }
+difference {
+    lathe { bezier_spline 4, <.4, 0>, <.1, .3>, <.05, .7>, <.4, .9> }
+    box { <-1, -1, -1>, <1, 1, 0> pigment { rgb <.2, .3, .9> } }
+    pigment { rgb <.4, .9, .2> } translate <1.2, .2, -2.4> }

@@ -25,3 +25,6 @@ global_settings { assumed_gamma 1 }
 #declare A = union { cylinder { <1, 1, 1>, <0, -2, -3>, .5 open } box { 0, 1 } scale <1, 2, 1> } Show(A)
 #declare A = sphere_sweep { cubic_spline 5, <0, 0, 0>, .2, <1, 0, 0>, .3, <1, 1, 0>, .2, <2, 1, 1>, .3, <3, 1, 0>, .2 rotate 30*z } Show(A)
 #declare A = sphere_sweep { b_spline 4, <0, 0, 0>, .2, <1, 0, 0>, .3, <1, 1, 0>, .2, <2, 1, 1>, .3 scale <1, 2, 1> } Show(A)
+// Lathes of Bezier curves: the box of their control points.
+#declare A = lathe { bezier_spline 4, <.5, 0>, <2, -1>, <1.5, 2.5>, <.6, 1.5> } Show(A)
+#declare A = lathe { quadratic_spline 5, <.9, -.5>, <.7, 0>, <.3, .7>, <.35, .7>, <.8, 1.5> scale 2 } Show(A)

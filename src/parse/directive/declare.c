@@ -140,10 +140,30 @@ static bool declare_place(struct parser *p, struct declaration *head)
     return array_element(p, symbol->value.array, &head->slot);
 }
 
+/* `i++` and `i += 2`, as other languages have it. */
+static const char *declare_counted(struct parser *p, const struct word *name)
+{
+    enum token_kind kind = stream_peek_infix(p)->kind;
+    if (kind != TOKEN_PLUS && kind != TOKEN_MINUS && kind != TOKEN_STAR &&
+        kind != TOKEN_SLASH)
+        return NULL;
+    const char *text = p->token_span.source->text + p->token_span.offset;
+    const char *by = text[1] == '=' ? text + 2 + strspn(text + 2, " ") : "1";
+    return arena_printf(p->arena, "= %s %c %.*s;", name->text, *text,
+                        (int)strcspn(by, ";\r\n"), by);
+}
+
+static bool declare_equal(struct parser *p, const struct word *name)
+{
+    return stream_peek_infix(p)->kind == TOKEN_EQUAL
+               ? expect(p, TOKEN_EQUAL, span_none())
+               : error_expected_hint(p, "'='", declare_counted(p, name));
+}
+
 static bool declare_head(struct parser *p, struct declaration *head)
 {
     return declare_deprecation(p, head) && declare_name(p, &head->name) &&
-           declare_place(p, head) && expect(p, TOKEN_EQUAL, span_none());
+           declare_place(p, head) && declare_equal(p, head->name);
 }
 
 /* Behind a declaration whose head is wrong: its ';' or the next directive. */

@@ -1,0 +1,1 @@
+#macro A P, Q sphere { P, Q } #end
