@@ -187,7 +187,6 @@ bool parse_pigment_body(struct parser *p, const struct pigment **in)
     bool settled = value && pigment->pattern.uv && !mapped;
     const affine place = pigment->pattern.inverse;
     pigment->pattern.uv |= mapped;
-    pigment->own_uv |= mapped && !value; /* measured */
     if (!parse_pigment_start(p, pigment))
         return false;
     while (!at_body_end(p)) {

@@ -141,8 +141,7 @@ static uint64_t pigment_hash(struct walk *walk, uint64_t hash,
                              const struct pigment *pigment)
 {
     const struct image_map *image = pigment->image;
-    hash = random_key(hash, (unsigned)pigment->kind << 1 | pigment->own_uv);
-    hash = pattern_hash(hash, &pigment->pattern);
+    hash = pattern_hash(random_key(hash, pigment->kind), &pigment->pattern);
     hash = hash_colour(hash, pigment->colour);
     if (pigment->has_quick_colour)
         hash = hash_colour(hash, pigment->quick_colour);

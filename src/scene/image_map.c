@@ -240,33 +240,15 @@ vec3 image_map_tilt(const struct image_map *map, vec3 point, vec3 normal)
                       (left + right) / 2 - here);
 }
 
-static bool pixels_are_opaque(const struct image *image)
+bool image_map_is_opaque(const struct image_map *map)
 {
+    const struct image *image = map->image;
+    if (map->once || map->filter_all != 0 || map->transmit_all != 0 ||
+        map->clear || !image)
+        return false;
     size_t count = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < count; i++)
         if (image->pixels[4 * i + 3] < 1)
             return false;
     return true;
-}
-
-bool image_map_is_opaque(const struct image_map *map)
-{
-    return !map->once && map->filter_all == 0 && map->transmit_all == 0 &&
-           !map->clear && map->image && pixels_are_opaque(map->image);
-}
-
-static bool palette_transmits(const struct image_map *map)
-{
-    if (map->transmit_all != 0)
-        return true;
-    for (int i = 0; map->clear && i < PALETTE_ENTRIES; i++)
-        if (map->clear[i].transmit > 0)
-            return true;
-    return false;
-}
-
-bool image_map_transmits(const struct image_map *map)
-{
-    return map->image && (!pixels_are_opaque(map->image) ||
-                          (map->image->palette && palette_transmits(map)));
 }

@@ -16,7 +16,4 @@ vec3 image_map_tilt(const struct image_map *map, vec3 point, vec3 normal);
 /* Whether no pixel lets light pass. */
 bool image_map_is_opaque(const struct image_map *map);
 
-/* Whether its pixels have alpha or entries of its palette transmit. */
-bool image_map_transmits(const struct image_map *map);
-
 #endif

@@ -1,5 +1,4 @@
 /* Defaults of materials, and copies of textures that are moved. */
-#include "scene/image_map.h"
 #include "scene/map_entry.h"
 #include "scene/material.h"
 #include "scene/spots.h"
@@ -124,20 +123,6 @@ bool texture_is_opaque(const struct texture *texture)
 {
     int budget = 1000;
     return texture_opaque(texture, &budget);
-}
-
-/* POV-Ray takes an image that has a uv_mapping of its own for opaque when it
- * looks for shadows, whatever was said to pass but for its pixels' own alpha
- * and what its palette transmits (measured). */
-bool texture_darkens(const struct texture *texture)
-{
-    for (size_t i = 0; !texture->choice && i < texture->count; i++) {
-        const struct pigment *pigment = texture->layers[i].pigment;
-        if (pigment->kind == PIGMENT_IMAGE && pigment->own_uv &&
-            !image_map_transmits(pigment->image))
-            return true;
-    }
-    return texture_is_opaque(texture);
 }
 
 static bool layers_are_plain(const struct texture *texture, bool mapped)

@@ -75,7 +75,6 @@ struct pigment {
                             * entries in all; the parser limits both */
     double work;           /* steps for one point, as of functions */
     unsigned levels;       /* likewise; the parser limits these, too */
-    bool own_uv;           /* image and uv_mapping were said in it together */
     bool has_quick_colour;
     colour quick_colour; /* used at quality 5 and below */
 };
@@ -269,10 +268,6 @@ bool pigment_all_of_space(const struct pigment *pigment, int *budget);
 bool pigment_is_of_point(const struct pigment *pigment);
 bool normal_is_of_space(const struct normal *perturbation);
 bool texture_is_opaque(const struct texture *texture);
-
-/* Whether no light passes it on the way to a lamp: it is opaque, or POV-Ray
- * takes it for that. */
-bool texture_darkens(const struct texture *texture);
 
 /* Whether it is paint that needs to know no more of a surface than the point,
  * the surface's coordinates and the normal, and no mirror takes from the layers

@@ -69,7 +69,7 @@ static void take_mesh(void *context, const struct leaf *leaf)
     const struct mesh *mesh = leaf->object->mesh;
     if (leaf->look->no_shadow)
         return;
-    if (!leaf->look->dark || leaf_is_other(leaf))
+    if (!leaf->look->opaque || leaf_is_other(leaf))
         taking->failed = true;
     for (size_t i = 0; !taking->failed && i < mesh->triangle_count; i++)
         take_triangle(taking, &taking->casters->certain,
@@ -116,7 +116,7 @@ static bool take_patches(struct taking *taking, const struct leaf *leaf)
 static bool solid_is_opaque(const struct solid *solid)
 {
     if (solid->leaf)
-        return solid->leaf->look->dark;
+        return solid->leaf->look->opaque;
     for (size_t i = 0; i < solid->child_count; i++)
         if (!solid_is_opaque(solid->children[i]))
             return false;

@@ -241,7 +241,7 @@ static struct leaf *build_leaf(struct flat *flat, const struct object *object,
     leaf->look = build_look(flat, object, in);
     leaf->body = in->body;
     if (!in->clip) {
-        flat->translucent |= !leaf->look->dark;
+        flat->translucent |= !leaf->look->opaque;
         leaf->number = (unsigned)flat->leaf_count++;
     }
     return leaf;

@@ -199,13 +199,13 @@ static unsigned packet_crosses(struct packet *packet, const struct solid *solid,
                                unsigned lanes)
 {
     const struct leaf *leaf = solid->leaf;
-    bool asked = !leaf->look->dark && packet->filter;
+    bool asked = !leaf->look->opaque && packet->filter;
     if (asked && solid->all_many)
         return packet_shape(packet, solid, lanes);
     lanes = solid_crosses_many(solid, packet->rays, &packet->span, lanes);
     if (asked)
         return packet_each(packet, solid, lanes);
-    if (!leaf->look->dark && !packet->opaque)
+    if (!leaf->look->opaque && !packet->opaque)
         packet->panes |= lanes;
     return lanes;
 }

@@ -276,7 +276,7 @@ static unsigned take_met(const struct tree_look *look, const struct solid *leaf,
     if (lanes && !leaf->simple)
         lanes = crossings_count(look, leaf, met->t, lanes);
     if (packet->occlusion)
-        return met->leaf->look->dark ? lanes : take_panes(packet, met, lanes);
+        return met->leaf->look->opaque ? lanes : take_panes(packet, met, lanes);
     take_nearest(packet, met, lanes);
     return 0;
 }
@@ -501,7 +501,7 @@ static unsigned look_inside(const struct tree_look *look,
                    ? look_at_shape(look, solid, lanes)
                    : look_at_crossings(look, solid, lanes);
     /* Of panes all crossings are wanted. */
-    return look->packet->occlusion && !solid->leaf->look->dark
+    return look->packet->occlusion && !solid->leaf->look->opaque
                ? look_each(look, solid, lanes)
                : look_at_first(look, solid, lanes);
 }

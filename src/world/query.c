@@ -9,7 +9,7 @@ bool query_block(struct query *query, const struct leaf *leaf,
                  const struct hit *hit)
 {
     const struct world_hit crossing = { leaf, *hit };
-    query->blocked = leaf->look->dark || !query->filter ||
+    query->blocked = leaf->look->opaque || !query->filter ||
                      query->filter(query->context, &query->ray, &crossing);
     return query->blocked;
 }
@@ -84,7 +84,7 @@ static bool take_if_counts(struct query *query, const struct solid *solid,
 static bool query_is_plain(const struct query *query, const struct solid *solid)
 {
     return query->occlusion && solid->simple &&
-           (solid->leaf->look->dark || !query->filter);
+           (solid->leaf->look->opaque || !query->filter);
 }
 
 static bool query_is_rough(const struct query *query,
@@ -352,7 +352,7 @@ bool query_take_triangle(struct query *query, const struct leaf *leaf,
                          uint32_t triangle, double t)
 {
     struct hit hit = { t, (int)triangle, 0, 0 };
-    if (query->occlusion && !leaf->look->dark) {
+    if (query->occlusion && !leaf->look->opaque) {
         for (unsigned i = 0; i < query->recent_count && i < QUERY_RECENT; i++)
             if (query->recent[i].leaf == leaf &&
                 fabs(query->recent[i].t - t) <= 1e-9 * (1 + t))

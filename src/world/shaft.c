@@ -352,7 +352,7 @@ double shaft_blur(const struct shaft_tree *tree, const struct shaft_rays *rays,
 static bool solid_is_plain(const struct solid *solid)
 {
     return solid->simple && solid->kind == OBJECT_SHAPE &&
-           solid->leaf->look->dark && solid->leaf->look->looks_like < 0;
+           solid->leaf->look->opaque && solid->leaf->look->looks_like < 0;
 }
 
 static void search_take(struct shaft_search *search, const struct solid *solid)

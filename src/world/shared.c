@@ -41,14 +41,6 @@ static void judge_texture(struct judgement *all, const struct texture *texture)
     all->mirrors = all->mirrors || texture_mirrors(texture);
 }
 
-/* Not for what the parts of a mesh have of their own (measured). */
-static bool look_darkens(const struct leaf_look *look)
-{
-    bool lone = !look->mesh || look->mesh->texture_count == 0;
-    return lone && texture_darkens(look->texture) &&
-           (!look->inner || texture_darkens(look->inner->texture));
-}
-
 /* Sets what is said of its textures. */
 static void look_judge(struct leaf_look *look)
 {
@@ -64,13 +56,12 @@ static void look_judge(struct leaf_look *look)
         if (mesh->textures[i])
             judge_texture(&all, mesh->textures[i]);
     look->opaque = all.opaque;
-    look->dark = all.opaque || look_darkens(look);
     look->plain = all.plain;
     look->spatial = all.plain && all.spatial;
     look->last = all.plain && all.opaque && !all.mirrors;
     look->coated = look->inner || mesh;
     look->tinted =
-        !look->dark && !look->coated && texture_is_even(look->texture);
+        !look->opaque && !look->coated && texture_is_even(look->texture);
     if (look->tinted)
         look->tint =
             texture_transmittance(look->texture, vec3_make(0, 0, 0), NULL);

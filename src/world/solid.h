@@ -54,7 +54,6 @@ struct leaf_look {
     bool inverse; /* turned inside out, all its ancestors considered */
     /* By what its textures are (shared.h): */
     bool opaque;  /* none lets light pass */
-    bool dark;    /* nor shadow rays (texture_darkens) */
     bool coated;  /* its texture is not the same all over it */
     bool plain;   /* its paint is plain (texture_is_plain) wherever it is, */
     bool spatial; /* and the same on any surface there (texture_is_spatial) */

@@ -90,7 +90,7 @@ static void shadow_filter(const struct RTCFilterFunctionNArguments *a)
 
 static bool leaf_is_plain(const struct leaf *leaf)
 {
-    return leaf->look->dark && !leaf->look->no_shadow &&
+    return leaf->look->opaque && !leaf->look->no_shadow &&
            leaf->look->looks_like < 0;
 }
 

@@ -130,7 +130,7 @@ bool world_glimpse(const struct world *world, const struct ray *ray,
                    struct glimpse glimpse, enum ray_kind kind,
                    struct intersection *out);
 
-/* Called for every crossing that may let light pass (leaf->look->dark false),
+/* Called for every crossing that may let light pass (leaf->look->opaque false),
  * in any order; returns true when the light is all blocked and no more
  * crossings are wanted. world_describe tells the rest, which few panes ask for.
  */
