@@ -165,3 +165,13 @@ bool directive_skip_to_end(struct parser *p)
     directive_close(p);
     return found;
 }
+
+const char *directive_bracketed_name(struct parser *p)
+{
+    size_t left;
+    bool bracket = stream_peek(p)->kind == TOKEN_LPAREN;
+    const struct token *inside = stream_raw(p, &left);
+    return bracket && left > 0 && inside->kind == TOKEN_WORD
+               ? inside->word->text
+               : NULL;
+}

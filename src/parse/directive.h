@@ -53,4 +53,7 @@ bool directive_string(struct parser *p, const char **out);
 /* Skips to the #end of the innermost block and closes it. */
 bool directive_skip_to_end(struct parser *p);
 
+/* "F" before `(F)`, where a name stands without brackets; else NULL. */
+const char *directive_bracketed_name(struct parser *p);
+
 #endif

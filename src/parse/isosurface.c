@@ -93,7 +93,7 @@ static bool parse_isosurface_body(struct parser *p, void *shape)
     enum taken taken;
     isosurface_init(surface);
     if (stream_keyword(p) != KEYWORD_FUNCTION)
-        return error_expected(p, "'function'");
+        return error_expected_hint(p, "'function'", "function { ... }");
     struct span span = stream_span(p);
     if (!parse_function(p, &value))
         return false;

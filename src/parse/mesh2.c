@@ -34,6 +34,8 @@ static bool parse_list_count(struct parser *p, const struct mesh2 *m,
     struct span span = stream_span(p);
     if (m->plain)
         return plain_count(p, m->plain, count);
+    if (stream_peek(p)->kind == TOKEN_LESS)
+        return error_expected_hint(p, "how many follow", "3, <0, 0, 0> ...");
     if (!parse_float(p, &number))
         return false;
     accept(p, TOKEN_COMMA);

@@ -13,8 +13,9 @@ static bool parse_sweep_type(struct parser *p, enum sweep_kind *kind)
     else if (accept_keyword(p, KEYWORD_B_SPLINE))
         *kind = SWEEP_B_SPLINE;
     else
-        return error_expected(p,
-                              "'linear_spline', 'cubic_spline' or 'b_spline'");
+        return error_expected_hint(
+            p, "'linear_spline', 'cubic_spline' or 'b_spline'",
+            "sphere_sweep { linear_spline 2, <0, 0, 0>, 1, <1, 0, 0>, 1 }");
     return true;
 }
 

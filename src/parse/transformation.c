@@ -52,8 +52,9 @@ static bool parse_matrix(struct parser *p, affine *out)
     struct span start = stream_span(p);
     stream_next(p);
     struct span open = stream_span(p);
-    if (!expect(p, TOKEN_LESS, span_none()))
-        return false;
+    if (!accept(p, TOKEN_LESS))
+        return error_expected_hint(p, "'<'",
+                                   "<1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0>");
     for (int i = 0; i < 12; i++) {
         if (i > 0)
             accept(p, TOKEN_COMMA);

@@ -412,11 +412,53 @@ static double segment_away(const struct segment *segment, double s,
     return x * x + y * y;
 }
 
+/* Half of how fast that changes with s. */
+static double segment_parts(const struct segment *segment, double s,
+                            const double p[2])
+{
+    double at[2], along[2];
+    segment_point(segment, s, at);
+    segment_tangent(segment, s, along);
+    return (at[0] - p[0]) * along[0] + (at[1] - p[1]) * along[1];
+}
+
+/* Where between low and high the curve neither comes nearer nor goes away, by
+ * regula falsi, of which the end that stays counts half as much each time; an
+ * end, if it only does one of the two. */
+static double segment_foot(const struct segment *segment, double low,
+                           double high, const double p[2])
+{
+    enum { STEPS = 40 };
+    double nearer = segment_parts(segment, low, p);
+    double farther = segment_parts(segment, high, p);
+    if (!(nearer < 0 && farther > 0))
+        return nearer < 0 ? high : low;
+    double s = low, last = high;
+    int stays = 0;
+    for (int i = 0; i < STEPS && fabs(s - last) > 1e-14; i++) {
+        last = s;
+        s = low + (high - low) * (nearer / (nearer - farther));
+        double parts = segment_parts(segment, s, p);
+        if (parts < 0) {
+            low = s;
+            nearer = parts;
+            farther *= stays > 0 ? 0.5 : 1;
+            stays = 1;
+        } else {
+            high = s;
+            farther = parts;
+            nearer *= stays < 0 ? 0.5 : 1;
+            stays = -1;
+        }
+    }
+    return s;
+}
+
 /* The nearest place of a segment: of a few tried, and then between its
  * neighbours. */
 static double segment_nearest(const struct segment *segment, const double p[2])
 {
-    enum { TRIES = 32, STEPS = 40 };
+    enum { TRIES = 32 };
     double best = 0, least = segment_away(segment, 0, p);
     for (int i = 1; i <= TRIES; i++) {
         double s = (double)i / TRIES, away = segment_away(segment, s, p);
@@ -425,17 +467,8 @@ static double segment_nearest(const struct segment *segment, const double p[2])
             best = s;
         }
     }
-    double low = fmax(0, best - 1.0 / TRIES),
-           high = fmin(1, best + 1.0 / TRIES);
-    for (int i = 0; i < STEPS; i++) {
-        double third = (high - low) / 3;
-        if (segment_away(segment, low + third, p) <
-            segment_away(segment, high - third, p))
-            high -= third;
-        else
-            low += third;
-    }
-    return (low + high) / 2;
+    return segment_foot(segment, fmax(0, best - 1.0 / TRIES),
+                        fmin(1, best + 1.0 / TRIES), p);
 }
 
 /* How far a box is from a point, squared. */

@@ -54,7 +54,11 @@ static bool conditional_name(struct parser *p, bool *declared)
     const struct token *tokens = cursor->list->tokens + cursor->index;
     *declared = false;
     if (tokens[0].kind != TOKEN_LPAREN || tokens[1].kind != TOKEN_WORD)
-        return error_expected(p, "a name in parentheses");
+        return error_expected_hint(
+            p, "a name in parentheses",
+            tokens[0].kind == TOKEN_WORD
+                ? arena_printf(p->arena, "(%s)", tokens[0].word->text)
+                : NULL);
     const struct word *word = tokens[1].word;
     const struct value *value = symbol_find(p, word);
     *declared = word->reserved || value != NULL;

@@ -15,7 +15,7 @@ static const struct word *data_name(struct parser *p, const char *wanted)
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_WORD && !token->word->reserved)
         return stream_next(p).word;
-    error_expected(p, wanted);
+    error_expected_hint(p, wanted, directive_bracketed_name(p));
     return NULL;
 }
 

@@ -262,7 +262,8 @@ static bool undef_run(struct parser *p, struct span at)
     struct cursor *cursor = p->cursor;
     const struct token *token = &cursor->list->tokens[cursor->index];
     if (token->kind != TOKEN_WORD || token->word->reserved)
-        return error_expected(p, "a declared name");
+        return error_expected_hint(p, "a declared name",
+                                   directive_bracketed_name(p));
     cursor->index++;
     symbol_undefine(p, token->word);
     return true;
