@@ -161,6 +161,10 @@ static bool query_crossings(struct query *query, const struct solid *solid,
     return query->blocked;
 }
 
+/* More crossings of one shape are not looked for, lest rounding makes a ray set
+ * out from one place for ever. */
+enum { ANEW_MOST = 1000 };
+
 /* Light through panes that tell some of their crossings only: as in POV-Ray the
  * ray sets out anew from each that counts (measured). */
 static bool query_anew(struct query *query, const struct solid *solid,
@@ -168,7 +172,8 @@ static bool query_anew(struct query *query, const struct solid *solid,
 {
     struct ray onward = *inner;
     double gone = 0;
-    for (bool goes_on = true; goes_on;) {
+    bool goes_on = true;
+    for (int round = 0; goes_on && round < ANEW_MOST; round++) {
         struct hits hits;
         hits.count = 0;
         solid->leaf->object->primitive->intersect(solid->leaf->shape, &onward,
