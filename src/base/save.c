@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/directory.h"
 #include "base/memory.h"
 
 enum { SAVE_BUFFER = 1 << 18 }; /* bytes */
@@ -40,8 +41,7 @@ bool save_possible(const char *path, char *error, size_t size)
 {
     if (strcmp(path, "-") == 0)
         return true;
-    struct stat status;
-    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode)) {
+    if (path_is_directory(path)) {
         snprintf(error, size, "it is a directory");
         return false;
     }

@@ -7,9 +7,9 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/directory.h"
 #include "base/text.h"
 #include "cli/option.h"
 
@@ -205,10 +205,9 @@ bool permits_resolve(struct option_reader *reader)
 bool set_below(struct option_reader *reader, const struct option *option,
                const struct setting *setting)
 {
-    struct stat status;
     if (!option_wants(reader, option, setting, "dir"))
         return false;
-    if (stat(setting->value, &status) != 0 || !S_ISDIR(status.st_mode))
+    if (!path_is_directory(setting->value))
         return option_fail(reader, setting, "there is no directory '%s'",
                            setting->value);
     *ARRAY_PUSH(reader->arena, &reader->below) =

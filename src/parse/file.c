@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <sys/stat.h>
 
+#include "base/directory.h"
 #include "base/text.h"
 #include "parse/parser.h"
 
@@ -157,12 +158,6 @@ const char *file_shown(struct parser *p, const char *name)
     return changed ? shown : name;
 }
 
-static bool file_is_folder(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
-}
-
 const char *file_hint(struct parser *p, const char *name)
 {
     const char *better = file_without_escapes(p, name);
@@ -180,9 +175,9 @@ const char *file_hint(struct parser *p, const char *name)
         file_try_names(p, ".", folder, &nearest);
     for (size_t i = 0; i < options->include_path_count; i++) {
         const char *path = options->include_paths[i];
-        list = arena_printf(p->arena, "%s, %s%s", list, path,
-                            file_is_folder(path) ? ""
-                                                 : " (which is no directory)");
+        list = arena_printf(
+            p->arena, "%s, %s%s", list, path,
+            path_is_directory(path) ? "" : " (which is no directory)");
         if (*name != '/')
             file_try_names(p, path, folder, &nearest);
     }

@@ -29,20 +29,19 @@ bool macro_is_call(struct parser *p, const struct word *word)
 /* `#macro A P, Q`: the brackets are forgotten. */
 static const char *macro_bracketed(struct parser *p)
 {
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyz_0123456789"
-                                  "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
     const struct token *token = stream_peek(p);
+    size_t left;
+    const struct token *after = stream_raw(p, &left);
     if (token->kind != TOKEN_WORD || token->word->reserved)
         return "()";
-    const char *text = p->token_span.source->text + p->token_span.offset;
-    size_t end = strspn(text, letters), blanks = 0, more = end;
-    for (; more > 0; end += blanks + more) {
-        blanks = text[end] == ',' ? 1 + strspn(text + end + 1, " ") : 0;
-        more = blanks ? strspn(text + end + blanks, letters) : 0;
-        if (more == 0)
-            break;
-    }
-    return arena_printf(p->arena, "(%.*s)", (int)end, text);
+    const char *names = token->word->text;
+    for (size_t i = 0;
+         i + 1 < left && i < 2 * MACRO_PARAMETER_LIMIT &&
+         after[i].kind == TOKEN_COMMA && after[i + 1].kind == TOKEN_WORD;
+         i += 2)
+        names =
+            arena_printf(p->arena, "%s, %s", names, after[i + 1].word->text);
+    return arena_printf(p->arena, "(%s)", names);
 }
 
 /* Read as written: a parameter may have the name of another macro.

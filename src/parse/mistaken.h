@@ -7,7 +7,8 @@
 #include "parse/parser.h"
 
 /* What to type for a word that no block knows: "angle" for fov. `block` is
- * the one it stands in. NULL: nothing comes to mind. */
+ * the one it stands in, "" where a value is wanted. NULL: nothing comes to
+ * mind. */
 const char *mistaken_word(const struct word *word, const char *block);
 
 /* What the next token was meant to be, where `wanted` was expected; or NULL. */

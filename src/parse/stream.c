@@ -256,7 +256,11 @@ static bool stream_fetch(struct parser *p, bool infix)
             stream_take(p, cursor);
             return true;
         }
-        if (token->kind == TOKEN_DIRECTIVE && !stream_passes_sign(p, token)) {
+        if (token->kind == TOKEN_BAD) {
+            struct span span = cursor_span(cursor, cursor->index++);
+            error_at(p, span, mistaken_character(p, span), "%s", token->text);
+        } else if (token->kind == TOKEN_DIRECTIVE &&
+                   !stream_passes_sign(p, token)) {
             if (stays)
                 return false;
             directive_run(p);
@@ -266,20 +270,14 @@ static bool stream_fetch(struct parser *p, bool infix)
                 return false;
             stream_warn_sign(p, token);
             directive_run(p);
-        } else if ((token->kind == TOKEN_WORD ||
-                    token->kind == TOKEN_DIRECTIVE) &&
-                   macro_is_call(p, token->word)) {
+        } else if (token->kind == TOKEN_WORD || macro_is_call(p, token->word)) {
             if (stays)
                 return false;
             cursor->index++;
             macro_call(p, token->word, cursor_span(cursor, cursor->index - 1));
-        } else if (token->kind == TOKEN_BAD) {
-            struct span span = cursor_span(cursor, cursor->index++);
-            error_at(p, span, mistaken_character(p, span), "%s", token->text);
         } else {
             stream_take(p, cursor);
-            if (token->kind == TOKEN_DIRECTIVE)
-                p->token.kind = TOKEN_WORD;
+            p->token.kind = TOKEN_WORD;
             return true;
         }
     }
@@ -293,7 +291,8 @@ static struct span stream_end_span(struct parser *p)
     return p->last_span;
 }
 
-/* What the callers of stream_look rarely come to. */
+/* Runs and expands what stands before the next token. Apart from stream_look,
+ * which then needs few registers. */
 __attribute__((noinline)) static const struct token *
 stream_search(struct parser *p, bool infix)
 {
@@ -307,8 +306,7 @@ stream_search(struct parser *p, bool infix)
 
 /* As stream_search, for most tokens in a few steps: those that stand next and
  * need nothing run or asked. Apart from its callers, which are asked several
- * times for each token.
- */
+ * times for each token. */
 __attribute__((noinline)) static const struct token *
 stream_look(struct parser *p, bool infix)
 {

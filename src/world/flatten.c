@@ -506,20 +506,24 @@ static void add_mesh(struct flat *flat, const struct object *object,
     const struct mesh *mesh = object->mesh;
     if (!flat_enter(flat, object, in.depth) || mesh->triangle_count == 0)
         return;
+    const struct leaf *leaf;
     if (mesh->solid) {
         struct solid *solid = build_leaf_solid(flat, object, &in);
         if (!solid)
             return;
         solid_finish(flat->arena, solid);
         *ARRAY_PUSH(flat->arena, &flat->containers) = solid;
-        *ARRAY_PUSH(flat->arena, &flat->meshes) = solid->leaf;
+        leaf = solid->leaf;
     } else {
-        const struct leaf *leaf = build_leaf(flat, object, NULL, &in);
+        leaf = build_leaf(flat, object, NULL, &in);
         if (!leaf)
             return;
-        *ARRAY_PUSH(flat->arena, &flat->meshes) = leaf;
     }
-    mesh_table_entry(flat->arena, &flat->meshes_used, mesh)->uses++;
+    *ARRAY_PUSH(flat->arena, &flat->meshes) = leaf;
+    struct mesh_entry *entry =
+        mesh_table_entry(flat->arena, &flat->meshes_used, mesh);
+    entry->uses++;
+    entry->special |= !look_is_plain(leaf->look);
     flat->triangle_count += mesh->triangle_count;
 }
 

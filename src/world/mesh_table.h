@@ -8,9 +8,9 @@
 struct mesh_entry {
     const struct mesh *mesh; /* NULL: free */
     const struct mesh_tree *tree;
-    size_t uses;    /* objects that give it to Embree as it is */
+    size_t uses;    /* objects that give it to Embree as it is; */
+    bool special;   /* one of them is not plain (look_is_plain) */
     void *instance; /* Embree's scene, if it is shared by instances */
-    bool special;   /* some copy of it lets light pass or casts no shadow */
 };
 
 /* Zeroed: empty. */

@@ -161,8 +161,7 @@ static bool query_crossings(struct query *query, const struct solid *solid,
     return query->blocked;
 }
 
-/* More crossings of one shape are not looked for, lest rounding makes a ray set
- * out from one place for ever. */
+/* So often at most, lest by rounding a ray sets out from one place for ever. */
 enum { ANEW_MOST = 1000 };
 
 /* Light through panes that tell some of their crossings only: as in POV-Ray the
@@ -172,22 +171,23 @@ static bool query_anew(struct query *query, const struct solid *solid,
 {
     struct ray onward = *inner;
     double gone = 0;
-    bool goes_on = true;
-    for (int round = 0; goes_on && round < ANEW_MOST; round++) {
+    for (int round = 0; round < ANEW_MOST; round++) {
         struct hits hits;
+        int i = 0;
         hits.count = 0;
         solid->leaf->object->primitive->intersect(solid->leaf->shape, &onward,
                                                   &hits);
-        goes_on = false;
-        for (int i = 0; i < hits.count && !goes_on; i++) {
-            struct hit *hit = &hits.at[i];
-            hit->t += gone;
-            goes_on = query_counts(query, solid, ray, hit);
-            if (goes_on && query_take(query, solid->leaf, hit))
-                return true;
-            if (goes_on)
-                onward.origin = ray_point(inner, gone = hit->t);
+        for (; i < hits.count; i++) {
+            hits.at[i].t += gone;
+            if (query_counts(query, solid, ray, &hits.at[i]))
+                break;
         }
+        if (i == hits.count)
+            return false;
+        gone = hits.at[i].t;
+        if (query_take(query, solid->leaf, &hits.at[i]))
+            return true;
+        onward.origin = ray_point(inner, gone);
     }
     return false;
 }

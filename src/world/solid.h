@@ -63,6 +63,12 @@ struct leaf_look {
     rgb tint;
 };
 
+/* Whether it stops all shadow rays that meet it. */
+static inline bool look_is_plain(const struct leaf_look *look)
+{
+    return look->opaque && !look->no_shadow && look->looks_like < 0;
+}
+
 /* A shape or a mesh in the world. */
 struct leaf {
     const struct object *object; /* OBJECT_SHAPE or OBJECT_MESH */

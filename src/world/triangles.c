@@ -88,12 +88,6 @@ static void shadow_filter(const struct RTCFilterFunctionNArguments *a)
     }
 }
 
-static bool leaf_is_plain(const struct leaf *leaf)
-{
-    return leaf->look->opaque && !leaf->look->no_shadow &&
-           leaf->look->looks_like < 0;
-}
-
 /* Meshes that go into one geometry. */
 struct copies {
     const struct leaf **items;
@@ -272,18 +266,6 @@ bool triangles_any_shared(const struct flat *flat)
     return false;
 }
 
-/* What all copies of a mesh are decides how its shadow is found. */
-static void mark_special(struct flat *flat)
-{
-    for (size_t i = 0; i < flat->meshes.count; i++) {
-        const struct leaf *leaf = flat->meshes.items[i];
-        if (!leaf_is_plain(leaf))
-            mesh_table_entry(flat->arena, &flat->meshes_used,
-                             leaf->object->mesh)
-                ->special = true;
-    }
-}
-
 bool triangles_add(struct triangles *triangles, struct flat *flat,
                    RTCDevice device, RTCScene scene, vec3 centre)
 {
@@ -294,7 +276,6 @@ bool triangles_add(struct triangles *triangles, struct flat *flat,
     triangles->leaves =
         ARENA_ARRAY(flat->arena, const struct leaf *, triangles->leaf_room);
     triangles->shared.leaves = triangles->leaves;
-    mark_special(flat);
     for (size_t i = 0; i < flat->meshes.count; i++) {
         const struct leaf *leaf = flat->meshes.items[i];
         struct mesh_entry *entry = mesh_table_entry(
@@ -303,8 +284,8 @@ bool triangles_add(struct triangles *triangles, struct flat *flat,
             if (!add_instance(triangles, entry, leaf, device, scene))
                 return false;
         } else {
-            copies_add(flat->arena, leaf_is_plain(leaf) ? &plain : &special,
-                       leaf);
+            copies_add(flat->arena,
+                       look_is_plain(leaf->look) ? &plain : &special, leaf);
         }
     }
     return check_limit(flat, plain.triangles + special.triangles,
