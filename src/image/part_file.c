@@ -75,9 +75,10 @@ struct part_file {
     char *text;
     int width, height;
     bool damaged;
-    struct lock *lock; /* of the next four */
+    struct lock *lock; /* of the next five */
     struct part_room room, spare;
-    off_t end; /* where the next tile goes */
+    int writing; /* rooms that are on their way to the file */
+    off_t end;   /* where the next tile goes */
     struct {
         struct part_tile *items; /* the oldest first */
         size_t count, capacity;
@@ -454,6 +455,7 @@ static void room_write(struct part_file *file, struct part_room room)
     lock_take(file->lock);
     memory_free(file->spare.bytes);
     file->spare = room;
+    file->writing--;
     lock_give(file->lock);
 }
 
@@ -462,6 +464,7 @@ static struct part_room room_taken(struct part_file *file)
 {
     struct part_room room = file->room;
     file->room = (struct part_room){ .bytes = NULL };
+    file->writing += room.bytes != NULL;
     return room;
 }
 
@@ -485,15 +488,17 @@ static char *room_for(struct part_file *file, size_t count)
     return to;
 }
 
-/* A tile's record and values, one after the other; returns what is full. */
+/* A tile's record and values, one after the other, at *place; returns what is
+ * full. */
 static struct part_room tile_put(struct part_file *file,
                                  const struct part_record *record,
-                                 const void *values, size_t count)
+                                 const void *values, size_t count, off_t *place)
 {
     struct part_room full = { .bytes = NULL };
     lock_take(file->lock);
     if (file->room.used + sizeof *record + count > file->room.size)
         full = room_taken(file);
+    *place = file->end;
     tile_add(file, record_kind(record), record_area(record), file->end);
     char *to = room_for(file, sizeof *record + count);
     memcpy(to, record, sizeof *record);
@@ -502,30 +507,70 @@ static struct part_room tile_put(struct part_file *file,
     return full;
 }
 
-void part_file_put(struct part_file *file, enum part_kind kind,
-                   struct area area, const void *values)
+static struct part_record record_of(uint32_t kind, struct area area,
+                                    const void *values)
 {
-    size_t pixels = area_pixels(area);
     struct part_record record = { .mark = MARK,
                                   .kind = kind,
                                   .left = area.left,
                                   .top = area.top,
                                   .right = area.right,
                                   .bottom = area.bottom };
+    record.values =
+        checksum(0, values, area_pixels(area) * record_unit(&record));
+    record.checksum = record_checksum(&record);
+    return record;
+}
+
+long long part_file_put(struct part_file *file, enum part_kind kind,
+                        struct area area, const void *values)
+{
+    size_t pixels = area_pixels(area);
+    uint32_t stored = kind;
     float *packed = NULL;
+    off_t place;
     if (atomic_load(&file->problem))
-        return;
+        return 0;
     if (part_has_floats(kind) && values_opaque(values, pixels)) {
-        record.kind |= OPAQUE;
+        stored |= OPAQUE;
         values = packed = values_packed(values, pixels);
     }
-    size_t count = pixels * record_unit(&record);
-    record.values = checksum(0, values, count);
-    record.checksum = record_checksum(&record);
-    struct part_room full = tile_put(file, &record, values, count);
+    const struct part_record record = record_of(stored, area, values);
+    struct part_room full =
+        tile_put(file, &record, values, pixels * record_unit(&record), &place);
     memory_free(packed);
     if (full.bytes)
         room_write(file, full);
+    return place;
+}
+
+/* Whether what stands there has been written. */
+static bool place_written(struct part_file *file, off_t place)
+{
+    lock_take(file->lock);
+    bool written =
+        file->writing == 0 && (!file->room.bytes || place < file->room.at);
+    lock_give(file->lock);
+    return written;
+}
+
+long long part_file_replace(struct part_file *file, struct area area,
+                            const void *values, long long place)
+{
+    int none = 0;
+    if (atomic_load(&file->problem))
+        return 0;
+    if (!place_written(file, (off_t)place))
+        return part_file_put(file, PART_TALLIES, area, values);
+    const struct part_record record = record_of(PART_TALLIES, area, values);
+    size_t count = area_pixels(area) * PART_TALLY;
+    char *bytes = memory_resize(NULL, sizeof record + count);
+    memcpy(bytes, &record, sizeof record);
+    memcpy(bytes + sizeof record, values, count);
+    if (!write_at(file->handle, bytes, sizeof record + count, (off_t)place))
+        atomic_compare_exchange_strong(&file->problem, &none, errno);
+    memory_free(bytes);
+    return place;
 }
 
 const char *part_file_problem(const struct part_file *file)

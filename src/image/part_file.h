@@ -55,9 +55,16 @@ bool part_file_was_damaged(const struct part_file *file);
 /* Adds a tile; from any thread. It waits in memory until there are a few
  * hundred kilobytes to write, or part_file_flush or part_file_sync is called.
  * Once one could not be written no more are, and part_file_problem has the
- * reason; else that is NULL. */
-void part_file_put(struct part_file *file, enum part_kind kind,
-                   struct area area, const void *values);
+ * reason; else that is NULL. Returns its place in the file. */
+long long part_file_put(struct part_file *file, enum part_kind kind,
+                        struct area area, const void *values);
+
+/* Tallies over older ones of the same area, which were put at `place`: the file
+ * grows no more. If these still wait to be written, as part_file_put. Whatever
+ * ends the program may leave neither: there must be others of the area in the
+ * file, and who takes them must know which are the newest. */
+long long part_file_replace(struct part_file *file, struct area area,
+                            const void *values, long long place);
 const char *part_file_problem(const struct part_file *file);
 
 /* Writes what waits. */

@@ -45,6 +45,13 @@ static void tally_mean(const struct tally *tally, float pixel[4])
 
 _Static_assert(sizeof(struct tally) == PART_TALLY, "tallies are kept so");
 
+/* What is kept of a row. */
+struct kept_row {
+    double when;        /* last, seconds; 0: never */
+    long long place[2]; /* of the last two in the file, the older first; 0:
+                         * there is none yet */
+};
+
 struct passes {
     const struct tracer *tracer;
     const struct integrator *integrator;
@@ -58,7 +65,7 @@ struct passes {
     int passes;            /* done */
     double started;        /* seconds */
     double error;          /* estimated, relative; INFINITY: not yet */
-    double *kept;          /* when each row was kept last, seconds; 0: never */
+    struct kept_row *kept;
     atomic_size_t rows_done;
 };
 
@@ -133,21 +140,34 @@ static bool pixel_is_ours(const struct passes *passes, size_t column,
                      options->row_start + (int)row);
 }
 
+/* Over the last but one, which the last one is better than: the file is no
+ * larger than two of all rows. */
+static void kept_put(struct kept_row *kept, struct part_file *file,
+                     struct area area, const struct tally *tallies)
+{
+    long long place =
+        kept->place[0] ? part_file_replace(file, area, tallies, kept->place[0])
+                       : part_file_put(file, PART_TALLIES, area, tallies);
+    kept->place[0] = kept->place[1];
+    kept->place[1] = place;
+}
+
 /* The tallies of a row, a second or more after they were kept last. */
 static void passes_keep(struct passes *passes, size_t row)
 {
     const struct render_options *options = passes->options;
+    struct kept_row *kept = &passes->kept[row];
     double now = clock_seconds();
-    if ((passes->kept[row] > 0 && now < passes->kept[row] + keep_pause) ||
+    if ((kept->when > 0 && now < kept->when + keep_pause) ||
         !keeper_ready(options->keeper))
         return;
     int top = options->row_start + (int)row;
     const struct area area = { options->column_start, top, options->column_end,
                                top + 1 };
     double start = clock_worked_here();
-    passes->kept[row] = now;
-    part_file_put(options->keeper->file, PART_TALLIES, area,
-                  passes->tallies + row * passes->columns);
+    kept->when = now;
+    kept_put(kept, options->keeper->file, area,
+             passes->tallies + row * passes->columns);
     keeper_count(options->keeper, start);
     if (keeper_due(options->keeper))
         options->keeper->settle(options->keeper->context);
@@ -234,6 +254,16 @@ static uint32_t pass_next(const struct passes *passes)
     return pass_size(options) < left ? pass_size(options) : left;
 }
 
+static uint64_t tallies_samples(const struct tally *tallies, size_t count)
+{
+    uint64_t samples = 0;
+    for (size_t i = 0; i < count; i++)
+        samples += tallies[i].samples;
+    return samples;
+}
+
+/* Those of a row stand in the file in any order: who has more samples is the
+ * newest. */
 static void take_tallies(void *context, struct area area, const void *values)
 {
     struct passes *passes = context;
@@ -243,8 +273,10 @@ static void take_tallies(void *context, struct area area, const void *values)
         area.bottom != area.top + 1)
         return;
     size_t row = (size_t)(area.top - options->row_start);
-    memcpy(passes->tallies + row * passes->columns, values,
-           passes->columns * sizeof *passes->tallies);
+    struct tally *known = passes->tallies + row * passes->columns;
+    if (tallies_samples(values, passes->columns) >
+        tallies_samples(known, passes->columns))
+        memcpy(known, values, passes->columns * sizeof *known);
 }
 
 /* Samples that every pixel has. */

@@ -201,6 +201,49 @@ static void levels_are_given_as_they_were(void **state)
     assert_int_equal(known_pixels(), 0);
 }
 
+enum { OFTEN = 200 };
+
+/* Takes the newest tally that each round wrote into all of its bytes. */
+static void take_tally(void *context, struct area area, const void *values)
+{
+    const unsigned char *tally = values;
+    int *newest = context;
+    assert_int_equal(area.top, 1);
+    for (size_t i = 1; i < area_pixels(area) * PART_TALLY; i++)
+        assert_int_equal(tally[i], tally[0]);
+    *newest = tally[0] > *newest ? tally[0] : *newest;
+}
+
+/* Two by turns: the file doesn't grow, and has the last one. */
+static void tallies_take_the_place_of_others(void **state)
+{
+    char why[100];
+    unsigned char tallies[WIDTH * PART_TALLY];
+    const struct area row = { 0, 1, WIDTH, 2 };
+    long long place[2] = { 0 };
+    struct stat status;
+    int newest = 0;
+    (void)state;
+    struct part_file *file =
+        part_file_create(name, text, WIDTH, HEIGHT, why, sizeof why);
+    for (int i = 1; i <= OFTEN; i++) {
+        long long *at = &place[i % 2];
+        memset(tallies, i, sizeof tallies);
+        *at = *at ? part_file_replace(file, row, tallies, *at)
+                  : part_file_put(file, PART_TALLIES, row, tallies);
+        part_file_flush(file);
+    }
+    part_file_close(file);
+    assert_int_equal(stat(name, &status), 0);
+    assert_true(status.st_size < 3 * (off_t)sizeof tallies);
+    file = part_file_open(name, why, sizeof why);
+    assert_non_null(file);
+    assert_false(part_file_was_damaged(file));
+    part_file_each(file, PART_TALLIES, row, take_tally, &newest);
+    assert_int_equal(newest, OFTEN);
+    part_file_close(file);
+}
+
 static void one_process_at_a_time(void **state)
 {
     (void)state;
@@ -268,6 +311,7 @@ int main(void)
         cmocka_unit_test(every_length_is_taken),
         cmocka_unit_test(damaged_files_go_on),
         cmocka_unit_test(levels_are_given_as_they_were),
+        cmocka_unit_test(tallies_take_the_place_of_others),
         cmocka_unit_test(one_process_at_a_time),
         cmocka_unit_test(full_disks_are_told),
         cmocka_unit_test(shares_are_even),
