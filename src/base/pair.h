@@ -15,6 +15,11 @@ static inline pair pair_of(double value)
     return (pair){ value, value };
 }
 
+static inline pair pair_at(const double *two)
+{
+    return (pair){ two[0], two[1] };
+}
+
 /* a < b ? a : b and a > b ? a : b of both: compilers don't find these
  * instructions. */
 static inline pair pair_min(pair a, pair b)

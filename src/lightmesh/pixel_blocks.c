@@ -7,14 +7,18 @@
 #include "shade/shadow.h"
 
 enum {
-    BLOCK_EDGE = 3, /* places along the edge of a block */
+    BLOCK_EDGE = 4, /* places along the edge of a block */
     BLOCK_PLACES = BLOCK_EDGE * BLOCK_EDGE,
+    BLOCK_MIDDLE = BLOCK_EDGE + 1, /* one of four */
     KEPT_ACROSS = 16, /* blocks that a worker keeps: those of a few rows */
     KEPT_DOWN = 4,
 };
 
-/* The middle serves most; corners last. */
-static const int place_order[BLOCK_PLACES] = { 4, 1, 3, 5, 7, 0, 2, 6, 8 };
+/* To the pixels of the half towards the first place; to those of the other half
+ * they are in the opposite order. The middle of a half serves most; corners
+ * last. */
+static const int place_order[BLOCK_PLACES] = { 5, 10, 6,  9,  1, 2, 4,  7,
+                                               8, 11, 13, 14, 0, 3, 12, 15 };
 
 struct block {
     bool looked;
@@ -68,25 +72,52 @@ void pixel_blocks_free(struct pixel_blocks *blocks)
     memory_free(blocks);
 }
 
-/* The ray through a place of the block, in the middle of a pixel. False: the
- * picture shows nothing there. */
+/* The pixel that a place of the block is in the middle of. */
+static void place_pixel(const struct block *block,
+                        const struct pixel_blocks *blocks, int number,
+                        int pixel[2])
+{
+    int inside[2] = { number % BLOCK_EDGE, number / BLOCK_EDGE };
+    for (int axis = 0; axis < 2; axis++)
+        pixel[axis] =
+            (block->at[axis] * BLOCK_EDGE + inside[axis]) * blocks->step +
+            blocks->step / 2;
+}
+
+/* The ray through it. False: the picture shows nothing there. */
 static bool block_ray(struct block *block, const struct pixel_blocks *blocks,
                       int number)
 {
     double place[2];
-    int inside[2] = { number % BLOCK_EDGE, number / BLOCK_EDGE };
-    for (int axis = 0; axis < 2; axis++) {
-        int pixel =
-            (block->at[axis] * BLOCK_EDGE + inside[axis]) * blocks->step;
-        place[axis] = (pixel + blocks->step / 2 + 0.5) / blocks->size[axis];
-    }
+    int pixel[2];
+    place_pixel(block, blocks, number, pixel);
+    for (int axis = 0; axis < 2; axis++)
+        place[axis] = (pixel[axis] + 0.5) / blocks->size[axis];
     block->rays[number] = camera_ray(blocks->camera, place[0], place[1]);
     return camera_sees(blocks->camera, place[0], place[1]);
 }
 
-/* What the camera sees through the block. */
-static void block_look(struct block *block, const struct pixel_blocks *blocks)
+/* Whether what all of its rays meet is among that. */
+static bool block_is_known(const struct block *block,
+                           const struct pixel_blocks *blocks,
+                           const struct first_hits *around)
 {
+    int first[2], last[2];
+    if (!around || around->middle != 0.5)
+        return false;
+    place_pixel(block, blocks, 0, first);
+    place_pixel(block, blocks, BLOCK_PLACES - 1, last);
+    return first[0] >= around->left && first[1] >= around->top &&
+           last[0] < around->left + around->columns &&
+           last[1] < around->top + around->rows;
+}
+
+/* What the camera sees through the block: of a small picture those who ask have
+ * looked there already. */
+static void block_look(struct block *block, const struct pixel_blocks *blocks,
+                       const struct first_hits *around)
+{
+    bool known = block_is_known(block, blocks, around);
     struct rays rays;
     struct world_hit hits[BLOCK_PLACES];
     struct rays_span span = { { 0 }, { 0 } };
@@ -99,6 +130,12 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks)
         block->places[i].coarser = -1;
         if (!block_ray(block, blocks, i))
             continue;
+        if (known) {
+            int pixel[2];
+            place_pixel(block, blocks, i, pixel);
+            block->hits[i] = *first_hits_at(around, pixel[0], pixel[1]);
+            continue;
+        }
         vec3 origin = block->rays[i].origin;
         rays_set(&rays, (int)count, origin, block->rays[i].direction);
         span.near[count] = surface_offset(origin);
@@ -128,7 +165,7 @@ static struct block *block_get(const struct pixel_blocks *blocks,
     block->looked = true;
     block->at[0] = at[0];
     block->at[1] = at[1];
-    block_look(block, blocks);
+    block_look(block, blocks, receiver->pixel->around);
     return block;
 }
 
@@ -136,7 +173,7 @@ static struct block *block_get(const struct pixel_blocks *blocks,
 static void place_find(struct block *block, const struct pixel_blocks *blocks,
                        int number, const struct receiver *like)
 {
-    const struct ray *a = &block->rays[BLOCK_PLACES / 2], *b = a + 1;
+    const struct ray *a = &block->rays[BLOCK_MIDDLE], *b = a + 1;
     const struct ray *ray = &block->rays[number];
     double t = block->hits[number].hit.t;
     struct intersection at;
@@ -166,11 +203,11 @@ static bool place_is_central(const struct block *block,
                              struct worker *worker, int number,
                              const struct receiver *receiver)
 {
-    const struct corner *middle = &block->places[BLOCK_PLACES / 2].corner;
+    const struct corner *middle = &block->places[BLOCK_MIDDLE].corner;
     double apart = vec3_length(vec3_sub(receiver->point, middle->point));
-    if (number == BLOCK_PLACES / 2)
+    if (number == BLOCK_MIDDLE)
         return true;
-    return block->places[BLOCK_PLACES / 2].placed &&
+    return block->places[BLOCK_MIDDLE].placed &&
            apart <= block_around * middle->reach &&
            vec3_dot(receiver->side, middle->side) >= block_around_bend &&
            corner_sees(middle, blocks->mesh, worker, receiver);
@@ -185,7 +222,7 @@ static bool block_ask(struct block *block, const struct pixel_blocks *blocks,
     if (block->coarser == coarser)
         return block->around;
     const struct receiver receiver =
-        corner_receiver(&block->places[BLOCK_PLACES / 2].corner, like, coarser);
+        corner_receiver(&block->places[BLOCK_MIDDLE].corner, like, coarser);
     block->around =
         indirect_mesh_blend(blocks->mesh, worker, &receiver, &block->light);
     block->coarser = coarser;
@@ -214,6 +251,18 @@ static void place_ask(struct block *block, const struct pixel_blocks *blocks,
     block->places[number].coarser = coarser;
 }
 
+/* Whether the receiver is in the half that ends with the last place. */
+static bool block_half(const struct block *block,
+                       const struct pixel_blocks *blocks,
+                       const struct receiver *receiver)
+{
+    double along = 0;
+    for (int axis = 0; axis < 2; axis++)
+        along += receiver->pixel->at[axis] * blocks->size[axis] / blocks->step -
+                 block->at[axis] * BLOCK_EDGE;
+    return along > BLOCK_EDGE;
+}
+
 bool pixel_blocks_light(const struct pixel_blocks *blocks,
                         struct worker *worker, const struct receiver *receiver,
                         struct indirect_share *share)
@@ -221,8 +270,11 @@ bool pixel_blocks_light(const struct pixel_blocks *blocks,
     if (worker->number >= blocks->threads)
         return false;
     struct block *block = block_get(blocks, worker, receiver);
+    bool later = block_half(block, blocks, receiver);
+    if (block->hits[BLOCK_MIDDLE].leaf && !block->places[BLOCK_MIDDLE].placed)
+        place_find(block, blocks, BLOCK_MIDDLE, receiver);
     for (int i = 0; i < BLOCK_PLACES; i++) {
-        int number = place_order[i];
+        int number = later ? BLOCK_PLACES - 1 - place_order[i] : place_order[i];
         if (!block->hits[number].leaf)
             continue;
         if (!block->places[number].placed)

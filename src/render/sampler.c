@@ -151,6 +151,7 @@ static bool block_start(const struct sampler *sampler,
             place->grid[0] = x;
             place->grid[1] = y;
             place->pixel = 0;
+            place->around = NULL;
             first_hits_place(grid, x, y, place->at);
         }
     if (block->count > 0)
@@ -187,10 +188,28 @@ void sampler_meet(const struct sampler *sampler, struct first_hits *hits,
             *first_hits_at(hits, x, y) = block.hits[count++];
 }
 
+/* All of the area, if that is known: neighbours may make use of it. */
+static void block_tell(const struct sampler *sampler,
+                       struct sampler_block *block, struct area area,
+                       struct first_hits *around)
+{
+    if (!tracer_is_single(sampler->tracer) ||
+        block->count < (unsigned)area_pixels(area))
+        return;
+    *around = sampler_grid(sampler);
+    around->left = area.left;
+    around->top = area.top;
+    around->columns = area.right - area.left;
+    around->rows = area.bottom - area.top;
+    around->at = block->hits;
+    for (unsigned i = 0; i < block->count; i++)
+        block->places[i].around = around;
+}
+
 void sampler_first(struct sampler *sampler, struct worker *worker,
                    struct area area)
 {
-    struct first_hits grid = sampler_grid(sampler);
+    struct first_hits grid = sampler_grid(sampler), around;
     struct sampler_block block;
     struct radiance seen[BLOCK_MOST];
     if (!block_start(sampler, &block, &grid, area, true))
@@ -201,6 +220,7 @@ void sampler_first(struct sampler *sampler, struct worker *worker,
         block.hits[i] =
             *first_hits_at(sampler->hits, (int)block.places[i].grid[0],
                            (int)block.places[i].grid[1]);
+    block_tell(sampler, &block, area, &around);
     block_see(sampler, worker, &block, seen);
     if (worker_stopped(worker)) /* while it was looked at */
         return;

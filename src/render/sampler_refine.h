@@ -26,6 +26,7 @@ static inline void sampler_at(const struct sampler *sampler, double x, double y,
     place->at[1] = y / options->height;
     place->grid[0] = x - middle;
     place->grid[1] = y - middle;
+    place->around = NULL;
 }
 
 /* Sum of the differences after gamma correction; opacity counts when it is

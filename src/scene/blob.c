@@ -178,14 +178,12 @@ static void blob_crossings(const void *shape, const struct ray *ray,
                            void *context)
 {
     const struct blob *blob = shape;
-    const struct blob_tree *tree = blob->tree;
-    struct slabs slabs = slabs_of(ray);
     struct stretch items[STRETCHES_MAX];
     struct stretches all = { tmin, tmax, 0, STRETCHES_MAX, items };
-    const struct blob_node *leaf = blob_tree_leaf(tree, 0, &slabs, tmin, tmax);
-    for (; leaf; leaf = blob_tree_leaf(tree, leaf->next, &slabs, tmin, tmax))
-        for (uint32_t i = leaf->first; i < leaf->first + leaf->count; i++)
-            stretches_add(&all, &tree->bodies[i], ray);
+    struct blob_walk walk = blob_walk_of(blob->tree, ray, tmin, tmax);
+    const struct blob_node *leaf = blob_walk_on(&walk);
+    for (; leaf; leaf = blob_walk_on(&walk))
+        stretches_add(&all, &blob->tree->bodies[leaf->first], leaf->count, ray);
     stretches_sweep(&all, blob->threshold, visit, context);
 }
 
@@ -240,7 +238,7 @@ static void lanes_add(struct blob_lanes *lanes, const struct blob_body *body,
     for (; met; met &= met - 1) {
         int i = __builtin_ctz(met);
         const struct ray ray = rays_at(lanes->rays, i);
-        stretches_add(&lanes->of[i], body, &ray);
+        stretches_add(&lanes->of[i], body, 1, &ray);
     }
 }
 

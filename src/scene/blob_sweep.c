@@ -5,12 +5,13 @@
 #include <stdlib.h>
 
 #include "base/clones.h"
+#include "base/pair.h"
 #include "scene/polynomial.h"
 
 enum { STRETCHES_FEW = 24 }; /* to be sorted by hand */
 
 /* The part of the line where its q is positive, between its limits. */
-static void stretch_add(struct stretches *all, struct stretch wanted)
+INLINED void stretch_add(struct stretches *all, struct stretch wanted)
 {
     double low = wanted.low, high = wanted.high, nearest = wanted.nearest;
     if (!(wanted.most > 0) || all->count == all->limit)
@@ -89,26 +90,61 @@ static void cylinder_stretches(struct stretches *all,
                  up ? HUGE_VAL : out);
 }
 
-void stretches_add(struct stretches *all, const struct blob_body *body,
-                   const struct ray *ray)
+static void body_stretches(struct stretches *all, const struct blob_body *body,
+                           const struct ray *ray)
 {
     const struct blob_part *part = &body->part;
-    if (body->round) {
-        vec3 o = vec3_sub(ray->origin, body->centre), d = ray->direction;
-        double square = vec3_dot(d, d), nearest = -vec3_dot(o, d) / square;
-        vec3 p = vec3_along(o, d, nearest);
-        stretch_add(all,
-                    (struct stretch){ -HUGE_VAL, HUGE_VAL, part->strength,
-                                      square * body->inverse, nearest,
-                                      1 - vec3_dot(p, p) * body->inverse });
-        return;
-    }
     vec3 o = affine_point(&part->inward, ray->origin);
     vec3 d = affine_direction(&part->inward, ray->direction);
     if (part->length > 0)
         cylinder_stretches(all, part, o, d);
     else
         ball_stretch(all, part->strength, o, d, -HUGE_VAL, HUGE_VAL);
+}
+
+/* Of two round bodies, which may be the same one, both at once. */
+static void round_stretches(struct stretches *all,
+                            const struct blob_body *const two[PAIR], int count,
+                            const struct ray *ray)
+{
+    const struct blob_body *a = two[0], *b = two[1];
+    vec3 o = ray->origin, d = ray->direction;
+    double square = vec3_dot(d, d);
+    pair x = o.x - (pair){ a->centre.x, b->centre.x };
+    pair y = o.y - (pair){ a->centre.y, b->centre.y };
+    pair z = o.z - (pair){ a->centre.z, b->centre.z };
+    pair inverse = { a->inverse, b->inverse };
+    pair nearest = -(x * d.x + y * d.y + z * d.z) / square;
+    x = x + nearest * d.x;
+    y = y + nearest * d.y;
+    z = z + nearest * d.z;
+    pair most = 1 - (x * x + y * y + z * z) * inverse;
+    for (int i = 0; i < count; i++)
+        stretch_add(
+            all, (struct stretch){ -HUGE_VAL, HUGE_VAL, two[i]->part.strength,
+                                   square * inverse[i], nearest[i], most[i] });
+}
+
+void stretches_add(struct stretches *all, const struct blob_body *bodies,
+                   size_t count, const struct ray *ray)
+{
+    const struct blob_body *round[PAIR] = { NULL, NULL };
+    int waiting = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (!bodies[i].round) {
+            body_stretches(all, &bodies[i], ray);
+            continue;
+        }
+        round[waiting++] = &bodies[i];
+        if (waiting == PAIR) {
+            round_stretches(all, round, PAIR, ray);
+            waiting = 0;
+        }
+    }
+    if (waiting > 0) {
+        round[1] = round[0];
+        round_stretches(all, round, 1, ray);
+    }
 }
 
 static int stretch_order(const void *a, const void *b)

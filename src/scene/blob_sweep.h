@@ -22,9 +22,9 @@ struct stretches {
     struct stretch *items;
 };
 
-/* Those of the ray and the body; none beyond the limit. */
-void stretches_add(struct stretches *all, const struct blob_body *body,
-                   const struct ray *ray);
+/* Those of the ray and so many bodies; none beyond the limit. */
+void stretches_add(struct stretches *all, const struct blob_body *bodies,
+                   size_t count, const struct ray *ray);
 
 /* The same of rays side by side and a round body: which have one. */
 struct lane_stretches {

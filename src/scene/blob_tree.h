@@ -8,6 +8,9 @@
 #include "scene/blob.h"
 #include "scene/slab.h"
 
+/* Nodes on the longest way down, at most: each has half of those above it. */
+enum { BLOB_DEPTH = 32 };
+
 /* A part as rays meet it. */
 struct blob_body {
     struct blob_part part;
@@ -37,25 +40,53 @@ blob_tree_new(struct arena *arena, const struct blob_part *parts, size_t count);
 /* Around all that has this part's density; infinite if it is flattened. */
 struct box3 blob_part_box(const struct blob_part *part);
 
-/* The next leaf from node `at` on whose box the ray meets between tmin and
- * tmax; NULL: there is none. Ask again with its `next`. */
-static inline const struct blob_node *
-blob_tree_leaf(const struct blob_tree *tree, uint32_t at,
-               const struct slabs *slabs, double tmin, double tmax)
+/* A ray on its way through the tree. */
+struct blob_walk {
+    const struct blob_tree *tree;
+    struct slabs slabs;
+    double tmin, tmax;
+    int count; /* nodes whose boxes it meets too, the next last */
+    uint32_t wait[BLOB_DEPTH];
+};
+
+static inline struct blob_walk blob_walk_of(const struct blob_tree *tree,
+                                            const struct ray *ray, double tmin,
+                                            double tmax)
 {
-    while (at < tree->node_count) {
-        const struct blob_node *node = &tree->nodes[at];
-        if (!slabs_hit(slabs, &node->box, tmin, tmax))
-            at = node->next;
-        else if (node->count)
-            return node;
-        else
-            at++;
+    struct blob_walk walk; /* no more of it than is needed */
+    walk.tree = tree;
+    walk.slabs = slabs_of(ray);
+    walk.tmin = tmin;
+    walk.tmax = tmax;
+    walk.wait[0] = 0;
+    walk.count = slabs_hit(&walk.slabs, &tree->nodes[0].box, tmin, tmax);
+    return walk;
+}
+
+/* The next leaf whose box the ray meets; NULL: there is none. */
+static inline const struct blob_node *blob_walk_on(struct blob_walk *walk)
+{
+    const struct blob_node *nodes = walk->tree->nodes;
+    while (walk->count > 0) {
+        uint32_t at = walk->wait[--walk->count];
+        while (!nodes[at].count) {
+            uint32_t near = at + 1, far = nodes[near].next;
+            int met = slabs_hit_two(&walk->slabs, &nodes[near].box,
+                                    &nodes[far].box, walk->tmin, walk->tmax);
+            if (!met)
+                break;
+            at = met & 1 ? near : far;
+            walk->wait[walk->count] = far;
+            walk->count += met == 3;
+        }
+        if (nodes[at].count)
+            return &nodes[at];
     }
     return NULL;
 }
 
-/* The same of a point. */
+/* The next leaf from node `at` on whose box has the point; NULL: there is none.
+ * Ask again with its `next`. */
 static inline const struct blob_node *
 blob_tree_leaf_at(const struct blob_tree *tree, uint32_t at, vec3 point)
 {

@@ -1,11 +1,13 @@
 /* Rays side by side over a grid of heights, each as height_grid_crossings walks
- * it, to the bit. Each step takes all of them to their next blocks, or down a
- * level, or lets those that may meet something in a square look there. */
+ * it, to the bit. Each step takes some of them to their next blocks, or down a
+ * level, or lets those that may meet something in a square look there: half of
+ * the lanes at a time, for many packets have no more rays, and of others some
+ * walk on for long after the rest. */
 #include "scene/height_rays.h"
 
 #include <string.h>
 
-enum { WALKS = RAY_LANES };
+enum { WALKS = LANE_STEP };
 
 /* So many of them, with the numbers of height_walk and height_place. */
 struct walks {
@@ -21,6 +23,7 @@ struct walks {
     double column[WALKS], row[WALKS]; /* the square at hand */
     double t[WALKS], right[WALKS];    /* what is met */
     int32_t level[WALKS], i[WALKS], j[WALKS];
+    int first; /* number of the first ray among all */
 };
 
 /* What there is to walk over. */
@@ -72,18 +75,23 @@ CLONES static void walks_squares_first(struct walks *restrict w,
     }
 }
 
-/* Puts them at the beginnings of their walks; returns those that may meet
- * anything. */
+/* Puts the rays from number `first` on at the beginnings of their walks;
+ * returns those that may meet anything. */
 static unsigned walks_begin(struct walks *w, const struct walks_grid *grid,
                             const struct rays *rays,
-                            const struct rays_span *span)
+                            const struct rays_span *span, int first)
 {
     LANE_LINES double way[WALKS];
     LANE_LINES int32_t any[WALKS];
-    memcpy(w->origin, rays->origin, sizeof w->origin);
-    memcpy(w->direction, rays->direction, sizeof w->direction);
-    memcpy(w->tmin, span->near, sizeof w->tmin);
-    memcpy(w->tmax, span->far, sizeof w->tmax);
+    w->first = first;
+    for (int axis = 0; axis < 3; axis++) {
+        memcpy(w->origin[axis], rays->origin[axis] + first,
+               sizeof w->origin[axis]);
+        memcpy(w->direction[axis], rays->direction[axis] + first,
+               sizeof w->direction[axis]);
+    }
+    memcpy(w->tmin, span->near + first, sizeof w->tmin);
+    memcpy(w->tmax, span->far + first, sizeof w->tmax);
     walks_clip(w, grid, way, any);
     walks_squares_first(w, grid);
     for (int k = 0; k < WALKS; k++)
@@ -293,9 +301,9 @@ static void walks_take(const struct walks *w, const struct walks_grid *over,
                        unsigned lanes, struct rays_met *met)
 {
     for (; lanes; lanes &= lanes - 1) {
-        int k = __builtin_ctz(lanes);
-        met->t[k] = w->t[k];
-        met->part[k] =
+        int k = __builtin_ctz(lanes), ray = w->first + k;
+        met->t[ray] = w->t[k];
+        met->part[ray] =
             2 * (w->row[k] * over->wide + w->column[k]) + w->right[k];
     }
 }
@@ -348,11 +356,12 @@ void height_rays_first(const struct height_grid *grid, struct lane_run run,
         .top = grid->top,
     };
     struct walks walks;
-    for (int i = 0; i < WALKS; i++) {
+    for (int i = run.first; i < run.end; i++) {
         met->t[i] = HUGE_VAL;
         met->part[i] = 0;
     }
-    unsigned lanes =
-        walks_begin(&walks, &over, rays, span) & lane_run_bits(run);
-    walks_go(grid, &over, &walks, lanes, met);
+    for (int first = run.first; first < run.end; first += WALKS) {
+        unsigned lanes = walks_begin(&walks, &over, rays, span, first);
+        walks_go(grid, &over, &walks, lanes, met);
+    }
 }

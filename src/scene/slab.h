@@ -5,6 +5,7 @@
 
 #include "base/affine.h"
 #include "base/lesser.h"
+#include "base/pair.h"
 #include "scene/ray.h"
 
 /* The ray with the inverse of its direction. */
@@ -56,6 +57,31 @@ static inline bool slabs_hit(const struct slabs *slabs, const struct box3 *box,
 {
     slabs_clip(slabs, box, &tmin, &tmax);
     return slabs_overlap(tmin, tmax);
+}
+
+/* The same of two, both at once. */
+static inline void pair_clip(pair low, pair high, double origin, double inverse,
+                             pair *enter, pair *leave)
+{
+    pair a = (low - origin) * inverse, b = (high - origin) * inverse;
+    *enter = pair_max(*enter, pair_min(a, b));
+    *leave = pair_min(*leave, pair_max(a, b));
+}
+
+/* Bit by bit which of two boxes it hits. */
+static inline int slabs_hit_two(const struct slabs *slabs, const struct box3 *a,
+                                const struct box3 *b, double tmin, double tmax)
+{
+    vec3 o = slabs->origin, k = slabs->inverse;
+    pair enter = pair_of(tmin), leave = pair_of(tmax);
+    pair_clip((pair){ a->low.x, b->low.x }, (pair){ a->high.x, b->high.x }, o.x,
+              k.x, &enter, &leave);
+    pair_clip((pair){ a->low.y, b->low.y }, (pair){ a->high.y, b->high.y }, o.y,
+              k.y, &enter, &leave);
+    pair_clip((pair){ a->low.z, b->low.z }, (pair){ a->high.z, b->high.z }, o.z,
+              k.z, &enter, &leave);
+    pair size = pair_max(enter, -enter) + pair_max(leave, -leave);
+    return pair_ordered(enter, leave + 1e-12 * size);
 }
 
 #endif

@@ -42,6 +42,8 @@ struct picture_place {
                      * grid */
     unsigned long long pixel; /* worker_pixel's, where several are of one; else
                                * 0 */
+    const struct first_hits *around; /* what is met there and beside it, as far
+                                      * as that is known; or NULL */
 };
 
 /* Whether the hit is on that part of that leaf. */

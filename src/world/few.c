@@ -32,17 +32,6 @@ struct few few_new(struct arena *arena, const struct solid_list *solids,
     return few;
 }
 
-/* The part of [*enter, *leave] between two sides of both boxes. */
-static inline void pair_clip(const double *low, const double *high,
-                             double origin, double inverse, pair *enter,
-                             pair *leave)
-{
-    pair to_low = ((pair){ low[0], low[1] } - origin) * inverse;
-    pair to_high = ((pair){ high[0], high[1] } - origin) * inverse;
-    *enter = pair_max(*enter, pair_min(to_low, to_high));
-    *leave = pair_min(*leave, pair_max(to_low, to_high));
-}
-
 /* Which of both boxes from number i on the ray meets. */
 static inline int pair_met(const struct few_boxes *boxes, size_t i,
                            const struct query *query)
@@ -51,12 +40,12 @@ static inline int pair_met(const struct few_boxes *boxes, size_t i,
     const double(*low)[FEW_MOST] = boxes->side[0],
           (*high)[FEW_MOST] = boxes->side[1];
     pair enter = pair_of(query->tmin), leave = pair_of(query->tmax);
-    pair_clip(low[0] + i, high[0] + i, ray->origin.x, ray->inverse.x, &enter,
-              &leave);
-    pair_clip(low[1] + i, high[1] + i, ray->origin.y, ray->inverse.y, &enter,
-              &leave);
-    pair_clip(low[2] + i, high[2] + i, ray->origin.z, ray->inverse.z, &enter,
-              &leave);
+    pair_clip(pair_at(low[0] + i), pair_at(high[0] + i), ray->origin.x,
+              ray->inverse.x, &enter, &leave);
+    pair_clip(pair_at(low[1] + i), pair_at(high[1] + i), ray->origin.y,
+              ray->inverse.y, &enter, &leave);
+    pair_clip(pair_at(low[2] + i), pair_at(high[2] + i), ray->origin.z,
+              ray->inverse.z, &enter, &leave);
     return pair_ordered(enter, leave);
 }
 

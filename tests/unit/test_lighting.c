@@ -394,7 +394,7 @@ static void expect_together_as_alone(const char *scene)
     pixel_start(&pixel, scene, (struct pixel_options){ .quality = 9 });
     tracer_ready(&pixel.tracer);
     for (int block = 0; block < 64; block++) {
-        struct picture_place places[WORLD_RAYS];
+        struct picture_place places[WORLD_RAYS] = { 0 };
         struct rays rays;
         struct world_hit hits[WORLD_RAYS];
         struct radiance seen[WORLD_RAYS];
