@@ -21,6 +21,7 @@
 #include "base/parallel.h"
 #include "image/image.h"
 #include "image/output.h"
+#include "image/part_values.h"
 
 enum {
     PART_VERSION = 5,
@@ -31,8 +32,6 @@ enum {
     WINDOW = 1 << 20,
     GATHERED = 128 << 10, /* bytes that are written at once */
     OPAQUE = 1 << 16,     /* in a record's kind: the fourth float is always 1 */
-    RGB_BYTES = 3 * sizeof(float),
-    RGBA_BYTES = 4 * sizeof(float),
     LOCK_TRIES = 20,
     LOCK_PAUSE = 50, /* ms */
 };
@@ -96,8 +95,8 @@ static bool part_has_floats(enum part_kind kind)
 static size_t part_unit(enum part_kind kind)
 {
     static const size_t units[PART_KINDS] = {
-        [PART_FIRST] = RGBA_BYTES,
-        [PART_PIXELS] = RGBA_BYTES,
+        [PART_FIRST] = PART_RGBA,
+        [PART_PIXELS] = PART_RGBA,
         [PART_LEVELS] = OUTPUT_LEVELS,
         [PART_TALLIES] = PART_TALLY,
     };
@@ -112,7 +111,7 @@ static enum part_kind record_kind(const struct part_record *record)
 /* Bytes of a pixel in the file. */
 static size_t record_unit(const struct part_record *record)
 {
-    return record->kind & OPAQUE ? RGB_BYTES : part_unit(record->kind);
+    return record->kind & OPAQUE ? PART_RGB : part_unit(record->kind);
 }
 
 static uint32_t checksum(uint64_t hash, const void *bytes, size_t count)
@@ -278,35 +277,6 @@ static struct area record_area(const struct part_record *record)
 {
     return (struct area){ record->left, record->top, record->right,
                           record->bottom };
-}
-
-static bool values_opaque(const float *values, size_t pixels)
-{
-    size_t others = 0;
-    for (size_t i = 0; i < pixels; i++)
-        others += values[4 * i + 3] != 1;
-    return others == 0;
-}
-
-/* The first three floats of each pixel; freed with memory_free. */
-static float *values_packed(const float *values, size_t pixels)
-{
-    float *packed = memory_resize(NULL, pixels * RGB_BYTES);
-    for (size_t i = 0; i < pixels; i++)
-        for (size_t k = 0; k < 3; k++)
-            packed[3 * i + k] = values[4 * i + k];
-    return packed;
-}
-
-/* The other way, in place: from the last on, nothing is overwritten too early.
- */
-static void values_unpack(float *values, size_t pixels)
-{
-    for (size_t i = pixels; i-- > 0;) {
-        values[4 * i + 3] = 1;
-        for (size_t k = 3; k-- > 0;)
-            values[4 * i + k] = values[3 * i + k];
-    }
 }
 
 /* The values of a record, if they are whole; freed with memory_free. */
