@@ -131,7 +131,7 @@ static const char *error_found(struct parser *p)
                         span.length > 40 ? "..." : "");
 }
 
-/* `Rgb <1, 0, 0>`: a colour's first word in other letters. */
+/* What begins a colour, or a function, in other letters: `Rgb`, `VLength`. */
 static const char *error_other_case(struct parser *p, const char *text)
 {
     size_t left;
