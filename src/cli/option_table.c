@@ -145,7 +145,7 @@ static const struct option table[] = {
 
     GROUP("Quality"),
     SWITCH_AND("A", "Antialias", render.antialias, "Antialias_Threshold",
-               "[n]", "smooth where colours differ by more than n (off)"),
+               "[n]", "smooth where colours differ by n or more (off)"),
     NUMBER(NULL, "Antialias_Threshold", render.threshold, 0, 1000,
            "as in +An (0.3)"),
     INTEGER("AM", "Sampling_Method", render.method, 1, 2,

@@ -131,18 +131,20 @@ static const char *error_found(struct parser *p)
                         span.length > 40 ? "..." : "");
 }
 
-/* `Rgb <1, 0, 0>`: a colour's first word in other letters. */
+/* What begins a colour, or a function, in other letters: `Rgb`, `VLength`. */
 static const char *error_other_case(struct parser *p, const char *text)
 {
     size_t left;
     enum token_kind next = stream_raw(p, &left)->kind;
-    if (left == 0 || (next != TOKEN_LESS && next != TOKEN_NUMBER))
+    bool called = next == TOKEN_LPAREN;
+    if (left == 0 || (!called && next != TOKEN_LESS && next != TOKEN_NUMBER))
         return NULL;
     char *small = arena_copy_text(p->arena, text, strlen(text));
     for (char *c = small; *c; c++)
         *c = (char)tolower((unsigned char)*c);
     const struct word *word = word_intern(p->words, small, strlen(small));
-    return colour_begins(word->keyword) ? small : NULL;
+    return (called ? word->reserved : colour_begins(word->keyword)) ? small
+                                                                    : NULL;
 }
 
 /* The pattern whose name is nearest, where one is wanted. */
@@ -248,6 +250,37 @@ static void note_long_string(struct parser *p)
     note_at(p, last, "this string ends lines below; its '\"' may be missing");
 }
 
+/* A number that is there without being declared: `clok`. */
+static const char *error_near_number(const char *wanted, const char *text)
+{
+    static const char *const numbers[] = { "clock",        "clock_delta",
+                                           "frame_number", "final_frame",
+                                           "image_width",  "image_height" };
+    struct text_nearest nearest = text_nearest_start(text);
+    if (strncmp(wanted, "a number", 8) != 0 &&
+        strncmp(wanted, "a vector", 8) != 0 &&
+        strcmp(wanted, "a condition") != 0)
+        return NULL;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        text_nearest_try(&nearest, numbers[i]);
+    return nearest.best;
+}
+
+/* The name that is meant by one that isn't declared: letters of another case
+ * are nearer than other letters. */
+static const char *error_near(struct parser *p, const char *wanted,
+                              const char *text)
+{
+    const char *name = error_nearest(p, wanted, text);
+    const char *alike = name && text_equal_nocase(name, text)
+                            ? name
+                            : error_other_case(p, text);
+    if (alike || name)
+        return alike ? alike : name;
+    const char *pattern = error_near_pattern(wanted, text);
+    return pattern ? pattern : error_near_number(wanted, text);
+}
+
 /* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
@@ -263,11 +296,7 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     if (!hint)
         hint = mistaken_word(token->word, "");
     if (!hint)
-        hint = error_nearest(p, wanted, token->word->text);
-    if (!hint)
-        hint = error_near_pattern(wanted, token->word->text);
-    if (!hint)
-        hint = error_other_case(p, token->word->text);
+        hint = error_near(p, wanted, token->word->text);
     if (!hint && strcmp(wanted, "a condition") == 0)
         hint =
             arena_printf(p->arena, "#declare %s = 0; ...", token->word->text);
@@ -434,6 +463,9 @@ static bool error_no_item(struct parser *p, const char *block)
         kind = next->kind;
     bool values = kind == TOKEN_NUMBER || kind == TOKEN_MINUS ||
                   kind == TOKEN_LPAREN || kind == TOKEN_LESS;
+    if (kind == TOKEN_LESS && !comma && strcmp(block, "pigment") == 0)
+        return error_at(p, p->token_span, "rgb <1, 0.5, 0>",
+                        "a colour begins with 'rgb', also in 'pigment'");
     const char *why = values  ? "; a vector is written <1, 2, 3>, a product 2*x"
                       : comma ? "; no comma stands between items"
                       : kind == TOKEN_SEMICOLON

@@ -1,5 +1,6 @@
 /* Operands of expressions: numbers, strings, vectors, parentheses, constants,
  * identifiers, and their components. */
+#include <ctype.h>
 #include <limits.h>
 
 #include "parse/array.h"
@@ -368,6 +369,18 @@ static int component_index(const struct word *word)
     }
 }
 
+/* V.X is meant as V.x. */
+static const char *component_other_case(struct parser *p, struct span span)
+{
+    char *word = arena_printf(p->arena, "%.*s", (int)span.length,
+                              span.source->text + span.offset);
+    for (char *c = word; *c; c++)
+        *c = (char)tolower((unsigned char)*c);
+    return component_index(word_intern(p->words, word, span.length)) != -2
+               ? word
+               : NULL;
+}
+
 /* The grey of a colour has POV-Ray's weights (measured). A float has the
  * component x, as in POV-Ray.
  * component = "x" | "y" | "z" | "t" | "u" | "v" | "red" | "green" | "blue"
@@ -381,7 +394,7 @@ static bool parse_component(struct parser *p, struct value *value)
     struct span span = p->token_span;
     stream_next(p);
     if (index == -2) {
-        error_at(p, span, NULL,
+        error_at(p, span, component_other_case(p, span),
                  "'%.*s' is not a component; there are x, y, z, t, u, v, red, "
                  "green, blue, filter, transmit and gray",
                  (int)span.length, span.source->text + span.offset);

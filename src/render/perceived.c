@@ -75,7 +75,7 @@ static bool differ_exactly(const struct perceived *table, const float *a,
     for (int i = 0; i < 3; i++)
         if (a[i] != b[i])
             sum += fabs(perceived(table, a[i]) - perceived(table, b[i]));
-    return sum + more > threshold;
+    return sum + more >= threshold;
 }
 
 /* With the table. */

@@ -68,8 +68,9 @@ static inline double perceived_most(const double *slopes, float a, float b,
 }
 
 /* Whether the sum over three components of |a^exponent - b^exponent|, and
- * `more`, is above the threshold; values below 0 count as 0. Says exactly what
- * pow() would say. Most neighbours are so much alike that slopes decide. */
+ * `more`, reaches the threshold, as all do that of 0; values below 0 count as
+ * 0. Says exactly what pow() would say. Most neighbours are so much alike that
+ * slopes decide. */
 static inline bool perceived_differ(const struct perceived *table,
                                     const float *a, const float *b, double more,
                                     double threshold)

@@ -47,8 +47,8 @@ static void check(const struct perceived *table, const float *a, const float *b)
                                   sum * 1.01 };
     for (unsigned i = 0; i < sizeof thresholds / sizeof thresholds[0]; i++)
         assert_int_equal(perceived_differ(table, a, b, 0, thresholds[i]),
-                         sum > thresholds[i]);
-    assert_int_equal(perceived_differ(table, a, b, 0.2, 0.5), sum + 0.2 > 0.5);
+                         sum >= thresholds[i]);
+    assert_int_equal(perceived_differ(table, a, b, 0.2, 0.5), sum + 0.2 >= 0.5);
 }
 
 static void test_exact(void **state)
@@ -92,7 +92,8 @@ static void test_srgb(void **state)
     perceived_fill_srgb(&table, 0.4);
     assert_true(perceived_differ(&table, bright, dark, 0, apart - 1e-6));
     assert_false(perceived_differ(&table, bright, dark, 0, apart + 1e-6));
-    assert_false(perceived_differ(&table, dark, dark, 0, 0));
+    assert_true(perceived_differ(&table, dark, dark, 0, 0));
+    assert_false(perceived_differ(&table, dark, dark, 0, 1e-9));
 }
 
 /* A row leaves out none that differs, and most that do not. */
