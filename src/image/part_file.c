@@ -417,11 +417,18 @@ bool part_file_was_damaged(const struct part_file *file)
     return file->damaged;
 }
 
-static void room_write(struct part_file *file, struct part_room room)
+/* The first failure is the one that is told. */
+static void part_write(struct part_file *file, const char *bytes, size_t count,
+                       off_t at)
 {
     int none = 0;
-    if (!write_at(file->handle, room.bytes, room.used, room.at))
+    if (!write_at(file->handle, bytes, count, at))
         atomic_compare_exchange_strong(&file->problem, &none, errno);
+}
+
+static void room_write(struct part_file *file, struct part_room room)
+{
+    part_write(file, room.bytes, room.used, room.at);
     lock_take(file->lock);
     memory_free(file->spare.bytes);
     file->spare = room;
@@ -458,6 +465,14 @@ static char *room_for(struct part_file *file, size_t count)
     return to;
 }
 
+/* As they stand in the file: the values after their record. */
+static void record_copy(char *to, const struct part_record *record,
+                        const void *values, size_t count)
+{
+    memcpy(to, record, sizeof *record);
+    memcpy(to + sizeof *record, values, count);
+}
+
 /* A tile's record and values, one after the other, at *place; returns what is
  * full. */
 static struct part_room tile_put(struct part_file *file,
@@ -470,9 +485,7 @@ static struct part_room tile_put(struct part_file *file,
         full = room_taken(file);
     *place = file->end;
     tile_add(file, record_kind(record), record_area(record), file->end);
-    char *to = room_for(file, sizeof *record + count);
-    memcpy(to, record, sizeof *record);
-    memcpy(to + sizeof *record, values, count);
+    record_copy(room_for(file, sizeof *record + count), record, values, count);
     lock_give(file->lock);
     return full;
 }
@@ -527,7 +540,6 @@ static bool place_written(struct part_file *file, off_t place)
 long long part_file_replace(struct part_file *file, struct area area,
                             const void *values, long long place)
 {
-    int none = 0;
     if (atomic_load(&file->problem))
         return 0;
     if (!place_written(file, (off_t)place))
@@ -535,10 +547,8 @@ long long part_file_replace(struct part_file *file, struct area area,
     const struct part_record record = record_of(PART_TALLIES, area, values);
     size_t count = area_pixels(area) * PART_TALLY;
     char *bytes = memory_resize(NULL, sizeof record + count);
-    memcpy(bytes, &record, sizeof record);
-    memcpy(bytes + sizeof record, values, count);
-    if (!write_at(file->handle, bytes, sizeof record + count, (off_t)place))
-        atomic_compare_exchange_strong(&file->problem, &none, errno);
+    record_copy(bytes, &record, values, count);
+    part_write(file, bytes, sizeof record + count, (off_t)place);
     memory_free(bytes);
     return place;
 }

@@ -58,6 +58,7 @@ bool part_file_was_damaged(const struct part_file *file);
  * reason; else that is NULL. Returns its place in the file. */
 long long part_file_put(struct part_file *file, enum part_kind kind,
                         struct area area, const void *values);
+const char *part_file_problem(const struct part_file *file);
 
 /* Tallies over older ones of the same area, which were put at `place`: the file
  * grows no more. If these still wait to be written, as part_file_put. Whatever
@@ -65,7 +66,6 @@ long long part_file_put(struct part_file *file, enum part_kind kind,
  * file, and who takes them must know which are the newest. */
 long long part_file_replace(struct part_file *file, struct area area,
                             const void *values, long long place);
-const char *part_file_problem(const struct part_file *file);
 
 /* Writes what waits. */
 void part_file_flush(struct part_file *file);

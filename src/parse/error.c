@@ -139,12 +139,9 @@ static const char *error_other_case(struct parser *p, const char *text)
     bool called = next == TOKEN_LPAREN;
     if (left == 0 || (!called && next != TOKEN_LESS && next != TOKEN_NUMBER))
         return NULL;
-    char *small = arena_copy_text(p->arena, text, strlen(text));
-    for (char *c = small; *c; c++)
-        *c = (char)tolower((unsigned char)*c);
-    const struct word *word = word_intern(p->words, small, strlen(small));
-    return (called ? word->reserved : colour_begins(word->keyword)) ? small
-                                                                    : NULL;
+    const struct word *word = mistaken_case(p, text, strlen(text));
+    bool meant = called ? word->reserved : colour_begins(word->keyword);
+    return meant ? word->text : NULL;
 }
 
 /* The pattern whose name is nearest, where one is wanted. */
@@ -275,8 +272,10 @@ static const char *error_near(struct parser *p, const char *wanted,
     const char *alike = name && text_equal_nocase(name, text)
                             ? name
                             : error_other_case(p, text);
-    if (alike || name)
-        return alike ? alike : name;
+    if (alike)
+        return alike;
+    if (name)
+        return name;
     const char *pattern = error_near_pattern(wanted, text);
     return pattern ? pattern : error_near_number(wanted, text);
 }

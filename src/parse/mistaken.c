@@ -1,6 +1,8 @@
 /* Other languages' words and statements: see mistaken.h. */
 #include "parse/mistaken.h"
 
+#include <ctype.h>
+
 #include "base/text.h"
 #include "parse/array.h"
 #include "parse/directive.h"
@@ -332,4 +334,13 @@ void mistaken_define(struct parser *p, struct span at)
     while (cursor->index < cursor->end &&
            cursor->list->tokens[cursor->index].offset < end)
         cursor->index++;
+}
+
+const struct word *mistaken_case(struct parser *p, const char *text,
+                                 size_t length)
+{
+    char *small = arena_copy_text(p->arena, text, length);
+    for (char *c = small; *c; c++)
+        *c = (char)tolower((unsigned char)*c);
+    return word_intern(p->words, small, length);
 }

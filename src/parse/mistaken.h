@@ -11,6 +11,10 @@
  * mind. */
 const char *mistaken_word(const struct word *word, const char *block);
 
+/* The word in small letters. */
+const struct word *mistaken_case(struct parser *p, const char *text,
+                                 size_t length);
+
 /* What the next token was meant to be, where `wanted` was expected; or NULL. */
 const char *mistaken_value(struct parser *p, const char *wanted);
 

@@ -1,11 +1,11 @@
 /* Operands of expressions: numbers, strings, vectors, parentheses, constants,
  * identifiers, and their components. */
-#include <ctype.h>
 #include <limits.h>
 
 #include "parse/array.h"
 #include "parse/expression.h"
 #include "parse/function.h"
+#include "parse/mistaken.h"
 #include "parse/spline.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
@@ -372,13 +372,9 @@ static int component_index(const struct word *word)
 /* V.X is meant as V.x. */
 static const char *component_other_case(struct parser *p, struct span span)
 {
-    char *word = arena_printf(p->arena, "%.*s", (int)span.length,
-                              span.source->text + span.offset);
-    for (char *c = word; *c; c++)
-        *c = (char)tolower((unsigned char)*c);
-    return component_index(word_intern(p->words, word, span.length)) != -2
-               ? word
-               : NULL;
+    const struct word *word =
+        mistaken_case(p, span.source->text + span.offset, span.length);
+    return component_index(word) != -2 ? word->text : NULL;
 }
 
 /* The grey of a colour has POV-Ray's weights (measured). A float has the

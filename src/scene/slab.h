@@ -59,7 +59,7 @@ static inline bool slabs_hit(const struct slabs *slabs, const struct box3 *box,
     return slabs_overlap(tmin, tmax);
 }
 
-/* The same of two, both at once. */
+/* The part of [*enter, *leave] between two sides of two boxes, both at once. */
 static inline void pair_clip(pair low, pair high, double origin, double inverse,
                              pair *enter, pair *leave)
 {
@@ -68,7 +68,7 @@ static inline void pair_clip(pair low, pair high, double origin, double inverse,
     *leave = pair_min(*leave, pair_max(a, b));
 }
 
-/* Bit by bit which of two boxes it hits. */
+/* slabs_hit of two boxes: bit by bit which of them it hits. */
 static inline int slabs_hit_two(const struct slabs *slabs, const struct box3 *a,
                                 const struct box3 *b, double tmin, double tmax)
 {
