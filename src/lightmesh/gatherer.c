@@ -18,16 +18,26 @@ struct gatherer {
     struct aim aim;
 };
 
+/* What one ray brought, with the density of its way; 0: it was not sent. */
+struct brought {
+    rgb light;
+    double open, density;
+};
+
 /* Rays that are waiting. */
 struct waiting {
     struct gather_rays rays;
     double counts[RAY_LANES]; /* how much each counts */
+    uint32_t cell[RAY_LANES]; /* which of the part's ways each is */
+    struct brought *brought;  /* of each of these, to be looked at before it
+                               * counts; NULL: it counts at once */
 };
 
 /* What came from the only wall near is kept apart: it lights nothing, and is
  * rougher. */
 struct gathered {
     struct indirect_light light, wall;
+    double all; /* what way_cells.h compares differences with */
 };
 
 /* All ways are equally likely, on a surface those before it; but of those into
@@ -56,20 +66,43 @@ static vec3 gatherer_way(const struct gatherer *gatherer,
     return behind < 0 ? vec3_along(way, site->normal, -2 * behind) : way;
 }
 
+/* Which part of a set a mesh point has, */
+static uint32_t gatherer_part(const struct gatherer *gatherer)
+{
+    return (uint32_t)(gatherer->site->dither * GATHER_PARTS);
+}
+
+/* and where it begins among the ways. */
+static uint32_t gatherer_first(const struct gatherer *gatherer)
+{
+    return gatherer_part(gatherer) * gatherer->mesh->ways.set;
+}
+
+static double brought_weight(const struct brought *brought)
+{
+    return rgb_brightness(brought->light) / brought->density;
+}
+
+static void gathered_add(struct gathered *sum, const struct gatherer *gatherer,
+                         vec3 way, const struct brought *brought, double counts)
+{
+    bool wall = vec3_dot(way, gatherer->site->wall) > 0;
+    indirect_light_add(wall ? &sum->wall : &sum->light, way, brought->light,
+                       brought->open, brought->density / counts);
+    sum->all += counts * brought_weight(brought);
+}
+
 /* One gather ray. What glows counts by how likely it is to be found so. */
-static void gatherer_look(const struct gatherer *gatherer,
-                          const struct waiting *waiting, unsigned i,
-                          struct gathered *sum)
+static struct brought gatherer_look(const struct gatherer *gatherer,
+                                    const struct waiting *waiting, unsigned i)
 {
     const struct gather *gather = &gatherer->mesh->gather;
     const struct ray ray = rays_at(&waiting->rays.rays, (int)i);
     double density = gatherer_density(gatherer, ray.direction);
-    bool wall = vec3_dot(ray.direction, gatherer->site->wall) > 0;
     struct gathered_ray found;
     gather_rays_follow(gather, gatherer->worker, &waiting->rays, i, &found);
-    indirect_light_add(wall ? &sum->wall : &sum->light, ray.direction,
-                       gather_balanced(gather, &ray, density, &found),
-                       found.open, density / waiting->counts[i]);
+    rgb light = gather_balanced(gather, &ray, density, &found);
+    return (struct brought){ light, found.open, density };
 }
 
 static void gatherer_flush(const struct gatherer *gatherer,
@@ -78,8 +111,14 @@ static void gatherer_flush(const struct gatherer *gatherer,
     struct gather_rays *rays = &waiting->rays;
     gather_rays_trace(&gatherer->mesh->gather, gatherer->worker,
                       (double)INFINITY, rays);
-    for (unsigned i = 0; i < rays->count; i++)
-        gatherer_look(gatherer, waiting, i, sum);
+    for (unsigned i = 0; i < rays->count; i++) {
+        struct brought brought = gatherer_look(gatherer, waiting, i);
+        if (waiting->brought)
+            waiting->brought[waiting->cell[i]] = brought;
+        else
+            gathered_add(sum, gatherer, rays_direction(&rays->rays, (int)i),
+                         &brought, waiting->counts[i]);
+    }
     rays->count = 0;
 }
 
@@ -88,6 +127,8 @@ static void gatherer_send(const struct gatherer *gatherer,
                           struct waiting *waiting, struct gathered *sum)
 {
     waiting->counts[waiting->rays.count] = counts;
+    waiting->cell[waiting->rays.count] =
+        draws->index - gatherer_first(gatherer);
     gather_rays_add(&waiting->rays, draws, gatherer->site->place, way);
     if (waiting->rays.count == RAY_LANES)
         gatherer_flush(gatherer, waiting, sum);
@@ -104,18 +145,6 @@ static void gatherer_pick(const struct gatherer *gatherer,
         indirect_light_add(light, found.direction, found.light, 0,
                            found.density +
                                gatherer_density(gatherer, found.direction));
-}
-
-/* Which part of a set a mesh point has, */
-static uint32_t gatherer_part(const struct gatherer *gatherer)
-{
-    return (uint32_t)(gatherer->site->dither * GATHER_PARTS);
-}
-
-/* and where it begins among the ways. */
-static uint32_t gatherer_first(const struct gatherer *gatherer)
-{
-    return gatherer_part(gatherer) * gatherer->mesh->ways.set;
 }
 
 static struct draws gatherer_draws(const struct gatherer *gatherer,
@@ -158,6 +187,65 @@ static void gatherer_even(const struct gatherer *gatherer,
     gatherer_flush(gatherer, waiting, sum);
 }
 
+/* The ways that other parts have in a cell, each of which counts as its own way
+ * does: by so much. */
+static void gatherer_look_closely(const struct gatherer *gatherer,
+                                  uint32_t cell, double counts,
+                                  struct waiting *waiting, struct gathered *sum)
+{
+    const struct indirect_mesh *mesh = gatherer->mesh;
+    const struct part_cells *part = &mesh->cells.part[gatherer_part(gatherer)];
+    for (uint32_t i = part->first[cell]; i < part->first[cell + 1]; i++) {
+        struct draws draws = { mesh->gather.lamps->seed, part->ways[i] };
+        if (draws.index != gatherer_first(gatherer) + cell)
+            gatherer_send(gatherer, &draws, mesh->ways.ways[draws.index],
+                          counts, waiting, sum);
+    }
+}
+
+/* Adds up what the ways of a part brought; where there is an edge, with what
+ * the others do. Nothing is worth a second look before the only wall near. */
+static void gatherer_settle(const struct gatherer *gatherer,
+                            const struct brought *brought,
+                            struct waiting *waiting, struct gathered *sum)
+{
+    const struct indirect_mesh *mesh = gatherer->mesh;
+    const uint32_t count = mesh->cells.count, part = gatherer_part(gatherer);
+    const uint32_t *first = mesh->cells.part[part].first;
+    const vec3 *own = mesh->ways.ways + gatherer_first(gatherer);
+    double weight[WAY_CELLS_MOST], all = sum->all;
+    bool edge[WAY_CELLS_MOST];
+    for (uint32_t i = 0; i < count; i++) {
+        bool wall = vec3_dot(own[i], gatherer->site->wall) > 0;
+        bool sent = brought[i].density > 0;
+        all += sent ? brought_weight(&brought[i]) : 0;
+        weight[i] = sent && !wall ? brought_weight(&brought[i]) : (double)NAN;
+    }
+    way_cells_edges(&mesh->cells, part, weight,
+                    mesh->edge * all / gatherer->count, edge);
+    for (uint32_t i = 0; i < count && !worker_stopped(gatherer->worker); i++) {
+        double counts = edge[i] ? 1.0 / (first[i + 1] - first[i]) : 1;
+        if (brought[i].density > 0)
+            gathered_add(sum, gatherer, own[i], &brought[i], counts);
+        if (edge[i])
+            gatherer_look_closely(gatherer, i, counts, waiting, sum);
+    }
+    gatherer_flush(gatherer, waiting, sum);
+}
+
+/* The same as gatherer_even, with a closer look at edges. */
+static void gatherer_cells(const struct gatherer *gatherer,
+                           struct waiting *waiting, struct gathered *sum)
+{
+    struct brought brought[WAY_CELLS_MOST];
+    for (uint32_t i = 0; i < gatherer->mesh->cells.count; i++)
+        brought[i].density = 0;
+    waiting->brought = brought;
+    gatherer_even(gatherer, waiting, sum);
+    waiting->brought = NULL;
+    gatherer_settle(gatherer, brought, waiting, sum);
+}
+
 /* And of what is sent to one bright place. What is worth more rays sends the
  * same ones and others: a picture's light changes by little when another finds
  * the place a little brighter. */
@@ -189,11 +277,13 @@ static void gatherer_aim(const struct gatherer *gatherer,
 
 static struct gathered gatherer_mean(const struct gatherer *gatherer)
 {
-    struct gathered sum = { indirect_light_none, indirect_light_none };
+    struct gathered sum = { indirect_light_none, indirect_light_none, 0 };
     uint32_t count = gatherer->count;
-    struct waiting waiting = { .rays.count = 0 };
-    gatherer_even(gatherer, &waiting, &sum);
+    struct waiting waiting = { .rays.count = 0, .brought = NULL };
+    bool cells =
+        !gatherer->site->lone && gatherer->even == gatherer->mesh->cells.count;
     gatherer_aim(gatherer, &waiting, &sum);
+    (cells ? gatherer_cells : gatherer_even)(gatherer, &waiting, &sum);
     if (emitters_any(gatherer->mesh->gather.emitters))
         for (uint32_t i = 0; i < count && !worker_stopped(gatherer->worker);
              i++) {
@@ -210,6 +300,11 @@ static uint32_t lone_samples(const struct indirect_mesh *mesh,
 {
     double worth = fmin(site->worth / gather_worth_whole, 1);
     return (uint32_t)ceil(worth * worth * mesh->lone_samples);
+}
+
+uint32_t gatherer_everywhere(uint32_t samples, bool aims)
+{
+    return aims ? samples - samples / BRIGHT_PART : samples;
 }
 
 void gatherer_fill(const void *context, struct worker *worker,
@@ -229,10 +324,11 @@ void gatherer_fill(const void *context, struct worker *worker,
     gatherer.even = gatherer.count;
     gatherer.aim.count = 0;
     if (mesh->bright && !site->lone) {
-        uint32_t aimed = gatherer.count / BRIGHT_PART;
-        aim_take(&gatherer.aim, mesh->bright, site->place, aimed);
+        uint32_t even = gatherer_everywhere(gatherer.count, true);
+        aim_take(&gatherer.aim, mesh->bright, site->place,
+                 gatherer.count - even);
         if (gatherer.aim.count > 0)
-            gatherer.even -= aimed;
+            gatherer.even = even;
     }
     struct gathered light = gatherer_mean(&gatherer);
     indirect_light_mix(&light.light, &light.wall, 1);

@@ -10,4 +10,8 @@
 void gatherer_fill(const void *context, struct worker *worker,
                    const struct mesh_site *site, void *payload);
 
+/* How many of a point's rays are sent everywhere alike, if it aims others at
+ * bright places, or not. */
+uint32_t gatherer_everywhere(uint32_t samples, bool aims);
+
 #endif

@@ -60,6 +60,11 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     if (mesh->samples < 1)
         mesh->samples = 1;
     mesh->ways = gather_ways_new(mesh->samples);
+    mesh->edge = options->edge;
+    if (mesh->edge > 0 && bounce == 1)
+        mesh->cells = way_cells_new(
+            &mesh->ways,
+            gatherer_everywhere((uint32_t)mesh->samples, mesh->bright));
     mesh->onwards = onwards_new(direct->lamps->seed, mesh->ways.count);
     mesh->gather.onwards = &mesh->onwards;
     point_mesh_start(&mesh->points, options->bytes /
@@ -90,6 +95,7 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
         struct indirect_mesh *next = mesh->next;
         point_mesh_free(&mesh->points);
         gather_ways_free(&mesh->ways);
+        way_cells_free(&mesh->cells);
         near_ways_free(&mesh->near);
         near_ways_free(&mesh->near_lone);
         onwards_free(&mesh->near_onwards);

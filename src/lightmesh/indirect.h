@@ -17,6 +17,7 @@
 #include "lightmesh/indirect_light.h"
 #include "lightmesh/near_field.h"
 #include "lightmesh/onward.h"
+#include "lightmesh/way_cells.h"
 
 enum { BOUNCES_MAX = 20 };
 
@@ -28,6 +29,9 @@ struct indirect_options {
     double radius;       /* of interpolation, in spacings; 0: its own */
     int bounces;         /* 1..BOUNCES_MAX */
     int samples;         /* gather rays of a mesh point */
+    double edge;         /* what two of them that are side by side bring may
+                          * differ by so many times what one does in the mean
+                          * before others look between them; 0: none do */
     int near, near_lone; /* rays to what is close to a corner of many pixels,
                           * and to a place that is seen alone */
     const struct bright *bright; /* where most light comes from; NULL: nobody
@@ -48,6 +52,8 @@ struct indirect_mesh {
                                   * there */
     int samples, lone_samples;
     struct gather_ways ways;
+    double edge; /* as of its options */
+    struct way_cells cells;
     struct onwards onwards;           /* of its gather rays */
     struct near_ways near, near_lone; /* of near rays, as of its options */
     struct onwards near_onwards;      /* likewise */

@@ -2,6 +2,7 @@
 #include "lightmesh/plan.h"
 
 #include "base/warp.h"
+#include "lightmesh/gatherer.h"
 #include "lightmesh/light_tree.h"
 #include "lightmesh/obstacles.h"
 #include "lightmesh/tuning.h"
@@ -47,7 +48,8 @@ static int rays_within(double rays)
 
 /* As many gather rays of a point as make noise that is hardly seen, for what
  * they bring differs less where lamps give most of the light; none where that
- * changes nothing. */
+ * changes nothing. Where a chamber would want many, few find out where to look
+ * more closely (way_cells.h). */
 static int frame_samples(const struct light_mesh_settings *said,
                          const struct survey *survey)
 {
@@ -60,7 +62,20 @@ static int frame_samples(const struct light_mesh_settings *said,
     bool closed = survey->open < open_enough;
     wanted =
         fmin(fmax(wanted, closed ? CHAMBER_LEAST : GATHER_LEAST), GATHER_MOST);
+    if (closed && survey->bright.count > 0)
+        wanted = BRIGHT_PART * CHAMBER_WAYS;
+    else if (closed && rays_within(sqrt(2) * wanted) > CHAMBER_MOST)
+        wanted = CHAMBER_WAYS;
     return rays_within(sqrt(2) * wanted * finer * finer); /* the nearest */
+}
+
+/* What two ways of a point may differ by: see way_cells.h. */
+static double frame_edge(const struct mesh_frame *frame, double finer)
+{
+    bool bright = frame->bright.count > 0;
+    uint32_t ways = gatherer_everywhere((uint32_t)frame->samples, bright);
+    return frame->closed && ways <= CHAMBER_WAYS * finer * finer ? gather_edge
+                                                                 : 0;
 }
 
 struct mesh_frame plan_frame(const struct scene *scene,
@@ -257,6 +272,7 @@ static void plan_indirect(struct plan *plan,
         .refinement = direct->refinement,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
         .samples = frame->samples,
+        .edge = frame_edge(frame, plan->finer),
         .near = near_rays(plan, NEAR_RAYS),
         .near_lone = near_rays(plan, NEAR_LONE_RAYS),
         .bytes = INDIRECT_BYTES,

@@ -184,9 +184,11 @@ enum {
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
     GATHER_FEW = 32,    /* and else */
     CHAMBER_LEAST = 96, /* the same where little light leaves the scene
-                         * [plates_glow] */
-    GATHER_MOST = 512,  /* more gain little where bright places are aimed at
-                         * [maze, pillars] */
+                         * [plates_glow], */
+    CHAMBER_MOST = 256, /* and at most: who wants more sends, */
+    CHAMBER_WAYS = 128, /* everywhere alike, so many, and others where they
+                         * differ [blocks, cornell, flicker] */
+    GATHER_MOST = 512,  /* more gain little [maze, pillars] */
     UNSEEN_SAMPLES = 256, /* where nobody looks how many it takes */
     LONE_SAMPLES = 16,    /* of places that are their own mesh point */
     LONE_PART = 8,        /* of later bounces one in so many */
@@ -198,7 +200,7 @@ enum {
     GATHER_PANES = 64,    /* that a ray passes */
     GATHER_MIRRORS = 3,   /* on one way */
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
-    CLOSE_RAYS = 30000,   /* between its walls */
+    CLOSE_RAYS = 120000,  /* between its walls */
     NEAR_RAYS = 10,       /* to what is close to a corner, */
     NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth] */
     LONE_PLACES = 4,      /* of a pixel, that its rays share */
@@ -283,6 +285,8 @@ static const double bright_round = 0.7; /* radius of what is in a cell, sides */
 static const double bright_wall = 1e-3; /* of that its walls are off */
 
 static const double gather_noise = 0.009; /* of the picture */
+static const double gather_edge = 3;   /* in chambers: see way_cells.h [blocks,
+                                        * cornell, flicker] */
 static const double gather_net = 1.43; /* the noise of ways falls by the power
                                         * 1/1.43 of its size [room to
                                         * pillars] */

@@ -1,5 +1,10 @@
-/* Exchange between zones: see exchange.h. All zones with walls send as many
- * rays, evenly over their area; a ray of zone i stands for S_i / N of it. */
+/* Exchange between zones: see exchange.h. Patches of wall send rays; one stands
+ * for its part of the patch's area. Which ways a patch's rays go depends on
+ * where it is alone: in the next picture of an animation what stands still
+ * sends the same ones, and its light does not change by chance with what moves
+ * [flicker]. Patches beside each other have rays beside each other of one
+ * sequence, by a curve through their wall (Morton 1966), so that those of any
+ * part of a wall are spread evenly as well. */
 #include "skeleton/exchange.h"
 
 #include <math.h>
@@ -12,21 +17,26 @@
 
 enum {
     RAYS_LEAST = 16, /* of a zone */
-    RAYS_MOST = 1024,
+    PATCH_MOST = 64, /* of a patch, where there are few */
 };
 
-/* All zones send along the same directions: what moves in a scene gives zones
- * other numbers, and the light of all walls must not change by chance with it.
- */
-static const uint64_t exchange_key = 0x65786368;
+/* What a ray met, and how much of its zone's area it stands for. */
+struct meeting {
+    uint32_t zone;
+    double area;
+};
 
 /* A zone with walls. */
 struct sender {
     uint32_t zone;
     size_t first, end; /* its patches, in their order */
     double area;
-    size_t sky_hits;
-    rgb sky; /* sum over these */
+    uint32_t each;       /* rays of a patch, a power of two, ... */
+    bool all;            /* ... of all patches: there are few */
+    struct meeting *met; /* by its rays, sorted by zones */
+    size_t rays;
+    double sky_area; /* that the sky is met by */
+    rgb sky;         /* sum of area * radiance over it */
 };
 
 struct exchange {
@@ -34,9 +44,10 @@ struct exchange {
     const struct patches *patches;
     struct sender *senders;
     size_t count;
-    size_t rays;     /* of each sender */
-    uint32_t *order; /* patches sorted by zone */
-    uint32_t *met;   /* zones that the rays of each sender met, sorted */
+    uint32_t each, every; /* rays of a patch, and of one in so many patches;
+                           * powers of two */
+    uint32_t *order;      /* patches sorted by zone */
+    uint32_t *sender;     /* of each zone; ZONE_NONE: it has no walls */
 };
 
 static uint32_t patch_zone(const struct exchange *exchange,
@@ -83,100 +94,155 @@ static const struct wall_patch *patch_at(const struct exchange *exchange,
     return &exchange->patches->items[exchange->order[place]];
 }
 
-static void sender_shoot(const struct exchange *exchange, struct sender *sender,
-                         const struct wall_patch *patch, size_t ray_number,
-                         uint32_t *met)
+/* The bits of a number with a bit between each and the next. */
+static uint32_t bits_apart(uint32_t bits)
 {
-    uint64_t key = exchange->sight->scene.seed ^ exchange_key;
-    struct draws draws = { key, (uint32_t)ray_number };
-    double u[2];
-    draw_pair(&draws, 0, u);
+    bits = (bits | bits << 8) & 0x00ff00ff;
+    bits = (bits | bits << 4) & 0x0f0f0f0f;
+    bits = (bits | bits << 2) & 0x33333333;
+    return (bits | bits << 1) & 0x55555555;
+}
+
+/* Where a patch is on its wall, along the curve, and which wall that is. */
+static struct draws patch_draws(const struct exchange *exchange,
+                                const struct wall_patch *patch)
+{
+    int at[3], side = side_of(patch->normal), axis = side / 2;
+    voxels_place(exchange->sight->skeleton->voxels, patch->voxel, at);
+    uint64_t wall = (uint64_t)(at[axis] * SIDES + side);
+    uint32_t u = (uint32_t)at[(axis + 1) % 3], v = (uint32_t)at[(axis + 2) % 3];
+    return (struct draws){ random_key(exchange->sight->scene.seed, wall),
+                           bits_apart(u) | bits_apart(v) << 1 };
+}
+
+static void sender_shoot(const struct exchange *exchange, struct sender *sender,
+                         const struct wall_patch *patch,
+                         const struct draws *draws)
+{
+    double u[2], area = (double)patch->area / sender->each;
+    draw_pair(draws, 0, u);
     struct ray ray = { patch->point, warp_lobe(u, patch->normal, 1) };
     struct sighting seen =
-        sight_zone(exchange->sight, &ray, random_key(key, ray_number));
-    *met = seen.zone;
+        sight_zone(exchange->sight, &ray, random_key(draws->key, draws->index));
+    sender->met[sender->rays++] = (struct meeting){ seen.zone, area };
     if (seen.zone != ZONE_SKY)
         return;
-    sender->sky = rgb_add(sender->sky, seen.beyond);
-    sender->sky_hits++;
+    sender->sky_area += area;
+    sender->sky = rgb_add_scaled(sender->sky, seen.beyond, area);
 }
 
-static int zone_compare(const void *a, const void *b)
+/* The rays of a patch; returns the area for which they stand. */
+static double sender_send(const struct exchange *exchange,
+                          struct sender *sender, const struct wall_patch *patch)
 {
-    const uint32_t *p = a, *q = b;
-    return *p < *q ? -1 : *p > *q;
+    struct draws draws = patch_draws(exchange, patch);
+    if (!sender->all) {
+        if (draws.index % exchange->every > 0)
+            return 0;
+        draws.index /= exchange->every;
+    }
+    draws.index *= sender->each;
+    for (uint32_t i = 0; i < sender->each; i++, draws.index++)
+        sender_shoot(exchange, sender, patch, &draws);
+    return (double)patch->area;
 }
 
-/* All rays of a zone, at equal steps of area. */
+static int meeting_compare(const void *a, const void *b)
+{
+    const struct meeting *p = a, *q = b;
+    return p->zone != q->zone ? (p->zone > q->zone) - (p->zone < q->zone)
+                              : (p->area > q->area) - (p->area < q->area);
+}
+
+/* All rays of a zone: together they stand for its area. */
 static void sender_look(void *context, size_t number, unsigned thread)
 {
     const struct exchange *exchange = context;
     struct sender *sender = &exchange->senders[number];
-    uint32_t *met = exchange->met + number * exchange->rays;
-    size_t count = exchange->rays, done = 0;
-    double before = 0;
+    double sent = 0;
     (void)thread;
+    sender->met = memory_new((sender->end - sender->first) * sender->each *
+                             sizeof *sender->met);
     for (size_t i = sender->first; i < sender->end; i++)
-        sender->area += (double)patch_at(exchange, i)->area;
-    double step = sender->area / (double)count;
-    for (size_t i = sender->first; i < sender->end; i++) {
-        const struct wall_patch *patch = patch_at(exchange, i);
-        before += (double)patch->area;
-        for (; done < count && ((double)done + 0.5) * step < before; done++)
-            sender_shoot(exchange, sender, patch, done, &met[done]);
-    }
-    for (; done < count; done++)
-        met[done] = ZONE_NONE;
-    qsort(met, count, sizeof *met, zone_compare);
+        sent += sender_send(exchange, sender, patch_at(exchange, i));
+    double scale = sent > 0 ? sender->area / sent : 0;
+    for (size_t i = 0; i < sender->rays; i++)
+        sender->met[i].area *= scale;
+    sender->sky_area *= scale;
+    sender->sky = rgb_scale(sender->sky, scale);
+    qsort(sender->met, sender->rays, sizeof *sender->met, meeting_compare);
 }
 
 static void exchange_walls(const struct exchange *exchange,
                            const struct sender *sender,
                            struct enclosure *enclosure)
 {
-    double hits = (double)sender->sky_hits;
     for (size_t k = sender->first; k < sender->end; k++) {
         const struct wall_patch *patch = patch_at(exchange, k);
         enclosure_wall(enclosure, sender->zone, (double)patch->area,
                        patch_rgb(patch->albedo), patch_rgb(patch->direct),
                        patch_rgb(patch->emission));
     }
-    if (sender->sky_hits > 0)
-        enclosure_sky(enclosure, sender->zone,
-                      sender->area * hits / (double)exchange->rays,
-                      rgb_scale(sender->sky, 1 / hits));
+    if (sender->sky_area > 0)
+        enclosure_sky(enclosure, sender->zone, sender->sky_area,
+                      rgb_scale(sender->sky, 1 / sender->sky_area));
 }
 
-/* What i sees of j is what j sees of i: rays from both sides together stand for
- * hits / (N / S_i + N / S_j), which counts the surer side for more. A zone that
- * no patch is of has no area, and nothing to give. */
+/* What i sees of j is what j sees of i: each side counts as much as it has rays
+ * for its area, the balance heuristic (Veach 1997, section 9.2) of both. A zone
+ * that no patch is of has no area, and nothing to give. */
+static double exchange_share(const struct exchange *exchange,
+                             const struct sender *sender, uint32_t zone)
+{
+    if (zone == ZONE_NONE || zone == sender->zone)
+        return 1;
+    if (zone == ZONE_SKY || exchange->sender[zone] == ZONE_NONE)
+        return 0;
+    const struct sender *other = &exchange->senders[exchange->sender[zone]];
+    double own = (double)sender->rays / sender->area;
+    return own / (own + (double)other->rays / other->area);
+}
+
 static void exchange_openings(const struct exchange *exchange, size_t number,
                               struct enclosure *enclosure)
 {
     const struct sender *sender = &exchange->senders[number];
-    const uint32_t *met = exchange->met + number * exchange->rays;
-    double rays = (double)exchange->rays;
-    for (size_t k = 0, hits; k < exchange->rays; k += hits) {
-        double other = met[k] < ZONE_SKY ? enclosure->zones[met[k]].area : 0;
-        for (hits = 1; k + hits < exchange->rays && met[k + hits] == met[k];)
-            hits++;
-        if (met[k] == ZONE_NONE || met[k] == sender->zone)
-            enclosure_open(enclosure, sender->zone, sender->zone,
-                           (double)hits * sender->area / rays);
-        else if (other > 0)
-            enclosure_open(enclosure, sender->zone, met[k],
-                           (double)hits / (rays / sender->area + rays / other));
+    const struct meeting *met = sender->met;
+    for (size_t k = 0, next; k < sender->rays; k = next) {
+        double area = 0;
+        for (next = k; next < sender->rays && met[next].zone == met[k].zone;)
+            area += met[next++].area;
+        double share = exchange_share(exchange, sender, met[k].zone);
+        if (share > 0)
+            enclosure_open(enclosure, sender->zone,
+                           met[k].zone == ZONE_NONE ? sender->zone
+                                                    : met[k].zone,
+                           area * share);
     }
 }
 
-/* How many rays each zone sends, of so many in all, about: the nearest power of
- * two. What moves in a scene makes a zone more or less, and by one ray more or
- * less the light of all walls would change by chance [flicker]. */
-static size_t rays_each(size_t all, size_t zones)
+/* How many rays each patch sends, of about so many in all. Those of a small
+ * zone send more. */
+static void exchange_plan(struct exchange *exchange, size_t zones, size_t rays)
 {
-    double wanted = (double)all / (double)(zones + 1);
-    double rays = exp2(round(log2(wanted)));
-    return (size_t)fmin(fmax(rays, RAYS_LEAST), RAYS_MOST);
+    double wanted = (double)rays / (double)(exchange->patches->count + 1);
+    double each = exp2(round(log2(wanted)));
+    exchange->each = (uint32_t)fmin(fmax(each, 1), PATCH_MOST);
+    exchange->every = (uint32_t)fmax(1 / each, 1);
+    exchange->sender = memory_new(zones * sizeof *exchange->sender);
+    for (size_t i = 0; i < zones; i++)
+        exchange->sender[i] = ZONE_NONE;
+    for (size_t i = 0; i < exchange->count; i++) {
+        struct sender *sender = &exchange->senders[i];
+        size_t patches = sender->end - sender->first;
+        sender->each = exchange->each;
+        sender->all = patches * sender->each < RAYS_LEAST * exchange->every;
+        while (sender->all && patches * sender->each < RAYS_LEAST)
+            sender->each *= 2;
+        for (size_t k = sender->first; k < sender->end; k++)
+            sender->area += (double)patch_at(exchange, k)->area;
+        exchange->sender[sender->zone] = (uint32_t)i;
+    }
 }
 
 void exchange_measure(const struct sight *sight, const struct patches *patches,
@@ -184,9 +250,7 @@ void exchange_measure(const struct sight *sight, const struct patches *patches,
 {
     struct exchange exchange = { .sight = sight, .patches = patches };
     exchange_sort(&exchange, enclosure->count);
-    exchange.rays = rays_each(sight->skeleton->rays, exchange.count);
-    exchange.met =
-        memory_new(exchange.count * exchange.rays * sizeof *exchange.met);
+    exchange_plan(&exchange, enclosure->count, sight->skeleton->rays);
     parallel_run(sight->scene.threads, exchange.count, sight->scene.stop,
                  sender_look, &exchange);
     for (size_t i = 0; i < exchange.count; i++)
@@ -194,7 +258,9 @@ void exchange_measure(const struct sight *sight, const struct patches *patches,
     for (size_t i = 0; i < exchange.count; i++)
         exchange_openings(&exchange, i, enclosure);
     enclosure_even_out(enclosure);
-    memory_free(exchange.met);
-    memory_free(exchange.order);
+    for (size_t i = 0; i < exchange.count; i++)
+        memory_free(exchange.senders[i].met);
     memory_free(exchange.senders);
+    memory_free(exchange.sender);
+    memory_free(exchange.order);
 }
