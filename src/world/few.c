@@ -3,7 +3,10 @@
 
 #include "base/pair.h"
 
-enum { BEAM_WORTH = 4 }; /* boxes, to look at all rays of a packet as one */
+enum {
+    BEAM_WORTH = 4, /* boxes, to look at all rays of a packet as one, */
+    ROW_WORTH = 7,  /* and of one ray at a row of them at once */
+};
 
 /* Side by side, and as many more as make whole rows. */
 struct few_boxes {
@@ -49,16 +52,63 @@ static inline int pair_met(const struct few_boxes *boxes, size_t i,
     return pair_ordered(enter, leave);
 }
 
-void few_trace(const struct few *few, struct query *query)
+/* Which boxes of the row from number `first` on the ray meets, to the bit as
+ * pair_met has it. */
+CLONES static void row_met(const struct few_boxes *restrict boxes, size_t first,
+                           const struct query *query, lane_flag *restrict met)
+{
+    const vec3 from = query->slabs.origin, inverse = query->slabs.inverse;
+    const double origin[3] = { from.x, from.y, from.z };
+    const double by[3] = { inverse.x, inverse.y, inverse.z };
+    const double tmin = query->tmin, tmax = query->tmax;
+    for (int i = 0; i < FEW_ROW; i++) {
+        double enter = tmin, leave = tmax;
+        for (int k = 0; k < 3; k++) {
+            double a = (boxes->side[0][k][first + i] - origin[k]) * by[k];
+            double b = (boxes->side[1][k][first + i] - origin[k]) * by[k];
+            enter = greater(enter, lesser(a, b));
+            leave = lesser(leave, greater(a, b));
+        }
+        met[i] = enter <= leave ? -1 : 0;
+    }
+}
+
+/* Those of the row that are looked at, until the search is over. Once something
+ * is met what is farther isn't worth it. */
+static bool row_trace(const struct few *few, struct query *query, size_t first)
+{
+    LANE_LINES lane_flag met[FEW_ROW];
+    const double tmax = query->tmax;
+    row_met(few->boxes, first, query, met);
+    for (unsigned row = rays_bits(met); row; row &= row - 1) {
+        size_t i = first + (size_t)__builtin_ctz(row);
+        if (query->tmax < tmax &&
+            !(pair_met(few->boxes, i & ~(size_t)1, query) >> (i & 1) & 1))
+            continue;
+        if (query_solid(query, few->solids->items[i]))
+            return true;
+    }
+    return false;
+}
+
+static bool pair_trace(const struct few *few, struct query *query, size_t first)
 {
     struct solid *const *solids = few->solids->items;
-    for (size_t i = 0; i < few->solids->count; i += PAIR) {
-        int met = pair_met(few->boxes, i, query);
-        if (met & 1 && query_solid(query, solids[i]))
-            return;
-        if (met & 2 && query_solid(query, solids[i + 1]))
-            return;
-    }
+    int met = pair_met(few->boxes, first, query);
+    return (met & 1 && query_solid(query, solids[first])) ||
+           (met & 2 && query_solid(query, solids[first + 1]));
+}
+
+void few_trace(const struct few *few, struct query *query)
+{
+    const size_t count = few->solids->count;
+    bool over = false;
+    if (count < ROW_WORTH)
+        for (size_t i = 0; !over && i < count; i += PAIR)
+            over = pair_trace(few, query, i);
+    else
+        for (size_t i = 0; !over && i < count; i += FEW_ROW)
+            over = row_trace(few, query, i);
 }
 
 static struct box3 few_box(const struct few *few, size_t i)
