@@ -46,6 +46,9 @@ static void tally_gather(struct tally *tally, const struct receiver *from,
     struct draws draws = { key, (uint32_t)bounce };
     struct intersection at;
     double u[2];
+    bool lamps = census->direct->lamps->count > GATHER_LAMPS;
+    if (!mesh->next && !lamps) /* they ask no point */
+        return;
     draw_pair(&draws, GATHER_DIRECTION, u);
     struct ray ray = { from->point, warp_lobe(u, from->side, 1) };
     if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_REFLECTION,
@@ -58,7 +61,7 @@ static void tally_gather(struct tally *tally, const struct receiver *from,
         tally_gather(tally, &receiver, mesh->next, bounce + 1, key);
     }
     receiver.view.coarser = HIT_LEVELS;
-    if (census->direct->lamps->count > GATHER_LAMPS)
+    if (lamps)
         point_mesh_want(&census->direct->points, &receiver, &tally->wanted[0]);
 }
 

@@ -126,8 +126,9 @@ static void corner_look(struct corner *corner, const struct corner_store *store,
     double length;
     struct ray line = grid_corner_line(store->grid, &cell->name, i, &length);
     corner->met = false;
-    if (world_within(store->mesh->points.world, &line, 0, length, RAY_CAMERA,
-                     &at)) {
+    const struct glimpse glimpse = { 0, length, gather_spread };
+    if (world_glimpse(store->mesh->points.world, &line, glimpse, RAY_CAMERA,
+                      &at)) {
         corner_meet(corner, store->mesh, like, &line, &at);
         /* Far off a cell may be larger than those of the mesh. */
         corner->reach = fmax(corner->reach, length);

@@ -277,7 +277,7 @@ rgb direct_mesh_nearest(const struct direct_mesh *mesh, struct worker *worker,
                         const struct receiver *receiver, vec3 jitter)
 {
     const void *payload =
-        point_mesh_nearest(&mesh->points, worker, receiver, jitter);
+        point_mesh_nearest(&mesh->points, worker, receiver, jitter, NULL);
     if (!payload)
         return direct_mesh_irradiance(mesh, worker, receiver);
     struct mesh_blend blend;

@@ -25,9 +25,10 @@ static inline void distinct_add(struct distinct *seen, uint64_t key)
 
 static inline double distinct_count(const struct distinct *seen)
 {
-    int zeros = 0;
-    for (int i = 0; i < DISTINCT_WORDS; i++)
-        zeros += 64 - __builtin_popcountll(seen->words[i]);
+    int zeros = DISTINCT_BITS;
+    for (int i = 0; i < DISTINCT_WORDS; i++) /* most are 0 */
+        if (seen->words[i])
+            zeros -= __builtin_popcountll(seen->words[i]);
     return -DISTINCT_BITS *
            log((zeros > 0 ? zeros : 1) / (double)DISTINCT_BITS);
 }

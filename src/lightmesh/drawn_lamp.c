@@ -62,7 +62,7 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
     double sums[DRAWN_LAMPS], sum = 0, which[2] = { 0, 0 }, share;
     size_t count = lamps->count < DRAWN_LAMPS ? lamps->count : DRAWN_LAMPS;
     size_t lit = 0;
-    if (lamps->count > 1)
+    if (count < lamps->count)
         draw_pair(draws, slot, which);
     for (size_t i = 0; i < count; i++) {
         size_t number = candidate_number(lamps, count, i, which[0]);
@@ -75,6 +75,8 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
     }
     if (!(sum > 0))
         return rgb_grey(0);
+    if (lit > 1 && count == lamps->count)
+        draw_pair(draws, slot, which);
     const struct candidate *drawn =
         &at[draw_share(sums, lit, which[1], &share)];
     double times = (double)lamps->count / (double)count / share;

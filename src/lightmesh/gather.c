@@ -240,11 +240,11 @@ static double gathering_chance(const struct gathering *gathering, double chance,
 }
 
 /* What the surface sends back of the light on it, and of its own: all layers
- * have one normal, since bumps are left out. */
+ * have one normal, since bumps are left out. The part `sky` of it is open. */
 static rgb gathering_shade(const struct gathering *gathering,
-                           const struct surface *surface)
+                           const struct surface *surface, double sky)
 {
-    double solid = 1 - fmin(surface_sky(surface), 1);
+    double solid = 1 - fmin(sky, 1);
     rgb light = surface_glow(surface);
     double behind = surface_behind(surface);
     rgb albedo = rgb_scale(
@@ -310,8 +310,9 @@ static bool gathering_meet(struct gathering *gathering,
         gather_paint(&surface, gathering->gather->wide * at->t);
     if (glow)
         *glow = rgb_mul(gathering->share, surface_glow(&surface));
-    gathering_opens(gathering, surface_sky(&surface));
-    rgb sent = gathering_shade(gathering, &surface);
+    double sky = surface_sky(&surface);
+    gathering_opens(gathering, sky);
+    rgb sent = gathering_shade(gathering, &surface, sky);
     sent = rgb_add(sent, gathering_mirrors(gathering, &surface));
     *light = rgb_add(*light, rgb_mul(gathering->share, sent));
     gathering->share = rgb_mul(gathering->share, surface_passed(&surface));

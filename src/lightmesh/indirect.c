@@ -175,9 +175,13 @@ bool indirect_mesh_nearest(const struct indirect_mesh *mesh,
                            const struct receiver *receiver, vec3 jitter,
                            struct indirect_share *share)
 {
+    rgb through;
     const struct indirect_light *nearest =
-        point_mesh_nearest(&mesh->points, worker, receiver, jitter);
-    if (nearest)
-        *share = indirect_light_share(nearest, receiver->normal);
-    return nearest;
+        point_mesh_nearest(&mesh->points, worker, receiver, jitter, &through);
+    if (!nearest)
+        return false;
+    *share = indirect_light_share(nearest, receiver->normal);
+    share->light = rgb_mul(share->light, through);
+    share->open *= rgb_brightness(through);
+    return true;
 }

@@ -19,10 +19,16 @@ static int lattice_half(const struct lattice *lattice, int level)
     return (level - lattice->usual) & 1 ? 0 : 1;
 }
 
+/* 2 to the power of n, where that fits a double and not only just. */
+static double power_of_two(int n)
+{
+    return n >= 0 ? (double)(1ull << n) : 1 / (double)(1ull << -n);
+}
+
 static vec3 lattice_origin(const struct lattice *lattice, int level)
 {
     double third = (2 - lattice_half(lattice, level)) / 3.0;
-    double finer = ldexp(1, lattice->usual - level);
+    double finer = power_of_two(lattice->usual - level);
     return vec3_make(third + lattice_shift.x * finer,
                      third + lattice_shift.y * finer,
                      third + lattice_shift.z * finer);
@@ -103,7 +109,7 @@ int lattice_level(const struct lattice *lattice,
 
 static double rim(double x)
 {
-    return fmin(fmax(x, -lattice_rim), lattice_rim);
+    return x > -lattice_rim ? x < lattice_rim ? x : lattice_rim : -lattice_rim;
 }
 
 vec3 lattice_units(const struct lattice *lattice, int level, vec3 place)

@@ -154,10 +154,12 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
 /* The payload of the nearest mesh point that sees the receiver, or NULL. Cheap,
  * for places of which many are looked at together: with `jitter` uniform in
  * [-0.5,0.5)^3 the mean of many is the trilinear interpolation, where all of a
- * cell's corners are of use. */
+ * cell's corners are of use. Unless `through` is NULL one that sees it through
+ * panes is as good, which let that of its light pass. */
 const void *point_mesh_nearest(const struct point_mesh *mesh,
                                struct worker *worker,
-                               const struct receiver *receiver, vec3 jitter);
+                               const struct receiver *receiver, vec3 jitter,
+                               rgb *through);
 
 /* Adds the names of the points that a blend for the receiver would ask for, of
  * no level finer than usual. */

@@ -330,13 +330,13 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     blend->here = false;
     blend->through = rgb_grey(1);
     seek_levels(seeker, finest, coarse);
+    if (blend->count == 0 && mesh->least > 0 && !world_is_opaque(mesh->world))
+        seek_behind(seeker, finest, coarse);
     if (blend->count == 0 && mesh->least > 0) {
         seeker.most = seeker.least;
         seeker.least = 0;
         seek_levels(seeker, finest, coarse);
     }
-    if (blend->count == 0 && mesh->least > 0 && !world_is_opaque(mesh->world))
-        seek_behind(seeker, finest, coarse);
     if (blend->count == 0)
         seek_here(&seeker);
 }

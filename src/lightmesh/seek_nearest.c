@@ -27,16 +27,27 @@ static void nearest_corners(vec3 at, struct lattice_point corner[8])
         }
 }
 
+static bool nearest_looks(const struct point_mesh *mesh, struct worker *worker,
+                          const struct receiver *receiver, vec3 from,
+                          rgb *through)
+{
+    return through ? seek_looks_through(mesh, worker, receiver, from, through)
+                   : seek_looks(mesh, worker, receiver, from);
+}
+
 /* The nearest that surely sees the place, or else the nearest that does. */
 const void *point_mesh_nearest(const struct point_mesh *mesh,
                                struct worker *worker,
-                               const struct receiver *receiver, vec3 jitter)
+                               const struct receiver *receiver, vec3 jitter,
+                               rgb *through)
 {
     double coarse;
     struct lattice_point corner[8];
     vec3 from[8];
     int unsure[8], count = 0;
     vec3 place = receiver->point, normal = receiver->side;
+    if (through)
+        *through = rgb_grey(1);
     int level = lattice_level(&mesh->lattice, &receiver->view, place, &coarse);
     if (coarse > 0.5)
         level++;
@@ -57,7 +68,7 @@ const void *point_mesh_nearest(const struct point_mesh *mesh,
             unsure[count++] = i;
     }
     for (int i = 0; i < count; i++)
-        if (seek_looks(mesh, worker, receiver, from[unsure[i]]))
+        if (nearest_looks(mesh, worker, receiver, from[unsure[i]], through))
             return point_mesh_payload(mesh, worker, &corner[unsure[i]]);
     return NULL;
 }

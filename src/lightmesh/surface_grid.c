@@ -1,8 +1,6 @@
 /* Grids fixed to surfaces: see surface_grid.h. */
 #include "lightmesh/surface_grid.h"
 
-#include <string.h>
-
 #include "base/smooth.h"
 #include "lightmesh/tuning.h"
 #include "scene/camera.h"
@@ -115,9 +113,12 @@ bool surface_grid_cell(const struct surface_grid *grid,
 
 bool grid_cells_same(const struct grid_cell *a, const struct grid_cell *b)
 {
-    return a->level == b->level && a->axis == b->axis && a->down == b->down &&
-           memcmp(a->at, b->at, sizeof a->at) == 0 &&
-           memcmp(a->slab, b->slab, sizeof a->slab) == 0;
+    int differ = (a->level ^ b->level) | (a->axis ^ b->axis) |
+                 (a->down ^ b->down) | (a->at[0] ^ b->at[0]) |
+                 (a->at[1] ^ b->at[1]);
+    for (int i = 0; i < GRID_CORNERS; i++)
+        differ |= a->slab[i] ^ b->slab[i];
+    return differ == 0;
 }
 
 /* 5 bits of axis, way and kind, 5 of level, 3 times 18, biased. */

@@ -17,16 +17,22 @@ struct table_index {
     size_t places;                    /* of the last, which has room for all */
 };
 
-void *made_once(void *_Atomic *made, size_t size)
+/* `get` is memory_new or one of its kin. */
+static void *got_once(void *_Atomic *made, size_t size, void *(*get)(size_t))
 {
     void *known = atomic_load_explicit(made, memory_order_acquire);
     if (known)
         return known;
-    void *own = memory_new(size);
+    void *own = get(size);
     if (atomic_compare_exchange_strong(made, &known, own))
         return own;
     memory_free(own);
     return known;
+}
+
+void *made_once(void *_Atomic *made, size_t size)
+{
+    return got_once(made, size, memory_new);
 }
 
 static size_t level_places(const struct table_index *index, int level)
@@ -62,8 +68,10 @@ static struct table_place *level_find(struct table_index *index, int level,
 {
     size_t mask = level_places(index, level) - 1;
     size_t probes = level + 1 < index->count ? LEVEL_PROBES : PROBES_MAX;
+    /* A further level may get little of what the first had no room for. */
     struct table_place *places =
-        made_once(&index->levels[level], (mask + 1) * sizeof *places);
+        got_once(&index->levels[level], (mask + 1) * sizeof *places,
+                 level > 0 ? memory_new_lazy : memory_new);
     for (size_t i = 0; i < probes; i++) {
         struct table_place *place = &places[(hash + i) & mask];
         uint64_t found =

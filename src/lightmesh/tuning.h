@@ -222,9 +222,9 @@ static const double indirect_pixels_rise = 0.3;  /* of a corner over the plane,
 static const double indirect_pixels_lift = 0.05; /* of a corner's distance */
 static const double indirect_pixels_even = 0.3; /* share of their light by which
                                                  * corners may differ, */
-static const double indirect_pixels_same = 0.15;  /* where those do between
-                                                   * which another would be, that
-                                                   * one is spared */
+static const double indirect_pixels_same = 0.2; /* where those do between
+                                                 * which another would be, that
+                                                 * one is spared */
 static const double indirect_pixels_dim = 0.004;  /* and irradiance, */
 static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
                                                    */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scene/crossings.h"
+#include "scene/julia_glimpse.h"
 #include "scene/julia_march.h"
 #include "scene/julia_orbit.h"
 #include "scene/julia_steps.h"
@@ -221,6 +222,19 @@ static bool julia_crosses(const void *shape, const struct ray *ray, double tmin,
     return julia_first_t(shape, ray, tmin, tmax, true) < HUGE_VAL;
 }
 
+static bool julia_first_roughly(const void *shape, const struct ray *ray,
+                                double tmin, double tmax, double spread,
+                                struct hit *hit)
+{
+    const struct julia_fractal *f = shape;
+    const struct julia_cone cone = { ray, tmin, tmax, spread, !hit };
+    const double t = f->stepped ? julia_first_t(f, ray, tmin, tmax, !hit)
+                                : julia_glimpse(f, &cone);
+    if (hit)
+        *hit = (struct hit){ .t = t };
+    return t < HUGE_VAL;
+}
+
 /* Rays side by side, from lane `from` on, set out. */
 static void march_lanes(const struct julia_fractal *f, const struct rays *rays,
                         const struct rays_span *span, int from,
@@ -374,6 +388,7 @@ const struct primitive julia_fractal_primitive = {
     .crossings = julia_crossings,
     .crosses = julia_crosses,
     .first = julia_first,
+    .first_roughly = julia_first_roughly,
     .crosses_many = julia_crosses_many,
     .first_many = julia_first_many,
     .crossings_many = julia_crossings_many,

@@ -24,21 +24,20 @@ void julia_march_put(struct julia_march *march, int lane, const struct ray *ray,
     march->tmax[lane] = tmax;
 }
 
-CLONES static void march_points(const struct julia_march *m, const octet *t,
-                                struct julia_points *points)
+CLONES void julia_march_points(const struct julia_march *m, const octet *t,
+                               struct julia_points *points)
 {
     points->x = m->origin[0] + *t * m->direction[0];
     points->y = m->origin[1] + *t * m->direction[1];
     points->z = m->origin[2] + *t * m->direction[2];
 }
 
-/* What is at t; and then how far all is like it. */
-static void march_look(const struct julia_fractal *f,
-                       const struct julia_march *m, const octet *t,
-                       const octet_bits *open, struct julia_fates *fates)
+void julia_march_look(const struct julia_fractal *f,
+                      const struct julia_march *m, const octet *t,
+                      const octet_bits *open, struct julia_fates *fates)
 {
     struct julia_points points;
-    march_points(m, t, &points);
+    julia_march_points(m, t, &points);
     julia_fates_find(f, &points, open, fates);
 }
 
@@ -97,7 +96,7 @@ void julia_march_start(const struct julia_fractal *fractal,
 {
     struct julia_fates fates;
     march->steps = 0;
-    march_look(fractal, march, &march->t, &march->open, &fates);
+    julia_march_look(fractal, march, &march->t, &march->open, &fates);
     march_arrive(fractal, &fates, &march->open, &march->t, march);
 }
 
@@ -141,7 +140,7 @@ static void march_seek(const struct julia_fractal *f, struct julia_march *m,
         struct julia_fates fates;
         octet next;
         march_aim(m, &next);
-        march_look(f, m, &next, &moving, &fates);
+        julia_march_look(f, m, &next, &moving, &fates);
         more = march_judge(m, &next, &fates, &seek, changes);
         march_arrive(f, &fates, &moving, &next, m);
     }
@@ -160,7 +159,7 @@ static void brackets_ask(const struct julia_fractal *f,
                          const octet_bits *open, octet *value)
 {
     struct julia_points points;
-    march_points(m, t, &points);
+    julia_march_points(m, t, &points);
     julia_fates_beyond(f, &points, open, value);
 }
 

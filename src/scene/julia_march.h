@@ -32,6 +32,17 @@ void julia_march_alone(const struct julia_fractal *fractal,
 void julia_march_enter(const struct julia_fractal *fractal,
                        struct julia_march *march);
 
+/* Points of the rays, those at `t` of each. */
+struct julia_points;
+void julia_march_points(const struct julia_march *march, const octet *t,
+                        struct julia_points *points);
+
+/* What is at t, where `open` is set, and how far all is like it. */
+struct julia_fates;
+void julia_march_look(const struct julia_fractal *fractal,
+                      const struct julia_march *march, const octet *t,
+                      const octet_bits *open, struct julia_fates *fates);
+
 /* Looks at where they begin. */
 void julia_march_start(const struct julia_fractal *fractal,
                        struct julia_march *march);

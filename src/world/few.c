@@ -3,7 +3,10 @@
 
 #include "base/pair.h"
 
-enum { BEAM_WORTH = 4 }; /* boxes, to look at all rays of a packet as one */
+enum {
+    BEAM_WORTH = 4, /* boxes, to look at all rays of a packet as one, */
+    ROW_WORTH = 7,  /* and of one ray at a row of them at once */
+};
 
 /* Side by side, and as many more as make whole rows. */
 struct few_boxes {
@@ -49,16 +52,63 @@ static inline int pair_met(const struct few_boxes *boxes, size_t i,
     return pair_ordered(enter, leave);
 }
 
-void few_trace(const struct few *few, struct query *query)
+/* Which boxes of the row from number `first` on the ray meets, to the bit as
+ * pair_met has it. */
+CLONES static void row_met(const struct few_boxes *restrict boxes, size_t first,
+                           const struct query *query, lane_flag *restrict met)
+{
+    const vec3 from = query->slabs.origin, inverse = query->slabs.inverse;
+    const double origin[3] = { from.x, from.y, from.z };
+    const double by[3] = { inverse.x, inverse.y, inverse.z };
+    const double tmin = query->tmin, tmax = query->tmax;
+    for (int i = 0; i < FEW_ROW; i++) {
+        double enter = tmin, leave = tmax;
+        for (int k = 0; k < 3; k++) {
+            double a = (boxes->side[0][k][first + i] - origin[k]) * by[k];
+            double b = (boxes->side[1][k][first + i] - origin[k]) * by[k];
+            enter = greater(enter, lesser(a, b));
+            leave = lesser(leave, greater(a, b));
+        }
+        met[i] = enter <= leave ? -1 : 0;
+    }
+}
+
+/* Those of the row that are looked at, until the search is over. Once something
+ * is met what is farther isn't worth it. */
+static bool row_trace(const struct few *few, struct query *query, size_t first)
+{
+    LANE_LINES lane_flag met[FEW_ROW];
+    const double tmax = query->tmax;
+    row_met(few->boxes, first, query, met);
+    for (unsigned row = rays_bits(met); row; row &= row - 1) {
+        size_t i = first + (size_t)__builtin_ctz(row);
+        if (query->tmax < tmax &&
+            !(pair_met(few->boxes, i & ~(size_t)1, query) >> (i & 1) & 1))
+            continue;
+        if (query_solid(query, few->solids->items[i]))
+            return true;
+    }
+    return false;
+}
+
+static bool pair_trace(const struct few *few, struct query *query, size_t first)
 {
     struct solid *const *solids = few->solids->items;
-    for (size_t i = 0; i < few->solids->count; i += PAIR) {
-        int met = pair_met(few->boxes, i, query);
-        if (met & 1 && query_solid(query, solids[i]))
-            return;
-        if (met & 2 && query_solid(query, solids[i + 1]))
-            return;
-    }
+    int met = pair_met(few->boxes, first, query);
+    return (met & 1 && query_solid(query, solids[first])) ||
+           (met & 2 && query_solid(query, solids[first + 1]));
+}
+
+void few_trace(const struct few *few, struct query *query)
+{
+    const size_t count = few->solids->count;
+    bool over = false;
+    if (count < ROW_WORTH)
+        for (size_t i = 0; !over && i < count; i += PAIR)
+            over = pair_trace(few, query, i);
+    else
+        for (size_t i = 0; !over && i < count; i += FEW_ROW)
+            over = row_trace(few, query, i);
 }
 
 static struct box3 few_box(const struct few *few, size_t i)
@@ -76,7 +126,9 @@ struct beam {
         int in;                   /* the side they come in by: low 0, high 1 */
         double in_from, out_from; /* the origin farthest from either side */
         double least, most;       /* inverse of their directions */
+        double low, high;         /* if `spread`, all of their ways */
     } axis[3];
+    bool spread; /* axes don't tell enough: they go this way and that */
 };
 
 enum { FOLD = RAY_LANES / 2 };
@@ -98,6 +150,21 @@ CLONES static void lanes_fold(const double (*restrict lanes)[RAY_LANES],
         }
 }
 
+/* The lesser and the greater ends of rays, and a little beyond. */
+CLONES static void lanes_ends(const struct rays *restrict rays,
+                              const double *restrict length,
+                              double (*restrict low)[RAY_LANES],
+                              double (*restrict high)[RAY_LANES])
+{
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < RAY_LANES; i++) {
+            double from = rays->origin[k][i];
+            double way = length[i] * (1 + 1e-9) * rays->direction[k][i];
+            low[k][i] = lesser(from, from + way);
+            high[k][i] = greater(from, from + way);
+        }
+}
+
 _Static_assert(FOLD == 4 * PAIR, "four pairs");
 
 static double fold_least(const double *fold)
@@ -112,6 +179,21 @@ static double fold_most(const double *fold)
     const pair *of = (const pair *)fold;
     pair most = pair_max(pair_max(of[0], of[1]), pair_max(of[2], of[3]));
     return greater(most[0], most[1]);
+}
+
+/* The part of space that they are in. */
+static void beam_ends(const struct packet *packet, const lane_flag *open,
+                      struct beam *beam)
+{
+    LANE_LINES double low[3][RAY_LANES], high[3][RAY_LANES];
+    LANE_LINES double least[3][FOLD], most[3][FOLD], unused[3][FOLD];
+    lanes_ends(packet->rays, packet->span.far, low, high);
+    lanes_fold(low, open, least, unused);
+    lanes_fold(high, open, unused, most);
+    for (int k = 0; k < 3; k++) {
+        beam->axis[k].low = fold_least(least[k]);
+        beam->axis[k].high = fold_most(most[k]);
+    }
 }
 
 static void beam_of(const struct packet *packet, struct beam *beam)
@@ -134,6 +216,10 @@ static void beam_of(const struct packet *packet, struct beam *beam)
         beam->axis[k].least = inverse[0];
         beam->axis[k].most = inverse[1];
     }
+    beam->spread =
+        !(beam->axis[0].known && beam->axis[1].known && beam->axis[2].known);
+    if (beam->spread)
+        beam_ends(packet, open, beam);
 }
 
 /* Which boxes of the row from number `first` on some ray may meet. */
@@ -153,6 +239,12 @@ CLONES static void beam_meets(const struct beam *restrict beam,
         const double in_from = beam->axis[k].in_from;
         const double out_from = beam->axis[k].out_from;
         const double least = beam->axis[k].least, most = beam->axis[k].most;
+        const double low = beam->axis[k].low, high = beam->axis[k].high;
+        const double *bottom = boxes->side[0][k] + first;
+        const double *top = boxes->side[1][k] + first;
+        for (int i = 0; beam->spread && i < FEW_ROW; i++)
+            leave[i] =
+                (bottom[i] > high) | (top[i] < low) ? -HUGE_VAL : leave[i];
         for (int i = 0; beam->axis[k].known && i < FEW_ROW; i++) {
             double to = near[i] - in_from, from = far[i] - out_from;
             enter[i] = greater(enter[i], lesser(to * least, to * most));
