@@ -150,6 +150,10 @@ CLONES static void lanes_fold(const double (*restrict lanes)[RAY_LANES],
         }
 }
 
+/* As far as a ray without end gets: across it, that times nothing is nothing.
+ */
+static const double few_far = 1e100;
+
 /* The lesser and the greater ends of rays, and a little beyond. */
 CLONES static void lanes_ends(const struct rays *restrict rays,
                               const double *restrict length,
@@ -159,7 +163,8 @@ CLONES static void lanes_ends(const struct rays *restrict rays,
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < RAY_LANES; i++) {
             double from = rays->origin[k][i];
-            double way = length[i] * (1 + 1e-9) * rays->direction[k][i];
+            double reach = lesser(length[i], few_far) * (1 + 1e-9);
+            double way = reach * rays->direction[k][i];
             low[k][i] = lesser(from, from + way);
             high[k][i] = greater(from, from + way);
         }
