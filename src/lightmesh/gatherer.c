@@ -279,7 +279,9 @@ static struct gathered gatherer_mean(const struct gatherer *gatherer)
 {
     struct gathered sum = { indirect_light_none, indirect_light_none, 0 };
     uint32_t count = gatherer->count;
-    struct waiting waiting = { .rays.count = 0, .brought = NULL };
+    struct waiting waiting; /* the rest of it isn't read before it is set */
+    waiting.rays.count = 0;
+    waiting.brought = NULL;
     bool cells =
         !gatherer->site->lone && gatherer->even == gatherer->mesh->cells.count;
     gatherer_aim(gatherer, &waiting, &sum);

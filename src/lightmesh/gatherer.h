@@ -5,8 +5,9 @@
 #include "lightmesh/indirect.h"
 
 /* Into the payload, a struct indirect_light; the context is the mesh
- * (point_mesh in point_mesh.h). All points send as many rays: to leave off
- * where they agree would miss what is bright and seldom met. */
+ * (point_mesh in point_mesh.h). All points send as many rays, and some of them
+ * more where these differ (way_cells.h): to leave off where they agree would
+ * miss what is bright and seldom met. */
 void gatherer_fill(const void *context, struct worker *worker,
                    const struct mesh_site *site, void *payload);
 
